@@ -103,7 +103,13 @@ void parallel_for(int threads, size_t count, size_t piece, parallel_function *fu
 int parallel_threads(long asked)
 {
     long cores = asked > 0 ? asked : sysconf(_SC_NPROCESSORS_ONLN);
-    return cores < 1 ? 1 : cores > PARALLEL_MOST ? PARALLEL_MOST : (int)cores;
+    if (cores < 1) {
+        return 1;
+    }
+    if (cores > PARALLEL_MOST) {
+        return PARALLEL_MOST;
+    }
+    return (int)cores;
 }
 
 void parallel_pieces(struct parallel *parallel, size_t count, size_t piece, parallel_work *work,

@@ -71,7 +71,13 @@ static const char *inner_name(const char *path)
 {
     const char *folder = strstr(path, "lensdb/");
     const char *slash = strrchr(path, '/');
-    return folder != NULL ? folder + strlen("lensdb/") : slash != NULL ? slash + 1 : path;
+    if (folder != NULL) {
+        return folder + strlen("lensdb/");
+    }
+    if (slash != NULL) {
+        return slash + 1;
+    }
+    return path;
 }
 
 /* The name in the first cell without what does not count in names. */

@@ -47,9 +47,13 @@ static enum folder_kind folder_kind_of(DIR *directory, const char *name)
     if (fstatat(dirfd(directory), name, &status, 0) != 0) {
         return FOLDER_FILE; /* which says why when it is opened */
     }
-    return S_ISDIR(status.st_mode)   ? FOLDER_FOLDER
-           : S_ISREG(status.st_mode) ? FOLDER_FILE
-                                     : FOLDER_OTHER;
+    if (S_ISDIR(status.st_mode)) {
+        return FOLDER_FOLDER;
+    }
+    if (S_ISREG(status.st_mode)) {
+        return FOLDER_FILE;
+    }
+    return FOLDER_OTHER;
 }
 
 /* The next name; null at the end with errno 0, or where it cannot be read. */

@@ -321,7 +321,13 @@ static const struct glass_record *current_of(const struct glass_catalog_search *
             alive_count++;
         }
     }
-    return current_count == 1 ? current : current_count == 0 && alive_count == 1 ? alive : NULL;
+    if (current_count == 1) {
+        return current;
+    }
+    if (current_count == 0 && alive_count == 1) {
+        return alive;
+    }
+    return NULL;
 }
 
 /* The first of the same glasses, but rather a current one; false if they are not the same. */

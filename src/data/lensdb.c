@@ -236,7 +236,13 @@ static double exact_stop(const char *file, int step, int divisor)
 
 static int divisor_of(const char *series)
 {
-    return strcmp(series, "full") == 0 ? 1 : strcmp(series, "half") == 0 ? 2 : 3;
+    if (strcmp(series, "full") == 0) {
+        return 1;
+    }
+    if (strcmp(series, "half") == 0) {
+        return 2;
+    }
+    return 3;
 }
 
 static bool lensdb_read_stop(const struct tsv *tsv, const size_t *columns, const char *file,

@@ -321,7 +321,13 @@ double lensdb_film_speed(const struct lensdb_film *film, struct text typed)
             }
         }
     }
-    return count == 1 ? only : named == 1 ? speed : (double)NAN;
+    if (count == 1) {
+        return only;
+    }
+    if (named == 1) {
+        return speed;
+    }
+    return (double)NAN;
 }
 
 static bool lensdb_facts_is_called(const struct lensdb_film *film, struct text typed)

@@ -275,7 +275,16 @@ static const char *variable_unit_of(struct parameter what, double *factor)
     int length = parameter_length(what.kind, what.order);
     bool angle = (parameter_type(what.kind)->is & PARAMETER_IS_ANGLE) != 0;
     *factor = angle ? 1 / RADIANS_PER_DEGREE : 1;
-    return angle ? " deg" : length == 1 ? " mm" : length == -1 ? " /mm" : "";
+    if (angle) {
+        return " deg";
+    }
+    if (length == 1) {
+        return " mm";
+    }
+    if (length == -1) {
+        return " /mm";
+    }
+    return "";
 }
 
 /* What was named lies between these bounds: a radius through a plane outside of them. */

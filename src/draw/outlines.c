@@ -86,7 +86,13 @@ static void draw_cell(struct svg *svg, const struct outlines_page *page,
 static double bar_length(double scale)
 {
     double most = HALF / scale, power = pow(10, floor(log10(most)));
-    return most >= 5 * power ? 5 * power : most >= 2 * power ? 2 * power : power;
+    if (most >= 5 * power) {
+        return 5 * power;
+    }
+    if (most >= 2 * power) {
+        return 2 * power;
+    }
+    return power;
 }
 
 static void draw_foot(struct svg *svg, const struct outlines *outlines, double scale, double y)

@@ -57,9 +57,13 @@ static bool raster_find_scale(const struct rasters *rasters, double *low, double
     highest = rasters->own_scale ? 1 : fmax(highest, rasters->highest);
     highest = highest > 0 ? highest : 1;
     *high = raster_scaled(rasters, highest);
-    *low = rasters->colours == RASTER_LOG      ? *high - rasters->decades
-           : rasters->colours == RASTER_SIGNED ? -*high
-                                               : 0;
+    if (rasters->colours == RASTER_LOG) {
+        *low = *high - rasters->decades;
+    } else if (rasters->colours == RASTER_SIGNED) {
+        *low = -*high;
+    } else {
+        *low = 0;
+    }
     return true;
 }
 

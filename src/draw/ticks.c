@@ -86,7 +86,11 @@ const char *ticks_fixed(struct arena *arena, double x, int decimals)
     *number_write_digits(digits, fabs(x), 12) = '\0';
     const char *point = strchr(digits, '.');
     int missing = decimals - (point ? (int)strlen(point + 1) : 0);
-    missing = missing < 0 || strchr(digits, 'e') ? 0 : missing > 15 ? 15 : missing;
+    if (missing < 0 || strchr(digits, 'e')) {
+        missing = 0;
+    } else if (missing > 15) {
+        missing = 15;
+    }
     return arena_printf(arena, "%s%s%s%.*s", x < 0 ? "−" : "", digits,
                         missing > 0 && !point ? "." : "", missing, zeros);
 }

@@ -26,9 +26,13 @@ const struct foreign_format *foreign_by_name(struct text name)
 
 const struct file_type *lens_types(size_t i)
 {
-    return i == 0                           ? &lens_file_type
-           : foreign_formats[i - 1] != NULL ? &foreign_formats[i - 1]->type
-                                            : NULL;
+    if (i == 0) {
+        return &lens_file_type;
+    }
+    if (foreign_formats[i - 1] != NULL) {
+        return &foreign_formats[i - 1]->type;
+    }
+    return NULL;
 }
 
 static const struct foreign_format *by_ending(struct text path)

@@ -318,15 +318,28 @@ static bool merge_fields(struct merge *merge, struct error *error)
 /* What has no values of its own in the positions. */
 static const char *against(const struct lens *a, const struct lens *b)
 {
-    return a->surface_count != b->surface_count   ? "the number of surfaces"
-           : a->aperture_kind != b->aperture_kind ? "the kind of aperture"
-           : (a->wavelength_count == 0) != (b->wavelength_count == 0)
-               ? "whether there are wavelengths"
-           : a->focus != b->focus                                  ? "where the image is"
-           : (a->stop == LENS_NONE) != (b->stop == LENS_NONE)      ? "whether there is a stop"
-           : !medium_is_same(&a->object_medium, &b->object_medium) ? "the medium of the object"
-           : a->is_telecentric != b->is_telecentric ? "whether the object space is telecentric"
-                                                    : NULL;
+    if (a->surface_count != b->surface_count) {
+        return "the number of surfaces";
+    }
+    if (a->aperture_kind != b->aperture_kind) {
+        return "the kind of aperture";
+    }
+    if ((a->wavelength_count == 0) != (b->wavelength_count == 0)) {
+        return "whether there are wavelengths";
+    }
+    if (a->focus != b->focus) {
+        return "where the image is";
+    }
+    if ((a->stop == LENS_NONE) != (b->stop == LENS_NONE)) {
+        return "whether there is a stop";
+    }
+    if (!medium_is_same(&a->object_medium, &b->object_medium)) {
+        return "the medium of the object";
+    }
+    if (a->is_telecentric != b->is_telecentric) {
+        return "whether the object space is telecentric";
+    }
+    return NULL;
 }
 
 bool merge_positions(struct lens_build *build, const struct lens *lenses, struct foreign_job *job,

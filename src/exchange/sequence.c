@@ -209,7 +209,13 @@ static bool sequence_put_image(const struct sequence *sequence, bool is_solved, 
     const struct file_words place = commands_place(sequence->commands, &image->at);
     struct lens *lens = sequence->build->lens;
     size_t last = lens->surface_count;
-    lens->focus = sequence->is_afocal ? FOCUS_AFOCAL : is_solved ? FOCUS_PARAXIAL : FOCUS_TABLE;
+    if (sequence->is_afocal) {
+        lens->focus = FOCUS_AFOCAL;
+    } else if (is_solved) {
+        lens->focus = FOCUS_PARAXIAL;
+    } else {
+        lens->focus = FOCUS_TABLE;
+    }
     if (sequence_is_some(&image->curve) &&
         !foreign_loss(sequence->job, &place, image->at.text, error,
                       "a curved image" LOSS_INSTEAD "taken as a plane")) {

@@ -53,9 +53,13 @@ const struct word_group *word_group_of(const struct word_group *table, const cha
 
 const char *word_group_marks(const struct word_group *group)
 {
-    return (group->flags & WORD_VIGNETTES) != 0   ? LOSS_VIGNETTES
-           : (group->flags & WORD_HAS_POWER) != 0 ? LOSS_OF_POWER
-                                                  : "";
+    if ((group->flags & WORD_VIGNETTES) != 0) {
+        return LOSS_VIGNETTES;
+    }
+    if ((group->flags & WORD_HAS_POWER) != 0) {
+        return LOSS_OF_POWER;
+    }
+    return "";
 }
 
 bool word_table_next(struct word_entry *entry)

@@ -17,9 +17,13 @@ enum owner { OWNED_BY_SURFACE, OWNED_BY_GAP, OWNED_BY_MEDIUM, OWNERS };
 
 static enum owner owner_of(enum parameter_kind kind)
 {
-    return kind == PARAMETER_THICKNESS                             ? OWNED_BY_GAP
-           : (parameter_type(kind)->is & PARAMETER_IS_BEHIND) != 0 ? OWNED_BY_MEDIUM
-                                                                   : OWNED_BY_SURFACE;
+    if (kind == PARAMETER_THICKNESS) {
+        return OWNED_BY_GAP;
+    }
+    if ((parameter_type(kind)->is & PARAMETER_IS_BEHIND) != 0) {
+        return OWNED_BY_MEDIUM;
+    }
+    return OWNED_BY_SURFACE;
 }
 
 /* A lens being turned around. */
@@ -174,9 +178,13 @@ static bool pickup_has_place(const struct lens *lens, const struct lens_pickup *
 static enum owner owner_of_tolerance(enum tolerance_kind kind)
 {
     const enum parameter_kind parameter = tolerance_type(kind)->parameter;
-    return kind == TOLERANCE_AIR          ? OWNED_BY_GAP
-           : parameter == PARAMETER_KINDS ? OWNED_BY_SURFACE
-                                          : owner_of(parameter);
+    if (kind == TOLERANCE_AIR) {
+        return OWNED_BY_GAP;
+    }
+    if (parameter == PARAMETER_KINDS) {
+        return OWNED_BY_SURFACE;
+    }
+    return owner_of(parameter);
 }
 
 /* Has the tolerance of this surface a place in the lens turned around? */

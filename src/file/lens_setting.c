@@ -32,12 +32,14 @@ static const char *against_surface(const struct surface *surface,
     const struct parameter *one = &setting->parameter;
     const char *name = parameter_write(*one, arena);
     if (setting->media != NULL) {
-        return surface_reflects(surface) || surface->kind == SURFACE_STOP
-                   ? arena_printf(arena, "%s: a mirror or a stop has no glass of its own", name)
-               : medium_is_same(&setting->media[0], &surface->medium)
-                   ? NULL
-                   : arena_printf(arena, "%s: the first position has not the medium of its surface",
-                                  name);
+        if (surface_reflects(surface) || surface->kind == SURFACE_STOP) {
+            return arena_printf(arena, "%s: a mirror or a stop has no glass of its own", name);
+        }
+        if (medium_is_same(&setting->media[0], &surface->medium)) {
+            return NULL;
+        }
+        return arena_printf(arena, "%s: the first position has not the medium of its surface",
+                            name);
     }
     const struct figure *figure = parameter_figure(surface, one->kind, one->order);
     bool plane = one->kind == PARAMETER_RADIUS && surface->is_plane && !surface->has_curvature &&

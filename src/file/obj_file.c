@@ -342,9 +342,13 @@ struct places {
 
 static int in_order(struct vector a, struct vector b)
 {
-    return a.x != b.x   ? (a.x > b.x) - (a.x < b.x)
-           : a.y != b.y ? (a.y > b.y) - (a.y < b.y)
-                        : (a.z > b.z) - (a.z < b.z);
+    if (a.x != b.x) {
+        return (a.x > b.x) - (a.x < b.x);
+    }
+    if (a.y != b.y) {
+        return (a.y > b.y) - (a.y < b.y);
+    }
+    return (a.z > b.z) - (a.z < b.z);
 }
 
 static struct places places_of(const struct obj *obj, const size_t triangle[3])

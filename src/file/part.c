@@ -202,17 +202,37 @@ static enum part_line understand(const struct text values[LINES], struct part_he
     head->command = values[COMMAND];
     head->words = values[WORDS];
     head->version = values[VERSION];
-    return !part_is_plain(values[COMMAND])                                       ? COMMAND
-           : !part_is_plain(values[WORDS])                                       ? WORDS
-           : !part_is_plain(values[VERSION])                                     ? VERSION
-           : !digest_of_line(values[INPUT], &head->input)                        ? INPUT
-           : !whole_of(values[SEED], &head->seed)                                ? SEED
-           : !part_take_part(&at, at + values[PART].length, &head->part)         ? PART
-           : !whole_of(values[ITEMS], &head->total)                              ? ITEMS
-           : !whole_of(values[DONE], &head->done) || head->done > items_of(head) ? DONE
-           : !whole_of(values[LENGTH], length)                                   ? LENGTH
-           : !digest_of_line(values[BODY], body)                                 ? BODY
-                                                                                 : LINES;
+    if (!part_is_plain(values[COMMAND])) {
+        return COMMAND;
+    }
+    if (!part_is_plain(values[WORDS])) {
+        return WORDS;
+    }
+    if (!part_is_plain(values[VERSION])) {
+        return VERSION;
+    }
+    if (!digest_of_line(values[INPUT], &head->input)) {
+        return INPUT;
+    }
+    if (!whole_of(values[SEED], &head->seed)) {
+        return SEED;
+    }
+    if (!part_take_part(&at, at + values[PART].length, &head->part)) {
+        return PART;
+    }
+    if (!whole_of(values[ITEMS], &head->total)) {
+        return ITEMS;
+    }
+    if (!whole_of(values[DONE], &head->done) || head->done > items_of(head)) {
+        return DONE;
+    }
+    if (!whole_of(values[LENGTH], length)) {
+        return LENGTH;
+    }
+    if (!digest_of_line(values[BODY], body)) {
+        return BODY;
+    }
+    return LINES;
 }
 
 bool part_is(struct text first)
@@ -262,14 +282,28 @@ bool part_read(const char *path, struct text content, struct part_file *file, st
 /* Which line of a head is not that of its run's; LINES: none. */
 static enum part_line different(const struct part_head *run, const struct part_head *head)
 {
-    return !text_identical(run->command, head->command)     ? COMMAND
-           : !text_identical(run->words, head->words)       ? WORDS
-           : !text_identical(run->version, head->version)   ? VERSION
-           : strcmp(run->input.text, head->input.text) != 0 ? INPUT
-           : run->seed != head->seed                        ? SEED
-           : run->part.count != head->part.count            ? PART
-           : run->total != head->total                      ? ITEMS
-                                                            : LINES;
+    if (!text_identical(run->command, head->command)) {
+        return COMMAND;
+    }
+    if (!text_identical(run->words, head->words)) {
+        return WORDS;
+    }
+    if (!text_identical(run->version, head->version)) {
+        return VERSION;
+    }
+    if (strcmp(run->input.text, head->input.text) != 0) {
+        return INPUT;
+    }
+    if (run->seed != head->seed) {
+        return SEED;
+    }
+    if (run->part.count != head->part.count) {
+        return PART;
+    }
+    if (run->total != head->total) {
+        return ITEMS;
+    }
+    return LINES;
 }
 
 /* An option without its value: "--size" of "--size=60x40". */
@@ -304,9 +338,13 @@ static struct text first_word(struct text line, struct text other)
 static const char *asked(struct text line, struct text word, struct arena *arena)
 {
     const struct text found = word_like(line, word), option = part_option_of(word);
-    return found.length > 0  ? arena_string(arena, found.start, found.length)
-           : word.length > 0 ? arena_printf(arena, "no %.*s", (int)option.length, option.start)
-                             : "in another order";
+    if (found.length > 0) {
+        return arena_string(arena, found.start, found.length);
+    }
+    if (word.length > 0) {
+        return arena_printf(arena, "no %.*s", (int)option.length, option.start);
+    }
+    return "in another order";
 }
 
 /* What a head says in a line; `word` is one that heads differ in. */

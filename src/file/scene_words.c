@@ -85,11 +85,19 @@ static const struct scene_words_form {
 static const struct unit *scene_words_bare_unit(const struct scene_units *units,
                                                 const struct dimension *dimension)
 {
-    return dimension == &dimension_length     ? &units->length
-           : dimension == &dimension_speed    ? &units->speed
-           : dimension == &dimension_angle    ? unit_find(dimension, text_of("deg"))
-           : dimension == &dimension_rotation ? unit_find(dimension, text_of("deg/s"))
-                                              : NULL;
+    if (dimension == &dimension_length) {
+        return &units->length;
+    }
+    if (dimension == &dimension_speed) {
+        return &units->speed;
+    }
+    if (dimension == &dimension_angle) {
+        return unit_find(dimension, text_of("deg"));
+    }
+    if (dimension == &dimension_rotation) {
+        return unit_find(dimension, text_of("deg/s"));
+    }
+    return NULL;
 }
 
 bool scene_line_fail(const struct scene_line *line, enum scene_key key, struct error *error,

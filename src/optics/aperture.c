@@ -55,7 +55,11 @@ static double from_side(const struct aperture_form *form, size_t i, double x, do
     double dx = q[0] - p[0], dy = q[1] - p[1], length2 = dx * dx + dy * dy;
     double along = (x - p[0]) * dx + (y - p[1]) * dy;
     double share = length2 > 0 ? along / length2 : 0;
-    share = share < 0 ? 0 : share > 1 ? 1 : share;
+    if (share < 0) {
+        share = 0;
+    } else if (share > 1) {
+        share = 1;
+    }
     double ex = x - p[0] - share * dx, ey = y - p[1] - share * dy;
     return ex * ex + ey * ey;
 }
@@ -94,7 +98,13 @@ static double polygon_excess(const struct aperture_form *form, double x, double 
         }
     }
     double relative = sqrt(least) / form->radius;
-    return isnan(x) || isnan(y) ? (double)NAN : inside ? -relative : relative;
+    if (isnan(x) || isnan(y)) {
+        return (double)NAN;
+    }
+    if (inside) {
+        return -relative;
+    }
+    return relative;
 }
 
 /* Beyond one arm, mm: across it, or behind the centre where it begins. */

@@ -228,9 +228,13 @@ static void set_telecentric_beam(struct first_order *all, const struct conjugate
         return;
     }
     all->chief_v = 0;
-    all->chief_y = kind == FIELD_ANGLE    ? -tan(field) * distance
-                   : kind == FIELD_HEIGHT ? field
-                                          : field / all->magnification;
+    if (kind == FIELD_ANGLE) {
+        all->chief_y = -tan(field) * distance;
+    } else if (kind == FIELD_HEIGHT) {
+        all->chief_y = field;
+    } else {
+        all->chief_y = field / all->magnification;
+    }
     all->lagrange = -all->marginal_v * all->chief_y;
 }
 

@@ -66,9 +66,13 @@ static void parameter_put_radius(struct surface *surface, size_t offset, struct 
 
 static double get_radius(const struct surface *surface, size_t offset)
 {
-    return surface->has_curvature ? 1 / surface->curvature.value.hi
-           : surface->is_plane    ? INFINITY
-                                  : parameter_at(surface, offset)->value.hi;
+    if (surface->has_curvature) {
+        return 1 / surface->curvature.value.hi;
+    }
+    if (surface->is_plane) {
+        return INFINITY;
+    }
+    return parameter_at(surface, offset)->value.hi;
 }
 
 static const struct figure *look_curvature(const struct surface *surface, size_t offset)
@@ -87,9 +91,13 @@ static void parameter_put_curvature(struct surface *surface, size_t offset, stru
 
 static double get_curvature(const struct surface *surface, size_t offset)
 {
-    return surface->has_curvature ? parameter_at(surface, offset)->value.hi
-           : surface->is_plane    ? 0
-                                  : pair_divide(pair_of(1), surface->radius.value).hi;
+    if (surface->has_curvature) {
+        return parameter_at(surface, offset)->value.hi;
+    }
+    if (surface->is_plane) {
+        return 0;
+    }
+    return pair_divide(pair_of(1), surface->radius.value).hi;
 }
 
 /* As a curvature only where the surface has one: a file is read with radii. */

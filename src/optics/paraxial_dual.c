@@ -277,9 +277,13 @@ static void set_stop(const struct paraxial_dual *dual, const struct dual_questio
     const bool has_stop = dual->stop != LENS_NONE;
     if (primary != NULL || aperture->kind == APERTURE_STOP) {
         first->stop_radius = primary != NULL ? primary->stop_radius : dual_of(aperture->value / 2);
-        first->entrance_radius = has_stop ? dual_multiply(first->stop_radius, first->entrance_scale)
-                                 : primary != NULL ? primary->entrance_radius
-                                                   : dual_of(NAN);
+        if (has_stop) {
+            first->entrance_radius = dual_multiply(first->stop_radius, first->entrance_scale);
+        } else if (primary != NULL) {
+            first->entrance_radius = primary->entrance_radius;
+        } else {
+            first->entrance_radius = dual_of(NAN);
+        }
         return;
     }
     first->entrance_radius = paraxial_dual_radius_of(dual, question, first);
@@ -317,10 +321,13 @@ static struct dual object_height(const struct dual_question *question,
                                  const struct dual_first *primary)
 {
     const double field = question->field;
-    return question->field_kind == FIELD_HEIGHT ? dual_of(field)
-           : question->field_kind == FIELD_ANGLE
-               ? dual_of(-tan(field) * question->object->distance.hi)
-               : dual_divide(dual_of(field), primary->magnification);
+    if (question->field_kind == FIELD_HEIGHT) {
+        return dual_of(field);
+    }
+    if (question->field_kind == FIELD_ANGLE) {
+        return dual_of(-tan(field) * question->object->distance.hi);
+    }
+    return dual_divide(dual_of(field), primary->magnification);
 }
 
 static void set_chief(const struct paraxial_dual *dual, const struct dual_question *question,

@@ -311,7 +311,13 @@ static void fill_paraxial(const struct refract_surface *s, double after, struct 
     }
     ray->paraxial_slope = u;
     /* the same factored, so that an object at the centre is met without a rest */
-    ray->paraxial_incidence = isinf(z) ? h / s->R : isinf(s->R) ? u : u * ((s->R - z) / s->R);
+    if (isinf(z)) {
+        ray->paraxial_incidence = h / s->R;
+    } else if (isinf(s->R)) {
+        ray->paraxial_incidence = u;
+    } else {
+        ray->paraxial_incidence = u * ((s->R - z) / s->R);
+    }
     ray->paraxial_refraction = s->n * ray->paraxial_incidence / after;
     ray->paraxial_slope_after = (s->n * u - h * refract_power(s)) / after;
 }

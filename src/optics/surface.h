@@ -175,7 +175,13 @@ static inline int surface_order(int i)
 static inline int surface_term(int order)
 {
     int odd = LENS_EVEN + order / 2, even = order / 2 - 1;
-    return order < 1 || order > LENS_COEFFICIENTS ? -1 : order % 2 == 0 ? even : odd;
+    if (order < 1 || order > LENS_COEFFICIENTS) {
+        return -1;
+    }
+    if (order % 2 == 0) {
+        return even;
+    }
+    return odd;
 }
 
 /* The odd powers among those that were given: bit i stands for A(2 i + 1). */

@@ -62,9 +62,13 @@ static void set_surfaces(struct lens *lens, const struct thick_stand_in *stand_i
     lens->surfaces[count++] = thick_surface(stand_in, behind);
     lens->surfaces[count++] = plane_surface(stand_in->image, behind);
     lens->surface_count = count;
-    lens->aperture_kind = has_stop                                                ? APERTURE_STOP
-                          : stand_in->fnumber > 0 && stand_in->fnumber < INFINITY ? APERTURE_FNUMBER
-                                                                                  : APERTURE_NONE;
+    if (has_stop) {
+        lens->aperture_kind = APERTURE_STOP;
+    } else if (stand_in->fnumber > 0 && stand_in->fnumber < INFINITY) {
+        lens->aperture_kind = APERTURE_FNUMBER;
+    } else {
+        lens->aperture_kind = APERTURE_NONE;
+    }
     lens->aperture =
         thick_element_figure_of(lens->aperture_kind == APERTURE_FNUMBER ? stand_in->fnumber : 0);
 }

@@ -110,10 +110,16 @@ static double power_of_two(double ev)
 /* The light as 2^EV100, without a logarithm on the way where none is given. */
 static double light_ratio(const struct exposure_given *g)
 {
-    return is_given(g->ev100) ? power_of_two(g->ev100)
-           : is_given(g->L)   ? 100 * (g->L / g->K)
-           : is_given(g->E)   ? 100 * (g->E / g->C)
-                              : power_of_two(g->ev) / (g->S / 100);
+    if (is_given(g->ev100)) {
+        return power_of_two(g->ev100);
+    }
+    if (is_given(g->L)) {
+        return 100 * (g->L / g->K);
+    }
+    if (is_given(g->E)) {
+        return 100 * (g->E / g->C);
+    }
+    return power_of_two(g->ev) / (g->S / 100);
 }
 
 static bool fail_count(int missing, struct error *error)
@@ -147,10 +153,15 @@ static bool exposure_find_unknown(struct exposure_given *g, struct exposure *x, 
                     "{ISO speed} open: give {exposure value at ISO 100} (the "
                     "light at ISO 100) to solve for the speed");
     }
-    x->unknown = missing == 0      ? EXPOSURE_S
-                 : !is_given(g->N) ? EXPOSURE_N
-                 : !is_given(g->t) ? EXPOSURE_T
-                                   : EXPOSURE_LIGHT;
+    if (missing == 0) {
+        x->unknown = EXPOSURE_S;
+    } else if (!is_given(g->N)) {
+        x->unknown = EXPOSURE_N;
+    } else if (!is_given(g->t)) {
+        x->unknown = EXPOSURE_T;
+    } else {
+        x->unknown = EXPOSURE_LIGHT;
+    }
     x->speed_assumed = missing == 1 && !speed;
     if (x->speed_assumed) {
         g->S = 100;

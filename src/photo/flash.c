@@ -56,7 +56,13 @@ static bool flash_find_unknown(struct flash_setting *s, enum flash_unknown *unkn
                     "needed");
     }
     if (missing == 1) {
-        *unknown = !is_given(s->GN) ? FLASH_GN : !is_given(s->N) ? FLASH_N : FLASH_D;
+        if (!is_given(s->GN)) {
+            *unknown = FLASH_GN;
+        } else if (!is_given(s->N)) {
+            *unknown = FLASH_N;
+        } else {
+            *unknown = FLASH_D;
+        }
         flash_assume(&s->power, 1);
     } else if (!is_given(s->power)) {
         *unknown = FLASH_POWER;

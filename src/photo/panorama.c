@@ -86,7 +86,13 @@ static bool count_frames(double angle, double total, double overlap, bool closed
                     most_frames);
     }
     *count = (int)n;
-    *step = closed ? total / n : n > 1 ? (total - angle) / (n - 1) : 0;
+    if (closed) {
+        *step = total / n;
+    } else if (n > 1) {
+        *step = (total - angle) / (n - 1);
+    } else {
+        *step = 0;
+    }
     return true;
 }
 

@@ -99,7 +99,13 @@ static double find_shots(const struct timelapse_given *g, struct timelapse *plan
     }
     bool rate_follows = !is_given(g->rate) && is_given(g->clip) && is_given(shots);
     plan->rate_assumed = !is_given(g->rate) && !rate_follows;
-    plan->rate = rate_follows ? shots / g->clip : plan->rate_assumed ? TIMELAPSE_RATE : g->rate;
+    if (rate_follows) {
+        plan->rate = shots / g->clip;
+    } else if (plan->rate_assumed) {
+        plan->rate = TIMELAPSE_RATE;
+    } else {
+        plan->rate = g->rate;
+    }
     if (!is_given(shots) && is_given(g->clip)) {
         shots = whole_above(g->clip * plan->rate);
     }

@@ -98,9 +98,13 @@ static int open_beside(struct output *output, const char *path)
 /* What is open already is written to where it stands, another process's at its end. */
 static int open_again(const char *path, int descriptor)
 {
-    return descriptor >= 0               ? fcntl(descriptor, F_DUPFD_CLOEXEC, STDERR_FILENO + 1)
-           : descriptor == PLACE_FOREIGN ? open(path, O_WRONLY | O_APPEND | O_CLOEXEC)
-                                         : open(path, O_WRONLY | O_CLOEXEC);
+    if (descriptor >= 0) {
+        return fcntl(descriptor, F_DUPFD_CLOEXEC, STDERR_FILENO + 1);
+    }
+    if (descriptor == PLACE_FOREIGN) {
+        return open(path, O_WRONLY | O_APPEND | O_CLOEXEC);
+    }
+    return open(path, O_WRONLY | O_CLOEXEC);
 }
 
 void output_begin(struct output *output, int descriptor, struct arena *arena)

@@ -91,9 +91,13 @@ bool place_is_standard(const char *path, struct arena *arena)
 static int open_as(const char *path, struct arena *arena)
 {
     const char *place = place_of(path, arena);
-    return place_is_standard(path, arena) ? STDOUT_FILENO
-           : place != NULL                ? place_descriptor(place, arena)
-                                          : PLACE_CLOSED;
+    if (place_is_standard(path, arena)) {
+        return STDOUT_FILENO;
+    }
+    if (place != NULL) {
+        return place_descriptor(place, arena);
+    }
+    return PLACE_CLOSED;
 }
 
 bool place_is_file(const char *path, struct arena *arena)

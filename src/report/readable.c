@@ -110,7 +110,13 @@ static bool is_spoken_time(const struct shown *shown, const struct unit *unit)
 
 const char *readable_unit_label(const struct shown *shown, const struct unit *unit)
 {
-    return is_feet_and_inches(shown, unit) ? "ft in" : unit != NULL ? unit->label : "";
+    if (is_feet_and_inches(shown, unit)) {
+        return "ft in";
+    }
+    if (unit != NULL) {
+        return unit->label;
+    }
+    return "";
 }
 
 int readable_inch_places(const struct shown *shown, const struct unit *unit, double typical,
@@ -118,7 +124,13 @@ int readable_inch_places(const struct shown *shown, const struct unit *unit, dou
 {
     bool any = is_feet_and_inches(shown, unit) && isfinite(typical);
     int places = any ? spoken_inch_places(typical, digits) : -1;
-    return places > 0 ? places : any && places >= -1 ? 0 : -1;
+    if (places > 0) {
+        return places;
+    }
+    if (any && places >= -1) {
+        return 0;
+    }
+    return -1;
 }
 
 /* Significant digits, without exponent where people would not write one; no -0. */
@@ -135,7 +147,13 @@ static int certain_digits(const void *row, const struct column *column, int digi
     }
     double condition = *(const double *)((const char *)row + column->condition);
     double certain = -log10(condition * 0x1p-52);
-    return !(certain >= 1) ? 0 : certain < digits ? (int)floor(certain) : digits;
+    if (!(certain >= 1)) {
+        return 0;
+    }
+    if (certain < digits) {
+        return (int)floor(certain);
+    }
+    return digits;
 }
 
 /* Does a number of at most nine digits stand for it, as for most that people type? */

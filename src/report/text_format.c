@@ -219,7 +219,13 @@ static void fit_table(struct report *report, struct grid *grid)
         bool passed = j < report->passed_count;
         bool is_error = state->has_failures && j + 1 == grid->columns;
         bool stays = is_error || (!passed && report->are_named);
-        rank[j] = stays ? 0 : passed ? grid->columns + j : j;
+        if (stays) {
+            rank[j] = 0;
+        } else if (passed) {
+            rank[j] = grid->columns + j;
+        } else {
+            rank[j] = j;
+        }
     }
     grid_fit(grid, report->output->width, least, rank);
     state->widths = grid->widths;

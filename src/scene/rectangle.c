@@ -59,7 +59,13 @@ double rectangle_solid_angle(const struct rectangle *rectangle, struct vector fr
 
 static double rectangle_within(double value, const double limits[2])
 {
-    return value < limits[0] ? limits[0] : value > limits[1] ? limits[1] : value;
+    if (value < limits[0]) {
+        return limits[0];
+    }
+    if (value > limits[1]) {
+        return limits[1];
+    }
+    return value;
 }
 
 /* Cosine between the plane through the point and an edge, and the rectangle. */

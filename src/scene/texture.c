@@ -20,7 +20,13 @@ static size_t texture_pixel(double at, size_t count, bool repeats)
     if (!(at >= 0)) {
         return repeats && at < 0 ? count - 1 : 0;
     }
-    return at <= last ? (size_t)at : repeats ? 0 : count - 1;
+    if (at <= last) {
+        return (size_t)at;
+    }
+    if (repeats) {
+        return 0;
+    }
+    return count - 1;
 }
 
 static struct between between_at(double place, size_t count, bool repeats)

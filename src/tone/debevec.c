@@ -51,7 +51,13 @@ static double debevec_weight_of(double code)
 
 static size_t held(long at, size_t count)
 {
-    return at < 0 ? 0 : at >= (long)count ? count - 1 : (size_t)at;
+    if (at < 0) {
+        return 0;
+    }
+    if (at >= (long)count) {
+        return count - 1;
+    }
+    return (size_t)at;
 }
 
 /* A pixel and its neighbours in a frame. */

@@ -11,7 +11,13 @@ enum { CHANNELS = 3, BALANCINGS = 4 };
 
 static size_t clamped_between(double x, size_t least, size_t most)
 {
-    return x < (double)least ? least : x > (double)most ? most : (size_t)x;
+    if (x < (double)least) {
+        return least;
+    }
+    if (x > (double)most) {
+        return most;
+    }
+    return (size_t)x;
 }
 
 /* Means over so many cells of a picture that lies so wide on the plane. */

@@ -154,7 +154,13 @@ bool frame_is_full(const struct tone_frame *frame, size_t i)
 unsigned frame_byte(const struct tone_frame *frame, size_t pixel, size_t channel)
 {
     const size_t i = pixel * FRAME_CHANNELS + channel;
-    return frame->bytes != NULL ? frame->bytes[i] : frame->codes != NULL ? frame->codes[i] >> 8 : 0;
+    if (frame->bytes != NULL) {
+        return frame->bytes[i];
+    }
+    if (frame->codes != NULL) {
+        return frame->codes[i] >> 8;
+    }
+    return 0;
 }
 
 void frames_order(const struct tone_frame *frames, size_t count, size_t *order)

@@ -149,7 +149,11 @@ double histogram_shown(const struct histogram *histogram, double luminance)
     if (histogram->is_linear) {
         return fmin(fmax(histogram->factor * luminance, display->least), display->most);
     }
-    return b <= histogram->low    ? display->least
-           : b >= histogram->high ? display->most
-                                  : exp(shown_brightness(histogram, b));
+    if (b <= histogram->low) {
+        return display->least;
+    }
+    if (b >= histogram->high) {
+        return display->most;
+    }
+    return exp(shown_brightness(histogram, b));
 }

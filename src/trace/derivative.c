@@ -172,9 +172,13 @@ static void number_kind(struct row_numbering *numbering, size_t surface, enum pa
 
 static unsigned what_of(struct parameter parameter)
 {
-    return parameter.kind >= PARAMETER_BREAK_DECENTER_X ? DERIVE_BREAK
-           : parameter.kind >= PARAMETER_DECENTER_X     ? DERIVE_DISPLACEMENT
-                                                        : 0;
+    if (parameter.kind >= PARAMETER_BREAK_DECENTER_X) {
+        return DERIVE_BREAK;
+    }
+    if (parameter.kind >= PARAMETER_DECENTER_X) {
+        return DERIVE_DISPLACEMENT;
+    }
+    return 0;
 }
 
 /* The surface that an index is of: before mirrors. */
@@ -281,9 +285,13 @@ static void set_shape_rows(const struct adjoint_sweep *sweep, enum step_kind kin
 {
     double *scratch = sweep->tape->scratch;
     const size_t odd = parameter_row(sweep->layout, PARAMETER_COEFFICIENT, 1, surface);
-    rows->odd = odd != LENS_NONE   ? sweep->gradient + odd * RAYS_BLOCK
-                : kind == STEP_ODD ? scratch + SCRATCH_ODD * RAYS_BLOCK
-                                   : NULL;
+    if (odd != LENS_NONE) {
+        rows->odd = sweep->gradient + odd * RAYS_BLOCK;
+    } else if (kind == STEP_ODD) {
+        rows->odd = scratch + SCRATCH_ODD * RAYS_BLOCK;
+    } else {
+        rows->odd = NULL;
+    }
     const bool is_series = rows->odd != NULL || kind >= STEP_ASPHERE;
     rows->coefficient = row_or(sweep, PARAMETER_COEFFICIENT, surface,
                                is_series ? scratch + SCRATCH_EVEN * RAYS_BLOCK : NULL);

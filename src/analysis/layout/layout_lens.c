@@ -192,9 +192,13 @@ static bool find_diameters(struct layout *layout, struct error *error)
         const struct surface *surface = &lens->surfaces[i];
         double y = layout->marginal[i].y, bar = layout->chief[i].y;
         double stated = aperture_reach(surface);
-        layout->semi[i] = surface->has_diameter ? surface->diameter.value.hi / 2
-                          : isfinite(stated)    ? stated
-                                                : fabs(y) + (isfinite(bar) ? fabs(bar) : 0);
+        if (surface->has_diameter) {
+            layout->semi[i] = surface->diameter.value.hi / 2;
+        } else if (isfinite(stated)) {
+            layout->semi[i] = stated;
+        } else {
+            layout->semi[i] = fabs(y) + (isfinite(bar) ? fabs(bar) : 0);
+        }
         if (!layout->is_drawn[i]) {
             continue;
         }

@@ -120,9 +120,13 @@ static const double *pupil_shape_place_of(const struct clear_pupil *clear, const
                                           size_t i)
 {
     const size_t tips = tips_from(clear);
-    return i < tips               ? clear->edges[i].at
-           : i < ray_count(clear) ? clear_edge_at(clear, i - tips)->at
-                                  : chief;
+    if (i < tips) {
+        return clear->edges[i].at;
+    }
+    if (i < ray_count(clear)) {
+        return clear_edge_at(clear, i - tips)->at;
+    }
+    return chief;
 }
 
 /* -------- outlines -------- */

@@ -310,13 +310,25 @@ static size_t arms_of_arc(const struct encircled_energy_sheet *made, size_t arc)
 static size_t looks_outwards(const struct encircled_energy_sheet *made)
 {
     const size_t looks = MOST_OUTWARDS / made->rings;
-    return looks < 1 ? 1 : looks > LOOKS_OUTWARDS ? LOOKS_OUTWARDS : looks;
+    if (looks < 1) {
+        return 1;
+    }
+    if (looks > LOOKS_OUTWARDS) {
+        return LOOKS_OUTWARDS;
+    }
+    return looks;
 }
 
 static size_t looks_around(const struct encircled_energy_sheet *made)
 {
     const size_t looks = MOST_AROUND / made->arms;
-    return looks < 1 ? 1 : looks > LOOKS_AROUND ? LOOKS_AROUND : looks;
+    if (looks < 1) {
+        return 1;
+    }
+    if (looks > LOOKS_AROUND) {
+        return LOOKS_AROUND;
+    }
+    return looks;
 }
 
 static size_t most_pieces(const struct encircled_energy_sheet *made)

@@ -343,7 +343,11 @@ struct check_order check_order(const struct check_problem *problem, enum check_q
         struct check_value value = check_at(problem, quantity, ldexp(1, -(int)k), arena);
         d[k] = fabs(value.exact - value.paraxial);
         d[k] = quantity == CHECK_FNUMBER ? d[k] / value.scale : d[k]; /* itself goes as 1/h */
-        scale = quantity == CHECK_FNUMBER ? 1 : isfinite(value.scale) ? value.scale : scale;
+        if (quantity == CHECK_FNUMBER) {
+            scale = 1;
+        } else if (isfinite(value.scale)) {
+            scale = value.scale;
+        }
         largest = d[k] > largest ? d[k] : largest;
     }
     result.is_equal = largest <= 1e-9 * scale && !(d[0] > 1e-13 * scale);

@@ -43,19 +43,37 @@ struct spot_radius_rim {
 /* The direction beside the i-th on one side of it, or its mirror image. */
 static size_t previous_of(const struct spot_radius_rim *rim, size_t i)
 {
-    return i > 0 ? i - 1 : rim->is_half ? 1 : rim->count - 1;
+    if (i > 0) {
+        return i - 1;
+    }
+    if (rim->is_half) {
+        return 1;
+    }
+    return rim->count - 1;
 }
 
 static size_t next_of(const struct spot_radius_rim *rim, size_t i)
 {
-    return i + 1 < rim->count ? i + 1 : rim->is_half ? rim->count - 2 : 0;
+    if (i + 1 < rim->count) {
+        return i + 1;
+    }
+    if (rim->is_half) {
+        return rim->count - 2;
+    }
+    return 0;
 }
 
 /* Its angle, below or above that one. */
 static double angle_before(const struct spot_radius_rim *rim, size_t i)
 {
     const double angle = rim->angles[previous_of(rim, i)];
-    return i > 0 ? angle : rim->is_half ? -angle : angle - 2 * PI;
+    if (i > 0) {
+        return angle;
+    }
+    if (rim->is_half) {
+        return -angle;
+    }
+    return angle - 2 * PI;
 }
 
 static double angle_after(const struct spot_radius_rim *rim, size_t i)

@@ -94,7 +94,9 @@ static double root_beyond(excess *value, struct equation *equation, double from,
     double low = from, at_low = value(equation, low);
     for (int i = 0; i < STEPS && low != end && !isnan(at_low); i++) {
         double high = low + step, at_high;
-        high = (step > 0 ? high > end : high < end) ? end : high;
+        if (step > 0 ? high > end : high < end) {
+            high = end;
+        }
         at_high = value(equation, high);
         if (at_high > 0) {
             return root_between(value, equation, low, at_low, high, at_high);

@@ -347,9 +347,13 @@ bool wavefront_find(const struct wavefront_source *source, bool wants_pv, struct
          !wavefront_find_span(source, wavefront->rays, arena, &span, error))) {
         return false;
     }
-    wavefront->pv = !wants_pv ? (double)NAN
-                    : orderly ? wavefront_find_extremes(source, arena)
-                              : span;
+    if (!wants_pv) {
+        wavefront->pv = (double)NAN;
+    } else if (orderly) {
+        wavefront->pv = wavefront_find_extremes(source, arena);
+    } else {
+        wavefront->pv = span;
+    }
     wavefront->radius = source->reference.opd.is_plane ? INFINITY : source->reference.opd.radius;
     wavefront->islands = bundle_islands(from, arena);
     return true;

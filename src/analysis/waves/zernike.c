@@ -44,9 +44,13 @@ static struct zernike_term ansi_term(int j)
 struct zernike_term zernike_term(enum zernike_kind kind, size_t i)
 {
     const int place = (int)i;
-    return kind == ZERNIKE_NOLL     ? noll_term(place + 1)
-           : kind == ZERNIKE_FRINGE ? fringe_term(place + 1)
-                                    : ansi_term(place);
+    if (kind == ZERNIKE_NOLL) {
+        return noll_term(place + 1);
+    }
+    if (kind == ZERNIKE_FRINGE) {
+        return fringe_term(place + 1);
+    }
+    return ansi_term(place);
 }
 
 /* R_n^m(r) of one m, for n = m, m + 2 .. most. */

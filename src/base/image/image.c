@@ -115,9 +115,13 @@ void image_note(struct image *image, struct arena *arena, struct text key, struc
 
 static bool image_is_within(float value, enum image_range range)
 {
-    return range == IMAGE_NUMBERS  ? !isnan(value)
-           : range == IMAGE_FINITE ? isfinite(value) != 0
-                                   : isfinite(value) && value >= 0;
+    if (range == IMAGE_NUMBERS) {
+        return !isnan(value);
+    }
+    if (range == IMAGE_FINITE) {
+        return isfinite(value) != 0;
+    }
+    return isfinite(value) && value >= 0;
 }
 
 bool image_check(const struct image *image, enum image_range range, struct error *error)

@@ -330,9 +330,13 @@ static void fill_rows(const struct openexr *file, const unsigned char *from, siz
             float *to = image_row(image, y) + channel->to;
             for (size_t x = 0; x < image->width; x++, from += channel->size) {
                 const uint32_t bits = (uint32_t)bytes_little(from, (int)channel->size);
-                to[x * image->channels] = channel->type == OPENEXR_HALF ? half_value((uint16_t)bits)
-                                          : channel->type == OPENEXR_FLOAT ? bytes_float(bits)
-                                                                           : (float)bits;
+                if (channel->type == OPENEXR_HALF) {
+                    to[x * image->channels] = half_value((uint16_t)bits);
+                } else if (channel->type == OPENEXR_FLOAT) {
+                    to[x * image->channels] = bytes_float(bits);
+                } else {
+                    to[x * image->channels] = (float)bits;
+                }
             }
         }
     }

@@ -213,8 +213,13 @@ void bounds_fit_start(const struct exit_pupil_bounds *region, const struct pupil
         for (size_t i = 0; i <= sectors; i++) {
             const struct pupil_outline_point edge =
                 exit_pupil_bounds_reduced(region, &outline->place, outline->edge[each * i]);
-            corners[i] = goes_on ? *here + corners[(ptrdiff_t)i - FILM_CORNERS] - here[-1]
-                                 : (k == 0 ? edge.x : edge.y);
+            if (goes_on) {
+                corners[i] = *here + corners[(ptrdiff_t)i - FILM_CORNERS] - here[-1];
+            } else if (k == 0) {
+                corners[i] = edge.x;
+            } else {
+                corners[i] = edge.y;
+            }
         }
     }
 }

@@ -252,7 +252,13 @@ bool exit_pupil_bounds_open(const struct film_lens *lens, struct arena *arena,
     choose_turning(&building);
     const bool repeats =
         region->pole[0] == 0 && region->pole[1] == 0 && is_symmetric(lens->systems[0]->lens);
-    building.columns = is_round ? 1 : repeats ? FILM_COLUMNS / 2 : FILM_COLUMNS;
+    if (is_round) {
+        building.columns = 1;
+    } else if (repeats) {
+        building.columns = FILM_COLUMNS / 2;
+    } else {
+        building.columns = FILM_COLUMNS;
+    }
     if (!bounds_extent_find(&building, error)) {
         return false;
     }

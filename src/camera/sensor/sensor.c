@@ -188,7 +188,13 @@ static double digital(const struct sensor_model *model, double mean, uint64_t pi
     electrons = full ? model->sensor.full_well : electrons;
     const double number = rint(model->sensor.black + model->gain * (electrons + noise));
     *saturated = full || number >= model->white;
-    return number >= model->white ? model->white : number > 0 ? number : 0;
+    if (number >= model->white) {
+        return model->white;
+    }
+    if (number > 0) {
+        return number;
+    }
+    return 0;
 }
 
 /* Lux seconds of a channel, by what it sees. */

@@ -96,7 +96,13 @@ static double chart_light(enum chart chart, double x, double y, double half)
 /* One that there is. */
 static size_t card_clamped(long at, size_t count)
 {
-    return at < 0 ? 0 : at >= (long)count ? count - 1 : (size_t)at;
+    if (at < 0) {
+        return 0;
+    }
+    if (at >= (long)count) {
+        return count - 1;
+    }
+    return (size_t)at;
 }
 
 static struct card_light picture_light(const struct card *card, double x, double y)

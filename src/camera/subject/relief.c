@@ -137,7 +137,13 @@ static long relief_floor_of(double x)
 
 static long relief_clamped(long at, size_t count)
 {
-    return at < 0 ? 0 : at >= (long)count ? (long)count - 1 : at;
+    if (at < 0) {
+        return 0;
+    }
+    if (at >= (long)count) {
+        return (long)count - 1;
+    }
+    return at;
 }
 
 static bool relief_is_within(const struct depth_card *relief, struct relief_place place)
@@ -185,9 +191,13 @@ static void relief_cross(struct relief_walk *walk, int level, double w, int axis
     const long along = relief_floor_of(walk->from[other] + walk->per_w[other] * w);
     const bool down = walk->per_w[axis] > 0; /* w falls */
     walk->here.at[axis] = down ? square - 1 : square + size;
-    walk->here.at[other] = along < beside           ? beside
-                           : along >= beside + size ? beside + size - 1
-                                                    : along;
+    if (along < beside) {
+        walk->here.at[other] = beside;
+    } else if (along >= beside + size) {
+        walk->here.at[other] = beside + size - 1;
+    } else {
+        walk->here.at[other] = along;
+    }
     walk->before = walk->here;
     walk->before.at[axis] += down ? 1 : -1;
     walk->w = w;
@@ -261,7 +271,13 @@ static bool goes_behind(struct relief_walk *walk, struct relief_place *last)
 static enum depth_card_sight sight_of(const struct depth_card *relief, struct relief_place met,
                                       enum depth_card_sight within)
 {
-    return relief_is_within(relief, met) ? within : relief->is_endless ? SIGHT_BESIDE : SIGHT_SEEN;
+    if (relief_is_within(relief, met)) {
+        return within;
+    }
+    if (relief->is_endless) {
+        return SIGHT_BESIDE;
+    }
+    return SIGHT_SEEN;
 }
 
 /* What is met, and how; walk->w is where. Every turn goes down a level or crosses a border. */

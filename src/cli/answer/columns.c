@@ -53,11 +53,19 @@ static const char *shown_where(const struct column *column, struct arena *arena)
         }
         return words;
     }
-    return (column->flags & COLUMN_ASSUMED) != 0  ? "as an assumption"
-           : (column->flags & COLUMN_NOTE) != 0   ? "as a warning"
-           : (column->flags & COLUMN_HIDDEN) != 0 ? "in machine formats"
-           : (column->flags & COLUMN_BRIEF) != 0  ? "always"
-                                                  : "not in tables for people";
+    if ((column->flags & COLUMN_ASSUMED) != 0) {
+        return "as an assumption";
+    }
+    if ((column->flags & COLUMN_NOTE) != 0) {
+        return "as a warning";
+    }
+    if ((column->flags & COLUMN_HIDDEN) != 0) {
+        return "in machine formats";
+    }
+    if ((column->flags & COLUMN_BRIEF) != 0) {
+        return "always";
+    }
+    return "not in tables for people";
 }
 
 static bool has_column(const struct sheet *sheet, const char *name, size_t length)

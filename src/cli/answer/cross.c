@@ -183,7 +183,13 @@ static const char *value_words(const struct collection *collection, const struct
 
 static int cross_digits_of(const struct report *report, const struct column *column)
 {
-    return report->digits != 0 ? report->digits : column->digits != 0 ? column->digits : 4;
+    if (report->digits != 0) {
+        return report->digits;
+    }
+    if (column->digits != 0) {
+        return column->digits;
+    }
+    return 4;
 }
 
 /* One unit for the whole table, and one form of feet and inches: values that share a cell share

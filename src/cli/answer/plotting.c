@@ -142,9 +142,13 @@ static void plotting_add_curves(const struct collection *collection,
             one->y = curve(collection, layout, g, &layout->shown[k]);
             one->style = groups > 1 ? g : k;
             /* near and far of a group look alike: one label is enough */
-            one->label = groups == 1                        ? column_label(&layout->shown[k])
-                         : k + 1 == columns || columns == 1 ? group_words(collection, layout, g)
-                                                            : NULL;
+            if (groups == 1) {
+                one->label = column_label(&layout->shown[k]);
+            } else if (k + 1 == columns || columns == 1) {
+                one->label = group_words(collection, layout, g);
+            } else {
+                one->label = NULL;
+            }
         }
         if (fills) {
             const bool open = zone.high == PLOT_UNBOUNDED;

@@ -257,7 +257,13 @@ static void set_format(struct batch *batch, enum batch_format format, struct tex
     if (format == BATCH_AUTO) {
         struct text trimmed = text_trim(first);
         bool json = trimmed.length > 0 && (trimmed.start[0] == '{' || trimmed.start[0] == '[');
-        format = json ? BATCH_JSONL : tabs ? BATCH_TSV : BATCH_CSV;
+        if (json) {
+            format = BATCH_JSONL;
+        } else if (tabs) {
+            format = BATCH_TSV;
+        } else {
+            format = BATCH_CSV;
+        }
     }
     const bool semicolons =
         format == BATCH_CSV && !has_separator(first, ',') && has_separator(first, ';');

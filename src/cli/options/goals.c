@@ -335,10 +335,15 @@ static struct text cut_relation(struct text item, struct text *left,
         return (struct text){NULL, 0};
     }
     const bool exact = item.start[at] == '=' && at + 1 < item.length && item.start[at + 1] == '=';
-    *relation = exact                   ? OPERAND_EXACT
-                : item.start[at] == '<' ? OPERAND_BELOW
-                : item.start[at] == '>' ? OPERAND_ABOVE
-                                        : OPERAND_NEAR;
+    if (exact) {
+        *relation = OPERAND_EXACT;
+    } else if (item.start[at] == '<') {
+        *relation = OPERAND_BELOW;
+    } else if (item.start[at] == '>') {
+        *relation = OPERAND_ABOVE;
+    } else {
+        *relation = OPERAND_NEAR;
+    }
     at += exact ? 2 : 1;
     return (struct text){item.start + at, item.length - at};
 }

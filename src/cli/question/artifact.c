@@ -224,9 +224,13 @@ static bool artifact_order(struct artifacts *artifacts, const struct artifact_se
     const bool gathers = artifact->gathers != NULL && job.type != NULL &&
                          strcmp(job.type->ending, artifact->gathers) == 0;
     job.first = artifacts->files;
-    job.files = is_each && !gathers       ? job.count
-                : artifact->count != NULL ? artifact->count(job.inputs[0])
-                                          : 1;
+    if (is_each && !gathers) {
+        job.files = job.count;
+    } else if (artifact->count != NULL) {
+        job.files = artifact->count(job.inputs[0]);
+    } else {
+        job.files = 1;
+    }
     if (!check_names(&job, setting->arena, error) ||
         (artifact->check != NULL && !artifact->check(&job, error)) ||
         !artifact_check_place(artifacts, &job, setting, error)) {

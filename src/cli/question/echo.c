@@ -91,10 +91,16 @@ static bool echo_is_number(const struct option *option)
 
 static enum column_type echo_type_of(const struct option *option)
 {
-    return echo_is_number(option)        ? COLUMN_NUMBER
-           : option->kind == &kind_count ? COLUMN_INTEGER
-           : option->kind == &kind_flag  ? COLUMN_FLAG
-                                         : COLUMN_TEXT;
+    if (echo_is_number(option)) {
+        return COLUMN_NUMBER;
+    }
+    if (option->kind == &kind_count) {
+        return COLUMN_INTEGER;
+    }
+    if (option->kind == &kind_flag) {
+        return COLUMN_FLAG;
+    }
+    return COLUMN_TEXT;
 }
 
 /* Are there words or numbers for its values? */

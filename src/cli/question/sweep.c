@@ -195,7 +195,13 @@ static bool read_ends(const struct sweep_values *values, struct sweep_range *ran
         !sweep_read_number(values, range->text, range->last, usual, &range->to, &right, error)) {
         return false;
     }
-    range->unit = right != NULL ? right : left != NULL ? left : usual;
+    if (right != NULL) {
+        range->unit = right;
+    } else if (left != NULL) {
+        range->unit = left;
+    } else {
+        range->unit = usual;
+    }
     if (left != NULL && unit_is_equivalent(left) != unit_is_equivalent(range->unit)) {
         return range_fail(values, range, "one end is an equivalent focal length, the other is none",
                           error);

@@ -12,7 +12,13 @@ static const struct file_type pfm_type = {{"pfm", "PFM, the numbers as floats"},
 
 const struct file_type *map_types(size_t i)
 {
-    return i == 0 ? &png_type : i == 1 ? &pfm_type : NULL;
+    if (i == 0) {
+        return &png_type;
+    }
+    if (i == 1) {
+        return &pfm_type;
+    }
+    return NULL;
 }
 
 static bool analysis_map_write_numbers(const struct raster_map *map, struct arena *arena,

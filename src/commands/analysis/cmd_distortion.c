@@ -9,14 +9,26 @@ static const struct word *projection_word_at(size_t i)
 {
     static const struct word automatic = {
         "auto", "equidistant for --fit fisheye and fields from 90 degrees, else rectilinear"};
-    return i == 0 ? &automatic : i <= PROJECTIONS ? &projections[i - 1] : NULL;
+    if (i == 0) {
+        return &automatic;
+    }
+    if (i <= PROJECTIONS) {
+        return &projections[i - 1];
+    }
+    return NULL;
 }
 
 /* "none", then the models. */
 static const struct word *fit_word_at(size_t i)
 {
     static const struct word none = {"none", "field by field, no model"};
-    return i == 0 ? &none : i <= DISTORTION_MODELS ? &distortion_models[i - 1].word : NULL;
+    if (i == 0) {
+        return &none;
+    }
+    if (i <= DISTORTION_MODELS) {
+        return &distortion_models[i - 1].word;
+    }
+    return NULL;
 }
 
 static const struct option options[] = {

@@ -229,9 +229,13 @@ static const char *panel_title(const struct field_curves *curves, bool one_lens,
                                struct arena *arena)
 {
     const char *lens = curves->setup->lens->title;
-    return curves->name == NULL ? lens
-           : one_lens           ? curves->name
-                                : arena_printf(arena, "%s, %s", lens, curves->name);
+    if (curves->name == NULL) {
+        return lens;
+    }
+    if (one_lens) {
+        return curves->name;
+    }
+    return arena_printf(arena, "%s, %s", lens, curves->name);
 }
 
 static bool field_paint(struct field_painter *painter, struct svg *svg, struct error *error)

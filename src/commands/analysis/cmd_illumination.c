@@ -414,9 +414,13 @@ static size_t illumination_add_series(const struct illumination_curve *curve, bo
 static const char *illumination_label_of(const struct illumination_curve *curve, bool one_lens,
                                          struct arena *arena)
 {
-    return curve->name == NULL ? curve->title
-           : one_lens          ? curve->name
-                               : arena_printf(arena, "%s, %s", curve->title, curve->name);
+    if (curve->name == NULL) {
+        return curve->title;
+    }
+    if (one_lens) {
+        return curve->name;
+    }
+    return arena_printf(arena, "%s, %s", curve->title, curve->name);
 }
 
 static bool illumination_paint(struct illumination_painter *painter, struct svg *svg,

@@ -174,11 +174,14 @@ static void report_add_part(struct report_writer *writer, const struct report_se
 static const char *usual_positions(const struct lens *lens, struct arena *arena)
 {
     const size_t count = lens->position_count;
-    return count == 0 ? NULL
-           : count <= MOST_POSITIONS
-               ? "all"
-               : arena_printf(arena, "%s,%s,%s", lens->positions[0], lens->positions[count / 2],
-                              lens->positions[count - 1]);
+    if (count == 0) {
+        return NULL;
+    }
+    if (count <= MOST_POSITIONS) {
+        return "all";
+    }
+    return arena_printf(arena, "%s,%s,%s", lens->positions[0], lens->positions[count / 2],
+                        lens->positions[count - 1]);
 }
 
 static bool fill_page(struct report_writer *writer, struct page *page, struct error *error)

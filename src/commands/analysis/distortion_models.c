@@ -258,7 +258,13 @@ static const struct file_type opencv_types[] = {{{"opencv", "camera calibration"
 
 const struct file_type *distortion_file_types(size_t i)
 {
-    return i == 0 ? &lensfun_type : i < 3 ? &opencv_types[i - 1] : NULL;
+    if (i == 0) {
+        return &lensfun_type;
+    }
+    if (i < 3) {
+        return &opencv_types[i - 1];
+    }
+    return NULL;
 }
 
 static bool is_for_lensfun(const struct distortion_input *input)

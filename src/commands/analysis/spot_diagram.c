@@ -49,7 +49,13 @@ static const struct unit *unit_for(const struct spot_drawing *drawing)
 
 static const char *spot_diagram_unit_words(const struct spot_drawing *drawing)
 {
-    return drawing->is_angular ? "mrad" : drawing->is_footprint ? "mm" : "\xc2\xb5m";
+    if (drawing->is_angular) {
+        return "mrad";
+    }
+    if (drawing->is_footprint) {
+        return "mm";
+    }
+    return "\xc2\xb5m";
 }
 
 static struct spot_diagram_place spot_diagram_place_of(const struct analysis_case *one,

@@ -35,9 +35,13 @@ static int render_expose_bits_of(const struct render_input *input, const struct 
     const int bits = input->raw ? 16 : (int)input->bits;
     for (size_t i = 0; i < sizeof depths / sizeof depths[0]; i++) {
         if (is_a(type, depths[i].ending)) {
-            return bits == 0 || bits == depths[i].bits[0] ? depths[i].bits[0]
-                   : bits == depths[i].bits[1]            ? bits
-                                                          : 0;
+            if (bits == 0 || bits == depths[i].bits[0]) {
+                return depths[i].bits[0];
+            }
+            if (bits == depths[i].bits[1]) {
+                return bits;
+            }
+            return 0;
         }
     }
     return 0;
@@ -124,18 +128,25 @@ static double render_expose_unit_of(const struct render_input *input,
 {
     const double light = exposure->luminance * exposure->metered;
     const bool is_received = render_senses(input) || render_is_film(input);
-    return input->radiance                      ? exposure->luminance / reference
-           : is_a(type, ".png") && !is_received ? DEVELOP_HEADROOM * light / exposure->full
-                                                : light;
+    if (input->radiance) {
+        return exposure->luminance / reference;
+    }
+    if (is_a(type, ".png") && !is_received) {
+        return DEVELOP_HEADROOM * light / exposure->full;
+    }
+    return light;
 }
 
 /* Floats are rounded, so that half of the least one is black; a .hdr has no exponent below. */
 static struct render_floor render_expose_floor_of(const struct file_type *type, bool half)
 {
-    return half ? (struct render_floor){0x1p-25, 0x1p-24, 0x1p-14, "half floats"}
-           : is_a(type, ".hdr")
-               ? (struct render_floor){0x1p-128, 0x1p-128, 0x1p-128, "pixels of a .hdr"}
-               : (struct render_floor){0x1p-150, FLT_TRUE_MIN, FLT_MIN, "floats"};
+    if (half) {
+        return (struct render_floor){0x1p-25, 0x1p-24, 0x1p-14, "half floats"};
+    }
+    if (is_a(type, ".hdr")) {
+        return (struct render_floor){0x1p-128, 0x1p-128, 0x1p-128, "pixels of a .hdr"};
+    }
+    return (struct render_floor){0x1p-150, FLT_TRUE_MIN, FLT_MIN, "floats"};
 }
 
 /* Light itself must be numbers that pixels hold; a PNG and film say themselves what is too dark. */

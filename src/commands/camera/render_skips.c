@@ -113,10 +113,13 @@ static void explain_scene(const struct photograph_question *question, struct tex
 static const char *why_anew(const struct artifact_job *job,
                             const struct photograph_question *question)
 {
-    return render_shutter_varies(job) ? "how a leaf shutter weighs the pupil depends on the time"
-           : job->count > 1 && question->duration > 0 && !skip_is_kept(question->kept, SKIP_TIME)
-               ? "how far things move depends on the time"
-               : NULL;
+    if (render_shutter_varies(job)) {
+        return "how a leaf shutter weighs the pupil depends on the time";
+    }
+    if (job->count > 1 && question->duration > 0 && !skip_is_kept(question->kept, SKIP_TIME)) {
+        return "how far things move depends on the time";
+    }
+    return NULL;
 }
 
 void render_explain(const struct artifact_job *job, const struct photograph_question *question,

@@ -187,7 +187,13 @@ static bool tone_light_check_asked(const struct tone_input *input, const struct 
 
 static double either(double given, double noted, double usual)
 {
-    return !isnan(given) ? given : !isnan(noted) ? noted : usual;
+    if (!isnan(given)) {
+        return given;
+    }
+    if (!isnan(noted)) {
+        return noted;
+    }
+    return usual;
 }
 
 static struct merge_noise noise_of(const struct tone_input *input, const struct tone_frames *frames,

@@ -28,9 +28,13 @@ static bool is_png(const struct artifact_job *job)
 static int asked_of(const struct artifact_job *job)
 {
     const struct tone_input *input = job->inputs[0];
-    return input->operation != ASKED_AUTO ? input->operation
-           : is_png(job)                  ? ASKED_FIRST + (int)TONE_WARD
-                                          : ASKED_NONE;
+    if (input->operation != ASKED_AUTO) {
+        return input->operation;
+    }
+    if (is_png(job)) {
+        return ASKED_FIRST + (int)TONE_WARD;
+    }
+    return ASKED_NONE;
 }
 
 /* Two luminances, the first smaller: "1,100". */

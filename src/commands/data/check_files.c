@@ -132,9 +132,13 @@ static void check_file(struct lensdb *db, const struct check_item *item, struct 
         check_files_judge(&job, content, row);
     } else {
         row->status = "refused";
-        row->reasons = item->problem != NULL      ? item->problem
-                       : error.code != ERROR_NONE ? error.message
-                                                  : "there is no such file";
+        if (item->problem != NULL) {
+            row->reasons = item->problem;
+        } else if (error.code != ERROR_NONE) {
+            row->reasons = error.message;
+        } else {
+            row->reasons = "there is no such file";
+        }
     }
     row->reasons = row->reasons != NULL ? kept_string(kept, row->reasons) : NULL;
     row->format = row->format != NULL ? kept_string(kept, row->format) : NULL;

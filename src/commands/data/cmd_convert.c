@@ -25,14 +25,26 @@ static const struct word *format_word_at(size_t i)
     static const struct word automatic = {"auto",
                                           "by the ending of the output file; .lens without one"};
     const struct file_type *type = i > 0 ? lens_types(i - 1) : NULL;
-    return i == 0 ? &automatic : type != NULL ? &type->word : NULL;
+    if (i == 0) {
+        return &automatic;
+    }
+    if (type != NULL) {
+        return &type->word;
+    }
+    return NULL;
 }
 
 /* "keep", then what a lens may be typed in. */
 static const struct word *unit_word_at(size_t i)
 {
     static const struct word keep = {"keep", "that of the lens"};
-    return i == 0 ? &keep : lens_units[i - 1].word != NULL ? &lens_units[i - 1] : NULL;
+    if (i == 0) {
+        return &keep;
+    }
+    if (lens_units[i - 1].word != NULL) {
+        return &lens_units[i - 1];
+    }
+    return NULL;
 }
 
 static const struct option options[] = {

@@ -78,7 +78,11 @@ static void list_lenses_compute(const struct lens *lens, struct arena *arena,
     row->bfl = all.is_afocal ? NAN : all.bfl;
     row->fnumber = all.fnumber;
     const char *stated = lens_stated_warning(lens, 0, &all, arena);
-    row->warning = stated != NULL ? stated : warnings.count > 0 ? warnings.texts[0] : row->warning;
+    if (stated != NULL) {
+        row->warning = stated;
+    } else if (warnings.count > 0) {
+        row->warning = warnings.texts[0];
+    }
 }
 
 /* A file that is no lens keeps its row, too, and the rest is listed. */

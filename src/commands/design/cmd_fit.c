@@ -122,7 +122,13 @@ static const struct sheet *const all_sheets[] = {&fit_lens_sheet,        &fit_pa
 
 static const struct fit_kind *fit_kind_of(const struct fit_input *input)
 {
-    return input->glass != NULL ? &glass : input->goals != NULL ? &prescription : &thick_lens;
+    if (input->glass != NULL) {
+        return &glass;
+    }
+    if (input->goals != NULL) {
+        return &prescription;
+    }
+    return &thick_lens;
 }
 
 /* Those that there are not are refused by `run`. */

@@ -79,7 +79,13 @@ void fit_emit(const struct fit_found *found, enum fit_show show, struct run *run
 
 const char *fit_join(const char *one, const char *other, struct arena *arena)
 {
-    return one == NULL ? other : other == NULL ? one : arena_printf(arena, "%s; %s", one, other);
+    if (one == NULL) {
+        return other;
+    }
+    if (other == NULL) {
+        return one;
+    }
+    return arena_printf(arena, "%s; %s", one, other);
 }
 
 void fit_note(struct lens *lens, const char *note, struct arena *arena)

@@ -91,10 +91,13 @@ static const char *optimize_files_label_of(const struct optimize_job *job, bool 
     const char *aperture = isnan(input->question.fnumber)
                                ? ""
                                : arena_printf(arena, "f/%.4g ", input->question.fnumber);
-    return !several ? NULL
-           : input->pattern == PATTERN_SOBOL || optimize_is_global(input)
-               ? arena_printf(arena, "%sseed %ld", aperture, input->seed)
-               : aperture;
+    if (!several) {
+        return NULL;
+    }
+    if (input->pattern == PATTERN_SOBOL || optimize_is_global(input)) {
+        return arena_printf(arena, "%sseed %ld", aperture, input->seed);
+    }
+    return aperture;
 }
 
 /* What is drawn of a job: its merit after each iteration, or where its starts ended. */

@@ -139,9 +139,13 @@ static double squares(const double *residuals, const struct merit_slot *slot)
 static double wrong_by(const struct operand *operand, double value)
 {
     const double off = value - operand->target;
-    return operand->relation == OPERAND_BELOW   ? off
-           : operand->relation == OPERAND_ABOVE ? -off
-                                                : fabs(off);
+    if (operand->relation == OPERAND_BELOW) {
+        return off;
+    }
+    if (operand->relation == OPERAND_ABOVE) {
+        return -off;
+    }
+    return fabs(off);
 }
 
 /* A figure, of many the worst, in the unit that the goal has; of rays their root sum square. */

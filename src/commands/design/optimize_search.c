@@ -98,13 +98,16 @@ static const char *range_in_words(const struct optimize_job *job)
             count++;
         }
     }
-    return count == 0 ? "between their bounds"
-           : count == job->variables.count
-               ? arena_printf(arena, "within %.4g natural scale%s of the lens", input->spread,
-                              plural)
-               : arena_printf(arena,
-                              "between their bounds, of %s within %.4g natural scale%s of the lens",
-                              names, input->spread, plural);
+    if (count == 0) {
+        return "between their bounds";
+    }
+    if (count == job->variables.count) {
+        return arena_printf(arena, "within %.4g natural scale%s of the lens", input->spread,
+                            plural);
+    }
+    return arena_printf(arena,
+                        "between their bounds, of %s within %.4g natural scale%s of the lens",
+                        names, input->spread, plural);
 }
 
 static const char *search_in_words(const struct optimize_job *job, size_t done)

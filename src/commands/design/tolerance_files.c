@@ -9,7 +9,13 @@
 
 const struct file_type *tolerance_types(size_t i)
 {
-    return i == 0 ? &lens_file_type : i == 1 ? division_types(0) : NULL;
+    if (i == 0) {
+        return &lens_file_type;
+    }
+    if (i == 1) {
+        return division_types(0);
+    }
+    return NULL;
 }
 
 static bool is_part(const struct artifact_job *job)

@@ -98,7 +98,13 @@ static double tolerance_rows_worst_of(const struct tolerance_job *job,
     const enum criterion_kind kind = job->question.criterion.kind;
     const bool is_high = criterion_badness(kind, tally->highest, tally->nominal) >=
                          criterion_badness(kind, tally->lowest, tally->nominal);
-    return tally->count == 0 ? NAN : is_high ? tally->highest : tally->lowest;
+    if (tally->count == 0) {
+        return NAN;
+    }
+    if (is_high) {
+        return tally->highest;
+    }
+    return tally->lowest;
 }
 
 static void emit_summary(struct tolerance_job *job, struct tolerance_column *column)

@@ -172,14 +172,26 @@ static struct conjugate_question conjugate_question_of(const struct conjugate_in
 
 static const char *conjugate_kind_of(double distance, bool is_virtual)
 {
-    return isinf(distance) ? "at infinity" : is_virtual ? "virtual" : "real";
+    if (isinf(distance)) {
+        return "at infinity";
+    }
+    if (is_virtual) {
+        return "virtual";
+    }
+    return "real";
 }
 
 /* Far objects have the magnification 0, but their images still stand on their heads or not. */
 static const char *orientation_of(const struct conjugate_points *all, double power)
 {
     double sign = all->magnification != 0 ? all->magnification : -power;
-    return isinf(sign) || sign == 0 ? NULL : sign > 0 ? "erect" : "inverted";
+    if (isinf(sign) || sign == 0) {
+        return NULL;
+    }
+    if (sign > 0) {
+        return "erect";
+    }
+    return "inverted";
 }
 
 /* The first of the two distances, as --from has them. */

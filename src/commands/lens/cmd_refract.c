@@ -184,9 +184,21 @@ static void refract_fill_row(struct refract_row *row)
     } else {
         row->magnification = isinf(s->z) ? 0 : row->object_vergence / row->image_vergence;
     }
-    row->object_kind = isinf(s->z) ? "at infinity" : s->z > 0 ? "virtual" : "real";
+    if (isinf(s->z)) {
+        row->object_kind = "at infinity";
+    } else if (s->z > 0) {
+        row->object_kind = "virtual";
+    } else {
+        row->object_kind = "real";
+    }
     bool right = s->z_image > 0;
-    row->image_kind = isinf(s->z_image) ? "at infinity" : right != s->mirror ? "real" : "virtual";
+    if (isinf(s->z_image)) {
+        row->image_kind = "at infinity";
+    } else if (right != s->mirror) {
+        row->image_kind = "real";
+    } else {
+        row->image_kind = "virtual";
+    }
     if (s->z == 0) {
         row->object_kind = row->image_kind = "in the vertex";
     }

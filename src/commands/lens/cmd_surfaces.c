@@ -93,9 +93,13 @@ static const struct column columns[] = {
 static const char *surfaces_kind_of(const struct surface *surface)
 {
     const char *name = surface_traits(surface)->name;
-    return name != NULL                 ? name
-           : !surface_is_round(surface) ? "cylinder"
-                                        : surface_profiles[surface_profile(surface)].name;
+    if (name != NULL) {
+        return name;
+    }
+    if (!surface_is_round(surface)) {
+        return "cylinder";
+    }
+    return surface_profiles[surface_profile(surface)].name;
 }
 
 /* Of the beam that starts on the axis: v over -y, whatever its size. */

@@ -42,9 +42,13 @@ bool lens_makes_many(const struct lens_question *question, const struct lens_pol
 
 const char *lens_warnings_join(const char *first, const char *second, struct arena *arena)
 {
-    return first == NULL    ? second
-           : second == NULL ? first
-                            : arena_printf(arena, "%s; %s", first, second);
+    if (first == NULL) {
+        return second;
+    }
+    if (second == NULL) {
+        return first;
+    }
+    return arena_printf(arena, "%s; %s", first, second);
 }
 
 const char *lens_island_warning(const struct pupil_islands *islands, struct arena *arena)
@@ -107,10 +111,13 @@ const char *lens_field_words(const struct field_point *field, struct arena *aren
         at[i] = angle ? unit_from_own(degree, field->value[i]) : field->value[i];
     }
     const char *unit = angle ? "deg" : "mm";
-    return field->kind == FIELD_NONE ? "on the axis"
-           : at[0] != 0
-               ? arena_printf(arena, "field x %.6g %s, y %.6g %s", at[0], unit, at[1], unit)
-               : arena_printf(arena, "field %.6g %s", at[1], unit);
+    if (field->kind == FIELD_NONE) {
+        return "on the axis";
+    }
+    if (at[0] != 0) {
+        return arena_printf(arena, "field x %.6g %s, y %.6g %s", at[0], unit, at[1], unit);
+    }
+    return arena_printf(arena, "field %.6g %s", at[1], unit);
 }
 
 bool lens_fields_asked(const struct lens_question *question, size_t position,

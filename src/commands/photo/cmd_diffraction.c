@@ -231,7 +231,13 @@ static const struct sheet *diffraction_choose_sheet(const void *data,
     (void)data;
     bool spread = asking_given(asking, "near") || asking_given(asking, "focus-spread");
     bool wants_best = spread && !asking_given(asking, "aperture");
-    return asking_given(asking, "frequency") ? &contrast : wants_best ? &best : &all;
+    if (asking_given(asking, "frequency")) {
+        return &contrast;
+    }
+    if (wants_best) {
+        return &best;
+    }
+    return &all;
 }
 
 static double um_from_mm(double length)

@@ -229,7 +229,13 @@ static void fill_coverage(const struct tilt_input *input, struct tilt_row *row)
     }
     row->coverage = coverage.angle;
     row->needed = coverage.circle;
-    row->covers = isnan(input->circle) ? NULL : input->circle >= coverage.circle ? "yes" : "no";
+    if (isnan(input->circle)) {
+        row->covers = NULL;
+    } else if (input->circle >= coverage.circle) {
+        row->covers = "yes";
+    } else {
+        row->covers = "no";
+    }
     row->rise_limit = row->shift_limit = NAN;
     if (untilted && !isnan(input->circle)) {
         tilt_shift_limit(camera, input->circle, &frame, &row->rise_limit, &ignored);

@@ -78,11 +78,14 @@ static const char *flicker_words(const struct flicker *flicker, double rate, str
     if (isnan(flicker->pulses)) {
         return flicker->is_steady ? "none between frames at any shutter angle" : NULL;
     }
-    return flicker->is_free ? "none"
-           : flicker->is_steady
-               ? "none between frames; bands with a rolling shutter"
-               : arena_printf(arena, "%s: %.4g pulses of the lamps",
-                              film ? "visible" : "uneven, or bands", flicker->pulses);
+    if (flicker->is_free) {
+        return "none";
+    }
+    if (flicker->is_steady) {
+        return "none between frames; bands with a rolling shutter";
+    }
+    return arena_printf(arena, "%s: %.4g pulses of the lamps",
+                        film ? "visible" : "uneven, or bands", flicker->pulses);
 }
 
 static bool answer_flicker(const struct lamps *lamps, double t, double rate, struct run *run,

@@ -127,7 +127,13 @@ static const struct word planes[] = {
 
 static const struct word *words_of_kind(const struct option_kind *kind)
 {
-    return kind == &kind_coc ? criteria : kind == &kind_plane ? planes : NULL;
+    if (kind == &kind_coc) {
+        return criteria;
+    }
+    if (kind == &kind_plane) {
+        return planes;
+    }
+    return NULL;
 }
 
 /* -------- what depends on the words before -------- */

@@ -326,11 +326,13 @@ static double prescription_start_of(const struct prescription_problem *fitting, 
 {
     size_t i = fitting->parts[part].what.surface;
     const struct surface *surface = &fitting->lens->surfaces[i];
-    return fitting->parts[part].what.kind == PARAMETER_RADIUS
-               ? surface_curvature(surface, SECTION_Y).hi
-           : fitting->parts[part].what.kind == PARAMETER_THICKNESS
-               ? surface->thickness.value.hi
-               : fabs(fitting->views[0].n[i + 1]);
+    if (fitting->parts[part].what.kind == PARAMETER_RADIUS) {
+        return surface_curvature(surface, SECTION_Y).hi;
+    }
+    if (fitting->parts[part].what.kind == PARAMETER_THICKNESS) {
+        return surface->thickness.value.hi;
+    }
+    return fabs(fitting->views[0].n[i + 1]);
 }
 
 static bool open_views(struct prescription_problem *fitting, struct arena *arena,
@@ -446,7 +448,13 @@ static void prescription_set_result(struct prescription_problem *fitting, const 
             fit->values[j] =
                 fmin(fmax(fit->values[j], fitting->parts[j].low), fitting->parts[j].high);
         }
-        fit->errors[j] = fit->is_loose ? NAN : radius ? error / (p * p) : error;
+        if (fit->is_loose) {
+            fit->errors[j] = NAN;
+        } else if (radius) {
+            fit->errors[j] = error / (p * p);
+        } else {
+            fit->errors[j] = error;
+        }
     }
     for (size_t g = 0; g < fitting->goal_count; g++) {
         set_trial(fitting, g, parameters);

@@ -188,9 +188,13 @@ static void name_parameters(const struct thick_task *task, struct arena *arena,
     static const char *const base[BASE] = {"f", "H", "H'"};
     for (size_t i = 0; i < fit->parameter_count; i++) {
         size_t terms = base_count(task);
-        fit->names[i] = i >= terms ? arena_printf(arena, "d%zu", i - terms + 1)
-                        : i < BASE ? base[i]
-                                   : arena_printf(arena, "%s %zu", base[i % BASE], i / BASE + 1);
+        if (i >= terms) {
+            fit->names[i] = arena_printf(arena, "d%zu", i - terms + 1);
+        } else if (i < BASE) {
+            fit->names[i] = base[i];
+        } else {
+            fit->names[i] = arena_printf(arena, "%s %zu", base[i % BASE], i / BASE + 1);
+        }
     }
 }
 

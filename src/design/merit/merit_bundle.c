@@ -99,9 +99,13 @@ static enum merit_symmetry symmetry_of(const struct bundle_wish *wish, size_t fi
     if (!wish->is_round || !lens_is_round(wish->setup->lens)) {
         return SYMMETRY_NONE;
     }
-    return is_none || (point->value[0] == 0 && point->value[1] == 0) ? SYMMETRY_ROUND
-           : point->value[0] == 0                                    ? SYMMETRY_MIRROR
-                                                                     : SYMMETRY_NONE;
+    if (is_none || (point->value[0] == 0 && point->value[1] == 0)) {
+        return SYMMETRY_ROUND;
+    }
+    if (point->value[0] == 0) {
+        return SYMMETRY_MIRROR;
+    }
+    return SYMMETRY_NONE;
 }
 
 /* A field at all wavelengths. */

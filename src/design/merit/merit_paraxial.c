@@ -239,16 +239,20 @@ size_t merit_prepare_seidel(struct merit *merit, struct merit_slot *slot, struct
     const bool of_field = slot->operand->kind != OPERAND_S1;
     const bool has_field = slot->operand->field != NULL || setup->edge.kind != FIELD_NONE;
     (void)arena;
-    return !merit_needs_aperture(place, error) ? 0
-           : setup->lens->stop == LENS_NONE && !setup->first.is_telecentric
-               ? one_unless(true, "the lens has no stop: it has no chief rays", error)
-           : has_cone(setup->lens)
-               ? one_unless(true,
-                            "A1 or A3 of a surface makes an aberration of lower order than the "
-                            "Seidel sums have",
-                            error)
-               : one_unless(of_field && !has_field,
-                            "the lens states no field: say which, as in S3@10deg", error);
+    if (!merit_needs_aperture(place, error)) {
+        return 0;
+    }
+    if (setup->lens->stop == LENS_NONE && !setup->first.is_telecentric) {
+        return one_unless(true, "the lens has no stop: it has no chief rays", error);
+    }
+    if (has_cone(setup->lens)) {
+        return one_unless(true,
+                          "A1 or A3 of a surface makes an aberration of lower order than the "
+                          "Seidel sums have",
+                          error);
+    }
+    return one_unless(of_field && !has_field, "the lens states no field: say which, as in S3@10deg",
+                      error);
 }
 
 bool merit_fill_seidel(struct merit *merit, const struct merit_slot *slot, double *residuals,

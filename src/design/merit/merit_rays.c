@@ -50,9 +50,13 @@ static size_t number(struct merit_rays *rays, struct arena *arena)
     }
     for (size_t i = 0; i < bundle->group_count; i++) {
         const struct bundle_group *group = &bundle->groups[i];
-        rays->share[i] = !rays->is_joint          ? 1
-                         : sums[group->field] > 0 ? group->weight / sums[group->field]
-                                                  : 0; /* none of it counts */
+        if (!rays->is_joint) {
+            rays->share[i] = 1;
+        } else if (sums[group->field] > 0) {
+            rays->share[i] = group->weight / sums[group->field];
+        } else {
+            rays->share[i] = 0;
+        } /* none of it counts */
     }
     return count;
 }

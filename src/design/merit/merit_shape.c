@@ -89,10 +89,16 @@ static struct sag sag_at(const struct surface *surface, double r)
 /* How a sag at r changes by a number of its surface. */
 static double sag_slope(const struct sag *sag, double r, struct parameter basis)
 {
-    return basis.kind == PARAMETER_CURVATURE     ? sag->by_curvature
-           : basis.kind == PARAMETER_CONIC       ? sag->by_conic
-           : basis.kind == PARAMETER_COEFFICIENT ? pow(r, basis.order)
-                                                 : 0;
+    if (basis.kind == PARAMETER_CURVATURE) {
+        return sag->by_curvature;
+    }
+    if (basis.kind == PARAMETER_CONIC) {
+        return sag->by_conic;
+    }
+    if (basis.kind == PARAMETER_COEFFICIENT) {
+        return pow(r, basis.order);
+    }
+    return 0;
 }
 
 /* The semi-diameter of a surface by a variable: half its diameter, or where light comes. */

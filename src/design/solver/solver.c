@@ -118,10 +118,16 @@ static void run_round(struct solver_state *solving, double *parameters,
 static enum solver_status solver_status_of(const struct solver_state *solving,
                                            const struct engine_run *run)
 {
-    return solving->stopped            ? SOLVER_STOPPED
-           : run->end == ENGINE_FAILED ? SOLVER_STUCK
-           : run->end == ENGINE_LIMIT  ? SOLVER_LIMIT
-                                       : SOLVER_CONVERGED;
+    if (solving->stopped) {
+        return SOLVER_STOPPED;
+    }
+    if (run->end == ENGINE_FAILED) {
+        return SOLVER_STUCK;
+    }
+    if (run->end == ENGINE_LIMIT) {
+        return SOLVER_LIMIT;
+    }
+    return SOLVER_CONVERGED;
 }
 
 static void tell_end(const struct solver_state *solving, const struct engine_run *run,

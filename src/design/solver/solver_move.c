@@ -10,12 +10,20 @@ static void bound_step(struct descent *descent, const double *from)
     for (size_t i = 0; i < descent->n; i++) {
         const double scale = descent_scale(descent, i), at = from[i];
         const bool is_free = descent->run->is_free[i];
-        descent->low[i] = !is_free               ? 0
-                          : problem->low != NULL ? (problem->low[i] - at) / scale
-                                                 : -INFINITY;
-        descent->high[i] = !is_free                ? 0
-                           : problem->high != NULL ? (problem->high[i] - at) / scale
-                                                   : INFINITY;
+        if (!is_free) {
+            descent->low[i] = 0;
+        } else if (problem->low != NULL) {
+            descent->low[i] = (problem->low[i] - at) / scale;
+        } else {
+            descent->low[i] = -INFINITY;
+        }
+        if (!is_free) {
+            descent->high[i] = 0;
+        } else if (problem->high != NULL) {
+            descent->high[i] = (problem->high[i] - at) / scale;
+        } else {
+            descent->high[i] = INFINITY;
+        }
     }
 }
 

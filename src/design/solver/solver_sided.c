@@ -165,9 +165,13 @@ static void solver_sided_cut(const struct solver_sided *sided, double share,
     for (size_t i = 0; i < sided->columns; i++) {
         const double d = sided->from[i] + share * (step->d[i] - sided->from[i]);
         step->d[i] = d;
-        step->side[i] = d <= step->low[i]    ? STEP_AT_LOW
-                        : d >= step->high[i] ? STEP_AT_HIGH
-                                             : STEP_FREE;
+        if (d <= step->low[i]) {
+            step->side[i] = STEP_AT_LOW;
+        } else if (d >= step->high[i]) {
+            step->side[i] = STEP_AT_HIGH;
+        } else {
+            step->side[i] = STEP_FREE;
+        }
     }
 }
 

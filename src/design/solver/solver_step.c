@@ -166,9 +166,13 @@ static bool solve_free(struct solver_step *step)
 static enum step_side solver_step_side_of(const struct solver_step *step, size_t i)
 {
     if (step->side[i] == STEP_FREE) {
-        return step->d[i] < step->low[i]    ? STEP_AT_LOW
-               : step->d[i] > step->high[i] ? STEP_AT_HIGH
-                                            : STEP_FREE;
+        if (step->d[i] < step->low[i]) {
+            return STEP_AT_LOW;
+        }
+        if (step->d[i] > step->high[i]) {
+            return STEP_AT_HIGH;
+        }
+        return STEP_FREE;
     }
     if (!(step->low[i] < step->high[i])) {
         return step->side[i];

@@ -30,11 +30,13 @@ static const struct surface *perturbation_place_surface_at(const struct toleranc
 static const char *no_curve(const struct tolerance_site *site, const struct tolerance_place *place)
 {
     const struct surface *surface = perturbation_place_surface_at(site, place->first);
-    return surface->kind == SURFACE_STOP || !surface_has(surface, SURFACE_HAS_CURVE)
-               ? "the surface has no shape of its own"
-           : element_at(site->elements, site->element_count, place->first) == NULL
-               ? "a plane in air that bends no ray"
-               : NULL;
+    if (surface->kind == SURFACE_STOP || !surface_has(surface, SURFACE_HAS_CURVE)) {
+        return "the surface has no shape of its own";
+    }
+    if (element_at(site->elements, site->element_count, place->first) == NULL) {
+        return "a plane in air that bends no ray";
+    }
+    return NULL;
 }
 
 static const char *no_radius(const struct tolerance_site *site, const struct tolerance_place *place)
@@ -42,10 +44,13 @@ static const char *no_radius(const struct tolerance_site *site, const struct tol
     const bool is_plane =
         surface_base_curvature(perturbation_place_surface_at(site, place->first)).hi == 0;
     const char *wrong = no_curve(site, place);
-    return wrong != NULL ? wrong
-           : is_plane && place->from->unit != TOLERANCE_FRINGES
-               ? "a plane has no radius: its tolerance is in fringes"
-               : NULL;
+    if (wrong != NULL) {
+        return wrong;
+    }
+    if (is_plane && place->from->unit != TOLERANCE_FRINGES) {
+        return "a plane has no radius: its tolerance is in fringes";
+    }
+    return NULL;
 }
 
 static bool is_air(const struct tolerance_site *site, size_t surface)
@@ -110,10 +115,13 @@ static const char *perturbation_place_no_number(const struct tolerance_site *sit
     const enum parameter_kind kind = tolerance_type(place->kind)->parameter;
     const struct figure *figure = parameter_figure(surface, kind, place->from->order);
     const bool is_nothing = figure == NULL || figure->value.hi == 0;
-    return !surface_has(surface, SURFACE_HAS_CURVE) ? "the surface has no shape of its own"
-           : is_nothing && (place->from->is_range || place->from->unit == TOLERANCE_PERCENT)
-               ? "it is 0 there"
-               : NULL;
+    if (!surface_has(surface, SURFACE_HAS_CURVE)) {
+        return "the surface has no shape of its own";
+    }
+    if (is_nothing && (place->from->is_range || place->from->unit == TOLERANCE_PERCENT)) {
+        return "it is 0 there";
+    }
+    return NULL;
 }
 
 static const char *no_element(const struct tolerance_site *site,

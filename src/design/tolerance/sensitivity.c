@@ -36,7 +36,13 @@ static struct sensitivity of_figure(const double values[SIDES], double nominal, 
     const double near = (at[2] - at[3]) / (2 * part), far = (at[0] - at[1]) / 2;
     const double slope = (near - part * part * far) / (1 - part * part);
     struct sensitivity all = {.plus = values[0] - nominal, .minus = values[1] - nominal};
-    all.linear = !is_root ? slope : nominal > 0 ? slope / (2 * nominal) : (double)NAN;
+    if (!is_root) {
+        all.linear = slope;
+    } else if (nominal > 0) {
+        all.linear = slope / (2 * nominal);
+    } else {
+        all.linear = (double)NAN;
+    }
     all.quadratic = (all.plus + all.minus) / 2;
     return all;
 }
@@ -169,13 +175,20 @@ double inverse_find(const struct inverse_question *question, struct arena *arena
     }
     const double share = sensitivity_share_of(bounds, n, question->drop);
     for (size_t i = 0; i < n; i++) {
-        answers[i].limit = bounds[i].tightest >= share  ? INVERSE_TIGHTEST
-                           : bounds[i].loosest <= share ? INVERSE_LOOSEST
-                                                        : INVERSE_FREE;
-        answers[i].factor = answers[i].limit == INVERSE_TIGHTEST ? question->low[i]
-                            : answers[i].limit == INVERSE_LOOSEST
-                                ? question->high[i]
-                                : sensitivity_factor_of(&searching, i, share);
+        if (bounds[i].tightest >= share) {
+            answers[i].limit = INVERSE_TIGHTEST;
+        } else if (bounds[i].loosest <= share) {
+            answers[i].limit = INVERSE_LOOSEST;
+        } else {
+            answers[i].limit = INVERSE_FREE;
+        }
+        if (answers[i].limit == INVERSE_TIGHTEST) {
+            answers[i].factor = question->low[i];
+        } else if (answers[i].limit == INVERSE_LOOSEST) {
+            answers[i].factor = question->high[i];
+        } else {
+            answers[i].factor = sensitivity_factor_of(&searching, i, share);
+        }
         answers[i].cost = sensitivity_cost_of(&searching, i, answers[i].factor);
         sum += answers[i].cost * answers[i].cost;
     }

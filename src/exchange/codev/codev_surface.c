@@ -302,9 +302,13 @@ static int special_order(struct text name)
         number = digit ? 10 * number + (name.start[i] - '0') : 10000;
     }
     bool sound = number > 0 && number < 1000;
-    return sound && text_same(letter, "AR")  ? (int)number
-           : sound && text_same(letter, "C") ? (int)number - 1
-                                             : -1;
+    if (sound && text_same(letter, "AR")) {
+        return (int)number;
+    }
+    if (sound && text_same(letter, "C")) {
+        return (int)number - 1;
+    }
+    return -1;
 }
 
 bool codev_special_constant(struct codev *codev, int what, struct error *error)

@@ -270,10 +270,15 @@ bool codev_fields(struct codev *codev, int what, struct error *error)
                commands_end(commands, qualifiers.next + 1, error);
     }
     if (kind != 'w') {
-        lens->field_kind = kind == 'a'   ? FIELD_ANGLE
-                           : kind == 'o' ? FIELD_HEIGHT
-                           : kind == 'i' ? FIELD_IMAGE
-                                         : FIELD_REAL;
+        if (kind == 'a') {
+            lens->field_kind = FIELD_ANGLE;
+        } else if (kind == 'o') {
+            lens->field_kind = FIELD_HEIGHT;
+        } else if (kind == 'i') {
+            lens->field_kind = FIELD_IMAGE;
+        } else {
+            lens->field_kind = FIELD_REAL;
+        }
     }
     codev->fields[row] = fields;
     codev->field_count[row] = count;

@@ -40,9 +40,13 @@ void codev_put_number(struct codev_output *output, size_t *column, struct text n
 struct text codev_coordinate(const struct codev_output *output, const struct figure *field)
 {
     const bool nothing = field->value.hi == 0 && field->typed.start == NULL;
-    return nothing                                   ? text_of("0.0")
-           : output->lens->field_kind == FIELD_ANGLE ? writing_degrees(&output->writing, field)
-                                                     : writing_length(&output->writing, field, 1);
+    if (nothing) {
+        return text_of("0.0");
+    }
+    if (output->lens->field_kind == FIELD_ANGLE) {
+        return writing_degrees(&output->writing, field);
+    }
+    return writing_length(&output->writing, field, 1);
 }
 
 bool codev_put_text(struct codev_output *output, const char *name, const char *string,

@@ -193,7 +193,13 @@ static bool read_general(struct oslo *oslo, int what, struct error *error)
 {
     (void)what;
     const struct command_word word = commands_word(&oslo->commands, 1);
-    oslo->asphere_step = text_same(word.text, "ASR") ? 2 : text_same(word.text, "ARA") ? 1 : 0;
+    if (text_same(word.text, "ASR")) {
+        oslo->asphere_step = 2;
+    } else if (text_same(word.text, "ARA")) {
+        oslo->asphere_step = 1;
+    } else {
+        oslo->asphere_step = 0;
+    }
     return oslo->asphere_step > 0 || text_same(word.text, "ADO") ||
            commands_lose(&oslo->commands, error, "an asphere that is not a polynomial of r");
 }

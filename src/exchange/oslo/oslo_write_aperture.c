@@ -13,7 +13,13 @@ static int oslo_write_aperture_type_of(const struct aperture *aperture)
     bool turned = aperture->turn.value.hi != 0 && aperture->shape != SHAPE_CIRCLE;
     bool corners = aperture->shape == SHAPE_POLYGON &&
                    (aperture->point_count == 3 || aperture->point_count == 4);
-    return turned ? 0 : corners ? (int)aperture->point_count : types[aperture->shape];
+    if (turned) {
+        return 0;
+    }
+    if (corners) {
+        return (int)aperture->point_count;
+    }
+    return types[aperture->shape];
 }
 
 static void oslo_write_aperture_put(struct lens_writer *writing, const char *name, char letter,

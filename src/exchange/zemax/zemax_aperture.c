@@ -145,9 +145,13 @@ bool zemax_set_aperture(struct zemax_file *file, const struct zemax_surface *fro
 static const char *zemax_aperture_refusal_of(const struct aperture *aperture)
 {
     bool quarter = aperture->shape == SHAPE_CIRCLE || aperture->shape == SHAPE_RING;
-    return aperture->shape == SHAPE_POLYGON           ? "a polygon stands in another file"
-           : !quarter && aperture->turn.value.hi != 0 ? "apertures are not turned there"
-                                                      : NULL;
+    if (aperture->shape == SHAPE_POLYGON) {
+        return "a polygon stands in another file";
+    }
+    if (!quarter && aperture->turn.value.hi != 0) {
+        return "apertures are not turned there";
+    }
+    return NULL;
 }
 
 void zemax_put_half(struct zemax_writer *writer, const struct figure *figure)

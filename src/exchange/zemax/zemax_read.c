@@ -62,9 +62,13 @@ static bool zemax_read_set_aperture(struct zemax_file *file, struct error *error
                                "the aperture must be above 0");
     }
     lens->aperture = line->numbers[0];
-    lens->aperture_kind = text_same(line->keyword, "ENPD")   ? APERTURE_EPD
-                          : text_same(line->keyword, "FNUM") ? APERTURE_FNUMBER
-                                                             : APERTURE_NA;
+    if (text_same(line->keyword, "ENPD")) {
+        lens->aperture_kind = APERTURE_EPD;
+    } else if (text_same(line->keyword, "FNUM")) {
+        lens->aperture_kind = APERTURE_FNUMBER;
+    } else {
+        lens->aperture_kind = APERTURE_NA;
+    }
     bool special = zemax_number(line, 1) != 0;
     if (lens->aperture_kind == APERTURE_NA && special) {
         return zemax_read_set_cone(file, line, error);
@@ -367,7 +371,13 @@ static void set_focus(struct zemax_file *file)
 {
     bool paraxial = zemax_focuses(file);
     bool afocal = zemax_number(file->fields, 6) != 0;
-    file->build.lens->focus = afocal ? FOCUS_AFOCAL : paraxial ? FOCUS_PARAXIAL : FOCUS_TABLE;
+    if (afocal) {
+        file->build.lens->focus = FOCUS_AFOCAL;
+    } else if (paraxial) {
+        file->build.lens->focus = FOCUS_PARAXIAL;
+    } else {
+        file->build.lens->focus = FOCUS_TABLE;
+    }
 }
 
 /* FTYP says it of an object at infinity too, which has no such space. */

@@ -353,9 +353,13 @@ bool zemax_user_apertures(struct zemax_file *file, const struct zemax_surface *f
             "%.4s: an aperture of a file that is not named" LOSS_VIGNETTES LOSS_INSTEAD "left out",
             line->keyword.start);
     } else if (!zemax_user_aperture_read_beside(file->job, name, &content, &why)) {
-        shapes.wrong = why.code != ERROR_NONE    ? why.message
-                       : file->job->reads_beside ? "there is no such file beside the lens file"
-                                                 : "files beside it are not read";
+        if (why.code != ERROR_NONE) {
+            shapes.wrong = why.message;
+        } else if (file->job->reads_beside) {
+            shapes.wrong = "there is no such file beside the lens file";
+        } else {
+            shapes.wrong = "files beside it are not read";
+        }
     } else if (!encoding_to_utf8(file->job->source, content, file->job->arena, &content, &why)) {
         shapes.wrong = why.message;
     } else {

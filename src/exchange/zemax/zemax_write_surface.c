@@ -293,7 +293,13 @@ static const char *zemax_write_surface_type_of(const struct surface *surface)
     if (surface_has(surface, SURFACE_HAS_FOCAL)) {
         return "PARAXIAL";
     }
-    return !surface_is_round(surface) ? "TOROIDAL" : type != NULL ? type->name : "STANDARD";
+    if (!surface_is_round(surface)) {
+        return "TOROIDAL";
+    }
+    if (type != NULL) {
+        return type->name;
+    }
+    return "STANDARD";
 }
 
 /* From mm to the lens's unit. */

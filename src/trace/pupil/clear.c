@@ -166,9 +166,13 @@ static void put_arms(const struct clear_search *finding, struct clear_pupil *pup
     /* something that is the last in no direction but one has no arc of its own */
     const size_t corners = star->corner_count >= 2 ? star->corner_count : 0;
     pupil->arcs = corners;
-    pupil->arm_count = corners > 0                   ? corners * CLEAR_ARC
-                       : finding->margins->is_listed ? MANY
-                                                     : CIRCLE;
+    if (corners > 0) {
+        pupil->arm_count = corners * CLEAR_ARC;
+    } else if (finding->margins->is_listed) {
+        pupil->arm_count = MANY;
+    } else {
+        pupil->arm_count = CIRCLE;
+    }
     pupil->arms = ARENA_ARRAY(finding->arena, pupil->arm_count, struct clear_arm);
     double *angles = ARENA_ARRAY(finding->arena, pupil->arm_count, double);
     double *radii = ARENA_ARRAY(finding->arena, pupil->arm_count, double);
