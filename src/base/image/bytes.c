@@ -6,7 +6,7 @@ unsigned char *bytes_room(struct bytes *bytes, size_t count)
 {
     if (bytes->room - bytes->used < count) {
         const size_t room = bytes->used + count + bytes->room;
-        unsigned char *larger = ARENA_ARRAY(bytes->arena, room, unsigned char);
+        unsigned char *larger = arena_buffer_array(bytes->arena, room, 1);
         if (bytes->used > 0) {
             memcpy(larger, bytes->data, bytes->used);
         }

@@ -18,13 +18,30 @@ enum { SRGB_GAMMA = 45455 };
 /* of the longer side of a pixel */
 enum { PNG_ASPECT_UNIT = 1000000000 };
 
+/* Where its length will stand. */
+static size_t begin_chunk(struct bytes *to, const char *type)
+{
+    const size_t begin = to->used;
+    bytes_put_big(to, 0, 4);
+    bytes_put_string(to, type);
+    return begin;
+}
+
+static void end_chunk(struct bytes *to, size_t begin)
+{
+    const size_t typed = to->used - begin - 4;
+    unsigned char *at = to->data + begin;
+    for (int i = 0; i < 4; i++) {
+        at[i] = (unsigned char)((typed - 4) >> (24 - 8 * i));
+    }
+    bytes_put_big(to, crc_of(at + 4, typed), 4);
+}
+
 static void put_chunk(struct bytes *to, const char *type, const void *data, size_t count)
 {
-    bytes_put_big(to, count, 4);
-    const size_t from = to->used;
-    bytes_put_string(to, type);
+    const size_t begin = begin_chunk(to, type);
     bytes_put(to, data, count);
-    bytes_put_big(to, crc_of(to->data + from, to->used - from), 4);
+    end_chunk(to, begin);
 }
 
 static void png_put_header(struct bytes *to, const struct image *image, int bits)
@@ -181,17 +198,16 @@ static void png_rows_encode(void *context, size_t begin, size_t end)
 static void put_pixels(struct bytes *to, const struct image *image, const struct image_way *way,
                        size_t stride)
 {
-    struct bytes packed = {.arena = to->arena};
+    const size_t begin = begin_chunk(to, "IDAT");
     if (way->stored) {
         struct png_rows rows = {image, way, NULL, stride};
-        rows.all = ARENA_ARRAY(to->arena, image->height * stride, unsigned char);
+        rows.all = arena_buffer_array(to->arena, image->height, stride);
         parallel_for(way->threads, image->height, ROWS_AT_ONCE, png_rows_encode, &rows);
-        stb_store(&packed, rows.all, stride * image->height);
+        stb_store(to, rows.all, stride * image->height);
     } else {
-        stb_pack(&packed, filter_all(image, way, to->arena), stride * image->height);
+        stb_pack(to, filter_all(image, way, to->arena), stride * image->height);
     }
-    bytes_room(to, packed.used + 2 * PNG_FRAME);
-    put_chunk(to, "IDAT", packed.data, packed.used);
+    end_chunk(to, begin);
 }
 
 bool png_write(const struct image *image, const struct image_way *way, struct arena *arena,
