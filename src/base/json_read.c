@@ -38,20 +38,6 @@ bool json_take(struct json *json, char c)
     return false;
 }
 
-static int json_read_hex_digit(char c)
-{
-    if (c >= '0' && c <= '9') {
-        return c - '0';
-    }
-    if (c >= 'a' && c <= 'f') {
-        return c - 'a' + 10;
-    }
-    if (c >= 'A' && c <= 'F') {
-        return c - 'A' + 10;
-    }
-    return -1;
-}
-
 /* Four hexadecimal digits; -1 if they are none. */
 static long hex4(struct json *json)
 {
@@ -60,7 +46,7 @@ static long hex4(struct json *json)
         return -1;
     }
     for (int i = 0; i < 4; i++) {
-        int digit = json_read_hex_digit(*json->at++);
+        int digit = text_hex_digit(*json->at++);
         if (digit < 0) {
             return -1;
         }

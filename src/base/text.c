@@ -212,6 +212,20 @@ void nearest_offer(struct nearest *nearest, struct text candidate)
     }
 }
 
+int text_hex_digit(char c)
+{
+    if (c >= '0' && c <= '9') {
+        return c - '0';
+    }
+    if (c >= 'a' && c <= 'f') {
+        return c - 'a' + 10;
+    }
+    if (c >= 'A' && c <= 'F') {
+        return c - 'A' + 10;
+    }
+    return -1;
+}
+
 size_t text_utf8_length(const char *start, size_t room)
 {
     /* Unicode, table 3-7: well-formed sequences; bytes from the third on are 80 to bf */

@@ -95,6 +95,9 @@ struct text text_cut_range(struct text *rest);
  */
 int text_distance(struct text a, struct text b, int limit);
 
+/* 0 to 15; -1 where it is no hexadecimal digit. */
+int text_hex_digit(char c);
+
 /* Length of the UTF-8 sequence that begins here, 0 if it is none (RFC 3629). */
 size_t text_utf8_length(const char *start, size_t room);
 

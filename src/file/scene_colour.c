@@ -11,20 +11,6 @@
 enum { PARTS = 3 };
 #define BRIGHTEST 1e9
 
-static int scene_colour_hex_digit(char c)
-{
-    if (c >= '0' && c <= '9') {
-        return c - '0';
-    }
-    if (c >= 'a' && c <= 'f') {
-        return c - 'a' + 10;
-    }
-    if (c >= 'A' && c <= 'F') {
-        return c - 'A' + 10;
-    }
-    return -1;
-}
-
 /* #rrggbb, as sRGB encodes it. */
 static bool read_code(const struct file_words *words, struct text text, struct spectrum *spectrum,
                       struct error *error)
@@ -33,7 +19,7 @@ static bool read_code(const struct file_words *words, struct text text, struct s
     int code[DIGITS] = {0};
     bool is_code = text.length == DIGITS + 1 && text.start[0] == '#';
     for (size_t i = 0; i < DIGITS && is_code; i++) {
-        code[i] = scene_colour_hex_digit(text.start[i + 1]);
+        code[i] = text_hex_digit(text.start[i + 1]);
         is_code = code[i] >= 0;
     }
     if (!is_code) {
