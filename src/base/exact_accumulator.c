@@ -1,6 +1,6 @@
-/* base/exact_sum.c - sums without rounding: the same in whatever order they are made. */
+/* base/exact_accumulator.c - sums without rounding: the same in whatever order they are made. */
 /* SPDX-License-Identifier: MIT */
-#include "base/exact_sum.h"
+#include "base/exact_accumulator.h"
 
 #include <math.h>
 #include <string.h>

@@ -1,7 +1,7 @@
-/* base/exact_sum.h - sums without rounding: the same in whatever order they are made. */
+/* base/exact_accumulator.h - sums without rounding: the same in whatever order they are made. */
 /* SPDX-License-Identifier: MIT */
-#ifndef LENSCALC_BASE_EXACT_SUM_H
-#define LENSCALC_BASE_EXACT_SUM_H
+#ifndef LENSCALC_BASE_EXACT_ACCUMULATOR_H
+#define LENSCALC_BASE_EXACT_ACCUMULATOR_H
 
 #include <stdint.h>
 

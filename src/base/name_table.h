@@ -1,7 +1,7 @@
-/* base/name_index.h - numbers of names: which of a list has this one. */
+/* base/name_table.h - numbers of names: which of a list has this one. */
 /* SPDX-License-Identifier: MIT */
-#ifndef LENSCALC_BASE_NAME_INDEX_H
-#define LENSCALC_BASE_NAME_INDEX_H
+#ifndef LENSCALC_BASE_NAME_TABLE_H
+#define LENSCALC_BASE_NAME_TABLE_H
 
 #include "base/arena.h"
 #include "base/text.h"

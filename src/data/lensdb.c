@@ -2,7 +2,7 @@
 /* SPDX-License-Identifier: MIT */
 #include "data/lensdb.h"
 
-#include "base/name_index.h"
+#include "base/name_table.h"
 #include "base/number.h"
 #include "data/embedded.h"
 #include "data/folder.h"

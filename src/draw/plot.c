@@ -215,8 +215,13 @@ static struct plot_points plot_trace(const struct plot *plot, const struct plot_
         if (isinf(before) && isfinite(v)) {
             plot_add_point(&points, x, off);
         }
-        double inside = isnan(v) ? NAN : plot_near_page(&frame->y, plot_page_at(&frame->y, v));
-        plot_add_point(&points, x, !isinf(v) ? inside : edge ? off : NAN);
+        double y = NAN;
+        if (isfinite(v)) {
+            y = plot_near_page(&frame->y, plot_page_at(&frame->y, v));
+        } else if (isinf(v) && edge) {
+            y = off;
+        }
+        plot_add_point(&points, x, y);
         before = v;
         before_x = x;
     }

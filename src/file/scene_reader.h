@@ -3,7 +3,7 @@
 #ifndef LENSCALC_FILE_SCENE_READER_H
 #define LENSCALC_FILE_SCENE_READER_H
 
-#include "base/name_index.h"
+#include "base/name_table.h"
 #include "file/scene_file.h"
 #include "file/scene_words.h"
 

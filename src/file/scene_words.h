@@ -3,7 +3,7 @@
 #ifndef LENSCALC_FILE_SCENE_WORDS_H
 #define LENSCALC_FILE_SCENE_WORDS_H
 
-#include "base/name_index.h"
+#include "base/name_table.h"
 #include "base/units.h"
 #include "file/file_words.h"
 #include "scene/vector.h"

@@ -5,9 +5,9 @@
 
 #include "base/arena.h"
 #include "base/error.h"
-#include "report/doubts.h"
 #include "report/output.h"
 #include "report/row.h"
+#include "report/warnings.h"
 
 #include <stdbool.h>
 #include <stddef.h>

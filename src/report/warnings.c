@@ -1,6 +1,6 @@
-/* report/doubts.c - what is doubtful about a question, said once each beside the answer. */
+/* report/warnings.c - what is doubtful about a question, said once each beside the answer. */
 /* SPDX-License-Identifier: MIT */
-#include "report/doubts.h"
+#include "report/warnings.h"
 
 #include <stdarg.h>
 #include <stdio.h>

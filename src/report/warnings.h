@@ -1,7 +1,7 @@
-/* report/doubts.h - what is doubtful about a question, said once each beside the answer. */
+/* report/warnings.h - what is doubtful about a question, said once each beside the answer. */
 /* SPDX-License-Identifier: MIT */
-#ifndef LENSCALC_REPORT_DOUBTS_H
-#define LENSCALC_REPORT_DOUBTS_H
+#ifndef LENSCALC_REPORT_WARNINGS_H
+#define LENSCALC_REPORT_WARNINGS_H
 
 #include "base/arena.h"
 

@@ -5,7 +5,7 @@
 
 #include "base/arena.h"
 #include "base/error.h"
-#include "base/name_index.h"
+#include "base/name_table.h"
 #include "light/bands.h"
 #include "scene/scene.h"
 

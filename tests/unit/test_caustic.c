@@ -1,6 +1,6 @@
-/* tests/unit/test_folding.c - folds of maps whose Jacobian is known. */
+/* tests/unit/test_caustic.c - folds of maps whose Jacobian is known. */
 /* SPDX-License-Identifier: MIT */
-#include "analysis/pupil/folding.h"
+#include "analysis/pupil/caustic.h"
 #include "base/constants.h"
 #include "check.h"
 

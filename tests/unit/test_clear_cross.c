@@ -4,7 +4,7 @@
 #include "check.h"
 #include "exchange/lens_open.h"
 #include "file/lens_file.h"
-#include "trace/aim/spread.h"
+#include "trace/aim/multisection.h"
 #include "trace/dispatch.h"
 #include "trace/pupil/clear_cross.h"
 

@@ -1,6 +1,6 @@
-/* tests/unit/test_relief.c - rays over depth maps: by hand, and against a march in small steps. */
+/* tests/unit/test_depth_card.c - rays over depth maps: by hand, and against a march in small steps. */
 /* SPDX-License-Identifier: MIT */
-#include "camera/subject/relief.h"
+#include "camera/subject/depth_card.h"
 
 #include "check.h"
 

@@ -1,6 +1,6 @@
-/* tests/unit/test_quantile.c - the distance within which a share of the light lies. */
+/* tests/unit/test_encircled_energy.c - the distance within which a share of the light lies. */
 /* SPDX-License-Identifier: MIT */
-#include "analysis/pupil/quantile.h"
+#include "analysis/pupil/encircled_energy.h"
 #include "base/constants.h"
 #include "check.h"
 #include "trace/aim/sample.h"

@@ -1,6 +1,6 @@
-/* tests/unit/test_fringes.c - colours of a thin lens, in closed form. */
+/* tests/unit/test_lateral_colour.c - colours of a thin lens, in closed form. */
 /* SPDX-License-Identifier: MIT */
-#include "camera/photograph/fringes.h"
+#include "camera/photograph/lateral_colour.h"
 
 #include "check.h"
 #include "file/lens_file.h"

@@ -1,6 +1,6 @@
-/* tests/unit/test_lens_room.c - things before a lens, in it, and on their way there. */
+/* tests/unit/test_lens_clearance.c - things before a lens, in it, and on their way there. */
 /* SPDX-License-Identifier: MIT */
-#include "camera/subject/lens_room.h"
+#include "camera/subject/lens_clearance.h"
 #include "file/lens_file.h"
 #include "looked.h"
 

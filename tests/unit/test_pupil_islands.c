@@ -1,4 +1,4 @@
-/* tests/unit/test_islands.c - light beyond gaps, against a grid fine enough to trust. */
+/* tests/unit/test_pupil_islands.c - light beyond gaps, against a grid fine enough to trust. */
 /* SPDX-License-Identifier: MIT */
 #include "analysis/pupil/quadrature.h"
 #include "analysis/setup/setup.h"

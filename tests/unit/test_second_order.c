@@ -1,10 +1,10 @@
-/* tests/unit/test_differential.c - quadratic forms of figures, by functions that are quadratic. */
+/* tests/unit/test_second_order.c - quadratic forms of figures, by functions that are quadratic. */
 /* SPDX-License-Identifier: MIT */
 #include "check.h"
 
 #include "base/processor.h"
 #include "base/random.h"
-#include "design/tolerance/differential.h"
+#include "design/tolerance/second_order.h"
 #include "optics/surface.h"
 
 #include <string.h>

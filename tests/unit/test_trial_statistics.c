@@ -1,7 +1,7 @@
-/* tests/unit/test_tally.c - counted figures: exact sums, moments, percentiles, in any order. */
+/* tests/unit/test_trial_statistics.c - counted figures: exact sums, moments, percentiles, in any order. */
 /* SPDX-License-Identifier: MIT */
 #include "check.h"
-#include "design/tolerance/tally.h"
+#include "design/tolerance/trial_statistics.h"
 
 #include <math.h>
 

@@ -4,7 +4,7 @@
 #define LENSCALC_ANALYSIS_LAYOUT_LAYOUT_H
 
 #include "analysis/setup/setup.h"
-#include "base/name_index.h"
+#include "base/name_table.h"
 
 #include <stdbool.h>
 #include <stddef.h>

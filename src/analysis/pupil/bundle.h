@@ -6,7 +6,7 @@
 #include "analysis/pupil/quadrature.h"
 #include "analysis/setup/setup.h"
 #include "trace/aim/sample.h"
-#include "trace/pupil/islands.h"
+#include "trace/pupil/pupil_islands.h"
 #include "trace/pupil/stop_beam.h"
 
 #include <stdbool.h>

@@ -1,6 +1,6 @@
-/* analysis/pupil/folding.c - the sign of the Jacobian over a bundle. */
+/* analysis/pupil/caustic.c - the sign of the Jacobian over a bundle. */
 /* SPDX-License-Identifier: MIT */
-#include "analysis/pupil/folding.h"
+#include "analysis/pupil/caustic.h"
 
 #include <math.h>
 

@@ -1,7 +1,7 @@
-/* analysis/pupil/folding.h - whether a bundle of rays turns over on its way. */
+/* analysis/pupil/caustic.h - whether a bundle of rays turns over on its way. */
 /* SPDX-License-Identifier: MIT */
-#ifndef LENSCALC_ANALYSIS_PUPIL_FOLDING_H
-#define LENSCALC_ANALYSIS_PUPIL_FOLDING_H
+#ifndef LENSCALC_ANALYSIS_PUPIL_CAUSTIC_H
+#define LENSCALC_ANALYSIS_PUPIL_CAUSTIC_H
 
 #include "base/arena.h"
 #include "trace/pupil/clear.h"

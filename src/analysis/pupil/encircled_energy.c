@@ -1,6 +1,6 @@
-/* analysis/pupil/quantile.c - within which distance so much of the light of a sample lies. */
+/* analysis/pupil/encircled_energy.c - within which distance so much of the light of a sample lies. */
 /* SPDX-License-Identifier: MIT */
-#include "analysis/pupil/quantile.h"
+#include "analysis/pupil/encircled_energy.h"
 
 #include "base/constants.h"
 #include "base/roots.h"
@@ -70,14 +70,14 @@ void encircled_energy_arms_add(struct encircled_energy_arms *arms, size_t ray,
 
 /* -------- of rays by themselves -------- */
 
-struct quantile_point {
+struct encircled_energy_point {
     double distance, weight;
 };
 
 static int by_distance(const void *first, const void *second)
 {
-    double a = ((const struct quantile_point *)first)->distance,
-           b = ((const struct quantile_point *)second)->distance;
+    double a = ((const struct encircled_energy_point *)first)->distance,
+           b = ((const struct encircled_energy_point *)second)->distance;
     return (a > b) - (a < b);
 }
 
@@ -85,16 +85,18 @@ static int by_distance(const void *first, const void *second)
 static double of_points(const struct encircled_energy_mark *marks, size_t count, double share,
                         struct arena *arena)
 {
-    struct quantile_point *points = ARENA_ARRAY(arena, count, struct quantile_point);
+    struct encircled_energy_point *points =
+        ARENA_ARRAY(arena, count, struct encircled_energy_point);
     double total = 0, before = 0;
     for (size_t i = 0; i < count; i++) {
-        points[i] = (struct quantile_point){hypot(marks[i].at[0], marks[i].at[1]), marks[i].weight};
+        points[i] =
+            (struct encircled_energy_point){hypot(marks[i].at[0], marks[i].at[1]), marks[i].weight};
         total += points[i].weight;
     }
     qsort(points, count, sizeof *points, by_distance);
-    const struct quantile_point *last = NULL;
+    const struct encircled_energy_point *last = NULL;
     for (size_t i = 0; i < count; i++) {
-        const struct quantile_point *point = &points[i];
+        const struct encircled_energy_point *point = &points[i];
         double middle = before + point->weight / 2;
         if (middle >= share * total) {
             double from = last != NULL ? before - last->weight / 2 : 0;
@@ -131,7 +133,7 @@ static struct piece piece_between(const struct look *a, const struct look *b)
                           {low->radius, high->radius}};
 }
 
-static struct look quantile_look_at(const struct encircled_energy_mark *mark)
+static struct look encircled_energy_look_at(const struct encircled_energy_mark *mark)
 {
     return (struct look){sqrt(mark->place), hypot(mark->at[0], mark->at[1]),
                          mark->weight / mark->share};
@@ -142,12 +144,12 @@ static struct look look_beyond(const struct encircled_energy_mark *marks, size_t
 {
     const struct encircled_energy_mark *mark = &marks[i];
     const size_t other = mark->beside[1 - side];
-    const struct look here = quantile_look_at(mark);
+    const struct look here = encircled_energy_look_at(mark);
     const double left = fmin(side == 1 ? 1 - mark->place : mark->place, mark->share);
     struct look end = here;
     end.radius = sqrt(fmax(mark->place + (side == 1 ? left : -left), 0));
     if (other != ENCIRCLED_ENERGY_ALONE) {
-        const struct look last = quantile_look_at(&marks[other]);
+        const struct look last = encircled_energy_look_at(&marks[other]);
         const double slope = (here.distance - last.distance) / (here.radius - last.radius);
         end.distance = fabs(here.distance + slope * (end.radius - here.radius));
     }
@@ -161,7 +163,7 @@ static size_t pieces_of_arm(const struct encircled_energy_mark *marks, size_t fi
     size_t count = 0, here = first;
     struct look last = look_beyond(marks, first, 0);
     for (size_t next = first; next != ENCIRCLED_ENERGY_ALONE; next = marks[here].beside[1]) {
-        const struct look look = quantile_look_at(&marks[next]);
+        const struct look look = encircled_energy_look_at(&marks[next]);
         pieces[count++] = piece_between(&last, &look);
         last = look;
         here = next;
@@ -183,7 +185,7 @@ struct stencil {
 };
 
 /* Lagrange's factors: of the nodes nearest by, or those at the end. */
-static struct stencil quantile_stencil_at(const double *nodes, size_t count, double at)
+static struct stencil encircled_energy_stencil_at(const double *nodes, size_t count, double at)
 {
     struct stencil stencil = {0, count < STENCIL ? count : STENCIL, {0}};
     while (stencil.first + stencil.count < count &&
@@ -208,7 +210,7 @@ static struct stencil stencil_around(size_t steps, size_t gap, double beyond)
     for (size_t j = 0; j < count; j++) {
         nodes[j] = (double)j;
     }
-    struct stencil stencil = quantile_stencil_at(nodes, count, (double)back + beyond);
+    struct stencil stencil = encircled_energy_stencil_at(nodes, count, (double)back + beyond);
     stencil.first = gap + steps - back;
     return stencil;
 }
@@ -217,22 +219,22 @@ static struct stencil stencil_around(size_t steps, size_t gap, double beyond)
  * What there is at looks along an arm. Distances are the same in any axes: of a whole circle each
  * arm has its own, which turn with it, so that nothing changes around a disc.
  */
-struct quantile_value {
+struct encircled_energy_value {
     double at[2], density;
 };
 
 /* A sheet at work. */
-struct quantile_sheet {
+struct energy_sheet {
     const struct encircled_energy_sheet *made;
     const double *radii; /* of looks outwards, from 0 to 1 */
     size_t looks;
-    struct quantile_value *arms; /* `looks` of each */
+    struct encircled_energy_value *arms; /* `looks` of each */
     struct piece *pieces;
     size_t count;
 };
 
 /* Where to look outwards: equal steps between rings. */
-static void choose_radii(size_t steps, struct arena *arena, struct quantile_sheet *sheet)
+static void choose_radii(size_t steps, struct arena *arena, struct energy_sheet *sheet)
 {
     const struct encircled_energy_sheet *made = sheet->made;
     double *radii = ARENA_ARRAY(arena, (made->rings + 1) * steps + 1, double), from = 0;
@@ -249,18 +251,20 @@ static void choose_radii(size_t steps, struct arena *arena, struct quantile_shee
 }
 
 static void look_along_arms(const struct encircled_energy_mark *marks, const double *arm_shares,
-                            struct arena *arena, struct quantile_sheet *sheet)
+                            struct arena *arena, struct energy_sheet *sheet)
 {
     const struct encircled_energy_sheet *made = sheet->made;
     double *rings = ARENA_ARRAY(arena, made->rings, double);
-    sheet->arms = ARENA_ARRAY(arena, sheet->looks * made->arms, struct quantile_value);
+    sheet->arms = ARENA_ARRAY(arena, sheet->looks * made->arms, struct encircled_energy_value);
     for (size_t ring = 0; ring < made->rings; ring++) {
         rings[ring] = sqrt(made->places[ring]);
     }
     for (size_t i = 0; i < sheet->looks; i++) {
-        const struct stencil stencil = quantile_stencil_at(rings, made->rings, sheet->radii[i]);
+        const struct stencil stencil =
+            encircled_energy_stencil_at(rings, made->rings, sheet->radii[i]);
         for (size_t arm = 0; arm < made->arms; arm++) {
-            struct quantile_value *value = &sheet->arms[arm * sheet->looks + i], sum = {{0, 0}, 0};
+            struct encircled_energy_value *value = &sheet->arms[arm * sheet->looks + i],
+                                          sum = {{0, 0}, 0};
             for (size_t j = 0; j < stencil.count; j++) {
                 const size_t ring = stencil.first + j;
                 const struct encircled_energy_mark *mark =
@@ -279,7 +283,7 @@ static void look_along_arms(const struct encircled_energy_mark *marks, const dou
 }
 
 /* Pieces of an arm between those of rays: among `count` arms in a circle, from `first` on. */
-static void pieces_between(struct quantile_sheet *sheet, size_t first, size_t count,
+static void pieces_between(struct energy_sheet *sheet, size_t first, size_t count,
                            const struct stencil *stencil, double share)
 {
     struct look last = {0};
@@ -287,7 +291,7 @@ static void pieces_between(struct quantile_sheet *sheet, size_t first, size_t co
         double x = 0, y = 0, density = 0;
         for (size_t j = 0; j < stencil->count; j++) {
             const size_t arm = first + (stencil->first + j) % count;
-            const struct quantile_value *value = &sheet->arms[arm * sheet->looks + i];
+            const struct encircled_energy_value *value = &sheet->arms[arm * sheet->looks + i];
             x += stencil->factor[j] * value->at[0];
             y += stencil->factor[j] * value->at[1];
             density += stencil->factor[j] * value->density;
@@ -344,7 +348,7 @@ static size_t pieces_of_sheet(const struct encircled_energy_mark *marks,
     const size_t around = looks_around(made), arcs = made->arcs.count > 0 ? made->arcs.count : 1;
     double *angles = ARENA_ARRAY(arena, made->arms, double),
            *shares = ARENA_ARRAY(arena, made->arms, double);
-    struct quantile_sheet sheet = {.made = made, .pieces = pieces};
+    struct energy_sheet sheet = {.made = made, .pieces = pieces};
     choose_radii(looks_outwards(made), arena, &sheet);
     for (size_t arc = 0, first = 0; arc < arcs; first += arms_of_arc(made, arc), arc++) {
         const size_t count = arms_of_arc(made, arc);
@@ -361,7 +365,8 @@ static size_t pieces_of_sheet(const struct encircled_energy_mark *marks,
             const struct stencil stencil =
                 made->arcs.count == 0
                     ? stencil_around(count, i / around, within)
-                    : quantile_stencil_at(angles + first, count, ((double)i + 0.5) / (double)cells);
+                    : encircled_energy_stencil_at(angles + first, count,
+                                                  ((double)i + 0.5) / (double)cells);
             pieces_between(&sheet, first, count, &stencil, 1 / (double)cells);
         }
     }
@@ -415,7 +420,7 @@ static double part_within(const struct piece *piece, double distance)
 }
 
 /* Pieces that the distance sought may cut, and what light the others leave to them. */
-struct quantile_search {
+struct encircled_energy_search {
     struct piece *pieces;
     size_t count;
     double wanted;
@@ -423,7 +428,7 @@ struct quantile_search {
 
 static double excess_within(double distance, const void *context)
 {
-    const struct quantile_search *search = context;
+    const struct encircled_energy_search *search = context;
     double sum = 0;
     for (size_t i = 0; i < search->count; i++) {
         sum += search->pieces[i].weight * part_within(&search->pieces[i], distance);
@@ -432,7 +437,7 @@ static double excess_within(double distance, const void *context)
 }
 
 /* Give up the pieces that no distance of a bracket cuts. */
-static void quantile_narrow(struct quantile_search *search, double low, double high)
+static void encircled_energy_narrow(struct encircled_energy_search *search, double low, double high)
 {
     size_t kept = 0;
     for (size_t i = 0; i < search->count; i++) {
@@ -451,7 +456,7 @@ static double of_arms(const struct encircled_energy_sample *sample, double share
                       struct arena *arena)
 {
     enum { HALVINGS = 6 }; /* after which few pieces are left */
-    struct quantile_search search;
+    struct encircled_energy_search search;
     struct error error;
     double total = 0, low = 0, high = 0, found;
     search.count = pieces_of_all(sample, arena, &search.pieces);
@@ -465,7 +470,7 @@ static double of_arms(const struct encircled_energy_sample *sample, double share
         const bool is_beyond = excess_within(middle, &search) < 0;
         low = is_beyond ? middle : low;
         high = is_beyond ? high : middle;
-        quantile_narrow(&search, low, high);
+        encircled_energy_narrow(&search, low, high);
     }
     /* a share that ends where light does may have no sign to change */
     return root_find(excess_within, &search, low, high, &found, &error) ? found : (low + high) / 2;

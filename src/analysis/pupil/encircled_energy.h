@@ -1,7 +1,7 @@
-/* analysis/pupil/quantile.h - within which distance so much of the light of a sample lies. */
+/* analysis/pupil/encircled_energy.h - within which distance so much of the light of a sample lies. */
 /* SPDX-License-Identifier: MIT */
-#ifndef LENSCALC_ANALYSIS_PUPIL_QUANTILE_H
-#define LENSCALC_ANALYSIS_PUPIL_QUANTILE_H
+#ifndef LENSCALC_ANALYSIS_PUPIL_ENCIRCLED_ENERGY_H
+#define LENSCALC_ANALYSIS_PUPIL_ENCIRCLED_ENERGY_H
 
 #include "analysis/pupil/bundle.h"
 #include "base/arena.h"

@@ -4,7 +4,7 @@
 
 #include "trace/aim/sample.h"
 #include "trace/dispatch.h"
-#include "trace/pupil/spans.h"
+#include "trace/pupil/clear_intervals.h"
 
 #include <math.h>
 

@@ -2,14 +2,14 @@
 /* SPDX-License-Identifier: MIT */
 #include "analysis/pupil/pupil_shape.h"
 
+#include "analysis/pupil/caustic.h"
 #include "analysis/pupil/contour.h"
-#include "analysis/pupil/folding.h"
 #include "analysis/pupil/pupil_cut.h"
 #include "trace/aim/aim.h"
 #include "trace/aim/sample.h"
 #include "trace/dispatch.h"
 #include "trace/pupil/clear.h"
-#include "trace/pupil/spans.h"
+#include "trace/pupil/clear_intervals.h"
 
 #include <math.h>
 

@@ -7,7 +7,7 @@
 #include "base/error.h"
 #include "optics/first_order.h"
 #include "trace/aim/beam.h"
-#include "trace/pupil/islands.h"
+#include "trace/pupil/pupil_islands.h"
 #include "trace/system.h"
 
 #include <stdbool.h>

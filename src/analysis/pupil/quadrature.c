@@ -4,7 +4,7 @@
 
 #include "analysis/pupil/quadrature_whole.h"
 #include "base/constants.h"
-#include "trace/pupil/star.h"
+#include "trace/pupil/pupil_boundary.h"
 #include "trace/tangent.h"
 
 #include <math.h>

@@ -7,8 +7,8 @@
 #include "trace/aim/sample.h"
 #include "trace/kernel/rays.h"
 #include "trace/pupil/clear.h"
-#include "trace/pupil/islands.h"
-#include "trace/pupil/star.h"
+#include "trace/pupil/pupil_boundary.h"
+#include "trace/pupil/pupil_islands.h"
 #include "trace/pupil/stop_beam.h"
 
 #include <stdbool.h>
@@ -53,7 +53,8 @@ struct quadrature_region quadrature_open(const struct stop_beam *beam, struct ar
  * Result    weights that add up to the clear share of the area they are equal in: of the stop, of
  *           the disc; with WEIGHT_BEAM and a stop of the unit disc of u and v, which the beam of
  *           the whole stop fills but for aberrations
- * Formula   the clear part is a star (trace/pupil/star.h), found in u and v, where no ray has to be
+ * Formula   the clear part is a star (trace/pupil/pupil_boundary.h), found in u and v, where no
+ * ray has to be
  *           aimed; k rings of Gauss's points in r^2, whose error in r itself cancels about a
  *           centroid. Where the whole stop or disc is clear 2 k + 1 equal arms, else 3 k + 2 and
  *           more, at Gauss's points of the angle from corner to corner, where integrands are

@@ -4,7 +4,7 @@
 #define LENSCALC_ANALYSIS_PUPIL_QUADRATURE_WHOLE_H
 
 #include "analysis/pupil/quadrature.h"
-#include "trace/pupil/margins.h"
+#include "trace/pupil/clearances.h"
 
 /*
  * Gauss's points of the whole disc, without a search for edges.

@@ -6,7 +6,7 @@
 #include "base/arena.h"
 #include "optics/first_order.h"
 #include "trace/aim/beam.h"
-#include "trace/pupil/islands.h"
+#include "trace/pupil/pupil_islands.h"
 #include "trace/system.h"
 
 /* A bundle, and the lens that lets some of it pass. */

@@ -1,6 +1,6 @@
-/* analysis/rays/falloff.c - light over the image, from both sides. */
+/* analysis/rays/relative_illumination.c - light over the image, from both sides. */
 /* SPDX-License-Identifier: MIT */
-#include "analysis/rays/falloff.h"
+#include "analysis/rays/relative_illumination.h"
 
 #include "analysis/pupil/quadrature.h"
 #include "base/constants.h"
@@ -8,8 +8,8 @@
 
 #include <math.h>
 
-static bool falloff_check(const struct relative_illumination_question *question,
-                          struct error *error)
+static bool relative_illumination_check(const struct relative_illumination_question *question,
+                                        struct error *error)
 {
     const struct setup *setup = question->setup;
     const struct lens *lens = setup->lens;
@@ -40,7 +40,8 @@ static bool falloff_check(const struct relative_illumination_question *question,
     return true;
 }
 
-static bool falloff_open_systems(struct relative_illumination *falloff, struct error *error)
+static bool relative_illumination_open_systems(struct relative_illumination *falloff,
+                                               struct error *error)
 {
     const struct setup *setup = &falloff->setup;
     const struct lens *bare = illumination_stop_only(setup->lens, setup->arena);
@@ -68,9 +69,9 @@ static bool falloff_open_systems(struct relative_illumination *falloff, struct e
 /* -------- both sides of one point -------- */
 
 /* The beam of an object point and its chief ray; false: there is none. */
-static bool falloff_find_chief(const struct relative_illumination *falloff,
-                               const struct field_point *field, struct beam *beam, double chief[2],
-                               struct error *error)
+static bool relative_illumination_find_chief(const struct relative_illumination *falloff,
+                                             const struct field_point *field, struct beam *beam,
+                                             double chief[2], struct error *error)
 {
     struct setup_near *near = falloff->near;
     struct aim aim;
@@ -143,9 +144,9 @@ static double vignetted_of(const struct illumination *light, const struct illumi
 }
 
 /* Without ratios to the axis; is_row: with islands, and what is vignetted. */
-static struct relative_illumination_point falloff_look(const struct relative_illumination *falloff,
-                                                       const double height[2], bool is_row,
-                                                       struct illumination *field)
+static struct relative_illumination_point
+relative_illumination_look(const struct relative_illumination *falloff, const double height[2],
+                           bool is_row, struct illumination *field)
 {
     static const struct illumination no_light = {NAN, NAN, true};
     const struct setup *setup = &falloff->setup;
@@ -159,7 +160,7 @@ static struct relative_illumination_point falloff_look(const struct relative_ill
     double chief[2], inside[2];
     struct error ignored;
     bool found = !(hypot(height[0], height[1]) > falloff->chief_end) &&
-                 falloff_find_chief(falloff, &at, &beam, chief, &ignored);
+                 relative_illumination_find_chief(falloff, &at, &beam, chief, &ignored);
     *field = no_light;
     if (found) {
         const struct ray behind = chief_behind(falloff, &beam, chief);
@@ -212,7 +213,7 @@ static bool chief_comes(const struct relative_illumination *falloff, const doubl
     double chief[2];
     struct error ignored;
     apart.near = &near;
-    const bool comes = falloff_find_chief(&apart, &at, &beam, chief, &ignored);
+    const bool comes = relative_illumination_find_chief(&apart, &at, &beam, chief, &ignored);
     arena_reset(falloff->setup.arena, mark);
     return comes;
 }
@@ -241,7 +242,8 @@ relative_illumination_at(const struct relative_illumination *falloff, const doub
 {
     const struct arena_mark mark = arena_mark(falloff->setup.arena);
     struct illumination field;
-    struct relative_illumination_point point = falloff_look(falloff, height, true, &field);
+    struct relative_illumination_point point =
+        relative_illumination_look(falloff, height, true, &field);
     arena_reset(falloff->setup.arena, mark);
     point.relative_point = quotient_of(&point.light, &falloff->axis, &point.point_error);
     point.relative_field = quotient_of(&field, &falloff->axis_field, &point.field_error);
@@ -255,7 +257,7 @@ bool relative_illumination_height(const struct relative_illumination *falloff,
 {
     struct beam beam;
     double chief[2];
-    if (!falloff_find_chief(falloff, field, &beam, chief, error)) {
+    if (!relative_illumination_find_chief(falloff, field, &beam, chief, error)) {
         return false;
     }
     const struct ray behind = chief_behind(falloff, &beam, chief);
@@ -279,7 +281,7 @@ bool relative_illumination_open(const struct relative_illumination_question *que
 {
     const struct setup *setup = question->setup;
     struct setup_light light;
-    if (!falloff_check(question, error)) {
+    if (!relative_illumination_check(question, error)) {
         return false;
     }
     *falloff = (struct relative_illumination){
@@ -302,10 +304,11 @@ bool relative_illumination_open(const struct relative_illumination_question *que
         return false;
     }
     falloff->first = light.first;
-    if (!falloff_open_systems(falloff, error)) {
+    if (!relative_illumination_open_systems(falloff, error)) {
         return false;
     }
-    falloff->axis = falloff_look(falloff, (double[2]){0, 0}, false, &falloff->axis_field).light;
+    falloff->axis =
+        relative_illumination_look(falloff, (double[2]){0, 0}, false, &falloff->axis_field).light;
     const double behind = copysign(own->image, own->image * falloff->first.index_image);
     if (!(falloff->axis.value > 0) && behind < 0) {
         fail(error, ERROR_DOMAIN,

@@ -1,11 +1,11 @@
-/* analysis/rays/falloff.h - light over the image: its fall towards the edge, and vignetting. */
+/* analysis/rays/relative_illumination.h - light over the image: its fall towards the edge, and vignetting. */
 /* SPDX-License-Identifier: MIT */
-#ifndef LENSCALC_ANALYSIS_RAYS_FALLOFF_H
-#define LENSCALC_ANALYSIS_RAYS_FALLOFF_H
+#ifndef LENSCALC_ANALYSIS_RAYS_RELATIVE_ILLUMINATION_H
+#define LENSCALC_ANALYSIS_RAYS_RELATIVE_ILLUMINATION_H
 
 #include "analysis/rays/illumination.h"
 #include "analysis/setup/setup.h"
-#include "trace/pupil/islands.h"
+#include "trace/pupil/pupil_islands.h"
 
 /* A lens at one wavelength, with the light in the middle of its image. */
 struct relative_illumination {

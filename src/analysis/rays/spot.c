@@ -2,7 +2,7 @@
 /* SPDX-License-Identifier: MIT */
 #include "analysis/rays/spot.h"
 
-#include "analysis/pupil/quantile.h"
+#include "analysis/pupil/encircled_energy.h"
 #include "analysis/rays/spot_radius.h"
 
 #include <float.h>

@@ -4,7 +4,7 @@
 #define LENSCALC_ANALYSIS_RAYS_SPOT_H
 
 #include "analysis/pupil/bundle.h"
-#include "trace/pupil/islands.h"
+#include "trace/pupil/pupil_islands.h"
 
 #include <stdbool.h>
 #include <stddef.h>

@@ -3,7 +3,7 @@
 #ifndef LENSCALC_ANALYSIS_REAL_REAL_FOCUS_H
 #define LENSCALC_ANALYSIS_REAL_REAL_FOCUS_H
 
-#include "analysis/pupil/quantile.h"
+#include "analysis/pupil/encircled_energy.h"
 #include "analysis/setup/setup_question.h"
 #include "base/arena.h"
 #include "base/error.h"

@@ -2,8 +2,8 @@
 /* SPDX-License-Identifier: MIT */
 #include "analysis/real/real_light.h"
 
-#include "analysis/rays/falloff.h"
 #include "analysis/rays/fresnel.h"
+#include "analysis/rays/relative_illumination.h"
 #include "base/constants.h"
 
 #include <math.h>

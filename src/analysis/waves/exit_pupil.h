@@ -4,7 +4,7 @@
 #define LENSCALC_ANALYSIS_WAVES_EXIT_PUPIL_H
 
 #include "analysis/waves/wave_reference.h"
-#include "trace/pupil/islands.h"
+#include "trace/pupil/pupil_islands.h"
 
 #include <stdbool.h>
 #include <stddef.h>

@@ -23,7 +23,7 @@ enum { FAN_EDGES_MOST = RAYS_BLOCK / 3 };
  * Given     source  of rays that are aimed at a stop; else none is found
  *           edges   up to FAN_EDGES_MOST
  * Formula   Newton's method in the beam, its slopes by differences: the worst excess of all rims
- *           (trace/pupil/margins.h) is 0, and so is the distance from the line where the ray
+ *           (trace/pupil/clearances.h) is 0, and so is the distance from the line where the ray
  *           crosses the
  *           stop
  * Limits    what is found is an edge, but perhaps another one: rays beside it tell

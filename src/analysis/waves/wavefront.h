@@ -5,7 +5,7 @@
 
 #include "analysis/waves/wave_reference.h"
 #include "analysis/waves/zernike.h"
-#include "trace/pupil/islands.h"
+#include "trace/pupil/pupil_islands.h"
 
 #include <stdbool.h>
 #include <stddef.h>

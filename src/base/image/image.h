@@ -61,7 +61,7 @@ struct image_way {
     enum image_values values; /* PNG: LIGHT is encoded as sRGB, CODES are written as they are */
     bool half, packed;        /* OpenEXR: 16-bit floats; ZIP */
     bool stored;              /* PNG: not packed, which takes little time and much room */
-    int threads;              /* to encode a PNG with; 0 and 1: only this one */
+    int threads;              /* that encode a stored PNG; 0 and 1: only this one */
 };
 
 /*

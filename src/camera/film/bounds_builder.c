@@ -1,6 +1,6 @@
-/* camera/film/film_building.c - places of the film by column and row. */
+/* camera/film/bounds_builder.c - places of the film by column and row. */
 /* SPDX-License-Identifier: MIT */
-#include "camera/film/film_building.h"
+#include "camera/film/bounds_builder.h"
 
 #include <math.h>
 

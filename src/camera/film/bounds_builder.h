@@ -1,9 +1,9 @@
-/* camera/film/film_building.h - a film's region while it is built: its rows, and what is seen there. */
+/* camera/film/bounds_builder.h - a film's region while it is built: its rows, and what is seen there. */
 /* SPDX-License-Identifier: MIT */
-#ifndef LENSCALC_CAMERA_FILM_FILM_BUILDING_H
-#define LENSCALC_CAMERA_FILM_FILM_BUILDING_H
+#ifndef LENSCALC_CAMERA_FILM_BOUNDS_BUILDER_H
+#define LENSCALC_CAMERA_FILM_BOUNDS_BUILDER_H
 
-#include "camera/film/film_region.h"
+#include "camera/film/exit_pupil_bounds.h"
 
 /* One lens, its region as far as it is known, and the edges at its rows. */
 struct bounds_builder {

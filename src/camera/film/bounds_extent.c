@@ -1,9 +1,9 @@
-/* camera/film/film_ends.c - steps from what is lit, to where nothing is. */
+/* camera/film/bounds_extent.c - steps from what is lit, to where nothing is. */
 /* SPDX-License-Identifier: MIT */
-#include "camera/film/film_ends.h"
+#include "camera/film/bounds_extent.h"
 
 #include "base/constants.h"
-#include "camera/film/film_search.h"
+#include "camera/film/outline_search.h"
 
 #include <math.h>
 
@@ -19,14 +19,14 @@ static const double steep = 0.94;
 static const double farthest_round = 89, farthest_other = 86;
 
 /* What is known of a lit place. */
-struct film_ends_seen {
+struct bounds_extent_seen {
     double height;
     struct pupil_outline_point centre, size;
 };
 
 /* Is a place lit, by what two others before it are like? Then it is the last of them. */
 static bool step_to(const struct bounds_builder *building, size_t wavelength, double column,
-                    double height, struct film_ends_seen seen[2])
+                    double height, struct bounds_extent_seen seen[2])
 {
     struct pupil_outline here = film_building_outline(building, column, height);
     const double before = seen[1].height - seen[0].height;
@@ -38,13 +38,13 @@ static bool step_to(const struct bounds_builder *building, size_t wavelength, do
         return false;
     }
     seen[0] = seen[1];
-    seen[1] = (struct film_ends_seen){height, here.centre, here.size};
+    seen[1] = (struct bounds_extent_seen){height, here.centre, here.size};
     return true;
 }
 
 /* The same at any wavelength; one of them answers for long steps. */
 static bool step_at_any(const struct bounds_builder *building, double column, double stride,
-                        double farthest, struct film_ends_seen seen[2])
+                        double farthest, struct bounds_extent_seen seen[2])
 {
     const double height = fmin(seen[1].height + stride, farthest);
     const size_t all = stride * STRIDES < farthest ? building->search.lens->count : 1;
@@ -56,21 +56,23 @@ static bool step_at_any(const struct bounds_builder *building, double column, do
 }
 
 /* The pole as a column has it, whose frame is turned. */
-static struct film_ends_seen pole_in(const struct bounds_builder *building, double column)
+static struct bounds_extent_seen pole_in(const struct bounds_builder *building, double column)
 {
     const struct pupil_outline *pole = &building->pole;
     const struct pupil_outline here = film_building_outline(building, column, 0);
     const double *from = pole->place.up, *to = here.place.up;
     const double x = pole->centre.x * from[1] + pole->centre.y * from[0];
     const double y = pole->centre.y * from[1] - pole->centre.x * from[0];
-    return (struct film_ends_seen){0, {x * to[1] - y * to[0], x * to[0] + y * to[1]}, pole->size};
+    return (struct bounds_extent_seen){
+        0, {x * to[1] - y * to[0], x * to[0] + y * to[1]}, pole->size};
 }
 
 /* How far light arrives in a column, at most as far as is asked. */
-static double film_ends_find_end(struct bounds_builder *building, double column, double farthest)
+static double bounds_extent_find_end(struct bounds_builder *building, double column,
+                                     double farthest)
 {
-    const struct film_ends_seen pole = pole_in(building, column);
-    struct film_ends_seen seen[2] = {pole, pole};
+    const struct bounds_extent_seen pole = pole_in(building, column);
+    struct bounds_extent_seen seen[2] = {pole, pole};
     double stride = farthest / STRIDES;
     /* what a long step does not find may be lit all the same */
     while (stride > finest * farthest && seen[1].height < farthest) {
@@ -83,7 +85,7 @@ static double film_ends_find_end(struct bounds_builder *building, double column,
     return fmin(seen[1].height + stride, farthest);
 }
 
-static void film_ends_find_ends(struct bounds_builder *building)
+static void bounds_extent_find_ends(struct bounds_builder *building)
 {
     struct exit_pupil_bounds *region = building->region;
     building->pole = film_building_outline(building, 0, 0);
@@ -95,14 +97,14 @@ static void film_ends_find_ends(struct bounds_builder *building)
     const double farthest = building->search.lens->reach + pole;
     const size_t columns = building->columns;
     for (size_t c = 0; c < columns; c++) {
-        ends[c] = film_ends_find_end(building, (double)c, farthest);
+        ends[c] = bounds_extent_find_end(building, (double)c, farthest);
     }
     if (region->is_grid) {
         ends[columns] = ends[0];
         for (size_t c = 0; c < columns; c++) {
             const double middle = (ends[c] + ends[c + 1]) / 2;
             const double end = middle < farthest
-                                   ? film_ends_find_end(building, (double)c + 0.5, farthest)
+                                   ? bounds_extent_find_end(building, (double)c + 0.5, farthest)
                                    : middle;
             const double by = middle > 0 ? fmax(1, 1.001 * end / middle) : 1;
             ends[c] = fmin(farthest, ends[c] * by);
@@ -132,10 +134,10 @@ static bool check_steepness(const struct bounds_builder *building, struct error 
 
 bool bounds_extent_find(struct bounds_builder *building, struct error *error)
 {
-    film_ends_find_ends(building);
+    bounds_extent_find_ends(building);
     if (building->steepest > steep) {
         building->search.tangent = building->region->tangent = 1;
-        film_ends_find_ends(building);
+        bounds_extent_find_ends(building);
     }
     return check_steepness(building, error);
 }

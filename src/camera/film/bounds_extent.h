@@ -1,10 +1,10 @@
-/* camera/film/film_ends.h - how far from the pole of a film light arrives. */
+/* camera/film/bounds_extent.h - how far from the pole of a film light arrives. */
 /* SPDX-License-Identifier: MIT */
-#ifndef LENSCALC_CAMERA_FILM_FILM_ENDS_H
-#define LENSCALC_CAMERA_FILM_FILM_ENDS_H
+#ifndef LENSCALC_CAMERA_FILM_BOUNDS_EXTENT_H
+#define LENSCALC_CAMERA_FILM_BOUNDS_EXTENT_H
 
 #include "base/error.h"
-#include "camera/film/film_building.h"
+#include "camera/film/bounds_builder.h"
 
 /*
  * Find the ends of columns, and `largest`.

@@ -1,6 +1,6 @@
-/* camera/film/film_fit.c - sectors of polygons, moved out by the points that lie beyond them. */
+/* camera/film/bounds_fit.c - sectors of polygons, moved out by the points that lie beyond them. */
 /* SPDX-License-Identifier: MIT */
-#include "camera/film/film_fit.h"
+#include "camera/film/bounds_fit.h"
 
 #include "base/constants.h"
 
@@ -36,7 +36,7 @@ static struct pupil_outline_point corner_of(const struct fit *fit, size_t k)
                                         share * sum.y - fit->centre.y};
 }
 
-static void film_fit_stretch(const struct fit *fit, size_t node, size_t corner, double by)
+static void bounds_fit_stretch(const struct fit *fit, size_t node, size_t corner, double by)
 {
     for (int k = 0; k < 2; k++) {
         const double centre = fit->centres[k][node];
@@ -65,8 +65,8 @@ static bool fit_sector(const struct fit *fit, struct pupil_outline_point at, siz
     const double depth = depth_in(at, corner_of(fit, k), corner_of(fit, k + 1));
     if (fit->is_hole ? depth < 1 : depth > 1) {
         for (size_t n = 0; n < fit->nodes->count; n++) {
-            film_fit_stretch(fit, fit->nodes->of[n], k, by * depth);
-            film_fit_stretch(fit, fit->nodes->of[n], next, by * depth);
+            bounds_fit_stretch(fit, fit->nodes->of[n], k, by * depth);
+            bounds_fit_stretch(fit, fit->nodes->of[n], next, by * depth);
         }
     }
     return !isnan(depth);
@@ -115,7 +115,7 @@ static struct fit fit_of(const struct exit_pupil_bounds *region, const struct fi
  * the first meets what comes straight to the second. NaN: it turns by no more than twice what a
  * circle does.
  */
-static struct pupil_outline_point film_fit_meet(const struct pupil_outline *outline, size_t i)
+static struct pupil_outline_point bounds_fit_meet(const struct pupil_outline *outline, size_t i)
 {
     const size_t each = outline->each, all = PUPIL_OUTLINE_STEPS;
     const bool is_half = outline->is_half;
@@ -139,7 +139,7 @@ bool bounds_fit_is_smooth(const struct pupil_outline *outline)
 {
     bool is_smooth = true;
     for (size_t i = 0; i < PUPIL_OUTLINE_STEPS; i += outline->each) {
-        is_smooth = is_smooth && isnan(film_fit_meet(outline, i).x);
+        is_smooth = is_smooth && isnan(bounds_fit_meet(outline, i).x);
     }
     return is_smooth;
 }
@@ -149,7 +149,7 @@ static void fit_corner(const struct fit *fit, const struct pupil_outline *outlin
                        size_t about)
 {
     const double farthest = 2;
-    const struct pupil_outline_point at = film_fit_meet(outline, i), centre = outline->centre;
+    const struct pupil_outline_point at = bounds_fit_meet(outline, i), centre = outline->centre;
     const struct pupil_outline_point a = outline->edge[i], b = outline->edge[i + outline->each];
     const double depth = depth_in((struct pupil_outline_point){at.x - centre.x, at.y - centre.y},
                                   (struct pupil_outline_point){a.x - centre.x, a.y - centre.y},
@@ -238,7 +238,7 @@ void bounds_fit_start_hole(const struct exit_pupil_bounds *region, const struct 
     }
 }
 
-static double film_fit_radius_of(const struct exit_pupil_bounds *region, size_t node, size_t k)
+static double bounds_fit_radius_of(const struct exit_pupil_bounds *region, size_t node, size_t k)
 {
     const size_t i = node * FILM_CORNERS + k;
     return hypot(region->outer[0][i] - region->centre[0][node],
@@ -250,7 +250,7 @@ struct film_radii bounds_fit_radii(const struct exit_pupil_bounds *region, size_
 {
     double *radii = ARENA_ARRAY(arena, nodes * FILM_CORNERS, double);
     for (size_t i = 0; i < nodes * FILM_CORNERS; i++) {
-        radii[i] = film_fit_radius_of(region, i / FILM_CORNERS, i % FILM_CORNERS);
+        radii[i] = bounds_fit_radius_of(region, i / FILM_CORNERS, i % FILM_CORNERS);
     }
     return (struct film_radii){radii};
 }
@@ -263,9 +263,9 @@ void bounds_fit_follow(const struct exit_pupil_bounds *region, const struct film
         double by = 1;
         for (size_t node = row - 1; node <= row + 1; node += 2) {
             const double old = before->of[node * FILM_CORNERS + k];
-            by = old > 0 ? fmax(by, film_fit_radius_of(region, node, k) / old) : by;
+            by = old > 0 ? fmax(by, bounds_fit_radius_of(region, node, k) / old) : by;
         }
-        film_fit_stretch(&fit, row, k, by);
+        bounds_fit_stretch(&fit, row, k, by);
     }
 }
 
@@ -279,9 +279,9 @@ void bounds_fit_unite(const struct exit_pupil_bounds *region, size_t node, size_
 {
     const struct fit outer = {.corners = region->outer, .centres = region->centre};
     for (size_t k = 0; k < FILM_CORNERS; k++) {
-        const double here = film_fit_radius_of(region, node, k);
-        const double there = film_fit_radius_of(region, other, turned_corner(region, k));
-        film_fit_stretch(&outer, node, k, here > 0 ? fmax(1, there / here) : 1);
+        const double here = bounds_fit_radius_of(region, node, k);
+        const double there = bounds_fit_radius_of(region, other, turned_corner(region, k));
+        bounds_fit_stretch(&outer, node, k, here > 0 ? fmax(1, there / here) : 1);
     }
 }
 
@@ -299,7 +299,7 @@ void bounds_fit_copy(const struct exit_pupil_bounds *region, size_t from, size_t
 }
 
 /* The other half of a polygon, or its last corner, which is the first again. */
-static void film_fit_complete(double *const corners[2], size_t node, bool is_half)
+static void bounds_fit_complete(double *const corners[2], size_t node, bool is_half)
 {
     double *x = &corners[0][node * FILM_CORNERS], *y = &corners[1][node * FILM_CORNERS];
     for (size_t k = is_half ? FILM_SECTORS / 2 + 1 : FILM_SECTORS; k <= FILM_SECTORS; k++) {
@@ -316,9 +316,9 @@ void bounds_fit_finish(const struct exit_pupil_bounds *region, bool is_half)
         const struct fit fit = {.corners = corners, .centres = region->centre};
         for (size_t node = 0; node < nodes; node++) {
             for (size_t k = 0; k <= FILM_SECTORS; k++) {
-                film_fit_stretch(&fit, node, k, hole ? shrunk : grown);
+                bounds_fit_stretch(&fit, node, k, hole ? shrunk : grown);
             }
-            film_fit_complete(corners, node, is_half);
+            bounds_fit_complete(corners, node, is_half);
         }
     }
 }

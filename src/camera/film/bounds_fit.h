@@ -1,9 +1,9 @@
-/* camera/film/film_fit.h - polygons stretched until they contain the edges of pupils. */
+/* camera/film/bounds_fit.h - polygons stretched until they contain the edges of pupils. */
 /* SPDX-License-Identifier: MIT */
-#ifndef LENSCALC_CAMERA_FILM_FILM_FIT_H
-#define LENSCALC_CAMERA_FILM_FILM_FIT_H
+#ifndef LENSCALC_CAMERA_FILM_BOUNDS_FIT_H
+#define LENSCALC_CAMERA_FILM_BOUNDS_FIT_H
 
-#include "camera/film/film_region.h"
+#include "camera/film/exit_pupil_bounds.h"
 
 /* The rows that a place of the film lies between: one, or in the middle of two or four. */
 struct film_nodes {

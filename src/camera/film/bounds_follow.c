@@ -1,9 +1,9 @@
-/* camera/film/film_follow.c - edges of pupils, each found from that of a place beside it. */
+/* camera/film/bounds_follow.c - edges of pupils, each found from that of a place beside it. */
 /* SPDX-License-Identifier: MIT */
-#include "camera/film/film_follow.h"
+#include "camera/film/bounds_follow.h"
 
-#include "camera/film/film_fit.h"
-#include "camera/film/film_search.h"
+#include "camera/film/bounds_fit.h"
+#include "camera/film/outline_search.h"
 
 #include <math.h>
 

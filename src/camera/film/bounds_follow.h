@@ -1,9 +1,9 @@
-/* camera/film/film_follow.h - edges of pupils followed over the film. */
+/* camera/film/bounds_follow.h - edges of pupils followed over the film. */
 /* SPDX-License-Identifier: MIT */
-#ifndef LENSCALC_CAMERA_FILM_FILM_FOLLOW_H
-#define LENSCALC_CAMERA_FILM_FILM_FOLLOW_H
+#ifndef LENSCALC_CAMERA_FILM_BOUNDS_FOLLOW_H
+#define LENSCALC_CAMERA_FILM_BOUNDS_FOLLOW_H
 
-#include "camera/film/film_building.h"
+#include "camera/film/bounds_builder.h"
 
 /* Holes change little from one row to the next: they are asked for so many rows apart. */
 enum { FOLLOW_HOLE_ROWS = 4 };

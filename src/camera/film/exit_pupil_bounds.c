@@ -1,11 +1,11 @@
-/* camera/film/film_region.c - the rows of a region, and the polygons that stand there. */
+/* camera/film/exit_pupil_bounds.c - the rows of a region, and the polygons that stand there. */
 /* SPDX-License-Identifier: MIT */
-#include "camera/film/film_region.h"
+#include "camera/film/exit_pupil_bounds.h"
 
-#include "camera/film/film_ends.h"
-#include "camera/film/film_fit.h"
-#include "camera/film/film_follow.h"
-#include "camera/film/film_search.h"
+#include "camera/film/bounds_extent.h"
+#include "camera/film/bounds_fit.h"
+#include "camera/film/bounds_follow.h"
+#include "camera/film/outline_search.h"
 #include "optics/aperture.h"
 
 #include <math.h>
@@ -76,9 +76,10 @@ static bool have_holes(const struct bounds_builder *building)
 }
 
 /* How far a node lies from one to another, as seen from the pole. */
-static double film_region_share_of(const struct bounds_builder *building,
-                                   const struct pupil_outline *node,
-                                   const struct pupil_outline *from, const struct pupil_outline *to)
+static double exit_pupil_bounds_share_of(const struct bounds_builder *building,
+                                         const struct pupil_outline *node,
+                                         const struct pupil_outline *from,
+                                         const struct pupil_outline *to)
 {
     const double *pole = building->region->pole;
     const double here = hypot(node->place.x - pole[0], node->place.y - pole[1]);
@@ -88,7 +89,7 @@ static double film_region_share_of(const struct bounds_builder *building,
 }
 
 /* Corners on the edges. */
-static void film_region_start_all(const struct bounds_builder *building)
+static void exit_pupil_bounds_start_all(const struct bounds_builder *building)
 {
     struct exit_pupil_bounds *region = building->region;
     const size_t nodes = film_building_nodes(building), rows = (size_t)region->rows;
@@ -99,14 +100,15 @@ static void film_region_start_all(const struct bounds_builder *building)
         bounds_fit_start(region, &building->nodes[i], row, i);
         if (region->has_hole) {
             const struct pupil_outline *a = &building->nodes[low], *b = &building->nodes[high];
-            bounds_fit_start_hole(region, a, b,
-                                  film_region_share_of(building, &building->nodes[i], a, b), i);
+            bounds_fit_start_hole(
+                region, a, b, exit_pupil_bounds_share_of(building, &building->nodes[i], a, b), i);
         }
     }
 }
 
 /* By how much the middle of the pupil moves in a column, per mm: x, or y. */
-static double film_region_slope_of(const struct bounds_builder *building, size_t column, bool of_x)
+static double exit_pupil_bounds_slope_of(const struct bounds_builder *building, size_t column,
+                                         bool of_x)
 {
     const size_t rows = (size_t)building->region->rows;
     const struct pupil_outline *pole = &building->nodes[column * rows];
@@ -127,16 +129,17 @@ static void find_slope(const struct bounds_builder *building)
     if (region->is_grid && region->turns) {
         for (size_t c = 0; c < building->columns; c++) {
             region->slope[1] +=
-                film_region_slope_of(building, c, false) / (double)building->columns;
+                exit_pupil_bounds_slope_of(building, c, false) / (double)building->columns;
         }
     } else if (region->is_grid) {
-        region->slope[0] = film_region_slope_of(building, 0, true);
-        region->slope[1] = film_region_slope_of(building, FILM_COLUMNS / 4, false);
+        region->slope[0] = exit_pupil_bounds_slope_of(building, 0, true);
+        region->slope[1] = exit_pupil_bounds_slope_of(building, FILM_COLUMNS / 4, false);
     }
 }
 
 /* Both coordinates side by side. */
-static const double *film_region_pack(double *const places[2], size_t count, struct arena *arena)
+static const double *exit_pupil_bounds_pack(double *const places[2], size_t count,
+                                            struct arena *arena)
 {
     double *packed = ARENA_ARRAY(arena, 2 * count, double);
     for (size_t i = 0; i < count; i++) {
@@ -149,14 +152,15 @@ static const double *film_region_pack(double *const places[2], size_t count, str
 static void pack_all(struct arena *arena, struct exit_pupil_bounds *region)
 {
     const size_t nodes = exit_pupil_bounds_nodes(region);
-    region->centre_xy = film_region_pack(region->centre, nodes, arena);
-    region->outer_xy = film_region_pack(region->outer, nodes * FILM_CORNERS, arena);
-    region->inner_xy =
-        region->has_hole ? film_region_pack(region->inner, nodes * FILM_CORNERS, arena) : NULL;
+    region->centre_xy = exit_pupil_bounds_pack(region->centre, nodes, arena);
+    region->outer_xy = exit_pupil_bounds_pack(region->outer, nodes * FILM_CORNERS, arena);
+    region->inner_xy = region->has_hole
+                           ? exit_pupil_bounds_pack(region->inner, nodes * FILM_CORNERS, arena)
+                           : NULL;
     region->per_mm = 1 / region->ends[0];
 }
 
-static void film_region_build(struct bounds_builder *building)
+static void exit_pupil_bounds_build(struct bounds_builder *building)
 {
     struct exit_pupil_bounds *region = building->region;
     const size_t columns = building->columns, rows = (size_t)region->rows;
@@ -170,7 +174,7 @@ static void film_region_build(struct bounds_builder *building)
     }
     region->has_hole = have_holes(building);
     find_slope(building);
-    film_region_start_all(building);
+    exit_pupil_bounds_start_all(building);
     for (size_t i = 0; i < film_building_nodes(building); i++) {
         bounds_fit(region, &(struct film_nodes){{i}, 1}, &building->nodes[i]);
     }
@@ -178,7 +182,7 @@ static void film_region_build(struct bounds_builder *building)
 }
 
 /* The columns that repeat others: the first of those, and the one after the last, hold both. */
-static void film_region_repeat(const struct bounds_builder *building)
+static void exit_pupil_bounds_repeat(const struct bounds_builder *building)
 {
     struct exit_pupil_bounds *region = building->region;
     const size_t rows = (size_t)region->rows, looked = building->columns * rows;
@@ -262,9 +266,9 @@ bool exit_pupil_bounds_open(const struct film_lens *lens, struct arena *arena,
     if (!bounds_extent_find(&building, error)) {
         return false;
     }
-    film_region_build(&building);
+    exit_pupil_bounds_build(&building);
     bounds_follow_waves(&building);
-    film_region_repeat(&building);
+    exit_pupil_bounds_repeat(&building);
     if (region->has_hole) {
         const struct pupil_outline *pole = &building.nodes[0];
         const size_t side = pupil_outline_sectors(pole) / (is_round ? 2 : 4);

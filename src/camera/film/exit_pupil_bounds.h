@@ -1,11 +1,11 @@
-/* camera/film/film_region.h - where the light of a point of the film comes from, and a little more. */
+/* camera/film/exit_pupil_bounds.h - where the light of a point of the film comes from, and a little more. */
 /* SPDX-License-Identifier: MIT */
-#ifndef LENSCALC_CAMERA_FILM_FILM_REGION_H
-#define LENSCALC_CAMERA_FILM_FILM_REGION_H
+#ifndef LENSCALC_CAMERA_FILM_EXIT_PUPIL_BOUNDS_H
+#define LENSCALC_CAMERA_FILM_EXIT_PUPIL_BOUNDS_H
 
 #include "base/arena.h"
 #include "base/error.h"
-#include "camera/film/film_outline.h"
+#include "camera/film/pupil_outline.h"
 
 #include <stdbool.h>
 #include <stddef.h>
@@ -78,8 +78,9 @@ double exit_pupil_bounds_end(const struct exit_pupil_bounds *region, double x, d
  * Result    regions that contain the clear pupils of all wavelengths; nothing else is promised of
  *           them: rays are traced to know which pass
  * Formula   the edge in 128 directions from a centre, each found from that of the distance before
- *           (camera/film/film_outline.h); polygons are stretched until they contain these edges, at
- *           their own place and half way to the next ones (camera/film/film_fit.h), and rays that
+ *           (camera/film/pupil_outline.h); polygons are stretched until they contain these edges,
+ *           at
+ *           their own place and half way to the next ones (camera/film/bounds_fit.h), and rays that
  *           are
  *           scattered there and pass. How far light arrives is found by steps from what is lit
  * Errors    ERROR_DOMAIN: the film lies in the last vertex; light comes from more than 89 degrees

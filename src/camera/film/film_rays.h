@@ -4,7 +4,7 @@
 #define LENSCALC_CAMERA_FILM_FILM_RAYS_H
 
 #include "base/sobol.h"
-#include "camera/film/film_region.h"
+#include "camera/film/exit_pupil_bounds.h"
 #include "trace/dispatch.h"
 #include "trace/kernel/rays.h"
 

@@ -1,6 +1,6 @@
-/* camera/film/film_sight.c - directions of the film's side, and the beam from a point of it. */
+/* camera/film/outline_rays.c - directions of the film's side, and the beam from a point of it. */
 /* SPDX-License-Identifier: MIT */
-#include "camera/film/film_sight.h"
+#include "camera/film/outline_rays.h"
 
 #include <math.h>
 

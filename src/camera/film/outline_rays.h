@@ -1,10 +1,10 @@
-/* camera/film/film_sight.h - what a point of the film is looked from with: a disc of rays. */
+/* camera/film/outline_rays.h - what a point of the film is looked from with: a disc of rays. */
 /* SPDX-License-Identifier: MIT */
-#ifndef LENSCALC_CAMERA_FILM_FILM_SIGHT_H
-#define LENSCALC_CAMERA_FILM_FILM_SIGHT_H
+#ifndef LENSCALC_CAMERA_FILM_OUTLINE_RAYS_H
+#define LENSCALC_CAMERA_FILM_OUTLINE_RAYS_H
 
-#include "camera/film/film_outline.h"
-#include "trace/pupil/star.h"
+#include "camera/film/pupil_outline.h"
+#include "trace/pupil/pupil_boundary.h"
 
 /* Half widths that discs have where nothing asks for more. */
 #define SIGHT_AROUND 2.0

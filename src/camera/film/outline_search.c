@@ -1,8 +1,8 @@
-/* camera/film/film_search.c - patches of rays that close in on light, and rays strewn beside it. */
+/* camera/film/outline_search.c - patches of rays that close in on light, and rays strewn beside it. */
 /* SPDX-License-Identifier: MIT */
-#include "camera/film/film_search.h"
+#include "camera/film/outline_search.h"
 
-#include "camera/film/film_sight.h"
+#include "camera/film/outline_rays.h"
 
 #include <math.h>
 
@@ -32,8 +32,8 @@ static void look_at_patch(const struct outline_rays *sight, struct patch *patch)
  *
  * Result    how many pass; SIZE_MAX: none does, nor will
  */
-static size_t film_search_narrow(const struct outline_rays *sight, bool is_half,
-                                 struct patch *patch)
+static size_t outline_search_narrow(const struct outline_rays *sight, bool is_half,
+                                    struct patch *patch)
 {
     const double *excess = sight->margins.excess;
     double low[2] = {INFINITY, INFINITY}, high[2] = {-INFINITY, -INFINITY};
@@ -74,7 +74,7 @@ bool outline_is_lit(const struct pupil_outline_search *search, size_t wavelength
     outline_rays_open(search, wavelength, outline, SIGHT_AROUND, &sight);
     for (int level = 0; level < LEVELS && lit < ENOUGH; level++) {
         look_at_patch(&sight, &patch);
-        lit = film_search_narrow(&sight, outline->is_half, &patch);
+        lit = outline_search_narrow(&sight, outline->is_half, &patch);
     }
     const bool is_lit = lit > 0 && lit != SIZE_MAX;
     if (is_lit) {
@@ -129,9 +129,9 @@ bool outline_discover(const struct pupil_outline_search *search, size_t waveleng
 /* -------- rays beside it -------- */
 
 /* Rays over 1.6 half widths; those that pass. */
-static size_t film_search_scatter(const struct pupil_outline_search *search, size_t wavelength,
-                                  const struct pupil_outline *outline, size_t turn,
-                                  struct pupil_outline_point *lit)
+static size_t outline_search_scatter(const struct pupil_outline_search *search, size_t wavelength,
+                                     const struct pupil_outline *outline, size_t turn,
+                                     struct pupil_outline_point *lit)
 {
     /* powers of the plastic number: evenly spread however many there are */
     static const double steps[2] = {0.7548776662466927, 0.5698402909980532};
@@ -171,7 +171,7 @@ size_t outline_scatter(const struct pupil_outline_search *search, size_t wavelen
     size_t count = 0, all = 0;
     bool grows = true;
     for (int round = 0; round < ROUNDS && grows; round++) {
-        count = film_search_scatter(search, wavelength, &about, turn + (size_t)round, lit + all);
+        count = outline_search_scatter(search, wavelength, &about, turn + (size_t)round, lit + all);
         double far = 0;
         for (size_t i = 0; i < count; i++) {
             far = fmax(far, fmax(fabs(lit[all + i].x - about.centre.x),

@@ -1,9 +1,9 @@
-/* camera/film/film_search.h - where light comes to a point of the film from. */
+/* camera/film/outline_search.h - where light comes to a point of the film from. */
 /* SPDX-License-Identifier: MIT */
-#ifndef LENSCALC_CAMERA_FILM_FILM_SEARCH_H
-#define LENSCALC_CAMERA_FILM_FILM_SEARCH_H
+#ifndef LENSCALC_CAMERA_FILM_OUTLINE_SEARCH_H
+#define LENSCALC_CAMERA_FILM_OUTLINE_SEARCH_H
 
-#include "camera/film/film_outline.h"
+#include "camera/film/pupil_outline.h"
 
 /* The most rays that one call of outline_scatter finds. */
 enum { OUTLINE_SCATTER = 5 * RAYS_BLOCK };

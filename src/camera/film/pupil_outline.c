@@ -1,11 +1,11 @@
-/* camera/film/film_outline.c - edges and holes of pupils, found about a ray that passes. */
+/* camera/film/pupil_outline.c - edges and holes of pupils, found about a ray that passes. */
 /* SPDX-License-Identifier: MIT */
-#include "camera/film/film_outline.h"
+#include "camera/film/pupil_outline.h"
 
 #include "base/constants.h"
-#include "camera/film/film_search.h"
-#include "camera/film/film_sight.h"
-#include "trace/pupil/star.h"
+#include "camera/film/outline_rays.h"
+#include "camera/film/outline_search.h"
+#include "trace/pupil/pupil_boundary.h"
 
 #include <math.h>
 #include <string.h>
@@ -87,8 +87,8 @@ static void search_hole(const struct outline_rays *sight, const struct spokes *s
 }
 
 /* What is dark in the middle, if it is so in all directions. */
-static void film_outline_find_hole(const struct outline_rays *sight, const double *angles,
-                                   const struct edge *edges, struct pupil_outline *outline)
+static void pupil_outline_find_hole(const struct outline_rays *sight, const double *angles,
+                                    const struct edge *edges, struct pupil_outline *outline)
 {
     struct spokes spokes = {.count = pupil_outline_sectors(outline) + 1};
     const size_t step = PUPIL_OUTLINE_STEPS / (spokes.count - 1) / outline->each;
@@ -115,9 +115,9 @@ static void film_outline_find_hole(const struct outline_rays *sight, const doubl
 /* -------- outlines -------- */
 
 /* Half widths of what was found, and its centroid. */
-static void film_outline_measure(const struct pupil_outline *outline,
-                                 struct pupil_outline_point *size,
-                                 struct pupil_outline_point *centroid)
+static void pupil_outline_measure(const struct pupil_outline *outline,
+                                  struct pupil_outline_point *size,
+                                  struct pupil_outline_point *centroid)
 {
     struct pupil_outline_point low = {INFINITY, INFINITY}, high = {-INFINITY, -INFINITY};
     struct pupil_outline_point moment = {0, 0};
@@ -144,7 +144,7 @@ static void film_outline_measure(const struct pupil_outline *outline,
     centroid->y += has_area ? moment.y / area : 0;
 }
 
-static struct pupil_outline_point film_outline_opposite(struct pupil_outline_point at)
+static struct pupil_outline_point pupil_outline_opposite(struct pupil_outline_point at)
 {
     return (struct pupil_outline_point){-at.x, -at.y};
 }
@@ -154,14 +154,14 @@ struct pupil_outline pupil_outline_turned(const struct pupil_outline *outline)
     struct pupil_outline turned = *outline;
     turned.place.x = -outline->place.x;
     turned.place.y = -outline->place.y;
-    turned.centre = film_outline_opposite(outline->centre);
+    turned.centre = pupil_outline_opposite(outline->centre);
     for (size_t i = 0; i <= PUPIL_OUTLINE_STEPS; i++) {
-        turned.edge[i] = film_outline_opposite(
+        turned.edge[i] = pupil_outline_opposite(
             outline->edge[(i + PUPIL_OUTLINE_STEPS / 2) % PUPIL_OUTLINE_STEPS]);
     }
     for (size_t k = 0; k <= FILM_SECTORS; k++) {
         const size_t other = (k + FILM_SECTORS / 2) % FILM_SECTORS;
-        turned.hole[k] = film_outline_opposite(outline->hole[other]);
+        turned.hole[k] = pupil_outline_opposite(outline->hole[other]);
         turned.share[k] = outline->share[other];
     }
     return turned;
@@ -171,10 +171,10 @@ void pupil_outline_foresee(const struct pupil_outline *last, const struct pupil_
                            double share, struct pupil_outline *here)
 {
     struct pupil_outline_point ignored, middle, earlier;
-    film_outline_measure(last, &here->size, &middle);
+    pupil_outline_measure(last, &here->size, &middle);
     here->centre = middle;
     if (before != NULL) {
-        film_outline_measure(before, &ignored, &earlier);
+        pupil_outline_measure(before, &ignored, &earlier);
         here->centre.x += share * (middle.x - earlier.x);
         here->centre.y += share * (middle.y - earlier.y);
     }
@@ -223,7 +223,7 @@ static bool look_within(const struct outline_rays *sight, const struct pupil_out
         outline->edge[k * outline->each] = outline_rays_from_disc(sight, at);
         fills = fills || edges[k].limit == 0; /* the first margin is the disc */
     }
-    film_outline_find_hole(sight, angles, edges, outline);
+    pupil_outline_find_hole(sight, angles, edges, outline);
     return fills;
 }
 
@@ -233,8 +233,8 @@ static bool look_within(const struct outline_rays *sight, const struct pupil_out
  * Given     near  the outline of a neighbour; null: none
  * Result    false: the centre is dark
  */
-static bool film_outline_look(const struct pupil_outline_search *search, size_t wavelength,
-                              const struct pupil_outline *near, struct pupil_outline *outline)
+static bool pupil_outline_look(const struct pupil_outline_search *search, size_t wavelength,
+                               const struct pupil_outline *near, struct pupil_outline *outline)
 {
     static const double middle[1][2] = {{0, 0}};
     bool fills = true;
@@ -256,18 +256,18 @@ static bool film_outline_look(const struct pupil_outline_search *search, size_t 
 void pupil_outline_find(const struct pupil_outline_search *search, size_t wavelength,
                         const struct pupil_outline *near, struct pupil_outline *outline)
 {
-    if (near != NULL && film_outline_look(search, wavelength, near, outline)) {
+    if (near != NULL && pupil_outline_look(search, wavelength, near, outline)) {
         outline->is_empty = false;
         return;
     }
     const bool is_lit = near != NULL ? outline_is_lit(search, wavelength, outline)
                                      : outline_discover(search, wavelength, outline);
-    outline->is_empty = !is_lit || !film_outline_look(search, wavelength, NULL, outline);
+    outline->is_empty = !is_lit || !pupil_outline_look(search, wavelength, NULL, outline);
     if (!outline->is_empty) {
         /* seen from its middle, if that is clear */
         const struct pupil_outline first = *outline;
-        film_outline_measure(&first, &outline->size, &outline->centre);
-        if (!film_outline_look(search, wavelength, NULL, outline)) {
+        pupil_outline_measure(&first, &outline->size, &outline->centre);
+        if (!pupil_outline_look(search, wavelength, NULL, outline)) {
             *outline = first;
         }
     }

@@ -1,7 +1,7 @@
-/* camera/film/film_outline.h - the edge of a pupil as a point of the film sees it. */
+/* camera/film/pupil_outline.h - the edge of a pupil as a point of the film sees it. */
 /* SPDX-License-Identifier: MIT */
-#ifndef LENSCALC_CAMERA_FILM_FILM_OUTLINE_H
-#define LENSCALC_CAMERA_FILM_FILM_OUTLINE_H
+#ifndef LENSCALC_CAMERA_FILM_PUPIL_OUTLINE_H
+#define LENSCALC_CAMERA_FILM_PUPIL_OUTLINE_H
 
 #include "base/arena.h"
 #include "optics/first_order.h"

@@ -1,6 +1,6 @@
-/* camera/photograph/spare_light.c - the light on a film, told by a few rays once. */
+/* camera/photograph/irradiance_table.c - the light on a film, told by a few rays once. */
 /* SPDX-License-Identifier: MIT */
-#include "camera/photograph/spare_light.h"
+#include "camera/photograph/irradiance_table.h"
 
 #include "camera/photograph/tiling.h"
 
@@ -33,8 +33,8 @@ const struct irradiance_table *irradiance_table_new(const struct lens_film *film
     return light;
 }
 
-static double spare_light_at(const struct irradiance_table *light, size_t wavelength, double x,
-                             double y)
+static double irradiance_table_at(const struct irradiance_table *light, size_t wavelength, double x,
+                                  double y)
 {
     const double share = 1 - fmin(1, hypot(x, y) / light->largest);
     const double place = (ROWS - 1) * (1 - sqrt(share));
@@ -50,9 +50,9 @@ double irradiance_table_of(const struct irradiance_table *light, size_t waveleng
     const double x = plan->left + plan->width - ((double)(pixel % TILE_ACROSS) + 0.5) * across;
     const double y = plan->bottom + ((double)(pixel / TILE_ACROSS) + 0.5) * down;
     const double dx = across / sqrt(12), dy = down / sqrt(12);
-    return (spare_light_at(light, wavelength, x - dx, y - dy) +
-            spare_light_at(light, wavelength, x + dx, y - dy) +
-            spare_light_at(light, wavelength, x - dx, y + dy) +
-            spare_light_at(light, wavelength, x + dx, y + dy)) /
+    return (irradiance_table_at(light, wavelength, x - dx, y - dy) +
+            irradiance_table_at(light, wavelength, x + dx, y - dy) +
+            irradiance_table_at(light, wavelength, x - dx, y + dy) +
+            irradiance_table_at(light, wavelength, x + dx, y + dy)) /
            4;
 }

@@ -1,7 +1,7 @@
-/* camera/photograph/spare_light.h - a table of the light on a film, by the distance from the axis. */
+/* camera/photograph/irradiance_table.h - a table of the light on a film, by the distance from the axis. */
 /* SPDX-License-Identifier: MIT */
-#ifndef LENSCALC_CAMERA_PHOTOGRAPH_SPARE_LIGHT_H
-#define LENSCALC_CAMERA_PHOTOGRAPH_SPARE_LIGHT_H
+#ifndef LENSCALC_CAMERA_PHOTOGRAPH_IRRADIANCE_TABLE_H
+#define LENSCALC_CAMERA_PHOTOGRAPH_IRRADIANCE_TABLE_H
 
 #include "base/arena.h"
 #include "camera/film/lens_film.h"

@@ -1,6 +1,6 @@
-/* camera/photograph/fringes.c - colours' rays as those of one colour from other points of the film. */
+/* camera/photograph/lateral_colour.c - colours' rays as those of one colour from other points of the film. */
 /* SPDX-License-Identifier: MIT */
-#include "camera/photograph/fringes.h"
+#include "camera/photograph/lateral_colour.h"
 
 #include "trace/dispatch.h"
 
@@ -33,8 +33,8 @@ struct lateral_colour_room *lateral_colour_room_new(size_t wavelengths, struct a
 }
 
 /* From the corners of the tile, all over the pupil. */
-static void fringes_start(const struct lens_film *film, const struct film_plan *plan,
-                          struct lateral_colour_room *room)
+static void lateral_colour_start(const struct lens_film *film, const struct film_plan *plan,
+                                 struct lateral_colour_room *room)
 {
     static const double v[] = {0.98, 0.7, 0.4, 0.1};
     struct film_samples *samples = &room->samples;
@@ -49,8 +49,8 @@ static void fringes_start(const struct lens_film *film, const struct film_plan *
     room->started = *room->rays.blocks;
 }
 
-static void fringes_trace(const struct lens_film *film, size_t wavelength,
-                          struct lateral_colour_room *room, struct exits *exits)
+static void lateral_colour_trace(const struct lens_film *film, size_t wavelength,
+                                 struct lateral_colour_room *room, struct exits *exits)
 {
     const struct ray_block *block = room->rays.blocks;
     rays_trace(film->systems[wavelength], &room->rays, NULL); /* whatever the shutter does */
@@ -90,13 +90,13 @@ static void trace_turned(const struct lens_film *film, size_t wavelength, int ax
         block->r[i] = copysign(sqrt(block->r[i] * block->r[i] + before * before - after * after),
                                block->r[i]);
     }
-    fringes_trace(film, wavelength, room, &room->turned[axis]);
+    lateral_colour_trace(film, wavelength, room, &room->turned[axis]);
     subtract(room, &room->turned[axis]);
 }
 
 /* How far on the film, along an axis, ray i is from the middle's that leaves as it does, mm. */
-static double fringes_moved(const struct lateral_colour_room *room, const struct exits *off,
-                            int axis, size_t i)
+static double shift_of(const struct lateral_colour_room *room, const struct exits *off, int axis,
+                       size_t i)
 {
     const struct exits *turned = &room->turned[axis];
     double sum = 0;
@@ -116,7 +116,7 @@ static bool is_little(struct lateral_colour_room *room, const struct exits *off,
         double low = INFINITY, high = -INFINITY, sum = 0, count = 0;
         for (size_t i = corner * OF_PUPIL; i < (corner + 1) * OF_PUPIL; i++) {
             if (room->passed[i]) {
-                const double by = fringes_moved(room, off, axis, i);
+                const double by = shift_of(room, off, axis, i);
                 low = fmin(low, by);
                 high = fmax(high, by);
                 sum += by; /* a NaN stays in it, and is not little */
@@ -153,8 +153,8 @@ const struct lateral_colour *lateral_colour_find(const struct lateral_colour_que
 {
     const struct lens_film *film = question->film;
     struct lateral_colour *fringes = &room->fringes;
-    fringes_start(film, plan, room);
-    fringes_trace(film, question->middle, room, &room->middle);
+    lateral_colour_start(film, plan, room);
+    lateral_colour_trace(film, question->middle, room, &room->middle);
     if (!find_passed(room)) {
         return NULL;
     }
@@ -168,7 +168,7 @@ const struct lateral_colour *lateral_colour_find(const struct lateral_colour_que
         const size_t wavelength = i % 2 == 0 ? i / 2 : question->wavelengths - 1 - i / 2;
         struct exits off;
         *room->rays.blocks = room->started;
-        fringes_trace(film, wavelength, room, &off);
+        lateral_colour_trace(film, wavelength, room, &off);
         subtract(room, &off);
         for (int axis = X; axis < AXES && little; axis++) {
             little = is_little(room, &off, axis, question->pixel[axis], fringes->moved[wavelength]);

@@ -1,7 +1,7 @@
-/* camera/photograph/fringes.h - where a lens sends the other colours of a point, within a tile of its film. */
+/* camera/photograph/lateral_colour.h - where a lens sends the other colours of a point, within a tile of its film. */
 /* SPDX-License-Identifier: MIT */
-#ifndef LENSCALC_CAMERA_PHOTOGRAPH_FRINGES_H
-#define LENSCALC_CAMERA_PHOTOGRAPH_FRINGES_H
+#ifndef LENSCALC_CAMERA_PHOTOGRAPH_LATERAL_COLOUR_H
+#define LENSCALC_CAMERA_PHOTOGRAPH_LATERAL_COLOUR_H
 
 #include "base/arena.h"
 #include "camera/film/lens_film.h"

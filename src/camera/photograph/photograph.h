@@ -9,10 +9,10 @@
 #include "base/watch.h"
 #include "camera/film/lens_film.h"
 #include "camera/photograph/convergence.h"
-#include "camera/photograph/spare.h"
+#include "camera/photograph/ray_reuse.h"
 #include "camera/photograph/tiling.h"
 #include "camera/subject/card.h"
-#include "camera/subject/relief.h"
+#include "camera/subject/depth_card.h"
 #include "camera/subject/view.h"
 
 #include <stdint.h>
@@ -32,7 +32,7 @@ enum {
     PHOTOGRAPH_COUNTS
 };
 
-/* The depths of a picture: as camera/subject/relief.h has them. */
+/* The depths of a picture: as camera/subject/depth_card.h has them. */
 struct photograph_depths {
     const struct image *map; /* null: all in the plane of the card */
     const char *name;        /* of its file */
@@ -126,14 +126,15 @@ double photograph_share(const struct photograph *photograph, enum depth_card_sig
  *           it is. With an error twice as many, CONVERGENCE_LEAST at first, until the tile's
  *           halves agree (camera/photograph/convergence.h), not before the small lights in its
  *           sight have
- *           been met (camera/photograph/small_lights.h): of a card the points of so many samples,
+ *           been met (camera/photograph/small_emitters.h): of a card the points of so many samples,
  *           of a
  *           scene the first ones of each pixel's
  *           In a scene rays of the middle wavelength stand for those of others where
- *           camera/photograph/fringes.h says so: a colour is then what its own rays bring from a
+ *           camera/photograph/lateral_colour.h says so: a colour is then what its own rays bring
+ *           from a
  *           white scene,
  *           times the mean light of these that show the same points. Of 8 samples and more
- *           Tiles are spared as camera/photograph/spare.h has it, of 8 samples and more, where
+ *           Tiles are spared as camera/photograph/ray_reuse.h has it, of 8 samples and more, where
  *           nobody waits
  *           No number depends on the threads, the crop, or what is done already; how many samples
  *           a tile has that ends in time does

@@ -1,8 +1,8 @@
-/* camera/photograph/spare.c - what a tile sees, before any of its rays is traced. */
+/* camera/photograph/ray_reuse.c - what a tile sees, before any of its rays is traced. */
 /* SPDX-License-Identifier: MIT */
-#include "camera/photograph/spare.h"
+#include "camera/photograph/ray_reuse.h"
 
-#include "camera/photograph/spare_net.h"
+#include "camera/photograph/reuse_grid.h"
 #include "camera/photograph/tile_backdrop.h"
 #include "camera/photograph/tiling.h"
 #include "camera/subject/subject.h"
@@ -167,8 +167,8 @@ static bool is_black(struct card_light light)
     return light.of[0] == 0 && light.of[1] == 0 && light.of[2] == 0;
 }
 
-static void spare_fill(const struct ray_reuse *spare, const struct ray_reuse_tile *tile,
-                       struct card_light light, double (*sums)[CARD_CHANNELS])
+static void ray_reuse_fill(const struct ray_reuse *spare, const struct ray_reuse_tile *tile,
+                           struct card_light light, double (*sums)[CARD_CHANNELS])
 {
     for (size_t i = 0; i < spare->passes && !is_black(light); i++) {
         const struct ray_reuse_pass *pass = &spare->pass[i];
@@ -212,7 +212,7 @@ static enum ray_reuse_way take_backdrop(const struct ray_reuse *spare,
     struct card_light light = {{0, 0, 0}};
     if (tile_sees_backdrop(spare->view, &spare->backdrop, &room->rims, &light) &&
         (has_light(spare, tile->plan) || is_black(light))) {
-        spare_fill(spare, tile, light, sums);
+        ray_reuse_fill(spare, tile, light, sums);
         return RAY_REUSE_EVEN;
     }
     return RAY_REUSE_TRACED;
@@ -235,7 +235,7 @@ enum ray_reuse_way ray_reuse_take(const struct ray_reuse *spare, const struct ra
     find_part(spare, room, w, &part);
     if (may_be_even(spare, &part) && card_is_even(spare->card, &part, &light) &&
         (has_light(spare, tile->plan) || is_black(light))) {
-        spare_fill(spare, tile, light, sums);
+        ray_reuse_fill(spare, tile, light, sums);
         sights[SIGHT_SEEN] += RAYS_BLOCK * tile->samples * spare->passes;
         return RAY_REUSE_EVEN;
     }

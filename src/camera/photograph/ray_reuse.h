@@ -1,14 +1,14 @@
-/* camera/photograph/spare.h - parts of a picture that need few rays, or none. */
+/* camera/photograph/ray_reuse.h - parts of a picture that need few rays, or none. */
 /* SPDX-License-Identifier: MIT */
-#ifndef LENSCALC_CAMERA_PHOTOGRAPH_SPARE_H
-#define LENSCALC_CAMERA_PHOTOGRAPH_SPARE_H
+#ifndef LENSCALC_CAMERA_PHOTOGRAPH_RAY_REUSE_H
+#define LENSCALC_CAMERA_PHOTOGRAPH_RAY_REUSE_H
 
 #include "base/watch.h"
 #include "camera/film/lens_film.h"
+#include "camera/photograph/irradiance_table.h"
 #include "camera/photograph/skip.h"
-#include "camera/photograph/spare_light.h"
 #include "camera/subject/card.h"
-#include "camera/subject/relief.h"
+#include "camera/subject/depth_card.h"
 #include "camera/subject/view.h"
 #include "scene/backdrop.h"
 

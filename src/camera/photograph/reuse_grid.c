@@ -1,6 +1,6 @@
-/* camera/photograph/spare_net.c - rays between rays that are traced. */
+/* camera/photograph/reuse_grid.c - rays between rays that are traced. */
 /* SPDX-License-Identifier: MIT */
-#include "camera/photograph/spare_net.h"
+#include "camera/photograph/reuse_grid.h"
 
 #include "camera/photograph/tile_cell.h"
 #include "camera/subject/subject.h"
@@ -39,8 +39,7 @@ struct reuse_grid *reuse_grid_new(size_t passes, struct arena *arena)
 /* -------- traced -------- */
 
 /* Trace the samples of the net. */
-static void spare_net_trace(const struct ray_reuse *spare, size_t wavelength,
-                            struct reuse_grid *net)
+static void corners_trace(const struct ray_reuse *spare, size_t wavelength, struct reuse_grid *net)
 {
     spare->film->aim(spare->film, &net->samples, net->rays.blocks);
     lens_film_trace(spare->film, wavelength, &net->samples, &net->rays);
@@ -73,7 +72,7 @@ static bool trace_pupil(const struct ray_reuse *spare, const struct film_plan *p
     double all = 0;
     film_rays_plan(&middle, 0, SET_BEST, &net->samples);
     net->samples.u[0] = net->samples.v[0] = 0;
-    spare_net_trace(spare, wavelength, net);
+    corners_trace(spare, wavelength, net);
     const struct depth_card_ray chief = subject_ray(net->rays.blocks, 0, spare->plane);
     pupil->count = 0;
     for (size_t i = 1; i < RAYS_BLOCK; i++) {
@@ -102,7 +101,7 @@ static bool trace_nodes(const struct ray_reuse *spare, const struct film_plan *p
         net->samples.x[i] = plan->left + across * plan->width;
         net->samples.y[i] = plan->bottom + down * plan->height;
     }
-    spare_net_trace(spare, wavelength, net);
+    corners_trace(spare, wavelength, net);
     bool all = true;
     for (size_t i = 0; i < RAYS_BLOCK; i++) {
         all = all && net->rays.blocks->lost[i] == 0 && net->rays.blocks->r[i] < 0;
@@ -146,9 +145,8 @@ static struct depth_card_ray ray_between(const struct depth_card_ray *nodes, dou
     return ray;
 }
 
-static struct card_light spare_net_look(const struct ray_reuse *spare,
-                                        const struct depth_card_ray *ray,
-                                        enum depth_card_sight *sight)
+static struct card_light corner_look(const struct ray_reuse *spare,
+                                     const struct depth_card_ray *ray, enum depth_card_sight *sight)
 {
     if (spare->relief != NULL) {
         return depth_card_look(spare->relief, ray, sight);
@@ -166,10 +164,10 @@ enum { ENDED_EVERY = 16 };
 
 /* The light of samples' points of the film, through the net of its wavelength; false: the watch
    has ended it. */
-static bool spare_net_look_through(const struct ray_reuse *spare, const struct ray_reuse_tile *tile,
-                                   size_t wavelength, struct reuse_grid *net,
-                                   uint64_t sights[DEPTH_CARD_SIGHTS],
-                                   double (*sums)[CARD_CHANNELS])
+static bool reuse_grid_look_through(const struct ray_reuse *spare,
+                                    const struct ray_reuse_tile *tile, size_t wavelength,
+                                    struct reuse_grid *net, uint64_t sights[DEPTH_CARD_SIGHTS],
+                                    double (*sums)[CARD_CHANNELS])
 {
     const struct film_plan *plan = tile->plan;
     const struct ray_reuse_pass *pass = &spare->pass[wavelength];
@@ -194,7 +192,7 @@ static bool spare_net_look_through(const struct ray_reuse *spare, const struct r
                 ray.slope[k] += pupil->from[of_pupil].slope[k];
             }
             enum depth_card_sight sight;
-            const struct card_light light = spare_net_look(spare, &ray, &sight);
+            const struct card_light light = corner_look(spare, &ray, &sight);
             sights[sight]++;
             for (size_t k = pass->begin; k < pass->end; k++) {
                 sums[pixel][k] += weight[pixel] * (double)light.of[k];
@@ -210,7 +208,7 @@ bool reuse_grid_look(const struct ray_reuse *spare, const struct ray_reuse_tile 
 {
     bool is_whole = true;
     for (size_t i = 0; i < spare->passes && is_whole; i++) {
-        is_whole = spare_net_look_through(spare, tile, i, net, sights, sums);
+        is_whole = reuse_grid_look_through(spare, tile, i, net, sights, sums);
     }
     return is_whole;
 }

@@ -1,9 +1,9 @@
-/* camera/photograph/spare_net.h - what a sharp tile sees, through a net of few rays. */
+/* camera/photograph/reuse_grid.h - what a sharp tile sees, through a net of few rays. */
 /* SPDX-License-Identifier: MIT */
-#ifndef LENSCALC_CAMERA_PHOTOGRAPH_SPARE_NET_H
-#define LENSCALC_CAMERA_PHOTOGRAPH_SPARE_NET_H
+#ifndef LENSCALC_CAMERA_PHOTOGRAPH_REUSE_GRID_H
+#define LENSCALC_CAMERA_PHOTOGRAPH_REUSE_GRID_H
 
-#include "camera/photograph/spare.h"
+#include "camera/photograph/ray_reuse.h"
 
 /* What one thread looks through: a net for each wavelength. */
 struct reuse_grid;

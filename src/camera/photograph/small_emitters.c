@@ -1,6 +1,6 @@
-/* camera/photograph/small_lights.c - lights that few rays of their pixel meet. */
+/* camera/photograph/small_emitters.c - lights that few rays of their pixel meet. */
 /* SPDX-License-Identifier: MIT */
-#include "camera/photograph/small_lights.h"
+#include "camera/photograph/small_emitters.h"
 
 #include "base/constants.h"
 
@@ -51,7 +51,7 @@ struct small_emitters small_emitters_open(const struct view *view, struct arena 
     return (struct small_emitters){all, next};
 }
 
-static double small_lights_angle_between(struct vector a, struct vector b)
+static double small_emitters_angle_between(struct vector a, struct vector b)
 {
     return 2 * asin(fmin(1, vector_length(vector_minus(a, b)) / 2));
 }
@@ -76,13 +76,13 @@ double small_emitters_samples(const struct small_emitters *lights, const struct 
             return 0;
         }
         way[i] = view_ray(&view->camera, view->pupil, room->rays.blocks, 0, 0).direction;
-        cone = fmax(cone, small_lights_angle_between(way[0], way[i]));
+        cone = fmax(cone, small_emitters_angle_between(way[0], way[i]));
     }
     const double pixel = vector_length(vector_minus(way[1], way[2])) *
                          vector_length(vector_minus(way[1], way[3])) / TILE_PIXELS;
     for (size_t i = 0; i < lights->count; i++) {
         const struct small_light *light = &lights->all[i];
-        if (small_lights_angle_between(way[0], light->way) <= around * cone + light->angle) {
+        if (small_emitters_angle_between(way[0], light->way) <= around * cone + light->angle) {
             most = fmax(most, hits * pixel / light->size);
         }
     }

@@ -1,7 +1,7 @@
-/* camera/photograph/small_lights.h - lights that few rays meet, and tiles that may see them. */
+/* camera/photograph/small_emitters.h - lights that few rays meet, and tiles that may see them. */
 /* SPDX-License-Identifier: MIT */
-#ifndef LENSCALC_CAMERA_PHOTOGRAPH_SMALL_LIGHTS_H
-#define LENSCALC_CAMERA_PHOTOGRAPH_SMALL_LIGHTS_H
+#ifndef LENSCALC_CAMERA_PHOTOGRAPH_SMALL_EMITTERS_H
+#define LENSCALC_CAMERA_PHOTOGRAPH_SMALL_EMITTERS_H
 
 #include "camera/photograph/tile_rays.h"
 

@@ -4,7 +4,7 @@
 #define LENSCALC_CAMERA_PHOTOGRAPH_TILE_BACKDROP_H
 
 #include "camera/subject/card.h"
-#include "camera/subject/relief.h"
+#include "camera/subject/depth_card.h"
 #include "camera/subject/view.h"
 #include "scene/backdrop.h"
 

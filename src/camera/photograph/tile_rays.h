@@ -3,7 +3,7 @@
 #ifndef LENSCALC_CAMERA_PHOTOGRAPH_TILE_RAYS_H
 #define LENSCALC_CAMERA_PHOTOGRAPH_TILE_RAYS_H
 
-#include "camera/photograph/fringes.h"
+#include "camera/photograph/lateral_colour.h"
 #include "camera/photograph/photograph.h"
 #include "camera/subject/subject.h"
 

@@ -6,7 +6,7 @@
 #include "base/parallel.h"
 #include "camera/photograph/convergence.h"
 #include "camera/photograph/photograph.h"
-#include "camera/photograph/small_lights.h"
+#include "camera/photograph/small_emitters.h"
 #include "camera/photograph/tile_rays.h"
 #include "camera/photograph/tiling.h"
 

@@ -1,6 +1,6 @@
-/* camera/subject/relief.c - lines of sight over a map of 1/distance. */
+/* camera/subject/depth_card.c - lines of sight over a map of 1/distance. */
 /* SPDX-License-Identifier: MIT */
-#include "camera/subject/relief.h"
+#include "camera/subject/depth_card.h"
 
 #include "base/constants.h"
 
@@ -17,8 +17,8 @@ static size_t halved(size_t count, int level)
 }
 
 /* 1/distance of every pixel. */
-static bool relief_find_nearest(const struct depth_card_question *question, double *nearest,
-                                struct error *error)
+static bool depth_card_find_nearest(const struct depth_card_question *question, double *nearest,
+                                    struct error *error)
 {
     const struct image *depths = question->depths;
     for (size_t i = 0; i < depths->width * depths->height; i++) {
@@ -93,7 +93,7 @@ bool depth_card_open(const struct depth_card_question *question, struct arena *a
     relief->nearest = ARENA_ARRAY(arena, (size_t)relief->levels, double *);
     relief->farthest = ARENA_ARRAY(arena, (size_t)relief->levels, double *);
     relief->nearest[0] = relief->farthest[0] = ARENA_ARRAY(arena, columns * rows, double);
-    if (!relief_find_nearest(question, relief->nearest[0], error)) {
+    if (!depth_card_find_nearest(question, relief->nearest[0], error)) {
         return false;
     }
     for (int level = 1; level < relief->levels; level++) {
@@ -109,16 +109,16 @@ bool depth_card_open(const struct depth_card_question *question, struct arena *a
 /* -------- a ray over it -------- */
 
 /* A pixel of the map; those beyond its frame are told from the others. */
-struct relief_place {
+struct depth_card_place {
     long at[AXES];
 };
 
-struct relief_walk {
+struct depth_card_walk {
     const struct depth_card *relief;
-    double from[AXES], per_w[AXES];   /* the place is from + per_w w, in pixels */
-    double per_pixel[AXES];           /* 1/per_w */
-    double w;                         /* where it has come to, 1/mm */
-    struct relief_place here, before; /* before the border that it crossed last */
+    double from[AXES], per_w[AXES];       /* the place is from + per_w w, in pixels */
+    double per_pixel[AXES];               /* 1/per_w */
+    double w;                             /* where it has come to, 1/mm */
+    struct depth_card_place here, before; /* before the border that it crossed last */
 };
 
 /* Rounded down also below 0: all places lie within so many pixels of the frame. */
@@ -129,13 +129,13 @@ static long square_of(long at, int level)
 }
 
 /* floor() is a call where instructions from before SSE4 have to do. */
-static long relief_floor_of(double x)
+static long depth_card_floor_of(double x)
 {
     const long whole = (long)x;
     return x < (double)whole ? whole - 1 : whole;
 }
 
-static long relief_clamped(long at, size_t count)
+static long depth_card_clamped(long at, size_t count)
 {
     if (at < 0) {
         return 0;
@@ -146,26 +146,26 @@ static long relief_clamped(long at, size_t count)
     return at;
 }
 
-static bool relief_is_within(const struct depth_card *relief, struct relief_place place)
+static bool depth_card_is_within(const struct depth_card *relief, struct depth_card_place place)
 {
     return place.at[X] >= 0 && place.at[X] < (long)relief->columns && place.at[Y] >= 0 &&
            place.at[Y] < (long)relief->rows;
 }
 
 /* The nearest in a square: beyond the frame no more than on its border, or nothing. */
-static double nearest_in(const struct depth_card *relief, struct relief_place place, int level)
+static double nearest_in(const struct depth_card *relief, struct depth_card_place place, int level)
 {
-    if (!relief->is_endless && level == 0 && !relief_is_within(relief, place)) {
+    if (!relief->is_endless && level == 0 && !depth_card_is_within(relief, place)) {
         return 0;
     }
     const size_t columns = halved(relief->columns, level), rows = halved(relief->rows, level);
-    const long column = relief_clamped(square_of(place.at[X], level), columns);
-    const long row = relief_clamped(square_of(place.at[Y], level), rows);
+    const long column = depth_card_clamped(square_of(place.at[X], level), columns);
+    const long row = depth_card_clamped(square_of(place.at[Y], level), rows);
     return relief->nearest[level][(size_t)row * columns + (size_t)column];
 }
 
 /* Where it leaves the square: w, and across which axis. */
-static double leaving(const struct relief_walk *walk, int level, int *axis)
+static double leaving(const struct depth_card_walk *walk, int level, int *axis)
 {
     double w = 0;
     *axis = X;
@@ -182,13 +182,13 @@ static double leaving(const struct relief_walk *walk, int level, int *axis)
 }
 
 /* Over the border of the square, into the pixel behind it. */
-static void relief_cross(struct relief_walk *walk, int level, double w, int axis)
+static void depth_card_cross(struct depth_card_walk *walk, int level, double w, int axis)
 {
     const int other = axis == X ? Y : X;
     const long size = 1L << level;
     const long square = square_of(walk->here.at[axis], level) * size;
     const long beside = square_of(walk->here.at[other], level) * size;
-    const long along = relief_floor_of(walk->from[other] + walk->per_w[other] * w);
+    const long along = depth_card_floor_of(walk->from[other] + walk->per_w[other] * w);
     const bool down = walk->per_w[axis] > 0; /* w falls */
     walk->here.at[axis] = down ? square - 1 : square + size;
     if (along < beside) {
@@ -204,23 +204,23 @@ static void relief_cross(struct relief_walk *walk, int level, double w, int axis
 }
 
 /* Do rays of the pupil's rim pass between neighbours? Beside a card they always do. */
-static bool is_edge(const struct depth_card *relief, struct relief_place place,
-                    struct relief_place other)
+static bool is_edge(const struct depth_card *relief, struct depth_card_place place,
+                    struct depth_card_place other)
 {
     const double step = nearest_in(relief, place, 0) - nearest_in(relief, other, 0);
-    const bool goes_on =
-        relief->is_endless || relief_is_within(relief, place) == relief_is_within(relief, other);
+    const bool goes_on = relief->is_endless ||
+                         depth_card_is_within(relief, place) == depth_card_is_within(relief, other);
     return !goes_on || fabs(step) * relief->parallax > 1;
 }
 
 /* A pixel's place at w along an axis, without what its neighbours beyond an edge would mix in. */
-static double kept_within(const struct relief_walk *walk, struct relief_place pixel, int axis,
-                          double w)
+static double kept_within(const struct depth_card_walk *walk, struct depth_card_place pixel,
+                          int axis, double w)
 {
     const struct depth_card *relief = walk->relief;
     const double begin = (double)pixel.at[axis], rim = relief->rim[axis];
     double low = begin, high = begin + 1;
-    struct relief_place beside = pixel;
+    struct depth_card_place beside = pixel;
     beside.at[axis]--;
     low += is_edge(relief, pixel, beside) ? rim : 0;
     beside.at[axis] += 2;
@@ -230,14 +230,15 @@ static double kept_within(const struct relief_walk *walk, struct relief_place pi
 }
 
 /* The light of a pixel, which the ray meets at w. */
-static struct card_light relief_light_at(const struct relief_walk *walk, struct relief_place pixel,
-                                         double w)
+static struct card_light depth_card_light_at(const struct depth_card_walk *walk,
+                                             struct depth_card_place pixel, double w)
 {
     const struct depth_card *relief = walk->relief;
     const struct card *card = &relief->card;
-    pixel.at[X] = relief->is_endless ? relief_clamped(pixel.at[X], relief->columns) : pixel.at[X];
-    pixel.at[Y] = relief->is_endless ? relief_clamped(pixel.at[Y], relief->rows) : pixel.at[Y];
-    if (!relief_is_within(relief, pixel)) {
+    pixel.at[X] =
+        relief->is_endless ? depth_card_clamped(pixel.at[X], relief->columns) : pixel.at[X];
+    pixel.at[Y] = relief->is_endless ? depth_card_clamped(pixel.at[Y], relief->rows) : pixel.at[Y];
+    if (!depth_card_is_within(relief, pixel)) {
         return (struct card_light){{0, 0, 0}};
     }
     const double x = kept_within(walk, pixel, X, w) / (double)relief->columns - 0.5;
@@ -251,7 +252,7 @@ static struct card_light relief_light_at(const struct relief_walk *walk, struct 
  * Result    true: it ends there, at the distance of the pixel that it was before; false: it has
  *           come out again
  */
-static bool goes_behind(struct relief_walk *walk, struct relief_place *last)
+static bool goes_behind(struct depth_card_walk *walk, struct depth_card_place *last)
 {
     const double w = nearest_in(walk->relief, walk->before, 0);
     *last = walk->before;
@@ -262,16 +263,16 @@ static bool goes_behind(struct relief_walk *walk, struct relief_place *last)
             walk->w = w;
             return true;
         }
-        relief_cross(walk, 0, end, axis);
+        depth_card_cross(walk, 0, end, axis);
     }
     return false;
 }
 
 /* That nothing is beside a card is known. */
-static enum depth_card_sight sight_of(const struct depth_card *relief, struct relief_place met,
+static enum depth_card_sight sight_of(const struct depth_card *relief, struct depth_card_place met,
                                       enum depth_card_sight within)
 {
-    if (relief_is_within(relief, met)) {
+    if (depth_card_is_within(relief, met)) {
         return within;
     }
     if (relief->is_endless) {
@@ -281,7 +282,8 @@ static enum depth_card_sight sight_of(const struct depth_card *relief, struct re
 }
 
 /* What is met, and how; walk->w is where. Every turn goes down a level or crosses a border. */
-static enum depth_card_sight relief_meet(struct relief_walk *walk, struct relief_place *met)
+static enum depth_card_sight depth_card_meet(struct depth_card_walk *walk,
+                                             struct depth_card_place *met)
 {
     const struct depth_card *relief = walk->relief;
     int level = 0;
@@ -290,7 +292,7 @@ static enum depth_card_sight relief_meet(struct relief_walk *walk, struct relief
         const double end = leaving(walk, level, &axis),
                      nearest = nearest_in(relief, walk->here, level);
         if (end > nearest) {
-            relief_cross(walk, level, end, axis);
+            depth_card_cross(walk, level, end, axis);
             level += level + 1 < relief->levels ? 1 : 0;
         } else if (level > 0) {
             level--;
@@ -308,8 +310,8 @@ static enum depth_card_sight relief_meet(struct relief_walk *walk, struct relief
 }
 
 /* The least and the largest w in the squares, at most four of them, that hold two points. */
-static void relief_bound(const struct depth_card *relief, const long from[AXES],
-                         const long to[AXES], double *least, double *most)
+static void depth_card_bound(const struct depth_card *relief, const long from[AXES],
+                             const long to[AXES], double *least, double *most)
 {
     int level = 0;
     while (level + 1 < relief->levels &&
@@ -320,9 +322,11 @@ static void relief_bound(const struct depth_card *relief, const long from[AXES],
     *least = INFINITY;
     *most = 0;
     for (int i = 0; i < 4; i++) {
-        const struct relief_place place = {{i % 2 == 0 ? from[X] : to[X], i < 2 ? from[Y] : to[Y]}};
-        const size_t at = (size_t)relief_clamped(square_of(place.at[Y], level), rows) * columns +
-                          (size_t)relief_clamped(square_of(place.at[X], level), columns);
+        const struct depth_card_place place = {
+            {i % 2 == 0 ? from[X] : to[X], i < 2 ? from[Y] : to[Y]}};
+        const size_t at =
+            (size_t)depth_card_clamped(square_of(place.at[Y], level), rows) * columns +
+            (size_t)depth_card_clamped(square_of(place.at[X], level), columns);
         const double far = relief->farthest[level][at], near = relief->nearest[level][at];
         *least = far < *least ? far : *least;
         *most = near > *most ? near : *most;
@@ -330,7 +334,7 @@ static void relief_bound(const struct depth_card *relief, const long from[AXES],
 }
 
 /* Begin in the w of what may be met, not in that of the nearest patch of all. */
-static void relief_begin_near(struct relief_walk *walk)
+static void depth_card_begin_near(struct depth_card_walk *walk)
 {
     const struct depth_card *relief = walk->relief;
     double least = relief->is_endless ? relief->farthest[relief->levels - 1][0] : 0, most = walk->w;
@@ -339,18 +343,18 @@ static void relief_begin_near(struct relief_walk *walk)
         const double range = most - least;
         long from[AXES], to[AXES];
         for (int k = X; k < AXES; k++) {
-            from[k] = relief_floor_of(walk->from[k] + walk->per_w[k] * most);
-            to[k] = relief_floor_of(walk->from[k] + walk->per_w[k] * least);
+            from[k] = depth_card_floor_of(walk->from[k] + walk->per_w[k] * most);
+            to[k] = depth_card_floor_of(walk->from[k] + walk->per_w[k] * least);
         }
         double far, near;
-        relief_bound(relief, from, to, &far, &near);
+        depth_card_bound(relief, from, to, &far, &near);
         least = relief->is_endless && far > least ? far : least;
         most = near < most ? near : most;
         narrows = most - least < 0.5 * range;
     }
     walk->w = most;
     for (int k = X; k < AXES; k++) {
-        walk->here.at[k] = relief_floor_of(walk->from[k] + walk->per_w[k] * most);
+        walk->here.at[k] = depth_card_floor_of(walk->from[k] + walk->per_w[k] * most);
     }
     walk->before = walk->here;
 }
@@ -362,7 +366,7 @@ struct card_light depth_card_look(const struct depth_card *relief, const struct 
     const double scale[AXES] = {(double)relief->columns / relief->card.width,
                                 -(double)relief->rows / relief->card.height};
     const double middle[AXES] = {0.5 * (double)relief->columns, 0.5 * (double)relief->rows};
-    struct relief_walk walk = {.relief = relief, .w = relief->nearest[relief->levels - 1][0]};
+    struct depth_card_walk walk = {.relief = relief, .w = relief->nearest[relief->levels - 1][0]};
     *sight = relief->is_endless ? SIGHT_BESIDE : SIGHT_SEEN;
     for (int k = X; k < AXES; k++) {
         walk.from[k] = middle[k] - scale[k] * relief->frame * ray->slope[k];
@@ -374,11 +378,11 @@ struct card_light depth_card_look(const struct depth_card *relief, const struct 
             return (struct card_light){{0, 0, 0}};
         }
     }
-    relief_begin_near(&walk);
-    struct relief_place met;
-    *sight = relief_meet(&walk, &met);
+    depth_card_begin_near(&walk);
+    struct depth_card_place met;
+    *sight = depth_card_meet(&walk, &met);
     return *sight == SIGHT_SEEN || relief->hidden == HIDDEN_NEARBY
-               ? relief_light_at(&walk, met, walk.w)
+               ? depth_card_light_at(&walk, met, walk.w)
                : (struct card_light){{0, 0, 0}};
 }
 
@@ -387,12 +391,12 @@ void depth_card_range(const struct depth_card *relief, const struct card_part *p
 {
     const double columns = (double)relief->columns, rows = (double)relief->rows;
     const double width = relief->card.width, height = relief->card.height;
-    const long from[AXES] = {relief_floor_of((part->low[X] / width + 0.5) * columns),
-                             relief_floor_of((0.5 - part->high[Y] / height) * rows)};
-    const long to[AXES] = {relief_floor_of((part->high[X] / width + 0.5) * columns),
-                           relief_floor_of((0.5 - part->low[Y] / height) * rows)};
+    const long from[AXES] = {depth_card_floor_of((part->low[X] / width + 0.5) * columns),
+                             depth_card_floor_of((0.5 - part->high[Y] / height) * rows)};
+    const long to[AXES] = {depth_card_floor_of((part->high[X] / width + 0.5) * columns),
+                           depth_card_floor_of((0.5 - part->low[Y] / height) * rows)};
     const bool is_all =
         from[X] >= 0 && from[Y] >= 0 && to[X] < (long)relief->columns && to[Y] < (long)relief->rows;
-    relief_bound(relief, from, to, least, most);
+    depth_card_bound(relief, from, to, least, most);
     *least = relief->is_endless || is_all ? *least : 0;
 }

@@ -1,7 +1,7 @@
-/* camera/subject/relief.h - a picture with its depths: what it shows, seen from beside its camera. */
+/* camera/subject/depth_card.h - a picture with its depths: what it shows, seen from beside its camera. */
 /* SPDX-License-Identifier: MIT */
-#ifndef LENSCALC_CAMERA_SUBJECT_RELIEF_H
-#define LENSCALC_CAMERA_SUBJECT_RELIEF_H
+#ifndef LENSCALC_CAMERA_SUBJECT_DEPTH_CARD_H
+#define LENSCALC_CAMERA_SUBJECT_DEPTH_CARD_H
 
 #include "base/arena.h"
 #include "base/error.h"

@@ -1,6 +1,6 @@
-/* camera/subject/lens_room.c - boxes about things against the lens, and lines where they overlap. */
+/* camera/subject/lens_clearance.c - boxes about things against the lens, and lines where they overlap. */
 /* SPDX-License-Identifier: MIT */
-#include "camera/subject/lens_room.h"
+#include "camera/subject/lens_clearance.h"
 
 #include "analysis/layout/layout.h"
 #include "optics/aperture.h"
@@ -32,7 +32,7 @@ static bool is_between(const struct lens_rim *rims, double r, double z)
 }
 
 /* In the camera's frame. */
-static bool lens_room_holds(const struct lens_clearance *room, struct vector at)
+static bool box_holds(const struct lens_clearance *room, struct vector at)
 {
     const double r = hypot(at.x, at.y);
     bool does = false;
@@ -65,7 +65,7 @@ static size_t list_rims(const struct setup *setup, double entrance, double pupil
     return count;
 }
 
-static bool lens_room_is_far(const struct setup *setup)
+static bool lens_clearance_is_far(const struct setup *setup)
 {
     const double most = 1e9; /* mm */
     return !(fabs(setup->first.entrance_pupil) < most);
@@ -73,14 +73,14 @@ static bool lens_room_is_far(const struct setup *setup)
 
 double lens_clearance_pupil(const struct setup *setup)
 {
-    return lens_room_is_far(setup) ? 0 : setup->first.entrance_pupil;
+    return lens_clearance_is_far(setup) ? 0 : setup->first.entrance_pupil;
 }
 
 struct lens_clearance lens_clearance_of(const struct setup *setup, struct arena *arena)
 {
     /* what is infinitely far away is as wide, too, and the beam on the glass about as the stop */
-    const double entrance = lens_room_is_far(setup) ? setup->first.stop_radius
-                                                    : fabs(setup->first.entrance_diameter) / 2;
+    const double entrance = lens_clearance_is_far(setup) ? setup->first.stop_radius
+                                                         : fabs(setup->first.entrance_diameter) / 2;
     const double pupil = lens_clearance_pupil(setup);
     const double last = setup->first.length - pupil;
     struct lens_rim *rims = ARENA_ARRAY(arena, setup->lens->surface_count + 1, struct lens_rim);
@@ -103,16 +103,17 @@ struct lens_clearance lens_clearance_of(const struct setup *setup, struct arena 
 /* -------- things in it -------- */
 
 /* A box in the camera's frame, axis by axis. */
-struct lens_room_part {
+struct lens_clearance_part {
     double low[3], high[3];
 };
 
 /* About a thing; a plane's is endless. */
-static struct lens_room_part lens_room_part_of(const struct world_thing *thing,
-                                               const struct scene_pose *camera, double time)
+static struct lens_clearance_part lens_clearance_part_of(const struct world_thing *thing,
+                                                         const struct scene_pose *camera,
+                                                         double time)
 {
-    struct lens_room_part part = {{-INFINITY, -INFINITY, -INFINITY},
-                                  {INFINITY, INFINITY, INFINITY}};
+    struct lens_clearance_part part = {{-INFINITY, -INFINITY, -INFINITY},
+                                       {INFINITY, INFINITY, INFINITY}};
     if (thing->thing->shape == SHAPE_PLANE) {
         return part;
     }
@@ -134,16 +135,16 @@ static struct lens_room_part lens_room_part_of(const struct world_thing *thing,
 }
 
 /* About the cylinder. */
-static struct lens_room_part part_of_room(const struct lens_clearance *room)
+static struct lens_clearance_part part_of_room(const struct lens_clearance *room)
 {
-    return (struct lens_room_part){{-room->radius, -room->radius, room->front},
-                                   {room->radius, room->radius, room->back}};
+    return (struct lens_clearance_part){{-room->radius, -room->radius, room->front},
+                                        {room->radius, room->radius, room->back}};
 }
 
 /* Leave what lies within the box about the cylinder; false: nothing does. */
-static bool lens_room_clip(const struct lens_clearance *room, struct lens_room_part *part)
+static bool lens_clearance_clip(const struct lens_clearance *room, struct lens_clearance_part *part)
 {
-    const struct lens_room_part whole = part_of_room(room);
+    const struct lens_clearance_part whole = part_of_room(room);
     bool is_left = true;
     for (int i = 0; i < 3; i++) {
         part->low[i] = fmax(part->low[i], whole.low[i]);
@@ -165,9 +166,9 @@ static bool ends_of(const struct lens_clearance *room, int axis, const double at
 }
 
 /* Surfaces one behind the other, of which the last ones may lie beside the lens. */
-static bool lens_room_look_along(const struct lens_clearance *room, const struct world *world,
-                                 const struct scene_pose *camera, double time, int axis,
-                                 double at[3], size_t *thing)
+static bool lens_clearance_look_along(const struct lens_clearance *room, const struct world *world,
+                                      const struct scene_pose *camera, double time, int axis,
+                                      double at[3], size_t *thing)
 {
     enum { SURFACES = 64 };
     double ends[2];
@@ -184,7 +185,7 @@ static bool lens_room_look_along(const struct lens_clearance *room, const struct
                             .farthest = ends[1] - ends[0]};
     for (int i = 0; i < SURFACES && world_intersect(world, &ray, &hit); i++) {
         const struct vector own = frame_in(&camera->turned, vector_minus(hit.at, camera->at));
-        if (lens_room_holds(room, own)) {
+        if (box_holds(room, own)) {
             *thing = hit.thing;
             return true;
         }
@@ -195,9 +196,10 @@ static bool lens_room_look_along(const struct lens_clearance *room, const struct
     return false;
 }
 
-static bool lens_room_look_through(const struct lens_clearance *room, const struct world *world,
-                                   const struct scene_pose *camera, double time,
-                                   const struct lens_room_part *part, size_t *thing)
+static bool lens_clearance_look_through(const struct lens_clearance *room,
+                                        const struct world *world, const struct scene_pose *camera,
+                                        double time, const struct lens_clearance_part *part,
+                                        size_t *thing)
 {
     enum { LINES = 16 };
     for (int i = 0; i < 3 * LINES * LINES; i++) {
@@ -206,7 +208,7 @@ static bool lens_room_look_through(const struct lens_clearance *room, const stru
         double at[3] = {0, 0, 0};
         at[u] = part->low[u] + share[0] * (part->high[u] - part->low[u]);
         at[v] = part->low[v] + share[1] * (part->high[v] - part->low[v]);
-        if (lens_room_look_along(room, world, camera, time, axis, at, thing)) {
+        if (lens_clearance_look_along(room, world, camera, time, axis, at, thing)) {
             return true;
         }
     }
@@ -222,16 +224,17 @@ static double ball_of(const struct lens_clearance *room)
 }
 
 /* How far a thing is from the lens at least. */
-static double lens_room_gap_of(const struct lens_clearance *room, const struct world_thing *thing,
-                               const struct scene_pose *camera, double time)
+static double lens_clearance_gap_of(const struct lens_clearance *room,
+                                    const struct world_thing *thing,
+                                    const struct scene_pose *camera, double time)
 {
     if (thing->thing->shape == SHAPE_PLANE) {
         const struct scene_pose pose = scene_pose_at(&thing->thing->where, time);
         const double away = vector_dot(pose.turned.z, vector_minus(camera->at, pose.at));
         return fmax(fabs(away) - ball_of(room), 0);
     }
-    const struct lens_room_part whole = part_of_room(room),
-                                part = lens_room_part_of(thing, camera, time);
+    const struct lens_clearance_part whole = part_of_room(room),
+                                     part = lens_clearance_part_of(thing, camera, time);
     double gap = 0;
     for (int i = 0; i < 3; i++) {
         gap = fmax(gap, fmax(part.low[i] - whole.high[i], whole.low[i] - part.high[i]));
@@ -264,10 +267,10 @@ static bool comes_in(const struct lens_clearance *room, const struct world *worl
     *time = span[0];
     for (bool is_last = false; !is_last;) {
         const struct scene_pose pose = scene_pose_at(camera, *time);
-        struct lens_room_part part = lens_room_part_of(one, &pose, *time);
-        const double gap = lens_room_gap_of(room, one, &pose, *time);
-        if (gap == 0 && lens_room_clip(room, &part) &&
-            lens_room_look_through(room, world, &pose, *time, &part, thing)) {
+        struct lens_clearance_part part = lens_clearance_part_of(one, &pose, *time);
+        const double gap = lens_clearance_gap_of(room, one, &pose, *time);
+        if (gap == 0 && lens_clearance_clip(room, &part) &&
+            lens_clearance_look_through(room, world, &pose, *time, &part, thing)) {
             return true;
         }
         const bool stays = !one->moves && !scene_place_moves(camera);

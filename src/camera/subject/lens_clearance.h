@@ -1,7 +1,7 @@
-/* camera/subject/lens_room.h - what of a scene stands where the lens is. */
+/* camera/subject/lens_clearance.h - what of a scene stands where the lens is. */
 /* SPDX-License-Identifier: MIT */
-#ifndef LENSCALC_CAMERA_SUBJECT_LENS_ROOM_H
-#define LENSCALC_CAMERA_SUBJECT_LENS_ROOM_H
+#ifndef LENSCALC_CAMERA_SUBJECT_LENS_CLEARANCE_H
+#define LENSCALC_CAMERA_SUBJECT_LENS_CLEARANCE_H
 
 #include "analysis/setup/setup.h"
 #include "base/arena.h"

@@ -17,7 +17,7 @@
 #include "data/lensdb.h"
 #include "file/part.h"
 #include "photo/format.h"
-#include "report/doubts.h"
+#include "report/warnings.h"
 
 #include <stdbool.h>
 #include <stddef.h>

@@ -4,7 +4,7 @@
 #define LENSCALC_CLI_OPTIONS_OPTION_FOCAL_H
 
 #include "base/error.h"
-#include "report/doubts.h"
+#include "report/warnings.h"
 
 #include <stdbool.h>
 #include <stddef.h>

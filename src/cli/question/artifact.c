@@ -2,7 +2,7 @@
 /* SPDX-License-Identifier: MIT */
 #include "cli/question/artifact.h"
 
-#include "base/name_index.h"
+#include "base/name_table.h"
 #include "cli/question/arguments.h"
 #include "cli/question/inputs.h"
 #include "cli/question/sweep.h"

@@ -6,9 +6,9 @@
 #include "base/watch.h"
 #include "cli/options/option.h"
 #include "cli/question/artifact.h"
-#include "report/doubts.h"
 #include "report/output.h"
 #include "report/table.h"
+#include "report/warnings.h"
 
 #include <stdbool.h>
 #include <stddef.h>
@@ -23,7 +23,7 @@ struct run {
     void *driver; /* the driver's own */
     /* What is printed, where no more is made of the rows: run_shows; null: they are used whole. */
     const struct report *report;
-    struct warnings *doubts; /* what is doubtful about the answer, see report/doubts.h; or null */
+    struct warnings *doubts; /* what is doubtful about the answer, see report/warnings.h; or null */
     struct report *leads;    /* of an answer that says first what it is, by report_lead; or null */
     const struct error
         *no_solver; /* why the solver that may be needed is missing; null: it is not */

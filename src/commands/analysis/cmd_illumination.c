@@ -1,6 +1,6 @@
 /* commands/analysis/cmd_illumination.c - lenscalc illumination: light over the image. */
 /* SPDX-License-Identifier: MIT */
-#include "analysis/rays/falloff.h"
+#include "analysis/rays/relative_illumination.h"
 #include "commands/analysis/analysis_fields.h"
 #include "commands/analysis/analysis_words.h"
 #include "draw/plot.h"

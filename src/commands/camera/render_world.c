@@ -2,10 +2,10 @@
 /* SPDX-License-Identifier: MIT */
 #include "commands/camera/render_world.h"
 
-#include "base/name_index.h"
+#include "base/name_table.h"
 #include "camera/photograph/tile_rays.h"
 #include "camera/sensor/develop.h"
-#include "camera/subject/lens_room.h"
+#include "camera/subject/lens_clearance.h"
 #include "commands/camera/render_part.h"
 #include "file/scene_file.h"
 #include "photo/distance_from.h"

@@ -6,8 +6,8 @@
 #include "commands/design/fit.h"
 #include "design/fit/prescription.h"
 #include "file/lens_file.h"
-#include "report/doubts.h"
 #include "report/output.h"
+#include "report/warnings.h"
 
 #include <string.h>
 

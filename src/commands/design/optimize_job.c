@@ -11,7 +11,7 @@
 #include "commands/design/optimize_glasses.h"
 #include "commands/design/optimize_goals.h"
 #include "design/glass_map.h"
-#include "report/doubts.h"
+#include "report/warnings.h"
 
 #include <math.h>
 #include <string.h>

@@ -4,7 +4,7 @@
 #define LENSCALC_COMMANDS_DESIGN_TOLERANCE_COSTS_H
 
 #include "commands/design/tolerance_job.h"
-#include "design/tolerance/differential.h"
+#include "design/tolerance/second_order.h"
 
 extern const struct sheet tolerance_sensitivity_sheet, tolerance_inverse_sheet,
     tolerance_offenders_sheet;

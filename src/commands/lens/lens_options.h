@@ -8,7 +8,7 @@
 #include "cli/question/command.h"
 #include "commands/photo/photo_options.h"
 #include "exchange/lens_formats.h"
-#include "trace/pupil/islands.h"
+#include "trace/pupil/pupil_islands.h"
 
 #include <math.h>
 

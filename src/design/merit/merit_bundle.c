@@ -4,7 +4,7 @@
 
 #include "analysis/pupil/bundle.h"
 #include "base/watch.h"
-#include "design/tolerance/bent.h"
+#include "design/tolerance/linear_rays.h"
 #include "optics/lens_indices.h"
 
 #include <math.h>

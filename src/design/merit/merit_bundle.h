@@ -9,7 +9,7 @@
 #include "design/variable.h"
 #include "optics/paraxial_dual.h"
 #include "trace/aim/aimed.h"
-#include "trace/aim/graze.h"
+#include "trace/aim/grazing.h"
 
 #include <stdbool.h>
 #include <stddef.h>

@@ -1,7 +1,7 @@
 /* design/merit/merit_bundle_deform.c - rays of a position through surfaces that are deformed. */
 /* SPDX-License-Identifier: MIT */
 #include "design/merit/merit_bundle.h"
-#include "design/tolerance/bent.h"
+#include "design/tolerance/linear_rays.h"
 
 #include <string.h>
 

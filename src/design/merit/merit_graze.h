@@ -8,7 +8,7 @@
 
 /* What the rays of a position count that are near loss, as its evaluation goes on. */
 struct merit_graze {
-    double limit;          /* margin below which they count: trace/aim/graze.h */
+    double limit;          /* margin below which they count: trace/aim/grazing.h */
     double margin;         /* the least of all rays; NaN: there are none */
     double value, *slopes; /* by the variables */
     unsigned long evaluation;
@@ -23,7 +23,7 @@ void merit_graze_add(struct merit *merit, const struct merit_slot *slot,
  * operands of rays in the position. These are filled before.
  *
  * Formula   not what the angle is off, but the sum over rays, weighted as in spots, of
- *           trace/aim/graze.h, over the deviation: smooth, and 0 below the target
+ *           trace/aim/grazing.h, over the deviation: smooth, and 0 below the target
 
  * Errors    another relation than '<', a target not between 0 and 90 deg; no operand of rays
  */

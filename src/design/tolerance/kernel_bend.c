@@ -1,6 +1,6 @@
 /* design/tolerance/kernel_bend.c - rays that are moved a little, for each instruction set. */
 /* SPDX-License-Identifier: MIT */
-#include "design/tolerance/bent.h"
+#include "design/tolerance/linear_rays.h"
 
 #define JOINED(a, b) a##_##b
 #define NAMED(a, b)  JOINED(a, b)

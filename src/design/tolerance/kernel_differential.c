@@ -1,6 +1,6 @@
 /* design/tolerance/kernel_differential.c - quadratic forms, for each instruction set. */
 /* SPDX-License-Identifier: MIT */
-#include "design/tolerance/differential.h"
+#include "design/tolerance/second_order.h"
 
 #define JOINED(a, b) a##_##b
 #define NAMED(a, b)  JOINED(a, b)

@@ -1,6 +1,6 @@
-/* design/tolerance/bent.c - rays that are moved by what is known of them to first order. */
+/* design/tolerance/linear_rays.c - rays that are moved by what is known of them to first order. */
 /* SPDX-License-Identifier: MIT */
-#include "design/tolerance/bent.h"
+#include "design/tolerance/linear_rays.h"
 
 #include "base/instruction_set.h"
 

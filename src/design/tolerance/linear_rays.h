@@ -1,7 +1,7 @@
-/* design/tolerance/bent.h - rays that are moved by what is known of them to first order. */
+/* design/tolerance/linear_rays.h - rays that are moved by what is known of them to first order. */
 /* SPDX-License-Identifier: MIT */
-#ifndef LENSCALC_DESIGN_TOLERANCE_BENT_H
-#define LENSCALC_DESIGN_TOLERANCE_BENT_H
+#ifndef LENSCALC_DESIGN_TOLERANCE_LINEAR_RAYS_H
+#define LENSCALC_DESIGN_TOLERANCE_LINEAR_RAYS_H
 
 #include "trace/kernel/rays.h"
 

@@ -1,6 +1,6 @@
-/* design/tolerance/differential.c - figures of a lens to second order in its errors. */
+/* design/tolerance/second_order.c - figures of a lens to second order in its errors. */
 /* SPDX-License-Identifier: MIT */
-#include "design/tolerance/differential.h"
+#include "design/tolerance/second_order.h"
 
 #include "base/instruction_set.h"
 
@@ -23,7 +23,7 @@ struct expansion {
 };
 
 /* Two errors of this size; i may be j. */
-static bool differential_look(const struct expansion *developing, size_t i, size_t j, double size,
+static bool second_order_look(const struct expansion *developing, size_t i, size_t j, double size,
                               double *figures)
 {
     const struct second_order_problem *problem = developing->problem;
@@ -48,15 +48,15 @@ static bool differential_look(const struct expansion *developing, size_t i, size
     return true;
 }
 
-static bool differential_look_along(const struct expansion *developing, size_t i,
+static bool second_order_look_along(const struct expansion *developing, size_t i,
                                     struct second_order_form *forms)
 {
     const size_t figures = developing->problem->figure_count, n = developing->problem->error_count;
     double *above = developing->above + i * figures, *below = developing->below + i * figures;
-    if (!differential_look(developing, i, i, step, above) ||
-        !differential_look(developing, i, i, -step, below) ||
-        !differential_look(developing, i, i, 2 * step, developing->up) ||
-        !differential_look(developing, i, i, -2 * step, developing->down)) {
+    if (!second_order_look(developing, i, i, step, above) ||
+        !second_order_look(developing, i, i, -step, below) ||
+        !second_order_look(developing, i, i, 2 * step, developing->up) ||
+        !second_order_look(developing, i, i, -2 * step, developing->down)) {
         return false;
     }
     for (size_t f = 0; f < figures; f++) {
@@ -68,12 +68,12 @@ static bool differential_look_along(const struct expansion *developing, size_t i
     return true;
 }
 
-static bool differential_look_across(const struct expansion *developing, size_t i, size_t j,
+static bool second_order_look_across(const struct expansion *developing, size_t i, size_t j,
                                      struct second_order_form *forms)
 {
     const size_t figures = developing->problem->figure_count, n = developing->problem->error_count;
-    if (!differential_look(developing, i, j, step, developing->up) ||
-        !differential_look(developing, i, j, -step, developing->down)) {
+    if (!second_order_look(developing, i, j, step, developing->up) ||
+        !second_order_look(developing, i, j, -step, developing->down)) {
         return false;
     }
     for (size_t f = 0; f < figures; f++) {
@@ -89,18 +89,18 @@ static bool differential_look_across(const struct expansion *developing, size_t 
 
 static bool develop(const struct expansion *developing, struct second_order_form *forms)
 {
-    if (!differential_look(developing, 0, 0, 0, developing->middle)) {
+    if (!second_order_look(developing, 0, 0, 0, developing->middle)) {
         return false;
     }
     for (size_t f = 0; f < developing->problem->figure_count; f++) {
         forms[f].value = developing->middle[f];
     }
     for (size_t i = 0; i < developing->problem->error_count; i++) {
-        if (!differential_look_along(developing, i, forms)) {
+        if (!second_order_look_along(developing, i, forms)) {
             return false;
         }
         for (size_t j = 0; j < i; j++) {
-            if (!differential_look_across(developing, i, j, forms)) {
+            if (!second_order_look_across(developing, i, j, forms)) {
                 return false;
             }
         }
@@ -181,7 +181,7 @@ void second_order_trials(const struct second_order *differential, const double *
 /* -------- who makes it spread -------- */
 
 /* The coefficient of a form, or its mean over all. */
-static double differential_mean_of(const struct second_order *differential, size_t figure, size_t i,
+static double second_order_mean_of(const struct second_order *differential, size_t figure, size_t i,
                                    size_t j)
 {
     const size_t n = differential->error_count, all = differential->judged_count;
@@ -204,13 +204,13 @@ double second_order_shares(const struct second_order *differential,
     memset(shares, 0, n * sizeof *shares);
     for (size_t i = 0; i < n; i++) {
         const double v = moments[i].second, w = moments[i].fourth;
-        const double slope = differential_mean_of(differential, figure, i, LENS_NONE);
-        const double curve = differential_mean_of(differential, figure, i, i);
+        const double slope = second_order_mean_of(differential, figure, i, LENS_NONE);
+        const double curve = second_order_mean_of(differential, figure, i, i);
         shares[i].first = slope * slope * v + curve * curve * (w - v * v) / 4;
         shares[i].total += shares[i].first;
         variance += shares[i].first;
         for (size_t j = 0; j < i; j++) {
-            const double cross = differential_mean_of(differential, figure, i, j);
+            const double cross = second_order_mean_of(differential, figure, i, j);
             const double both = cross * cross * v * moments[j].second;
             shares[i].total += both;
             shares[j].total += both;

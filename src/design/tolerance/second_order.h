@@ -1,7 +1,7 @@
-/* design/tolerance/differential.h - figures of a lens to second order in its errors. */
+/* design/tolerance/second_order.h - figures of a lens to second order in its errors. */
 /* SPDX-License-Identifier: MIT */
-#ifndef LENSCALC_DESIGN_TOLERANCE_DIFFERENTIAL_H
-#define LENSCALC_DESIGN_TOLERANCE_DIFFERENTIAL_H
+#ifndef LENSCALC_DESIGN_TOLERANCE_SECOND_ORDER_H
+#define LENSCALC_DESIGN_TOLERANCE_SECOND_ORDER_H
 
 #include "base/arena.h"
 #include "base/error.h"

@@ -3,7 +3,7 @@
 #ifndef LENSCALC_DESIGN_TOLERANCE_SENSITIVITY_H
 #define LENSCALC_DESIGN_TOLERANCE_SENSITIVITY_H
 
-#include "design/tolerance/differential.h"
+#include "design/tolerance/second_order.h"
 
 /* What an error at the ends of its range does to a figure: changes. */
 struct sensitivity {

@@ -3,7 +3,7 @@
 #ifndef LENSCALC_DESIGN_TOLERANCE_TOLERANCE_MODEL_H
 #define LENSCALC_DESIGN_TOLERANCE_TOLERANCE_MODEL_H
 
-#include "design/tolerance/differential.h"
+#include "design/tolerance/second_order.h"
 #include "design/tolerance/tolerance_trial.h"
 
 /* Figures, and behind them what was adjusted: as many as tolerance_moves says. */

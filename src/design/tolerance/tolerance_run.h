@@ -5,9 +5,9 @@
 
 #include "base/text.h"
 #include "base/watch.h"
-#include "design/tolerance/differential.h"
-#include "design/tolerance/tally.h"
+#include "design/tolerance/second_order.h"
 #include "design/tolerance/tolerance_trial.h"
+#include "design/tolerance/trial_statistics.h"
 
 #include <stdint.h>
 

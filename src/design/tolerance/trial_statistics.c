@@ -1,6 +1,6 @@
-/* design/tolerance/tally.c - figures of many trials, counted: their moments and percentiles. */
+/* design/tolerance/trial_statistics.c - figures of many trials, counted: their moments and percentiles. */
 /* SPDX-License-Identifier: MIT */
-#include "design/tolerance/tally.h"
+#include "design/tolerance/trial_statistics.h"
 
 #include "base/number.h"
 #include "base/text.h"
@@ -28,7 +28,7 @@ void trial_statistics_open(double nominal, uint64_t total, struct arena *arena,
     }
 }
 
-static uint64_t *tally_page_at(struct trial_statistics *tally, size_t page)
+static uint64_t *trial_statistics_page_at(struct trial_statistics *tally, size_t page)
 {
     if (tally->pages[page] == NULL) {
         tally->pages[page] = ARENA_ARRAY(tally->arena, PAGE_BINS, uint64_t);
@@ -40,7 +40,8 @@ static void count_one(struct trial_statistics *tally, double departure)
 {
     uint64_t bits;
     memcpy(&bits, &departure, sizeof bits);
-    tally_page_at(tally, bits >> (BIN_SHIFT + PAGE_BITS))[bits >> BIN_SHIFT & (PAGE_BINS - 1)]++;
+    trial_statistics_page_at(
+        tally, bits >> (BIN_SHIFT + PAGE_BITS))[bits >> BIN_SHIFT & (PAGE_BINS - 1)]++;
 }
 
 void trial_statistics_add(struct trial_statistics *tally, double figure)
@@ -74,7 +75,7 @@ void trial_statistics_join(struct trial_statistics *tally, const struct trial_st
         if (more->pages[page] == NULL) {
             continue;
         }
-        uint64_t *bins = tally_page_at(tally, page);
+        uint64_t *bins = trial_statistics_page_at(tally, page);
         for (size_t i = 0; i < PAGE_BINS; i++) {
             bins[i] += more->pages[page][i];
         }
@@ -110,14 +111,14 @@ struct trial_statistics_moments trial_statistics_moments(const struct trial_stat
 
 /* -------- percentiles -------- */
 
-static int tally_by_size(const void *a, const void *b)
+static int trial_statistics_by_size(const void *a, const void *b)
 {
     const double x = *(const double *)a, y = *(const double *)b;
     return x < y ? -1 : x > y;
 }
 
 /* The number that a bin begins with, nearer to 0; of the page of all that is negative too. */
-static double tally_edge_of(size_t page, size_t bin)
+static double trial_statistics_edge_of(size_t page, size_t bin)
 {
     const uint64_t bits = (uint64_t)page << (BIN_SHIFT + PAGE_BITS) | (uint64_t)bin << BIN_SHIFT;
     double edge;
@@ -149,9 +150,9 @@ static bool next_bin(struct bin_walk *walk, double *low, double *high, uint64_t 
         if (bins[bin] == 0) {
             continue;
         }
-        const double near = tally_edge_of(page, bin);
-        const double far =
-            bin + 1 < PAGE_BINS ? tally_edge_of(page, bin + 1) : 2 * tally_edge_of(page, 0);
+        const double near = trial_statistics_edge_of(page, bin);
+        const double far = bin + 1 < PAGE_BINS ? trial_statistics_edge_of(page, bin + 1)
+                                               : 2 * trial_statistics_edge_of(page, 0);
         *low = is_negative ? far : near;
         *high = is_negative ? near : far;
         *count = bins[bin];
@@ -192,7 +193,7 @@ double trial_statistics_quantile(struct trial_statistics *tally, double share, d
         return NAN;
     }
     if (tally->keeps && !tally->is_sorted) {
-        qsort(tally->kept, tally->count, sizeof(double), tally_by_size);
+        qsort(tally->kept, tally->count, sizeof(double), trial_statistics_by_size);
         tally->is_sorted = true;
     }
     const double rank = share * (n - 1);
@@ -204,8 +205,8 @@ double trial_statistics_quantile(struct trial_statistics *tally, double share, d
 
 /* -------- drawing -------- */
 
-static void tally_put_part(double departure, double count, const double range[2], size_t bins,
-                           double *counts)
+static void trial_statistics_put_part(double departure, double count, const double range[2],
+                                      size_t bins, double *counts)
 {
     const double at = (departure - range[0]) / (range[1] - range[0]) * (double)bins;
     if (at >= 0 && at <= (double)bins) {
@@ -219,26 +220,26 @@ void trial_statistics_histogram(struct trial_statistics *tally, double low, doub
     const double range[2] = {low - tally->nominal, high - tally->nominal};
     memset(counts, 0, bins * sizeof *counts);
     for (size_t i = 0; tally->keeps && i < tally->count; i++) {
-        tally_put_part(tally->kept[i], 1, range, bins, counts);
+        trial_statistics_put_part(tally->kept[i], 1, range, bins, counts);
     }
     struct bin_walk walk = {tally, 0};
     double from, to;
     uint64_t count;
     while (!tally->keeps && next_bin(&walk, &from, &to, &count)) {
-        tally_put_part((from + to) / 2, (double)count, range, bins, counts);
+        trial_statistics_put_part((from + to) / 2, (double)count, range, bins, counts);
     }
 }
 
 /* -------- lines -------- */
 
 /* A growing text. */
-struct tally_text {
+struct trial_statistics_text {
     struct arena *arena;
     char *text;
     size_t length, room;
 };
 
-static void tally_put_word(struct tally_text *writing, const char *word)
+static void trial_statistics_put_word(struct trial_statistics_text *writing, const char *word)
 {
     const size_t length = strlen(word);
     while (writing->length + length + 1 > writing->room) {
@@ -249,15 +250,15 @@ static void tally_put_word(struct tally_text *writing, const char *word)
     writing->text[writing->length] = '\0';
 }
 
-static void put_integer(struct tally_text *writing, const char *before, int64_t number)
+static void put_integer(struct trial_statistics_text *writing, const char *before, int64_t number)
 {
     char text[32];
     snprintf(text, sizeof text, "%s%lld", before, (long long)number);
-    tally_put_word(writing, text);
+    trial_statistics_put_word(writing, text);
 }
 
 /* Doubles by their bits. */
-static void put_double(struct tally_text *writing, double value)
+static void put_double(struct trial_statistics_text *writing, double value)
 {
     int64_t bits;
     memcpy(&bits, &value, sizeof bits);
@@ -266,7 +267,7 @@ static void put_double(struct tally_text *writing, double value)
 
 struct text trial_statistics_write(const struct trial_statistics *tally, struct arena *arena)
 {
-    struct tally_text writing = {.arena = arena};
+    struct trial_statistics_text writing = {.arena = arena};
     put_integer(&writing, "tally ", (int64_t)tally->count);
     put_double(&writing, tally->lowest);
     put_double(&writing, tally->highest);
@@ -275,7 +276,7 @@ struct text trial_statistics_write(const struct trial_statistics *tally, struct 
             put_integer(&writing, i == 0 ? "\n" : " ", tally->powers[k].digits[i]);
         }
     }
-    tally_put_word(&writing, "\n");
+    trial_statistics_put_word(&writing, "\n");
     for (size_t i = 0; tally->keeps && i < tally->count; i++) {
         put_double(&writing, tally->kept[i]);
     }
@@ -287,7 +288,7 @@ struct text trial_statistics_write(const struct trial_statistics *tally, struct 
             }
         }
     }
-    tally_put_word(&writing, "\n");
+    trial_statistics_put_word(&writing, "\n");
     return (struct text){writing.text, writing.length};
 }
 
@@ -328,7 +329,7 @@ static bool read_powers(struct text *rest, struct trial_statistics *more)
 }
 
 /* What is kept, or bins and their counts. */
-static bool tally_read_figures(struct text line, struct trial_statistics *more)
+static bool trial_statistics_read_figures(struct text line, struct trial_statistics *more)
 {
     if (more->keeps) {
         for (size_t i = 0; i < more->count; i++) {
@@ -345,7 +346,8 @@ static bool tally_read_figures(struct text line, struct trial_statistics *more)
             at >= (int64_t)PAGES * PAGE_BINS || count < 1) {
             return false;
         }
-        tally_page_at(more, (size_t)at / PAGE_BINS)[(size_t)at % PAGE_BINS] = (uint64_t)count;
+        trial_statistics_page_at(more, (size_t)at / PAGE_BINS)[(size_t)at % PAGE_BINS] =
+            (uint64_t)count;
         counted += (uint64_t)count;
     }
     return counted == more->count;
@@ -375,7 +377,7 @@ bool trial_statistics_read(struct text *rest, struct trial_statistics *tally)
     if (figures.length > 0) {
         text_cut(&figures, ' '); /* they begin with one */
     }
-    if (!tally_read_figures(figures, &more)) {
+    if (!trial_statistics_read_figures(figures, &more)) {
         return false;
     }
     trial_statistics_join(tally, &more);

@@ -1,10 +1,10 @@
-/* design/tolerance/tally.h - figures of many trials, counted: their moments and percentiles. */
+/* design/tolerance/trial_statistics.h - figures of many trials, counted: their moments and percentiles. */
 /* SPDX-License-Identifier: MIT */
-#ifndef LENSCALC_DESIGN_TOLERANCE_TALLY_H
-#define LENSCALC_DESIGN_TOLERANCE_TALLY_H
+#ifndef LENSCALC_DESIGN_TOLERANCE_TRIAL_STATISTICS_H
+#define LENSCALC_DESIGN_TOLERANCE_TRIAL_STATISTICS_H
 
 #include "base/arena.h"
-#include "base/exact_sum.h"
+#include "base/exact_accumulator.h"
 #include "base/text.h"
 
 #include <stdbool.h>

@@ -5,7 +5,7 @@
 #include "trace/aim/aim_block.h"
 #include "trace/aim/aim_map.h"
 #include "trace/aim/chief.h"
-#include "trace/aim/lead.h"
+#include "trace/aim/continuation.h"
 #include "trace/dispatch.h"
 
 #include <math.h>

@@ -1,6 +1,6 @@
-/* trace/aim/lead.c - Newton's method from place to place of a line in the stop. */
+/* trace/aim/continuation.c - Newton's method from place to place of a line in the stop. */
 /* SPDX-License-Identifier: MIT */
-#include "trace/aim/lead.h"
+#include "trace/aim/continuation.h"
 
 #include "trace/aim/chief.h"
 

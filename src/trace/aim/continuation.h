@@ -1,7 +1,7 @@
-/* trace/aim/lead.h - rays led from the chief ray to points of the stop, in steps that are sure. */
+/* trace/aim/continuation.h - rays led from the chief ray to points of the stop, in steps that are sure. */
 /* SPDX-License-Identifier: MIT */
-#ifndef LENSCALC_TRACE_AIM_LEAD_H
-#define LENSCALC_TRACE_AIM_LEAD_H
+#ifndef LENSCALC_TRACE_AIM_CONTINUATION_H
+#define LENSCALC_TRACE_AIM_CONTINUATION_H
 
 #include "trace/aim/aim.h"
 

@@ -1,6 +1,6 @@
-/* trace/aim/graze.c - rays that surfaces are about to lose. */
+/* trace/aim/grazing.c - rays that surfaces are about to lose. */
 /* SPDX-License-Identifier: MIT */
-#include "trace/aim/graze.h"
+#include "trace/aim/grazing.h"
 
 #include "trace/kernel/step.h"
 

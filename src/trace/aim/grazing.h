@@ -1,7 +1,7 @@
-/* trace/aim/graze.h - rays that surfaces are about to lose. */
+/* trace/aim/grazing.h - rays that surfaces are about to lose. */
 /* SPDX-License-Identifier: MIT */
-#ifndef LENSCALC_TRACE_AIM_GRAZE_H
-#define LENSCALC_TRACE_AIM_GRAZE_H
+#ifndef LENSCALC_TRACE_AIM_GRAZING_H
+#define LENSCALC_TRACE_AIM_GRAZING_H
 
 #include "trace/aim/aimed.h"
 

@@ -1,12 +1,13 @@
-/* trace/aim/spread.c - places about an estimate of a root. */
+/* trace/aim/multisection.c - places about an estimate of a root. */
 /* SPDX-License-Identifier: MIT */
-#include "trace/aim/spread.h"
+#include "trace/aim/multisection.h"
 
 #include <math.h>
 #include <stdbool.h>
 
 /* Lagrange's formula for the place where the value is 0, counted from `low`. */
-static double spread_interpolate(const struct multisection_point *points, size_t count, double low)
+static double multisection_interpolate(const struct multisection_point *points, size_t count,
+                                       double low)
 {
     double sum = 0;
     for (size_t i = 0; i < count; i++) {
@@ -19,13 +20,14 @@ static double spread_interpolate(const struct multisection_point *points, size_t
     return sum;
 }
 
-static double spread_estimate(const struct multisection_point *points, size_t count, size_t between)
+static double multisection_estimate(const struct multisection_point *points, size_t count,
+                                    size_t between)
 {
     const size_t first = between >= 2 ? between - 2 : 0;
     const size_t behind = between + 2 < count ? between + 2 : count;
     const struct multisection_point *low = &points[between - 1], *high = &points[between];
     double whole = high->at - low->at,
-           part = spread_interpolate(points + first, behind - first, low->at);
+           part = multisection_interpolate(points + first, behind - first, low->at);
     if (!(part > 0 && part < whole)) {
         part = whole * (low->value / (low->value - high->value));
     }
@@ -46,7 +48,7 @@ void multisection_places(const struct multisection_point *points, size_t count, 
         }
         return;
     }
-    const double root = spread_estimate(points, count, between);
+    const double root = multisection_estimate(points, count, between);
     const size_t half = wanted / 2, square = half * half;
     for (size_t i = 0; i < half; i++) {
         double part = ldexp(1, -(int)((FINEST * (i + 1) * (i + 1) + square - 1) / square));

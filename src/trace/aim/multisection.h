@@ -1,7 +1,7 @@
-/* trace/aim/spread.h - where to look for a root with several rays at a time. */
+/* trace/aim/multisection.h - where to look for a root with several rays at a time. */
 /* SPDX-License-Identifier: MIT */
-#ifndef LENSCALC_TRACE_AIM_SPREAD_H
-#define LENSCALC_TRACE_AIM_SPREAD_H
+#ifndef LENSCALC_TRACE_AIM_MULTISECTION_H
+#define LENSCALC_TRACE_AIM_MULTISECTION_H
 
 #include <stddef.h>
 

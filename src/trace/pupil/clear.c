@@ -4,9 +4,9 @@
 
 #include "base/constants.h"
 #include "trace/aim/sample.h"
+#include "trace/pupil/clear_intervals.h"
 #include "trace/pupil/probe.h"
-#include "trace/pupil/spans.h"
-#include "trace/pupil/star.h"
+#include "trace/pupil/pupil_boundary.h"
 
 #include <math.h>
 

@@ -6,13 +6,13 @@
 #include "base/arena.h"
 #include "trace/aim/beam.h"
 #include "trace/pupil/clear_guess.h"
-#include "trace/pupil/islands.h"
+#include "trace/pupil/pupil_islands.h"
 #include "trace/system.h"
 
 #include <stdbool.h>
 #include <stddef.h>
 
-struct clear_intervals; /* trace/pupil/spans.h */
+struct clear_intervals; /* trace/pupil/clear_intervals.h */
 
 /* A ray at the edge that an integral over the pupil is taken by. */
 struct clear_arm {
@@ -59,12 +59,13 @@ struct clear_pupil {
  *           directions  how many edges are wanted for their own sake: none, or a multiple of 4
  *           guess       from clear_guess_of
  * Formula   a point inside is searched for (trace/pupil/probe.h); about it a star
- * (trace/pupil/star.h), its
+ * (trace/pupil/pupil_boundary.h), its
  *           edge where smooth margins come to 0 (trace/pupil/edges.h). Area: the sum of r^2/2 over
  *           equal angles about the centre where there are no corners, which converges as fast as
  *           Fourier series do; else by Gauss's rule from one corner to the next. Where apertures
  *           are listed a side of a polygon is a piece of the edge too. Where something blocks
- *           within the edge, every arm is cut (trace/pupil/spans.h), what it crosses belongs to
+ *           within the edge, every arm is cut (trace/pupil/clear_intervals.h), what it crosses
+ *           belongs to
  *           what it
  *           is compared by, and the angles t of a piece of the width w are w (1 - cos(pi u))/2
  *           with Gauss's points u: lines that touch an edge do no harm. Bounds: clear_extreme

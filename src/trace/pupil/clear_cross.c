@@ -2,9 +2,9 @@
 /* SPDX-License-Identifier: MIT */
 #include "trace/pupil/clear_cross.h"
 
-#include "trace/aim/spread.h"
+#include "trace/aim/multisection.h"
+#include "trace/pupil/clear_intervals.h"
 #include "trace/pupil/probe.h"
-#include "trace/pupil/spans.h"
 
 #include <math.h>
 

@@ -22,7 +22,8 @@ struct clear_cross {
  * Formula   through a ray inside across (a), through the middle of that up and down (b), through
  *           the middle of that across again. An edge is bracketed by doubling, by eighths or
  *           sixteenths, and then to rounding where the excess of r^2/a^2 over 1, which is smooth
- *           but for corners, comes to 0 (trace/aim/spread.h); what mirrors an edge is not looked
+ *           but for corners, comes to 0 (trace/aim/multisection.h); what mirrors an edge is not
+ *           looked
  *           for
  */
 void clear_across(const struct system *system, const struct beam *beam,

@@ -1,6 +1,6 @@
-/* trace/pupil/spans.c - where lines enter and leave what blocks light. */
+/* trace/pupil/clear_intervals.c - where lines enter and leave what blocks light. */
 /* SPDX-License-Identifier: MIT */
-#include "trace/pupil/spans.h"
+#include "trace/pupil/clear_intervals.h"
 
 #include <math.h>
 
@@ -126,8 +126,8 @@ static void add_margin_number(size_t *all, size_t number)
 }
 
 /* From the changes of one line to its clear parts. */
-static void spans_join(const struct light_change *changes, size_t count, size_t begins,
-                       struct clear_intervals *spans)
+static void clear_intervals_join(const struct light_change *changes, size_t count, size_t begins,
+                                 struct clear_intervals *spans)
 {
     double from = 0;
     bool dark = begins > 0;
@@ -168,7 +168,7 @@ void clear_intervals_find(const struct probe *probe, const double centre[2],
         cut_bisect(&cutting);
         const struct light_change *changes = cutting.changes;
         for (size_t i = 0; i < lines; i++) {
-            spans_join(changes, found[i], begins[i], &spans[done + i]);
+            clear_intervals_join(changes, found[i], begins[i], &spans[done + i]);
             changes += found[i];
         }
         done += lines;

@@ -1,7 +1,7 @@
-/* trace/pupil/spans.h - the parts of lines through a beam that nothing blocks. */
+/* trace/pupil/clear_intervals.h - the parts of lines through a beam that nothing blocks. */
 /* SPDX-License-Identifier: MIT */
-#ifndef LENSCALC_TRACE_PUPIL_SPANS_H
-#define LENSCALC_TRACE_PUPIL_SPANS_H
+#ifndef LENSCALC_TRACE_PUPIL_CLEAR_INTERVALS_H
+#define LENSCALC_TRACE_PUPIL_CLEAR_INTERVALS_H
 
 #include "trace/pupil/probe.h"
 

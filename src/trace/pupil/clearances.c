@@ -1,6 +1,6 @@
-/* trace/pupil/margins.c - rays looked at wherever something may end them. */
+/* trace/pupil/clearances.c - rays looked at wherever something may end them. */
 /* SPDX-License-Identifier: MIT */
-#include "trace/pupil/margins.h"
+#include "trace/pupil/clearances.h"
 
 #include "trace/dispatch.h"
 
@@ -11,8 +11,8 @@ static const struct clip *margin_clip_at(const struct system *system, size_t sur
     return system->clips != NULL ? system->clips[surface] : NULL;
 }
 
-static bool margins_are_plain(const struct system *system, const struct clearance *all,
-                              size_t count)
+static bool clearances_are_plain(const struct system *system, const struct clearance *all,
+                                 size_t count)
 {
     bool plain = true;
     for (size_t k = 0; k < count; k++) {
@@ -64,7 +64,7 @@ struct clearances clearances_open(const struct stop_beam *beam, struct arena *ar
                                .numbers = rows + (count + 1) * RAYS_BLOCK,
                                .watches = ARENA_ARRAY(arena, count, struct rim_watch),
                                .is_mirrored = stop_beam_is_mirrored(beam),
-                               .is_plain = margins_are_plain(system, all, count)};
+                               .is_plain = clearances_are_plain(system, all, count)};
 }
 
 void clearances_narrow(const struct clearances *margins, size_t rays)
@@ -90,8 +90,8 @@ void clearances_widen(const struct clearances *margins)
     }
 }
 
-static void margins_start_rays(const struct clearances *margins, const double (*points)[2],
-                               size_t count, struct ray_block *block)
+static void clearances_start_rays(const struct clearances *margins, const double (*points)[2],
+                                  size_t count, struct ray_block *block)
 {
     const struct stop_beam *beam = margins->beam;
     double a[RAYS_BLOCK], b[RAYS_BLOCK];
@@ -109,7 +109,7 @@ void clearances_start(const struct clearances *margins, const double (*points)[2
 {
     for (size_t done = 0; done < rays->count; done += RAYS_BLOCK) {
         size_t here = rays->count - done < RAYS_BLOCK ? rays->count - done : RAYS_BLOCK;
-        margins_start_rays(margins, points + done, here, &rays->blocks[done / RAYS_BLOCK]);
+        clearances_start_rays(margins, points + done, here, &rays->blocks[done / RAYS_BLOCK]);
     }
 }
 
@@ -117,7 +117,7 @@ void clearances_go(const struct clearances *margins, const double (*points)[2], 
                    size_t to)
 {
     const struct rays rays = {margins->work.blocks, count};
-    margins_start_rays(margins, points, count, margins->work.blocks);
+    clearances_start_rays(margins, points, count, margins->work.blocks);
     if (to > 0) {
         rays_trace_part(margins->system, 0, to, &rays, NULL);
     }
@@ -158,7 +158,7 @@ static void margin_row_fill(const struct clearances *margins, const struct clear
 }
 
 /* The worst of all rows. */
-static void margins_worst(const struct clearances *margins, size_t count)
+static void clearances_worst(const struct clearances *margins, size_t count)
 {
     double *excess = margins->excess;
     size_t *limit = margins->limit;
@@ -177,8 +177,8 @@ static void margins_worst(const struct clearances *margins, size_t count)
 }
 
 /* Row k; `from`: the place that the rays have come to. */
-static void margins_trace_row(const struct clearances *margins, const double (*points)[2],
-                              size_t count, size_t k, size_t *from)
+static void clearances_trace_row(const struct clearances *margins, const double (*points)[2],
+                                 size_t count, size_t k, size_t *from)
 {
     const struct rays rays = {margins->work.blocks, count};
     const struct clearance *margin = &margins->all[k];
@@ -195,7 +195,7 @@ static void margins_trace_row(const struct clearances *margins, const double (*p
 }
 
 /* Those that do not arrive: their excess, and where they are lost. */
-static void margins_mark_lost(const struct clearances *margins, size_t count)
+static void clearances_mark_lost(const struct clearances *margins, size_t count)
 {
     const struct ray_block *block = margins->work.blocks;
     for (size_t i = 0; i < count; i++) {
@@ -209,19 +209,19 @@ static void margins_mark_lost(const struct clearances *margins, size_t count)
 }
 
 /* To the end, and the worst of all rows. */
-static void margins_finish(const struct clearances *margins, size_t count, size_t from)
+static void clearances_finish(const struct clearances *margins, size_t count, size_t from)
 {
     const struct system *system = margins->system;
     const struct rays rays = {margins->work.blocks, count};
     if (from < system->places) {
         rays_trace_part(system, from, system->places, &rays, NULL);
     }
-    margins_worst(margins, count);
-    margins_mark_lost(margins, count);
+    clearances_worst(margins, count);
+    clearances_mark_lost(margins, count);
 }
 
 /* What rays would have on surfaces behind one that they miss is no number. */
-static void margins_blank_lost(const struct clearances *margins, size_t count)
+static void clearances_blank_lost(const struct clearances *margins, size_t count)
 {
     const struct ray_block *block = margins->work.blocks;
     for (size_t i = 0; i < count; i++) {
@@ -255,24 +255,24 @@ static void look_plainly(const struct clearances *margins, size_t count)
     for (size_t i = 0; i < count; i++) {
         margins->limit[i] = (size_t)margins->numbers[i];
     }
-    margins_blank_lost(margins, count);
-    margins_mark_lost(margins, count);
+    clearances_blank_lost(margins, count);
+    clearances_mark_lost(margins, count);
 }
 
 void clearances_look(const struct clearances *margins, const double (*points)[2], size_t count)
 {
     size_t from = 0;
-    margins_start_rays(margins, points, count, margins->work.blocks);
+    clearances_start_rays(margins, points, count, margins->work.blocks);
     if (margins->is_plain) {
         look_plainly(margins, count);
         return;
     }
     for (size_t k = 0; k < margins->count; k++) {
         if (margins->counts[k]) {
-            margins_trace_row(margins, points, count, k, &from);
+            clearances_trace_row(margins, points, count, k, &from);
         }
     }
-    margins_finish(margins, count, from);
+    clearances_finish(margins, count, from);
 }
 
 /* Are there rays that this row lets pass, among those that came so far? */
@@ -291,9 +291,9 @@ void clearances_sift(const struct clearances *margins, const double (*points)[2]
 {
     bool dark[RAYS_BLOCK] = {false};
     size_t from = 0;
-    margins_start_rays(margins, points, count, margins->work.blocks);
+    clearances_start_rays(margins, points, count, margins->work.blocks);
     for (size_t k = 0; k < margins->count; k++) {
-        margins_trace_row(margins, points, count, k, &from);
+        clearances_trace_row(margins, points, count, k, &from);
         if (!some_pass(margins->rows + k * RAYS_BLOCK, count, dark)) {
             for (size_t i = 0; i < count; i++) {
                 margins->excess[i] = INFINITY;
@@ -301,5 +301,5 @@ void clearances_sift(const struct clearances *margins, const double (*points)[2]
             return;
         }
     }
-    margins_finish(margins, count, from);
+    clearances_finish(margins, count, from);
 }

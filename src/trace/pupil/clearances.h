@@ -1,7 +1,7 @@
-/* trace/pupil/margins.h - by how much rays of a pupil pass what may stop them: smooth numbers. */
+/* trace/pupil/clearances.h - by how much rays of a pupil pass what may stop them: smooth numbers. */
 /* SPDX-License-Identifier: MIT */
-#ifndef LENSCALC_TRACE_PUPIL_MARGINS_H
-#define LENSCALC_TRACE_PUPIL_MARGINS_H
+#ifndef LENSCALC_TRACE_PUPIL_CLEARANCES_H
+#define LENSCALC_TRACE_PUPIL_CLEARANCES_H
 
 #include "base/arena.h"
 #include "trace/kernel/clip.h"

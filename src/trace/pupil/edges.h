@@ -3,7 +3,7 @@
 #ifndef LENSCALC_TRACE_PUPIL_EDGES_H
 #define LENSCALC_TRACE_PUPIL_EDGES_H
 
-#include "trace/pupil/margins.h"
+#include "trace/pupil/clearances.h"
 
 #include <stddef.h>
 

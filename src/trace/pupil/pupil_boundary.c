@@ -1,9 +1,9 @@
-/* trace/pupil/star.c - centre, directions and corners of a clear pupil. */
+/* trace/pupil/pupil_boundary.c - centre, directions and corners of a clear pupil. */
 /* SPDX-License-Identifier: MIT */
-#include "trace/pupil/star_search.h"
+#include "trace/pupil/pupil_boundary_search.h"
 
 #include "base/constants.h"
-#include "trace/pupil/parts.h"
+#include "trace/pupil/pupil_parts.h"
 
 #include <math.h>
 
@@ -40,7 +40,8 @@ static bool find_centre(const struct clearances *margins, struct arena *arena, d
 }
 
 /* Centroid and widths of what lies within edges in equal directions. */
-static void star_measure(const struct pupil_boundary *star, double centroid[2], double widths[2])
+static void pupil_boundary_measure(const struct pupil_boundary *star, double centroid[2],
+                                   double widths[2])
 {
     const struct edge_frame *frame = &star->frame;
     double area = 0, moment[2] = {0, 0}, low[2] = {INFINITY, INFINITY};
@@ -81,12 +82,12 @@ static bool change_frame(struct pupil_boundary *star, const struct edge_frame *f
 }
 
 /* About the centroid, stretched as the edge is. Result: false: directions are to be made anew. */
-static bool fit_frame(const struct star_search *search)
+static bool fit_frame(const struct pupil_boundary_search *search)
 {
     struct pupil_boundary *star = search->star;
     struct edge_frame frame = star->frame;
     double centroid[2], widths[2];
-    star_measure(star, centroid, widths);
+    pupil_boundary_measure(star, centroid, widths);
     if (!(widths[0] > 0 && widths[1] > 0 && isfinite(centroid[0] + centroid[1]))) {
         return true;
     }
@@ -103,7 +104,7 @@ static bool fit_frame(const struct star_search *search)
 
 /* -------- directions -------- */
 
-static void star_scan(const struct star_search *search, size_t directions)
+static void pupil_boundary_scan(const struct pupil_boundary_search *search, size_t directions)
 {
     struct pupil_boundary *star = search->star;
     double near[MORE_DIRECTIONS];
@@ -112,8 +113,9 @@ static void star_scan(const struct star_search *search, size_t directions)
         star->angles[i] = 2 * PI * ((double)i + 0.5) / (double)star->count;
         near[i] = search->before != NULL ? pupil_boundary_near(search->before, star->angles[i]) : 0;
     }
-    const size_t own = star_is_mirrored(search) ? directions / 2 : directions;
-    star_limits_find(search, star->angles, search->before != NULL ? near : NULL, own, star->edges);
+    const size_t own = pupil_boundary_is_mirrored(search) ? directions / 2 : directions;
+    pupil_boundary_limits_find(search, star->angles, search->before != NULL ? near : NULL, own,
+                               star->edges);
     for (size_t i = own; i < directions; i++) {
         star->edges[i] = star->edges[directions - 1 - i];
     }
@@ -131,7 +133,7 @@ static bool may_peak(double before, double here, double after, double *where)
 }
 
 /* Directions in between where another margin comes near to 0 without ending an edge. */
-static void star_scan_between(const struct star_search *search)
+static void pupil_boundary_scan_between(const struct pupil_boundary_search *search)
 {
     struct pupil_boundary *star = search->star;
     const struct clearances *margins = search->margins;
@@ -151,23 +153,25 @@ static void star_scan_between(const struct star_search *search)
             if (star->edges[i].limit != k && star->edges[last].limit != k &&
                 star->edges[next].limit != k && may_peak(row[last], row[i], row[next], &where)) {
                 near[extra] = star->edges[i].radius;
-                angles[extra++] = star->angles[i] + where * star_gap(star, where > 0 ? i : last);
+                angles[extra++] =
+                    star->angles[i] + where * pupil_boundary_gap(star, where > 0 ? i : last);
             }
         }
     }
     if (extra == 0) {
         return;
     }
-    star_limits_find(search, angles, near, extra, edges);
+    pupil_boundary_limits_find(search, angles, near, extra, edges);
     for (size_t i = 0; i < extra; i++) {
-        star_enter(star, angles[i], &edges[i]);
+        pupil_boundary_enter(star, angles[i], &edges[i]);
     }
 }
 
 /* -------- all of it -------- */
 
 /* Is one thing all of the edge, and as far on one side of the centre as on the other? */
-static bool star_is_even(const struct clearances *margins, const struct pupil_boundary *star)
+static bool pupil_boundary_is_even(const struct clearances *margins,
+                                   const struct pupil_boundary *star)
 {
     const double alike = 1e-6;
     const size_t half = star->count / 2;
@@ -181,7 +185,8 @@ static bool star_is_even(const struct clearances *margins, const struct pupil_bo
 }
 
 /* Does nothing but the stop or the disc end it? */
-static bool star_is_whole(const struct clearances *margins, const struct pupil_boundary *star)
+static bool pupil_boundary_is_whole(const struct clearances *margins,
+                                    const struct pupil_boundary *star)
 {
     const size_t first = star->edges[0].limit;
     bool whole = first < margins->count && !margins->is_listed && star->frame.centre[0] == 0 &&
@@ -205,7 +210,7 @@ static bool is_long(const struct pupil_boundary *star)
 }
 
 /* Do rays end some of the edge that miss a surface or are reflected? No margin says where. */
-static bool star_loses_rays(const struct pupil_boundary *star)
+static bool pupil_boundary_loses_rays(const struct pupil_boundary *star)
 {
     bool some = false;
     for (size_t i = 0; i < star->count; i++) {
@@ -221,19 +226,20 @@ static double choose_tolerance(const struct clearances *margins)
 }
 
 /* What a frame that fits, and edges in it, do not say yet. */
-static void star_finish(const struct star_search *search)
+static void pupil_boundary_finish(const struct pupil_boundary_search *search)
 {
     const struct clearances *margins = search->margins;
     struct pupil_boundary *star = search->star;
-    star->is_plain = !margins->is_listed && !star_loses_rays(star);
+    star->is_plain = !margins->is_listed && !pupil_boundary_loses_rays(star);
     if (star->is_plain) {
-        star_scan_between(search);
+        pupil_boundary_scan_between(search);
     } else if (!margins->is_listed) {
-        star_scan(search, MORE_DIRECTIONS);
+        pupil_boundary_scan(search, MORE_DIRECTIONS);
     }
     star->tolerance = search->tolerance;
-    star->is_whole = star_is_whole(margins, star) || star_is_even(margins, star);
-    star_corners_find(search);
+    star->is_whole =
+        pupil_boundary_is_whole(margins, star) || pupil_boundary_is_even(margins, star);
+    pupil_boundary_corners_find(search);
     pupil_boundary_join(star);
 }
 
@@ -241,7 +247,7 @@ bool pupil_boundary_find(const struct clearances *margins, const struct probe *p
                          struct arena *arena, struct pupil_boundary *star)
 {
     enum { FITS = 12 };
-    struct star_search search = {margins, probe, star, NULL, 0};
+    struct pupil_boundary_search search = {margins, probe, star, NULL, 0};
     star->frame = (struct edge_frame){.stretch = {1, 1}};
     star->count = 0;
     star->corner_count = 0;
@@ -251,20 +257,22 @@ bool pupil_boundary_find(const struct clearances *margins, const struct probe *p
     }
     for (int fit = 0;; fit++) {
         search.tolerance = choose_tolerance(margins);
-        star_scan(&search, margins->is_listed ? MORE_DIRECTIONS : DIRECTIONS);
-        bool fits = (star_is_whole(margins, star) || star_is_even(margins, star)) && !is_long(star);
+        pupil_boundary_scan(&search, margins->is_listed ? MORE_DIRECTIONS : DIRECTIONS);
+        bool fits =
+            (pupil_boundary_is_whole(margins, star) || pupil_boundary_is_even(margins, star)) &&
+            !is_long(star);
         if (fits || margins->is_listed || fit == FITS || fit_frame(&search)) {
             break;
         }
     }
-    star_finish(&search);
+    pupil_boundary_finish(&search);
     return true;
 }
 
 bool pupil_boundary_follow(const struct clearances *margins, const struct probe *probe,
                            const struct pupil_boundary *before, struct pupil_boundary *star)
 {
-    struct star_search search = {margins, probe, star, before, 0};
+    struct pupil_boundary_search search = {margins, probe, star, before, 0};
     if (margins->is_listed || before->count == 0 || !before->is_plain) {
         return false;
     }
@@ -276,11 +284,12 @@ bool pupil_boundary_follow(const struct clearances *margins, const struct probe 
     if (!(margins->excess[0] <= 0)) {
         return false;
     }
-    star_scan(&search, DIRECTIONS);
-    const bool fits = star_is_whole(margins, star) || star_is_even(margins, star);
-    if (star_loses_rays(star) || is_long(star) || (!fits && !fit_frame(&search))) {
+    pupil_boundary_scan(&search, DIRECTIONS);
+    const bool fits =
+        pupil_boundary_is_whole(margins, star) || pupil_boundary_is_even(margins, star);
+    if (pupil_boundary_loses_rays(star) || is_long(star) || (!fits && !fit_frame(&search))) {
         return false;
     }
-    star_finish(&search);
+    pupil_boundary_finish(&search);
     return star->corner_count == before->corner_count && star->is_whole == before->is_whole;
 }

@@ -1,10 +1,10 @@
-/* trace/pupil/star.h - what is clear of a pupil, as a star about a point within it. */
+/* trace/pupil/pupil_boundary.h - what is clear of a pupil, as a star about a point within it. */
 /* SPDX-License-Identifier: MIT */
-#ifndef LENSCALC_TRACE_PUPIL_STAR_H
-#define LENSCALC_TRACE_PUPIL_STAR_H
+#ifndef LENSCALC_TRACE_PUPIL_PUPIL_BOUNDARY_H
+#define LENSCALC_TRACE_PUPIL_PUPIL_BOUNDARY_H
 
+#include "trace/pupil/clear_intervals.h"
 #include "trace/pupil/edges.h"
-#include "trace/pupil/spans.h"
 
 enum { PUPIL_BOUNDARY_DIRECTIONS = 256 + 64, PUPIL_BOUNDARY_CORNERS = 64 };
 
@@ -32,7 +32,8 @@ struct pupil_boundary {
  * Given     probe  for what cuts within
  * Result    false: nothing is clear
  * Formula   about the chief ray if it passes, else about the ray that passes best of the largest
- *           part that passes (trace/pupil/parts.h); where more than the stop ends it about its
+ *           part that passes (trace/pupil/pupil_parts.h); where more than the stop ends it about
+ *           its
  *           centroid,
  *           in a frame stretched as it is. Edges in 32 directions, 256 where apertures are listed
  *           or rays are lost otherwise at the edge, to a share of how deep the centre lies within.

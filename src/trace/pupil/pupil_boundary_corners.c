@@ -1,7 +1,7 @@
-/* trace/pupil/star_corners.c - where the edge of a star has corners. */
+/* trace/pupil/pupil_boundary_corners.c - where the edge of a star has corners. */
 /* SPDX-License-Identifier: MIT */
 #include "base/constants.h"
-#include "trace/pupil/star_search.h"
+#include "trace/pupil/pupil_boundary_search.h"
 
 #include <math.h>
 
@@ -10,13 +10,15 @@ enum { ROUNDS = 10, PARTS = 5 };
 /* An excess that counts as none at a corner; one that rounding alone does not make. */
 static const double at_corner = 1e-11, clearly = 1e-9;
 
-double star_gap(const struct pupil_boundary *star, size_t i)
+double pupil_boundary_gap(const struct pupil_boundary *star, size_t i)
 {
-    bool is_last = i + 1 == star->count;
-    return star->angles[is_last ? 0 : i + 1] + (is_last ? 2 * PI : 0) - star->angles[i];
+    if (i + 1 == star->count) {
+        return star->angles[0] + 2 * PI - star->angles[i];
+    }
+    return star->angles[i + 1] - star->angles[i];
 }
 
-void star_enter(struct pupil_boundary *star, double angle, const struct edge *edge)
+void pupil_boundary_enter(struct pupil_boundary *star, double angle, const struct edge *edge)
 {
     size_t k = star->count++;
     for (; k > 0 && star->angles[k - 1] > angle; k--) {
@@ -28,7 +30,7 @@ void star_enter(struct pupil_boundary *star, double angle, const struct edge *ed
 }
 
 /* Two directions with a corner between them. */
-struct star_corners_bracket {
+struct pupil_boundary_corners_bracket {
     double low, high;
     struct edge before, after;
     double angle, radius; /* of the corner, once it is found */
@@ -42,7 +44,7 @@ enum { AT_ONCE = RAYS_BLOCK / 3 };
  * what is asked of the margins stands in every third lane.
  */
 static bool step_corners(const struct clearances *margins,
-                         struct star_corners_bracket *const *brackets, size_t count,
+                         struct pupil_boundary_corners_bracket *const *brackets, size_t count,
                          double (*at)[2])
 {
     static const double h = 1e-6, there = 1e-14;
@@ -70,8 +72,8 @@ static bool step_corners(const struct clearances *margins,
 }
 
 /* Where a corner is looked for first: where one was before, or in the middle. */
-static void guess_corner(const struct star_search *search,
-                         const struct star_corners_bracket *bracket, double at[2])
+static void guess_corner(const struct pupil_boundary_search *search,
+                         const struct pupil_boundary_corners_bracket *bracket, double at[2])
 {
     const double nearby = 0.1; /* rad */
     const struct edge_frame *frame = &search->star->frame;
@@ -90,8 +92,8 @@ static void guess_corner(const struct star_search *search,
 }
 
 /* Corners of two margins each, all at once; those that lie elsewhere stay as they are. */
-static void meet_margins(const struct star_search *search,
-                         struct star_corners_bracket *const *brackets, size_t count)
+static void meet_margins(const struct pupil_boundary_search *search,
+                         struct pupil_boundary_corners_bracket *const *brackets, size_t count)
 {
     enum { STEPS = 7 };
     const struct edge_frame *frame = &search->star->frame;
@@ -103,7 +105,7 @@ static void meet_margins(const struct star_search *search,
     for (int step = 0; step < STEPS && !step_corners(margins, brackets, count, at); step++) {
     }
     for (size_t i = 0; i < count; i++) {
-        struct star_corners_bracket *one = brackets[i];
+        struct pupil_boundary_corners_bracket *one = brackets[i];
         double a = margins->rows[one->before.limit * RAYS_BLOCK + 3 * i];
         double b = margins->rows[one->after.limit * RAYS_BLOCK + 3 * i];
         edge_polar(frame, at[i], (one->low + one->high) / 2, &one->angle, &one->radius);
@@ -114,13 +116,13 @@ static void meet_margins(const struct star_search *search,
 }
 
 /* Brackets that are kept, as far as there is room. */
-struct star_corners_kept {
-    struct star_corners_bracket brackets[PUPIL_BOUNDARY_CORNERS];
+struct pupil_boundary_corners_kept {
+    struct pupil_boundary_corners_bracket brackets[PUPIL_BOUNDARY_CORNERS];
     size_t count;
 };
 
-static void star_corners_keep(struct star_corners_kept *kept,
-                              const struct star_corners_bracket *bracket)
+static void pupil_boundary_corners_keep(struct pupil_boundary_corners_kept *kept,
+                                        const struct pupil_boundary_corners_bracket *bracket)
 {
     if (kept->count < PUPIL_BOUNDARY_CORNERS) {
         kept->brackets[kept->count] = *bracket;
@@ -129,16 +131,16 @@ static void star_corners_keep(struct star_corners_kept *kept,
 }
 
 /* The parts of a bracket between whose ends something changes. */
-static void keep_parts(const struct star_corners_bracket *whole, const double *angles,
-                       const struct edge *edges, struct star_corners_kept *kept)
+static void keep_parts(const struct pupil_boundary_corners_bracket *whole, const double *angles,
+                       const struct edge *edges, struct pupil_boundary_corners_kept *kept)
 {
-    struct star_corners_bracket part = {.low = whole->low, .before = whole->before};
+    struct pupil_boundary_corners_bracket part = {.low = whole->low, .before = whole->before};
     for (size_t j = 0; j < PARTS; j++) {
         bool is_last = j == PARTS - 1;
         part.high = is_last ? whole->high : angles[j];
         part.after = is_last ? whole->after : edges[j];
         if (part.before.limit != part.after.limit) {
-            star_corners_keep(kept, &part);
+            pupil_boundary_corners_keep(kept, &part);
         }
         part.low = part.high;
         part.before = part.after;
@@ -146,12 +148,12 @@ static void keep_parts(const struct star_corners_bracket *whole, const double *a
 }
 
 /* Cut brackets into parts, and keep those between whose ends something changes. */
-static size_t cut_brackets(const struct star_search *search, struct star_corners_bracket *brackets,
-                           size_t count)
+static size_t cut_brackets(const struct pupil_boundary_search *search,
+                           struct pupil_boundary_corners_bracket *brackets, size_t count)
 {
     double angles[PUPIL_BOUNDARY_CORNERS * (PARTS - 1)], near[PUPIL_BOUNDARY_CORNERS * (PARTS - 1)];
     struct edge edges[PUPIL_BOUNDARY_CORNERS * (PARTS - 1)];
-    struct star_corners_kept kept = {.count = 0};
+    struct pupil_boundary_corners_kept kept = {.count = 0};
     size_t asked = 0;
     for (size_t i = 0; i < count; i++) {
         for (size_t j = 1; j < PARTS && !brackets[i].is_found; j++) {
@@ -161,11 +163,11 @@ static size_t cut_brackets(const struct star_search *search, struct star_corners
             angles[asked++] = brackets[i].low + share * (brackets[i].high - brackets[i].low);
         }
     }
-    star_limits_find(search, angles, near, asked, edges);
+    pupil_boundary_limits_find(search, angles, near, asked, edges);
     asked = 0;
     for (size_t i = 0; i < count; i++) {
         if (brackets[i].is_found) {
-            star_corners_keep(&kept, &brackets[i]);
+            pupil_boundary_corners_keep(&kept, &brackets[i]);
         } else {
             keep_parts(&brackets[i], angles + asked, edges + asked, &kept);
             asked += PARTS - 1;
@@ -178,14 +180,15 @@ static size_t cut_brackets(const struct star_search *search, struct star_corners
 }
 
 /* One round: Newton's method where two margins meet, cuts elsewhere. Are any left to be found? */
-static bool star_corners_narrow(const struct star_search *search,
-                                struct star_corners_bracket *brackets, size_t *count)
+static bool pupil_boundary_corners_narrow(const struct pupil_boundary_search *search,
+                                          struct pupil_boundary_corners_bracket *brackets,
+                                          size_t *count)
 {
     const struct clearances *margins = search->margins;
-    struct star_corners_bracket *open[PUPIL_BOUNDARY_CORNERS];
+    struct pupil_boundary_corners_bracket *open[PUPIL_BOUNDARY_CORNERS];
     size_t tried = 0, left = 0;
     for (size_t i = 0; i < *count && !margins->is_listed; i++) {
-        struct star_corners_bracket *one = &brackets[i];
+        struct pupil_boundary_corners_bracket *one = &brackets[i];
         if (!one->is_found && one->before.limit < margins->count &&
             one->after.limit < margins->count) {
             open[tried++] = one;
@@ -203,36 +206,38 @@ static bool star_corners_narrow(const struct star_search *search,
     return left > 0 && *count <= PUPIL_BOUNDARY_CORNERS;
 }
 
-void star_corners_find(const struct star_search *search)
+void pupil_boundary_corners_find(const struct pupil_boundary_search *search)
 {
     struct pupil_boundary *star = search->star;
-    struct star_corners_bracket brackets[PUPIL_BOUNDARY_CORNERS];
-    const bool is_half = star_is_mirrored(search);
+    struct pupil_boundary_corners_bracket brackets[PUPIL_BOUNDARY_CORNERS];
+    const bool is_half = pupil_boundary_is_mirrored(search);
     const size_t most = is_half ? PUPIL_BOUNDARY_CORNERS / 2 : PUPIL_BOUNDARY_CORNERS;
     size_t count = 0;
     star->corner_count = 0;
     for (size_t i = 0; i < star->count; i++) {
         const size_t next = (i + 1) % star->count;
-        const bool is_other = is_half && !(sin(star->angles[i] + star_gap(star, i) / 2) > 0);
+        const bool is_other =
+            is_half && !(sin(star->angles[i] + pupil_boundary_gap(star, i) / 2) > 0);
         if (star->edges[i].limit == star->edges[next].limit || is_other) {
             continue;
         }
         if (count == most) {
             return;
         }
-        brackets[count++] =
-            (struct star_corners_bracket){.low = star->angles[i],
-                                          .high = star->angles[next] + (next == 0 ? 2 * PI : 0),
-                                          .before = star->edges[i],
-                                          .after = star->edges[next]};
+        brackets[count++] = (struct pupil_boundary_corners_bracket){
+            .low = star->angles[i],
+            .high = star->angles[next] + (next == 0 ? 2 * PI : 0),
+            .before = star->edges[i],
+            .after = star->edges[next]};
     }
-    for (int round = 0; round < ROUNDS && star_corners_narrow(search, brackets, &count); round++) {
+    for (int round = 0; round < ROUNDS && pupil_boundary_corners_narrow(search, brackets, &count);
+         round++) {
     }
     if (count > most) {
         return;
     }
     for (size_t k = 0; k < count; k++) {
-        const struct star_corners_bracket *one = &brackets[k];
+        const struct pupil_boundary_corners_bracket *one = &brackets[k];
         star->corners[k] = one->is_found ? one->angle : (one->low + one->high) / 2;
         star->radii[k] = one->is_found ? one->radius : (one->before.radius + one->after.radius) / 2;
     }
@@ -250,7 +255,7 @@ static size_t corners_behind(const struct pupil_boundary *star, size_t k)
     size_t count = 0;
     for (size_t i = 0; i < star->corner_count; i++) {
         const double turns = floor((star->corners[i] - star->angles[k]) / (2 * PI));
-        count += star->corners[i] - 2 * PI * turns < star->angles[k] + star_gap(star, k);
+        count += star->corners[i] - 2 * PI * turns < star->angles[k] + pupil_boundary_gap(star, k);
     }
     return count;
 }
@@ -294,13 +299,13 @@ bool pupil_boundary_learn(const struct clearances *margins, const struct probe *
         if (star->count == known) {
             before = *star;
         }
-        star_enter(star, angle, &edges[i]);
+        pupil_boundary_enter(star, angle, &edges[i]);
     }
     if (star->count == known) {
         return false;
     }
-    const struct star_search search = {margins, probe, star, NULL, star->tolerance};
-    star_corners_find(&search);
+    const struct pupil_boundary_search search = {margins, probe, star, NULL, star->tolerance};
+    pupil_boundary_corners_find(&search);
     star->is_whole = false;
     pupil_boundary_join(star);
     const bool is_better = star->corner_count > before.corner_count;

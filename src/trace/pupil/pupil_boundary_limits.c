@@ -1,6 +1,6 @@
-/* trace/pupil/star_limits.c - what ends the edges of a star, and what is clear of the way there. */
+/* trace/pupil/pupil_boundary_limits.c - what ends the edges of a star, and what is clear of the way there. */
 /* SPDX-License-Identifier: MIT */
-#include "trace/pupil/star_search.h"
+#include "trace/pupil/pupil_boundary_search.h"
 
 void pupil_boundary_spans(const struct clearances *margins, const struct probe *probe,
                           const struct edge_directions *directions, const struct edge *edges,
@@ -33,8 +33,8 @@ void pupil_boundary_spans(const struct clearances *margins, const struct probe *
 }
 
 /* Where apertures are listed it counts which piece of one ends an edge, and what is crossed. */
-static void tell_parts(const struct star_search *search, const double *angles, size_t count,
-                       struct edge *edges)
+static void tell_parts(const struct pupil_boundary_search *search, const double *angles,
+                       size_t count, struct edge *edges)
 {
     const struct clearances *margins = search->margins;
     double at[RAYS_BLOCK][2];
@@ -59,8 +59,8 @@ static void tell_parts(const struct star_search *search, const double *angles, s
     }
 }
 
-void star_limits_find(const struct star_search *search, const double *angles, const double *near,
-                      size_t count, struct edge *edges)
+void pupil_boundary_limits_find(const struct pupil_boundary_search *search, const double *angles,
+                                const double *near, size_t count, struct edge *edges)
 {
     const struct clearances *margins = search->margins;
     const struct edge_directions directions = {search->star->frame, angles, near, count, 0};

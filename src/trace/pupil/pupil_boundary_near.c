@@ -1,7 +1,7 @@
-/* trace/pupil/star_near.c - the edge of a star between the directions that it was looked for in. */
+/* trace/pupil/pupil_boundary_near.c - the edge of a star between the directions that it was looked for in. */
 /* SPDX-License-Identifier: MIT */
 #include "base/constants.h"
-#include "trace/pupil/star.h"
+#include "trace/pupil/pupil_boundary.h"
 
 #include <math.h>
 #include <string.h>

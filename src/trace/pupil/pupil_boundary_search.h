@@ -1,11 +1,11 @@
-/* trace/pupil/star_search.h - what a star is found by: its edges, what ends them, their corners. */
+/* trace/pupil/pupil_boundary_search.h - what a star is found by: its edges, what ends them, their corners. */
 /* SPDX-License-Identifier: MIT */
-#ifndef LENSCALC_TRACE_PUPIL_STAR_SEARCH_H
-#define LENSCALC_TRACE_PUPIL_STAR_SEARCH_H
+#ifndef LENSCALC_TRACE_PUPIL_PUPIL_BOUNDARY_SEARCH_H
+#define LENSCALC_TRACE_PUPIL_PUPIL_BOUNDARY_SEARCH_H
 
-#include "trace/pupil/star.h"
+#include "trace/pupil/pupil_boundary.h"
 
-struct star_search {
+struct pupil_boundary_search {
     const struct clearances *margins;
     const struct probe *probe;
     struct pupil_boundary *star;
@@ -14,20 +14,20 @@ struct star_search {
 };
 
 /* Are the halves of a star on both sides of u = 0, from where angles count, mirror images? */
-static inline bool star_is_mirrored(const struct star_search *search)
+static inline bool pupil_boundary_is_mirrored(const struct pupil_boundary_search *search)
 {
     return search->margins->is_mirrored && search->star->frame.centre[0] == 0;
 }
 
 /* Edges to compare with each other: where apertures are listed it counts which piece ends one. */
-void star_limits_find(const struct star_search *search, const double *angles, const double *near,
-                      size_t count, struct edge *edges);
+void pupil_boundary_limits_find(const struct pupil_boundary_search *search, const double *angles,
+                                const double *near, size_t count, struct edge *edges);
 
 /* From a direction to the next one, rad. */
-double star_gap(const struct pupil_boundary *star, size_t i);
+double pupil_boundary_gap(const struct pupil_boundary *star, size_t i);
 
 /* A further direction and its edge, in its place. */
-void star_enter(struct pupil_boundary *star, double angle, const struct edge *edge);
+void pupil_boundary_enter(struct pupil_boundary *star, double angle, const struct edge *edge);
 
 /*
  * Corners between directions whose edges end at different things.
@@ -35,6 +35,6 @@ void star_enter(struct pupil_boundary *star, double angle, const struct edge *ed
  * Result    corners of the star; more than there is room for: none
  * Formula   Newton's method where two margins meet, cuts in five elsewhere
  */
-void star_corners_find(const struct star_search *search);
+void pupil_boundary_corners_find(const struct pupil_boundary_search *search);
 
 #endif

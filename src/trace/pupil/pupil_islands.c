@@ -1,9 +1,9 @@
-/* trace/pupil/islands.c - patches that are dark for sure; where some are not, a grid. */
+/* trace/pupil/pupil_islands.c - patches that are dark for sure; where some are not, a grid. */
 /* SPDX-License-Identifier: MIT */
-#include "trace/pupil/islands.h"
+#include "trace/pupil/pupil_islands.h"
 
 #include "base/constants.h"
-#include "trace/pupil/parts.h"
+#include "trace/pupil/pupil_parts.h"
 
 #include <math.h>
 
@@ -174,7 +174,7 @@ static bool margin_blocks_patch(const double *values, bool at_edge)
     return missed ? !at_edge && least > far : least > 0 && low > 0 && (rises || !at_edge);
 }
 
-static bool islands_is_dark(const struct traced_patch *seen)
+static bool pupil_islands_is_dark(const struct traced_patch *seen)
 {
     const struct clearances *margins = seen->all->margins;
     const size_t limit = margins->limit[seen->lanes[0]];
@@ -250,7 +250,7 @@ static void patch_cut(struct patches *all, const struct traced_patch *seen)
 /* False: it has light. What is not sure to be dark is cut, unless it is as fine as the grid. */
 static bool patch_settle(struct patches *all, const struct traced_patch *seen)
 {
-    if (patch_is_beyond(seen) || islands_is_dark(seen)) {
+    if (patch_is_beyond(seen) || pupil_islands_is_dark(seen)) {
         return true;
     }
     if (patch_has_light(seen)) {

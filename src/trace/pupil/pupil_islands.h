@@ -1,11 +1,11 @@
-/* trace/pupil/islands.h - what passes light of a pupil beside the star that is integrated over. */
+/* trace/pupil/pupil_islands.h - what passes light of a pupil beside the star that is integrated over. */
 /* SPDX-License-Identifier: MIT */
-#ifndef LENSCALC_TRACE_PUPIL_ISLANDS_H
-#define LENSCALC_TRACE_PUPIL_ISLANDS_H
+#ifndef LENSCALC_TRACE_PUPIL_PUPIL_ISLANDS_H
+#define LENSCALC_TRACE_PUPIL_PUPIL_ISLANDS_H
 
 #include "base/arena.h"
-#include "trace/pupil/margins.h"
-#include "trace/pupil/star.h"
+#include "trace/pupil/clearances.h"
+#include "trace/pupil/pupil_boundary.h"
 
 /* What of the pupil passes light and is none of the star. */
 struct pupil_islands {
@@ -22,7 +22,8 @@ struct pupil_islands {
  *           it begins at 0, if it rises from there; or where all nine are lost in the same place
  *           in the same way. What is not is cut in four, or in two where only the way outwards
  *           changes what ends the rays. Of halves that mirror each other one is looked at. Only
- *           where a ray passes, or too much is left, a grid (trace/pupil/parts.h): what passes of
+ *           where a ray passes, or too much is left, a grid (trace/pupil/pupil_parts.h): what
+ *           passes of
  *           it
  *           beyond the edge in its direction, be it joined with the star elsewhere or not
  * Limits    islands smaller than a cell, 1/128 of what the first surface lets in, are not seen; the

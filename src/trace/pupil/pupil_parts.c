@@ -1,6 +1,6 @@
-/* trace/pupil/parts.c - a grid of rays, and which of its cells touch. */
+/* trace/pupil/pupil_parts.c - a grid of rays, and which of its cells touch. */
 /* SPDX-License-Identifier: MIT */
-#include "trace/pupil/parts.h"
+#include "trace/pupil/pupil_parts.h"
 
 #include "base/constants.h"
 
@@ -58,7 +58,7 @@ void pupil_parts_point(const struct pupil_parts *parts, size_t cell, double poin
 }
 
 /* Give the number of a part to all clear cells that touch one of it. */
-static void parts_flood(struct pupil_parts *parts, size_t first, unsigned short number)
+static void pupil_parts_flood(struct pupil_parts *parts, size_t first, unsigned short number)
 {
     unsigned short waiting[CELLS];
     size_t count = 0;
@@ -89,7 +89,7 @@ static void number_parts(struct pupil_parts *parts)
     }
     for (size_t i = 0; i < CELLS; i++) {
         if (parts->excess[i] <= 0 && parts->part[i] == 0) {
-            parts_flood(parts, i, (unsigned short)++parts->count);
+            pupil_parts_flood(parts, i, (unsigned short)++parts->count);
         }
     }
 }

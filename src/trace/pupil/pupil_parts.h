@@ -1,9 +1,9 @@
-/* trace/pupil/parts.h - which separate parts of a pupil pass light, as a coarse grid sees them. */
+/* trace/pupil/pupil_parts.h - which separate parts of a pupil pass light, as a coarse grid sees them. */
 /* SPDX-License-Identifier: MIT */
-#ifndef LENSCALC_TRACE_PUPIL_PARTS_H
-#define LENSCALC_TRACE_PUPIL_PARTS_H
+#ifndef LENSCALC_TRACE_PUPIL_PUPIL_PARTS_H
+#define LENSCALC_TRACE_PUPIL_PUPIL_PARTS_H
 
-#include "trace/pupil/margins.h"
+#include "trace/pupil/clearances.h"
 
 #include <stdbool.h>
 #include <stddef.h>
