@@ -27,3 +27,7 @@ fnumbers f/2.8..f/8
 fnumbers 22..2.8/third
 fnumbers 3.5..6.3
 fnumbers 1..6:2.5
+# lengths of a circle of confusion: the same as listed, in its own unit in columns across
+lenscalc hyperfocal -f 50 -N 8 -c 10um..30um:10um --csv > range
+lenscalc hyperfocal -f 50 -N 8 -c 0.01,0.02,0.03 --csv | cmp - range && echo same
+lenscalc hyperfocal -f 50 -N 8,11 -c 10um..30um#3 --table fnumber,coc --csv

@@ -155,7 +155,7 @@ const char *axis_machine_value(const struct collection *collection, const struct
                                size_t i)
 {
     char number[NUMBER_LENGTH + 1];
-    if (axis->option->kind->set_number == NULL) {
+    if (axis->option->kind->set_number == NULL || axis->option->kind->number_of == NULL) {
         return axis_value(collection, axis, i, false);
     }
     *quantity_write(number, axis_number(axis, i), axis->unit) = '\0';

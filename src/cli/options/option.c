@@ -320,6 +320,13 @@ static void clear_quantity(void *member)
     *(double *)member = NAN;
 }
 
+static void coc_set_number(void *member, double number, const struct unit *unit)
+{
+    (void)unit;
+    *(struct coc_value *)member =
+        (struct coc_value){{.kind = COC_LENGTH, .value = number}, COC_GIVEN, false};
+}
+
 static void clear_coc(void *member)
 {
     ((struct coc_value *)member)->coc.value = NAN;
@@ -381,5 +388,6 @@ const struct option_kind kind_coc = {
     .read = read_coc,
     .name_of = coc_name,
     .words_of = coc_words,
+    .set_number = coc_set_number,
     .clear = clear_coc,
 };

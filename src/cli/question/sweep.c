@@ -27,6 +27,12 @@ static bool sweep_is_number(const struct option *option)
     return option->kind->number_of != NULL;
 }
 
+/* A circle of confusion is no plain number, but what is between two of its lengths is a length. */
+static bool sweep_has_ranges(const struct option *option)
+{
+    return sweep_is_number(option) || option->kind->set_number != NULL;
+}
+
 static bool too_many(const struct option *option, struct error *error)
 {
     fail(error, ERROR_USAGE, "--%s sweeps over more than a million values", option->name);
@@ -378,7 +384,9 @@ static bool sweep_add_range(struct sweep_values *values, struct sweep_range *ran
     if (!read_ends(values, range, error)) {
         return false;
     }
-    values->unit = range->unit;
+    if (sweep_is_number(values->option)) {
+        values->unit = range->unit;
+    }
     if (range->kind == '*') {
         return add_factors(values, range, error);
     }
@@ -415,7 +423,7 @@ static void note_unit(struct sweep_values *values, struct text item)
 static bool add_item(struct sweep_values *values, struct text item, struct error *error)
 {
     struct sweep_range range;
-    if (sweep_is_number(values->option) && split_range(values->option, item, &range)) {
+    if (sweep_has_ranges(values->option) && split_range(values->option, item, &range)) {
         return sweep_add_range(values, &range, error);
     }
     if (!reserve(values, 1, error)) {
