@@ -31,3 +31,7 @@ printf 'surface -50 3 HIKARI:4786 12\nsurface 60 90 air 12\n' >> baf4.lens
 lenscalc convert baf4.lens -o baf4.len
 grep -n 'glass\|GLA' baf4.len
 lenscalc convert baf4.len | tail -n 3
+# the catalogue among several of a name is said in every format, where no chosen column says it
+lenscalc glass SF6 -w d --columns index --csv --digits 6
+lenscalc glass nbk7,SF6 -w d --columns index --jsonl --digits 6
+lenscalc glass SF6 -w d --columns index,taken_as --csv --digits 6

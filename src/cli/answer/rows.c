@@ -44,17 +44,24 @@ static bool is_going(const struct driver *driver)
     return driver->output.failure == 0 && !atomic_load(&driver->progress.watch.is_ended);
 }
 
-/* Where rows have their warnings, if nobody reads them there: people do, below the rows. */
-static const struct column *find_hidden_warning(const struct driver *driver)
+/* Notes that no answer is silent about: what is doubtful, and what was taken for what was named. */
+static bool is_told(const struct column *column)
+{
+    return (column->flags & COLUMN_NOTE) != 0 && (text_equal(text_of(column->name), "warning") ||
+                                                  text_equal(text_of(column->name), "taken_as"));
+}
+
+/* Those that nobody reads among the rows: people do, below them. */
+static void find_hidden_notes(struct driver *driver)
 {
     const struct report *report = &driver->report;
+    driver->hidden_count = 0;
     for (size_t i = 0; i < report->sheet->column_count && !report->format->is_for_people; i++) {
         const struct column *column = &report->sheet->columns[i];
-        if ((column->flags & COLUMN_NOTE) != 0 && text_equal(text_of(column->name), "warning")) {
-            return driver->begun && !report_shows(report, column) ? column : NULL;
+        if (driver->begun && is_told(column) && !report_shows(report, column)) {
+            driver->hidden_notes[driver->hidden_count++] = column;
         }
     }
-    return NULL;
 }
 
 /* The first row, and every one that is kept or looked at for something else too. */
@@ -76,15 +83,19 @@ static void emit_first(struct driver *driver, const void *row)
     const bool has_all =
         !report->are_named || report->format->is_for_people || report_note_values(report, row);
     driver->only_prints = driver->begun && !driver->collects && has_all;
-    driver->hidden_warning = find_hidden_warning(driver);
+    find_hidden_notes(driver);
 }
 
-/* Columns were chosen, and the warning was not: it is told beside the answer. */
-static void tell_warning(struct driver *driver, const void *row)
+/* Columns were chosen, and these notes were not: they are told beside the answer. */
+static void tell_notes(struct driver *driver, const void *row)
 {
-    const char *warning = row_text(row, driver->hidden_warning);
-    if (warning != NULL) {
-        warnings_add(&driver->doubts, "%s", warning);
+    for (size_t i = 0; i < driver->hidden_count; i++) {
+        const struct column *column = driver->hidden_notes[i];
+        const char *note = row_text(row, column);
+        const bool is_warning = text_equal(text_of(column->name), "warning");
+        if (note != NULL) {
+            warnings_add(&driver->doubts, "%s%s", is_warning ? "" : "taken as ", note);
+        }
     }
 }
 
@@ -98,8 +109,8 @@ bool rows_emit(struct run *run, const void *row)
     if (!driver->only_prints) {
         emit_first(driver, row);
     }
-    if (driver->hidden_warning != NULL) {
-        tell_warning(driver, row);
+    if (driver->hidden_count > 0) {
+        tell_notes(driver, row);
     }
     if (driver->begun) {
         report->format->row(report, row, driver->passed, NULL);

@@ -50,10 +50,11 @@ struct driver {
     bool has_answer;       /* to at least one input, if only in part */
     const void *explained; /* the row whose numbers --explain puts in */
     struct progress progress;
-    const struct column *hidden_warning; /* of rows whose format shows it nowhere; null: none */
-    bool only_prints;                    /* nothing is left to do with further rows but that */
-    bool has_ended;                      /* all rows are written, and what follows them */
-    bool is_broken_off;                  /* the failure that ends the work has its row */
+    const struct column *hidden_notes[2]; /* of rows whose format shows them nowhere */
+    size_t hidden_count;
+    bool only_prints;   /* nothing is left to do with further rows but that */
+    bool has_ended;     /* all rows are written, and what follows them */
+    bool is_broken_off; /* the failure that ends the work has its row */
 };
 
 /*
