@@ -27,12 +27,6 @@ static bool sweep_is_number(const struct option *option)
     return option->kind->number_of != NULL;
 }
 
-/* A circle of confusion is no plain number, but what is between two of its lengths is a length. */
-static bool sweep_has_ranges(const struct option *option)
-{
-    return sweep_is_number(option) || option->kind->set_number != NULL;
-}
-
 static bool too_many(const struct option *option, struct error *error)
 {
     fail(error, ERROR_USAGE, "--%s sweeps over more than a million values", option->name);
@@ -423,7 +417,9 @@ static void note_unit(struct sweep_values *values, struct text item)
 static bool add_item(struct sweep_values *values, struct text item, struct error *error)
 {
     struct sweep_range range;
-    if (sweep_has_ranges(values->option) && split_range(values->option, item, &range)) {
+    /* a circle of confusion is no plain number, but what is between two of its lengths is one */
+    const bool has_ranges = sweep_is_number(values->option) || values->option->kind == &kind_coc;
+    if (has_ranges && split_range(values->option, item, &range)) {
         return sweep_add_range(values, &range, error);
     }
     if (!reserve(values, 1, error)) {

@@ -62,11 +62,15 @@ INLINE void conic_meet(struct ray_block *block, const struct step *s, struct con
     store_point(block, i, &ray, path);
 }
 
-/* g = s (E - D)/N^2, E^2 = D^2 + (n'^2 - n^2) N^2 */
-INLINE void normal_root(const struct step *s, bool reflects, struct found *found, int i)
+/*
+ * g = s (E - D)/N^2, E^2 = D^2 + (n'^2 - n^2) N^2. `either`: this step refracts or reflects, where
+ * g = -2 s D/N^2; products with 0, 1 and 2 are exact.
+ */
+INLINE void normal_root(const struct step *s, bool either, struct found *found, int i)
 {
+    const double E_share = s->action == ACTION_REFLECT ? 0 : 1, D_share = 2 - E_share;
     double D = found->bend[i], E = sqrt(found->square[i]);
-    found->numerator[i] = s->direction * (reflects ? -2 * D : E - D);
+    found->numerator[i] = s->direction * (either ? E_share * E - D_share * D : E - D);
 }
 
 /* g N is added to p, N = (-gx x, -gy y, f). */
@@ -93,7 +97,7 @@ INLINE void conic_bend(struct ray_block *block, const struct step *s, struct con
 }
 
 INLINE void conic(struct ray_block *restrict block, const struct step *restrict step, bool path,
-                  int lanes, bool hops, bool reflects, bool cylinder)
+                  int lanes, bool hops, bool either, bool cylinder)
 {
     const struct step s = *step;
     const struct codes codes = codes_of(&s);
@@ -102,7 +106,7 @@ INLINE void conic(struct ray_block *restrict block, const struct step *restrict 
 #define FIND(i)  conic_find(block, &s, at, path, hops, cylinder, false, &found, i)
 #define ROOT(i)  conic_root(&s, &found, i)
 #define MEET(i)  conic_meet(block, &s, at, path, hops, &found, i)
-#define ROOT2(i) normal_root(&s, reflects, &found, i)
+#define ROOT2(i) normal_root(&s, either, &found, i)
 #define BEND(i)  conic_bend(block, &s, at, path, codes, &found, i)
     IN_TURN(lanes, FIND, ROOT, DIVIDE, MEET);
     IN_TURN(lanes, ROOT2, DIVIDE, BEND, NOTHING);
@@ -113,10 +117,10 @@ INLINE void conic(struct ray_block *restrict block, const struct step *restrict 
 #undef BEND
 }
 
-/* Which aspheres a loop is for: constants of each copy. */
+/* Which aspheres a loop is for: constants of each copy. `either` as for normal_root. */
 struct asphere_family {
     int terms; /* of the even powers */
-    bool trough, odd, reflects;
+    bool trough, odd, either;
 };
 
 /* S and dS/du of the polynomial at u. */
@@ -290,6 +294,18 @@ static __attribute__((noinline)) void search_lost(struct ray_block *block, const
     }
 }
 
+/* Of aspheres there are many copies: those of rare ones are small. */
+/* clang-format off */
+#define IN_TURN_OF(lanes, of, ...)                                                                 \
+    do {                                                                                           \
+        if ((of).either) {                                                                         \
+            IN_TURN_SMALL(lanes, __VA_ARGS__);                                                     \
+        } else {                                                                                   \
+            IN_TURN(lanes, __VA_ARGS__);                                                           \
+        }                                                                                          \
+    } while (0)
+/* clang-format on */
+
 INLINE void asphere(struct ray_block *restrict block, const struct step *restrict step, bool path,
                     int lanes, struct asphere_family of)
 {
@@ -305,16 +321,16 @@ INLINE void asphere(struct ray_block *restrict block, const struct step *restric
 #define AIM(i)   newton_aim(block, &s, of, &found, i)
 #define GO(i)    newton_go(block, &s, least, path, &found, i)
 #define LOOK(i)  asphere_look(block, &s, of, &found, i)
-#define ROOT2(i) normal_root(&s, of.reflects, &found, i)
+#define ROOT2(i) normal_root(&s, of.either, &found, i)
 #define BEND(i)  asphere_bend(block, &s, path, of.trough, codes, unconverged, &found, i)
-    IN_TURN(lanes, FIND, ROOT, DIVIDE, START);
+    IN_TURN_OF(lanes, of, FIND, ROOT, DIVIDE, START);
     for (int turn = 0; turn < NEWTON_STEPS && any_open(&found, lanes); turn++) {
-        IN_TURN(lanes, AIM, DIVIDE, GO, NOTHING);
+        IN_TURN_OF(lanes, of, AIM, DIVIDE, GO, NOTHING);
     }
     if (!all_there(&s, &found, lanes)) {
         search_lost(block, step, path, lanes, &origin, &found);
     }
-    IN_TURN(lanes, LOOK, ROOT2, DIVIDE, BEND);
+    IN_TURN_SMALL(lanes, LOOK, ROOT2, DIVIDE, BEND);
 #undef FIND
 #undef ROOT
 #undef START
@@ -327,11 +343,8 @@ INLINE void asphere(struct ray_block *restrict block, const struct step *restric
 
 INLINE void any_conic(struct ray_block *block, const struct step *s, bool path, int lanes)
 {
-    bool cylinder = s->kind == STEP_CYLINDER;
-    if (s->action == ACTION_REFLECT) {
+    if (s->kind == STEP_CYLINDER || s->action == ACTION_REFLECT) {
         conic(block, s, path, lanes, true, true, true);
-    } else if (cylinder) {
-        conic(block, s, path, lanes, true, false, true);
     } else if (s->hop) {
         conic(block, s, path, lanes, true, false, false);
     } else {
@@ -366,8 +379,6 @@ INLINE void with_or_without_path(struct ray_block *block, const struct step *s, 
         with_or_without_path(block, s, path, lanes, (struct asphere_family){.terms = TERMS});      \
     }
 #ifndef KERNEL_FEW
-ASPHERE(2)
-ASPHERE(3)
 ASPHERE(4)
 ASPHERE(5)
 ASPHERE(6)
@@ -377,19 +388,12 @@ ASPHERE(10)
 
 static void asphere_any(struct ray_block *block, const struct step *s, bool path, int lanes)
 {
-    bool reflects = s->action == ACTION_REFLECT;
-    if (s->kind == STEP_ODD && reflects) {
+    if (s->kind == STEP_ODD) {
         with_or_without_path(block, s, path, lanes,
                              (struct asphere_family){STEP_TERMS, true, true, true});
-    } else if (s->kind == STEP_ODD) {
-        with_or_without_path(block, s, path, lanes,
-                             (struct asphere_family){STEP_TERMS, true, true, false});
-    } else if (reflects) {
-        with_or_without_path(block, s, path, lanes,
-                             (struct asphere_family){STEP_TERMS, true, false, true});
     } else {
         with_or_without_path(block, s, path, lanes,
-                             (struct asphere_family){STEP_TERMS, true, false, false});
+                             (struct asphere_family){STEP_TERMS, true, false, true});
     }
 }
 
@@ -397,7 +401,7 @@ void NAME(kernel_asphere, KERNEL)(struct ray_block *block, const struct step *s,
                                   int lanes)
 {
 #ifndef KERNEL_FEW
-    static kernel_step *const steps[STEP_TERMS + 1] = {asphere_2, asphere_2,  asphere_2, asphere_3,
+    static kernel_step *const steps[STEP_TERMS + 1] = {asphere_4, asphere_4,  asphere_4, asphere_4,
                                                        asphere_4, asphere_5,  asphere_6, asphere_8,
                                                        asphere_8, asphere_10, asphere_10};
     kernel_step *const step = steps[s->terms];
