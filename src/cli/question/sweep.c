@@ -417,7 +417,6 @@ static void note_unit(struct sweep_values *values, struct text item)
 static bool add_item(struct sweep_values *values, struct text item, struct error *error)
 {
     struct sweep_range range;
-    /* a circle of confusion is no plain number, but what is between two of its lengths is one */
     const bool has_ranges = sweep_is_number(values->option) || values->option->kind == &kind_coc;
     if (has_ranges && split_range(values->option, item, &range)) {
         return sweep_add_range(values, &range, error);
