@@ -27,12 +27,16 @@ DISH = (f"lens dish\nwavelength d\nobject inf\naperture stop\n"
         f"surface {-2 * FOCUS} {-FOCUS} mirror {2 * RADIUS} k=-1 stop\n")
 
 
-def image(program, folder, words, text=None):
-    """(the row, the map: rows from below)"""
+def image(program, folder, words, text=None, sizes=()):
+    """(the row, the map: rows from below), of the first of the sizes that is not refused"""
+    if sizes:
+        words = [*words, "--size", str(sizes[0])]
     path = os.path.join(folder, "map.pfm")
     result = subprocess.run(program.command + ["psf"] + words + ["--csv", "--map", path],
                             input=text, text=True, capture_output=True,
                             env=program.environment())
+    if result.returncode == 2 and len(sizes) > 1:
+        return image(program, folder, words[:-2], text, sizes[1:])
     if result.returncode != 0:
         sys.exit(result.stderr)
     with open(path, "rb") as file:
@@ -110,13 +114,15 @@ def check_radii(checks, program, folder, lenses):
         if not row["radius80_um"]:
             continue
         error, radius = float(row["radius80_error_um"]), float(row["radius80_um"])
+        wide = image(program, folder, words + ["--pitch", row["pitch_um"] + "um"],
+                     sizes=(1024, 768, 512))[0]
+        centre = float(wide["centroid_x_um"]), float(wide["centroid_y_um"])
+        reach = radius + error + max(map(abs, centre))  # from the middle, that the circle needs
         finer = max(2, min(16, math.ceil(64 * float(row["pitch_um"]) / radius)))
-        pitch = float(row["pitch_um"]) / finer
-        size = min(2048, 2 * math.ceil(1.3 * radius / pitch) + 16)
-        wide = image(program, folder, words + ["--size", "512", "--pitch", row["pitch_um"] + "um"])[0]
+        pitch = max(float(row["pitch_um"]) / finer, 2.2 * reach / 2048)
+        size = 2 * math.ceil(1.1 * reach / pitch)
         fine, table = image(program, folder,
                             words + ["--size", str(size), "--pitch", f"{pitch!r}um"])
-        centre = float(wide["centroid_x_um"]), float(wide["centroid_y_um"])
         total = sum(map(sum, table)) / (float(fine["inside_percent"]) / 100)
         shares = [light_within(table, radius + side * error, pitch, centre) / total
                   for side in (-1, 1)]

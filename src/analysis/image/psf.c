@@ -17,15 +17,49 @@ static const double fine = 0.25, roomy = 1.1;
 /* What rounding leaves of a symmetry, pixels. */
 static const double noise = 1e-8;
 
-/* How far rays go from the reference at most: the slope of W over a grid within the pupil, mm. */
-static double find_spread(const struct exit_pupil *pupil, struct arena *arena)
+/* Sums of slopes along clear parts of lines, where rays meet the image, from the reference, mm. */
+struct slopes {
+    double farthest, moment, energy;
+};
+
+/*
+ * From one point of a part to the next; the edge lies about half a step beyond its ends, and is
+ * steeper, as the steps next to it say.
+ */
+static void slopes_add_part(struct slopes *slopes, const double *waves, const double *amplitudes,
+                            size_t count, size_t stride, double unit)
+{
+    double slope = 0, before = 0;
+    for (size_t i = 0; i + 1 < count; i++) {
+        const size_t here = i * stride, next = here + stride;
+        const double energy = amplitudes[here] * amplitudes[next];
+        before = slope;
+        slope = (waves[next] - waves[here]) * unit;
+        slopes->farthest = fmax(slopes->farthest, fabs(slope));
+        slopes->moment += energy * slope;
+        slopes->energy += energy;
+        if (count > 2 && (i == 1 || i + 2 == count)) {
+            const bool is_first = i == 1;
+            const double end = is_first ? before : slope, inner = is_first ? slope : before;
+            const double rim = 0.5 * pow(amplitudes[is_first ? 0 : next], 2);
+            slopes->moment += rim * (end + 0.75 * (end - inner));
+            slopes->energy += rim;
+        }
+    }
+}
+
+/*
+ * How far rays go from the reference at most, and where the centroid of their light is: the slope
+ * of W along lines of a grid within the pupil, mm.
+ */
+static double find_spread(const struct exit_pupil *pupil, struct arena *arena, double centroid[2])
 {
     const struct arena_mark mark = arena_mark(arena);
     enum { COUNT = SLOPES * SLOPES };
     double(*at)[2] = arena_array(arena, COUNT, sizeof *at);
-    double *waves = ARENA_ARRAY(arena, COUNT, double), *other = ARENA_ARRAY(arena, COUNT, double);
+    double *waves = ARENA_ARRAY(arena, COUNT, double);
+    double *amplitudes = ARENA_ARRAY(arena, COUNT, double), farthest = 0;
     size_t *limits = ARENA_ARRAY(arena, COUNT, size_t);
-    double worst = 0;
     for (size_t i = 0; i < COUNT; i++) {
         for (int k = 0; k < 2; k++) {
             const double place = (double)(k == 0 ? i % SLOPES : i / SLOPES);
@@ -33,21 +67,28 @@ static double find_spread(const struct exit_pupil *pupil, struct arena *arena)
         }
     }
     exit_pupil_look(pupil, (const double(*)[2])at, COUNT, limits);
-    exit_pupil_values(pupil, (const double(*)[2])at, COUNT, waves, other);
-    for (size_t i = 0; i < COUNT; i++) {
-        for (int k = 0; k < 2; k++) {
-            const size_t next = i + (k == 0 ? 1 : SLOPES);
-            const bool last = k == 0 ? i % SLOPES == SLOPES - 1 : i / SLOPES == SLOPES - 1;
-            if (last || limits[i] != EXIT_PUPIL_CLEAR || limits[next] != EXIT_PUPIL_CLEAR) {
-                continue;
+    exit_pupil_values(pupil, (const double(*)[2])at, COUNT, waves, amplitudes);
+    for (int k = 0; k < 2; k++) {
+        const size_t stride = k == 0 ? 1 : SLOPES, across = k == 0 ? SLOPES : 1;
+        const double unit = (SLOPES - 1) / (2 * pupil->half[k] * pupil->n * pupil->waves);
+        struct slopes slopes = {0, 0, 0};
+        for (size_t line = 0; line < SLOPES; line++) {
+            for (size_t i = 0, clear = 0; i <= SLOPES; i++) {
+                const size_t here = line * across + i * stride;
+                if (i < SLOPES && limits[here] == EXIT_PUPIL_CLEAR) {
+                    clear++;
+                    continue;
+                }
+                const size_t first = here - clear * stride;
+                slopes_add_part(&slopes, &waves[first], &amplitudes[first], clear, stride, unit);
+                clear = 0;
             }
-            const double step = 2 * pupil->half[k] / (SLOPES - 1);
-            const double slope = fabs(waves[next] - waves[i]) / (step * pupil->n * pupil->waves);
-            worst = fmax(worst, slope);
         }
+        farthest = fmax(farthest, slopes.farthest);
+        centroid[k] = slopes.energy > 0 ? slopes.moment / slopes.energy : 0;
     }
     arena_reset(arena, mark);
-    return 1.15 * worst; /* steeper at the edge itself */
+    return 1.15 * farthest; /* steeper at the edge itself */
 }
 
 /* A pixel below which the waves of all wavelengths are told apart, mm. */
@@ -120,11 +161,11 @@ static void find_peak(struct psf *psf)
     }
 }
 
-/* Where the centroid of the pixels is that lie at most so far from the middle, pixels. Of an even
-   number the first have no counterpart on the other side: they move no centroid. */
-static void psf_find_centroid(const struct psf *psf, size_t reach, double at[2])
+/* Where the centroid of the pixels is, pixels from the middle. Of an even number the first have no
+   counterpart on the other side: they move no centroid. */
+static void psf_find_centroid(const struct psf *psf, double at[2])
 {
-    const size_t size = psf->size, half = size / 2, first = half - reach;
+    const size_t size = psf->size, half = size / 2, reach = (size - 1) / 2, first = half - reach;
     const size_t end = half + reach + 1;
     double sum = 0;
     at[0] = at[1] = 0;
@@ -140,26 +181,26 @@ static void psf_find_centroid(const struct psf *psf, size_t reach, double at[2])
     at[1] /= sum;
 }
 
-/* total: of all light, in values of pixels. */
-static void psf_measure(struct psf *psf, double total, struct arena *arena)
+/* total: of all light, in values of pixels; rays: the centroid of all light by its rays, mm. */
+static void psf_measure(struct psf *psf, double total, const double rays[2], struct arena *arena)
 {
     const size_t size = psf->size, reach = (size - 1) / 2;
-    double sum = 0, all[2], inner[2];
+    double sum = 0, at[2], away[2];
     for (size_t i = 0; i < size * size; i++) {
         sum += psf->values[i];
     }
-    psf_find_centroid(psf, reach, all);
-    psf_find_centroid(psf, reach / 2, inner);
+    psf_find_centroid(psf, at);
     for (int k = 0; k < 2; k++) {
-        psf->centroid[k] = fabs(all[k]) > noise ? all[k] * psf->pitch : 0;
+        psf->centroid[k] = fabs(at[k]) > noise ? at[k] * psf->pitch : 0;
+        away[k] = 1.25 * (rays[k] - psf->centroid[k]); /* by a coarse grid */
     }
     psf->inside = psf->pitch < psf->finest ? sum / total : (double)NAN;
-    /* tails fall as the cube: beyond the sides lies as much again, and no more than is there */
-    const double moved = hypot(all[0] - inner[0], all[1] - inner[1]);
-    const double beyond = 0.5 * fmax(1 - psf->inside, 0) * (double)reach;
+    /* the light beyond the sides lies half as far out again, if it falls as the cube; all of it may
+       be on one side */
+    const double beyond = 1.5 * fmax(1 - psf->inside, 0) * (double)reach * psf->pitch;
+    const double share = fmin(1, beyond / fmax(hypot(away[0], away[1]), beyond));
     for (int k = 0; k < 2; k++) {
-        const double share = moved > beyond ? beyond / moved : 1;
-        psf->centroid_error[k] = share * (all[k] - inner[k]) * psf->pitch;
+        psf->centroid_error[k] = beyond > 0 ? share * away[k] : 0;
     }
     psf->radius80 = psf->radius80_error = NAN;
     if (psf->inside > 0.8) {
@@ -303,9 +344,18 @@ bool psf_find(const struct psf_question *question, struct arena *arena, struct p
     }
     const size_t count = question->size * question->size;
     double *spreads = ARENA_ARRAY(arena, pupils->lights.count, double);
+    double rays[2] = {0, 0}, light = 0;
     for (size_t g = 0; g < pupils->lights.count; g++) {
-        spreads[g] = find_spread(&pupils->list[g], arena);
+        const struct exit_pupil *pupil = &pupils->list[g];
+        const double weight = psf_is_dark(pupils, g) ? 0 : exit_pupil_weight(pupil) * pupil->energy;
+        double centroid[2];
+        spreads[g] = find_spread(pupil, arena, centroid);
+        light += weight;
+        rays[0] += weight * centroid[0];
+        rays[1] += weight * centroid[1];
     }
+    rays[0] /= light;
+    rays[1] /= light;
     struct psf_sums sums = {.values = ARENA_ARRAY(arena, count, double)};
     *psf = (struct psf){.size = question->size,
                         .pitch = question->pitch,
@@ -328,6 +378,6 @@ bool psf_find(const struct psf_question *question, struct arena *arena, struct p
     for (size_t i = 0; i < count; i++) {
         sums.values[i] /= sums.perfect;
     }
-    psf_measure(psf, sums.total / (sums.perfect * psf->pitch * psf->pitch), arena);
+    psf_measure(psf, sums.total / (sums.perfect * psf->pitch * psf->pitch), rays, arena);
     return true;
 }

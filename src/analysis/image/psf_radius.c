@@ -187,7 +187,7 @@ struct psf_radius psf_radius_find(const struct psf *psf, double light, struct ar
         {half + psf->centroid[0] / psf->pitch, half + psf->centroid[1] / psf->pitch},
         light};
     const double room = psf_radius_room_of(&pixels), by_pixels = field_radius(&pixels, arena);
-    double radius = by_pixels, error = 1 / sqrt(2 * PI * radius);
+    double radius = by_pixels, error = 2 / sqrt(2 * PI * radius);
     if (!(radius <= room)) {
         return (struct psf_radius){NAN, NAN};
     }

@@ -18,8 +18,8 @@ struct psf_radius {
  *           shorter than psf->finest: pixels of half of that and less hold it between them too, and
  *           small circles are filled with at least 64 steps a radius by polynomials through eight
  *           pixels each way. The error is what polynomials through four change; of coarser pixels
- *           one over the root of how many the rim cuts; and what the place of the centroid changes,
- *           which light beyond the pixels may move
+ *           two over the root of how many the rim cuts; and what the place of the centroid changes,
+ *           which light beyond the pixels may move towards that of the rays
  * Source    derived here; a test has Airy's disc, whose light within x is 1 - J0^2 - J1^2
  */
 struct psf_radius psf_radius_find(const struct psf *psf, double light, struct arena *arena);
