@@ -12,6 +12,7 @@
 
 #include <math.h>
 #include <stdlib.h>
+#include <string.h>
 
 /* A paraboloid of f = 100 with its stop, so slow that its pupil is even to 1e-7. */
 #define MIRROR "wavelength d\nobject inf\naperture stop\nsurface -200 -100 mirror 0.2 k=-1 stop\n"
@@ -213,18 +214,25 @@ static double shape_value(const struct shape *shape, double x, double y)
     return sum * (shape->m < 0 ? im : re);
 }
 
-/* Give a pupil that wave front, exactly: a product rule of its own for Chebyshev's polynomials. */
+/* Give a pupil that wave front, exactly: powers of r^2 by nodes as Chebyshev's polynomials. */
 static void set_term(struct exit_pupil *pupil, const struct shape *term)
 {
     enum { NODES = 24 };
-    for (size_t i = 0, t = 0; i <= pupil->order; i++) {
-        for (size_t j = 0; i + j <= pupil->order; j++, t++) {
-            double sum = 0;
-            for (int k = 0; k < NODES * NODES && i + j <= TERM_ORDER; k++) {
-                const double u = PI * (k % NODES + 0.5) / NODES, v = PI * (k / NODES + 0.5) / NODES;
-                sum += shape_value(term, cos(u), cos(v)) * cos((double)i * u) * cos((double)j * v);
+    const double reach = pupil->scale[0] / pupil->half[0];
+    memset(pupil->form[0], 0, pupil->terms.terms * sizeof(double));
+    for (size_t m = 0, first = 0; m < pupil->terms.orders; m++) {
+        for (int sine = 0; sine < (m > 0 ? 2 : 1); first += pupil->terms.radial[m], sine++) {
+            for (size_t j = 0; j < pupil->terms.radial[m]; j++) {
+                for (int k = 0; k < NODES && term->m == (sine == 1 ? -(int)m : (int)m); k++) {
+                    const double u = PI * (k + 0.5) / NODES, q = (1 + cos(u)) / 2 * reach * reach;
+                    double sum = 0;
+                    for (size_t i = term->count; i-- > 0;) {
+                        sum = sum * q + term->powers[i];
+                    }
+                    pupil->form[0][first + j] +=
+                        sum * pow(reach, (double)m) * cos((double)j * u) * (j > 0 ? 2 : 1) / NODES;
+                }
             }
-            pupil->form[0][t] = sum * (i > 0 ? 2 : 1) * (j > 0 ? 2 : 1) / (NODES * NODES);
         }
     }
     pupil->off_waves = 0;

@@ -1,6 +1,6 @@
 /* tests/unit/test_pupil_overlap.c - a pupil laid over itself, and what the sum is by its rays. */
 /* SPDX-License-Identifier: MIT */
-#include "design/merit/pupil_overlap.h"
+#include "analysis/waves/pupil_overlap.h"
 
 #include "base/constants.h"
 #include "base/processor.h"

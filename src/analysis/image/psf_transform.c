@@ -19,7 +19,7 @@ enum {
 static const double whole = 1 - 1e-9, gauss = 0.57735026918962576451;
 
 /* Polynomials of the pupil serve that are off so little: waves, and of the amplitude. */
-static const double smooth = 1e-5;
+static const double smooth = 3e-6;
 
 /* So much of a turn neighbouring points of a grid may differ at most. */
 static const double steepest = 0.2;

@@ -13,6 +13,9 @@ enum { LINES_FIRST = 24, POINTS_FIRST = 16, LAST = 3, HOPELESS = 54 * 36 };
 /* Rounding of paths leaves so much, wavelengths. */
 static const double finest = 2e-9;
 
+/* A map that is off by more half boxes does not say where rays go. */
+static const double lost = 0.05;
+
 /* A sheet in the making. */
 struct sheet_builder {
     const struct exit_pupil *pupil;
@@ -194,6 +197,9 @@ void exit_front_find(const struct exit_pupil *pupil, const struct exit_lines *li
                                    .by_form = exit_front_worst_of(pupil) <= error / 2,
                                    .arena = arena};
     making.off = making.by_form ? exit_front_worst_of(pupil) : 0;
+    if (!(pupil->off <= lost)) {
+        making.off = INFINITY;
+    }
     *front = (struct exit_front){
         pupil, lines, ARENA_ARRAY(arena, lines->count * EXIT_SPANS, struct exit_sheet), 0};
     for (size_t p = 0; p < lines->count; p++) {

@@ -2,20 +2,13 @@
 /* SPDX-License-Identifier: MIT */
 #include "analysis/waves/exit_pupil.h"
 
-#include "analysis/waves/exit_map.h"
 #include "base/constants.h"
-#include "base/instruction_set.h"
-#include "base/linear.h"
 #include "trace/dispatch.h"
 
 #include <math.h>
 #include <string.h>
 
-enum {
-    ORDER_FIRST = 8,
-    ORDER_MOST = EXIT_MAP_ORDER,
-    TERMS_MOST = (ORDER_MOST + 1) * (ORDER_MOST + 2) / 2
-};
+enum { ORDER_FIRST = 8, ORDER_MOST = 14, TERMS_MOST = (ORDER_MOST + 1) * (ORDER_MOST + 2) / 2 };
 
 /* So well the polynomials are to name rays, in half boxes; rims lie so far within. */
 static const double fine = 1e-7, fine_waves = 3e-6, within = 1 - 1e-12;
@@ -86,25 +79,37 @@ static struct sphere_point exit_pupil_meet(const struct exit_pupil *pupil,
 
 /* -------- polynomials -------- */
 
-/* T_0 .. T_order of x. */
-static void exit_pupil_chebyshev(double x, size_t order, double *values)
+/*
+ * Two of them at points, every `step`-th number of `values`; areas: receives what the two make of
+ * areas of a and b; or null.
+ */
+static void exit_pupil_polynomials(const struct exit_pupil *pupil, double *const c[2],
+                                   const double (*at)[2], size_t count, double *const values[2],
+                                   size_t step, double *areas)
 {
-    values[0] = 1;
-    values[1] = x;
-    for (size_t k = 2; k <= order; k++) {
-        values[k] = 2 * x * values[k - 1] - values[k - 2];
+    enum { BLOCK = 4 * PUPIL_LANES };
+    const double *middle = pupil->middle, *scale = pupil->scale;
+    double x[BLOCK], y[BLOCK], value[2][BLOCK], slope[2][2][BLOCK];
+    struct pupil_look look = {.x = x, .y = y, .value = {value[0], value[1]}};
+    for (int k = 0; k < 4 && areas != NULL; k++) {
+        look.slope[k / 2][k % 2] = slope[k / 2][k % 2];
     }
-}
-
-/* Some points to the box of the polynomials, the first again where lanes are left. */
-static void put_lanes(const struct exit_pupil *pupil, const double (*at)[2], size_t count,
-                      struct exit_map_lanes *lanes)
-{
-    const double *middle = pupil->middle, *half = pupil->half;
-    for (size_t i = 0; i < EXIT_MAP_LANES; i++) {
-        const size_t from = i < count ? i : 0;
-        lanes->x[i] = (at[from][0] - middle[0]) / half[0];
-        lanes->y[i] = (at[from][1] - middle[1]) / half[1];
+    for (size_t done = 0; done < count; done += BLOCK) {
+        const size_t here = count - done < BLOCK ? count - done : BLOCK;
+        look.count = pupil_room(here);
+        for (size_t i = 0; i < look.count; i++) {
+            const double *from = at[done + (i < here ? i : 0)];
+            x[i] = (from[0] - middle[0]) / scale[0];
+            y[i] = (from[1] - middle[1]) / scale[1];
+        }
+        pupil_look(&pupil->terms, (const double *const *)c, &look);
+        for (size_t i = 0; i < here; i++) {
+            values[0][(done + i) * step] = value[0][i];
+            values[1][(done + i) * step] = value[1][i];
+            if (areas != NULL) {
+                areas[done + i] = fabs(pupil_area(look.slope, i)) / (scale[0] * scale[1]);
+            }
+        }
     }
 }
 
@@ -112,38 +117,15 @@ static void put_lanes(const struct exit_pupil *pupil, const double (*at)[2], siz
 static void way_back(const struct exit_pupil *pupil, const double (*at)[2], size_t count,
                      double (*places)[2], double *areas)
 {
-    kernel_exit_map *find = areas != NULL ? KERNEL_FOR(SET_BEST, kernel_exit_map)
-                                          : KERNEL_FOR(SET_BEST, kernel_exit_form);
-    const struct exit_map map = {pupil->order, pupil->map[0], pupil->map[1]};
-    const double *half = pupil->half;
-    struct exit_map_lanes lanes;
-    for (size_t done = 0; done < count; done += EXIT_MAP_LANES) {
-        const size_t left = count - done, here = left < EXIT_MAP_LANES ? left : EXIT_MAP_LANES;
-        put_lanes(pupil, at + done, here, &lanes);
-        find(&map, &lanes);
-        for (size_t i = 0; i < here; i++) {
-            places[done + i][0] = lanes.first[i];
-            places[done + i][1] = lanes.second[i];
-            if (areas != NULL) {
-                areas[done + i] = lanes.area[i] / (half[0] * half[1]);
-            }
-        }
-    }
+    exit_pupil_polynomials(pupil, pupil->map, at, count,
+                           (double *const[]){&places[0][0], &places[0][1]}, 2, areas);
 }
 
 void exit_pupil_form(const struct exit_pupil *pupil, const double (*at)[2], size_t count,
                      double *waves, double *amplitudes)
 {
-    kernel_exit_map *find = KERNEL_FOR(SET_BEST, kernel_exit_form);
-    const struct exit_map map = {pupil->order, pupil->form[0], pupil->form[1]};
-    struct exit_map_lanes lanes;
-    for (size_t done = 0; done < count; done += EXIT_MAP_LANES) {
-        const size_t left = count - done, here = left < EXIT_MAP_LANES ? left : EXIT_MAP_LANES;
-        put_lanes(pupil, at + done, here, &lanes);
-        find(&map, &lanes);
-        memcpy(waves + done, lanes.first, here * sizeof *waves);
-        memcpy(amplitudes + done, lanes.second, here * sizeof *amplitudes);
-    }
+    exit_pupil_polynomials(pupil, pupil->form, at, count, (double *const[]){waves, amplitudes}, 1,
+                           NULL);
 }
 
 /* -------- opening -------- */
@@ -224,131 +206,122 @@ static void set_box(struct exit_pupil *pupil, const struct exit_pupil_pairs *rim
             high[k] = fmax(high[k], rim->to[i][k]);
         }
     }
+    double reach = 1;
     for (int k = 0; k < 2; k++) {
         pupil->middle[k] = (low[k] + high[k]) / 2;
         pupil->half[k] = (high[k] - low[k]) / 2;
     }
-}
-
-/* What mirrors do to a function of a and b: it stays, or its sign turns; or there is no mirror. */
-enum parity { ANY, EVEN, ODD };
-
-/* Least squares of an order, by the terms that mirrors leave. */
-struct exit_pupil_pupil_fit {
-    struct exit_pupil *pupil;
-    const struct exit_pupil_pairs *all;
-    bool is_mirrored[2]; /* a to -a, b to -b */
-    struct arena *arena;
-};
-
-static bool has_term(size_t k, enum parity parity)
-{
-    return parity == ANY || k % 2 == (parity == ODD);
-}
-
-/* Rows on one side of each mirror say all. */
-static bool has_row(const struct exit_pupil_pupil_fit *fitting, size_t row)
-{
-    const double *to = fitting->all->to[row];
-    return (!fitting->is_mirrored[0] || to[0] >= 0) && (!fitting->is_mirrored[1] || to[1] >= 0);
-}
-
-/* Fit functions of the same parities: values, one a pair, to coefficients of all terms. */
-static void fit_alike(const struct exit_pupil_pupil_fit *fitting, const enum parity parities[2],
-                      const double *const *values, size_t count, double *const *forms)
-{
-    const struct arena_mark mark = arena_mark(fitting->arena);
-    const struct exit_pupil *pupil = fitting->pupil;
-    const struct exit_pupil_pairs *all = fitting->all;
-    const size_t order = pupil->order;
-    double *a = ARENA_ARRAY(fitting->arena, all->count * TERMS_MOST, double);
-    double *b = ARENA_ARRAY(fitting->arena, all->count, double);
-    double x[ORDER_MOST + 1], y[ORDER_MOST + 1], left[TERMS_MOST];
-    size_t rows = 0, terms = 0, filled = 0;
-    for (size_t row = 0; row < all->count; row++) {
-        if (!has_row(fitting, row)) {
-            continue;
-        }
-        exit_pupil_chebyshev((all->to[row][0] - pupil->middle[0]) / pupil->half[0], order, x);
-        exit_pupil_chebyshev((all->to[row][1] - pupil->middle[1]) / pupil->half[1], order, y);
-        for (size_t i = 0; i <= order; i++) {
-            for (size_t j = 0; i + j <= order; j++) {
-                if (has_term(i, parities[0]) && has_term(j, parities[1])) {
-                    a[filled++] = x[i] * y[j];
-                }
-            }
-        }
-        rows++;
-        terms = filled / rows;
+    for (size_t i = 0; i < rim->count; i++) {
+        reach = fmax(reach, hypot((rim->to[i][0] - pupil->middle[0]) / pupil->half[0],
+                                  (rim->to[i][1] - pupil->middle[1]) / pupil->half[1]));
     }
-    const struct linear_factors factors = linear_factor(a, rows, terms, 1e-12, fitting->arena);
-    for (size_t f = 0; f < count; f++) {
-        for (size_t row = 0, k = 0; row < all->count; row++) {
-            if (has_row(fitting, row)) {
-                b[k++] = values[f][row];
-            }
-        }
-        linear_solve(&factors, b, left);
-        for (size_t i = 0, term = 0, k = 0; i <= order; i++) {
-            for (size_t j = 0; i + j <= order; j++, term++) {
-                const bool has = has_term(i, parities[0]) && has_term(j, parities[1]);
-                forms[f][term] = has ? left[k++] : 0;
-            }
-        }
-    }
-    arena_reset(fitting->arena, mark);
-}
-
-/* The polynomials of one order; the worst that their u and v are off. */
-static double exit_pupil_fit(const struct exit_pupil_pupil_fit *fitting, size_t order)
-{
-    struct exit_pupil *pupil = fitting->pupil;
-    const struct exit_pupil_pairs *all = fitting->all;
-    struct arena *arena = fitting->arena;
-    enum parity even[2], odd[2];
-    const double *extent = pupil->light->source.region->star->frame.stretch;
-    const struct stop_beam *beam = &pupil->light->source.pupil;
-    double(*places)[2] = arena_array(arena, all->count, sizeof *places), worst = 0, mean = 0;
-    double *values[2] = {ARENA_ARRAY(arena, all->count, double),
-                         ARENA_ARRAY(arena, all->count, double)};
-    double *areas = ARENA_ARRAY(arena, all->count, double);
-    pupil->order = order;
     for (int k = 0; k < 2; k++) {
-        even[k] = fitting->is_mirrored[k] ? EVEN : ANY;
-        odd[k] = fitting->is_mirrored[k] ? ODD : ANY;
-        for (size_t row = 0; row < all->count; row++) {
-            values[k][row] = all->from[row][k];
+        pupil->scale[k] = reach * pupil->half[k];
+    }
+}
+
+/* Only the terms of a function that mirrors leave, which is odd in a or b or even in both. */
+static void exit_pupil_mirror(const struct exit_pupil *pupil, const bool odd[2], double *c)
+{
+    for (size_t i = 0, term = 0; i < 2 * pupil->terms.orders; i++) {
+        const size_t m = i / 2, sine = i % 2;
+        const bool keeps = (!pupil->is_mirrored[0] || ((m + sine) % 2 == 1) == odd[0]) &&
+                           (!pupil->is_mirrored[1] || (sine == 1) == odd[1]);
+        for (size_t j = 0; j < pupil->terms.radial[m] && i != 1; j++, term++) {
+            c[term] = keeps ? c[term] : 0;
         }
     }
-    if (!fitting->is_mirrored[0] && !fitting->is_mirrored[1]) {
-        fit_alike(fitting, even, (const double *const *)values, 2, pupil->map);
-    } else {
-        fit_alike(fitting, (const enum parity[]){odd[0], even[1]},
-                  (const double *const[]){values[0]}, 1, &pupil->map[0]);
-        fit_alike(fitting, (const enum parity[]){even[0], odd[1]},
-                  (const double *const[]){values[1]}, 1, &pupil->map[1]);
+}
+
+/*
+ * Two functions of the rays to coefficients, in two rounds: the second one gets the digits back
+ * that normal equations lose. What is left of the functions stays in `values`.
+ *
+ * Given     odd  of each, in a and in b, where the pupil has mirrors
+ */
+static void exit_pupil_fit_two(const struct exit_pupil *pupil, const struct pupil_fit *fit,
+                               const bool odd[2][2], double *const values[2], double *const work[2],
+                               double *const c[2])
+{
+    double more[2][TERMS_MOST];
+    const struct pupil_look look = {
+        .count = fit->count, .x = fit->x, .y = fit->y, .value = {work[0], work[1]}};
+    for (int k = 0; k < 2; k++) {
+        memset(c[k], 0, TERMS_MOST * sizeof *c[k]);
     }
-    way_back(pupil, (const double(*)[2])all->to, all->count, places, areas);
-    for (size_t row = 0; row < all->count; row++) {
+    for (int round = 0; round < 2; round++) {
+        pupil_fit_find(fit, (const double *const *)values, work,
+                       (double *const[]){more[0], more[1]});
+        exit_pupil_mirror(pupil, odd[0], more[0]);
+        exit_pupil_mirror(pupil, odd[1], more[1]);
+        pupil_look(fit->form, (const double *const[]){more[0], more[1]}, &look);
         for (int k = 0; k < 2; k++) {
-            worst = fmax(worst, fabs(places[row][k] - all->from[row][k]) / extent[k]);
+            for (size_t i = 0; i < fit->form->terms; i++) {
+                c[k][i] += more[k][i];
+            }
+            for (size_t i = 0; i < fit->count; i++) {
+                values[k][i] -= work[k][i];
+            }
         }
-        const double *from = all->from[row];
-        areas[row] = sqrt(areas[row] * stop_beam_density(beam, from[0], from[1]));
-        mean += areas[row] / (double)all->count;
     }
-    fit_alike(fitting, even, (const double *const[]){all->waves, areas}, 2, pupil->form);
-    exit_pupil_form(pupil, (const double(*)[2])all->to, all->count, values[0], values[1]);
-    pupil->off_waves = pupil->off_amplitude = 0;
-    for (size_t row = 0; row < all->count; row++) {
-        const double off[2] = {values[0][row] - all->waves[row],
-                               (values[1][row] - areas[row]) / mean};
-        pupil->off_waves += off[0] * off[0] / (double)all->count;
-        pupil->off_amplitude += off[1] * off[1] / (double)all->count;
+}
+
+/* The polynomials of a degree, and what they leave; false: the rays do not tell them apart. */
+static bool exit_pupil_fit(struct exit_pupil *pupil, const struct exit_pupil_pairs *all,
+                           size_t degree, struct arena *arena)
+{
+    static const bool odd[2][2] = {{true, false}, {false, true}}, even[2][2] = {{false}};
+    const struct arena_mark mark = arena_mark(arena);
+    const double *extent = pupil->light->source.region->star->frame.stretch;
+    const size_t room = pupil_room(all->count);
+    const double each = 1 / (double)all->count;
+    double *numbers[8], mean = 0;
+    for (size_t k = 0; k < sizeof numbers / sizeof numbers[0]; k++) {
+        numbers[k] = ARENA_ARRAY(arena, room, double);
     }
-    pupil->off_waves = sqrt(pupil->off_waves);
-    pupil->off_amplitude = sqrt(pupil->off_amplitude);
-    return worst;
+    double *const *values = numbers + 3, *const *work = numbers + 5, *amplitudes = numbers[7];
+    pupil->terms = pupil_form_of_degree(degree);
+    const struct pupil_fit fit = {
+        &pupil->terms,
+        room,
+        numbers[0],
+        numbers[1],
+        numbers[2],
+        ARENA_ARRAY(arena, pupil->terms.terms * pupil->terms.terms, double),
+        ARENA_ARRAY(arena, room * pupil->terms.terms, double)};
+    for (size_t i = 0; i < all->count; i++) {
+        for (int k = 0; k < 2; k++) {
+            numbers[k][i] = (all->to[i][k] - pupil->middle[k]) / pupil->scale[k];
+            values[k][i] = all->from[i][k];
+        }
+        numbers[2][i] = 1;
+    }
+    const bool fits = pupil_fit_open(&fit);
+    if (fits) {
+        exit_pupil_fit_two(pupil, &fit, odd, values, work, pupil->map);
+        pupil->off = pupil->off_waves = pupil->off_amplitude = 0;
+        for (size_t i = 0; i < 2 * all->count; i++) {
+            pupil->off = fmax(pupil->off, fabs(values[i % 2][i / 2]) / extent[i % 2]);
+        }
+        double(*places)[2] = arena_array(arena, all->count, sizeof *places);
+        way_back(pupil, (const double(*)[2])all->to, all->count, places, amplitudes);
+        for (size_t i = 0; i < all->count; i++) {
+            const double *from = all->from[i];
+            const double density = stop_beam_density(&pupil->light->source.pupil, from[0], from[1]);
+            values[0][i] = all->waves[i];
+            values[1][i] = amplitudes[i] = sqrt(amplitudes[i] * density);
+            mean += amplitudes[i] * each;
+        }
+        exit_pupil_fit_two(pupil, &fit, even, values, work, pupil->form);
+        for (size_t i = 0; i < all->count; i++) {
+            pupil->off_waves += values[0][i] * values[0][i] * each;
+            pupil->off_amplitude += values[1][i] * values[1][i] / (mean * mean) * each;
+        }
+        pupil->off_waves = sqrt(pupil->off_waves);
+        pupil->off_amplitude = sqrt(pupil->off_amplitude);
+    }
+    arena_reset(arena, mark);
+    return fits;
 }
 
 /* Do rays on the other side of a mirror go there too? */
@@ -378,7 +351,7 @@ static bool exit_pupil_is_mirrored(const struct exit_pupil *pupil,
     return alike;
 }
 
-static void find_map(struct exit_pupil *pupil, const struct exit_pupil_pairs *rim,
+static bool find_map(struct exit_pupil *pupil, const struct exit_pupil_pairs *rim,
                      const struct quadrature *inside, size_t first, struct arena *arena)
 {
     const size_t count = inside->sample.count;
@@ -404,22 +377,27 @@ static void find_map(struct exit_pupil *pupil, const struct exit_pupil_pairs *ri
         pupil->map[k] = ARENA_ARRAY(arena, TERMS_MOST, double);
         pupil->form[k] = ARENA_ARRAY(arena, TERMS_MOST, double);
     }
-    struct exit_pupil_pupil_fit fitting = {.pupil = pupil, .all = &both, .arena = arena};
     for (int k = 0; k < 2; k++) {
-        fitting.is_mirrored[k] = pupil->is_mirrored[k] =
-            exit_pupil_is_mirrored(pupil, &both, k, arena);
+        pupil->is_mirrored[k] = exit_pupil_is_mirrored(pupil, &both, k, arena);
     }
     /* as many rays again as terms */
-    size_t order = first;
-    while (order > 1 && (order + 1) * (order + 2) > both.count) {
-        order--;
+    size_t degree = first;
+    while (degree > 1 && ((degree + 1) * (degree + 2) > both.count ||
+                          !exit_pupil_fit(pupil, &both, degree, arena))) {
+        degree--;
     }
-    pupil->off = exit_pupil_fit(&fitting, order);
-    while ((pupil->off > fine || pupil->off_waves > fine_waves) && order + 3 <= ORDER_MOST &&
-           (order + 4) * (order + 5) <= both.count) {
-        order += 3;
-        pupil->off = exit_pupil_fit(&fitting, order);
+    if (degree == 1) {
+        return exit_pupil_fit(pupil, &both, degree, arena);
     }
+    while ((pupil->off > fine || pupil->off_waves > fine_waves) && degree + 3 <= ORDER_MOST &&
+           (degree + 4) * (degree + 5) <= both.count) {
+        const double before = pupil->off;
+        if (!exit_pupil_fit(pupil, &both, degree + 3, arena) || pupil->off > before) {
+            return exit_pupil_fit(pupil, &both, degree, arena);
+        }
+        degree += 3;
+    }
+    return true;
 }
 
 static bool exit_pupil_open_pupil(const struct exit_pupils *pupils, size_t g, struct arena *arena,
@@ -447,12 +425,11 @@ static bool exit_pupil_open_pupil(const struct exit_pupils *pupils, size_t g, st
         pupil->energy += PI * point->weight * stop_beam_density(&source->pupil, point->x, point->y);
     }
     set_box(pupil, &rim);
-    if (!(pupil->half[0] > 0 && pupil->half[1] > 0)) {
-        return fail(error, ERROR_DOMAIN, "all light comes from one direction");
-    }
     /* wavelengths do not differ in what they need */
-    find_map(pupil, &rim, &inside, g > 0 ? pupils->list[0].order : ORDER_FIRST, arena);
-    return true;
+    return (pupil->half[0] > 0 && pupil->half[1] > 0 &&
+            find_map(pupil, &rim, &inside, g > 0 ? pupils->list[0].terms.orders - 1 : ORDER_FIRST,
+                     arena)) ||
+           fail(error, ERROR_DOMAIN, "all light comes from one direction");
 }
 
 bool exit_pupils_open(const struct bundle_question *bundle, struct arena *arena,

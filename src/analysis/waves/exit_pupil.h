@@ -3,6 +3,7 @@
 #ifndef LENSCALC_ANALYSIS_WAVES_EXIT_PUPIL_H
 #define LENSCALC_ANALYSIS_WAVES_EXIT_PUPIL_H
 
+#include "analysis/waves/pupil_series.h"
 #include "analysis/waves/wave_reference.h"
 #include "trace/pupil/pupil_islands.h"
 
@@ -31,7 +32,8 @@ struct exit_pupil {
     /* what polynomials of W and the amplitude leave: wavelengths, and of the mean amplitude */
     double off_waves, off_amplitude;
     /* internal: as polynomials u and v of the beam, and W and the amplitude */
-    size_t order;
+    struct pupil_form terms;
+    double scale[2]; /* of the disc that they are polynomials of, about the middle of the box */
     double *map[2], *form[2];
     bool is_blocked;     /* something may stand within */
     bool is_mirrored[2]; /* its rays, W and amplitude are the same at -a, and at -b */

@@ -7,7 +7,7 @@
 #include "base/turns.h"
 #include "design/merit/merit_beams.h"
 #include "design/merit/merit_graze.h"
-#include "design/merit/pupil_overlap.h"
+#include "analysis/waves/pupil_overlap.h"
 
 #include <math.h>
 #include <string.h>

@@ -5,7 +5,7 @@
 
 #include "design/merit/merit_bundle.h"
 #include "design/merit/merit_state.h"
-#include "design/merit/pupil_wave.h"
+#include "analysis/waves/pupil_wave.h"
 
 /*
  * mtf, gmtf: of the field of the operand or of each one, tangential, sagittal or both: what

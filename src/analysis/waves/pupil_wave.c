@@ -1,6 +1,6 @@
-/* design/merit/pupil_wave.c - the wave front and the amplitude of a pupil from some of its rays. */
+/* analysis/waves/pupil_wave.c - the wave front and the amplitude of a pupil from some of its rays. */
 /* SPDX-License-Identifier: MIT */
-#include "design/merit/pupil_wave.h"
+#include "analysis/waves/pupil_wave.h"
 
 #include "base/constants.h"
 
@@ -32,7 +32,7 @@ static bool open_fine(struct pupil_rule *rule, struct arena *arena, struct error
         return false;
     }
     rule->fine_count = sample.count;
-    rule->fine_room = (sample.count + PUPIL_LANES - 1) / PUPIL_LANES * PUPIL_LANES;
+    rule->fine_room = pupil_room(sample.count);
     rule->fine_x = ARENA_ARRAY(arena, rule->fine_room, double);
     rule->fine_y = ARENA_ARRAY(arena, rule->fine_room, double);
     rule->fine_weights = ARENA_ARRAY(arena, rule->fine_room, double);
@@ -47,7 +47,7 @@ static bool open_fine(struct pupil_rule *rule, struct arena *arena, struct error
 bool pupil_rule_open(const struct pupil_point *points, size_t count, struct arena *arena,
                      struct pupil_rule *rule, struct error *error)
 {
-    const size_t room = (count + PUPIL_LANES - 1) / PUPIL_LANES * PUPIL_LANES;
+    const size_t room = pupil_room(count);
     *rule = (struct pupil_rule){.count = count,
                                 .room = room,
                                 .form = pupil_form_of(count),
@@ -100,22 +100,6 @@ void pupil_wave_open(const struct pupil_rule *rule, struct arena *arena, struct 
 
 /* -------- polynomials -------- */
 
-/* Two functions of the rays, by least squares: into `c`. */
-static void fit_two(struct pupil_wave *wave, const struct pupil_fit *fit,
-                    const double *const values[2], double *const c[2])
-{
-    const struct pupil_look look = {
-        .count = fit->count, .x = fit->x, .y = fit->y, .value = {wave->work[0], wave->work[1]}};
-    for (int k = 0; k < 2; k++) {
-        for (size_t i = 0; i < fit->count; i++) {
-            wave->work[k][i] = fit->weights[i] * values[k][i];
-        }
-    }
-    pupil_gather(fit->form, &look, c);
-    pupil_fit_solve(fit, c[0]);
-    pupil_fit_solve(fit, c[1]);
-}
-
 /* Points of the pupil: those of the rays, or the fine ones. */
 struct pupil_wave_points {
     size_t count;
@@ -139,7 +123,7 @@ static void pupil_wave_find_at(struct pupil_wave *wave, struct pupil_wave_points
         .y = at.y,
         .value = {value[0], value[1]},
         .slope = {{slope[0][0], slope[0][1]}, {slope[1][0], slope[1][1]}}};
-    fit_two(wave, &fit, values, wave->sums);
+    pupil_fit_find(&fit, values, wave->work, wave->sums);
     pupil_look(&wave->rule->form, (const double *const *)wave->sums, &look);
 }
 
@@ -241,11 +225,6 @@ static bool pupil_wave_find_places(struct pupil_wave *wave)
     return isfinite(over);
 }
 
-static double area_at(double *slope[2][2], size_t i)
-{
-    return slope[0][0][i] * slope[1][1][i] - slope[0][1][i] * slope[1][0][i];
-}
-
 /* Areas of the beam, of one sign: false, they have not. */
 static bool find_energy(struct pupil_wave *wave, struct error *error)
 {
@@ -254,9 +233,9 @@ static bool find_energy(struct pupil_wave *wave, struct error *error)
     double sum = 0;
     bool is_one = true;
     pupil_wave_find_at(wave, pupil_wave_points_of(rule), from, wave->work, wave->slope + 2);
-    wave->sign = area_at(wave->slope + 2, 0) < 0 ? -1 : 1;
+    wave->sign = pupil_area(wave->slope + 2, 0) < 0 ? -1 : 1;
     for (size_t i = 0; i < rule->count; i++) {
-        const double area = wave->sign * area_at(wave->slope + 2, i);
+        const double area = wave->sign * pupil_area(wave->slope + 2, i);
         sum += rule->weights[i] * area;
         is_one = is_one && area > 0;
     }
@@ -269,7 +248,8 @@ static bool find_amplitudes(struct pupil_wave *wave, struct error *error)
 {
     bool is_one = true;
     for (size_t i = 0; i < wave->rule->count; i++) {
-        const double ratio = wave->sign * area_at(wave->slope + 2, i) / area_at(wave->slope, i);
+        const double ratio =
+            wave->sign * pupil_area(wave->slope + 2, i) / pupil_area(wave->slope, i);
         wave->amplitude[i] = sqrt(ratio);
         is_one = is_one && ratio > 0;
     }
@@ -301,7 +281,7 @@ bool pupil_wave_find(struct pupil_wave *wave, struct error *error)
     if (!pupil_fit_open(&fit)) {
         return fail(error, ERROR_DOMAIN, "the pupil is too distorted for contrast by waves");
     }
-    fit_two(wave, &fit, values, wave->c);
+    pupil_fit_find(&fit, values, wave->work, wave->c);
     pupil_look(&rule->form, (const double *const *)wave->c, &look);
     for (int k = 0; k < 2; k++) {
         for (size_t i = 0; i < rule->room; i++) {
@@ -407,7 +387,7 @@ void pupil_wave_back(struct pupil_wave *wave)
     for (size_t i = 0; i < rule->room; i++) {
         const double amplitude = wave->amplitude[i], by = by_value[1][i];
         const bool is_ray = i < rule->count;
-        const double beam = area_at(wave->slope + 2, i), place = area_at(wave->slope, i);
+        const double beam = pupil_area(wave->slope + 2, i), place = pupil_area(wave->slope, i);
         area_back(slopes, i, is_ray ? -by * amplitude / (2 * place) : 0);
         area_back(slopes + 2, i,
                   is_ray ? by * amplitude / (2 * beam) +
@@ -452,9 +432,9 @@ bool pupil_spot_find(struct pupil_spot *spot, struct error *error)
     bool is_one = true;
     pupil_wave_find_at(wave, fine_points_of(rule), to, spot->place, none);
     pupil_wave_find_at(wave, fine_points_of(rule), from, spot->spare, spot->slope);
-    spot->sign = area_at(spot->slope, 0) < 0 ? -1 : 1;
+    spot->sign = pupil_area(spot->slope, 0) < 0 ? -1 : 1;
     for (size_t i = 0; i < rule->fine_count; i++) {
-        const double area = spot->sign * area_at(spot->slope, i);
+        const double area = spot->sign * pupil_area(spot->slope, i);
         spot->area[i] = rule->fine_weights[i] * area;
         is_one = is_one && area > 0;
     }

@@ -1,7 +1,7 @@
-/* design/merit/kernel_pupil_series.c - polynomials of a disc, compiled for each instruction set. */
+/* analysis/waves/kernel_pupil_series.c - polynomials of a disc, compiled for each instruction set. */
 /* SPDX-License-Identifier: MIT */
 #include "base/turns.h"
-#include "design/merit/pupil_series.h"
+#include "analysis/waves/pupil_series.h"
 
 #include <stdbool.h>
 #include <string.h>

@@ -1,11 +1,11 @@
-/* design/merit/pupil_wave.h - the wave front and the amplitude of a pupil from some of its rays. */
+/* analysis/waves/pupil_wave.h - the wave front and the amplitude of a pupil from some of its rays. */
 /* SPDX-License-Identifier: MIT */
-#ifndef LENSCALC_DESIGN_MERIT_PUPIL_WAVE_H
-#define LENSCALC_DESIGN_MERIT_PUPIL_WAVE_H
+#ifndef LENSCALC_ANALYSIS_WAVES_PUPIL_WAVE_H
+#define LENSCALC_ANALYSIS_WAVES_PUPIL_WAVE_H
 
+#include "analysis/waves/pupil_series.h"
 #include "base/arena.h"
 #include "base/error.h"
-#include "design/merit/pupil_series.h"
 #include "trace/aim/sample.h"
 
 #include <stdbool.h>

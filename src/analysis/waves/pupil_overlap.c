@@ -1,6 +1,6 @@
-/* design/merit/pupil_overlap.c - a pupil laid over itself: transfer at one frequency. */
+/* analysis/waves/pupil_overlap.c - a pupil laid over itself: transfer at one frequency. */
 /* SPDX-License-Identifier: MIT */
-#include "design/merit/pupil_overlap.h"
+#include "analysis/waves/pupil_overlap.h"
 
 #include "base/constants.h"
 #include "base/turns.h"
@@ -38,7 +38,7 @@ void pupil_overlap_open(struct pupil_wave *wave, size_t lines, struct pupil_mirr
         open_nodes(lines, mirrors.along, arena, &overlap->angles, &overlap->angle_weights);
     overlap->each = open_nodes(lines, mirrors.across, arena, &overlap->nodes, &overlap->weights);
     overlap->count = overlap->lines * overlap->each;
-    const size_t room = (overlap->count + PUPIL_LANES - 1) / PUPIL_LANES * PUPIL_LANES;
+    const size_t room = pupil_room(overlap->count);
     overlap->room = room;
     overlap->x = ARENA_ARRAY(arena, 2 * room, double);
     overlap->y = ARENA_ARRAY(arena, 2 * room, double);

@@ -1,9 +1,9 @@
-/* design/merit/pupil_overlap.h - a pupil laid over itself: transfer at one frequency. */
+/* analysis/waves/pupil_overlap.h - a pupil laid over itself: transfer at one frequency. */
 /* SPDX-License-Identifier: MIT */
-#ifndef LENSCALC_DESIGN_MERIT_PUPIL_OVERLAP_H
-#define LENSCALC_DESIGN_MERIT_PUPIL_OVERLAP_H
+#ifndef LENSCALC_ANALYSIS_WAVES_PUPIL_OVERLAP_H
+#define LENSCALC_ANALYSIS_WAVES_PUPIL_OVERLAP_H
 
-#include "design/merit/pupil_wave.h"
+#include "analysis/waves/pupil_wave.h"
 
 /* A point of the edge, and how it moves with its angle. */
 struct pupil_edge {

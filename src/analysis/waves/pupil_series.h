@@ -1,7 +1,7 @@
-/* design/merit/pupil_series.h - functions of a disc as sums of polynomials, many places at once. */
+/* analysis/waves/pupil_series.h - functions of a disc as sums of polynomials, many places at once. */
 /* SPDX-License-Identifier: MIT */
-#ifndef LENSCALC_DESIGN_MERIT_PUPIL_SERIES_H
-#define LENSCALC_DESIGN_MERIT_PUPIL_SERIES_H
+#ifndef LENSCALC_ANALYSIS_WAVES_PUPIL_SERIES_H
+#define LENSCALC_ANALYSIS_WAVES_PUPIL_SERIES_H
 
 #include "base/arena.h"
 
@@ -27,6 +27,15 @@ struct pupil_form {
  */
 struct pupil_form pupil_form_of(size_t points);
 
+/* All terms up to a degree in x and y, which is below PUPIL_RADIAL. */
+struct pupil_form pupil_form_of_degree(size_t degree);
+
+/* The multiple of PUPIL_LANES that has room for so many. */
+static inline size_t pupil_room(size_t count)
+{
+    return (count + PUPIL_LANES - 1) / PUPIL_LANES * PUPIL_LANES;
+}
+
 /* Two functions at places: count is a multiple of PUPIL_LANES. */
 struct pupil_look {
     size_t count;
@@ -34,6 +43,12 @@ struct pupil_look {
     double *value[2];
     double *slope[2][2]; /* by x and y; null: neither wanted nor there */
 };
+
+/* What the two make of an area at place i: the determinant of their slopes. */
+static inline double pupil_area(double *slope[2][2], size_t i)
+{
+    return slope[0][0][i] * slope[1][1][i] - slope[0][1][i] * slope[1][0][i];
+}
 
 /* The functions with coefficients c, into value and slope. */
 void pupil_look(const struct pupil_form *form, const double *const c[2],
@@ -57,6 +72,10 @@ bool pupil_fit_open(const struct pupil_fit *fit);
 
 /* Sums of pupil_gather become coefficients; and what they are by, the other way round. */
 void pupil_fit_solve(const struct pupil_fit *fit, double *sums);
+
+/* Fit two functions, one number a place each: to coefficients c. Given `work`: twice `count`. */
+void pupil_fit_find(const struct pupil_fit *fit, const double *const values[2],
+                    double *const work[2], double *const c[2]);
 
 /* Places of an overlap: W in turns and amplitudes at both, and weights. */
 struct pupil_cross {
