@@ -250,7 +250,8 @@ static void run_kernels(const struct kernels *kernels, struct arena *arena, doub
                                   ARENA_ARRAY(arena, PLACES * PUPIL_TERMS, double)};
     kernels->gram(&fit);
     const struct pupil_cross cross = {
-        PLACES, {numbers, numbers + PLACES}, {out[1], out[2]}, numbers + PLACES, out[3], out[4]};
+        PLACES, {numbers, numbers + PLACES}, {out[1], out[2]}, numbers + PLACES, out[3], out[4],
+        NULL};
     kernels->cross(&cross);
 }
 

@@ -1,6 +1,6 @@
 /* analysis/image/kernel_mtf_rays.c - waves of one frequency at the places of rays. */
 /* SPDX-License-Identifier: MIT */
-#include "analysis/image/mtf_rays.h"
+#include "analysis/image/mtf.h"
 #include "base/turns.h"
 
 #define JOINED(a, b) a##_##b

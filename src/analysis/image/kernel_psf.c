@@ -1,6 +1,6 @@
 /* analysis/image/kernel_psf.c - the inner loops of images of points. */
 /* SPDX-License-Identifier: MIT */
-#include "analysis/image/psf_kernels.h"
+#include "analysis/image/psf_light.h"
 #include "base/turns.h"
 
 #include <math.h>

@@ -3,14 +3,119 @@
 #include "analysis/image/mtf.h"
 
 #include "base/constants.h"
+#include "base/instruction_set.h"
 
 #include <math.h>
-#include <string.h>
 
 /* A complex sum for each direction, and what a perfect pupil has. */
 struct mtf_sums {
     double re[MTF_DIRECTIONS], im[MTF_DIRECTIONS], perfect[MTF_DIRECTIONS], light;
 };
+
+/* -------- by rays -------- */
+
+enum { FIRST_RAYS = 200, LEVELS = 10, LANES = MTF_RAYS_LANES };
+
+/* Rays of all wavelengths, and where they arrive from the reference in two directions, mm. */
+struct mtf_rays_level {
+    size_t count; /* a multiple of the lanes; those at the end weigh 0 */
+    double *places[2], *weights, light;
+};
+
+/* Traced when a frequency first wants them, for all frequencies: each has twice those before. */
+struct mtf_rays {
+    struct mtf_rays_level levels[LEVELS];
+    size_t count;
+};
+
+/* The rays of one wavelength at the end of a level. */
+static bool mtf_rays_add_light(const struct mtf_source *source, const struct wave_light *light,
+                               size_t count, struct arena *arena, struct mtf_rays_level *level,
+                               struct error *error)
+{
+    const double unit = wave_light_weight(light);
+    struct bundle bundle;
+    light->source.region->in_beam = false;
+    if (!bundle_trace(&light->source, count, light->system->places, arena, &bundle, error)) {
+        return false;
+    }
+    const size_t room = level->count + bundle.count + LANES;
+    double *before[] = {level->places[0], level->places[1], level->weights};
+    double **lists[] = {&level->places[0], &level->places[1], &level->weights};
+    for (int k = 0; k < 3; k++) {
+        *lists[k] = ARENA_ARRAY(arena, room, double);
+        for (size_t i = 0; i < level->count; i++) {
+            (*lists[k])[i] = before[k][i];
+        }
+    }
+    for (size_t i = 0; i < bundle.count; i++) {
+        const struct ray_block *block = &bundle.rays.blocks[i / RAYS_BLOCK];
+        const size_t lane = i % RAYS_BLOCK;
+        if (ray_block_status(block, lane) != RAY_OK) {
+            continue;
+        }
+        const double *centre = source->pupils.reference.centre;
+        const double off[2] = {block->x[lane] - centre[0], block->y[lane] - centre[1]};
+        const double weight = unit * bundle.points[i].weight;
+        for (int k = 0; k < 2; k++) {
+            level->places[k][level->count] =
+                off[0] * source->along[k][0] + off[1] * source->along[k][1];
+        }
+        level->weights[level->count++] = weight;
+        level->light += weight;
+    }
+    level->count += (LANES - level->count % LANES) % LANES; /* these weigh 0 */
+    return true;
+}
+
+/* Trace the next level. */
+static bool mtf_rays_add_level(const struct mtf_source *source, struct arena *arena,
+                               struct error *error)
+{
+    const size_t rays = (size_t)FIRST_RAYS << source->rays->count;
+    struct mtf_rays_level *level = &source->rays->levels[source->rays->count];
+    *level = (struct mtf_rays_level){.count = 0};
+    for (size_t g = 0; g < source->pupils.lights.count; g++) {
+        const struct wave_light *light = &source->pupils.lights.list[g];
+        if (light->weight > 0 && !mtf_rays_add_light(source, light, rays, arena, level, error)) {
+            return false;
+        }
+    }
+    source->rays->count++;
+    return true;
+}
+
+/*
+ * The mean of exp(-2 pi i frequency x), by energy: rays doubled from 200 to 102400 until twice the
+ * last change is below the error that is wanted. Errors as bundle_trace.
+ */
+static bool mtf_rays_find(const struct mtf_source *source, double frequency, struct arena *arena,
+                          struct mtf_sums *sums, struct mtf *mtf, struct error *error)
+{
+    *sums = (struct mtf_sums){.light = 1};
+    mtf->has_converged = false;
+    for (size_t l = 0; l < LEVELS && !mtf->has_converged; l++) {
+        if (l == source->rays->count && !mtf_rays_add_level(source, arena, error)) {
+            return false;
+        }
+        const struct mtf_rays_level *level = &source->rays->levels[l];
+        double worst = 1e-12;
+        for (int k = 0; k < 2; k++) {
+            double sum[2] = {0};
+            KERNEL_FOR(SET_BEST, kernel_mtf_rays)
+            (level->places[k], level->weights, level->count, -frequency, sum);
+            const double re = sum[0] / level->light, im = sum[1] / level->light;
+            worst = fmax(worst, 2 * hypot(re - sums->re[k], im - sums->im[k]));
+            sums->re[k] = re;
+            sums->im[k] = im;
+        }
+        mtf->error = l > 0 ? worst : INFINITY;
+        mtf->has_converged = mtf->error <= source->question->error;
+    }
+    return true;
+}
+
+/* -------- by waves -------- */
 
 /* The pupils; by rays it does without where there are no optical paths. */
 static bool mtf_open_pupils(struct mtf_source *source, struct arena *arena, struct error *error)
@@ -79,12 +184,7 @@ bool mtf_open(const struct mtf_question *question, struct arena *arena, struct m
     wave_section(question->bundle.field, source->along[MTF_TANGENTIAL]);
     source->along[MTF_SAGITTAL][0] = source->along[MTF_TANGENTIAL][1];
     source->along[MTF_SAGITTAL][1] = 0.0 - source->along[MTF_TANGENTIAL][0];
-    if (question->by_rays) {
-        source->rays = ARENA_NEW(arena, struct mtf_rays);
-        source->rays->lights = source->pupils.lights;
-        memcpy(source->rays->along, source->along, sizeof source->along);
-        memcpy(source->rays->centre, source->pupils.reference.centre, sizeof source->rays->centre);
-    }
+    source->rays = question->by_rays ? ARENA_NEW(arena, struct mtf_rays) : NULL;
     if (source->pupils.list != NULL) {
         find_fronts(source, arena);
     } else {
@@ -121,21 +221,6 @@ static void mtf_add_waves(const struct mtf_source *source, size_t g, double freq
     }
 }
 
-static bool mtf_find_by_rays(const struct mtf_source *source, double frequency, struct arena *arena,
-                             struct mtf_sums *sums, struct mtf *mtf, struct error *error)
-{
-    struct mtf_rays_sums rays;
-    if (!mtf_rays_find(source->rays, frequency, source->question->error, arena, &rays, error)) {
-        return false;
-    }
-    memcpy(sums->re, rays.re, sizeof sums->re);
-    memcpy(sums->im, rays.im, sizeof sums->im);
-    sums->light = 1;
-    mtf->error = rays.error;
-    mtf->has_converged = rays.has_converged;
-    return true;
-}
-
 /* The light and the overlap are two integrals, whose rounding differs. NaN stays. */
 static double mtf_share_of(double part, double light)
 {
@@ -158,7 +243,7 @@ bool mtf_find(const struct mtf_source *source, double frequency, struct arena *a
         waves.perfect[k] = waves.perfect[0];
     }
     struct mtf_sums sums = waves;
-    if (source->rays != NULL && !mtf_find_by_rays(source, frequency, arena, &sums, mtf, error)) {
+    if (source->rays != NULL && !mtf_rays_find(source, frequency, arena, &sums, mtf, error)) {
         return false;
     }
     for (size_t k = 0; k < MTF_DIRECTIONS; k++) {
@@ -166,9 +251,10 @@ bool mtf_find(const struct mtf_source *source, double frequency, struct arena *a
         mtf->limit[k] = mtf_share_of(waves.perfect[k], waves.light);
         /* of nothing, and of what symmetry makes real */
         const bool is_real = fabs(sums.im[k]) < 1e-9 * sums.light;
-        mtf->phase[k] = !(mtf->contrast[k] > 1e-9) ? (double)NAN
-                        : is_real                  ? (sums.re[k] < 0 ? PI : 0)
-                                                   : atan2(sums.im[k], sums.re[k]);
+        mtf->phase[k] = atan2(is_real ? 0 : sums.im[k], sums.re[k]);
+        if (!(mtf->contrast[k] > 1e-9)) {
+            mtf->phase[k] = NAN;
+        }
     }
     return true;
 }

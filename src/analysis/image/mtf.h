@@ -3,11 +3,18 @@
 #ifndef LENSCALC_ANALYSIS_IMAGE_MTF_H
 #define LENSCALC_ANALYSIS_IMAGE_MTF_H
 
-#include "analysis/image/mtf_rays.h"
 #include "analysis/waves/hopkins.h"
+#include "analysis/waves/wave_reference.h"
 
 #include <stdbool.h>
 #include <stddef.h>
+
+enum { MTF_RAYS_LANES = 16 };
+
+/* Compiled once for each instruction set: sums[0] += weight cos(2 pi frequency x), [1] the sine. */
+typedef void kernel_mtf_rays(const double *places, const double *weights, size_t count,
+                             double frequency, double sums[2]);
+kernel_mtf_rays kernel_mtf_rays_sse2, kernel_mtf_rays_avx2, kernel_mtf_rays_avx512;
 
 struct mtf_question {
     struct bundle_question bundle; /* its wavelength, pattern and weight are not used */
@@ -25,7 +32,7 @@ struct mtf_source {
     struct exit_front *fronts;  /* the same */
     double off[MTF_DIRECTIONS]; /* what series of wave fronts may make of contrast, at the worst */
     struct overlap_rules *rules;
-    struct mtf_rays *rays;           /* null: by waves */
+    struct mtf_rays *rays;           /* internal; null: by waves */
     double along[MTF_DIRECTIONS][2]; /* in the image plane, of unit length */
     double cutoff[MTF_DIRECTIONS];   /* 1/mm: no wavelength has contrast beyond it; NaN: no paths */
     size_t directions;               /* that differ: one of a round lens on its axis, else both */

@@ -89,7 +89,7 @@ static struct mtf_curve_turns mtf_curve_find_turns(const double (*waves)[LOOKS],
 static void mtf_curve_look_along(const struct mtf_curve_pupil_overlap *one,
                                  const struct exit_line *line, double *waves)
 {
-    struct exit_wave_lanes lanes = {.x = {0}};
+    double x[LANES] = {0}, here[LANES], amplitudes[LANES];
     for (size_t j = 0; j < LOOKS; j++) {
         waves[j] = NAN;
     }
@@ -97,11 +97,11 @@ static void mtf_curve_look_along(const struct mtf_curve_pupil_overlap *one,
         const double *edges = line->spans.edges + 2 * k;
         for (size_t j = 0; j < LOOKS; j++) {
             const double s = one->middle[0] + one->wide[0] * (((double)j + 0.5) / LOOKS - 0.5);
-            lanes.x[j] = (2 * s - edges[0] - edges[1]) / (edges[1] - edges[0]);
+            x[j] = (2 * s - edges[0] - edges[1]) / (edges[1] - edges[0]);
         }
-        KERNEL_FOR(SET_BEST, kernel_exit_wave)(&line->series[k], &lanes);
+        KERNEL_FOR(SET_BEST, kernel_exit_values)(&line->series[k], x, here, amplitudes);
         for (size_t j = 0; j < LOOKS; j++) {
-            waves[j] = fabs(lanes.x[j]) < 1 ? lanes.waves[j] : waves[j];
+            waves[j] = fabs(x[j]) < 1 ? here[j] : waves[j];
         }
     }
 }
@@ -158,9 +158,15 @@ static bool mtf_curve_set_grid(struct mtf_curve_pupil_overlap *one, double shift
 static void mtf_curve_put_line(const struct mtf_curve_pupil_overlap *one,
                                const struct exit_line *line, double weight, double *re, double *im)
 {
-    kernel_exit_wave *find = KERNEL_FOR(SET_BEST, kernel_exit_wave);
+    kernel_exit_values *find = KERNEL_FOR(SET_BEST, kernel_exit_values);
     const double first = line->spans.edges[0], cells = (double)one->cells;
-    struct exit_wave_lanes lanes = {.x = {0}};
+    double x[LANES] = {0}, waves[LANES], amplitudes[LANES], none[LANES] = {0}, all[LANES];
+    double shares[LANES], cosines[LANES], sines[LANES];
+    const struct pupil_cross cross = {LANES, {waves, none}, {amplitudes, all}, shares, cosines,
+                                      sines, NULL};
+    for (size_t l = 0; l < LANES; l++) {
+        all[l] = 1;
+    }
     for (size_t k = 0; k < line->spans.count; k++) {
         const double *edges = line->spans.edges + 2 * k, wide = edges[1] - edges[0];
         const double end_x = mtf_curve_beyond(&line->series[k]);
@@ -169,19 +175,23 @@ static void mtf_curve_put_line(const struct mtf_curve_pupil_overlap *one,
         const size_t end = (size_t)fmin(fmax(ceil((edges[1] - first) / one->step), 0), cells);
         for (size_t i = from; i < end; i += LANES) {
             const size_t left = end - i < LANES ? end - i : LANES;
-            for (size_t l = 0; l < left; l++) {
-                const double s = first + one->step * ((double)(i + l) + 0.5);
-                /* the middle of a cell that is clear in part may lie beyond the edge */
-                lanes.x[l] = fmin(fmax((2 * s - edges[0] - edges[1]) / wide, -end_x), end_x);
-            }
-            find(&line->series[k], &lanes);
+            memset(shares, 0, sizeof shares);
             for (size_t l = 0; l < left; l++) {
                 const double low = first + one->step * (double)(i + l);
                 const double clear = fmin(edges[1], low + one->step) - fmax(edges[0], low);
-                const double share = weight * fmax(0, clear) / one->step;
-                re[i + l] += share * (one->is_perfect ? lanes.amplitudes[l] : lanes.re[l]);
+                const double s = low + one->step / 2;
+                shares[l] = weight * fmax(0, clear) / one->step;
+                /* the middle of a cell that is clear in part may lie beyond the edge */
+                x[l] = fmin(fmax((2 * s - edges[0] - edges[1]) / wide, -end_x), end_x);
+            }
+            find(&line->series[k], x, waves, amplitudes);
+            if (!one->is_perfect) {
+                pupil_cross(&cross);
+            }
+            for (size_t l = 0; l < left; l++) {
+                re[i + l] += one->is_perfect ? shares[l] * amplitudes[l] : cosines[l];
                 if (!one->is_perfect) {
-                    im[i + l] += share * lanes.im[l];
+                    im[i + l] += sines[l];
                 }
             }
         }

@@ -5,7 +5,6 @@
 #include "analysis/image/psf_light.h"
 #include "analysis/image/psf_points.h"
 #include "analysis/image/psf_radius.h"
-#include "analysis/image/psf_rays.h"
 
 #include <math.h>
 
@@ -209,6 +208,83 @@ static void psf_measure(struct psf *psf, double total, const double rays[2], str
         psf->radius80_error = found.error;
     }
     find_peak(psf);
+}
+
+/* -------- by rays -------- */
+
+/* Of one wavelength: some for each pixel of an image of the usual size. */
+enum { RAYS = 1 << 16 };
+
+/* Where the rays of one wavelength meet the image plane, from the reference. */
+struct psf_rays {
+    double (*at)[2], *weights; /* mm; these add up to 1 */
+    size_t count;
+    double farthest; /* of them, along x or y, mm */
+};
+
+static bool psf_rays_trace(const struct exit_pupil *pupil, struct arena *arena,
+                           struct psf_rays *rays, struct error *error)
+{
+    const struct wave_light *light = pupil->light;
+    const double *centre = pupil->reference->centre;
+    struct bundle bundle;
+    light->source.region->in_beam = false;
+    if (!bundle_trace(&light->source, RAYS, light->system->places, arena, &bundle, error)) {
+        return false;
+    }
+    double sum = 0;
+    *rays = (struct psf_rays){.at = arena_array(arena, bundle.count, sizeof *rays->at),
+                              .weights = ARENA_ARRAY(arena, bundle.count, double)};
+    for (size_t i = 0; i < bundle.count; i++) {
+        const struct ray_block *block = &bundle.rays.blocks[i / RAYS_BLOCK];
+        const size_t lane = i % RAYS_BLOCK;
+        if (ray_block_status(block, lane) != RAY_OK) {
+            continue;
+        }
+        double *at = rays->at[rays->count];
+        at[0] = block->x[lane] - centre[0];
+        at[1] = block->y[lane] - centre[1];
+        rays->farthest = fmax(rays->farthest, fmax(fabs(at[0]), fabs(at[1])));
+        rays->weights[rays->count++] = bundle.points[i].weight;
+        sum += bundle.points[i].weight;
+    }
+    for (size_t i = 0; i < rays->count; i++) {
+        rays->weights[i] /= sum;
+    }
+    return true;
+}
+
+/* Add them to the pixels they meet: a ray is as large as a pixel, four have shares of it. */
+static void psf_rays_add(const struct psf_rays *rays, const struct psf_plane *plane, double energy,
+                         double *values)
+{
+    const double size = (double)plane->size, middle = (double)(plane->size / 2);
+    const double density = energy / (plane->pitch * plane->pitch);
+    for (size_t i = 0; i < rays->count; i++) {
+        const double x = rays->at[i][0] / plane->pitch + middle;
+        const double y = rays->at[i][1] / plane->pitch + middle;
+        const double left = floor(x), low = floor(y);
+        for (int k = 0; k < 4; k++) {
+            const double column = left + k % 2, row = low + (double)(k / 2);
+            if (column >= 0 && column < size && row >= 0 && row < size) {
+                values[(size_t)row * plane->size + (size_t)column] +=
+                    rays->weights[i] * density * (1 - fabs(x - column)) * (1 - fabs(y - row));
+            }
+        }
+    }
+}
+
+/* The amplitude of W = 0 at the reference. */
+static bool psf_rays_perfect(const struct psf_plane *plane, double *perfect, struct error *error)
+{
+    struct psf_plane still = *plane; /* W = 0 at the reference: no phase turns */
+    struct psf_points points;
+    still.pitch = still.spread = 0;
+    if (!psf_points_put(&still, &points, error)) {
+        return false;
+    }
+    *perfect = points.total;
+    return true;
 }
 
 /* -------- the whole -------- */

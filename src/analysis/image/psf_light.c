@@ -2,7 +2,6 @@
 /* SPDX-License-Identifier: MIT */
 #include "analysis/image/psf_light.h"
 
-#include "analysis/image/psf_kernels.h"
 #include "analysis/image/psf_points.h"
 #include "base/constants.h"
 #include "base/instruction_set.h"

@@ -5,6 +5,67 @@
 
 #include "analysis/image/psf.h"
 
+#include <stddef.h>
+
+enum { PSF_LANES = 16, PSF_NODES = 4, PSF_ROWS_MOST = 256 };
+
+/* A row of complex numbers. */
+struct psf_row {
+    double *re, *im;
+    size_t count;
+};
+
+/*
+ * Add a plane wave: amplitude exp(2 pi i (turns + step i)) at place i of a row whose length is a
+ * multiple of PSF_LANES. Each lane turns on from the one PSF_LANES before, eight times at most.
+ */
+struct psf_wave {
+    double amplitude, turns, step;
+};
+typedef void psf_add_wave(const struct psf_wave *wave, const struct psf_row *row);
+
+/* Add another row, times a complex number. */
+typedef void psf_add_row(const struct psf_row *from, double re, double im,
+                         const struct psf_row *row);
+
+/*
+ * A wavelet of a sphere about the origin of the image: at x and y amplitude
+ * exp(2 pi i (turns - waves (r - R))) R/r, r = sqrt(R^2 + x^2 + y^2 + 2 (bx x + by y)).
+ */
+struct psf_wavelet {
+    double amplitude, turns, waves, radius;
+    double bx, by; /* mm */
+};
+
+/* How to step along rows: where to look, and what the first row and its differences are of it. */
+struct psf_steps {
+    size_t rows;                              /* at most PSF_ROWS_MOST */
+    double at[PSF_NODES];                     /* in rows from the first */
+    double differences[PSF_NODES][PSF_NODES]; /* [0]: the value at the first row */
+};
+
+/* PSF_LANES columns of pixels, row by row, from x and y of the first on. */
+struct psf_strip {
+    double x, y, pitch; /* mm */
+    double *re, *im;
+};
+
+/*
+ * Add a wavelet to the rows of a strip. The phase along a column is a cubic through the nodes, so
+ * that the wave of the next row is this one's times that of the difference, and so on; the
+ * amplitude R/r likewise, by sums.
+ */
+typedef void psf_add_wavelet(const struct psf_wavelet *wavelet, const struct psf_steps *steps,
+                             const struct psf_strip *strip);
+
+/* Compiled once for each instruction set, with the same bits. */
+struct psf_kernels {
+    psf_add_wave *add_wave;
+    psf_add_row *add_row;
+    psf_add_wavelet *add_wavelet;
+};
+extern const struct psf_kernels psf_kernels_sse2, psf_kernels_avx2, psf_kernels_avx512;
+
 /* Pixels at work; mm, or of an image infinitely far away sines of angles. */
 struct psf_plane {
     const struct exit_pupil *pupil;

@@ -4,7 +4,33 @@
 #define LENSCALC_ANALYSIS_WAVES_EXIT_FRONT_H
 
 #include "analysis/waves/exit_lines.h"
-#include "analysis/waves/exit_series.h"
+
+#include <stddef.h>
+
+enum { EXIT_SERIES_LANES = 32 };
+
+/* Sums c_k T_k(x) of one line; T: Chebyshev's polynomials. At least 2 of each. */
+struct exit_series {
+    const double *waves, *amplitudes; /* coefficients */
+    size_t wave_count, amplitude_count;
+};
+
+/*
+ * W and the amplitude at places -1..1. Compiled once for each instruction set, with the same bits.
+ */
+typedef void kernel_exit_values(const struct exit_series *series, const double x[EXIT_SERIES_LANES],
+                                double waves[EXIT_SERIES_LANES],
+                                double amplitudes[EXIT_SERIES_LANES]);
+kernel_exit_values kernel_exit_values_sse2, kernel_exit_values_avx2, kernel_exit_values_avx512;
+
+/*
+ * Numbers of many lines to those of one: to[j] = sum of share[i] from[i * count + j].
+ *
+ * Given     lines, count  >= 1
+ */
+typedef void kernel_exit_line(const double *from, const double *shares, size_t lines, size_t count,
+                              double *to);
+kernel_exit_line kernel_exit_line_sse2, kernel_exit_line_avx2, kernel_exit_line_avx512;
 
 enum { EXIT_FRONT_MOST = 96 };
 

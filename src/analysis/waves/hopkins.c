@@ -7,7 +7,6 @@
 #include "trace/aim/sample.h"
 
 #include <math.h>
-#include <string.h>
 
 enum { LOOKS = 48, ROUNDS = 44, PARTS = EXIT_SPANS * EXIT_SPANS, BREAKS = 16 };
 enum {
@@ -30,6 +29,11 @@ static const double most_points = 1.6e7;
 
 /* A wave front of which series leave so much of contrast says nothing. */
 static const double too_rough = 0.3;
+
+/* Sums over points, lane by lane. */
+struct hopkins_sums {
+    double re[LANES], im[LANES], perfect[LANES];
+};
 
 /* An integral at work. */
 struct overlap_integral {
@@ -160,9 +164,13 @@ static bool halves_part(const struct overlap_integral *summing, double low, doub
 static void hopkins_add_part(const struct overlap_integral *summing, const struct exit_line *line,
                              const struct hopkins_parts *parts, size_t p,
                              const struct hopkins_rule *along, double weight,
-                             struct exit_series_lanes *lanes, double *phases)
+                             struct hopkins_sums *sums, double *phases)
 {
-    kernel_exit_overlap *add = KERNEL_FOR(SET_BEST, kernel_exit_overlap);
+    kernel_exit_values *find = KERNEL_FOR(SET_BEST, kernel_exit_values);
+    double x[2][LANES], waves[2][LANES], amplitudes[2][LANES];
+    double weights[LANES], re[LANES], im[LANES], size[LANES];
+    const struct pupil_cross cross = {
+        LANES, {waves[0], waves[1]}, {amplitudes[0], amplitudes[1]}, weights, re, im, size};
     const double low = parts->low[p], length = parts->high[p] - low;
     const bool is_half = halves_part(summing, low, parts->high[p]) && phases == NULL;
     const size_t count = along->each * along->panels / (is_half ? 2 : 1);
@@ -182,27 +190,35 @@ static void hopkins_add_part(const struct overlap_integral *summing, const struc
         const size_t left = count - done < LANES ? count - done : LANES;
         for (size_t l = 0; l < left; l++) {
             const double s = from + panel * along->x[i];
-            lanes->x[0][l] = (s - middle[0]) * scale[0];
-            lanes->x[1][l] = (s - middle[1]) * scale[1];
-            lanes->weight[l] = times * panel * along->w[i];
+            x[0][l] = (s - middle[0]) * scale[0];
+            x[1][l] = (s - middle[1]) * scale[1];
+            weights[l] = times * panel * along->w[i];
             if (++i == along->each) {
                 i = 0;
                 from += panel;
             }
         }
         for (size_t l = left; l < LANES; l++) {
-            lanes->x[0][l] = lanes->x[1][l] = lanes->weight[l] = 0;
+            x[0][l] = x[1][l] = weights[l] = 0;
         }
-        add(series, lanes);
-        if (phases != NULL) {
-            memcpy(phases + done, lanes->phase, left * sizeof *phases);
+        for (int k = 0; k < 2; k++) {
+            find(&series[k], x[k], waves[k], amplitudes[k]);
+        }
+        pupil_cross(&cross);
+        for (size_t l = 0; l < LANES; l++) {
+            sums->re[l] += re[l];
+            sums->im[l] += im[l];
+            sums->perfect[l] += size[l];
+        }
+        for (size_t l = 0; l < left && phases != NULL; l++) {
+            phases[done + l] = waves[0][l] - waves[1][l];
         }
     }
 }
 /* Add up the lines of a range; phases: receives those of all points, line by line, or null. */
 static void hopkins_add_lines(const struct overlap_integral *summing,
                               const struct hopkins_range *range, const struct hopkins_rule *across,
-                              const struct hopkins_rule *along, struct exit_series_lanes *lanes,
+                              const struct hopkins_rule *along, struct hopkins_sums *sums,
                               double *phases)
 {
     const size_t row = range->parts * along->each * along->panels;
@@ -218,7 +234,7 @@ static void hopkins_add_lines(const struct overlap_integral *summing,
         const double weight = times * wide * rule_weight(across, i) * line.slope;
         /* rounding at an end of the range may lose a part, which is empty there */
         for (size_t p = 0; p < parts.count && p < range->parts; p++) {
-            hopkins_add_part(summing, &line, &parts, p, along, weight, lanes,
+            hopkins_add_part(summing, &line, &parts, p, along, weight, sums,
                              phases != NULL ? phases + i * row + p * along->each * along->panels
                                             : NULL);
         }
@@ -242,9 +258,9 @@ static void hopkins_find_turns(const struct overlap_integral *summing, struct ho
     const struct hopkins_rule across = hopkins_rule_of(summing->rules, LOOK_ACROSS);
     const struct hopkins_rule along = hopkins_rule_of(summing->rules, LOOK_ALONG);
     const size_t row = range->parts * LOOK_ALONG;
-    struct exit_series_lanes lanes = {.re = {0}};
+    struct hopkins_sums sums = {.re = {0}};
     double phases[LOOK_ACROSS * ROW] = {0};
-    hopkins_add_lines(summing, range, &across, &along, &lanes, phases);
+    hopkins_add_lines(summing, range, &across, &along, &sums, phases);
     for (size_t i = 0; i < LOOK_ACROSS * row; i += LOOK_ALONG) {
         see_turns(phases + i, &along, 1, &range->along);
     }
@@ -327,19 +343,19 @@ static double hopkins_points_of(const struct overlap_integral *summing)
 
 static struct overlap hopkins_sum_up(const struct overlap_integral *summing)
 {
-    struct exit_series_lanes lanes = {.re = {0}};
+    struct hopkins_sums sums = {.re = {0}};
     struct overlap sum = {.re = 0};
     for (size_t i = 0; i < summing->count; i++) {
         double across, along;
         find_points(summing, &summing->ranges[i], &across, &along);
         const struct hopkins_rule rules[2] = {hopkins_rule_of(summing->rules, across),
                                               hopkins_rule_of(summing->rules, along)};
-        hopkins_add_lines(summing, &summing->ranges[i], &rules[0], &rules[1], &lanes, NULL);
+        hopkins_add_lines(summing, &summing->ranges[i], &rules[0], &rules[1], &sums, NULL);
     }
     for (size_t l = 0; l < LANES; l++) {
-        sum.re += lanes.re[l];
-        sum.im += lanes.im[l];
-        sum.perfect += lanes.perfect[l];
+        sum.re += sums.re[l];
+        sum.im += sums.im[l];
+        sum.perfect += sums.perfect[l];
     }
     if (summing->front->lines->is_mirrored_along) {
         sum.im = 0; /* as the halves of parts have opposite ones */

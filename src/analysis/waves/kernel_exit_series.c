@@ -1,7 +1,6 @@
 /* analysis/waves/kernel_exit_series.c - wave front and amplitude along lines, and their overlaps. */
 /* SPDX-License-Identifier: MIT */
-#include "analysis/waves/exit_series.h"
-#include "base/turns.h"
+#include "analysis/waves/exit_front.h"
 
 #include <stdbool.h>
 
@@ -11,8 +10,8 @@
 enum { LANES = EXIT_SERIES_LANES };
 
 /* T_k of all lanes and the two sums. */
-static void kernel_exit_series_find_values(const struct exit_series *series, const double *places,
-                                           double *waves, double *amplitudes)
+void NAMED(kernel_exit_values, KERNEL)(const struct exit_series *series, const double *places,
+                                       double *waves, double *amplitudes)
 {
     const size_t both =
         series->wave_count < series->amplitude_count ? series->wave_count : series->amplitude_count;
@@ -48,40 +47,6 @@ static void kernel_exit_series_find_values(const struct exit_series *series, con
     for (size_t l = 0; l < LANES; l++) {
         waves[l] = w[l];
         amplitudes[l] = a[l];
-    }
-}
-
-void NAMED(kernel_exit_overlap, KERNEL)(const struct exit_series series[2],
-                                        struct exit_series_lanes *lanes)
-{
-    double waves[2][LANES], amplitudes[2][LANES];
-    for (int k = 0; k < 2; k++) {
-        kernel_exit_series_find_values(&series[k], lanes->x[k], waves[k], amplitudes[k]);
-    }
-    for (size_t l = 0; l < LANES; l++) {
-        const double phase = waves[0][l] - waves[1][l];
-        const double both = lanes->weight[l] * amplitudes[0][l] * amplitudes[1][l];
-        double c, s;
-        turns_of(phase, &c, &s);
-        lanes->phase[l] = phase;
-        lanes->re[l] += both * c;
-        lanes->im[l] += both * s;
-        lanes->perfect[l] += both;
-    }
-}
-
-void NAMED(kernel_exit_wave, KERNEL)(const struct exit_series *series,
-                                     struct exit_wave_lanes *lanes)
-{
-    double waves[LANES], amplitudes[LANES];
-    kernel_exit_series_find_values(series, lanes->x, waves, amplitudes);
-    for (size_t l = 0; l < LANES; l++) {
-        double c, s;
-        turns_of(waves[l], &c, &s);
-        lanes->waves[l] = waves[l];
-        lanes->re[l] = amplitudes[l] * c;
-        lanes->im[l] = amplitudes[l] * s;
-        lanes->amplitudes[l] = amplitudes[l];
     }
 }
 

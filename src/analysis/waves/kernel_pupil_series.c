@@ -1,7 +1,7 @@
 /* analysis/waves/kernel_pupil_series.c - polynomials of a disc, compiled for each instruction set. */
 /* SPDX-License-Identifier: MIT */
-#include "base/turns.h"
 #include "analysis/waves/pupil_series.h"
+#include "base/turns.h"
 
 #include <stdbool.h>
 #include <string.h>
@@ -287,10 +287,13 @@ void NAMED(kernel_pupil_cross, KERNEL)(const struct pupil_cross *cross)
     const double *restrict a = cross->waves[0], *restrict b = cross->waves[1];
     const double *restrict high = cross->amplitudes[0], *restrict low = cross->amplitudes[1];
     const double *restrict weights = cross->weights;
-    double *restrict re = cross->re, *restrict im = cross->im;
+    double *restrict re = cross->re, *restrict im = cross->im, *restrict all = cross->size;
     for (size_t i = 0; i < cross->count; i++) {
         const double size = weights[i] * high[i] * low[i];
         double c, s;
+        if (all != NULL) {
+            all[i] = size;
+        }
         turns_of(a[i] - b[i], &c, &s);
         re[i] = size * c;
         im[i] = size * s;

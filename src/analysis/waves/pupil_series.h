@@ -82,6 +82,7 @@ struct pupil_cross {
     size_t count;
     const double *waves[2], *amplitudes[2], *weights;
     double *re, *im; /* receive weight A A' cos and sin of 2 pi (W - W') */
+    double *size;    /* receives weight A A'; or null */
 };
 
 void pupil_cross(const struct pupil_cross *cross);

@@ -3,10 +3,33 @@
 #ifndef LENSCALC_ANALYSIS_WAVES_WAVE_REFERENCE_H
 #define LENSCALC_ANALYSIS_WAVES_WAVE_REFERENCE_H
 
+#include "analysis/pupil/bundle.h"
 #include "analysis/waves/opd.h"
-#include "analysis/waves/wave_sphere.h"
 
 #include <stdbool.h>
+#include <stddef.h>
+
+/* One wavelength. Its source points into it. */
+struct wave_light {
+    double wavelength, weight; /* um */
+    struct bundle_question question;
+    struct bundle_source source;
+    const struct system *system; /* with paths, to the image plane */
+    const struct system *open;   /* the same, but nothing is clipped */
+    struct ray chief;            /* where it arrives */
+};
+
+struct wave_lights {
+    struct wave_light *list;
+    size_t count;
+};
+
+/* What energy of 1 stands for beside other wavelengths: its weight, and the area of u and v. */
+double wave_light_weight(const struct wave_light *light);
+
+/* One ray from its start through a system. */
+struct ray wave_light_trace(const struct system *system, const struct ray *start,
+                            struct arena *arena);
 
 /* What aberrations are counted from. */
 enum wave_about {
