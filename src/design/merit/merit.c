@@ -8,9 +8,9 @@
 #include "design/merit/merit_incidence.h"
 #include "design/merit/merit_mtf.h"
 #include "design/merit/merit_paraxial.h"
-#include "design/merit/merit_place.h"
 #include "design/merit/merit_rays.h"
 #include "design/merit/merit_shape.h"
+#include "design/merit/merit_state.h"
 #include "design/solver/solver_loss.h"
 
 #include <math.h>

@@ -3,7 +3,6 @@
 #ifndef LENSCALC_DESIGN_MERIT_MERIT_H
 #define LENSCALC_DESIGN_MERIT_MERIT_H
 
-#include "design/merit/merit_place.h"
 #include "design/merit/merit_state.h"
 #include "design/solver/solver.h"
 

@@ -2,8 +2,8 @@
 /* SPDX-License-Identifier: MIT */
 #include "design/merit/merit_asbuilt.h"
 
-#include "design/merit/merit_place.h"
 #include "design/merit/merit_rays.h"
+#include "design/merit/merit_state.h"
 #include "design/tolerance/perturbed.h"
 
 #include <math.h>

@@ -153,50 +153,6 @@ static bool open_groups(struct merit_bundle *bundle, struct error *error)
 
 /* -------- blocks -------- */
 
-/* A block being filled. */
-struct block_filler {
-    struct bundle_block *block;
-    int used;
-};
-
-static void open_block(struct merit_bundle *bundle, size_t light, struct block_filler *filling)
-{
-    const size_t fields = bundle->wish.field_count;
-    const size_t most = fields < RAYS_BLOCK ? fields : RAYS_BLOCK;
-    filling->block = &bundle->blocks[bundle->block_count++];
-    filling->used = 0;
-    *filling->block = (struct bundle_block){
-        .aimed = {.beams = ARENA_ARRAY(bundle->arena, most, struct aimed_beam)},
-        .shares = ARENA_ARRAY(bundle->arena, most, struct bundle_share),
-        .light = light};
-}
-
-static void add_share(struct merit_bundle *bundle, size_t group, size_t first, int count,
-                      struct block_filler *filling)
-{
-    struct aimed *aimed = &filling->block->aimed;
-    const struct bundle_group *from = &bundle->groups[group];
-    filling->block->shares[aimed->beam_count] = (struct bundle_share){group, first};
-    aimed->beams[aimed->beam_count++] = (struct aimed_beam){
-        .beam = bundle->beams[from->field], .first = filling->used, .count = count};
-    for (int i = 0; i < count; i++) {
-        aimed->x[filling->used + i] = from->points.points[first + (size_t)i].x;
-        aimed->y[filling->used + i] = from->points.points[first + (size_t)i].y;
-    }
-    filling->used += count;
-}
-
-/* aimed_open keeps beams only. */
-static void close_block(struct merit_bundle *bundle, struct block_filler *filling)
-{
-    struct aimed *aimed = &filling->block->aimed;
-    const struct aimed was = *aimed;
-    aimed_open(was.beams, was.beam_count, !bundle->wish.from_entrance && !bundle->has_disc,
-               &bundle->work, aimed);
-    memcpy(aimed->x, was.x, sizeof was.x);
-    memcpy(aimed->y, was.y, sizeof was.y);
-}
-
 static size_t count_blocks(const struct merit_bundle *bundle)
 {
     size_t points = 0;
@@ -208,27 +164,41 @@ static size_t count_blocks(const struct merit_bundle *bundle)
 
 static void open_blocks(struct merit_bundle *bundle)
 {
-    struct block_filler filling = {NULL, 0};
+    const size_t fields = bundle->wish.field_count;
+    const size_t most = fields < RAYS_BLOCK ? fields : RAYS_BLOCK;
+    struct bundle_block *block = NULL;
     bundle->blocks = ARENA_ARRAY(bundle->arena, count_blocks(bundle), struct bundle_block);
-    for (size_t i = 0; i < bundle->group_count; i++) {
-        const struct bundle_group *group = &bundle->groups[i];
+    for (size_t g = 0; g < bundle->group_count; g++) {
+        const struct bundle_group *group = &bundle->groups[g];
         for (size_t done = 0; done < group->points.count;) {
-            const bool is_other = filling.block != NULL && filling.block->light != group->light;
-            if (filling.block != NULL && (is_other || filling.used == RAYS_BLOCK)) {
-                close_block(bundle, &filling);
-                filling.block = NULL;
+            if (block == NULL || block->light != group->light || block->aimed.count == RAYS_BLOCK) {
+                block = &bundle->blocks[bundle->block_count++];
+                *block = (struct bundle_block){
+                    .aimed = {.beams = ARENA_ARRAY(bundle->arena, most, struct aimed_beam)},
+                    .lanes = ARENA_ARRAY(bundle->arena, RAYS_BLOCK, struct bundle_lane),
+                    .light = group->light};
             }
-            if (filling.block == NULL) {
-                open_block(bundle, group->light, &filling);
-            }
+            struct aimed *aimed = &block->aimed;
             const size_t left = group->points.count - done;
-            const size_t room = (size_t)(RAYS_BLOCK - filling.used);
-            const size_t here = left < room ? left : room;
-            add_share(bundle, i, done, (int)here, &filling);
-            done += here;
+            const size_t room = (size_t)(RAYS_BLOCK - aimed->count);
+            const size_t end = done + (left < room ? left : room);
+            aimed->beams[aimed->beam_count++] = (struct aimed_beam){
+                bundle->beams[group->field], .first = aimed->count, .count = (int)(end - done)};
+            for (; done < end; done++, aimed->count++) {
+                block->lanes[aimed->count] = (struct bundle_lane){g, done, group->field};
+                aimed->x[aimed->count] = group->points.points[done].x;
+                aimed->y[aimed->count] = group->points.points[done].y;
+            }
         }
     }
-    close_block(bundle, &filling);
+    for (size_t k = 0; k < bundle->block_count; k++) { /* aimed_open keeps beams only */
+        struct aimed *aimed = &bundle->blocks[k].aimed;
+        const struct aimed was = *aimed;
+        aimed_open(was.beams, was.beam_count, !bundle->wish.from_entrance && !bundle->has_disc,
+                   &bundle->work, aimed);
+        memcpy(aimed->x, was.x, sizeof was.x);
+        memcpy(aimed->y, was.y, sizeof was.y);
+    }
 }
 
 /* -------- opening -------- */
@@ -377,8 +347,8 @@ static bool move_beams(struct merit_bundle *bundle, struct error *error)
     for (size_t k = 0; k < bundle->block_count; k++) {
         struct bundle_block *block = &bundle->blocks[k];
         for (size_t g = 0; g < block->aimed.beam_count; g++) {
-            block->aimed.beams[g].beam =
-                bundle->beams[bundle->groups[block->shares[g].group].field];
+            struct aimed_beam *beam = &block->aimed.beams[g];
+            beam->beam = bundle->beams[block->lanes[beam->first].field];
         }
     }
     return true;
@@ -511,18 +481,14 @@ bool merit_bundle_aim(struct merit_bundle *bundle, const struct lens *lens,
     return true;
 }
 
-static bool fail_lost(const struct merit_bundle *bundle, const struct bundle_block *block,
-                      const struct ray_block *end, struct error *error)
+static bool fail_lost(const struct bundle_block *block, const struct ray_block *end,
+                      struct error *error)
 {
-    for (size_t g = 0; g < block->aimed.beam_count; g++) {
-        const struct aimed_beam *beam = &block->aimed.beams[g];
-        for (int i = beam->first; i < beam->first + beam->count; i++) {
-            if (end->lost[i] != 0) {
-                return fail(error, ERROR_DOMAIN, "a ray of field %zu is lost at surface %zu (%s)",
-                            bundle->groups[block->shares[g].group].field + 1,
-                            ray_block_surface(end, (size_t)i),
-                            ray_status_name(ray_block_status(end, (size_t)i)));
-            }
+    for (int i = 0; i < block->aimed.count; i++) {
+        if (end->lost[i] != 0) {
+            return fail(error, ERROR_DOMAIN, "a ray of field %zu is lost at surface %zu (%s)",
+                        block->lanes[i].field + 1, ray_block_surface(end, (size_t)i),
+                        ray_status_name(ray_block_status(end, (size_t)i)));
         }
     }
     return true;
@@ -533,7 +499,7 @@ bool merit_bundle_trace(struct merit_bundle *bundle, size_t block, bool derives,
 {
     bundle->blocks[block].aimed.keeps = bundle->keeps;
     aimed_trace(&bundle->blocks[block].aimed, derives, end);
-    if (!fail_lost(bundle, &bundle->blocks[block], end, error)) {
+    if (!fail_lost(&bundle->blocks[block], end, error)) {
         return false;
     }
     if (bundle->blocks[block].is_deformed) {
@@ -555,17 +521,14 @@ void merit_bundle_start(const struct merit_bundle *bundle, size_t group, size_t 
 {
     for (size_t k = 0; k < bundle->block_count; k++) {
         const struct bundle_block *block = &bundle->blocks[k];
-        for (size_t g = 0; g < block->aimed.beam_count; g++) {
-            const struct bundle_share *share = &block->shares[g];
-            const struct aimed_beam *at = &block->aimed.beams[g];
-            if (share->group != group || point < share->first ||
-                point >= share->first + (size_t)at->count) {
-                continue;
+        for (int i = 0; i < block->aimed.count; i++) {
+            const struct bundle_lane *lane = &block->lanes[i];
+            if (lane->group == group && lane->point == point) {
+                const struct ray ray =
+                    beam_ray(&bundle->beams[lane->field], block->aimed.a[i], block->aimed.b[i]);
+                place[0] = ray.point[0] - ray.point[2] * ray.cosine[0] / ray.cosine[2];
+                place[1] = ray.point[1] - ray.point[2] * ray.cosine[1] / ray.cosine[2];
             }
-            const size_t lane = (size_t)at->first + point - share->first;
-            const struct ray ray = beam_ray(&at->beam, block->aimed.a[lane], block->aimed.b[lane]);
-            place[0] = ray.point[0] - ray.point[2] * ray.cosine[0] / ray.cosine[2];
-            place[1] = ray.point[1] - ray.point[2] * ray.cosine[1] / ray.cosine[2];
         }
     }
 }

@@ -45,15 +45,15 @@ struct bundle_group {
     size_t row;                   /* a number for the caller */
 };
 
-/* A share of a group in a block: lanes of an aimed_beam with the same number. */
-struct bundle_share {
-    size_t group, first; /* the first of its points */
+/* A ray of a block. */
+struct bundle_lane {
+    size_t group, point, field;
 };
 
 struct bundle_block {
     struct aimed aimed;
-    struct aimed *settled;       /* of merit_bundle_settle; null: there are none */
-    struct bundle_share *shares; /* one a beam of the block */
+    struct aimed *settled;     /* of merit_bundle_settle; null: there are none */
+    struct bundle_lane *lanes; /* aimed.count; one group after the other, each an aimed_beam */
     size_t light;
     double *deformed; /* of merit_bundle_deform */
     bool is_deformed;
@@ -160,7 +160,7 @@ static inline bool merit_bundle_moves(const struct merit_bundle *bundle, size_t 
     return bundle->wish.fields[field].point.kind == FIELD_IMAGE;
 }
 
-/* -------- design/merit/merit_bundle_deform.c -------- */
+/* -------- design/merit/merit_bundle_sweep.c -------- */
 
 /*
  * Find how irregularities move rays, of the lens as it is now: later ones are taken to be like it.

@@ -1,6 +1,7 @@
 /* design/merit/merit_bundle_sweep.c - derivatives of the rays of a position by the variables. */
 /* SPDX-License-Identifier: MIT */
 #include "design/merit/merit_bundle.h"
+#include "design/tolerance/linear_rays.h"
 
 #include <math.h>
 #include <string.h>
@@ -76,10 +77,9 @@ struct moving_start {
  * What a function of the coordinates in the beam gains; the beam does not turn about its axis,
  * across which X stays.
  */
-static double by_coordinates(const struct aimed *aimed, const struct aimed_beam *at, int i,
+static double by_coordinates(const struct aimed *aimed, const struct beam *beam, int i,
                              const struct moving_start *start)
 {
-    const struct beam *beam = &at->beam;
     const double *axis = beam->axis, *e = start->e;
     double tilt[3], move[3], gain = 0;
     for (int k = 0; k < 3; k++) {
@@ -102,11 +102,11 @@ static double by_coordinates(const struct aimed *aimed, const struct aimed_beam 
 
 /* By the factor of image heights, of one ray: what its start does there. */
 static double by_field(const struct merit_bundle *bundle, const struct bundle_block *block,
-                       size_t beam, const struct ray_block *adjoint, int i)
+                       const struct ray_block *adjoint, int i)
 {
     const struct aimed *aimed = &block->aimed;
     const struct ray_block *start = aimed->work->start;
-    const size_t field = bundle->groups[block->shares[beam].group].field;
+    const size_t field = block->lanes[i].field;
     const double n = aimed->beams[0].beam.n, radius = bundle->first.entrance_diameter / 2;
     struct moving_start at = {{start->x[i], start->y[i], start->z[i]},
                               {start->p[i] / n, start->q[i] / n, start->r[i] / n},
@@ -131,19 +131,17 @@ static double by_field(const struct merit_bundle *bundle, const struct bundle_bl
         at.shift[k] = -L * at.turn[k];
     }
     return n * (merit_bundle_sweep_dot(b, at.turn) + adjoint->path[i] * path) +
-           merit_bundle_sweep_dot(a, at.shift) + by_coordinates(aimed, &aimed->beams[beam], i, &at);
+           merit_bundle_sweep_dot(a, at.shift) +
+           by_coordinates(aimed, &bundle->beams[field], i, &at);
 }
 
 static void field_row(const struct merit_bundle *bundle, const struct bundle_block *block,
                       const struct ray_block *adjoint, double *row)
 {
     memset(row, 0, RAYS_BLOCK * sizeof *row);
-    for (size_t g = 0; g < block->aimed.beam_count; g++) {
-        const struct aimed_beam *beam = &block->aimed.beams[g];
-        const size_t field = bundle->groups[block->shares[g].group].field;
-        for (int i = beam->first;
-             merit_bundle_moves(bundle, field) && i < beam->first + beam->count; i++) {
-            row[i] = by_field(bundle, block, g, adjoint, i);
+    for (int i = 0; i < block->aimed.count; i++) {
+        if (merit_bundle_moves(bundle, block->lanes[i].field)) {
+            row[i] = by_field(bundle, block, adjoint, i);
         }
     }
 }
@@ -281,4 +279,63 @@ void merit_bundle_sweep_graze(const struct merit_bundle *bundle, size_t which,
     aimed_sweep_seeds(&block->aimed, &bundle->lights[block->light].layout, &grazing->seeds,
                       &adjoint, bundle->gradient, &rates);
     merit_bundle_sweep_gather(bundle, which, links, variable_count, &adjoint, &rates, columns);
+}
+
+/* -------- surfaces that are deformed -------- */
+
+/* The part of a ray that moves: those of struct bent. */
+static double *part(struct ray_block *block, int which)
+{
+    double *const of[LINEAR_RAYS_PARTS] = {block->x, block->y, block->p, block->q, block->path};
+    return of[which];
+}
+
+/* Of the block that was traced last. */
+static void deform(struct merit_bundle *bundle, struct bundle_block *block,
+                   struct irregularity_weights *weights)
+{
+    const struct bundle_wish *wish = &bundle->wish;
+    const struct bundle_light *light = &bundle->lights[block->light];
+    const struct irregularity_sweep sweep = {&light->system, &light->layout, &bundle->work.tape,
+                                             bundle->gradient};
+    const size_t count = wish->irregularity_count, lanes = (size_t)block->aimed.lanes;
+    struct ray_block adjoint;
+    struct aimed_rates rates;
+    for (size_t i = 0; i < count; i++) {
+        irregularity_weigh(&wish->irregularities[i], &sweep, &weights[i]);
+    }
+    for (int which = 0; which < LINEAR_RAYS_PARTS; which++) {
+        memset(&adjoint, 0, sizeof adjoint);
+        for (int i = 0; i < block->aimed.lanes; i++) {
+            part(&adjoint, which)[i] = 1;
+        }
+        aimed_sweep(&block->aimed, &light->layout, &adjoint, bundle->gradient, &rates);
+        for (size_t i = 0; i < count; i++) {
+            irregularity_gain(&wish->irregularities[i], &sweep, &weights[i],
+                              block->deformed + ((size_t)which * count + i) * lanes);
+        }
+    }
+}
+
+bool merit_bundle_deform(struct merit_bundle *bundle, struct error *error)
+{
+    const size_t count = bundle->wish.irregularity_count;
+    struct arena room = arena_within(&bundle->within);
+    struct irregularity_weights *weights = ARENA_ARRAY(&room, count, struct irregularity_weights);
+    for (size_t k = 0; k < bundle->block_count; k++) {
+        struct bundle_block *block = &bundle->blocks[k];
+        struct ray_block end;
+        block->is_deformed = false;
+        if (!merit_bundle_goes_on(bundle, (size_t)block->aimed.lanes, error) ||
+            !merit_bundle_trace(bundle, k, true, &end, error)) {
+            return false;
+        }
+        if (block->deformed == NULL) {
+            block->deformed = ARENA_ARRAY(
+                bundle->arena, LINEAR_RAYS_PARTS * count * (size_t)block->aimed.lanes, double);
+        }
+        deform(bundle, block, weights);
+        block->is_deformed = true;
+    }
+    return true;
 }

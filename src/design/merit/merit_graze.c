@@ -45,17 +45,11 @@ void merit_graze_add(struct merit *merit, const struct merit_slot *slot,
     if (!grazing.any) {
         return;
     }
-    for (size_t g = 0; g < at->aimed.beam_count; g++) {
-        const struct bundle_share *share = &at->shares[g];
-        const struct bundle_group *group = &bundle->groups[share->group];
-        const struct aimed_beam *beam = &at->aimed.beams[g];
-        for (int i = 0; i < beam->count; i++) {
-            const size_t point = share->first + (size_t)i;
-            const double value = grazing.value[beam->first + i];
-            const double weight = group->weight * group->points.points[point].weight;
-            weights[beam->first + i] = value > 0 ? weight : 0;
-            graze->value += value > 0 ? weight * value : 0;
-        }
+    for (int i = 0; i < at->aimed.count; i++) {
+        const struct bundle_group *group = &bundle->groups[at->lanes[i].group];
+        const double weight = group->weight * group->points.points[at->lanes[i].point].weight;
+        weights[i] = grazing.value[i] > 0 ? weight : 0;
+        graze->value += grazing.value[i] > 0 ? weight * grazing.value[i] : 0;
     }
     if (merit->derives) {
         const struct arena_mark mark = arena_mark(merit->arena);

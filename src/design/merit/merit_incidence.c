@@ -2,7 +2,7 @@
 /* SPDX-License-Identifier: MIT */
 #include "design/merit/merit_incidence.h"
 
-#include "design/merit/merit_front.h"
+#include "design/merit/merit_ray.h"
 
 #include <math.h>
 

@@ -2,12 +2,12 @@
 /* SPDX-License-Identifier: MIT */
 #include "design/merit/merit_mtf.h"
 
+#include "analysis/waves/pupil_overlap.h"
 #include "analysis/waves/wave_reference.h"
 #include "base/constants.h"
 #include "base/turns.h"
 #include "design/merit/merit_beams.h"
 #include "design/merit/merit_graze.h"
-#include "analysis/waves/pupil_overlap.h"
 
 #include <math.h>
 #include <string.h>
@@ -210,29 +210,24 @@ static void merit_mtf_put_rays(struct merit_mtf *mtf, const struct bundle_block 
 {
     const struct merit_bundle *bundle = &mtf->beams.bundle;
     double path[RAYS_BLOCK] = {0}, to[2][RAYS_BLOCK];
-    struct ray_block ignored;
     const double um = 1e-3, wavelength = um * bundle->lights[block->light].wavelength;
     if (mtf->by_rays) {
         memcpy(to[0], end->x, sizeof to[0]);
         memcpy(to[1], end->y, sizeof to[1]);
     } else {
-        merit_spheres_path(mtf->beams.spheres, bundle, block, end, path, &ignored);
-        merit_spheres_meet(mtf->beams.spheres, bundle, block, end, (double *const[]){to[0], to[1]});
+        merit_spheres_meet(mtf->beams.spheres, bundle, block, end, path,
+                           (double *const[]){to[0], to[1]});
     }
-    for (size_t g = 0; g < block->aimed.beam_count; g++) {
-        const struct bundle_share *share = &block->shares[g];
-        const struct aimed_beam *beam = &block->aimed.beams[g];
-        struct mtf_pupil *pupil = &mtf->pupils[share->group];
+    for (int i = 0; i < block->aimed.count; i++) {
+        const struct bundle_lane *lane = &block->lanes[i];
+        struct mtf_pupil *pupil = &mtf->pupils[lane->group];
         double *const *parts = pupil->wave->parts;
-        pupil->zero = share->first == 0 ? path[beam->first] : pupil->zero;
-        for (int i = 0; i < beam->count; i++) {
-            const size_t at = share->first + (size_t)i, lane = (size_t)(beam->first + i);
-            parts[PUPIL_FROM_X][at] = block->aimed.a[lane];
-            parts[PUPIL_FROM_Y][at] = block->aimed.b[lane];
-            parts[PUPIL_TO_X][at] = to[0][lane];
-            parts[PUPIL_TO_Y][at] = to[1][lane];
-            parts[PUPIL_WAVE][at] = (path[lane] - pupil->zero) / wavelength;
-        }
+        pupil->zero = lane->point == 0 ? path[i] : pupil->zero;
+        parts[PUPIL_FROM_X][lane->point] = block->aimed.a[i];
+        parts[PUPIL_FROM_Y][lane->point] = block->aimed.b[i];
+        parts[PUPIL_TO_X][lane->point] = to[0][i];
+        parts[PUPIL_TO_Y][lane->point] = to[1][i];
+        parts[PUPIL_WAVE][lane->point] = (path[i] - pupil->zero) / wavelength;
     }
 }
 
@@ -432,80 +427,45 @@ static void find_back(struct merit_mtf *mtf)
     }
 }
 
-/* What the contrasts of a direction are by the rays of a block. */
-struct block_back {
-    struct merit_spheres_by by;
-    double start[2][RAYS_BLOCK];
-};
-
-static void take_back(const struct merit_mtf *mtf, const struct bundle_block *block, int d,
-                      struct block_back *back)
-{
-    const double um = 1e-3, wavelength = um * mtf->beams.bundle.lights[block->light].wavelength;
-    for (size_t g = 0; g < block->aimed.beam_count; g++) {
-        const struct bundle_share *share = &block->shares[g];
-        const struct aimed_beam *beam = &block->aimed.beams[g];
-        double *const *from = mtf->pupils[share->group].back[d];
-        for (int i = 0; i < beam->count; i++) {
-            const size_t at = share->first + (size_t)i, lane = (size_t)(beam->first + i);
-            back->by.path[lane] = from[PUPIL_WAVE][at] / wavelength;
-            for (int k = 0; k < 2; k++) {
-                back->by.to[k][lane] = from[k][at];
-                back->start[k][lane] = from[PUPIL_FROM_X + k][at];
-            }
-        }
-    }
-}
-
-/* The columns of a block to the slopes of its fields; spheres move, too. */
-static void merit_mtf_add_columns(struct merit_mtf *mtf, const struct bundle_block *block, int d,
-                                  const struct merit_spheres_by *by, size_t variable_count)
-{
-    const struct merit_bundle *bundle = &mtf->beams.bundle;
-    for (size_t g = 0; g < block->aimed.beam_count; g++) {
-        const struct aimed_beam *beam = &block->aimed.beams[g];
-        const size_t field = bundle->groups[block->shares[g].group].field;
-        double *slopes = mtf->fields[field].slopes[d], moves[3] = {0};
-        for (int i = beam->first; i < beam->first + beam->count && !mtf->by_rays; i++) {
-            moves[0] += by->centre[0][i];
-            moves[1] += by->centre[1][i];
-            moves[2] += by->radius[i];
-        }
-        for (size_t j = 0; j < variable_count; j++) {
-            const double *column = mtf->columns + j * RAYS_BLOCK + beam->first;
-            for (int i = 0; i < beam->count; i++) {
-                slopes[j] += column[i];
-            }
-            if (!mtf->by_rays) {
-                const struct merit_sphere *sphere = &mtf->beams.spheres->list[field];
-                slopes[j] += moves[0] * sphere->centre[0][j] + moves[1] * sphere->centre[1][j] +
-                             moves[2] * sphere->radius[j];
-            }
-        }
-    }
-}
-
+/* What the contrasts of a direction are by the variables, of the rays of a block. */
 static void sweep_block(const struct merit *merit, struct merit_mtf *mtf, size_t which, int d,
                         const struct ray_block *end)
 {
     struct merit_bundle *bundle = &mtf->beams.bundle;
+    const struct merit_spheres *spheres = mtf->beams.spheres;
     struct bundle_block *block = &bundle->blocks[which];
-    struct block_back back = {.start = {{0}}};
-    struct ray_block adjoint;
-    memset(&adjoint, 0, sizeof adjoint);
-    take_back(mtf, block, d, &back);
-    if (mtf->by_rays) {
-        memcpy(adjoint.x, back.by.to[0], sizeof adjoint.x);
-        memcpy(adjoint.y, back.by.to[1], sizeof adjoint.y);
-    } else {
-        merit_spheres_back(mtf->beams.spheres, bundle, block, end, &back.by, &adjoint);
+    const double um = 1e-3, wavelength = um * bundle->lights[block->light].wavelength;
+    const size_t variable_count = merit->variable_count;
+    struct merit_spheres_by by;
+    struct ray_block adjoint = {.lost = {0}};
+    double start[2][RAYS_BLOCK] = {{0}};
+    for (int i = 0; i < block->aimed.count; i++) {
+        const size_t at = block->lanes[i].point;
+        double *const *from = mtf->pupils[block->lanes[i].group].back[d];
+        by.path[i] = from[PUPIL_WAVE][at] / wavelength;
+        for (int k = 0; k < 2; k++) {
+            by.to[k][i] = from[k][at];
+            start[k][i] = from[PUPIL_FROM_X + k][at];
+            *(k == 0 ? &adjoint.x[i] : &adjoint.y[i]) = from[k][at];
+        }
     }
-    block->aimed.by_start[0] = back.start[0];
-    block->aimed.by_start[1] = back.start[1];
-    merit_bundle_sweep(bundle, which, &mtf->beams.links[block->light], merit->variable_count,
-                       &adjoint, mtf->columns);
+    if (!mtf->by_rays) {
+        merit_spheres_back(spheres, bundle, block, end, &by, &adjoint);
+    }
+    block->aimed.by_start[0] = start[0];
+    block->aimed.by_start[1] = start[1];
+    merit_bundle_sweep(bundle, which, &mtf->beams.links[block->light], variable_count, &adjoint,
+                       mtf->columns);
     block->aimed.by_start[0] = block->aimed.by_start[1] = NULL;
-    merit_mtf_add_columns(mtf, block, d, &back.by, merit->variable_count);
+    if (!mtf->by_rays) {
+        merit_spheres_move(spheres, block, &by, mtf->columns);
+    }
+    for (size_t j = 0; j < variable_count; j++) {
+        for (int i = 0; i < block->aimed.count; i++) {
+            mtf->fields[block->lanes[i].field].slopes[d][j] +=
+                mtf->columns[j * RAYS_BLOCK + (size_t)i];
+        }
+    }
 }
 
 static bool merit_mtf_find_slopes(struct merit *merit, const struct merit_slot *slot)

@@ -3,9 +3,9 @@
 #ifndef LENSCALC_DESIGN_MERIT_MERIT_MTF_H
 #define LENSCALC_DESIGN_MERIT_MERIT_MTF_H
 
+#include "analysis/waves/pupil_wave.h"
 #include "design/merit/merit_bundle.h"
 #include "design/merit/merit_state.h"
-#include "analysis/waves/pupil_wave.h"
 
 /*
  * mtf, gmtf: of the field of the operand or of each one, tangential, sagittal or both: what

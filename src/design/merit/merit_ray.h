@@ -5,6 +5,8 @@
 
 #include "design/merit/merit_state.h"
 #include "trace/aim/aim.h"
+#include "trace/kernel/rays.h"
+#include "trace/system.h"
 
 /* A ray somewhere, by one column: in the frame of the surface met last. */
 struct merit_ray {
@@ -56,5 +58,28 @@ bool merit_ray_follow(struct merit *merit, const struct merit_ray_question *ques
  */
 bool merit_ray_check(const struct merit_place *place, const struct field_point *field,
                      struct error *error);
+
+/* Where they are now, without derivatives. */
+struct merit_front {
+    struct system system;
+    struct rays rays;
+    size_t count;
+};
+
+/*
+ * Before the first surface.
+ *
+ * Given     light   their wavelength
+ *           starts  of merit_ray_start; null: a ray that could not be aimed, and is lost
+ * Errors    merit->why: as system_compile
+ */
+bool merit_front_open(struct merit *merit, const struct merit_ray_question *question,
+                      struct merit_ray *const *starts, size_t count, struct merit_front *front);
+
+/* Through one more surface, from before it. */
+void merit_front_pass(struct merit_front *front, size_t surface);
+
+struct merit_ray merit_front_ray(const struct merit_front *front, size_t i);
+bool merit_front_lost(const struct merit_front *front, size_t i);
 
 #endif

@@ -105,44 +105,44 @@ static double *means_at(const struct merit_rays *rays, size_t group, int output)
     return rays->means + (set * (size_t)rays->outputs + (size_t)output) * merit_rays_rows_of(rays);
 }
 
-/* The values of an output of the final rays, and what it is by them. */
-static void set_output(const struct merit_rays *rays, const struct bundle_block *block, int output,
-                       const struct ray_block *end, double *values, struct ray_block *adjoint)
-{
-    memset(adjoint, 0, sizeof *adjoint);
-    if (rays->beams.spheres != NULL) {
-        merit_spheres_path(rays->beams.spheres, &rays->beams.bundle, block, end, values, adjoint);
-        return;
-    }
-    memcpy(values, output == 0 ? end->x : end->y, RAYS_BLOCK * sizeof *values);
-    for (int i = 0; i < block->aimed.lanes; i++) {
-        *(output == 0 ? &adjoint->x[i] : &adjoint->y[i]) = 1;
-    }
-}
-
 static bool trace_block(struct merit *merit, const struct merit_slot *slot, size_t which,
                         struct error *error)
 {
     struct merit_rays *rays = slot->own;
     struct merit_bundle *bundle = &rays->beams.bundle;
     const struct bundle_block *block = &bundle->blocks[which];
-    struct ray_block end, adjoint;
+    const struct merit_spheres *spheres = rays->beams.spheres;
+    const struct bundle_links *links = &rays->beams.links[block->light];
+    struct ray_block end;
     if (!merit_bundle_trace(bundle, which, merit->derives, &end, error)) {
         return false;
     }
     if (bundle->keeps) {
-        merit_graze_add(merit, slot, bundle, which, &rays->beams.links[block->light]);
+        merit_graze_add(merit, slot, bundle, which, links);
     }
     for (int k = 0; k < rays->outputs; k++) {
         double *rows = rows_at(rays, which, k);
-        set_output(rays, block, k, &end, rows, &adjoint);
-        if (!merit->derives) {
-            continue;
+        struct ray_block adjoint = {.lost = {0}};
+        struct merit_spheres_by by;
+        double *const ones = k == 0 ? adjoint.x : adjoint.y;
+        if (spheres != NULL) {
+            merit_spheres_meet(spheres, bundle, block, &end, rows, NULL);
+        } else {
+            memcpy(rows, k == 0 ? end.x : end.y, RAYS_BLOCK * sizeof *rows);
         }
-        merit_bundle_sweep(bundle, which, &rays->beams.links[block->light], rays->variable_count,
-                           &adjoint, rows + RAYS_BLOCK);
-        if (rays->beams.spheres != NULL) {
-            merit_spheres_move(rays->beams.spheres, bundle, block, &end, rows + RAYS_BLOCK);
+        for (int i = 0; i < block->aimed.lanes && merit->derives; i++) {
+            *(spheres != NULL ? &by.path[i] : &ones[i]) = 1;
+        }
+        if (merit->derives && spheres != NULL) {
+            memset(by.to, 0, sizeof by.to);
+            merit_spheres_back(spheres, bundle, block, &end, &by, &adjoint);
+        }
+        if (merit->derives) {
+            merit_bundle_sweep(bundle, which, links, rays->variable_count, &adjoint,
+                               rows + RAYS_BLOCK);
+        }
+        if (merit->derives && spheres != NULL) {
+            merit_spheres_move(spheres, block, &by, rows + RAYS_BLOCK);
         }
     }
     return true;
@@ -162,16 +162,16 @@ static void merit_rays_add_means(struct merit_rays *rays, size_t which, size_t r
 {
     const struct bundle_block *block = &rays->beams.bundle.blocks[which];
     for (size_t g = 0; g < block->aimed.beam_count; g++) {
-        const struct bundle_share *share = &block->shares[g];
-        const struct bundle_group *group = &rays->beams.bundle.groups[share->group];
         const struct aimed_beam *beam = &block->aimed.beams[g];
-        const struct pupil_point *points = group->points.points + share->first;
+        const struct bundle_lane *lane = &block->lanes[beam->first];
+        const struct bundle_group *group = &rays->beams.bundle.groups[lane->group];
+        const struct pupil_point *points = group->points.points + lane->point;
         double weights[RAYS_BLOCK];
         for (int i = 0; i < beam->count; i++) {
-            weights[i] = points[i].weight * rays->share[share->group];
+            weights[i] = points[i].weight * rays->share[lane->group];
         }
         for (int k = 0; k < rays->outputs; k++) {
-            double *means = means_at(rays, share->group, k);
+            double *means = means_at(rays, lane->group, k);
             const double *from = rows_at(rays, which, k) + beam->first;
             for (size_t j = 0; j < rows && !merit_rays_is_centred(rays, group, k);
                  j++, from += RAYS_BLOCK) {
@@ -213,20 +213,20 @@ static void put_block(const struct merit_rays *rays, size_t which, double deviat
     const double um = 1e-3, wavelength = um * rays->beams.bundle.lights[block->light].wavelength;
     const double unit = deviation * (rays->beams.spheres != NULL ? wavelength : 1);
     for (size_t g = 0; g < block->aimed.beam_count; g++) {
-        const struct bundle_share *share = &block->shares[g];
-        const struct bundle_group *group = &rays->beams.bundle.groups[share->group];
         const struct aimed_beam *beam = &block->aimed.beams[g];
+        const struct bundle_lane *lane = &block->lanes[beam->first];
+        const struct bundle_group *group = &rays->beams.bundle.groups[lane->group];
         const int begin = first_output(rays, group);
         struct merit_rays_part part = {.count = beam->count};
         for (int i = 0; i < part.count; i++) {
-            const double weight = group->points.points[share->first + (size_t)i].weight;
+            const double weight = group->points.points[lane->point + (size_t)i].weight;
             part.factors[i] = sqrt(weight * group->weight) / unit;
         }
         for (int k = begin; k < rays->outputs; k++) {
             const size_t before = (size_t)(k - begin) * group->points.count;
-            const size_t row = group->row + before + share->first;
+            const size_t row = group->row + before + lane->point;
             part.rows = rows_at(rays, which, k) + beam->first;
-            part.means = means_at(rays, share->group, k);
+            part.means = means_at(rays, lane->group, k);
             merit_rays_put_part(&part, rays->variable_count, residuals + row,
                                 jacobian != NULL ? jacobian + row * rays->variable_count : NULL);
         }

@@ -48,32 +48,16 @@ bool merit_spheres_find(struct merit_spheres *spheres, const struct bundle_links
                         bool derives, struct error *error);
 
 /*
- * Paths of rays to the spheres.
+ * Paths of rays to the spheres, and unit vectors from where they meet them to their centres, along
+ * the light.
  *
  * Given     block, end  of the other rays
  *           path        receives opd_path of each, mm
- *           adjoint     zeroed; receives its derivatives by the final rays, the sphere at rest
- * Formula   L = P - n (D.e - s B), B = R - sqrt(R^2 - q), q = D^2 - (D.e)^2: dB/dq = 1/(2 sqrt(R^2
- *           - q))
- * Source    analysis/waves/opd.h, derived here
- */
-void merit_spheres_path(const struct merit_spheres *spheres, const struct merit_bundle *bundle,
-                        const struct bundle_block *block, const struct ray_block *end, double *path,
-                        struct ray_block *adjoint);
-
-/* Add to the columns of paths what the spheres do that move. */
-void merit_spheres_move(const struct merit_spheres *spheres, const struct merit_bundle *bundle,
-                        const struct bundle_block *block, const struct ray_block *end,
-                        double *columns);
-
-/*
- * Unit vectors from where rays meet the spheres to their centres, along the light.
- *
- * Given     to  receives x and y of each
+ *           to          receives x and y of each; null: not wanted
  * Formula   with m = D - (D.e) e across the ray: root e - s m/R, root = sqrt(1 - m^2/R^2)
  */
 void merit_spheres_meet(const struct merit_spheres *spheres, const struct merit_bundle *bundle,
-                        const struct bundle_block *block, const struct ray_block *end,
+                        const struct bundle_block *block, const struct ray_block *end, double *path,
                         double *const to[2]);
 
 /* What a function is by the paths of rays and those vectors; and by centres and radii. */
@@ -82,9 +66,19 @@ struct merit_spheres_by {
     double centre[2][RAYS_BLOCK], radius[RAYS_BLOCK]; /* received, one a ray */
 };
 
-/* Backwards: adjoint, zeroed, receives the derivatives by the final rays. */
+/*
+ * Backwards: adjoint, zeroed, receives the derivatives by the final rays, the sphere at rest.
+ *
+ * Formula   L = P - n (D.e - s B), B = R - sqrt(R^2 - q), q = D^2 - (D.e)^2: dB/dq = 1/(2 sqrt(R^2
+ *           - q))
+ * Source    analysis/waves/opd.h, derived here
+ */
 void merit_spheres_back(const struct merit_spheres *spheres, const struct merit_bundle *bundle,
                         const struct bundle_block *block, const struct ray_block *end,
                         struct merit_spheres_by *by, struct ray_block *adjoint);
+
+/* Add to the columns of rays what the spheres do that move. */
+void merit_spheres_move(const struct merit_spheres *spheres, const struct bundle_block *block,
+                        const struct merit_spheres_by *by, double *columns);
 
 #endif

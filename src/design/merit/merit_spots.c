@@ -31,21 +31,6 @@ static double *share_groups(const struct merit_bundle *bundle, struct arena *are
     return shares;
 }
 
-/* What the rays of a block count within the spot of their field. */
-static void merit_spots_weigh(const struct merit_bundle *bundle, const struct bundle_block *block,
-                              const double *shares, double *weights)
-{
-    for (size_t g = 0; g < block->aimed.beam_count; g++) {
-        const struct bundle_share *share = &block->shares[g];
-        const struct aimed_beam *beam = &block->aimed.beams[g];
-        const struct pupil_point *points = bundle->groups[share->group].points.points;
-        for (int i = 0; i < beam->count; i++) {
-            weights[beam->first + i] =
-                points[share->first + (size_t)i].weight * shares[share->group];
-        }
-    }
-}
-
 struct merit_lines *merit_lines_open(const struct merit_slot *slot, struct arena *arena)
 {
     struct merit_lines *lines = ARENA_NEW(arena, struct merit_lines);
@@ -56,7 +41,11 @@ struct merit_lines *merit_lines_open(const struct merit_slot *slot, struct arena
     lines->means = arena_array(arena, bundle->wish.field_count, sizeof *lines->means);
     lines->weights = ARENA_ARRAY(arena, bundle->block_count * RAYS_BLOCK, double);
     for (size_t k = 0; k < bundle->block_count; k++) {
-        merit_spots_weigh(bundle, &bundle->blocks[k], shares, lines->weights + k * RAYS_BLOCK);
+        for (int i = 0; i < bundle->blocks[k].aimed.count; i++) {
+            const struct bundle_lane *lane = &bundle->blocks[k].lanes[i];
+            lines->weights[k * RAYS_BLOCK + (size_t)i] =
+                bundle->groups[lane->group].points.points[lane->point].weight * shares[lane->group];
+        }
     }
     return lines;
 }
@@ -102,7 +91,7 @@ static struct lane_range merit_spots_range_of(const struct merit_lines *lines, s
 {
     const struct bundle_block *block = &lines->bundle->blocks[which];
     const struct aimed_beam *beam = &block->aimed.beams[share];
-    const struct bundle_group *group = &lines->bundle->groups[block->shares[share].group];
+    const struct bundle_group *group = &lines->bundle->groups[block->lanes[beam->first].group];
     return (struct lane_range){.line = (const double(*)[RAYS_BLOCK]) &
                                        lines->blocks[which][0][beam->first],
                                .weights = lines->weights + which * RAYS_BLOCK + beam->first,

@@ -5,6 +5,128 @@
 #include <assert.h>
 #include <math.h>
 
+/* -------- positions -------- */
+
+void merit_begin(struct merit *merit, const struct merit_question *question, struct arena *arena)
+{
+    *merit = (struct merit){.question = *question,
+                            .variable_count =
+                                question->variable_count + merit_irregular_columns(question),
+                            .arena = arena};
+}
+
+static void merit_place_add_light(const struct merit *merit, struct merit_place *place,
+                                  double wavelength, struct arena *arena)
+{
+    for (size_t i = 0; i < place->light_count; i++) {
+        if (place->lights[i].wavelength == wavelength) {
+            return;
+        }
+    }
+    struct merit_light *light = &place->lights[place->light_count++];
+    const struct merit_question *question = &merit->question;
+    const size_t columns = merit->variable_count > 0 ? merit->variable_count : 1;
+    const size_t links =
+        question->by != NULL ? question->by->most : variables_most_links(question->variables);
+    *light = (struct merit_light){
+        .wavelength = wavelength,
+        .links = ARENA_ARRAY(arena, links, struct variable_link),
+        .paraxial = paraxial_dual_new(place->setup.lens, place->setup.section, arena),
+        .figures = ARENA_ARRAY(arena, columns, struct merit_figures)};
+}
+
+/* The primary wavelength, those of the lens or asked for, those of operands. */
+static void list_lights(const struct merit *merit, struct merit_place *place, struct arena *arena)
+{
+    const struct merit_question *question = &merit->question;
+    const size_t most = 1 + place->setup.wavelength_count + question->operand_count;
+    place->lights = ARENA_ARRAY(arena, most, struct merit_light);
+    merit_place_add_light(merit, place, lens_primary_wavelength(place->setup.lens), arena);
+    for (size_t i = 0; i < place->setup.wavelength_count; i++) {
+        merit_place_add_light(merit, place, place->setup.wavelengths[i].wavelength, arena);
+    }
+    for (size_t i = 0; i < question->operand_count; i++) {
+        if (!isnan(question->operands[i].wavelength)) {
+            merit_place_add_light(merit, place, question->operands[i].wavelength, arena);
+        }
+    }
+}
+
+/* A lens that begins without power has no f-number as yet: its fields and wavelengths are known. */
+static bool merit_place_open_setup(const struct setup_question *question, struct merit_place *place,
+                                   struct arena *arena, struct error *error)
+{
+    struct setup_question bare = *question;
+    struct lens *lens = ARENA_NEW(arena, struct lens);
+    struct error ignored;
+    if (setup_open(question, arena, &place->setup, error)) {
+        return true;
+    }
+    *lens = *question->lens;
+    lens->aperture_kind = APERTURE_NONE;
+    lens->apertures = NULL;
+    bare.lens = lens;
+    bare.fnumber = NAN;
+    return place->aperture.kind == APERTURE_FNUMBER && place->setup.first.is_afocal &&
+           setup_open(&bare, arena, &place->setup, &ignored);
+}
+
+static bool open_place(const struct merit *merit, size_t position, struct arena *arena,
+                       struct merit_place *place, struct error *error)
+{
+    const struct merit_question *question = &merit->question;
+    const struct setup_question asked = {.lens = question->lens,
+                                         .position = position,
+                                         .section = question->section,
+                                         .wavelength = NAN,
+                                         .wavelengths = WAVELENGTHS_ALL,
+                                         .spectrum = question->wavelengths,
+                                         .spectrum_count = question->wavelength_count,
+                                         .fnumber = question->fnumber,
+                                         .fields = question->fields,
+                                         .field_count = question->field_count,
+                                         .field_policy = FIELDS_ALL,
+                                         .takes_telecentric = true};
+    *place = (struct merit_place){.position = position};
+    place->lens = lens_at_position(question->lens, position, arena);
+    place->aperture = isnan(question->fnumber)
+                          ? lens_aperture(place->lens)
+                          : (struct aperture_setting){APERTURE_FNUMBER, question->fnumber};
+    if (!merit_place_open_setup(&asked, place, arena, error)) {
+        return place->setup.position != NULL &&
+               error_prefix(error, "position %s: ", place->setup.position);
+    }
+    place->image = ARENA_ARRAY(arena, merit->variable_count + 1, struct dual);
+    list_lights(merit, place, arena);
+    return true;
+}
+
+bool merit_places_open(struct merit *merit, struct arena *arena, struct error *error)
+{
+    const struct merit_question *question = &merit->question;
+    const size_t all = question->lens->position_count > 0 ? question->lens->position_count : 1;
+    merit->place_count = question->position_count > 0 ? question->position_count : all;
+    merit->places = ARENA_ARRAY(arena, merit->place_count, struct merit_place);
+    for (size_t i = 0; i < merit->place_count; i++) {
+        const size_t position = question->position_count > 0 ? question->positions[i] : i;
+        if (!open_place(merit, position, arena, &merit->places[i], error)) {
+            return false;
+        }
+    }
+    return true;
+}
+
+void merit_put_lens(struct merit *merit, const double *parameters, bool derives)
+{
+    merit->evaluation++;
+    merit->derives = derives;
+    merit->parameters = parameters;
+    for (size_t i = 0; i < merit->place_count; i++) {
+        struct merit_place *place = &merit->places[i];
+        place->lens = variables_put(merit->question.variables, parameters, place->position);
+    }
+}
+
 size_t merit_columns(const struct merit *merit)
 {
     return merit->derives ? merit->variable_count : 1;

@@ -169,4 +169,18 @@ bool merit_put(struct merit *merit, const struct merit_slot *slot, size_t at, do
 /* Errors    ERROR_DOMAIN: the lens has no aperture */
 bool merit_needs_aperture(const struct merit_place *place, struct error *error);
 
+/* A merit of this question, with nothing ready. */
+void merit_begin(struct merit *merit, const struct merit_question *question, struct arena *arena);
+
+/*
+ * Its places, with the wavelengths that are asked for.
+ *
+ * Errors    as setup_open
+ */
+bool merit_places_open(struct merit *merit, struct arena *arena, struct error *error);
+
+/* The lens with these numbers, in all places, for who looks at slots by himself; derives: with
+   derivatives. */
+void merit_put_lens(struct merit *merit, const double *parameters, bool derives);
+
 #endif
