@@ -118,10 +118,9 @@ static const char *explain_one(const struct report *report, const struct explana
     const char *right = strstr(explanation->formula, " = ");
     render(numbers, right != NULL ? right + 3 : explanation->formula, report->sheet, row);
     explain_write_value(result, sizeof result, column, row);
-    const char *label = column->label != NULL ? column->label : column->name;
     const bool has_numbers = strchr(explanation->formula, '{') != NULL; /* else it is there twice */
-    return arena_printf(report->arena, "%s: %s%s%s\n  = %s\n  %s%s%s", label, symbols,
-                        has_numbers ? "\n  = " : "", has_numbers ? numbers : "", result,
+    return arena_printf(report->arena, "%s: %s%s%s\n  = %s\n  %s%s%s", column_label(column),
+                        symbols, has_numbers ? "\n  = " : "", has_numbers ? numbers : "", result,
                         explanation->source, explanation->limits != NULL ? "; " : "",
                         explanation->limits != NULL ? explanation->limits : "");
 }

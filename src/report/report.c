@@ -87,7 +87,7 @@ static bool report_is_called(struct text name, const struct column *column, enum
     if (by == BY_NAME) {
         return text_same_name(name, text_of(column->name));
     }
-    return (column->label != NULL && text_same_name(name, text_of(column->label))) ||
+    return text_same_name(name, text_of(column_label(column))) ||
            (column->symbol != NULL && text_equal(name, column->symbol));
 }
 
@@ -144,7 +144,7 @@ static void suggest_columns(const struct sheet *sheet, struct text name, struct 
         const struct column *column = &sheet->columns[i];
         const char *usual = show_usual(column, arena).name;
         bool contains = text_contains_name(text_of(usual), name) ||
-                        (column->label != NULL && text_contains_name(text_of(column->label), name));
+                        text_contains_name(text_of(column_label(column)), name);
         bool is_new = nearest.start == NULL ||
                       (!text_equal(nearest, usual) && !text_equal(nearest, column->name));
         if (contains && is_new) {

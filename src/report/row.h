@@ -17,6 +17,12 @@ struct shown {
     int inch_places;         /* decimals of inches in feet and inches, plus 1; 0 = as digits say */
 };
 
+/* In words, for people; null label: its name. */
+static inline const char *column_label(const struct column *column)
+{
+    return column->label != NULL ? column->label : column->name;
+}
+
 /* The option whose value a column has; empty: it repeats none. */
 struct text column_repeated(const struct column *column);
 

@@ -50,7 +50,7 @@ struct column {
     size_t offset;
     unsigned flags;
     const char *symbol;  /* in formulas: "s"; null = none */
-    const char *label;   /* in words, for people: "near limit" */
+    const char *label;   /* in words, for people: "near limit"; null = its name */
     const char *head;    /* in tables for people, unless --columns names them; null = name */
     const char *help;    /* one sentence */
     const char *with;    /* of an echo: the option it repeats; else the options that bring it */

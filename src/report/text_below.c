@@ -24,7 +24,7 @@ const char *report_words(const struct report *report, const struct shown *shown,
         unit = readable_unit(shown, UNITS_METRIC, row_number(row, column));
     }
     readable_value(value, sizeof value, row, shown, unit, DIGITS);
-    return ARENA_JOIN(report->arena, column->label, " ", value,
+    return ARENA_JOIN(report->arena, column_label(column), " ", value,
                       unit != NULL && unit->label[0] != '\0' ? " " : "",
                       unit != NULL ? unit->label : "");
 }
@@ -135,7 +135,7 @@ static void write_legend(struct report *report)
         if (is_shown && text_has_head(report, column) && column->symbol != NULL &&
             strcmp(column->head, column->symbol) == 0) {
             line = arena_printf(report->arena, "%s%s%s: %s", line != NULL ? line : "",
-                                line != NULL ? "; " : "", column->head, column->label);
+                                line != NULL ? "; " : "", column->head, column_label(column));
         }
     }
     text_write_line(report, line);
@@ -168,7 +168,8 @@ static void write_notes(struct report *report, const struct column *column)
                      strcmp(row_text(row, column), note) != 0;
         }
         if (is_new) {
-            text_write_line(report, arena_printf(report->arena, "%s: %s", column->label, note));
+            text_write_line(report,
+                            arena_printf(report->arena, "%s: %s", column_label(column), note));
         }
     }
 }

@@ -273,7 +273,7 @@ static void add_list_row(struct report *report, struct grid *grid, size_t i, siz
     const struct column *column = shown->column;
     char cell[CELL];
     grid_add_row(grid);
-    grid_set(grid, 0, column->label != NULL ? column->label : spaced(report->arena, shown->name));
+    grid_set(grid, 0, column_label(column));
     if (state->is_empty[i]) {
         grid_set(grid, 1, "-");
         grid_set(grid, 2, report_absence(report, column));

@@ -51,7 +51,7 @@ const char *axis_label(const struct collection *collection, const struct axis *a
     for (size_t i = 0; i < collection->sheet->column_count; i++) {
         const struct column *column = &collection->sheet->columns[i];
         if (axis->option->column != NULL && strcmp(column->name, axis->option->column) == 0) {
-            return column->label;
+            return column_label(column);
         }
     }
     return axis->option->name;

@@ -115,7 +115,7 @@ static struct column_row describe(const struct command *command, const struct co
         .column = unit != NULL ? ARENA_JOIN(arena, column->name, "_", unit) : column->name,
         .letter = letter_of(command, column->name, arena),
         .unit = unit != NULL ? unit_find(column->dimension, text_of(unit))->label : NULL,
-        .label = column->label,
+        .label = column_label(column),
         .help = column->help,
         .shown = shown_where(column, arena),
     };

@@ -174,8 +174,8 @@ static const char *value_words(const struct collection *collection, const struct
     const char *words = "";
     for (size_t k = 0; k < cross->value_count; k++) {
         const struct shown *shown = &cross->values[k];
-        const char *label = shown->column->label != NULL ? shown->column->label : shown->name;
-        words = arena_printf(collection->arena, "%s%s%s", words, k > 0 ? " - " : "", label);
+        words = arena_printf(collection->arena, "%s%s%s", words, k > 0 ? " - " : "",
+                             column_label(shown->column));
     }
     const char *unit = readable_unit_label(&cross->values[0], cross->units[0]);
     return unit[0] == '\0' ? words : arena_printf(collection->arena, "%s (%s)", words, unit);

@@ -96,11 +96,6 @@ static double *curve(const struct collection *collection, const struct plotting_
     return y;
 }
 
-static const char *column_label(const struct shown *shown)
-{
-    return shown->column->label != NULL ? shown->column->label : shown->name;
-}
-
 /* Which of the shown columns has this name? Their count: none. */
 static size_t find_shown(const struct plotting_layout *layout, struct text name)
 {
@@ -143,7 +138,7 @@ static void plotting_add_curves(const struct collection *collection,
             one->style = groups > 1 ? g : k;
             /* near and far of a group look alike: one label is enough */
             if (groups == 1) {
-                one->label = column_label(&layout->shown[k]);
+                one->label = column_label(layout->shown[k].column);
             } else if (k + 1 == columns || columns == 1) {
                 one->label = group_words(collection, layout, g);
             } else {
@@ -246,11 +241,11 @@ static const char *title_words(const struct collection *collection,
     if (layout->shown_count > 2 && layout->shown[0].column->dimension != NULL) {
         return layout->shown[0].column->dimension->name;
     }
-    const char *words = column_label(&layout->shown[0]);
+    const char *words = column_label(layout->shown[0].column);
     for (size_t k = 1; k < layout->shown_count; k++) {
         words = arena_printf(collection->arena, "%s%s%s", words,
                              k + 1 == layout->shown_count ? " and " : ", ",
-                             column_label(&layout->shown[k]));
+                             column_label(layout->shown[k].column));
     }
     return words;
 }

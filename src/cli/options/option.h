@@ -19,6 +19,7 @@
 #include "photo/format.h"
 #include "report/warnings.h"
 
+#include <math.h>
 #include <stdbool.h>
 #include <stddef.h>
 
@@ -137,6 +138,13 @@ struct coc_value {
         struct part: &kind_part)
 
 #define OPTION(S, member) .kind = OPTION_KIND(S, member), .offset = offsetof(S, member)
+
+/* Above 0, or from 0 on, as flags have it. */
+#define OPTION_POSITIVE .lowest = 0, .highest = INFINITY
+
+/* Of f-numbers: sin theta' is 1 at most, and twice it 1/N. */
+#define OPTION_USUAL_FNUMBER                                                                       \
+    .usual = {0.5, INFINITY}, .unusual = "no lens in air can be faster than f/0.5"
 
 enum option_flag {
     OPTION_ABOVE_LOWEST = 1, /* the lowest value itself is not allowed */

@@ -2,7 +2,6 @@
 /* SPDX-License-Identifier: MIT */
 #include "commands/analysis/analysis_fields.h"
 #include "commands/analysis/distortion_asked.h"
-#include "commands/photo/photo_options.h"
 
 /* "auto", then those of photo/fov.h. */
 static const struct word *projection_word_at(size_t i)

@@ -1,6 +1,7 @@
 /* commands/data/check_files.c - lenscalc convert --check: what becomes of lens files. */
 /* SPDX-License-Identifier: MIT */
 #include "commands/data/check_files.h"
+#include "commands/tables.h"
 
 #include "base/parallel.h"
 #include "cli/question/command.h"
@@ -26,32 +27,29 @@ struct check_files_row {
     long surfaces, losses;
 };
 
+#define INPUT struct check_files_input
+
 static const struct option options[] = {
-    {OPTION(struct check_files_input, check), .name = "check",
+    {ASKED(check), .name = "check",
      .help = "only report whether each file can be read, and with what losses; one row a file"},
-    {OPTION(struct check_files_input, files), .name = "files", .value = "FILE",
-     .flags = OPTION_OPERAND | OPTION_TOGETHER,
+    {ASKED(files), .name = "files", .value = "FILE", .flags = OPTION_OPERAND | OPTION_TOGETHER,
      .help = "with --check: files, and folders with their contents"},
-    {OPTION(struct check_files_input, threads), .name = "threads", .lowest = 0,
-     .highest = PARALLEL_MOST, .value = "N", .fallback = "0",
-     .help = "with --check: threads to work with; 0 = one a core"},
+    {ASKED(threads), .name = "threads", .lowest = 0, .highest = PARALLEL_MOST, .value = "N",
+     .fallback = "0", .help = "with --check: threads to work with; 0 = one a core"},
 };
 
-#define ROW(member) COLUMN(struct check_files_row, member)
+#define ROW struct check_files_row
 
 static const struct column columns[] = {
-    {ROW(file), .name = "file", .flags = COLUMN_BRIEF, .label = "file", .help = "its name"},
-    {ROW(format), .name = "format", .label = "format",
-     .help = "kind of file, by its content or its ending"},
-    {ROW(status), .name = "status", .flags = COLUMN_BRIEF, .label = "status",
+    {SHOWN(file), .name = "file", BRIEF, .help = "its name"},
+    {SHOWN(format), .name = "format", .help = "kind of file, by its content or its ending"},
+    {SHOWN(status), .name = "status", BRIEF,
      .help = "read, losses (read with --lossy only), refused"},
-    {ROW(efl), .name = "efl", .dimension = &dimension_length, .unit = "mm", .flags = COLUMN_BRIEF,
-     .label = "focal length",
+    {LENGTH(efl, "mm"), .name = "efl", BRIEF, .label = "focal length",
      .help = "at the primary wavelength, in the first position; without what is lost"},
-    {ROW(surfaces), .name = "surfaces", .flags = COLUMN_BRIEF, .label = "surfaces",
-     .help = "number of surfaces, the stop counted"},
-    {ROW(losses), .name = "losses", .label = "losses", .help = "number of losses"},
-    {ROW(reasons), .name = "reasons", .flags = COLUMN_BRIEF, .label = "reasons",
+    {SHOWN(surfaces), .name = "surfaces", BRIEF, .help = "number of surfaces, the stop counted"},
+    {SHOWN(losses), .name = "losses", .help = "number of losses"},
+    {SHOWN(reasons), .name = "reasons", BRIEF,
      .help = "what is lost, with its lines, by what it changes; or why the file is refused"},
 };
 

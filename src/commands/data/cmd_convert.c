@@ -2,6 +2,7 @@
 /* SPDX-License-Identifier: MIT */
 #include "commands/data/check_files.h"
 #include "commands/lens/lens_options.h"
+#include "commands/tables.h"
 #include "exchange/lens_formats.h"
 #include "file/lens_change.h"
 #include "file/lens_glass.h"
@@ -47,25 +48,26 @@ static const struct word *unit_word_at(size_t i)
     return NULL;
 }
 
+#define INPUT struct convert_input
+
 static const struct option options[] = {
-    {OPTION(struct convert_input, lens), .name = "lens", .letter = 'l', .value = "LENS",
+    {ASKED(lens), .name = "lens", .letter = 'l', .value = "LENS",
      .flags = OPTION_OPERAND | OPTION_FILE, .types = lens_types,
      .help = "a lens of lensdb (list lenses), a file, or - for standard input"},
-    {OPTION(struct convert_input, to), .name = "to", .word_at = format_word_at, .fallback = "auto",
-     .value = "FORMAT", .help = "what to write"},
-    {OPTION(struct convert_input, position), .name = "position", .value = "NAME|LENGTH",
+    {ASKED(to), .name = "to", .word_at = format_word_at, .fallback = "auto", .value = "FORMAT",
+     .help = "what to write"},
+    {ASKED(position), .name = "position", .value = "NAME|LENGTH",
      .help = "only this zoom or focus position, or the one nearest to a focal length: 135mm; "
              "without it all"},
-    {OPTION(struct convert_input, reverse), .name = "reverse", .help = "turn the lens around"},
-    {OPTION(struct convert_input, scale), .name = "scale", .dimension = &dimension_number,
-     .lowest = 0, .highest = 1e6, .flags = OPTION_ABOVE_LOWEST, .value = "FACTOR",
-     .excludes = "focal-length", .help = "all lengths times a factor"},
-    {OPTION(struct convert_input, focal_length), .name = "focal-length", .letter = 'f',
-     .dimension = &dimension_length, .unit = "mm", .lowest = 0, .highest = 1e9,
-     .flags = OPTION_ABOVE_LOWEST | OPTION_NO_INFINITY, .value = "LENGTH",
+    {ASKED(reverse), .name = "reverse", .help = "turn the lens around"},
+    {MEASURE(scale, number, NULL, "FACTOR"), .name = "scale", .lowest = 0, .highest = 1e6,
+     .flags = OPTION_ABOVE_LOWEST, .excludes = "focal-length",
+     .help = "all lengths times a factor"},
+    {MEASURE(focal_length, length, "mm", "LENGTH"), .name = "focal-length", .letter = 'f',
+     .lowest = 0, .highest = 1e9, .flags = OPTION_ABOVE_LOWEST | OPTION_NO_INFINITY,
      .help = "scale to this focal length at the primary wavelength, in the first position"},
-    {OPTION(struct convert_input, unit), .name = "unit", .word_at = unit_word_at,
-     .fallback = "keep", .value = "UNIT", .help = "unit of the lengths in the file"},
+    {ASKED(unit), .name = "unit", .word_at = unit_word_at, .fallback = "keep", .value = "UNIT",
+     .help = "unit of the lengths in the file"},
 };
 
 /* What is done, step by step. */

@@ -1,6 +1,7 @@
 /* commands/data/cmd_list.c - lenscalc list: what the program knows. */
 /* SPDX-License-Identifier: MIT */
 #include "commands/data/list.h"
+#include "commands/tables.h"
 
 static const struct word topic_words[] = {
     {"lenses", "lenses with their prescriptions"},
@@ -27,18 +28,17 @@ static const struct topic *const topics[] = {
     &topic_keywords, &topic_commands, &topic_options,    &topic_columns,
 };
 
+#define INPUT struct list_input
+
 static const struct option options[] = {
-    {OPTION(struct list_input, topic), .name = "topic", .words = topic_words, .value = "TOPIC",
-     .fallback = "commands", .flags = OPTION_OPERAND, .help = "what to list"},
-    {OPTION(struct list_input, search), .name = "search", .value = "WORDS",
-     .flags = OPTION_OPERAND | OPTION_REST, .help = "only what contains these words"},
-    {OPTION(struct list_input, kind), .name = "kind", .value = "KIND",
+    {ASKED(topic), .name = "topic", .words = topic_words, .value = "TOPIC", .fallback = "commands",
+     .flags = OPTION_OPERAND, .help = "what to list"},
+    {ASKED(search), .name = "search", .value = "WORDS", .flags = OPTION_OPERAND | OPTION_REST,
+     .help = "only what contains these words"},
+    {ASKED(kind), .name = "kind", .value = "KIND",
      .help = "only this class of lenses or formats, maker of cameras or films, kind of filters, "
-             "catalogue of "
-             "glasses, grade of tolerances, series of "
-             "stops, dimension of units, "
-             "format of keywords, "
-             "group of commands, command of options and columns"},
+             "catalogue of glasses, grade of tolerances, series of stops, dimension of units, "
+             "format of keywords, group of commands, command of options and columns"},
 };
 
 static const struct sheet *const sheets[] = {

@@ -1,6 +1,7 @@
 /* commands/data/list_glasses.c - lenscalc list: glasses. */
 /* SPDX-License-Identifier: MIT */
 #include "commands/data/list.h"
+#include "commands/tables.h"
 #include "data/glass_catalog.h"
 
 struct list_glasses_glass_row {
@@ -8,31 +9,23 @@ struct list_glasses_glass_row {
     double nd, Vd, from, to;
 };
 
-#define GLASS(member) COLUMN(struct list_glasses_glass_row, member)
+#define ROW struct list_glasses_glass_row
 
 static const struct column columns[] = {
-    {GLASS(name), .name = "glass", .flags = COLUMN_BRIEF, .label = "glass",
-     .help = "name, as the catalogue spells it"},
-    {GLASS(catalog), .name = "catalog", .flags = COLUMN_BRIEF, .label = "catalogue",
-     .help = "maker's catalogue"},
-    {GLASS(nd), .name = "nd", .digits = 6, .flags = COLUMN_BRIEF, .label = "nd",
-     .help = "index at the d line, recomputed"},
-    {GLASS(Vd), .name = "vd", .flags = COLUMN_BRIEF, .label = "Vd",
-     .help = "Abbe number, recomputed"},
-    {GLASS(status), .name = "status", .flags = COLUMN_BRIEF, .label = "status",
-     .help = "current, obsolete, or as the source says"},
-    {GLASS(from), .name = "from", .dimension = &dimension_length, .unit = "nm",
-     .flags = COLUMN_ECHO, .label = "from", .help = "shortest wavelength of the formula"},
-    {GLASS(to), .name = "to", .dimension = &dimension_length, .unit = "nm", .flags = COLUMN_ECHO,
-     .label = "to", .help = "longest wavelength of the formula"},
-    {GLASS(formula), .name = "formula", .label = "formula", .help = "form of the dispersion"},
-    {GLASS(source), .name = "source", .label = "source", .help = "where the data are from"},
-    {GLASS(licence), .name = "licence", .label = "licence",
-     .help = "CC0, or facts (published constants)"},
-    {GLASS(place), .name = "database", .label = "database",
-     .help = "embedded, or the user's own folder"},
-    {GLASS(warning), .name = "warning", .label = "warning",
-     .help = "what is doubtful in the data, with file and line"},
+    {SHOWN(name), .name = "glass", BRIEF, .help = "name, as the catalogue spells it"},
+    {SHOWN(catalog), .name = "catalog", BRIEF, .label = "catalogue", .help = "maker's catalogue"},
+    {SHOWN(nd), .name = "nd", BRIEF, .digits = 6, .help = "index at the d line, recomputed"},
+    {SHOWN(Vd), .name = "vd", BRIEF, .label = "Vd", .help = "Abbe number, recomputed"},
+    {SHOWN(status), .name = "status", BRIEF, .help = "current, obsolete, or as the source says"},
+    {LENGTH(from, "nm"), .name = "from", .flags = COLUMN_ECHO,
+     .help = "shortest wavelength of the formula"},
+    {LENGTH(to, "nm"), .name = "to", .flags = COLUMN_ECHO,
+     .help = "longest wavelength of the formula"},
+    {SHOWN(formula), .name = "formula", .help = "form of the dispersion"},
+    {SHOWN(source), .name = "source", .help = "where the data are from"},
+    {SHOWN(licence), .name = "licence", .help = "CC0, or facts (published constants)"},
+    {SHOWN(place), .name = "database", .help = "embedded, or the user's own folder"},
+    {SHOWN(warning), .name = "warning", .help = "what is doubtful in the data, with file and line"},
 };
 
 static bool list_glasses(struct list *list, struct error *error)

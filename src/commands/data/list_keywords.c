@@ -1,6 +1,7 @@
 /* commands/data/list_keywords.c - lenscalc list keywords. */
 /* SPDX-License-Identifier: MIT */
 #include "commands/data/list.h"
+#include "commands/tables.h"
 #include "exchange/lens_formats.h"
 #include "exchange/word_table.h"
 
@@ -8,19 +9,15 @@ struct keyword_row {
     const char *keyword, *format, *place, *fate, *what;
 };
 
-#define KEYWORD(member) COLUMN(struct keyword_row, member)
+#define ROW struct keyword_row
 
 static const struct column keyword_columns[] = {
-    {KEYWORD(keyword), .name = "keyword", .flags = COLUMN_BRIEF, .label = "keyword",
-     .help = "the word"},
-    {KEYWORD(format), .name = "format", .flags = COLUMN_BRIEF, .label = "format",
-     .help = "the kind of file it is of"},
-    {KEYWORD(place), .name = "place", .flags = COLUMN_BRIEF, .label = "place",
-     .help = "where in the file it stands"},
-    {KEYWORD(fate), .name = "fate", .flags = COLUMN_BRIEF, .label = "fate",
+    {SHOWN(keyword), .name = "keyword", BRIEF, .help = "the word"},
+    {SHOWN(format), .name = "format", BRIEF, .help = "the kind of file it is of"},
+    {SHOWN(place), .name = "place", BRIEF, .help = "where in the file it stands"},
+    {SHOWN(fate), .name = "fate", BRIEF,
      .help = "kept (what a lens cannot hold of it is a loss), harmless, lost or refused"},
-    {KEYWORD(what), .name = "meaning", .flags = COLUMN_BRIEF, .label = "meaning",
-     .help = "what it says"},
+    {SHOWN(what), .name = "meaning", BRIEF, .help = "what it says"},
 };
 
 static bool list_keywords(struct list *list, struct error *error)

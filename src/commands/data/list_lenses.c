@@ -1,6 +1,7 @@
 /* commands/data/list_lenses.c - lenscalc list lenses. */
 /* SPDX-License-Identifier: MIT */
 #include "commands/data/list.h"
+#include "commands/tables.h"
 #include "exchange/lens_open.h"
 #include "optics/first_order.h"
 
@@ -12,29 +13,24 @@ struct list_lenses_lens_row {
     long surfaces;
 };
 
-#define LENS(member)        COLUMN(struct list_lenses_lens_row, member)
-#define LENS_LENGTH(member) LENS(member), .dimension = &dimension_length, .unit = "mm"
+#define ROW struct list_lenses_lens_row
 
 static const struct column lens_columns[] = {
-    {LENS(name), .name = "lens", .flags = COLUMN_BRIEF, .label = "lens",
-     .help = "name that commands take"},
-    {LENS(kind), .name = "kind", .flags = COLUMN_BRIEF, .label = "kind", .help = "class of lenses"},
-    {LENS_LENGTH(efl), .name = "efl", .flags = COLUMN_BRIEF, .label = "focal length",
+    {SHOWN(name), .name = "lens", BRIEF, .help = "name that commands take"},
+    {SHOWN(kind), .name = "kind", BRIEF, .help = "class of lenses"},
+    {LENGTH(efl, "mm"), .name = "efl", BRIEF, .label = "focal length",
      .help = "effective focal length as computed, in the first position"},
-    {LENS(fnumber), .name = "fnumber", .flags = COLUMN_BRIEF, .label = "f-number",
+    {SHOWN(fnumber), .name = "fnumber", BRIEF, .label = "f-number",
      .help = "f-number by its aperture; absent where none is stated"},
-    {LENS_LENGTH(bfl), .name = "bfl", .label = "back focus", .help = "paraxial back focus"},
-    {LENS(surfaces), .name = "surfaces", .flags = COLUMN_BRIEF, .label = "surfaces",
-     .help = "number of surfaces, the stop counted"},
-    {LENS(positions), .name = "positions", .flags = COLUMN_BRIEF, .label = "positions",
-     .help = "names of zoom or focus positions"},
+    {LENGTH(bfl, "mm"), .name = "bfl", .label = "back focus", .help = "paraxial back focus"},
+    {SHOWN(surfaces), .name = "surfaces", BRIEF, .help = "number of surfaces, the stop counted"},
+    {SHOWN(positions), .name = "positions", BRIEF, .help = "names of zoom or focus positions"},
     /* the longest one last: a narrow terminal cuts or wraps nothing else */
-    {LENS(title), .name = "title", .flags = COLUMN_BRIEF, .label = "title", .help = "what it is"},
-    {LENS(source), .name = "source", .label = "source", .help = "where it was published"},
-    {LENS(note), .name = "note", .label = "note", .help = "what to know of it"},
-    {LENS(warning), .name = "warning", .label = "warning", .help = "what is doubtful"},
-    {LENS(place), .name = "database", .label = "database",
-     .help = "embedded, or the user's own folder"},
+    {SHOWN(title), .name = "title", BRIEF, .help = "what it is"},
+    {SHOWN(source), .name = "source", .help = "where it was published"},
+    {SHOWN(note), .name = "note", .help = "what to know of it"},
+    {SHOWN(warning), .name = "warning", .help = "what is doubtful"},
+    {SHOWN(place), .name = "database", .help = "embedded, or the user's own folder"},
 };
 
 static const char *join_notes(const struct lens *lens, struct arena *arena)

@@ -1,54 +1,43 @@
 /* commands/data/list_light.c - lenscalc list: films, scenes and filters. */
 /* SPDX-License-Identifier: MIT */
 #include "commands/data/list.h"
+#include "commands/tables.h"
 #include "data/lensdb_facts.h"
 
 #include <math.h>
 
-#define STOPS(S, member) COLUMN(S, member), .dimension = &dimension_stops, .unit = "stops"
-#define TIME(S, member)  COLUMN(S, member), .dimension = &dimension_time, .unit = "s"
-
-#define ORIGIN(S)                                                                                  \
-    {COLUMN(S, confidence), .name = "confidence", .flags = COLUMN_BRIEF, .label = "confidence",    \
-     .help = "published or sourced, third-party, approx, or recall (from memory)"},                \
-        {COLUMN(S, source), .name = "source", .flags = COLUMN_BRIEF, .label = "source",            \
-         .help = "where the figures are from"},                                                    \
-    {                                                                                              \
-        COLUMN(S, place), .name = "database", .label = "database",                                 \
-                          .help = "embedded, or the user's own folder"                             \
-    }
+#define ORIGIN                                                                                     \
+    ENTRY(SHOWN(confidence), .name = "confidence", BRIEF,                                          \
+          .help = "published or sourced, third-party, approx, or recall (from memory)"),           \
+        ENTRY(SHOWN(source), .name = "source", BRIEF, .help = "where the figures are from"),       \
+        ENTRY(SHOWN(place), .name = "database", .help = "embedded, or the user's own folder")
 
 struct film_row {
     const char *film, *maker, *aliases, *speeds, *type, *model, *confidence, *source, *note, *place;
     double onset, longest, at_1, at_10, at_100;
 };
 
+#define ROW struct film_row
+
 static const struct column film_columns[] = {
-    {COLUMN(struct film_row, film), .name = "film", .flags = COLUMN_BRIEF, .label = "film",
-     .help = "maker and film"},
-    {COLUMN(struct film_row, maker), .name = "maker", .label = "maker", .help = "of the film"},
-    {COLUMN(struct film_row, aliases), .name = "aliases", .label = "also called",
-     .help = "other names of the film"},
-    {COLUMN(struct film_row, speeds), .name = "iso", .flags = COLUMN_BRIEF, .label = "ISO",
+    {SHOWN(film), .name = "film", BRIEF, .help = "maker and film"},
+    {SHOWN(maker), .name = "maker", .help = "of the film"},
+    {SHOWN(aliases), .name = "aliases", .label = "also called", .help = "other names of the film"},
+    {SHOWN(speeds), .name = "iso", BRIEF, .label = "ISO",
      .help = "speed on the box; several where the row is for several films"},
-    {COLUMN(struct film_row, type), .name = "type", .label = "type",
+    {SHOWN(type), .name = "type",
      .help = "panchromatic, orthochromatic, colour negative or colour reversal"},
-    {TIME(struct film_row, onset), .name = "onset", .flags = COLUMN_ECHO, .label = "onset",
-     .help = "no correction up to here"},
-    {TIME(struct film_row, longest), .name = "longest", .flags = COLUMN_INFINITE | COLUMN_ECHO,
-     .label = "longest",
+    {TIME(onset), .name = "onset", .flags = COLUMN_ECHO, .help = "no correction up to here"},
+    {TIME(longest), .name = "longest", .flags = COLUMN_INFINITE | COLUMN_ECHO,
      .help = "longest metered time the source covers; inf where none is stated"},
-    {TIME(struct film_row, at_1), .name = "for_1", .flags = COLUMN_BRIEF | COLUMN_ECHO,
-     .label = "for 1 s", .help = "corrected time for a metered second"},
-    {TIME(struct film_row, at_10), .name = "for_10", .flags = COLUMN_BRIEF, .label = "for 10 s",
-     .help = "corrected time for 10 s"},
-    {TIME(struct film_row, at_100), .name = "for_100", .flags = COLUMN_BRIEF, .label = "for 100 s",
+    {TIME(at_1), .name = "for_1", BRIEF | COLUMN_ECHO, .label = "for 1 s",
+     .help = "corrected time for a metered second"},
+    {TIME(at_10), .name = "for_10", BRIEF, .label = "for 10 s", .help = "corrected time for 10 s"},
+    {TIME(at_100), .name = "for_100", BRIEF, .label = "for 100 s",
      .help = "corrected time for 100 s"},
-    {COLUMN(struct film_row, model), .name = "model", .flags = COLUMN_BRIEF, .label = "model",
-     .help = "how the correction is published"},
-    ORIGIN(struct film_row),
-    {COLUMN(struct film_row, note), .name = "note", .label = "note",
-     .help = "remarks and conflicts"},
+    {SHOWN(model), .name = "model", BRIEF, .help = "how the correction is published"},
+    ORIGIN,
+    {SHOWN(note), .name = "note", .help = "remarks and conflicts"},
 };
 
 /* The model in words. */
@@ -131,16 +120,16 @@ struct scene_row {
     double ev100;
 };
 
+#undef ROW
+#define ROW struct scene_row
+
 static const struct column scene_columns[] = {
-    {COLUMN(struct scene_row, scene), .name = "scene", .flags = COLUMN_BRIEF, .label = "scene",
-     .help = "name to ask by"},
-    {COLUMN(struct scene_row, aliases), .name = "aliases", .label = "also called",
-     .help = "other names of the scene"},
-    {COLUMN(struct scene_row, ev100), .name = "ev100", .flags = COLUMN_BRIEF | COLUMN_ECHO,
-     .label = "EV at ISO 100", .help = "exposure value at ISO 100"},
-    {COLUMN(struct scene_row, meaning), .name = "meaning", .flags = COLUMN_BRIEF,
-     .label = "meaning", .help = "in words, with ranges and conflicts"},
-    ORIGIN(struct scene_row),
+    {SHOWN(scene), .name = "scene", BRIEF, .help = "name to ask by"},
+    {SHOWN(aliases), .name = "aliases", .label = "also called", .help = "other names of the scene"},
+    {SHOWN(ev100), .name = "ev100", BRIEF | COLUMN_ECHO, .label = "EV at ISO 100",
+     .help = "exposure value at ISO 100"},
+    {SHOWN(meaning), .name = "meaning", BRIEF, .help = "in words, with ranges and conflicts"},
+    ORIGIN,
 };
 
 static bool list_scenes(struct list *list, struct error *error)
@@ -176,24 +165,23 @@ struct filter_row {
     double factor, stops, mired, used;
 };
 
+#undef ROW
+#define ROW struct filter_row
+
 static const struct column filter_columns[] = {
-    {COLUMN(struct filter_row, filter), .name = "filter", .flags = COLUMN_BRIEF, .label = "filter",
-     .help = "name to ask by"},
-    {COLUMN(struct filter_row, aliases), .name = "aliases", .label = "also called",
+    {SHOWN(filter), .name = "filter", BRIEF, .help = "name to ask by"},
+    {SHOWN(aliases), .name = "aliases", .label = "also called",
      .help = "other names of the filter"},
-    {COLUMN(struct filter_row, kind), .name = "kind", .flags = COLUMN_BRIEF, .label = "kind",
-     .help = "what it is for; bw: contrast in black and white"},
-    {COLUMN(struct filter_row, factor), .name = "factor", .flags = COLUMN_BRIEF | COLUMN_ECHO,
-     .label = "factor", .help = "published factor of the exposure time"},
-    {STOPS(struct filter_row, stops), .name = "published", .flags = COLUMN_ECHO,
-     .label = "published stops", .help = "published stops to open up"},
-    {COLUMN(struct filter_row, mired), .name = "mired",
-     .flags = COLUMN_BRIEF | COLUMN_SPARSE | COLUMN_ECHO, .label = "mired shift",
+    {SHOWN(kind), .name = "kind", BRIEF, .help = "what it is for; bw: contrast in black and white"},
+    {SHOWN(factor), .name = "factor", BRIEF | COLUMN_ECHO,
+     .help = "published factor of the exposure time"},
+    {STOPS(stops), .name = "published", .flags = COLUMN_ECHO, .label = "published stops",
+     .help = "published stops to open up"},
+    {SHOWN(mired), .name = "mired", BRIEF | COLUMN_SPARSE | COLUMN_ECHO, .label = "mired shift",
      .help = "of the colour temperature: + amber, - blue; absent for other colours"},
-    {STOPS(struct filter_row, used), .name = "loss", .flags = COLUMN_BRIEF,
-     .label = "loss of light",
+    {STOPS(used), .name = "loss", BRIEF, .label = "loss of light",
      .help = "what --filter takes: log2 of the factor where there is one"},
-    ORIGIN(struct filter_row),
+    ORIGIN,
 };
 
 static bool list_filters(struct list *list, struct error *error)

@@ -2,6 +2,7 @@
 /* SPDX-License-Identifier: MIT */
 #include "commands/commands.h"
 #include "commands/data/list.h"
+#include "commands/tables.h"
 
 #include "cli/answer/columns.h"
 
@@ -13,18 +14,16 @@ struct stop_row {
     double exact, off;
 };
 
+#define ROW struct stop_row
+
 static const struct column stop_columns[] = {
-    {COLUMN(struct stop_row, quantity), .name = "quantity", .flags = COLUMN_BRIEF,
-     .label = "quantity", .help = "f-number, time in s, or ISO"},
-    {COLUMN(struct stop_row, series), .name = "series", .flags = COLUMN_BRIEF, .label = "series",
-     .help = "full, half or third stops"},
-    {COLUMN(struct stop_row, label), .name = "label", .flags = COLUMN_BRIEF, .label = "label",
-     .help = "as lenses and cameras print it"},
-    {COLUMN(struct stop_row, exact), .name = "exact", .flags = COLUMN_BRIEF, .label = "exact",
-     .help = "the value --nominal puts in its place"},
-    {COLUMN(struct stop_row, off), .name = "label_error_stops", .flags = COLUMN_BRIEF,
-     .label = "label is off by", .help = "light by the label over light by the exact value, stops"},
-    {COLUMN(struct stop_row, note), .name = "note", .label = "note", .help = "remark"},
+    {SHOWN(quantity), .name = "quantity", BRIEF, .help = "f-number, time in s, or ISO"},
+    {SHOWN(series), .name = "series", BRIEF, .help = "full, half or third stops"},
+    {SHOWN(label), .name = "label", BRIEF, .help = "as lenses and cameras print it"},
+    {SHOWN(exact), .name = "exact", BRIEF, .help = "the value --nominal puts in its place"},
+    {SHOWN(off), .name = "label_error_stops", BRIEF, .label = "label is off by",
+     .help = "light by the label over light by the exact value, stops"},
+    {SHOWN(note), .name = "note", .help = "remark"},
 };
 
 static bool list_series(struct list *list, const char *file, const char *quantity,
@@ -76,17 +75,18 @@ struct unit_row {
     double value;
 };
 
+#undef ROW
+#define ROW struct unit_row
+
 static const struct column unit_columns[] = {
-    {COLUMN(struct unit_row, dimension), .name = "dimension", .flags = COLUMN_BRIEF,
-     .label = "dimension", .help = "what it measures"},
-    {COLUMN(struct unit_row, unit), .name = "unit", .flags = COLUMN_BRIEF, .label = "unit",
+    {SHOWN(dimension), .name = "dimension", BRIEF, .help = "what it measures"},
+    {SHOWN(unit), .name = "unit", BRIEF,
      .help = "as it is typed, and as it ends the name of a column"},
-    {COLUMN(struct unit_row, spellings), .name = "spellings", .flags = COLUMN_BRIEF,
-     .label = "also typed", .help = "other spellings"},
-    {COLUMN(struct unit_row, value), .name = "value", .flags = COLUMN_BRIEF | COLUMN_ECHO,
-     .label = "value", .help = "in the first unit of its dimension"},
-    {COLUMN(struct unit_row, help), .name = "help", .flags = COLUMN_BRIEF, .label = "meaning",
-     .help = "in words"},
+    {SHOWN(spellings), .name = "spellings", BRIEF, .label = "also typed",
+     .help = "other spellings"},
+    {SHOWN(value), .name = "value", BRIEF | COLUMN_ECHO,
+     .help = "in the first unit of its dimension"},
+    {SHOWN(help), .name = "help", BRIEF, .label = "meaning", .help = "in words"},
 };
 
 static bool list_program_list_units(struct list *list, struct error *error)
@@ -113,13 +113,13 @@ struct command_row {
     const char *command, *group, *summary;
 };
 
+#undef ROW
+#define ROW struct command_row
+
 static const struct column command_columns[] = {
-    {COLUMN(struct command_row, command), .name = "command", .flags = COLUMN_BRIEF,
-     .label = "command", .help = "its name"},
-    {COLUMN(struct command_row, group), .name = "group", .flags = COLUMN_BRIEF, .label = "group",
-     .help = "what it is about"},
-    {COLUMN(struct command_row, summary), .name = "summary", .flags = COLUMN_BRIEF,
-     .label = "summary", .help = "what it does"},
+    {SHOWN(command), .name = "command", BRIEF, .help = "its name"},
+    {SHOWN(group), .name = "group", BRIEF, .help = "what it is about"},
+    {SHOWN(summary), .name = "summary", BRIEF, .help = "what it does"},
 };
 
 static bool list_commands(struct list *list, struct error *error)
@@ -138,25 +138,18 @@ struct option_row {
     const char *command, *option, *letter, *value, *unit, *range, *fallback, *help;
 };
 
-#define OF_OPTION(member) COLUMN(struct option_row, member)
+#undef ROW
+#define ROW struct option_row
 
 static const struct column option_columns[] = {
-    {OF_OPTION(command), .name = "command", .flags = COLUMN_BRIEF, .label = "command",
-     .help = "whose option it is; all = a common one"},
-    {OF_OPTION(option), .name = "option", .flags = COLUMN_BRIEF, .label = "option",
-     .help = "its name"},
-    {OF_OPTION(letter), .name = "letter", .flags = COLUMN_BRIEF, .label = "letter",
-     .help = "its short form"},
-    {OF_OPTION(value), .name = "value", .flags = COLUMN_BRIEF, .label = "value",
-     .help = "what it takes"},
-    {OF_OPTION(unit), .name = "unit", .flags = COLUMN_BRIEF, .label = "unit",
-     .help = "unit of a bare number"},
-    {OF_OPTION(range), .name = "range", .flags = COLUMN_BRIEF, .label = "range",
-     .help = "legal range"},
-    {OF_OPTION(fallback), .name = "default", .flags = COLUMN_BRIEF, .label = "default",
-     .help = "what it is if not given"},
-    {OF_OPTION(help), .name = "help", .flags = COLUMN_BRIEF, .label = "help",
-     .help = "what it is for"},
+    {SHOWN(command), .name = "command", BRIEF, .help = "whose option it is; all = a common one"},
+    {SHOWN(option), .name = "option", BRIEF, .help = "its name"},
+    {SHOWN(letter), .name = "letter", BRIEF, .help = "its short form"},
+    {SHOWN(value), .name = "value", BRIEF, .help = "what it takes"},
+    {SHOWN(unit), .name = "unit", BRIEF, .help = "unit of a bare number"},
+    {SHOWN(range), .name = "range", BRIEF, .help = "legal range"},
+    {SHOWN(fallback), .name = "default", BRIEF, .help = "what it is if not given"},
+    {SHOWN(help), .name = "help", BRIEF, .help = "what it is for"},
 };
 
 static void list_option(struct list *list, const char *command, const struct option *option)

@@ -1,66 +1,56 @@
 /* commands/data/list_sensors.c - lenscalc list: formats and cameras. */
 /* SPDX-License-Identifier: MIT */
 #include "commands/data/list.h"
+#include "commands/tables.h"
 
 struct sensor_row {
     const char *name, *aliases, *class, *pitch_from, *confidence, *source, *place;
     double width, height, diagonal, crop, coc, pixels_wide, pixels_high, pitch;
 };
 
-#define SENSOR(member) COLUMN(struct sensor_row, member)
-#define SENSOR_LENGTH(member, in_unit)                                                             \
-    SENSOR(member), .dimension = &dimension_length, .unit = in_unit
+#define ROW struct sensor_row
 
 #define SENSOR_SIZE                                                                                \
-    {SENSOR_LENGTH(width, "mm"), .name = "width", .flags = COLUMN_BRIEF | COLUMN_ECHO,             \
-     .label = "width", .help = "width of the picture area"},                                       \
-        {SENSOR_LENGTH(height, "mm"), .name = "height", .flags = COLUMN_BRIEF | COLUMN_ECHO,       \
-         .label = "height", .help = "height of the picture area"},                                 \
-        {SENSOR_LENGTH(diagonal, "mm"), .name = "diagonal", .flags = COLUMN_BRIEF,                 \
-         .label = "diagonal", .help = "diagonal of the picture area"},                             \
-    {                                                                                              \
-        SENSOR(crop), .name = "crop_factor", .flags = COLUMN_BRIEF, .label = "crop factor",        \
-                      .help = "43.27 mm over the diagonal"                                         \
-    }
+    ENTRY(LENGTH(width, "mm"), .name = "width", BRIEF | COLUMN_ECHO,                               \
+          .help = "width of the picture area"),                                                    \
+        ENTRY(LENGTH(height, "mm"), .name = "height", BRIEF | COLUMN_ECHO,                         \
+              .help = "height of the picture area"),                                               \
+        ENTRY(LENGTH(diagonal, "mm"), .name = "diagonal", BRIEF,                                   \
+              .help = "diagonal of the picture area"),                                             \
+        ENTRY(SHOWN(crop), .name = "crop_factor", BRIEF, .label = "crop factor",                   \
+              .help = "43.27 mm over the diagonal")
 
 #define SENSOR_ORIGIN                                                                              \
-    {SENSOR(confidence), .name = "confidence", .flags = COLUMN_BRIEF, .label = "confidence",       \
-     .help = "sourced, recall (from memory) or approx"},                                           \
-        {SENSOR(source), .name = "source", .label = "source",                                      \
-         .help = "where the figures are from"},                                                    \
-    {                                                                                              \
-        SENSOR(place), .name = "database", .label = "database",                                    \
-                       .help = "embedded, or the user's own folder"                                \
-    }
+    ENTRY(SHOWN(confidence), .name = "confidence", BRIEF,                                          \
+          .help = "sourced, recall (from memory) or approx"),                                      \
+        ENTRY(SHOWN(source), .name = "source", .help = "where the figures are from"),              \
+        ENTRY(SHOWN(place), .name = "database", .help = "embedded, or the user's own folder")
 
 static const struct column format_columns[] = {
-    {SENSOR(name), .name = "format", .flags = COLUMN_BRIEF, .label = "format",
-     .help = "name of the format"},
-    {SENSOR(aliases), .name = "aliases", .flags = COLUMN_BRIEF, .label = "also called",
+    {SHOWN(name), .name = "format", BRIEF, .help = "name of the format"},
+    {SHOWN(aliases), .name = "aliases", BRIEF, .label = "also called",
      .help = "other names of the format"},
     SENSOR_SIZE,
-    {SENSOR_LENGTH(coc, "mm"), .name = "coc", .flags = COLUMN_BRIEF, .label = "d/1500",
+    {LENGTH(coc, "mm"), .name = "coc", BRIEF, .label = "d/1500",
      .help = "circle of confusion, diagonal / 1500"},
-    {SENSOR(class), .name = "class", .flags = COLUMN_BRIEF, .label = "class",
-     .help = "kind of format"},
+    {SHOWN(class), .name = "class", BRIEF, .help = "kind of format"},
     SENSOR_ORIGIN,
 };
 
 static const struct column camera_columns[] = {
-    {SENSOR(name), .name = "camera", .flags = COLUMN_BRIEF, .label = "camera",
-     .help = "maker and model"},
-    {SENSOR(aliases), .name = "aliases", .label = "also called",
+    {SHOWN(name), .name = "camera", BRIEF, .help = "maker and model"},
+    {SHOWN(aliases), .name = "aliases", .label = "also called",
      .help = "other names: short, in EXIF, of sensor modes"},
-    {SENSOR(class), .name = "class", .flags = COLUMN_BRIEF, .label = "class",
+    {SHOWN(class), .name = "class", BRIEF,
      .help = "dslr, mirrorless, rangefinder, compact, cine, phone, drone or action"},
     SENSOR_SIZE,
-    {SENSOR(pixels_wide), .name = "pixels_wide", .flags = COLUMN_BRIEF | COLUMN_ECHO,
-     .label = "pixels wide", .help = "pixel count along the width"},
-    {SENSOR(pixels_high), .name = "pixels_high", .flags = COLUMN_BRIEF | COLUMN_ECHO,
-     .label = "pixels high", .help = "pixel count along the height"},
-    {SENSOR_LENGTH(pitch, "um"), .name = "pitch", .flags = COLUMN_BRIEF, .label = "pixel pitch",
+    {SHOWN(pixels_wide), .name = "pixels_wide", BRIEF | COLUMN_ECHO, .label = "pixels wide",
+     .help = "pixel count along the width"},
+    {SHOWN(pixels_high), .name = "pixels_high", BRIEF | COLUMN_ECHO, .label = "pixels high",
+     .help = "pixel count along the height"},
+    {LENGTH(pitch, "um"), .name = "pitch", BRIEF, .label = "pixel pitch",
      .help = "spacing of the pixels"},
-    {SENSOR(pitch_from), .name = "pitch_from", .flags = COLUMN_BRIEF, .label = "pitch from",
+    {SHOWN(pitch_from), .name = "pitch_from", BRIEF, .label = "pitch from",
      .help = "published, counts (width over pixels), or estimate (from an estimated count)"},
     SENSOR_ORIGIN,
 };

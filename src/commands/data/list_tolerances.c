@@ -1,6 +1,7 @@
 /* commands/data/list_tolerances.c - lenscalc list: what shops promise. */
 /* SPDX-License-Identifier: MIT */
 #include "commands/data/list.h"
+#include "commands/tables.h"
 #include "data/lensdb_grades.h"
 
 struct tolerance_row {
@@ -8,25 +9,20 @@ struct tolerance_row {
     double value;
 };
 
+#define ROW struct tolerance_row
+
 static const struct column columns[] = {
-    {COLUMN(struct tolerance_row, grade), .name = "grade", .flags = COLUMN_BRIEF, .label = "grade",
-     .help = "name for --grade of tolerance"},
-    {COLUMN(struct tolerance_row, quantity), .name = "quantity", .flags = COLUMN_BRIEF,
-     .label = "quantity",
-     .help = "of every surface, or of every element; radius in fringes: of "
-             "planes"},
-    {COLUMN(struct tolerance_row, value), .dimension = &dimension_number, .name = "value",
-     .flags = COLUMN_BRIEF | COLUMN_ECHO, .label = "value", .help = "plus and minus"},
-    {COLUMN(struct tolerance_row, unit), .name = "unit", .flags = COLUMN_BRIEF, .label = "unit",
+    {SHOWN(grade), .name = "grade", BRIEF, .help = "name for --grade of tolerance"},
+    {SHOWN(quantity), .name = "quantity", BRIEF,
+     .help = "of every surface, or of every element; radius in fringes: of planes"},
+    {SHOWN(value), .name = "value", BRIEF | COLUMN_ECHO, .dimension = &dimension_number,
+     .help = "plus and minus"},
+    {SHOWN(unit), .name = "unit", BRIEF,
      .help = "of the value; a fringe is half a wave of 546.07 nm"},
-    {COLUMN(struct tolerance_row, distribution), .name = "distribution", .label = "distribution",
-     .help = "between the limits"},
-    {COLUMN(struct tolerance_row, confidence), .name = "confidence", .flags = COLUMN_BRIEF,
-     .label = "confidence", .help = "sourced, or recall (from memory)"},
-    {COLUMN(struct tolerance_row, source), .name = "source", .flags = COLUMN_BRIEF,
-     .label = "source", .help = "the table that the value is from"},
-    {COLUMN(struct tolerance_row, place), .name = "database", .label = "database",
-     .help = "embedded, or the user's own folder"},
+    {SHOWN(distribution), .name = "distribution", .help = "between the limits"},
+    {SHOWN(confidence), .name = "confidence", BRIEF, .help = "sourced, or recall (from memory)"},
+    {SHOWN(source), .name = "source", BRIEF, .help = "the table that the value is from"},
+    {SHOWN(place), .name = "database", .help = "embedded, or the user's own folder"},
 };
 
 static bool list_tolerances(struct list *list, struct error *error)

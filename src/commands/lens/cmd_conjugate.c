@@ -2,7 +2,6 @@
 /* SPDX-License-Identifier: MIT */
 #include "commands/lens/focus_gaps.h"
 #include "commands/lens/lens_options.h"
-#include "commands/photo/photo_options.h"
 #include "data/glass_catalog.h"
 #include "file/lens_glass.h"
 #include "optics/conjugates.h"
@@ -50,7 +49,9 @@ static const struct option options[] = {
     {OPTION(struct conjugate_input, magnification), .name = "magnification", .letter = 'm',
      .dimension = &dimension_ratio, .value = "RATIO",
      .help = "lateral magnification; negative: upside down, as a camera's"},
-    OPTION_FROM(struct conjugate_input, from, froms),
+    {OPTION(struct conjugate_input, from), .name = "from", .quantity = "distance origin",
+     .column = "distance_from", .words = froms, .fallback = "principal", .value = "PLACE",
+     .help = "where distances are measured from"},
     {OPTION(struct conjugate_input, focus_by), .name = "focus-by", .column = "focus_by",
      .words = focusings, .fallback = "nothing", .value = "HOW",
      .help = "bring the image to the image plane"},

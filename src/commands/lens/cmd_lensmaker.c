@@ -2,7 +2,6 @@
 /* SPDX-License-Identifier: MIT */
 #include "base/arena.h"
 #include "cli/question/command.h"
-#include "commands/photo/photo_options.h"
 #include "draw/svg.h"
 #include "file/lens_file.h"
 #include "optics/lensmaker.h"

@@ -1,7 +1,6 @@
 /* commands/lens/cmd_refract.c - lenscalc refract: one surface, exactly and paraxially. */
 /* SPDX-License-Identifier: MIT */
 #include "cli/question/command.h"
-#include "commands/photo/photo_options.h"
 #include "optics/refract.h"
 
 #include "base/constants.h"

@@ -6,7 +6,6 @@
 #include "analysis/setup/setup.h"
 #include "base/constants.h"
 #include "cli/question/command.h"
-#include "commands/photo/photo_options.h"
 #include "exchange/lens_formats.h"
 #include "trace/pupil/pupil_islands.h"
 

@@ -4,6 +4,7 @@
 #define LENSCALC_COMMANDS_PHOTO_ATTACHMENTS_H
 
 #include "commands/photo/photo_lens.h"
+#include "commands/tables.h"
 
 #include <math.h>
 
@@ -14,65 +15,40 @@ struct attachments {
     double converter; /* factor */
 };
 
-#define OPTION_CLOSE_UP(S, member)                                                                 \
-    {                                                                                              \
-        OPTION(S, member), .name = "close-up", .quantity = "close-up lens", .column = "close_up",  \
-                           .dimension = &dimension_vergence, .unit = "diopter", OPTION_POSITIVE,   \
-                           .flags = OPTION_ABOVE_LOWEST | OPTION_NO_INFINITY, .value = "DIOPTRES", \
-                           .usual = {0, 0.025},                                                    \
-                           .unusual = "close-up lenses have 0.25 to 25 diopters; Canon's 250D "    \
-                                      "has 4, its 500D 2",                                         \
-                           .help = "close-up lens before the lens; for several, the sum"           \
-    }
+#define OPTION_CLOSE_UP(member)                                                                    \
+    ENTRY(MEASURE(member, vergence, "diopter", "DIOPTRES"), .name = "close-up",                    \
+          .quantity = "close-up lens", .column = "close_up", ABOVE_0, .usual = {0, 0.025},         \
+          .unusual = "close-up lenses have 0.25 to 25 diopters; Canon's 250D has 4, its 500D 2",   \
+          .help = "close-up lens before the lens; for several, the sum")
 
-#define OPTION_TUBE(S, member)                                                                     \
-    {                                                                                              \
-        OPTION(S, member), .name = "tube", .column = "tube", .dimension = &dimension_length,       \
-                           .unit = "mm", .lowest = 0, .highest = INFINITY,                         \
-                           .flags = OPTION_NO_INFINITY, .value = "LENGTH",                         \
-                           .help = "extension tube or bellows; for several, the sum"               \
-    }
+#define OPTION_TUBE(member)                                                                        \
+    ENTRY(MEASURE(member, length, "mm", "LENGTH"), REPEATED("tube"), FROM_0,                       \
+          .help = "extension tube or bellows; for several, the sum")
 
-#define OPTION_CONVERTER(S, member)                                                                \
-    {                                                                                              \
-        OPTION(S, member), .name = "converter", .quantity = "converter factor",                    \
-                           .column = "converter", .dimension = &dimension_ratio, OPTION_POSITIVE,  \
-                           .flags = OPTION_ABOVE_LOWEST | OPTION_NO_INFINITY, .value = "FACTOR",   \
-                           .help = "teleconverter: 1.4x; for several, the product"                 \
-    }
+#define OPTION_CONVERTER(member)                                                                   \
+    ENTRY(MEASURE(member, ratio, NULL, "FACTOR"), REPEATED("converter"),                           \
+          .quantity = "converter factor", ABOVE_0,                                                 \
+          .help = "teleconverter: 1.4x; for several, the product")
 
 #define ATTACHMENT_NAMES "close-up tube converter"
 
 /* The three of a command's member of type struct attachments. */
-#define ATTACHMENT_OPTIONS(S, member)                                                              \
-    OPTION_CLOSE_UP(S, member.close_up), OPTION_TUBE(S, member.tube),                              \
-        OPTION_CONVERTER(S, member.converter)
+#define ATTACHMENT_OPTIONS(member)                                                                 \
+    OPTION_CLOSE_UP(member.close_up), OPTION_TUBE(member.tube), OPTION_CONVERTER(member.converter)
 
-#define COLUMN_CLOSE_UP(S, member)                                                                 \
-    {                                                                                              \
-        COLUMN(S, member), .name = "close_up", .dimension = &dimension_vergence,                   \
-                           .unit = "diopter", .flags = COLUMN_ECHO | COLUMN_EXTRA,                 \
-                           .with = "close-up", .label = "close-up lens",                           \
-                           .help = "close-up lens before the lens"                                 \
-    }
+#define COLUMN_CLOSE_UP(member)                                                                    \
+    ENTRY(MEASURED(member, vergence, "diopter"), .name = "close_up", ECHO_WITH("close-up"),        \
+          .label = "close-up lens", .help = "close-up lens before the lens")
 
-#define COLUMN_TUBE(S, member)                                                                     \
-    {                                                                                              \
-        COLUMN(S, member), .name = "tube", .dimension = &dimension_length, .unit = "mm",           \
-                           .flags = COLUMN_ECHO | COLUMN_EXTRA, .with = "tube", .label = "tube",   \
-                           .help = "extension tube"                                                \
-    }
+#define COLUMN_TUBE(member)                                                                        \
+    ENTRY(LENGTH(member, "mm"), .name = "tube", ECHO_WITH("tube"), .help = "extension tube")
 
-#define COLUMN_CONVERTER(S, member)                                                                \
-    {                                                                                              \
-        COLUMN(S, member), .name = "converter", .flags = COLUMN_ECHO | COLUMN_EXTRA,               \
-                           .with = "converter", .label = "converter",                              \
-                           .help = "factor of the teleconverter"                                   \
-    }
+#define COLUMN_CONVERTER(member)                                                                   \
+    ENTRY(SHOWN(member), .name = "converter", ECHO_WITH("converter"),                              \
+          .help = "factor of the teleconverter")
 
-#define ATTACHMENT_COLUMNS(S, member)                                                              \
-    COLUMN_CLOSE_UP(S, member.close_up), COLUMN_TUBE(S, member.tube),                              \
-        COLUMN_CONVERTER(S, member.converter)
+#define ATTACHMENT_COLUMNS(member)                                                                 \
+    COLUMN_CLOSE_UP(member.close_up), COLUMN_TUBE(member.tube), COLUMN_CONVERTER(member.converter)
 
 /* A lens with what is attached to it. */
 struct attached_lens {

@@ -5,6 +5,7 @@
 
 #include "analysis/real/real_range.h"
 #include "commands/photo/photo_lens.h"
+#include "commands/tables.h"
 
 /* Whether they are wanted, and what counts as sharp. The options of a command fill it. */
 struct by_rays {
@@ -16,17 +17,12 @@ struct by_rays {
 bool by_rays_accepts(const char *criterion, struct error *error);
 
 /* Initialisers of the options for a member of that type in a command's input. */
-#define BY_RAYS_EXACT_OPTION(S, member, what)                                                      \
-    {                                                                                              \
-        OPTION(S, member.exact), .name = "exact", .wants = "lens", .help = what                    \
-    }
-#define BY_RAYS_CRITERION_OPTION(S, member)                                                        \
-    {                                                                                              \
-        OPTION(S, member.criterion), .name = "criterion", .wants = "exact", .value = "RULE",       \
-                                     .accepts = by_rays_accepts,                                   \
-                                     .help = "what of a blur counts, with --exact: rms (the "      \
-                                             "default), energy80, mtf@40/mm"                       \
-    }
+#define BY_RAYS_EXACT_OPTION(member, what)                                                         \
+    ENTRY(ASKED(member.exact), .name = "exact", .wants = "lens", .help = what)
+#define BY_RAYS_CRITERION_OPTION(member)                                                           \
+    ENTRY(ASKED(member.criterion), .name = "criterion", .wants = "exact", .value = "RULE",         \
+          .accepts = by_rays_accepts,                                                              \
+          .help = "what of a blur counts, with --exact: rms (the default), energy80, mtf@40/mm")
 
 /* What an answer by rays says of itself. */
 struct by_rays_row {
@@ -37,34 +33,20 @@ struct by_rays_row {
 extern const struct by_rays_row by_rays_none;
 
 /* `weight` of a command that asks for them. */
-#define BY_RAYS_WEIGHT(S, member)                                                                  \
+#define BY_RAYS_WEIGHT(member)                                                                     \
     static double weight(const void *input)                                                        \
     {                                                                                              \
-        return ((const S *)input)->member.exact ? ANSWER_BY_RAYS : 1;                              \
+        return ((const INPUT *)input)->member.exact ? ANSWER_BY_RAYS : 1;                          \
     }
 
-#define BY_RAYS_COLUMNS(S, member)                                                                 \
-    {COLUMN(S, member.blur),                                                                       \
-     .name = "least_blur",                                                                         \
-     .dimension = &dimension_length,                                                               \
-     .unit = "um",                                                                                 \
-     .with = "exact",                                                                              \
-     .flags = COLUMN_EXTRA,                                                                        \
-     .label = "least blur",                                                                        \
-     .help = "diameter of the disc as blurred as the sharpest image"},                             \
-        {COLUMN(S, member.rule),                                                                   \
-         .name = "blur_rule",                                                                      \
-         .with = "exact",                                                                          \
-         .flags = COLUMN_ASSUMED | COLUMN_EXTRA | COLUMN_TIED,                                     \
-         .depends = "criterion",                                                                   \
-         .label = "blurs by",                                                                      \
-         .help = "what of a blur is that of a disc"},                                              \
-    {                                                                                              \
-        COLUMN(S, member.spectrum), .name = "spectrum", .with = "exact",                           \
-                                    .flags = COLUMN_ASSUMED | COLUMN_EXTRA | COLUMN_TIED,          \
-                                    .depends = "lens wavelength", .label = "wavelengths",          \
-                                    .help = "of the rays, each with its weight"                    \
-    }
+#define BY_RAYS_COLUMNS(member)                                                                    \
+    ENTRY(LENGTH(member.blur, "um"), .name = "least_blur", WITH("exact"), .label = "least blur",   \
+          .help = "diameter of the disc as blurred as the sharpest image"),                        \
+        ENTRY(SHOWN(member.rule), .name = "blur_rule", ASSUMED_WITH("exact", "criterion"),         \
+              .label = "blurs by", .help = "what of a blur is that of a disc"),                    \
+        ENTRY(SHOWN(member.spectrum), .name = "spectrum",                                          \
+              ASSUMED_WITH("exact", "lens wavelength"), .label = "wavelengths",                    \
+              .help = "of the rays, each with its weight")
 
 /* What is to be looked at. */
 struct by_rays_question {

@@ -2,6 +2,7 @@
 /* SPDX-License-Identifier: MIT */
 #include "cli/question/command.h"
 #include "commands/photo/light_options.h"
+#include "commands/tables.h"
 #include "photo/bracket.h"
 #include "photo/given.h"
 
@@ -13,31 +14,23 @@ struct bracket_input {
     struct series_value series;
 };
 
-#define STOPS_OPTION(member_name)                                                                  \
-    OPTION(struct bracket_input, member_name), .dimension = &dimension_stops, OPTION_POSITIVE,     \
-                                               .flags = OPTION_ABOVE_LOWEST | OPTION_NO_INFINITY,  \
-                                               .value = "STOPS"
-#define TIME_OPTION(member_name)                                                                   \
-    OPTION(struct bracket_input, member_name), .dimension = &dimension_time, .unit = "s",          \
-                                               OPTION_POSITIVE, .value = "TIME",                   \
-                                               .flags = OPTION_ABOVE_LOWEST | OPTION_NO_INFINITY
+#define INPUT struct bracket_input
 
 static const struct option options[] = {
-    {TIME_OPTION(given.from), .name = "from", .quantity = "time at one end",
+    {MEASURE(given.from, time, "s", "TIME"), .name = "from", .quantity = "time at one end", ABOVE_0,
      .help = "time at one end: 30s"},
-    {TIME_OPTION(given.to), .name = "to", .quantity = "time at the other end",
-     .help = "time at the other end: 1/1000s"},
-    OPTION_TIME(struct bracket_input, time, 0),
-    {STOPS_OPTION(given.step), .name = "step", .column = "step",
+    {MEASURE(given.to, time, "s", "TIME"), .name = "to", .quantity = "time at the other end",
+     ABOVE_0, .help = "time at the other end: 1/1000s"},
+    OPTION_TIME(time, 0),
+    {MEASURE(given.step, stops, NULL, "STOPS"), REPEATED("step"), ABOVE_0,
      .help = "stops between two shots (1 unless --shots divides the span)"},
-    {OPTION(struct bracket_input, given.shots), .name = "shots", .quantity = "number of shots",
-     .column = "shots", .dimension = &dimension_number, .lowest = 1, .highest = BRACKET_SHOTS,
-     .value = "N", .help = "number of shots"},
-    {STOPS_OPTION(range), .name = "range", .quantity = "range of a shot", .column = "range",
-     .help = "contrast that one shot records: shows what the bracket covers"},
-    {STOPS_OPTION(scene_range), .name = "scene-range", .column = "scene_range",
-     .help = "contrast of the scene: with --range gives the number of shots"},
-    OPTION_SERIES(struct bracket_input, series),
+    {MEASURE(given.shots, number, NULL, "N"), REPEATED("shots"), .quantity = "number of shots",
+     .lowest = 1, .highest = BRACKET_SHOTS, .help = "number of shots"},
+    {MEASURE(range, stops, NULL, "STOPS"), REPEATED("range"), .quantity = "range of a shot",
+     ABOVE_0, .help = "contrast that one shot records: shows what the bracket covers"},
+    {MEASURE(scene_range, stops, NULL, "STOPS"), .name = "scene-range", .column = "scene_range",
+     ABOVE_0, .help = "contrast of the scene: with --range gives the number of shots"},
+    OPTION_SERIES(series),
 };
 
 struct bracket_row {
@@ -46,33 +39,28 @@ struct bracket_row {
     const char *nominal_time;
 };
 
-#define NUMBER(member) COLUMN(struct bracket_row, member)
-#define STOPS(member)  NUMBER(member), .dimension = &dimension_stops, .unit = "stops"
-#define TIME(member)   NUMBER(member), .dimension = &dimension_time, .unit = "s"
+#define ROW struct bracket_row
 
 static const struct column columns[] = {
-    {NUMBER(shot), .name = "shot", .flags = COLUMN_BRIEF, .label = "shot",
-     .help = "number of the shot, the longest first"},
-    {TIME(time), .name = "time", .flags = COLUMN_BRIEF, .symbol = "t", .label = "time",
+    {SHOWN(shot), .name = "shot", BRIEF, .help = "number of the shot, the longest first"},
+    {TIME(time), .name = "time", BRIEF, .symbol = "t",
      .help = "exposure time, an exact step from the longest"},
-    COLUMN_NOMINAL_TIME(struct bracket_row, nominal_time),
-    {STOPS(offset), .name = "offset", .flags = COLUMN_BRIEF, .symbol = "d", .label = "offset",
+    COLUMN_NOMINAL_TIME(nominal_time),
+    {STOPS(offset), .name = "offset", BRIEF, .symbol = "d",
      .help = "stops above (+) or below (-) the middle given by --time, else the longest shot"},
-    {TIME(elapsed), .name = "elapsed", .flags = COLUMN_BRIEF | COLUMN_SPAN, .label = "elapsed",
+    {TIME(elapsed), .name = "elapsed", BRIEF | COLUMN_SPAN,
      .help = "exposure times so far, this one included"},
-    {NUMBER(shots), .name = "shots", .symbol = "n", .label = "shots", .help = "number of shots"},
-    {STOPS(step), .name = "step", .symbol = "step", .label = "step",
-     .help = "stops between two shots"},
-    {STOPS(span), .name = "span", .symbol = "span", .label = "span",
-     .help = "stops from first to last shot"},
+    {SHOWN(shots), .name = "shots", .symbol = "n", .help = "number of shots"},
+    {STOPS(step), .name = "step", .symbol = "step", .help = "stops between two shots"},
+    {STOPS(span), .name = "span", .symbol = "span", .help = "stops from first to last shot"},
     {STOPS(residual), .name = "residual", .symbol = "r", .label = "residual of the last shot",
      .help = "stops by which the last shot exposes more (+) or less (-) than the end asked for"},
     {TIME(total), .name = "total", .flags = COLUMN_SPAN, .symbol = "total", .label = "total time",
      .help = "sum of all times"},
-    {STOPS(covered), .name = "covered", .flags = COLUMN_EXTRA | COLUMN_BRIEF, .with = "range",
-     .symbol = "covered", .label = "covered", .help = "contrast of the scene that is recorded"},
-    {STOPS(overlap), .name = "overlap", .flags = COLUMN_EXTRA, .with = "range", .symbol = "overlap",
-     .label = "overlap", .help = "shared by neighbours; below 0: a gap"},
+    {STOPS(covered), .name = "covered", BRIEF_WITH("range"), .symbol = "covered",
+     .help = "contrast of the scene that is recorded"},
+    {STOPS(overlap), .name = "overlap", WITH("range"), .symbol = "overlap",
+     .help = "shared by neighbours; below 0: a gap"},
 };
 
 /* The number of shots that the scene's contrast asks for. */

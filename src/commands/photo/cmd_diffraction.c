@@ -2,6 +2,7 @@
 /* SPDX-License-Identifier: MIT */
 #include "commands/photo/photo_lens.h"
 #include "commands/photo/sharpness.h"
+#include "commands/tables.h"
 #include "photo/diffraction.h"
 
 #include <math.h>
@@ -15,43 +16,34 @@ struct diffraction_input {
     double focus_spread, near, far;
 };
 
-#define NUMBER(member_name) OPTION(struct diffraction_input, member_name)
-#define FINITE              OPTION_POSITIVE, .flags = OPTION_ABOVE_LOWEST | OPTION_NO_INFINITY
+#define INPUT struct diffraction_input
 
 static const struct option options[] = {
-    PHOTO_LENS_OPTIONS(struct diffraction_input, lens),
-    OPTION_APERTURE(struct diffraction_input, lens.fnumber, 0),
-    {NUMBER(frequency), .name = "frequency", .quantity = "spatial frequency", .column = "frequency",
-     .dimension = &dimension_frequency, .unit = "per_mm", .lowest = 0, .highest = INFINITY,
-     .flags = OPTION_NO_INFINITY, .value = "FREQUENCY",
+    PHOTO_LENS_OPTIONS(lens),
+    OPTION_APERTURE(lens.fnumber, 0),
+    {MEASURE(frequency, frequency, "per_mm", "FREQUENCY"), REPEATED("frequency"),
+     .quantity = "spatial frequency", FROM_0,
      .excludes = "coc print viewing acuity pixels film focus-spread near focal-length",
      .help = "contrast at this spatial frequency on the sensor; 10..100:10 for a table"},
-    {NUMBER(magnification), .name = "magnification", .letter = 'm', .column = "magnification",
-     .dimension = &dimension_ratio, .lowest = 0, .highest = INFINITY, .flags = OPTION_NO_INFINITY,
-     .fallback = "0", .value = "RATIO", .help = "magnification: 1:2 or 0.5"},
-    OPTION_PUPIL_OF_LENS(struct diffraction_input, lens.pupil, NULL),
-    SHARPNESS_OPTIONS_DARK(struct diffraction_input, sharp, 0, "d/1500", NULL),
-    OPTION_WAVELENGTH_OF_LENS(struct diffraction_input, lens.wavelength, NULL),
-    {NUMBER(pixels), .name = "pixels", .dimension = &dimension_number, FINITE, .fallback = "2",
-     .wants = "aperture|lens", .value = "NUMBER",
-     .help = "how many pixels wide the Airy disc may be"},
-    {NUMBER(film), .name = "film", .column = "film", .dimension = &dimension_frequency,
-     .unit = "per_mm", FINITE, .value = "FREQUENCY",
+    {MEASURE(magnification, ratio, NULL, "RATIO"), REPEATED("magnification"), .letter = 'm', FROM_0,
+     .fallback = "0", .help = "magnification: 1:2 or 0.5"},
+    OPTION_PUPIL_OF_LENS(lens.pupil, NULL),
+    SHARPNESS_OPTIONS_DARK(sharp, 0, "d/1500", NULL),
+    OPTION_WAVELENGTH_OF_LENS(lens.wavelength, NULL),
+    {MEASURE(pixels, number, NULL, "NUMBER"), .name = "pixels", ABOVE_0, .fallback = "2",
+     .wants = "aperture|lens", .help = "how many pixels wide the Airy disc may be"},
+    {MEASURE(film, frequency, "per_mm", "FREQUENCY"), REPEATED("film"), ABOVE_0,
      .help = "resolution of the film: gives the f-number at which diffraction equals it"},
-    {NUMBER(defocus), .name = "defocus", .quantity = "blur by defocus", .column = "defocus",
-     .dimension = &dimension_length, .unit = "um", .lowest = 0, .highest = INFINITY,
-     .flags = OPTION_NO_INFINITY, .fallback = "0", .value = "LENGTH",
-     .help = "diameter of the blur disc that defocus makes on the sensor"},
-    {NUMBER(focus_spread), .name = "focus-spread", .column = "focus_spread",
-     .dimension = &dimension_length, .unit = "mm", FINITE, .value = "LENGTH",
+    {MEASURE(defocus, length, "um", "LENGTH"), REPEATED("defocus"), .quantity = "blur by defocus",
+     FROM_0, .fallback = "0", .help = "diameter of the blur disc that defocus makes on the sensor"},
+    {MEASURE(focus_spread, length, "mm", "LENGTH"), .name = "focus-spread",
+     .column = "focus_spread", ABOVE_0,
      .help = "between the images of the nearest and farthest points: gives the best f-number"},
-    OPTION_FOCAL_LENGTH(struct diffraction_input, lens.focal, 0),
-    {NUMBER(near), .name = "near", .quantity = "nearest point", .column = "near",
-     .dimension = &dimension_length, .unit = "m", FINITE, .value = "LENGTH",
+    OPTION_FOCAL_LENGTH(lens.focal, 0),
+    {MEASURE(near, length, "m", "LENGTH"), REPEATED("near"), .quantity = "nearest point", ABOVE_0,
      .help = "nearest point that must be sharp, with -f or --lens: the best f-number"},
-    {NUMBER(far), .name = "far", .quantity = "farthest point", .column = "far",
-     .dimension = &dimension_length, .unit = "m", OPTION_POSITIVE, .flags = OPTION_ABOVE_LOWEST,
-     .fallback = "inf", .value = "LENGTH", .wants = "near",
+    {MEASURE(far, length, "m", "LENGTH"), REPEATED("far"), .quantity = "farthest point",
+     ABOVE_0_OR_INFINITE, .fallback = "inf", .wants = "near",
      .help = "farthest point that must be sharp"},
 };
 
@@ -69,155 +61,126 @@ struct diffraction_row {
     const char *sensor, *criterion;
 };
 
-#define LENGTH(member_name, in_unit)                                                               \
-    COLUMN(struct diffraction_row, member_name), .dimension = &dimension_length, .unit = in_unit
-#define FREQUENCY(member_name)                                                                     \
-    COLUMN(struct diffraction_row, member_name), .dimension = &dimension_frequency, .unit = "per_mm"
-#define ANGLE(member_name)                                                                         \
-    COLUMN(struct diffraction_row, member_name), .dimension = &dimension_angle, .unit = "arcsec"
+#define ROW struct diffraction_row
 
 #define COLUMN_CUTOFF(more)                                                                        \
-    {                                                                                              \
-        FREQUENCY(airy.cutoff), .name = "cutoff", .flags = (more), .symbol = "nu0",                \
-                                .label = "cut-off frequency",                                      \
-                                .help = "where the contrast of a perfect lens ends"                \
-    }
+    ENTRY(MEASURED(airy.cutoff, frequency, "per_mm"), .name = "cutoff", .flags = (more),           \
+          .symbol = "nu0", .label = "cut-off frequency",                                           \
+          .help = "where the contrast of a perfect lens ends")
 #define COLUMN_NYQUIST                                                                             \
-    {                                                                                              \
-        FREQUENCY(airy.nyquist), .name = "nyquist",                                                \
-                                 .when = "with --pitch, or a camera of known pixels",              \
-                                 .symbol = "Ny", .label = "Nyquist frequency of the pixels",       \
-                                 .help = "finest pattern the pixels can record"                    \
-    }
+    ENTRY(MEASURED(airy.nyquist, frequency, "per_mm"), .name = "nyquist",                          \
+          .when = "with --pitch, or a camera of known pixels", .symbol = "Ny",                     \
+          .label = "Nyquist frequency of the pixels",                                              \
+          .help = "finest pattern the pixels can record")
 /* What contrast and Airy disc have in common. */
 #define COLUMNS_ASSUMED                                                                            \
-    COLUMN_WAVELENGTH(struct diffraction_row, wavelength),                                         \
-        {COLUMN(struct diffraction_row, setting.m),                                                \
-         .name = "magnification",                                                                  \
-         .flags = COLUMN_ASSUMED | COLUMN_EXTRA | COLUMN_ECHO,                                     \
-         .symbol = "m",                                                                            \
-         .depends = "magnification",                                                               \
-         .label = "magnification",                                                                 \
-         .help = "size on the sensor over size of the subject"},                                   \
-        COLUMN_PUPIL(struct diffraction_row, setting.P),                                           \
-        COLUMN_SENSOR(struct diffraction_row, sensor),                                             \
-    {                                                                                              \
-        LENGTH(pitch, "um"), .name = "pitch", .flags = COLUMN_ASSUMED | COLUMN_EXTRA,              \
-                             .symbol = "p", .depends = "pitch sensor", .label = "pixel pitch",     \
-                             .help = "distance from pixel to pixel"                                \
-    }
+    COLUMN_WAVELENGTH(wavelength),                                                                 \
+        ENTRY(SHOWN(setting.m), .name = "magnification",                                           \
+              ASSUMED_BY("magnification") | COLUMN_ECHO, .symbol = "m",                            \
+              .help = "size on the sensor over size of the subject"),                              \
+        COLUMN_PUPIL(setting.P), COLUMN_SENSOR(sensor),                                            \
+        ENTRY(LENGTH(pitch, "um"), .name = "pitch", ASSUMED_BY("pitch sensor"), .symbol = "p",     \
+              .label = "pixel pitch", .help = "distance from pixel to pixel")
 /* What --near or --focus-spread bring. */
 #define COLUMNS_SPREAD(more)                                                                       \
-    {LENGTH(spread, "mm"),                                                                         \
-     .name = "focus_spread",                                                                       \
-     .when = "with --near or --focus-spread",                                                      \
-     .flags = (more),                                                                              \
-     .symbol = "dv",                                                                               \
-     .label = "focus spread",                                                                      \
-     .help = "between the images of nearest and farthest point"},                                  \
-        {COLUMN(struct diffraction_row, optimum.fnumber),                                          \
-         .name = "optimum_fnumber",                                                                \
-         .when = "with --near or --focus-spread",                                                  \
-         .flags = (more),                                                                          \
-         .symbol = "No",                                                                           \
-         .label = "best f-number",                                                                 \
-         .help = "sharpest ends of the focus spread"},                                             \
-    {                                                                                              \
-        LENGTH(optimum.blur, "um"), .name = "optimum_blur",                                        \
-                                    .when = "with --near or --focus-spread", .flags = (more),      \
-                                    .symbol = "bo", .label = "blur at the best f-number",          \
-                                    .help = "defocus and Airy disc at the ends, combined"          \
-    }
+    ENTRY(LENGTH(spread, "mm"), .name = "focus_spread", .flags = (more),                           \
+          .when = "with --near or --focus-spread", .symbol = "dv", .label = "focus spread",        \
+          .help = "between the images of nearest and farthest point"),                             \
+        ENTRY(SHOWN(optimum.fnumber), .name = "optimum_fnumber", .flags = (more),                  \
+              .when = "with --near or --focus-spread", .symbol = "No", .label = "best f-number",   \
+              .help = "sharpest ends of the focus spread"),                                        \
+        ENTRY(LENGTH(optimum.blur, "um"), .name = "optimum_blur", .flags = (more),                 \
+              .when = "with --near or --focus-spread", .symbol = "bo",                             \
+              .label = "blur at the best f-number",                                                \
+              .help = "defocus and Airy disc at the ends, combined")
 
 static const struct column columns[] = {
-    PHOTO_LENS_COLUMNS(struct diffraction_row, real),
-    COLUMN_FNUMBER(struct diffraction_row, setting.N, 0),
-    {COLUMN(struct diffraction_row, airy.working_fnumber), .name = "working_fnumber",
-     .symbol = "Nw", .label = "working f-number", .help = "f-number that diffracts, N (1 + m/P)"},
-    {LENGTH(airy.airy_diameter, "um"), .name = "airy_diameter", .flags = COLUMN_BRIEF,
-     .symbol = "A", .label = "Airy disc, diameter", .help = "to the first dark ring"},
+    PHOTO_LENS_COLUMNS(real),
+    COLUMN_FNUMBER(setting.N, 0),
+    {SHOWN(airy.working_fnumber), .name = "working_fnumber", .symbol = "Nw",
+     .label = "working f-number", .help = "f-number that diffracts, N (1 + m/P)"},
+    {LENGTH(airy.airy_diameter, "um"), .name = "airy_diameter", BRIEF, .symbol = "A",
+     .label = "Airy disc, diameter", .help = "to the first dark ring"},
     {LENGTH(airy.airy_radius, "um"), .name = "airy_radius", .symbol = "a",
      .label = "Airy disc, radius", .help = "Rayleigh: two points this far apart are just resolved"},
-    {FREQUENCY(airy.rayleigh_frequency), .name = "resolution", .flags = COLUMN_BRIEF, .symbol = "R",
-     .label = "resolution by Rayleigh", .help = "1 / Airy radius"},
+    {MEASURED(airy.rayleigh_frequency, frequency, "per_mm"), .name = "resolution", BRIEF,
+     .symbol = "R", .label = "resolution by Rayleigh", .help = "1 / Airy radius"},
     COLUMN_CUTOFF(COLUMN_BRIEF),
     COLUMN_NYQUIST,
-    {FREQUENCY(mtf50), .name = "mtf50", .flags = COLUMN_BRIEF, .label = "MTF50, 50 % contrast at",
+    {MEASURED(mtf50, frequency, "per_mm"), .name = "mtf50", BRIEF,
+     .label = "MTF50, 50 % contrast at",
      .help = "frequency of 50 % contrast: lens, defocus and pixels together"},
-    {FREQUENCY(mtf10), .name = "mtf10", .label = "MTF10, 10 % contrast at",
+    {MEASURED(mtf10, frequency, "per_mm"), .name = "mtf10", .label = "MTF10, 10 % contrast at",
      .help = "frequency of 10 % contrast"},
-    {COLUMN(struct diffraction_row, fnumber_pixel), .name = "fnumber_pixel",
+    {SHOWN(fnumber_pixel), .name = "fnumber_pixel",
      .when = "with --pitch, or a camera of known pixels", .symbol = "Np",
      .label = "f-number of the pixels", .help = "where the Airy disc is --pixels wide"},
-    {COLUMN(struct diffraction_row, fnumber_coc), .name = "fnumber_coc", .symbol = "Nc",
+    {SHOWN(fnumber_coc), .name = "fnumber_coc", .symbol = "Nc",
      .label = "f-number of the circle of confusion",
      .help = "where the Airy disc is as wide as the circle of confusion"},
-    {COLUMN(struct diffraction_row, fnumber_film), .name = "fnumber_film", .when = "with --film",
-     .symbol = "Nf", .label = "f-number of the film",
-     .help = "where the Rayleigh limit is that of --film"},
+    {SHOWN(fnumber_film), .name = "fnumber_film", .when = "with --film", .symbol = "Nf",
+     .label = "f-number of the film", .help = "where the Rayleigh limit is that of --film"},
     COLUMNS_SPREAD(0),
-    {ANGLE(angles.rayleigh), .name = "rayleigh", .with = "focal-length lens", .symbol = "th",
-     .label = "Rayleigh angle", .help = "smallest angle resolved at infinity"},
-    {ANGLE(angles.dawes), .name = "dawes", .with = "focal-length lens", .label = "Dawes' limit",
-     .help = "two stars just resolved, an empirical rule"},
-    {FREQUENCY(frequency), .name = "frequency", .flags = COLUMN_EXTRA | COLUMN_ECHO,
-     .with = "frequency", .symbol = "nu", .label = "spatial frequency",
-     .help = "frequency on the sensor"},
-    {COLUMN(struct diffraction_row, mtf.lens), .name = "mtf_lens", .flags = COLUMN_EXTRA,
-     .with = "frequency", .symbol = "M", .label = "contrast, lens",
-     .help = "perfect lens in focus"},
-    {COLUMN(struct diffraction_row, mtf.total), .name = "mtf_total", .flags = COLUMN_EXTRA,
-     .with = "frequency", .label = "combined MTF", .help = "lens, defocus and pixels"},
-    COLUMN_COC(struct diffraction_row, coc, 0, ""),
-    COLUMN_CRITERION(struct diffraction_row, criterion),
-    {COLUMN(struct diffraction_row, pixels), .name = "pixels", .symbol = "k",
-     .flags = COLUMN_EXTRA | COLUMN_ECHO, .with = "pixels", .label = "pixels across the Airy disc",
+    {MEASURED(angles.rayleigh, angle, "arcsec"), .name = "rayleigh", .symbol = "th",
+     .with = "focal-length lens", .label = "Rayleigh angle",
+     .help = "smallest angle resolved at infinity"},
+    {MEASURED(angles.dawes, angle, "arcsec"), .name = "dawes", .with = "focal-length lens",
+     .label = "Dawes' limit", .help = "two stars just resolved, an empirical rule"},
+    {MEASURED(frequency, frequency, "per_mm"), .name = "frequency", ECHO_WITH("frequency"),
+     .symbol = "nu", .label = "spatial frequency", .help = "frequency on the sensor"},
+    {SHOWN(mtf.lens), .name = "mtf_lens", WITH("frequency"), .symbol = "M",
+     .label = "contrast, lens", .help = "perfect lens in focus"},
+    {SHOWN(mtf.total), .name = "mtf_total", WITH("frequency"), .label = "combined MTF",
+     .help = "lens, defocus and pixels"},
+    COLUMN_COC(coc, 0, ""),
+    COLUMN_CRITERION(criterion),
+    {SHOWN(pixels), .name = "pixels", ECHO_WITH("pixels"), .symbol = "k",
+     .label = "pixels across the Airy disc",
      .help = "width of the Airy disc that fnumber_pixel allows"},
-    {FREQUENCY(film), .name = "film", .symbol = "Rf", .flags = COLUMN_EXTRA | COLUMN_ECHO,
-     .with = "film", .label = "film", .help = "what the film resolves"},
-    {LENGTH(setting.blur, "um"), .name = "defocus", .flags = COLUMN_EXTRA | COLUMN_ECHO,
-     .with = "defocus", .symbol = "b", .label = "defocus", .help = "diameter of the blur disc"},
+    {MEASURED(film, frequency, "per_mm"), .name = "film", ECHO_WITH("film"), .symbol = "Rf",
+     .help = "what the film resolves"},
+    {LENGTH(setting.blur, "um"), .name = "defocus", ECHO_WITH("defocus"), .symbol = "b",
+     .help = "diameter of the blur disc"},
     COLUMNS_ASSUMED,
-    PHOTO_LENS_WARNING_COLUMN(struct diffraction_row, real),
+    PHOTO_LENS_WARNING_COLUMN(real),
 };
 
 /* With --frequency: contrast alone, a row a frequency. */
 static const struct column contrast_columns[] = {
-    PHOTO_LENS_COLUMNS(struct diffraction_row, real),
-    COLUMN_FNUMBER(struct diffraction_row, setting.N, 0),
-    {FREQUENCY(frequency), .name = "frequency", .flags = COLUMN_ECHO | COLUMN_BRIEF,
-     .with = "frequency", .symbol = "nu", .label = "spatial frequency",
+    PHOTO_LENS_COLUMNS(real),
+    COLUMN_FNUMBER(setting.N, 0),
+    {MEASURED(frequency, frequency, "per_mm"), .name = "frequency", BRIEF | COLUMN_ECHO,
+     .symbol = "nu", .with = "frequency", .label = "spatial frequency",
      .help = "frequency on the sensor"},
-    {COLUMN(struct diffraction_row, mtf.lens), .name = "mtf_lens", .flags = COLUMN_BRIEF,
-     .symbol = "Ml", .label = "contrast, lens", .help = "perfect lens in focus"},
-    {COLUMN(struct diffraction_row, mtf.defocus), .name = "mtf_defocus", .flags = COLUMN_BRIEF,
-     .symbol = "Md", .label = "contrast, defocus", .help = "disc of defocus alone"},
-    {COLUMN(struct diffraction_row, mtf.pixel), .name = "mtf_pixel", .flags = COLUMN_BRIEF,
-     .symbol = "Mp", .label = "contrast, pixels", .help = "square pixels without gaps alone"},
-    {COLUMN(struct diffraction_row, mtf.total), .name = "mtf_total", .flags = COLUMN_BRIEF,
-     .symbol = "M", .label = "combined MTF", .help = "the product"},
-    {COLUMN(struct diffraction_row, airy.working_fnumber), .name = "working_fnumber",
-     .symbol = "Nw", .label = "working f-number", .help = "f-number that diffracts, N (1 + m/P)"},
+    {SHOWN(mtf.lens), .name = "mtf_lens", BRIEF, .symbol = "Ml", .label = "contrast, lens",
+     .help = "perfect lens in focus"},
+    {SHOWN(mtf.defocus), .name = "mtf_defocus", BRIEF, .symbol = "Md", .label = "contrast, defocus",
+     .help = "disc of defocus alone"},
+    {SHOWN(mtf.pixel), .name = "mtf_pixel", BRIEF, .symbol = "Mp", .label = "contrast, pixels",
+     .help = "square pixels without gaps alone"},
+    {SHOWN(mtf.total), .name = "mtf_total", BRIEF, .symbol = "M", .label = "combined MTF",
+     .help = "the product"},
+    {SHOWN(airy.working_fnumber), .name = "working_fnumber", .symbol = "Nw",
+     .label = "working f-number", .help = "f-number that diffracts, N (1 + m/P)"},
     COLUMN_CUTOFF(0),
     COLUMN_NYQUIST,
-    {LENGTH(setting.blur, "um"), .name = "defocus",
-     .flags = COLUMN_ASSUMED | COLUMN_EXTRA | COLUMN_ECHO, .symbol = "b", .depends = "defocus",
-     .label = "defocus", .help = "diameter of the blur disc"},
+    {LENGTH(setting.blur, "um"), .name = "defocus", ASSUMED_BY("defocus") | COLUMN_ECHO,
+     .symbol = "b", .help = "diameter of the blur disc"},
     COLUMNS_ASSUMED,
-    PHOTO_LENS_WARNING_COLUMN(struct diffraction_row, real),
+    PHOTO_LENS_WARNING_COLUMN(real),
 };
 
 /* Without --aperture, with --near or --focus-spread: the best f-number. */
 static const struct column best_columns[] = {
-    PHOTO_LENS_COLUMNS(struct diffraction_row, real),
-    COLUMN_FOCAL(struct diffraction_row, focal, COLUMN_EXTRA),
-    {LENGTH(near, "m"), .name = "near", .flags = COLUMN_ECHO | COLUMN_EXTRA, .with = "near",
-     .symbol = "n", .label = "near point", .help = "nearest point that must be sharp"},
-    {LENGTH(far, "m"), .name = "far", .flags = COLUMN_ECHO | COLUMN_EXTRA | COLUMN_INFINITE,
-     .with = "near", .symbol = "r", .label = "far point", .help = "farthest point"},
+    PHOTO_LENS_COLUMNS(real),
+    COLUMN_FOCAL(focal, COLUMN_EXTRA),
+    {LENGTH(near, "m"), .name = "near", ECHO_WITH("near"), .symbol = "n", .label = "near point",
+     .help = "nearest point that must be sharp"},
+    {LENGTH(far, "m"), .name = "far", ECHO_WITH("near") | COLUMN_INFINITE, .symbol = "r",
+     .label = "far point", .help = "farthest point"},
     COLUMNS_SPREAD(COLUMN_BRIEF),
     COLUMNS_ASSUMED,
-    PHOTO_LENS_WARNING_COLUMN(struct diffraction_row, real),
+    PHOTO_LENS_WARNING_COLUMN(real),
 };
 
 static const struct sheet best = SHEET(best_columns, struct diffraction_row);
@@ -426,7 +389,7 @@ static const struct example examples[] = {
     {NULL, NULL},
 };
 
-PHOTO_LENS_MAKES_MANY(struct diffraction_input, lens)
+PHOTO_LENS_MAKES_MANY(lens)
 
 const struct command command_diffraction = {
     .name = "diffraction",

@@ -2,6 +2,7 @@
 /* SPDX-License-Identifier: MIT */
 #include "commands/photo/photo_lens.h"
 #include "commands/photo/sharpness.h"
+#include "commands/tables.h"
 #include "photo/conjugate.h"
 #include "photo/equivalent.h"
 
@@ -31,29 +32,25 @@ static const struct word kept[] = {
     {NULL, NULL},
 };
 
+#define INPUT struct equivalent_input
+
 static const struct option options[] = {
-    OPTION_FOCAL_LENGTH(struct equivalent_input, lens.focal, 0),
-    PHOTO_LENS_OPTIONS(struct equivalent_input, lens),
-    OPTION_APERTURE(struct equivalent_input, lens.fnumber, 0),
-    {OPTION(struct equivalent_input, iso), .name = "iso", .quantity = "ISO speed", .column = "iso",
-     .dimension = &dimension_iso, OPTION_POSITIVE,
-     .flags = OPTION_ABOVE_LOWEST | OPTION_NO_INFINITY, .fallback = "100", .value = "NUMBER",
-     .help = "ISO speed"},
-    OPTION_DISTANCE(struct equivalent_input, distance, 0,
-                    "distance of the subject, otherwise infinity"),
-    {OPTION(struct equivalent_input, magnification), .name = "magnification", .letter = 'm',
-     .column = "magnification", .dimension = &dimension_ratio, .lowest = 0, .highest = INFINITY,
-     .flags = OPTION_NO_INFINITY, .value = "RATIO",
+    OPTION_FOCAL_LENGTH(lens.focal, 0),
+    PHOTO_LENS_OPTIONS(lens),
+    OPTION_APERTURE(lens.fnumber, 0),
+    {MEASURE(iso, iso, NULL, "NUMBER"), REPEATED("iso"), .quantity = "ISO speed", ABOVE_0,
+     .fallback = "100", .help = "ISO speed"},
+    OPTION_DISTANCE(distance, 0, "distance of the subject, otherwise infinity"),
+    {MEASURE(magnification, ratio, NULL, "RATIO"), REPEATED("magnification"), .letter = 'm', FROM_0,
      .help = "magnification in place of the distance: 1:2 or 0.5"},
-    OPTION_PUPIL_OF_LENS(struct equivalent_input, lens.pupil, NULL),
-    SHARPNESS_OPTIONS_OF_LENS(struct equivalent_input, sharp, lens, 0, "d/1500", coc_is_pixels),
-    {OPTION(struct equivalent_input, to), .name = "to", .column = "equal_sensor",
-     .fallback = "35mm", .value = "NAME|WxH",
+    OPTION_PUPIL_OF_LENS(lens.pupil, NULL),
+    SHARPNESS_OPTIONS_OF_LENS(sharp, lens, 0, "d/1500", coc_is_pixels),
+    {ASKED(to), .name = "to", .column = "equal_sensor", .fallback = "35mm", .value = "NAME|WxH",
      .help = "the other format or camera; a list for several at once"},
-    {OPTION(struct equivalent_input, by), .name = "by", .column = "measure", .words = measures,
-     .fallback = "diagonal", .value = "MEASURE", .help = "how formats are compared"},
-    {OPTION(struct equivalent_input, keep), .name = "keep", .column = "keep", .words = kept,
-     .fallback = "picture", .value = "WHAT", .help = "what stays the same besides framing"},
+    {ASKED(by), .name = "by", .column = "measure", .words = measures, .fallback = "diagonal",
+     .value = "MEASURE", .help = "how formats are compared"},
+    {ASKED(keep), REPEATED("keep"), .words = kept, .fallback = "picture", .value = "WHAT",
+     .help = "what stays the same besides framing"},
 };
 
 struct equivalent_row {
@@ -64,55 +61,51 @@ struct equivalent_row {
     struct photo_real real;
 };
 
-#define LENGTH(member_name, in_unit)                                                               \
-    COLUMN(struct equivalent_row, member_name), .dimension = &dimension_length, .unit = in_unit
-#define NUMBER(member_name) COLUMN(struct equivalent_row, member_name)
+#define ROW struct equivalent_row
 
 static const struct column columns[] = {
-    PHOTO_LENS_COLUMNS(struct equivalent_row, real),
-    COLUMN_FOCAL(struct equivalent_row, setting.f, 0),
-    COLUMN_FNUMBER(struct equivalent_row, setting.N, 0),
-    {NUMBER(setting.iso), .name = "iso", .flags = COLUMN_ECHO | COLUMN_ASSUMED | COLUMN_EXTRA,
-     .symbol = "S", .depends = "iso", .label = "ISO speed", .help = "ISO speed"},
-    {NUMBER(setting.m), .name = "magnification", .flags = COLUMN_ASSUMED | COLUMN_EXTRA,
-     .symbol = "m", .depends = "magnification distance focal-length lens position section",
-     .tells = "distance", .label = "magnification",
-     .help = "size on the sensor over size of the subject"},
-    {NUMBER(other), .name = "equal_sensor", .flags = COLUMN_BRIEF, .label = "equivalent sensor",
+    PHOTO_LENS_COLUMNS(real),
+    COLUMN_FOCAL(setting.f, 0),
+    COLUMN_FNUMBER(setting.N, 0),
+    {SHOWN(setting.iso), .name = "iso", ASSUMED_BY("iso") | COLUMN_ECHO, .symbol = "S",
+     .label = "ISO speed", .help = "ISO speed"},
+    {SHOWN(setting.m), .name = "magnification",
+     ASSUMED_BY("magnification distance focal-length lens position section"), .tells = "distance",
+     .symbol = "m", .help = "size on the sensor over size of the subject"},
+    {SHOWN(other), .name = "equal_sensor", BRIEF, .label = "equivalent sensor",
      .help = "the format of the equal picture"},
-    {NUMBER(equal.k), .name = "ratio", .flags = COLUMN_BRIEF, .symbol = "k",
-     .label = "ratio of formats", .help = "size of the other format over this one"},
-    {LENGTH(equal.f, "mm"), .name = "equal_focal", .flags = COLUMN_BRIEF, .symbol = "f'",
+    {SHOWN(equal.k), .name = "ratio", BRIEF, .symbol = "k", .label = "ratio of formats",
+     .help = "size of the other format over this one"},
+    {LENGTH(equal.f, "mm"), .name = "equal_focal", BRIEF, .symbol = "f'",
      .label = "equivalent focal length", .help = "focal length with the same framing there"},
-    {NUMBER(equal.N), .name = "equal_fnumber", .flags = COLUMN_BRIEF, .with = "aperture lens",
-     .symbol = "N'", .label = "equivalent f-number", .help = "equivalent f-number"},
-    {NUMBER(equal.iso), .name = "equal_iso", .flags = COLUMN_BRIEF, .symbol = "S'",
-     .label = "equivalent ISO speed", .help = "ISO speed with the same time there"},
-    {NUMBER(equal.m), .name = "equal_magnification", .symbol = "m'",
+    {SHOWN(equal.N), .name = "equal_fnumber", BRIEF, .symbol = "N'", .with = "aperture lens",
+     .label = "equivalent f-number", .help = "equivalent f-number"},
+    {SHOWN(equal.iso), .name = "equal_iso", BRIEF, .symbol = "S'", .label = "equivalent ISO speed",
+     .help = "ISO speed with the same time there"},
+    {SHOWN(equal.m), .name = "equal_magnification", .symbol = "m'",
      .label = "equivalent magnification", .help = "equivalent magnification"},
     {LENGTH(equal.c, "mm"), .name = "equal_coc", .symbol = "c'",
      .label = "equivalent circle of confusion",
      .help = "circle of confusion in proportion to the format"},
     {LENGTH(equal.pupil_diameter, "mm"), .name = "equal_pupil_diameter", .symbol = "D'",
      .label = "equivalent entrance pupil", .help = "diameter of the entrance pupil there"},
-    {NUMBER(equal.working_fnumber), .name = "equal_working_fnumber", .flags = COLUMN_HIDDEN,
+    {SHOWN(equal.working_fnumber), .name = "equal_working_fnumber", .flags = COLUMN_HIDDEN,
      .label = "equivalent working f-number", .help = "f-number that exposes there"},
-    {NUMBER(equal.light_stops), .name = "light", .dimension = &dimension_stops, .unit = "stops",
-     .flags = COLUMN_BRIEF, .label = "total light",
+    {STOPS(equal.light_stops), .name = "light", BRIEF, .label = "total light",
      .help = "light on the whole sensor there against here; 0 is the same noise"},
-    {NUMBER(equal.field_depth_ratio), .name = "depth_ratio", .flags = COLUMN_BRIEF,
-     .label = "depth of field, ratio", .help = "depth of field there over here; 1 is equal"},
-    {NUMBER(crop), .name = "crop_factor", .flags = COLUMN_HIDDEN, .label = "crop factor",
+    {SHOWN(equal.field_depth_ratio), .name = "depth_ratio", BRIEF, .label = "depth of field, ratio",
+     .help = "depth of field there over here; 1 is equal"},
+    {SHOWN(crop), .name = "crop_factor", .flags = COLUMN_HIDDEN, .label = "crop factor",
      .help = "43.27 mm over the diagonal of this format"},
-    COLUMN_SENSOR(struct equivalent_row, sensor),
-    COLUMN_COC(struct equivalent_row, setting.c, COLUMN_EXTRA, ""),
-    COLUMN_CRITERION(struct equivalent_row, criterion),
-    COLUMN_PUPIL(struct equivalent_row, setting.P),
-    {NUMBER(measure), .name = "measure", .flags = COLUMN_ASSUMED | COLUMN_EXTRA, .depends = "by",
-     .label = "compared by", .help = "how formats are compared"},
-    {NUMBER(keep), .name = "keep", .flags = COLUMN_ASSUMED | COLUMN_EXTRA, .depends = "keep",
-     .label = "keeping", .help = "what stays the same besides framing"},
-    PHOTO_LENS_WARNING_COLUMN(struct equivalent_row, real),
+    COLUMN_SENSOR(sensor),
+    COLUMN_COC(setting.c, COLUMN_EXTRA, ""),
+    COLUMN_CRITERION(criterion),
+    COLUMN_PUPIL(setting.P),
+    {SHOWN(measure), .name = "measure", ASSUMED_BY("by"), .label = "compared by",
+     .help = "how formats are compared"},
+    {SHOWN(keep), .name = "keep", ASSUMED_BY("keep"), .label = "keeping",
+     .help = "what stays the same besides framing"},
+    PHOTO_LENS_WARNING_COLUMN(real),
 };
 
 /* Magnification from distance or as given; 0 where neither is. */
@@ -226,7 +219,7 @@ static const struct example examples[] = {
     {NULL, NULL},
 };
 
-PHOTO_LENS_MAKES_MANY(struct equivalent_input, lens)
+PHOTO_LENS_MAKES_MANY(lens)
 
 const struct command command_equivalent = {
     .name = "equivalent",

@@ -3,6 +3,7 @@
 #include "commands/photo/attachments.h"
 #include "commands/photo/by_rays.h"
 #include "commands/photo/photo_lens.h"
+#include "commands/tables.h"
 #include "photo/attach.h"
 #include "photo/conjugate.h"
 
@@ -27,63 +28,49 @@ static const struct word orders[] = {
     {NULL, NULL},
 };
 
-#define MILLIMETRES(member_name)                                                                   \
-    OPTION(struct focus_input, member_name), .dimension = &dimension_length, .unit = "mm",         \
-                                             .value = "LENGTH"
-#define NOT_NEGATIVE .lowest = 0, .highest = INFINITY, .flags = OPTION_NO_INFINITY
-#define POSITIVE     OPTION_POSITIVE, .flags = OPTION_ABOVE_LOWEST | OPTION_NO_INFINITY
+#define INPUT struct focus_input
 
 static const struct option options[] = {
-    OPTION_FOCAL_LENGTH(struct focus_input, lens.focal, OPTION_SETTING),
-    PHOTO_LENS_OPTIONS(struct focus_input, lens),
-    OPTION_WAVELENGTH_OF_LENS(struct focus_input, lens.wavelength, "lens"),
-    OPTION_DISTANCE(struct focus_input, distance, OPTION_SETTING,
-                    "distance of the subject; inf for infinity"),
-    {MILLIMETRES(image), .name = "image", .quantity = "image distance", .column = "image",
-     OPTION_POSITIVE, .flags = OPTION_ABOVE_LOWEST | OPTION_NO_INFINITY | OPTION_GOAL,
-     .help = "distance of the sensor from the rear principal plane"},
-    {OPTION(struct focus_input, magnification), .name = "magnification", .letter = 'm',
-     .column = "magnification", .dimension = &dimension_ratio, .lowest = 0, .highest = INFINITY,
-     .flags = OPTION_NO_INFINITY | OPTION_GOAL, .value = "RATIO",
-     .help = "magnification: 1:2 or 0.5"},
-    {OPTION(struct focus_input, sensor_distance), .name = "sensor-distance",
-     .column = "sensor_distance", .dimension = &dimension_length, .unit = "m", OPTION_POSITIVE,
-     .flags = OPTION_ABOVE_LOWEST | OPTION_GOAL, .value = "LENGTH",
+    OPTION_FOCAL_LENGTH(lens.focal, OPTION_SETTING),
+    PHOTO_LENS_OPTIONS(lens),
+    OPTION_WAVELENGTH_OF_LENS(lens.wavelength, "lens"),
+    OPTION_DISTANCE(distance, OPTION_SETTING, "distance of the subject; inf for infinity"),
+    {MEASURE(image, length, "mm", "LENGTH"), REPEATED("image"), .quantity = "image distance",
+     ABOVE_0 | OPTION_GOAL, .help = "distance of the sensor from the rear principal plane"},
+    {MEASURE(magnification, ratio, NULL, "RATIO"), REPEATED("magnification"), .letter = 'm',
+     FROM_0 | OPTION_GOAL, .help = "magnification: 1:2 or 0.5"},
+    {MEASURE(sensor_distance, length, "m", "LENGTH"), .name = "sensor-distance",
+     .column = "sensor_distance", ABOVE_0_OR_INFINITE | OPTION_GOAL,
      .help = "distance from subject to sensor, as lens scales have it"},
-    {OPTION(struct focus_input, enlarged), .name = "enlarged",
-     .wants = "sensor-distance|from=sensor",
+    {ASKED(enlarged), .name = "enlarged", .wants = "sensor-distance|from=sensor",
      .help = "of the two solutions for --sensor-distance, the one with m above 1"},
-    OPTION_APERTURE(struct focus_input, lens.fnumber, 0),
-    OPTION_PUPIL_OF_LENS(struct focus_input, lens.pupil, NULL),
-    OPTION_FROM(struct focus_input, lens.from, distances_from),
-    {MILLIMETRES(hiatus), .name = "hiatus", .flags = OPTION_NO_INFINITY,
+    OPTION_APERTURE(lens.fnumber, 0),
+    OPTION_PUPIL_OF_LENS(lens.pupil, NULL),
+    OPTION_FROM(lens.from, distances_from),
+    {MEASURE(hiatus, length, "mm", "LENGTH"), .name = "hiatus", .flags = OPTION_NO_INFINITY,
      .help = "distance between the principal planes; without it that of --lens, else 0"},
-    {MILLIMETRES(front), .name = "front", .quantity = "front principal plane",
+    {MEASURE(front, length, "mm", "LENGTH"), .name = "front", .quantity = "front principal plane",
      .flags = OPTION_NO_INFINITY,
      .help = "front principal plane seen from the lens's front, + towards the sensor; brings the "
              "working distance"},
-    {OPTION(struct focus_input, reversed), .name = "reversed",
-     .help = "the lens is mounted back to front"},
-    OPTION_CLOSE_UP(struct focus_input, attached.close_up),
-    {MILLIMETRES(stacked), .name = "stacked", .quantity = "stacked lens", .column = "stacked",
-     POSITIVE, .help = "focal length of a lens reversed before the lens"},
-    {OPTION(struct focus_input, stacked_aperture), .name = "stacked-aperture",
-     .quantity = "f-number of the stacked lens", .wants = "stacked",
-     .dimension = &dimension_fnumber, POSITIVE, .value = "NUMBER",
-     .help = "f-number of the stacked lens, where it limits the beam", OPTION_USUAL_FNUMBER},
-    {MILLIMETRES(gap), .name = "gap", NOT_NEGATIVE, .fallback = "0", .wants = "stacked|close-up",
-     .help = "from the front of the lens to what is attached there"},
-    OPTION_TUBE(struct focus_input, attached.tube),
-    OPTION_CONVERTER(struct focus_input, attached.converter),
-    {MILLIMETRES(converter_length), .name = "converter-length",
-     .quantity = "length of the converter", NOT_NEGATIVE, .fallback = "0", .wants = "converter",
+    {ASKED(reversed), .name = "reversed", .help = "the lens is mounted back to front"},
+    OPTION_CLOSE_UP(attached.close_up),
+    {MEASURE(stacked, length, "mm", "LENGTH"), REPEATED("stacked"), .quantity = "stacked lens",
+     ABOVE_0, .help = "focal length of a lens reversed before the lens"},
+    {MEASURE(stacked_aperture, fnumber, NULL, "NUMBER"), .name = "stacked-aperture",
+     .quantity = "f-number of the stacked lens", ABOVE_0, .wants = "stacked", OPTION_USUAL_FNUMBER,
+     .help = "f-number of the stacked lens, where it limits the beam"},
+    {MEASURE(gap, length, "mm", "LENGTH"), .name = "gap", FROM_0, .fallback = "0",
+     .wants = "stacked|close-up", .help = "from the front of the lens to what is attached there"},
+    OPTION_TUBE(attached.tube),
+    OPTION_CONVERTER(attached.converter),
+    {MEASURE(converter_length, length, "mm", "LENGTH"), .name = "converter-length",
+     .quantity = "length of the converter", FROM_0, .fallback = "0", .wants = "converter",
      .help = "how much longer the converter makes the lens"},
-    {OPTION(struct focus_input, order), .name = "order", .column = "order", .words = orders,
-     .fallback = "tube-converter", .value = "ORDER",
-     .help = "which of tube and converter is nearer to the lens"},
-    BY_RAYS_EXACT_OPTION(struct focus_input, rays,
-                         "put the sensor where the rays of --lens are sharpest"),
-    BY_RAYS_CRITERION_OPTION(struct focus_input, rays),
+    {ASKED(order), REPEATED("order"), .words = orders, .fallback = "tube-converter",
+     .value = "ORDER", .help = "which of tube and converter is nearer to the lens"},
+    BY_RAYS_EXACT_OPTION(rays, "put the sensor where the rays of --lens are sharpest"),
+    BY_RAYS_CRITERION_OPTION(rays),
 };
 
 struct focus_row {
@@ -98,48 +85,44 @@ struct focus_row {
     double pupil_distance, working_distance;
 };
 
-#define LENGTH(member_name, in_unit)                                                               \
-    COLUMN(struct focus_row, member_name), .dimension = &dimension_length, .unit = in_unit
-
 /* The first columns are only there with attachments. */
 enum { ATTACHED_COLUMNS = 2 };
 
+#define ROW struct focus_row
+
 static const struct column columns[] = {
-    {COLUMN(struct focus_row, lens_focus), .name = "lens_focus", .flags = COLUMN_BRIEF,
-     .label = "lens itself focused", .help = "at infinity, or as given"},
+    {SHOWN(lens_focus), .name = "lens_focus", BRIEF, .label = "lens itself focused",
+     .help = "at infinity, or as given"},
     {LENGTH(c.f, "mm"), .name = "combined_focal", .symbol = "f", .label = "combined focal length",
      .help = "focal length of lens and attachments"},
-    PHOTO_LENS_COLUMNS(struct focus_row, real),
-    PHOTO_LENS_WAVELENGTH_COLUMN(struct focus_row, real),
-    COLUMN_FOCAL(struct focus_row, focal, 0),
-    COLUMN_FNUMBER(struct focus_row, fnumber, 0),
-    COLUMN_CLOSE_UP(struct focus_row, attached.close_up),
-    {LENGTH(stacked, "mm"), .name = "stacked", .flags = COLUMN_ECHO | COLUMN_EXTRA,
-     .with = "stacked", .label = "stacked lens",
+    PHOTO_LENS_COLUMNS(real),
+    PHOTO_LENS_WAVELENGTH_COLUMN(real),
+    COLUMN_FOCAL(focal, 0),
+    COLUMN_FNUMBER(fnumber, 0),
+    COLUMN_CLOSE_UP(attached.close_up),
+    {LENGTH(stacked, "mm"), .name = "stacked", ECHO_WITH("stacked"), .label = "stacked lens",
      .help = "focal length of the lens before the lens"},
-    COLUMN_TUBE(struct focus_row, attached.tube),
-    COLUMN_CONVERTER(struct focus_row, attached.converter),
-    {COLUMN(struct focus_row, order), .name = "order", .flags = COLUMN_EXTRA, .with = "order",
-     .label = "order", .help = "which of tube and converter is nearer to the lens"},
-    {LENGTH(distance, "m"), .name = "distance",
-     .flags = COLUMN_ECHO | COLUMN_INFINITE | COLUMN_BRIEF, .with = "distance", .label = "distance",
-     .help = "distance of the subject"},
-    {LENGTH(c.v, "mm"), .name = "image", .flags = COLUMN_BRIEF, .symbol = "v",
-     .label = "image distance", .help = "sensor from the rear principal plane"},
-    COLUMN_MAGNIFICATION(struct focus_row, c.m, COLUMN_BRIEF),
-    {LENGTH(c.T, "m"), .name = "sensor_distance", .flags = COLUMN_INFINITE | COLUMN_BRIEF,
-     .symbol = "T", .label = "subject to sensor", .help = "distance from subject to sensor"},
-    {LENGTH(c.extension, "mm"), .name = "extension", .symbol = "x", .label = "extension",
+    COLUMN_TUBE(attached.tube),
+    COLUMN_CONVERTER(attached.converter),
+    {SHOWN(order), .name = "order", WITH("order"),
+     .help = "which of tube and converter is nearer to the lens"},
+    {LENGTH(distance, "m"), .name = "distance", BRIEF | COLUMN_ECHO | COLUMN_INFINITE,
+     .with = "distance", .help = "distance of the subject"},
+    {LENGTH(c.v, "mm"), .name = "image", BRIEF, .symbol = "v", .label = "image distance",
+     .help = "sensor from the rear principal plane"},
+    COLUMN_MAGNIFICATION(c.m, COLUMN_BRIEF),
+    {LENGTH(c.T, "m"), .name = "sensor_distance", BRIEF | COLUMN_INFINITE, .symbol = "T",
+     .label = "subject to sensor", .help = "distance from subject to sensor"},
+    {LENGTH(c.extension, "mm"), .name = "extension", .symbol = "x",
      .help = "how far the lens is from its place for infinity: f m"},
-    {COLUMN(struct focus_row, c.twin_magnification), .name = "twin_magnification",
+    {SHOWN(c.twin_magnification), .name = "twin_magnification",
      .flags = COLUMN_INFINITE | COLUMN_HIDDEN, .label = "magnification of the other focusing",
      .help = "1/m: the other focusing between the same subject and sensor"},
-    {COLUMN(struct focus_row, working_fnumber), .name = "working_fnumber", .symbol = "Nw",
-     .label = "working f-number", .help = "f-number that exposes"},
-    {COLUMN(struct focus_row, factor), .name = "exposure_factor", .symbol = "E",
-     .label = "exposure factor", .help = "times the exposure at the marked f-number"},
-    {COLUMN(struct focus_row, stops), .name = "exposure", .dimension = &dimension_stops,
-     .unit = "stops", .flags = COLUMN_BRIEF, .label = "exposure factor, stops",
+    {SHOWN(working_fnumber), .name = "working_fnumber", .symbol = "Nw", .label = "working f-number",
+     .help = "f-number that exposes"},
+    {SHOWN(factor), .name = "exposure_factor", .symbol = "E", .label = "exposure factor",
+     .help = "times the exposure at the marked f-number"},
+    {STOPS(stops), .name = "exposure", BRIEF, .label = "exposure factor, stops",
      .help = "the same in stops"},
     {LENGTH(working_distance, "m"), .name = "working_distance", .flags = COLUMN_INFINITE,
      .with = "front lens", .label = "working distance",
@@ -147,19 +130,17 @@ static const struct column columns[] = {
     {LENGTH(pupil_distance, "m"), .name = "pupil_distance",
      .flags = COLUMN_INFINITE | COLUMN_HIDDEN, .symbol = "X", .label = "subject to entrance pupil",
      .help = "distance of the subject from the centre of perspective"},
-    {LENGTH(shift, "mm"), .name = "focus_shift", .with = "exact", .flags = COLUMN_EXTRA,
-     .label = "focus shift",
-     .help =
-         "of the sharpest image from where the lens has it wide open, + away from the lens; null "
-         "where the lens states no aperture"},
-    BY_RAYS_COLUMNS(struct focus_row, rays),
-    PHOTO_LENS_HIATUS_COLUMN(struct focus_row, real.hiatus),
-    COLUMN_PUPIL(struct focus_row, pupil),
-    COLUMN_FROM(struct focus_row, from),
+    {LENGTH(shift, "mm"), .name = "focus_shift", WITH("exact"), .label = "focus shift",
+     .help = "of the sharpest image from where the lens has it wide open, + away from the lens; "
+             "null where the lens states no aperture"},
+    BY_RAYS_COLUMNS(rays),
+    PHOTO_LENS_HIATUS_COLUMN(real.hiatus),
+    COLUMN_PUPIL(pupil),
+    COLUMN_FROM(from),
     {LENGTH(c.s, "m"), .name = "principal_distance", .flags = COLUMN_EXTRA | COLUMN_INFINITE,
      .symbol = "s", .label = "distance from the principal plane",
      .help = "distance of the subject from the front principal plane"},
-    PHOTO_LENS_WARNING_COLUMN(struct focus_row, real),
+    PHOTO_LENS_WARNING_COLUMN(real),
 };
 
 static const struct sheet plain = {columns + ATTACHED_COLUMNS,
@@ -450,7 +431,7 @@ static bool focus_makes_many(const void *data)
            photo_lens_makes_many(&((const struct focus_input *)data)->lens);
 }
 
-PHOTO_LENS_VARIES(struct focus_input, lens)
+PHOTO_LENS_VARIES(lens)
 
 static const struct explanation explanations[] = {
     {"image !blur_rule", "v = {f} (1 + {m})", "[Gauss41] thin lens 1/f = 1/s + 1/v",
@@ -481,7 +462,7 @@ static const struct example examples[] = {
     {NULL, NULL},
 };
 
-BY_RAYS_WEIGHT(struct focus_input, rays)
+BY_RAYS_WEIGHT(rays)
 
 const struct command command_focus = {
     .name = "focus",

@@ -5,6 +5,7 @@
 #include "commands/photo/focused_lens.h"
 #include "commands/photo/photo_lens.h"
 #include "commands/photo/sharpness.h"
+#include "commands/tables.h"
 #include "photo/fov.h"
 
 #include "base/constants.h"
@@ -46,63 +47,52 @@ static const struct word focusings[] = {
     {NULL, NULL},
 };
 
-#define ANGLE_GOAL(member_name)                                                                    \
-    OPTION(struct fov_input, member_name), .name = #member_name, .column = #member_name,           \
-                                           .dimension = &dimension_angle, .unit = "deg",           \
-                                           .lowest = 0, .highest = 2 * PI, .value = "ANGLE",       \
-                                           .flags = OPTION_ABOVE_LOWEST | OPTION_GOAL
-#define FIELD_GOAL(member_name)                                                                    \
-    OPTION(struct fov_input, member_name),                                                         \
-        .dimension = &dimension_length, .unit = "m", OPTION_POSITIVE, .value = "LENGTH",           \
-        .flags = OPTION_ABOVE_LOWEST | OPTION_NO_INFINITY | OPTION_GOAL
+#define INPUT struct fov_input
 
 static const struct option options[] = {
-    OPTION_FOCAL_LENGTH(struct fov_input, lens.focal, OPTION_SETTING),
-    PHOTO_LENS_OPTIONS(struct fov_input, lens),
-    OPTION_WAVELENGTH_OF_LENS(struct fov_input, lens.wavelength, "lens"),
-    OPTION_SENSOR(struct fov_input, sensor),
-    {OPTION(struct fov_input, distance), .name = "distance", .letter = 's', .column = "distance",
-     .dimension = &dimension_length, .unit = "m", OPTION_POSITIVE, .flags = OPTION_ABOVE_LOWEST,
-     .fallback = "inf", .value = "LENGTH",
+    OPTION_FOCAL_LENGTH(lens.focal, OPTION_SETTING),
+    PHOTO_LENS_OPTIONS(lens),
+    OPTION_WAVELENGTH_OF_LENS(lens.wavelength, "lens"),
+    OPTION_SENSOR(sensor),
+    {MEASURE(distance, length, "m", "LENGTH"), REPEATED("distance"), .letter = 's',
+     ABOVE_0_OR_INFINITE, .fallback = "inf",
      .help = "distance the lens is focused at; the field there is reported"},
-    OPTION_FROM(struct fov_input, lens.from, distances_from),
-    {OPTION(struct fov_input, magnification), .name = "magnification", .letter = 'm',
-     .column = "magnification", .dimension = &dimension_ratio, OPTION_POSITIVE,
-     .flags = OPTION_NO_INFINITY, .value = "RATIO", .excludes = "distance from",
-     .help = "in place of the distance: 1:2 or 0.5"},
-    {OPTION(struct fov_input, projection), .name = "projection", .column = "projection",
-     .words = ways, .fallback = "auto", .value = "KIND", .help = "how the lens maps angles"},
-    OPTION_PUPIL_OF_LENS(struct fov_input, lens.pupil, "distance|magnification|lens"),
-    OPTION_SQUEEZE(struct fov_input, squeeze, "1",
-                   "anamorphic squeeze: 2 doubles the width that is seen"),
-    {ANGLE_GOAL(horizontal), .quantity = "horizontal angle of view",
+    OPTION_FROM(lens.from, distances_from),
+    {MEASURE(magnification, ratio, NULL, "RATIO"), REPEATED("magnification"), .letter = 'm', FROM_0,
+     .excludes = "distance from", .help = "in place of the distance: 1:2 or 0.5"},
+    {ASKED(projection), REPEATED("projection"), .words = ways, .fallback = "auto", .value = "KIND",
+     .help = "how the lens maps angles"},
+    OPTION_PUPIL_OF_LENS(lens.pupil, "distance|magnification|lens"),
+    OPTION_SQUEEZE(squeeze, "1", "anamorphic squeeze: 2 doubles the width that is seen"),
+    {MEASURE(horizontal, angle, "deg", "ANGLE"), REPEATED("horizontal"),
+     .quantity = "horizontal angle of view", .lowest = 0, .highest = 2 * PI,
+     .flags = OPTION_ABOVE_LOWEST | OPTION_GOAL,
      .help = "wanted horizontal angle: solves for the focal length"},
-    {ANGLE_GOAL(vertical), .quantity = "vertical angle of view", .help = "wanted vertical angle"},
-    {ANGLE_GOAL(diagonal), .quantity = "diagonal angle of view", .help = "wanted diagonal angle"},
-    {FIELD_GOAL(field_width), .name = "field-width", .quantity = "width of the field",
-     .column = "field_width",
+    {MEASURE(vertical, angle, "deg", "ANGLE"), REPEATED("vertical"),
+     .quantity = "vertical angle of view", .lowest = 0, .highest = 2 * PI,
+     .flags = OPTION_ABOVE_LOWEST | OPTION_GOAL, .help = "wanted vertical angle"},
+    {MEASURE(diagonal, angle, "deg", "ANGLE"), REPEATED("diagonal"),
+     .quantity = "diagonal angle of view", .lowest = 0, .highest = 2 * PI,
+     .flags = OPTION_ABOVE_LOWEST | OPTION_GOAL, .help = "wanted diagonal angle"},
+    {MEASURE(field_width, length, "m", "LENGTH"), .name = "field-width",
+     .quantity = "width of the field", .column = "field_width", ABOVE_0 | OPTION_GOAL,
      .help = "wanted width of the field at --distance: solves for the focal length"},
-    {FIELD_GOAL(field_height), .name = "field-height", .quantity = "height of the field",
-     .column = "field_height", .help = "wanted height of the field"},
-    {FIELD_GOAL(field_diagonal), .name = "field-diagonal", .quantity = "diagonal of the field",
-     .column = "field_diagonal", .help = "wanted diagonal of the field"},
-    {OPTION(struct fov_input, altitude), .name = "altitude", .column = "altitude",
-     .dimension = &dimension_length, .unit = "m", OPTION_POSITIVE,
-     .flags = OPTION_ABOVE_LOWEST | OPTION_NO_INFINITY, .value = "LENGTH",
+    {MEASURE(field_height, length, "m", "LENGTH"), .name = "field-height",
+     .quantity = "height of the field", .column = "field_height", ABOVE_0 | OPTION_GOAL,
+     .help = "wanted height of the field"},
+    {MEASURE(field_diagonal, length, "m", "LENGTH"), .name = "field-diagonal",
+     .quantity = "diagonal of the field", .column = "field_diagonal", ABOVE_0 | OPTION_GOAL,
+     .help = "wanted diagonal of the field"},
+    {MEASURE(altitude, length, "m", "LENGTH"), REPEATED("altitude"), ABOVE_0,
      .help = "of a drone looking straight down: adds the ground coverage of pixel and picture"},
-    {OPTION(struct fov_input, gsd), .name = "gsd", .quantity = "ground sample", .column = "gsd",
-     .dimension = &dimension_length, .unit = "cm", OPTION_POSITIVE,
-     .flags = OPTION_ABOVE_LOWEST | OPTION_NO_INFINITY, .value = "LENGTH",
+    {MEASURE(gsd, length, "cm", "LENGTH"), REPEATED("gsd"), .quantity = "ground sample", ABOVE_0,
      .help = "wanted ground sampling distance, in place of --altitude: solves for it"},
-    OPTION_PIXELS(struct fov_input, pitch, "altitude|gsd",
-                  "pixel pitch (otherwise that of the camera)"),
-    BY_RAYS_EXACT_OPTION(struct fov_input, rays,
-                         "put the sensor where the rays of --lens are sharpest"),
-    BY_RAYS_CRITERION_OPTION(struct fov_input, rays),
-    {OPTION(struct fov_input, focus_by), .name = "focus-by", .words = focusings, .fallback = "lens",
-     .wants = "lens", .excludes = "gap", .value = "HOW",
-     .help = "how --lens is focused; adds how much it breathes"},
-    {OPTION(struct fov_input, gap), .name = "gap", .wants = "lens", .value = "GAPS",
+    OPTION_PIXELS(pitch, "altitude|gsd", "pixel pitch (otherwise that of the camera)"),
+    BY_RAYS_EXACT_OPTION(rays, "put the sensor where the rays of --lens are sharpest"),
+    BY_RAYS_CRITERION_OPTION(rays),
+    {ASKED(focus_by), .name = "focus-by", .words = focusings, .fallback = "lens", .wants = "lens",
+     .excludes = "gap", .value = "HOW", .help = "how --lens is focused; adds how much it breathes"},
+    {ASKED(gap), .name = "gap", .wants = "lens", .value = "GAPS",
      .help = "focus by these gaps before a sensor that stays, as 'conjugate' does: d5,10:-1"},
 };
 
@@ -117,28 +107,23 @@ struct fov_row {
     const char *sensor, *projection, *from;
 };
 
-#define LENGTH(member_name, in_unit)                                                               \
-    COLUMN(struct fov_row, member_name), .dimension = &dimension_length, .unit = in_unit
-#define ANGLE(member_name)                                                                         \
-    COLUMN(struct fov_row, member_name), .dimension = &dimension_angle, .unit = "deg"
-
-#define OF_GROUND .with = "altitude gsd", .flags = COLUMN_EXTRA | COLUMN_BRIEF
+#define ROW struct fov_row
 
 static const struct column columns[] = {
-    PHOTO_LENS_COLUMNS(struct fov_row, real),
-    PHOTO_LENS_WAVELENGTH_COLUMN(struct fov_row, real),
-    COLUMN_FOCAL(struct fov_row, setting.f, COLUMN_BRIEF),
+    PHOTO_LENS_COLUMNS(real),
+    PHOTO_LENS_WAVELENGTH_COLUMN(real),
+    COLUMN_FOCAL(setting.f, COLUMN_BRIEF),
     {LENGTH(setting.s, "m"), .name = "distance", .flags = COLUMN_ECHO | COLUMN_INFINITE,
-     .with = "distance", .symbol = "s", .label = "focused at",
+     .symbol = "s", .with = "distance", .label = "focused at",
      .help = "distance the lens is focused at, from the front principal plane"},
-    {ANGLE(fov.horizontal), .name = "horizontal", .flags = COLUMN_BRIEF, .symbol = "hfov",
+    {ANGLE(fov.horizontal), .name = "horizontal", BRIEF, .symbol = "hfov",
      .label = "horizontal angle", .help = "full horizontal angle of view"},
-    {ANGLE(fov.vertical), .name = "vertical", .flags = COLUMN_BRIEF, .symbol = "vfov",
-     .label = "vertical angle", .help = "full vertical angle of view"},
-    {ANGLE(fov.diagonal), .name = "diagonal", .flags = COLUMN_BRIEF, .symbol = "dfov",
-     .label = "diagonal angle", .help = "full diagonal angle of view"},
-    {LENGTH(fov.width_at_s, "m"), .name = "field_width", .flags = COLUMN_INFINITE,
-     .with = "distance magnification", .symbol = "W", .label = "field width",
+    {ANGLE(fov.vertical), .name = "vertical", BRIEF, .symbol = "vfov", .label = "vertical angle",
+     .help = "full vertical angle of view"},
+    {ANGLE(fov.diagonal), .name = "diagonal", BRIEF, .symbol = "dfov", .label = "diagonal angle",
+     .help = "full diagonal angle of view"},
+    {LENGTH(fov.width_at_s, "m"), .name = "field_width", .flags = COLUMN_INFINITE, .symbol = "W",
+     .with = "distance magnification", .label = "field width",
      .help = "width seen in the plane of focus"},
     {LENGTH(fov.height_at_s, "m"), .name = "field_height", .flags = COLUMN_INFINITE,
      .with = "distance magnification", .label = "field height",
@@ -146,53 +131,49 @@ static const struct column columns[] = {
     {LENGTH(fov.diagonal_at_s, "m"), .name = "field_diagonal", .flags = COLUMN_INFINITE,
      .with = "distance magnification", .label = "field diagonal",
      .help = "diagonal seen in the plane of focus"},
-    COLUMN_MAGNIFICATION(struct fov_row, magnification, 0),
-    {COLUMN(struct fov_row, breathing), .dimension = &dimension_ratio, .unit = "percent",
-     .name = "breathing", .flags = COLUMN_EXTRA | COLUMN_BRIEF, .with = "exact focus-by gap",
-     .symbol = "b", .label = "breathing",
+    COLUMN_MAGNIFICATION(magnification, 0),
+    {MEASURED(breathing, ratio, "percent"), .name = "breathing", BRIEF_WITH("exact focus-by gap"),
+     .symbol = "b",
      .help = "how much wider the diagonal angle is than of the lens focused at infinity"},
-    {COLUMN(struct fov_row, fov.kind), .name = "class", .flags = COLUMN_BRIEF,
-     .label = "class of lens",
+    {SHOWN(fov.kind), .name = "class", BRIEF, .label = "class of lens",
      .help = "narrow, medium, normal, wide or ultra-wide, by the diagonal angle"},
-    {LENGTH(ground.altitude, "m"), .name = "altitude", OF_GROUND, .symbol = "A",
-     .label = "altitude", .help = "of the entrance pupil above level ground, camera straight down"},
-    {LENGTH(ground.sample, "cm"), .name = "gsd", OF_GROUND, .symbol = "g",
+    {LENGTH(ground.altitude, "m"), .name = "altitude", BRIEF_WITH("altitude gsd"), .symbol = "A",
+     .help = "of the entrance pupil above level ground, camera straight down"},
+    {LENGTH(ground.sample, "cm"), .name = "gsd", BRIEF_WITH("altitude gsd"), .symbol = "g",
      .label = "ground sampling distance", .help = "of one pixel, in the middle of the picture"},
-    {LENGTH(ground.width, "m"), .name = "ground_width", OF_GROUND | COLUMN_INFINITE,
-     .label = "ground width", .help = "of the ground in the picture"},
-    {LENGTH(ground.height, "m"), .name = "ground_height", OF_GROUND | COLUMN_INFINITE,
-     .label = "ground height", .help = "of the ground in the picture"},
+    {LENGTH(ground.width, "m"), .name = "ground_width",
+     BRIEF_WITH("altitude gsd") | COLUMN_INFINITE, .label = "ground width",
+     .help = "of the ground in the picture"},
+    {LENGTH(ground.height, "m"), .name = "ground_height",
+     BRIEF_WITH("altitude gsd") | COLUMN_INFINITE, .label = "ground height",
+     .help = "of the ground in the picture"},
     {LENGTH(width, "mm"), .name = "sensor_width", .flags = COLUMN_HIDDEN, .symbol = "w",
      .label = "sensor width", .help = "width of the sensor"},
     {LENGTH(height, "mm"), .name = "sensor_height", .flags = COLUMN_HIDDEN, .symbol = "h",
      .label = "sensor height", .help = "height of the sensor"},
-    {COLUMN(struct fov_row, crop), .name = "crop_factor", .label = "crop factor",
+    {SHOWN(crop), .name = "crop_factor", .label = "crop factor",
      .help = "43.27 mm over the sensor's diagonal"},
-    {LENGTH(sensor_distance, "m"), .name = "distance_sensor",
-     .flags = COLUMN_EXTRA | COLUMN_INFINITE, .with = "lens", .symbol = "Ds",
-     .label = "distance from the sensor",
+    {LENGTH(sensor_distance, "m"), .name = "distance_sensor", WITH("lens") | COLUMN_INFINITE,
+     .symbol = "Ds", .label = "distance from the sensor",
      .help = "distance the lens is focused at, from the sensor"},
     {LENGTH(image, "mm"), .name = "image", .flags = COLUMN_EXTRA | COLUMN_INFINITE, .symbol = "v",
      .label = "image distance", .help = "sensor from the rear principal plane"},
-    {LENGTH(circle, "mm"), .name = "image_circle", .flags = COLUMN_EXTRA, .with = "lens",
-     .label = "image circle",
+    {LENGTH(circle, "mm"), .name = "image_circle", WITH("lens"), .label = "image circle",
      .help =
          "its diameter, by chief rays, where it does not cover the sensor; absent where it does"},
-    BY_RAYS_COLUMNS(struct fov_row, rays),
-    PHOTO_LENS_HIATUS_COLUMN(struct fov_row, real.hiatus),
-    COLUMN_SENSOR(struct fov_row, sensor),
-    {COLUMN(struct fov_row, projection), .name = "projection",
+    BY_RAYS_COLUMNS(rays),
+    PHOTO_LENS_HIATUS_COLUMN(real.hiatus),
+    COLUMN_SENSOR(sensor),
+    {SHOWN(projection), .name = "projection",
      .flags = COLUMN_ASSUMED | COLUMN_EXTRA | COLUMN_HIDDEN, .with = "lens projection",
-     .depends = "projection lens pupil", .label = "projection", .help = "how the lens maps angles"},
-    {LENGTH(pitch, "um"), .name = "pitch", .with = "altitude gsd", .symbol = "p",
-     .flags = COLUMN_ASSUMED | COLUMN_EXTRA | COLUMN_TIED, .depends = "pitch sensor",
-     .label = "pixel pitch", .help = "spacing of the pixels"},
-    COLUMN_FROM(struct fov_row, from),
-    COLUMN_PUPIL(struct fov_row, setting.P),
-    {COLUMN(struct fov_row, setting.squeeze), .name = "squeeze", .symbol = "q",
-     .flags = COLUMN_ASSUMED | COLUMN_EXTRA | COLUMN_ECHO, .depends = "squeeze", .label = "squeeze",
+     .depends = "projection lens pupil", .help = "how the lens maps angles"},
+    {LENGTH(pitch, "um"), .name = "pitch", ASSUMED_WITH("altitude gsd", "pitch sensor"),
+     .symbol = "p", .label = "pixel pitch", .help = "spacing of the pixels"},
+    COLUMN_FROM(from),
+    COLUMN_PUPIL(setting.P),
+    {SHOWN(setting.squeeze), .name = "squeeze", ASSUMED_BY("squeeze") | COLUMN_ECHO, .symbol = "q",
      .help = "anamorphic squeeze"},
-    PHOTO_LENS_WARNING_COLUMN(struct fov_row, real),
+    PHOTO_LENS_WARNING_COLUMN(real),
 };
 
 /* The focal length from the one goal that is given. */
@@ -519,9 +500,9 @@ static const struct example examples[] = {
     {NULL, NULL},
 };
 
-PHOTO_LENS_MAKES_MANY(struct fov_input, lens)
+PHOTO_LENS_MAKES_MANY(lens)
 
-BY_RAYS_WEIGHT(struct fov_input, rays)
+BY_RAYS_WEIGHT(rays)
 
 const struct command command_fov = {
     .name = "fov",

@@ -3,6 +3,7 @@
 #include "commands/photo/by_rays.h"
 #include "commands/photo/photo_lens.h"
 #include "commands/photo/sharpness.h"
+#include "commands/tables.h"
 #include "photo/dof.h"
 #include "photo/dof_solve.h"
 
@@ -16,25 +17,23 @@ struct hyperfocal_input {
     struct by_rays rays;
 };
 
+#define INPUT struct hyperfocal_input
+
 static const struct option options[] = {
-    OPTION_FOCAL_LENGTH(struct hyperfocal_input, lens.focal, OPTION_SETTING),
-    PHOTO_LENS_OPTIONS(struct hyperfocal_input, lens),
-    OPTION_APERTURE(struct hyperfocal_input, lens.fnumber, OPTION_SETTING),
-    SHARPNESS_OPTIONS_OF_LENS(struct hyperfocal_input, sharp, lens, 0, "d/1500", coc_is_pixels),
-    OPTION_PUPIL_OF_LENS(struct hyperfocal_input, lens.pupil, NULL),
-    {OPTION(struct hyperfocal_input, hyperfocal), .name = "hyperfocal",
-     .quantity = "hyperfocal distance", .column = "hyperfocal", .dimension = &dimension_length,
-     .unit = "m", OPTION_POSITIVE, .flags = OPTION_ABOVE_LOWEST | OPTION_NO_INFINITY | OPTION_GOAL,
-     .value = "LENGTH", .help = "wanted hyperfocal distance: solves for focal length or f-number"},
-    {OPTION(struct hyperfocal_input, near), .name = "near", .quantity = "near limit",
-     .column = "near", .dimension = &dimension_length, .unit = "m", OPTION_POSITIVE,
-     .flags = OPTION_ABOVE_LOWEST | OPTION_NO_INFINITY | OPTION_GOAL, .value = "LENGTH",
-     .help = "wanted near limit there, in place of --hyperfocal"},
-    OPTION_SQUEEZE(struct hyperfocal_input, squeeze, NULL,
+    OPTION_FOCAL_LENGTH(lens.focal, OPTION_SETTING),
+    PHOTO_LENS_OPTIONS(lens),
+    OPTION_APERTURE(lens.fnumber, OPTION_SETTING),
+    SHARPNESS_OPTIONS_OF_LENS(sharp, lens, 0, "d/1500", coc_is_pixels),
+    OPTION_PUPIL_OF_LENS(lens.pupil, NULL),
+    {MEASURE(hyperfocal, length, "m", "LENGTH"), REPEATED("hyperfocal"),
+     .quantity = "hyperfocal distance", ABOVE_0 | OPTION_GOAL,
+     .help = "wanted hyperfocal distance: solves for focal length or f-number"},
+    {MEASURE(near, length, "m", "LENGTH"), REPEATED("near"), .quantity = "near limit",
+     ABOVE_0 | OPTION_GOAL, .help = "wanted near limit there, in place of --hyperfocal"},
+    OPTION_SQUEEZE(squeeze, NULL,
                    "anamorphic squeeze: adds the horizontal focal length; -f is the marked one"),
-    BY_RAYS_EXACT_OPTION(struct hyperfocal_input, rays,
-                         "by the rays of --lens, aberrations included"),
-    BY_RAYS_CRITERION_OPTION(struct hyperfocal_input, rays),
+    BY_RAYS_EXACT_OPTION(rays, "by the rays of --lens, aberrations included"),
+    BY_RAYS_CRITERION_OPTION(rays),
 };
 
 struct hyperfocal_row {
@@ -46,39 +45,36 @@ struct hyperfocal_row {
     const char *sensor, *criterion;
 };
 
-#define LENGTH(member_name, in_unit)                                                               \
-    COLUMN(struct hyperfocal_row, member_name), .dimension = &dimension_length, .unit = in_unit
+#define ROW struct hyperfocal_row
 
 static const struct column columns[] = {
-    PHOTO_LENS_COLUMNS(struct hyperfocal_row, real),
-    COLUMN_FOCAL(struct hyperfocal_row, focal, COLUMN_BRIEF),
-    COLUMN_FNUMBER(struct hyperfocal_row, fnumber, COLUMN_BRIEF),
-    COLUMN_SENSOR(struct hyperfocal_row, sensor),
-    COLUMN_COC(struct hyperfocal_row, coc, 0, SHARPNESS_WISHES),
-    COLUMN_CRITERION(struct hyperfocal_row, criterion),
-    COLUMN_WAVELENGTH(struct hyperfocal_row, wavelength),
-    {LENGTH(hyperfocal, "m"), .name = "hyperfocal", .flags = COLUMN_INFINITE | COLUMN_BRIEF,
-     .symbol = "H", .label = "hyperfocal distance",
+    PHOTO_LENS_COLUMNS(real),
+    COLUMN_FOCAL(focal, COLUMN_BRIEF),
+    COLUMN_FNUMBER(fnumber, COLUMN_BRIEF),
+    COLUMN_SENSOR(sensor),
+    COLUMN_COC(coc, 0, SHARPNESS_WISHES),
+    COLUMN_CRITERION(criterion),
+    COLUMN_WAVELENGTH(wavelength),
+    {LENGTH(hyperfocal, "m"), .name = "hyperfocal", BRIEF | COLUMN_INFINITE, .symbol = "H",
+     .label = "hyperfocal distance",
      .help = "nearest focus that keeps infinity sharp, from the front principal plane"},
-    {LENGTH(near, "m"), .name = "near", .flags = COLUMN_INFINITE | COLUMN_BRIEF, .symbol = "n",
+    {LENGTH(near, "m"), .name = "near", BRIEF | COLUMN_INFINITE, .symbol = "n",
      .label = "near limit", .help = "near limit when focused at the hyperfocal distance"},
     {LENGTH(sensor_hyperfocal, "m"), .name = "hyperfocal_sensor",
-     .flags = COLUMN_EXTRA | COLUMN_INFINITE | COLUMN_BRIEF, .with = "lens", .symbol = "Hs",
+     BRIEF_WITH("lens") | COLUMN_INFINITE, .symbol = "Hs",
      .label = "hyperfocal distance from the sensor",
      .help = "hyperfocal distance as a distance scale has it, from the sensor"},
-    {LENGTH(sensor_near, "m"), .name = "near_sensor",
-     .flags = COLUMN_EXTRA | COLUMN_INFINITE | COLUMN_BRIEF, .with = "lens",
+    {LENGTH(sensor_near, "m"), .name = "near_sensor", BRIEF_WITH("lens") | COLUMN_INFINITE,
      .label = "near limit from the sensor", .help = "near limit, from the sensor"},
     {LENGTH(image, "mm"), .name = "image", .flags = COLUMN_EXTRA | COLUMN_INFINITE, .symbol = "v",
      .label = "image distance", .help = "sensor from the rear principal plane"},
-    BY_RAYS_COLUMNS(struct hyperfocal_row, rays),
-    {LENGTH(horizontal_focal, "mm"), .name = "horizontal_focal", .flags = COLUMN_EXTRA,
-     .with = "squeeze", .symbol = "fh", .label = "horizontal focal length",
-     .help = "focal length across the picture, by the squeeze"},
-    PHOTO_LENS_HIATUS_COLUMN(struct hyperfocal_row, real.hiatus),
-    COLUMN_PUPIL(struct hyperfocal_row, pupil),
-    COLUMN_SQUEEZE(struct hyperfocal_row, squeeze),
-    PHOTO_LENS_WARNING_COLUMN(struct hyperfocal_row, real),
+    BY_RAYS_COLUMNS(rays),
+    {LENGTH(horizontal_focal, "mm"), .name = "horizontal_focal", WITH("squeeze"), .symbol = "fh",
+     .label = "horizontal focal length", .help = "focal length across the picture, by the squeeze"},
+    PHOTO_LENS_HIATUS_COLUMN(real.hiatus),
+    COLUMN_PUPIL(pupil),
+    COLUMN_SQUEEZE(squeeze),
+    PHOTO_LENS_WARNING_COLUMN(real),
 };
 
 /* What is wanted, as a hyperfocal distance; NaN: nothing is. */
@@ -240,9 +236,9 @@ static const struct example examples[] = {
     {NULL, NULL},
 };
 
-PHOTO_LENS_MAKES_MANY(struct hyperfocal_input, lens)
+PHOTO_LENS_MAKES_MANY(lens)
 
-BY_RAYS_WEIGHT(struct hyperfocal_input, rays)
+BY_RAYS_WEIGHT(rays)
 
 const struct command command_hyperfocal = {
     .name = "hyperfocal",

@@ -3,6 +3,7 @@
 #include "cli/question/command.h"
 #include "commands/photo/light_options.h"
 #include "commands/photo/sharpness.h"
+#include "commands/tables.h"
 #include "photo/given.h"
 #include "photo/motion.h"
 
@@ -18,43 +19,34 @@ struct motion_input {
     struct sharpness sharp;
 };
 
-#define POSITIVE OPTION_POSITIVE, .flags = OPTION_ABOVE_LOWEST | OPTION_NO_INFINITY
+#define INPUT struct motion_input
 
 static const struct option options[] = {
-    OPTION_FOCAL_LENGTH(struct motion_input, focal, OPTION_SETTING),
-    OPTION_DISTANCE(struct motion_input, distance, OPTION_SETTING, "distance of the subject"),
-    {OPTION(struct motion_input, magnification), .name = "magnification", .letter = 'm',
-     .column = "magnification", .dimension = &dimension_ratio, POSITIVE | OPTION_GOAL,
-     .value = "RATIO", .help = "in place of focal length and distance: 1:2 or 0.5"},
-    {OPTION(struct motion_input, speed), .name = "speed", .letter = 'v', .column = "speed",
-     .dimension = &dimension_speed, .unit = "m_s", POSITIVE | OPTION_SETTING, .value = "SPEED",
-     .help = "of the subject: 5m/s, 30km/h, 20mph"},
-    OPTION_TIME(struct motion_input, time, OPTION_SETTING),
-    {OPTION(struct motion_input, blur), .name = "blur", .column = "blur",
-     .dimension = &dimension_length, .unit = "mm", .flags = OPTION_GOAL, .value = "LENGTH",
-     .help = "blur allowed on the sensor: 0.02mm, 2px, d/1500 (the circle of confusion unless "
-             "given)"},
-    {OPTION(struct motion_input, angle), .name = "angle", .quantity = "angle of the motion",
-     .column = "angle", .dimension = &dimension_angle, .unit = "deg", .lowest = 0, .highest = PI,
-     .fallback = "90", .value = "ANGLE",
+    OPTION_FOCAL_LENGTH(focal, OPTION_SETTING),
+    OPTION_DISTANCE(distance, OPTION_SETTING, "distance of the subject"),
+    {MEASURE(magnification, ratio, NULL, "RATIO"), REPEATED("magnification"), .letter = 'm',
+     ABOVE_0 | OPTION_GOAL, .help = "in place of focal length and distance: 1:2 or 0.5"},
+    {MEASURE(speed, speed, "m_s", "SPEED"), REPEATED("speed"), .letter = 'v',
+     ABOVE_0 | OPTION_SETTING, .help = "of the subject: 5m/s, 30km/h, 20mph"},
+    OPTION_TIME(time, OPTION_SETTING),
+    {MEASURE(blur, length, "mm", "LENGTH"), REPEATED("blur"), .flags = OPTION_GOAL,
+     .help =
+         "blur allowed on the sensor: 0.02mm, 2px, d/1500 (the circle of confusion unless given)"},
+    {MEASURE(angle, angle, "deg", "ANGLE"), REPEATED("angle"), .quantity = "angle of the motion",
+     .lowest = 0, .highest = PI, .fallback = "90",
      .help = "of the motion: 90 deg across the view, 0 straight at the camera"},
-    {OPTION(struct motion_input, height), .name = "height", .quantity = "image height",
-     .column = "height", .dimension = &dimension_length, .unit = "mm", .fallback = "0",
-     .value = "LENGTH", .flags = OPTION_NO_INFINITY,
+    {MEASURE(height, length, "mm", "LENGTH"), REPEATED("height"), .quantity = "image height",
+     .fallback = "0", .flags = OPTION_NO_INFINITY,
      .help = "image height of the subject, for motion in depth"},
-    {OPTION(struct motion_input, rotation), .name = "rotation", .column = "rotation",
-     .dimension = &dimension_rotation, .unit = "deg_s", POSITIVE, .value = "RATE",
+    {MEASURE(rotation, rotation, "deg_s", "RATE"), REPEATED("rotation"), ABOVE_0,
      .help = "of the camera: its shake or pan"},
-    {OPTION(struct motion_input, track), .name = "track", .column = "track",
-     .dimension = &dimension_ratio, .lowest = 0, .highest = INFINITY, .flags = OPTION_NO_INFINITY,
-     .value = "FRACTION", .help = "panning: 1 follows exactly, 0.9 lags by a tenth"},
-    {OPTION(struct motion_input, stabiliser), .name = "stabiliser", .column = "stabiliser",
-     .dimension = &dimension_stops, .lowest = 0, .highest = 20, .fallback = "0", .value = "STOPS",
-     .help = "stops gained by stabilisation, for the hand-held rule"},
-    {OPTION(struct motion_input, readout), .name = "readout", .quantity = "readout time",
-     .column = "readout", .dimension = &dimension_time, .unit = "s", POSITIVE | OPTION_NO_SERIES,
-     .value = "TIME", .help = "rolling shutter: time from first to last row"},
-    SHARPNESS_OPTIONS(struct motion_input, sharp, 0, "d/1500", NULL),
+    {MEASURE(track, ratio, NULL, "FRACTION"), REPEATED("track"), FROM_0,
+     .help = "panning: 1 follows exactly, 0.9 lags by a tenth"},
+    {MEASURE(stabiliser, stops, NULL, "STOPS"), REPEATED("stabiliser"), .lowest = 0, .highest = 20,
+     .fallback = "0", .help = "stops gained by stabilisation, for the hand-held rule"},
+    {MEASURE(readout, time, "s", "TIME"), REPEATED("readout"), .quantity = "readout time",
+     ABOVE_0 | OPTION_NO_SERIES, .help = "rolling shutter: time from first to last row"},
+    SHARPNESS_OPTIONS(sharp, 0, "d/1500", NULL),
 };
 
 struct motion_row {
@@ -70,59 +62,51 @@ struct motion_row {
     const char *sensor, *criterion;
 };
 
-#define NUMBER(member)          COLUMN(struct motion_row, member)
-#define TIME(member)            NUMBER(member), .dimension = &dimension_time, .unit = "s"
-#define LENGTH(member, in_unit) NUMBER(member), .dimension = &dimension_length, .unit = in_unit
-#define ANGLE(member)           NUMBER(member), .dimension = &dimension_angle, .unit = "deg"
-#define ECHO_WITH(option)       .flags = COLUMN_ECHO, .with = option
-#define BRIEF_WITH(option)      .flags = COLUMN_EXTRA | COLUMN_BRIEF, .with = option
+#define ROW struct motion_row
 
 static const struct column columns[] = {
-    COLUMN_FOCAL(struct motion_row, focal, 0),
+    COLUMN_FOCAL(focal, 0),
     {LENGTH(distance, "m"), .name = "distance", .flags = COLUMN_ECHO | COLUMN_INFINITE,
-     .with = "distance", .symbol = "s", .label = "distance", .help = "distance of the subject"},
-    COLUMN_MAGNIFICATION(struct motion_row, motion.m, 0),
-    {NUMBER(motion.v), .dimension = &dimension_speed, .unit = "m_s", .name = "speed",
-     .flags = COLUMN_BRIEF, .symbol = "v", .label = "speed", .help = "of the subject"},
-    {ANGLE(motion.angle), .name = "angle", ECHO_WITH("angle"), .symbol = "a", .label = "angle",
+     .symbol = "s", .with = "distance", .help = "distance of the subject"},
+    COLUMN_MAGNIFICATION(motion.m, 0),
+    {MEASURED(motion.v, speed, "m_s"), .name = "speed", BRIEF, .symbol = "v",
+     .help = "of the subject"},
+    {ANGLE(motion.angle), .name = "angle", .flags = COLUMN_ECHO, .symbol = "a", .with = "angle",
      .help = "of the motion to the line of sight"},
-    {TIME(motion.t), .name = "time", .flags = COLUMN_BRIEF | COLUMN_INFINITE, .symbol = "t",
-     .label = "time", .help = "exposure time"},
-    {LENGTH(motion.blur, "um"), .name = "blur", .flags = COLUMN_BRIEF, .symbol = "b",
-     .label = "blur", .help = "of the moving subject on the sensor"},
-    {NUMBER(size.pixels), .name = "blur_pixels",
-     .when = "with --pitch, or a camera of known pixels", .label = "blur in pixels",
-     .help = "blur over pixel pitch"},
-    {NUMBER(size.circles), .name = "blur_coc", .flags = COLUMN_BRIEF,
-     .label = "blur in circles of confusion", .help = "blur over circle of confusion"},
-    {NUMBER(image_speed), .dimension = &dimension_speed, .unit = "mm_s", .name = "image_speed",
-     .symbol = "w", .label = "speed of the image", .help = "on the sensor"},
+    {TIME(motion.t), .name = "time", BRIEF | COLUMN_INFINITE, .symbol = "t",
+     .help = "exposure time"},
+    {LENGTH(motion.blur, "um"), .name = "blur", BRIEF, .symbol = "b",
+     .help = "of the moving subject on the sensor"},
+    {SHOWN(size.pixels), .name = "blur_pixels", .when = "with --pitch, or a camera of known pixels",
+     .label = "blur in pixels", .help = "blur over pixel pitch"},
+    {SHOWN(size.circles), .name = "blur_coc", BRIEF, .label = "blur in circles of confusion",
+     .help = "blur over circle of confusion"},
+    {MEASURED(image_speed, speed, "mm_s"), .name = "image_speed", .symbol = "w",
+     .label = "speed of the image", .help = "on the sensor"},
     {TIME(handheld), .name = "handheld", .symbol = "th", .label = "hand-held at most",
      .help = "by the rule one over focal length"},
-    {NUMBER(shake.omega), .dimension = &dimension_rotation, .unit = "deg_s", .name = "rotation",
-     .flags = COLUMN_EXTRA | COLUMN_ECHO, .with = "rotation", .symbol = "omega",
-     .label = "camera rotation", .help = "of the camera"},
+    {MEASURED(shake.omega, rotation, "deg_s"), .name = "rotation", ECHO_WITH("rotation"),
+     .symbol = "omega", .label = "camera rotation", .help = "of the camera"},
     {LENGTH(shake.blur, "um"), .name = "shake", BRIEF_WITH("rotation"), .symbol = "bs",
      .label = "blur from camera shake", .help = "of everything that stands still"},
-    {NUMBER(shake_pixels), .name = "shake_pixels", .flags = COLUMN_EXTRA, .with = "rotation",
+    {SHOWN(shake_pixels), .name = "shake_pixels", WITH("rotation"),
      .when = "with --pitch, or a camera of known pixels", .label = "shake in pixels",
      .help = "blur from camera shake over pixel pitch"},
-    {NUMBER(track), .name = "track", .flags = COLUMN_EXTRA | COLUMN_ECHO, .with = "track",
-     .symbol = "k", .label = "tracking", .help = "pan rate over the right one"},
-    {NUMBER(pan.rate), .dimension = &dimension_rotation, .unit = "deg_s", .name = "pan_rate",
-     BRIEF_WITH("track"), .symbol = "rate", .label = "matching pan rate",
-     .help = "that follows exactly"},
+    {SHOWN(track), .name = "track", ECHO_WITH("track"), .symbol = "k", .label = "tracking",
+     .help = "pan rate over the right one"},
+    {MEASURED(pan.rate, rotation, "deg_s"), .name = "pan_rate", BRIEF_WITH("track"),
+     .symbol = "rate", .label = "matching pan rate", .help = "that follows exactly"},
     {LENGTH(pan.subject, "um"), .name = "subject_blur", BRIEF_WITH("track"), .symbol = "bt",
      .label = "blur left on the subject", .help = "when panning"},
     {LENGTH(pan.background, "um"), .name = "background_blur", BRIEF_WITH("track"), .symbol = "bb",
      .label = "blur of the background", .help = "when panning"},
-    {LENGTH(skew.shift, "um"), .name = "skew_shift", .flags = COLUMN_EXTRA, .with = "readout",
-     .symbol = "x", .label = "rolling shutter shifts", .help = "from first to last row"},
+    {LENGTH(skew.shift, "um"), .name = "skew_shift", WITH("readout"), .symbol = "x",
+     .label = "rolling shutter shifts", .help = "from first to last row"},
     {ANGLE(skew.angle), .name = "skew", BRIEF_WITH("readout"), .symbol = "lean",
      .label = "skew of upright edges", .help = "by the rolling shutter"},
-    COLUMN_SENSOR(struct motion_row, sensor),
-    COLUMN_COC(struct motion_row, c, COLUMN_EXTRA, ""),
-    COLUMN_CRITERION(struct motion_row, criterion),
+    COLUMN_SENSOR(sensor),
+    COLUMN_COC(c, COLUMN_EXTRA, ""),
+    COLUMN_CRITERION(criterion),
 };
 
 /* The blur that is given, or the circle of confusion where it limits an unknown. */

@@ -3,6 +3,7 @@
 #include "cli/question/command.h"
 #include "commands/photo/photo_columns.h"
 #include "commands/photo/photo_options.h"
+#include "commands/tables.h"
 #include "photo/conjugate.h"
 #include "photo/panorama.h"
 
@@ -24,61 +25,49 @@ struct panorama_input {
     double offset, near, far, tolerance; /* parallax */
 };
 
-#define ANGLE_OPTION(member_name)                                                                  \
-    OPTION(struct panorama_input, member_name),                                                    \
-        .name = #member_name, .dimension = &dimension_angle, .unit = "deg", .value = "ANGLE"
-#define POSITIVE OPTION_POSITIVE, .flags = OPTION_ABOVE_LOWEST | OPTION_NO_INFINITY
+#define INPUT struct panorama_input
 
 static const struct option options[] = {
-    OPTION_FOCAL_LENGTH(struct panorama_input, focal, OPTION_SETTING),
-    OPTION_SENSOR(struct panorama_input, sensor),
-    {OPTION(struct panorama_input, portrait), .name = "portrait",
-     .help = "the camera is held upright"},
-    {OPTION(struct panorama_input, distance), .name = "distance", .letter = 's',
-     .column = "distance", .dimension = &dimension_length, .unit = "m", OPTION_POSITIVE,
-     .flags = OPTION_ABOVE_LOWEST, .fallback = "inf", .value = "LENGTH",
-     .help = "distance the lens is focused at"},
-    OPTION_PUPIL(struct panorama_input, pupil),
-    {OPTION(struct panorama_input, hiatus), .name = "hiatus", .dimension = &dimension_length,
-     .unit = "mm", .flags = OPTION_NO_INFINITY, .fallback = "0", .value = "LENGTH",
-     .excludes = "each-row", .help = "distance between the principal planes"},
-    {ANGLE_OPTION(horizontal), .column = "horizontal", .lowest = 0, .highest = 2 * PI,
-     .flags = OPTION_ABOVE_LOWEST | OPTION_GOAL,
+    OPTION_FOCAL_LENGTH(focal, OPTION_SETTING),
+    OPTION_SENSOR(sensor),
+    {ASKED(portrait), .name = "portrait", .help = "the camera is held upright"},
+    {MEASURE(distance, length, "m", "LENGTH"), REPEATED("distance"), .letter = 's',
+     ABOVE_0_OR_INFINITE, .fallback = "inf", .help = "distance the lens is focused at"},
+    OPTION_PUPIL(pupil),
+    {MEASURE(hiatus, length, "mm", "LENGTH"), .name = "hiatus", .flags = OPTION_NO_INFINITY,
+     .fallback = "0", .excludes = "each-row", .help = "distance between the principal planes"},
+    {MEASURE(horizontal, angle, "deg", "ANGLE"), REPEATED("horizontal"), .lowest = 0,
+     .highest = 2 * PI, .flags = OPTION_ABOVE_LOWEST | OPTION_GOAL,
      .help = "horizontal angle of one frame as held, in place of -f (a fisheye)"},
-    {ANGLE_OPTION(vertical), .column = "vertical", .lowest = 0, .highest = 2 * PI,
+    {MEASURE(vertical, angle, "deg", "ANGLE"), REPEATED("vertical"), .lowest = 0, .highest = 2 * PI,
      .flags = OPTION_ABOVE_LOWEST | OPTION_GOAL, .help = "vertical angle of one frame as held"},
-    {ANGLE_OPTION(arc), .lowest = 0, .highest = 2 * PI, .flags = OPTION_ABOVE_LOWEST,
-     .fallback = "360", .help = "horizontal angle of the panorama; 360 closes on itself"},
-    {ANGLE_OPTION(span), .lowest = 0, .highest = PI, .fallback = "0",
-     .help = "vertical angle of the panorama; up to that of a frame: one row"},
-    {ANGLE_OPTION(elevation), .lowest = -PI / 2, .highest = PI / 2, .fallback = "0",
-     .wants = "each-row", .help = "of the panorama's middle, for --each-row"},
-    {OPTION(struct panorama_input, overlap), .name = "overlap", .dimension = &dimension_ratio,
-     .lowest = 0, .highest = 0.95, .fallback = "30%", .value = "FRACTION",
-     .help = "least overlap of neighbouring frames: 30% or 0.3"},
-    {OPTION(struct panorama_input, per_row), .name = "per-row", .lowest = 1, .highest = 1e6,
-     .value = "NUMBER", .help = "frames per row, in place of the number that --overlap gives"},
-    {OPTION(struct panorama_input, rows), .name = "rows", .quantity = "number of rows", .lowest = 1,
-     .highest = 1e6, .value = "NUMBER",
-     .help = "number of rows, in place of that from --span and --overlap"},
-    {OPTION(struct panorama_input, each_row), .name = "each-row", .excludes = "offset near pixels",
+    {MEASURE(arc, angle, "deg", "ANGLE"), .name = "arc", .lowest = 0, .highest = 2 * PI,
+     .flags = OPTION_ABOVE_LOWEST, .fallback = "360",
+     .help = "horizontal angle of the panorama; 360 closes on itself"},
+    {MEASURE(span, angle, "deg", "ANGLE"), .name = "span", .lowest = 0, .highest = PI,
+     .fallback = "0", .help = "vertical angle of the panorama; up to that of a frame: one row"},
+    {MEASURE(elevation, angle, "deg", "ANGLE"), .name = "elevation", .lowest = -PI / 2,
+     .highest = PI / 2, .fallback = "0", .wants = "each-row",
+     .help = "of the panorama's middle, for --each-row"},
+    {MEASURE(overlap, ratio, NULL, "FRACTION"), .name = "overlap", .lowest = 0, .highest = 0.95,
+     .fallback = "30%", .help = "least overlap of neighbouring frames: 30% or 0.3"},
+    {ASKED(per_row), .name = "per-row", .lowest = 1, .highest = 1e6, .value = "NUMBER",
+     .help = "frames per row, in place of the number that --overlap gives"},
+    {ASKED(rows), .name = "rows", .quantity = "number of rows", .lowest = 1, .highest = 1e6,
+     .value = "NUMBER", .help = "number of rows, in place of that from --span and --overlap"},
+    {ASKED(each_row), .name = "each-row", .excludes = "offset near pixels",
      .help = "a line for each row: its elevation, and the fewest frames it needs"},
-    {OPTION(struct panorama_input, pixels), .name = "pixels", .lowest = 1, .highest = 1e6,
-     .value = "NUMBER",
+    {ASKED(pixels), .name = "pixels", .lowest = 1, .highest = 1e6, .value = "NUMBER",
      .help = "frame width in pixels, as held (default: from the camera's pitch)"},
-    {OPTION(struct panorama_input, offset), .name = "offset", .dimension = &dimension_length,
-     .unit = "mm", .flags = OPTION_NO_INFINITY, .value = "LENGTH",
+    {MEASURE(offset, length, "mm", "LENGTH"), .name = "offset", .flags = OPTION_NO_INFINITY,
      .help =
          "offset of the entrance pupil from the axis of rotation, along the lens: causes parallax"},
-    {OPTION(struct panorama_input, near), .name = "near", .quantity = "nearest point",
-     .dimension = &dimension_length, .unit = "m", POSITIVE, .value = "LENGTH",
+    {MEASURE(near, length, "m", "LENGTH"), .name = "near", .quantity = "nearest point", ABOVE_0,
      .help = "nearest object where frames overlap, for parallax"},
-    {OPTION(struct panorama_input, far), .name = "far", .quantity = "farthest point",
-     .dimension = &dimension_length, .unit = "m", OPTION_POSITIVE, .flags = OPTION_ABOVE_LOWEST,
-     .fallback = "inf", .value = "LENGTH", .wants = "near", .help = "farthest object there"},
-    {OPTION(struct panorama_input, tolerance), .name = "tolerance", .dimension = &dimension_number,
-     POSITIVE, .fallback = "1", .value = "NUMBER", .wants = "near",
-     .help = "allowed parallax in pixels"},
+    {MEASURE(far, length, "m", "LENGTH"), .name = "far", .quantity = "farthest point",
+     ABOVE_0_OR_INFINITE, .fallback = "inf", .wants = "near", .help = "farthest object there"},
+    {MEASURE(tolerance, number, NULL, "NUMBER"), .name = "tolerance", ABOVE_0, .fallback = "1",
+     .wants = "near", .help = "allowed parallax in pixels"},
 };
 
 struct panorama_command_row {
@@ -92,101 +81,76 @@ struct panorama_command_row {
     const char *sensor, *held;
 };
 
-#define LENGTH(member_name, in_unit)                                                               \
-    COLUMN(struct panorama_command_row, member_name), .dimension = &dimension_length,              \
-                                                      .unit = in_unit
-#define ANGLE(member_name)                                                                         \
-    COLUMN(struct panorama_command_row, member_name), .dimension = &dimension_angle, .unit = "deg"
-#define RATIO(member_name)                                                                         \
-    COLUMN(struct panorama_command_row, member_name), .dimension = &dimension_ratio,               \
-                                                      .unit = "percent"
+#define ROW struct panorama_command_row
 
 #define COLUMNS_ASSUMED                                                                            \
-    COLUMN_SENSOR(struct panorama_command_row, sensor),                                            \
-        {COLUMN(struct panorama_command_row, held), .name = "held",                                \
-         .flags = COLUMN_ASSUMED | COLUMN_EXTRA, .label = "held",                                  \
-         .help = "landscape or portrait"},                                                         \
-        {ANGLE(arc),                                                                               \
-         .name = "arc",                                                                            \
-         .flags = COLUMN_ASSUMED | COLUMN_EXTRA | COLUMN_ECHO,                                     \
-         .symbol = "A",                                                                            \
-         .depends = "arc",                                                                         \
-         .label = "arc",                                                                           \
-         .help = "horizontal angle of the panorama"},                                              \
-    {                                                                                              \
-        ANGLE(span), .name = "span", .flags = COLUMN_ASSUMED | COLUMN_EXTRA | COLUMN_ECHO,         \
-                     .symbol = "B", .depends = "span", .label = "span",                            \
-                     .help = "vertical angle of the panorama"                                      \
-    }
+    COLUMN_SENSOR(sensor),                                                                         \
+        ENTRY(SHOWN(held), .name = "held", .flags = COLUMN_ASSUMED | COLUMN_EXTRA,                 \
+              .help = "landscape or portrait"),                                                    \
+        ENTRY(ANGLE(arc), .name = "arc", ASSUMED_BY("arc") | COLUMN_ECHO, .symbol = "A",           \
+              .help = "horizontal angle of the panorama"),                                         \
+        ENTRY(ANGLE(span), .name = "span", ASSUMED_BY("span") | COLUMN_ECHO, .symbol = "B",        \
+              .help = "vertical angle of the panorama")
 
 #define WITH_PIXELS .when = "with --pixels, or a camera of known pixels"
 
 static const struct column columns[] = {
-    COLUMN_FOCAL(struct panorama_command_row, focal, 0),
-    {LENGTH(distance, "m"), .name = "distance",
-     .flags = COLUMN_ECHO | COLUMN_EXTRA | COLUMN_INFINITE, .with = "distance", .symbol = "s",
-     .label = "focused at", .help = "distance the lens is focused at"},
+    COLUMN_FOCAL(focal, 0),
+    {LENGTH(distance, "m"), .name = "distance", ECHO_WITH("distance") | COLUMN_INFINITE,
+     .symbol = "s", .label = "focused at", .help = "distance the lens is focused at"},
     {ANGLE(frame.horizontal), .name = "horizontal", .symbol = "h", .label = "horizontal angle",
      .help = "of one frame as held"},
     {ANGLE(frame.vertical), .name = "vertical", .symbol = "v", .label = "vertical angle",
      .help = "of one frame as held"},
-    {COLUMN(struct panorama_command_row, columns), .name = "columns", .flags = COLUMN_BRIEF,
-     .symbol = "n", .repeats = "per-row", .label = "columns, frames a row",
-     .help = "frames a row at the horizon"},
-    {COLUMN(struct panorama_command_row, rows), .name = "rows", .flags = COLUMN_BRIEF,
-     .label = "rows", .help = "rows"},
-    {COLUMN(struct panorama_command_row, shots), .name = "shots", .flags = COLUMN_BRIEF,
-     .label = "shots in total", .help = "columns times rows"},
-    {ANGLE(step), .name = "step", .flags = COLUMN_BRIEF, .symbol = "d", .label = "step",
-     .help = "from frame to frame"},
+    {SHOWN(columns), .name = "columns", BRIEF, .repeats = "per-row", .symbol = "n",
+     .label = "columns, frames a row", .help = "frames a row at the horizon"},
+    {SHOWN(rows), .name = "rows", BRIEF, .help = "rows"},
+    {SHOWN(shots), .name = "shots", BRIEF, .label = "shots in total", .help = "columns times rows"},
+    {ANGLE(step), .name = "step", BRIEF, .symbol = "d", .help = "from frame to frame"},
     {ANGLE(row_step), .name = "row_step", .when = "where there are several rows",
      .label = "step between rows", .help = "from row to row"},
-    {RATIO(overlap), .name = "overlap", .flags = COLUMN_BRIEF, .symbol = "o", .label = "overlap",
+    {MEASURED(overlap, ratio, "percent"), .name = "overlap", BRIEF, .symbol = "o",
      .help = "of neighbouring frames, achieved"},
-    {RATIO(row_overlap), .name = "row_overlap", .when = "where there are several rows",
-     .label = "overlap of rows", .help = "of neighbouring rows, achieved"},
-    {COLUMN(struct panorama_command_row, size.per_degree), .name = "pixels_per_degree", WITH_PIXELS,
-     .label = "pixels per degree", .help = "in the middle of a frame"},
-    {COLUMN(struct panorama_command_row, size.width), .name = "width_px", WITH_PIXELS,
-     .label = "width, pixels", .help = "of the stitched picture, cylinder or sphere"},
-    {COLUMN(struct panorama_command_row, size.sphere_height), .name = "sphere_height_px",
-     WITH_PIXELS, .label = "height as a sphere, pixels", .help = "equirectangular"},
-    {COLUMN(struct panorama_command_row, size.cylinder_height), .name = "cylinder_height_px",
-     WITH_PIXELS, .flags = COLUMN_INFINITE | COLUMN_HIDDEN, .label = "height as a cylinder, pixels",
+    {MEASURED(row_overlap, ratio, "percent"), .name = "row_overlap",
+     .when = "where there are several rows", .label = "overlap of rows",
+     .help = "of neighbouring rows, achieved"},
+    {SHOWN(size.per_degree), .name = "pixels_per_degree", .label = "pixels per degree", WITH_PIXELS,
+     .help = "in the middle of a frame"},
+    {SHOWN(size.width), .name = "width_px", .label = "width, pixels", WITH_PIXELS,
+     .help = "of the stitched picture, cylinder or sphere"},
+    {SHOWN(size.sphere_height), .name = "sphere_height_px", .label = "height as a sphere, pixels",
+     WITH_PIXELS, .help = "equirectangular"},
+    {SHOWN(size.cylinder_height), .name = "cylinder_height_px",
+     .flags = COLUMN_INFINITE | COLUMN_HIDDEN, .label = "height as a cylinder, pixels", WITH_PIXELS,
      .help = "infinite from 180 degrees on"},
-    {COLUMN(struct panorama_command_row, size.flat_width), .name = "flat_width_px", WITH_PIXELS,
-     .flags = COLUMN_INFINITE | COLUMN_HIDDEN, .label = "width laid flat, pixels",
+    {SHOWN(size.flat_width), .name = "flat_width_px", .flags = COLUMN_INFINITE | COLUMN_HIDDEN,
+     .label = "width laid flat, pixels", WITH_PIXELS,
      .help = "rectilinear; infinite from 180 degrees on"},
-    {LENGTH(offset, "mm"), .name = "offset", .flags = COLUMN_ECHO | COLUMN_EXTRA, .with = "offset",
-     .symbol = "e", .label = "offset of the pupil", .help = "entrance pupil off the axis"},
-    {ANGLE(parallax), .name = "parallax", .flags = COLUMN_EXTRA | COLUMN_BRIEF, .with = "offset",
-     .symbol = "p", .label = "parallax", .help = "of near against far between two frames"},
-    {COLUMN(struct panorama_command_row, parallax_pixels), .name = "parallax_px",
-     .flags = COLUMN_EXTRA | COLUMN_BRIEF, .with = "offset", .label = "parallax, pixels",
-     .help = "the same in pixels"},
-    {LENGTH(most_offset, "mm"), .name = "max_offset", .flags = COLUMN_EXTRA | COLUMN_BRIEF,
-     .with = "near", .label = "largest offset", .help = "offset that stays within --tolerance"},
-    {LENGTH(nearest, "m"), .name = "nearest", .flags = COLUMN_EXTRA | COLUMN_BRIEF,
-     .with = "offset", .label = "nearest allowed object",
-     .help = "nearest object that stays within --tolerance"},
+    {LENGTH(offset, "mm"), .name = "offset", ECHO_WITH("offset"), .symbol = "e",
+     .label = "offset of the pupil", .help = "entrance pupil off the axis"},
+    {ANGLE(parallax), .name = "parallax", BRIEF_WITH("offset"), .symbol = "p",
+     .help = "of near against far between two frames"},
+    {SHOWN(parallax_pixels), .name = "parallax_px", BRIEF_WITH("offset"),
+     .label = "parallax, pixels", .help = "the same in pixels"},
+    {LENGTH(most_offset, "mm"), .name = "max_offset", BRIEF_WITH("near"), .label = "largest offset",
+     .help = "offset that stays within --tolerance"},
+    {LENGTH(nearest, "m"), .name = "nearest", BRIEF_WITH("offset"),
+     .label = "nearest allowed object", .help = "nearest object that stays within --tolerance"},
     {LENGTH(pupil_distance, "mm"), .name = "pupil_from_sensor", .symbol = "D",
      .label = "pupil before the sensor",
      .help = "thin-lens estimate of what to put between the axis and the sensor mark"},
     COLUMNS_ASSUMED,
-    COLUMN_PUPIL(struct panorama_command_row, pupil),
+    COLUMN_PUPIL(pupil),
 };
 
 /* With --each-row. */
 static const struct column row_columns[] = {
-    {COLUMN(struct panorama_command_row, row), .name = "row", .flags = COLUMN_BRIEF | COLUMN_ECHO,
-     .label = "row", .help = "lowest first"},
-    {ANGLE(elevation), .name = "elevation", .flags = COLUMN_BRIEF, .label = "elevation",
-     .help = "of the frames' middle"},
-    {COLUMN(struct panorama_command_row, columns), .name = "columns", .flags = COLUMN_BRIEF,
-     .label = "frames in this row", .help = "enough at this elevation"},
-    {ANGLE(step), .name = "step", .flags = COLUMN_BRIEF, .label = "step",
-     .help = "from frame to frame"},
-    COLUMN_FOCAL(struct panorama_command_row, focal, 0),
+    {SHOWN(row), .name = "row", BRIEF | COLUMN_ECHO, .help = "lowest first"},
+    {ANGLE(elevation), .name = "elevation", BRIEF, .help = "of the frames' middle"},
+    {SHOWN(columns), .name = "columns", BRIEF, .label = "frames in this row",
+     .help = "enough at this elevation"},
+    {ANGLE(step), .name = "step", BRIEF, .help = "from frame to frame"},
+    COLUMN_FOCAL(focal, 0),
     {ANGLE(frame.horizontal), .name = "horizontal", .label = "horizontal angle",
      .help = "of one frame as held"},
     {ANGLE(frame.vertical), .name = "vertical", .label = "vertical angle",

@@ -4,6 +4,7 @@
 #include "cli/question/command.h"
 #include "commands/photo/light_options.h"
 #include "commands/photo/sharpness.h"
+#include "commands/tables.h"
 #include "photo/given.h"
 #include "photo/motion.h"
 #include "photo/stars.h"
@@ -19,26 +20,25 @@ struct stars_input {
     struct sharpness sharp;
 };
 
+#define INPUT struct stars_input
+
 static const struct option options[] = {
-    OPTION_FOCAL_LENGTH(struct stars_input, focal, 0),
-    OPTION_APERTURE(struct stars_input, fnumber, 0),
+    OPTION_FOCAL_LENGTH(focal, 0),
+    OPTION_APERTURE(fnumber, 0),
     OPTION_DECLINATION(
-        struct stars_input, declination, NULL,
+        declination, NULL,
         "of the frame's centre; 0 is the celestial equator, where stars are fastest"),
-    OPTION_TIME(struct stars_input, time, 0),
-    {OPTION(struct stars_input, trail), .name = "trail", .column = "trail_wanted",
-     .dimension = &dimension_length, .unit = "um", .value = "LENGTH", .excludes = "coc",
+    OPTION_TIME(time, 0),
+    {MEASURE(trail, length, "um", "LENGTH"), .name = "trail", .column = "trail_wanted",
+     .excludes = "coc",
      .help = "longest trail allowed: 2px, 10um, d/1500 (the circle of confusion unless given)"},
-    SHARPNESS_OPTIONS_DARK(struct stars_input, sharp, 0, "d/1500", NULL),
-    OPTION_WAVELENGTH(struct stars_input, sharp.wavelength, "coc=airy|trail=airy"),
-    {OPTION(struct stars_input, rule), .name = "rule", .quantity = "rule constant",
-     .column = "rule_constant", .dimension = &dimension_number, OPTION_POSITIVE,
-     .flags = OPTION_ABOVE_LOWEST | OPTION_NO_INFINITY, .fallback = "500", .value = "NUMBER",
+    SHARPNESS_OPTIONS_DARK(sharp, 0, "d/1500", NULL),
+    OPTION_WAVELENGTH(sharp.wavelength, "coc=airy|trail=airy"),
+    {MEASURE(rule, number, NULL, "NUMBER"), .name = "rule", .quantity = "rule constant",
+     .column = "rule_constant", ABOVE_0, .fallback = "500",
      .no_number = "the NPF rule has no constant: the column npf answers it beside this rule",
      .help = "constant of the rule of thumb: 500, 400, 300 or 600"},
-    {OPTION(struct stars_input, accuracy), .name = "accuracy", .column = "accuracy",
-     .dimension = &dimension_number, OPTION_POSITIVE,
-     .flags = OPTION_ABOVE_LOWEST | OPTION_NO_INFINITY, .fallback = "1", .value = "K",
+    {MEASURE(accuracy, number, NULL, "K"), REPEATED("accuracy"), ABOVE_0, .fallback = "1",
      .help = "factor k of the NPF rule: 1 for points, 2 and 3 for longer and longer trails"},
 };
 
@@ -55,72 +55,63 @@ struct stars_row {
     const char *sensor, *criterion;
 };
 
-#define NUMBER(member)          COLUMN(struct stars_row, member)
-#define TIME(member)            NUMBER(member), .dimension = &dimension_time, .unit = "s"
-#define LENGTH(member, in_unit) NUMBER(member), .dimension = &dimension_length, .unit = in_unit
-#define ANGLE(member)           NUMBER(member), .dimension = &dimension_angle, .unit = "deg"
-#define ECHO                    COLUMN_ECHO | COLUMN_BRIEF
-#define ASSUMED                 .flags = COLUMN_ASSUMED | COLUMN_EXTRA
-#define WITH_TIME               .flags = COLUMN_EXTRA, .with = "time"
-#define WITH_TIME_BRIEF_FLAGS   .flags = COLUMN_EXTRA | COLUMN_BRIEF
-#define WITH_TIME_BRIEF         WITH_TIME_BRIEF_FLAGS, .with = "time"
-#define WITH_TIME_INFINITE      WITH_TIME_BRIEF_FLAGS | COLUMN_INFINITE, .with = "time"
+#define ROW struct stars_row
 
 static const struct column columns[] = {
-    {NUMBER(npf_fnumber), .name = "npf_fnumber", .flags = COLUMN_EXTRA, .symbol = "N",
+    {SHOWN(npf_fnumber), .name = "npf_fnumber", .flags = COLUMN_EXTRA, .symbol = "N",
      .label = "f-number of the NPF rule", .help = "as given, else 2.8"},
     {LENGTH(npf_pitch, "um"), .name = "npf_pitch", .flags = COLUMN_EXTRA, .symbol = "p",
      .label = "pixel pitch of the NPF rule",
      .help = "as given or of the camera, else that of 24 megapixels on the sensor"},
-    {LENGTH(focal, "mm"), .name = "focal", .flags = ECHO, .symbol = "f", .label = "focal length",
-     .help = "focal length"},
-    COLUMN_FNUMBER(struct stars_row, fnumber, 0),
-    {ANGLE(declination), .name = "declination", .flags = COLUMN_ECHO, .with = "declination",
-     .symbol = "dec", .label = "declination", .help = "of the frame's centre"},
+    {LENGTH(focal, "mm"), .name = "focal", BRIEF | COLUMN_ECHO, .symbol = "f",
+     .label = "focal length", .help = "focal length"},
+    COLUMN_FNUMBER(fnumber, 0),
+    {ANGLE(declination), .name = "declination", .flags = COLUMN_ECHO, .symbol = "dec",
+     .with = "declination", .help = "of the frame's centre"},
     {LENGTH(allowed, "um"), .name = "allowed_trail", .symbol = "a", .label = "allowed trail",
      .help = "on the sensor"},
-    {TIME(time.exact), .name = "exact", .flags = COLUMN_BRIEF | COLUMN_INFINITE, .symbol = "t",
+    {TIME(time.exact), .name = "exact", BRIEF | COLUMN_INFINITE, .symbol = "t",
      .label = "longest time, exact",
      .help = "that keeps the trail within the allowed length, exact"},
     {TIME(time.linear), .name = "linear", .symbol = "tl", .label = "linear in time",
      .help = "the same to first order"},
-    {TIME(rule_time), .name = "rule_of_thumb", .flags = COLUMN_BRIEF, .symbol = "tr",
-     .label = "by the 500 rule", .help = "constant over crop factor and focal length"},
-    {TIME(npf), .name = "npf", .flags = COLUMN_BRIEF, .symbol = "tn", .label = "by the NPF rule",
+    {TIME(rule_time), .name = "rule_of_thumb", BRIEF, .symbol = "tr", .label = "by the 500 rule",
+     .help = "constant over crop factor and focal length"},
+    {TIME(npf), .name = "npf", BRIEF, .symbol = "tn", .label = "by the NPF rule",
      .help = "by f-number and pixel pitch"},
     {TIME(npf_simple), .name = "npf_simple", .symbol = "ts", .label = "by the simple NPF rule",
      .help = "without declination"},
     {TIME(four_minus_crop), .name = "four_minus_crop", .symbol = "t4",
      .label = "by the 4 - crop rule", .help = "for crop factors below 4"},
-    {TIME(exposure), .name = "time", .flags = COLUMN_EXTRA | ECHO, .with = "time", .symbol = "T",
+    {TIME(exposure), .name = "time", ECHO_WITH("time") | COLUMN_BRIEF, .symbol = "T",
      .label = "exposure time", .help = "exposure time"},
-    {LENGTH(trail.chord, "um"), .name = "star_trail", WITH_TIME_INFINITE, .symbol = "x",
-     .label = "trail", .help = "end to end on the sensor, exact"},
-    {LENGTH(trail.linear, "um"), .name = "linear_trail", WITH_TIME, .symbol = "xl",
+    {LENGTH(trail.chord, "um"), .name = "star_trail", BRIEF_WITH("time") | COLUMN_INFINITE,
+     .symbol = "x", .label = "trail", .help = "end to end on the sensor, exact"},
+    {LENGTH(trail.linear, "um"), .name = "linear_trail", WITH("time"), .symbol = "xl",
      .label = "trail, linear in time", .help = "to first order in time"},
-    {LENGTH(worst, "um"), .name = "worst_trail", WITH_TIME, .symbol = "xw",
+    {LENGTH(worst, "um"), .name = "worst_trail", WITH("time"), .symbol = "xw",
      .label = "worst trail in the frame",
      .help = "the longest in the picture, however the camera is turned, to first order in time"},
-    {NUMBER(size.pixels), .name = "trail_pixels", WITH_TIME_INFINITE, .label = "in pixels",
-     .help = "trail over pixel pitch"},
-    {NUMBER(size.circles), .name = "trail_coc", .flags = COLUMN_EXTRA | COLUMN_INFINITE,
-     .with = "time", .label = "in circles of confusion", .help = "trail over allowed trail"},
-    {NUMBER(trail.arc), .dimension = &dimension_angle, .unit = "arcmin", .name = "arc", WITH_TIME,
-     .symbol = "arc", .label = "arc in the sky", .help = "along the star's circle"},
-    {ANGLE(trail.rotation), .name = "rotation", WITH_TIME_BRIEF, .symbol = "rot",
+    {SHOWN(size.pixels), .name = "trail_pixels", BRIEF_WITH("time") | COLUMN_INFINITE,
+     .label = "in pixels", .help = "trail over pixel pitch"},
+    {SHOWN(size.circles), .name = "trail_coc", WITH("time") | COLUMN_INFINITE,
+     .label = "in circles of confusion", .help = "trail over allowed trail"},
+    {MEASURED(trail.arc, angle, "arcmin"), .name = "arc", WITH("time"), .symbol = "arc",
+     .label = "arc in the sky", .help = "along the star's circle"},
+    {ANGLE(trail.rotation), .name = "rotation", BRIEF_WITH("time"), .symbol = "rot",
      .label = "angle about the pole", .help = "that the trails of a picture span"},
-    {NUMBER(crop), .name = "crop_factor", .flags = COLUMN_EXTRA, .symbol = "crop",
+    {SHOWN(crop), .name = "crop_factor", .flags = COLUMN_EXTRA, .symbol = "crop",
      .label = "crop factor", .help = "43.27 mm over the sensor's diagonal"},
-    {NUMBER(rule), .name = "rule_constant", ASSUMED | COLUMN_ECHO, .depends = "rule",
-     .symbol = "rule", .label = "rule", .help = "constant of the rule of thumb"},
-    {NUMBER(accuracy), .name = "accuracy", .flags = COLUMN_EXTRA | COLUMN_ECHO, .with = "accuracy",
-     .symbol = "k", .label = "k of the NPF rule", .help = "its accuracy"},
-    {NUMBER(npf_assumed), .name = "npf_assumed", ASSUMED, .depends = "pitch sensor aperture",
+    {SHOWN(rule), .name = "rule_constant", ASSUMED_BY("rule") | COLUMN_ECHO, .symbol = "rule",
+     .label = "rule", .help = "constant of the rule of thumb"},
+    {SHOWN(accuracy), .name = "accuracy", ECHO_WITH("accuracy"), .symbol = "k",
+     .label = "k of the NPF rule", .help = "its accuracy"},
+    {SHOWN(npf_assumed), .name = "npf_assumed", ASSUMED_BY("pitch sensor aperture"),
      .label = "NPF rule for", .help = "what was taken where f-number or pixel pitch is not known"},
-    {LENGTH(pitch, "um"), .name = "pitch", ASSUMED, .depends = "pitch sensor",
-     .label = "pixel pitch", .help = "spacing of the pixels"},
-    COLUMN_SENSOR(struct stars_row, sensor),
-    {NUMBER(criterion), .name = "trail_criterion", ASSUMED, .depends = "coc trail",
+    {LENGTH(pitch, "um"), .name = "pitch", ASSUMED_BY("pitch sensor"), .label = "pixel pitch",
+     .help = "spacing of the pixels"},
+    COLUMN_SENSOR(sensor),
+    {SHOWN(criterion), .name = "trail_criterion", ASSUMED_BY("coc trail"),
      .label = "trail criterion", .help = "where the allowed trail comes from"},
 };
 

@@ -3,6 +3,7 @@
 #include "base/arena.h"
 #include "cli/question/command.h"
 #include "commands/photo/sharpness.h"
+#include "commands/tables.h"
 #include "draw/wedge.h"
 #include "photo/tilt.h"
 
@@ -20,48 +21,39 @@ struct tilt_input {
     double depth;
 };
 
-#define LENGTH_OPTION(member_name, in_unit)                                                        \
-    OPTION(struct tilt_input, member_name), .dimension = &dimension_length, .unit = in_unit,       \
-                                            .value = "LENGTH"
-#define ANGLE_OPTION(member_name)                                                                  \
-    OPTION(struct tilt_input, member_name), .name = #member_name, .column = #member_name,          \
-                                            .dimension = &dimension_angle, .unit = "deg",          \
-                                            .value = "ANGLE", .flags = OPTION_NO_INFINITY
-#define POSITIVE OPTION_POSITIVE, .flags = OPTION_ABOVE_LOWEST | OPTION_NO_INFINITY
+#define INPUT struct tilt_input
 
 static const struct option options[] = {
-    OPTION_FOCAL_LENGTH(struct tilt_input, focal, 0),
-    OPTION_APERTURE(struct tilt_input, fnumber, 0),
-    {OPTION(struct tilt_input, tilt), .name = "tilt", .column = "tilt",
-     .dimension = &dimension_angle, .unit = "deg", .flags = OPTION_NO_INFINITY | OPTION_SETTING,
-     .value = "ANGLE",
+    OPTION_FOCAL_LENGTH(focal, 0),
+    OPTION_APERTURE(fnumber, 0),
+    {MEASURE(tilt, angle, "deg", "ANGLE"), REPEATED("tilt"),
+     .flags = OPTION_NO_INFINITY | OPTION_SETTING,
      .help = "of the lens against the sensor, -90 to 90 deg; positive turns its top forward"},
-    {LENGTH_OPTION(hinge, "m"), .name = "hinge", .column = "hinge",
+    {MEASURE(hinge, length, "m", "LENGTH"), REPEATED("hinge"),
      .flags = OPTION_NO_INFINITY | OPTION_GOAL,
      .help = "wanted depth of the hinge line below the lens: solves for the tilt"},
-    {LENGTH_OPTION(image, "mm"), .name = "image", .quantity = "image distance", .column = "image",
-     OPTION_POSITIVE, .flags = OPTION_ABOVE_LOWEST | OPTION_NO_INFINITY | OPTION_SETTING,
-     .help = "distance from lens to sensor, along the sensor's normal"},
-    {LENGTH_OPTION(distance, "m"), .name = "distance", .letter = 's', .column = "distance",
-     OPTION_POSITIVE, .flags = OPTION_ABOVE_LOWEST | OPTION_GOAL,
+    {MEASURE(image, length, "mm", "LENGTH"), REPEATED("image"), .quantity = "image distance",
+     ABOVE_0 | OPTION_SETTING, .help = "distance from lens to sensor, along the sensor's normal"},
+    {MEASURE(distance, length, "m", "LENGTH"), REPEATED("distance"), .letter = 's',
+     ABOVE_0_OR_INFINITE | OPTION_GOAL,
      .help = "distance of the sharp point straight ahead, along the sensor's normal"},
-    {OPTION(struct tilt_input, angle), .name = "angle", .quantity = "angle of the plane of focus",
-     .column = "angle", .dimension = &dimension_angle, .unit = "deg",
-     .flags = OPTION_NO_INFINITY | OPTION_GOAL, .value = "ANGLE",
+    {MEASURE(angle, angle, "deg", "ANGLE"), REPEATED("angle"),
+     .quantity = "angle of the plane of focus", .flags = OPTION_NO_INFINITY | OPTION_GOAL,
      .help = "of the plane of sharp focus against the sensor: 90deg for level ground"},
-    {OPTION(struct tilt_input, through), .name = "through", .value = "POINT,POINT",
+    {ASKED(through), .name = "through", .value = "POINT,POINT",
      .help = "two points that must be sharp, as distance:height: 2m:-1.5m,30m:0m, inf:5deg"},
-    SHARPNESS_OPTIONS(struct tilt_input, sharp, 0, "d/1500", coc_is_pixels),
-    {ANGLE_OPTION(sight), .fallback = "0",
+    SHARPNESS_OPTIONS(sharp, 0, "d/1500", coc_is_pixels),
+    {MEASURE(sight, angle, "deg", "ANGLE"), REPEATED("sight"), .flags = OPTION_NO_INFINITY,
+     .fallback = "0",
      .help = "near, sharp and far points along a line of sight at this angle above the sensor's "
              "normal"},
-    {LENGTH_OPTION(rise, "mm"), .name = "rise", .flags = OPTION_NO_INFINITY, .fallback = "0",
-     .help = "rise of the lens above the centre of the sensor"},
-    {LENGTH_OPTION(shift, "mm"), .name = "shift", .flags = OPTION_NO_INFINITY, .fallback = "0",
-     .help = "sideways shift of the lens"},
-    {LENGTH_OPTION(circle, "mm"), .name = "circle", .quantity = "image circle", POSITIVE,
+    {MEASURE(rise, length, "mm", "LENGTH"), .name = "rise", .flags = OPTION_NO_INFINITY,
+     .fallback = "0", .help = "rise of the lens above the centre of the sensor"},
+    {MEASURE(shift, length, "mm", "LENGTH"), .name = "shift", .flags = OPTION_NO_INFINITY,
+     .fallback = "0", .help = "sideways shift of the lens"},
+    {MEASURE(circle, length, "mm", "LENGTH"), .name = "circle", .quantity = "image circle", ABOVE_0,
      .help = "image circle of the lens at infinity: is it large enough?"},
-    {LENGTH_OPTION(depth, "m"), .name = "depth", POSITIVE, .wants = "wedge",
+    {MEASURE(depth, length, "m", "LENGTH"), .name = "depth", ABOVE_0, .wants = "wedge",
      .help = "how far the drawing reaches; default: chosen to fit"},
 };
 
@@ -73,49 +65,45 @@ struct tilt_row {
     const char *covers, *sensor, *criterion;
 };
 
-#define LENGTH(member_name, in_unit)                                                               \
-    COLUMN(struct tilt_row, member_name), .dimension = &dimension_length, .unit = in_unit
-#define ANGLE(member_name)                                                                         \
-    COLUMN(struct tilt_row, member_name), .dimension = &dimension_angle, .unit = "deg"
+#define ROW struct tilt_row
 
 static const struct column columns[] = {
-    COLUMN_FOCAL(struct tilt_row, camera.f, 0),
-    COLUMN_FNUMBER(struct tilt_row, camera.N, 0),
-    {ANGLE(camera.tilt), .name = "tilt", .flags = COLUMN_BRIEF, .symbol = "a", .label = "tilt",
+    COLUMN_FOCAL(camera.f, 0),
+    COLUMN_FNUMBER(camera.N, 0),
+    {ANGLE(camera.tilt), .name = "tilt", BRIEF, .symbol = "a",
      .help = "of the lens against the sensor"},
-    {LENGTH(camera.hinge, "m"), .name = "hinge", .flags = COLUMN_INFINITE | COLUMN_BRIEF,
-     .symbol = "J", .label = "hinge line below the lens",
+    {LENGTH(camera.hinge, "m"), .name = "hinge", BRIEF | COLUMN_INFINITE, .symbol = "J",
+     .label = "hinge line below the lens",
      .help = "where all planes of focus meet as the lens is focused; negative above the lens"},
     {LENGTH(camera.image, "mm"), .name = "image", .symbol = "v", .label = "image distance",
      .help = "lens to sensor along the sensor's normal"},
     {LENGTH(camera.scheimpflug, "m"), .name = "scheimpflug", .flags = COLUMN_INFINITE,
      .symbol = "S", .label = "Scheimpflug line below the lens",
      .help = "where lens, sensor and plane of focus meet, in the sensor's plane"},
-    {ANGLE(camera.angle), .name = "angle", .flags = COLUMN_BRIEF, .symbol = "psi",
+    {ANGLE(camera.angle), .name = "angle", BRIEF, .symbol = "psi",
      .label = "angle of the plane of focus", .help = "its angle against the sensor"},
-    {ANGLE(camera.near_angle), .name = "near_angle", .flags = COLUMN_BRIEF, .symbol = "psin",
+    {ANGLE(camera.near_angle), .name = "near_angle", BRIEF, .symbol = "psin",
      .label = "near limit, plane", .help = "angle of the near limit against the sensor"},
-    {ANGLE(camera.far_angle), .name = "far_angle", .flags = COLUMN_BRIEF, .symbol = "psif",
+    {ANGLE(camera.far_angle), .name = "far_angle", BRIEF, .symbol = "psif",
      .label = "far limit, plane", .help = "angle of the far limit against the sensor"},
-    {COLUMN(struct tilt_row, camera.half_height), .name = "half_height", .flags = COLUMN_INFINITE,
-     .symbol = "q", .label = "half height of the wedge per distance",
+    {SHOWN(camera.half_height), .name = "half_height", .flags = COLUMN_INFINITE, .symbol = "q",
+     .label = "half height of the wedge per distance",
      .help = "near limit above, far limit below the plane of focus, over the distance"},
     {LENGTH(camera.hyperfocal, "m"), .name = "hyperfocal", .flags = COLUMN_INFINITE, .symbol = "H",
      .label = "hyperfocal distance, without + f",
      .help = "f^2/(N c): where the half height is about that of the lens above the hinge"},
-    {LENGTH(camera.distance, "m"), .name = "distance", .flags = COLUMN_INFINITE | COLUMN_BRIEF,
-     .symbol = "u", .label = "distance straight ahead",
-     .help = "distance of the sharp point straight ahead"},
-    {ANGLE(sight), .name = "sight", .flags = COLUMN_ECHO | COLUMN_EXTRA, .with = "sight",
-     .symbol = "b", .label = "line of sight", .help = "above the sensor's normal"},
-    {LENGTH(height, "mm"), .name = "image_height", .flags = COLUMN_EXTRA | COLUMN_BRIEF,
-     .with = "sight", .label = "image height above the middle",
+    {LENGTH(camera.distance, "m"), .name = "distance", BRIEF | COLUMN_INFINITE, .symbol = "u",
+     .label = "distance straight ahead", .help = "distance of the sharp point straight ahead"},
+    {ANGLE(sight), .name = "sight", ECHO_WITH("sight"), .symbol = "b", .label = "line of sight",
+     .help = "above the sensor's normal"},
+    {LENGTH(height, "mm"), .name = "image_height", BRIEF_WITH("sight"),
+     .label = "image height above the middle",
      .help = "where that line of sight meets the sensor, above the lens axis"},
-    {LENGTH(reach.near, "m"), .name = "near", .flags = COLUMN_INFINITE | COLUMN_BRIEF,
-     .symbol = "n", .label = "near limit", .help = "nearest sharp distance on the line of sight"},
-    {LENGTH(reach.sharp, "m"), .name = "sharp", .flags = COLUMN_INFINITE | COLUMN_EXTRA,
-     .with = "sight", .label = "sharp", .help = "distance of the plane of focus on that line"},
-    {LENGTH(reach.far, "m"), .name = "far", .flags = COLUMN_INFINITE | COLUMN_BRIEF, .symbol = "r",
+    {LENGTH(reach.near, "m"), .name = "near", BRIEF | COLUMN_INFINITE, .symbol = "n",
+     .label = "near limit", .help = "nearest sharp distance on the line of sight"},
+    {LENGTH(reach.sharp, "m"), .name = "sharp", WITH("sight") | COLUMN_INFINITE,
+     .help = "distance of the plane of focus on that line"},
+    {LENGTH(reach.far, "m"), .name = "far", BRIEF | COLUMN_INFINITE, .symbol = "r",
      .label = "far limit", .help = "farthest sharp distance on the line of sight"},
     {LENGTH(reach.front, "m"), .name = "front", .flags = COLUMN_INFINITE | COLUMN_HIDDEN,
      .label = "in front of the plane", .help = "sharp before the plane of focus"},
@@ -125,15 +113,15 @@ static const struct column columns[] = {
      .label = "image circle needed", .help = "diameter at infinity that holds all corners"},
     {ANGLE(coverage), .name = "coverage", .flags = COLUMN_HIDDEN, .symbol = "w",
      .label = "coverage needed", .help = "half angle from the lens axis to the worst corner"},
-    {COLUMN(struct tilt_row, covers), .name = "covers", .flags = COLUMN_EXTRA, .with = "circle",
-     .label = "the circle covers the frame", .help = "is --circle large enough"},
-    {LENGTH(rise_limit, "mm"), .name = "rise_limit", .flags = COLUMN_EXTRA, .with = "circle",
+    {SHOWN(covers), .name = "covers", WITH("circle"), .label = "the circle covers the frame",
+     .help = "is --circle large enough"},
+    {LENGTH(rise_limit, "mm"), .name = "rise_limit", WITH("circle"),
      .label = "largest rise or fall", .help = "how far the untilted lens may be raised or lowered"},
-    {LENGTH(shift_limit, "mm"), .name = "shift_limit", .flags = COLUMN_EXTRA, .with = "circle",
-     .label = "largest shift", .help = "how far the untilted lens may be moved sideways"},
-    COLUMN_SENSOR(struct tilt_row, sensor),
-    COLUMN_COC(struct tilt_row, camera.c, 0, ""),
-    COLUMN_CRITERION(struct tilt_row, criterion),
+    {LENGTH(shift_limit, "mm"), .name = "shift_limit", WITH("circle"), .label = "largest shift",
+     .help = "how far the untilted lens may be moved sideways"},
+    COLUMN_SENSOR(sensor),
+    COLUMN_COC(camera.c, 0, ""),
+    COLUMN_CRITERION(criterion),
 };
 
 /* -------- two points that shall be sharp -------- */

@@ -2,6 +2,7 @@
 /* SPDX-License-Identifier: MIT */
 #include "cli/question/command.h"
 #include "commands/photo/light_options.h"
+#include "commands/tables.h"
 #include "photo/stars.h"
 #include "photo/timelapse.h"
 
@@ -15,48 +16,35 @@ struct timelapse_input {
     double declination, pitch;
 };
 
-#define POSITIVE OPTION_POSITIVE, .flags = OPTION_ABOVE_LOWEST | OPTION_NO_INFINITY
-#define TIME_OPTION(member_name)                                                                   \
-    OPTION(struct timelapse_input, member_name), .dimension = &dimension_time, .unit = "s",        \
-                                                 POSITIVE | OPTION_NO_SERIES, .value = "TIME"
-#define DATA_OPTION(member_name)                                                                   \
-    OPTION(struct timelapse_input, member_name), .dimension = &dimension_storage, POSITIVE,        \
-                                                 .value = "SIZE"
+#define INPUT struct timelapse_input
 
 static const struct option options[] = {
-    {TIME_OPTION(given.event), .name = "event", .quantity = "event length", .column = "event",
-     .help = "length of the event that is recorded: 2h, 45min"},
-    {TIME_OPTION(given.interval), .name = "interval", .column = "interval",
+    {MEASURE(given.event, time, "s", "TIME"), REPEATED("event"), .quantity = "event length",
+     ABOVE_0 | OPTION_NO_SERIES, .help = "length of the event that is recorded: 2h, 45min"},
+    {MEASURE(given.interval, time, "s", "TIME"), REPEATED("interval"), ABOVE_0 | OPTION_NO_SERIES,
      .help = "from the start of one shot to the start of the next"},
-    {OPTION(struct timelapse_input, given.shots), .name = "shots", .quantity = "number of shots",
-     .column = "shots", .dimension = &dimension_number, .lowest = 1, .highest = TIMELAPSE_SHOTS,
-     .value = "N", .help = "number of shots"},
-    {TIME_OPTION(given.clip), .name = "clip", .quantity = "clip length", .column = "clip",
-     .help = "length of the clip"},
-    {OPTION(struct timelapse_input, given.rate), .name = "frame-rate", .column = "frame_rate",
-     .dimension = &dimension_rate, POSITIVE, .value = "RATE",
+    {MEASURE(given.shots, number, NULL, "N"), REPEATED("shots"), .quantity = "number of shots",
+     .lowest = 1, .highest = TIMELAPSE_SHOTS, .help = "number of shots"},
+    {MEASURE(given.clip, time, "s", "TIME"), REPEATED("clip"), .quantity = "clip length",
+     ABOVE_0 | OPTION_NO_SERIES, .help = "length of the clip"},
+    {MEASURE(given.rate, rate, NULL, "RATE"), .name = "frame-rate", .column = "frame_rate", ABOVE_0,
      .help = "frames per second of the clip (24 unless it follows from the rest)"},
-    OPTION_TIME(struct timelapse_input, given.time, 0),
-    {OPTION(struct timelapse_input, given.gap), .name = "gap", .column = "gap",
-     .dimension = &dimension_time, .unit = "s", .lowest = 0, .highest = INFINITY,
-     .flags = OPTION_NO_INFINITY | OPTION_NO_SERIES, .fallback = "1", .value = "TIME",
-     .wants = "time",
+    OPTION_TIME(given.time, 0),
+    {MEASURE(given.gap, time, "s", "TIME"), REPEATED("gap"), FROM_0 | OPTION_NO_SERIES,
+     .fallback = "1", .wants = "time",
      .help = "that the camera needs between two exposures, to write and for a delay of its own"},
-    {DATA_OPTION(given.frame), .name = "frame-size", .column = "frame_size", .unit = "MB",
-     .help = "storage per shot: 25MB"},
-    {DATA_OPTION(given.card), .name = "card", .column = "card", .unit = "GB",
+    {MEASURE(given.frame, storage, "MB", "SIZE"), .name = "frame-size", .column = "frame_size",
+     ABOVE_0, .help = "storage per shot: 25MB"},
+    {MEASURE(given.card, storage, "GB", "SIZE"), REPEATED("card"), ABOVE_0,
      .help = "card capacity: 64GB; with --frame-size alone it gives the number of shots"},
-    {OPTION(struct timelapse_input, given.star_angle), .name = "star-angle", .column = "star_angle",
-     .dimension = &dimension_angle, .unit = "deg", .lowest = 0, .highest = 2 * PI,
-     .flags = OPTION_ABOVE_LOWEST, .value = "ANGLE", .wants = "time",
+    {MEASURE(given.star_angle, angle, "deg", "ANGLE"), .name = "star-angle", .column = "star_angle",
+     .lowest = 0, .highest = 2 * PI, .flags = OPTION_ABOVE_LOWEST, .wants = "time",
      .help = "angle about the pole that star trails are to span, in place of --event"},
-    {OPTION(struct timelapse_input, focal), .name = "focal-length", .letter = 'f',
-     .column = "focal", .dimension = &dimension_focal_length, .unit = "mm", POSITIVE,
-     .value = "LENGTH", .wants = "time", .help = "focal length: adds the trails of stars"},
-    OPTION_DECLINATION(struct timelapse_input, declination, "focal-length",
+    {MEASURE(focal, focal_length, "mm", "LENGTH"), .name = "focal-length", .letter = 'f',
+     .column = "focal", ABOVE_0, .wants = "time", .help = "focal length: adds the trails of stars"},
+    OPTION_DECLINATION(declination, "focal-length",
                        "of the stars; 0 is the celestial equator, where they are fastest"),
-    OPTION_PIXELS(struct timelapse_input, pitch, "focal-length",
-                  "pixel pitch: gives the gaps of star trails in pixels"),
+    OPTION_PIXELS(pitch, "focal-length", "pixel pitch: gives the gaps of star trails in pixels"),
 };
 
 struct timelapse_row {
@@ -68,54 +56,45 @@ struct timelapse_row {
     const char *rate_assumed;
 };
 
-#define NUMBER(member)          COLUMN(struct timelapse_row, member)
-#define TIME(member)            NUMBER(member), .dimension = &dimension_time, .unit = "s"
-#define LENGTH(member, in_unit) NUMBER(member), .dimension = &dimension_length, .unit = in_unit
-#define DATA(member, in_unit)   NUMBER(member), .dimension = &dimension_storage, .unit = in_unit
-#define ANGLE(member)           NUMBER(member), .dimension = &dimension_angle, .unit = "deg"
-#define WITH(options)           .flags = COLUMN_EXTRA, .with = options
-#define BRIEF_WITH(options)     .flags = COLUMN_EXTRA | COLUMN_BRIEF, .with = options
+#define ROW struct timelapse_row
 
 static const struct column columns[] = {
-    {NUMBER(plan.shots), .name = "shots", .flags = COLUMN_BRIEF, .symbol = "n", .label = "shots",
-     .help = "number of shots"},
-    {TIME(plan.interval), .name = "interval", .flags = COLUMN_BRIEF | COLUMN_SPAN, .symbol = "i",
-     .label = "interval", .help = "from the start of one shot to the start of the next"},
-    {TIME(plan.event), .name = "event", .flags = COLUMN_BRIEF | COLUMN_SPAN, .symbol = "D",
-     .label = "event length", .help = "that all shots cover, each with its interval"},
-    {TIME(plan.clip), .name = "clip", .flags = COLUMN_BRIEF | COLUMN_SPAN, .symbol = "C",
-     .label = "clip length", .help = "length of the clip"},
-    {NUMBER(plan.rate), .dimension = &dimension_rate, .unit = "fps", .name = "frame_rate",
-     .symbol = "r", .label = "frame rate", .help = "frames per second of the clip"},
-    {NUMBER(plan.speed_up), .name = "speed_up", .flags = COLUMN_BRIEF, .symbol = "x",
-     .label = "speed-up", .help = "event length over clip length"},
-    {TIME(given.time), .name = "time", .flags = COLUMN_EXTRA | COLUMN_ECHO, .with = "time",
-     .symbol = "t", .label = "exposure time", .help = "exposure time of a shot"},
-    {TIME(plan.pause), .name = "pause", .flags = COLUMN_EXTRA | COLUMN_SPAN, .with = "time",
-     .symbol = "p", .label = "pause", .help = "without exposure between two shots"},
+    {SHOWN(plan.shots), .name = "shots", BRIEF, .symbol = "n", .help = "number of shots"},
+    {TIME(plan.interval), .name = "interval", BRIEF | COLUMN_SPAN, .symbol = "i",
+     .help = "from the start of one shot to the start of the next"},
+    {TIME(plan.event), .name = "event", BRIEF | COLUMN_SPAN, .symbol = "D", .label = "event length",
+     .help = "that all shots cover, each with its interval"},
+    {TIME(plan.clip), .name = "clip", BRIEF | COLUMN_SPAN, .symbol = "C", .label = "clip length",
+     .help = "length of the clip"},
+    {MEASURED(plan.rate, rate, "fps"), .name = "frame_rate", .symbol = "r", .label = "frame rate",
+     .help = "frames per second of the clip"},
+    {SHOWN(plan.speed_up), .name = "speed_up", BRIEF, .symbol = "x", .label = "speed-up",
+     .help = "event length over clip length"},
+    {TIME(given.time), .name = "time", ECHO_WITH("time"), .symbol = "t", .label = "exposure time",
+     .help = "exposure time of a shot"},
+    {TIME(plan.pause), .name = "pause", WITH("time") | COLUMN_SPAN, .symbol = "p",
+     .help = "without exposure between two shots"},
     {ANGLE(plan.shutter_angle), .name = "shutter_angle", WITH("time"), .symbol = "a",
      .label = "shutter angle of the clip",
      .help = "the exposed part of an interval, as of a film camera: 180 deg look smooth"},
-    {DATA(given.frame, "MB"), .name = "frame_size", .flags = COLUMN_EXTRA | COLUMN_ECHO,
-     .with = "frame-size", .symbol = "F", .label = "size of a frame",
-     .help = "storage that a shot takes"},
-    {DATA(plan.space, "GB"), .name = "space", BRIEF_WITH("frame-size"), .symbol = "S",
+    {MEASURED(given.frame, storage, "MB"), .name = "frame_size", ECHO_WITH("frame-size"),
+     .symbol = "F", .label = "size of a frame", .help = "storage that a shot takes"},
+    {MEASURED(plan.space, storage, "GB"), .name = "space", BRIEF_WITH("frame-size"), .symbol = "S",
      .label = "space for all shots", .help = "storage that all shots take"},
-    {DATA(given.card, "GB"), .name = "card", .flags = COLUMN_EXTRA | COLUMN_ECHO, .with = "card",
-     .symbol = "K", .label = "card", .help = "storage of a card"},
-    {NUMBER(card_shots), .name = "card_shots", WITH("card"), .symbol = "nc",
+    {MEASURED(given.card, storage, "GB"), .name = "card", ECHO_WITH("card"), .symbol = "K",
+     .help = "storage of a card"},
+    {SHOWN(card_shots), .name = "card_shots", WITH("card"), .symbol = "nc",
      .label = "shots on a card", .help = "that a card holds"},
-    {NUMBER(cards), .name = "cards", BRIEF_WITH("card"), .label = "cards",
-     .help = "that all shots need"},
-    {TIME(plan.card_time), .name = "card_time", .flags = COLUMN_EXTRA | COLUMN_SPAN, .with = "card",
+    {SHOWN(cards), .name = "cards", BRIEF_WITH("card"), .help = "that all shots need"},
+    {TIME(plan.card_time), .name = "card_time", WITH("card") | COLUMN_SPAN,
      .label = "recording time of a card", .help = "until it is full"},
-    {TIME(plan.span), .name = "span", .flags = COLUMN_EXTRA | COLUMN_SPAN,
-     .with = "star-angle focal-length", .symbol = "T", .label = "span, first exposure to last",
+    {TIME(plan.span), .name = "span", WITH("star-angle focal-length") | COLUMN_SPAN, .symbol = "T",
+     .label = "span, first exposure to last",
      .help = "from the beginning of the first exposure to the end of the last"},
     {ANGLE(plan.star_angle), .name = "star_angle", BRIEF_WITH("star-angle focal-length"),
      .symbol = "rot", .label = "star trails about the pole", .help = "angle that the trails span"},
-    {LENGTH(focal, "mm"), .name = "focal", .flags = COLUMN_EXTRA | COLUMN_ECHO,
-     .with = "focal-length", .symbol = "f", .label = "focal length", .help = "focal length"},
+    {LENGTH(focal, "mm"), .name = "focal", ECHO_WITH("focal-length"), .symbol = "f",
+     .label = "focal length", .help = "focal length"},
     {LENGTH(trail, "mm"), .name = "star_trail", WITH("focal-length"), .symbol = "X",
      .label = "star trail",
      .help = "of a star in the frame's centre, along its path on the sensor"},
@@ -123,17 +102,15 @@ static const struct column columns[] = {
      .label = "trail of one shot", .help = "that each exposure adds"},
     {LENGTH(gap_trail, "um"), .name = "gap_trail", BRIEF_WITH("focal-length"), .symbol = "xg",
      .label = "gap between two shots", .help = "of the trail, while the shutter is closed"},
-    {NUMBER(gap_pixels), .name = "gap_pixels", WITH("pitch"), .label = "gap in pixels",
+    {SHOWN(gap_pixels), .name = "gap_pixels", WITH("pitch"), .label = "gap in pixels",
      .help = "a gap below one or two is not seen"},
-    {TIME(given.gap), .name = "gap",
-     .flags = COLUMN_SPAN | COLUMN_ASSUMED | COLUMN_EXTRA | COLUMN_TIED, .with = "time",
-     .depends = "gap", .label = "gap at least",
-     .help = "that the camera needs between two exposures"},
-    {ANGLE(declination), .name = "declination", .with = "focal-length", .symbol = "dec",
-     .flags = COLUMN_ASSUMED | COLUMN_EXTRA | COLUMN_ECHO | COLUMN_TIED, .depends = "declination",
-     .label = "declination", .help = "of the stars"},
-    {NUMBER(rate_assumed), .name = "rate_assumed", .flags = COLUMN_ASSUMED | COLUMN_EXTRA,
-     .depends = "frame-rate", .label = "frame rate", .help = "what was taken where none is given"},
+    {TIME(given.gap), .name = "gap", ASSUMED_WITH("time", "gap") | COLUMN_SPAN,
+     .label = "gap at least", .help = "that the camera needs between two exposures"},
+    {ANGLE(declination), .name = "declination",
+     ASSUMED_WITH("focal-length", "declination") | COLUMN_ECHO, .symbol = "dec",
+     .help = "of the stars"},
+    {SHOWN(rate_assumed), .name = "rate_assumed", ASSUMED_BY("frame-rate"), .label = "frame rate",
+     .help = "what was taken where none is given"},
 };
 
 /* The trails of stars, where a focal length is given. */

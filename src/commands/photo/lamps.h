@@ -4,6 +4,7 @@
 #define LENSCALC_COMMANDS_PHOTO_LAMPS_H
 
 #include "cli/question/command.h"
+#include "commands/tables.h"
 #include "photo/flicker.h"
 
 #include <math.h>
@@ -14,27 +15,20 @@ struct lamps {
     double mains;           /* Hz */
 };
 
-#define OPTION_KELVIN(S, member, option_name, words)                                               \
-    {                                                                                              \
-        OPTION(S, member), .name = option_name, .quantity = "colour temperature",                  \
-                           .column = option_name, .dimension = &dimension_colour, .lowest = 500,   \
-                           .highest = 100000, .value = "KELVIN", .help = (words)                   \
-    }
+#define OPTION_KELVIN(member, option_name, words)                                                  \
+    ENTRY(MEASURE(member, colour, NULL, "KELVIN"), REPEATED(option_name),                          \
+          .quantity = "colour temperature", .lowest = 500, .highest = 100000, .help = (words))
 
 /* Of a member of type struct lamps. */
-#define LAMP_OPTIONS(S, member)                                                                    \
-    OPTION_KELVIN(S, member.kelvin, "kelvin",                                                      \
+#define LAMP_OPTIONS(member)                                                                       \
+    OPTION_KELVIN(member.kelvin, "kelvin",                                                         \
                   "colour temperature of the light: 3200K; what filters make of it"),              \
-        OPTION_KELVIN(S, member.balance, "balance",                                                \
+        OPTION_KELVIN(member.balance, "balance",                                                   \
                       "what film or white balance is made for: finds the conversion filter"),      \
-    {                                                                                              \
-        OPTION(S, member.mains),                                                                   \
-            .name = "mains", .quantity = "mains frequency", .column = "mains",                     \
-            .dimension = &dimension_rate, .unit = "Hz", OPTION_POSITIVE,                           \
-            .flags = OPTION_ABOVE_LOWEST | OPTION_NO_INFINITY, .value = "50|60",                   \
-            .help = "frequency of the mains that lamps follow: times and "                         \
-                    "shutter angles without flicker"                                               \
-    }
+        ENTRY(MEASURE(member.mains, rate, "Hz", "50|60"), REPEATED("mains"),                       \
+              .quantity = "mains frequency", ABOVE_0,                                              \
+              .help = "frequency of the mains that lamps follow: times and shutter angles "        \
+                      "without flicker")
 
 /* What the lamps shine on. */
 struct lamp_camera {
@@ -50,61 +44,37 @@ struct lamp_row {
     const char *flicker, *free_times, *free_angles;
 };
 
-#define LAMP_COLUMN(S, member, column_name)                                                        \
-    COLUMN(S, member), .name = column_name, .flags = COLUMN_EXTRA
-#define LAMP_BRIEF(S, member, column_name)                                                         \
-    COLUMN(S, member), .name = column_name, .flags = COLUMN_EXTRA | COLUMN_BRIEF
-
 /* Of a member of type struct lamp_row. */
-#define LAMP_COLUMNS(S, member)                                                                    \
-    {LAMP_COLUMN(S, member.kelvin, "kelvin") | COLUMN_ECHO,                                        \
-     .dimension = &dimension_colour,                                                               \
-     .unit = "K",                                                                                  \
-     .with = "kelvin",                                                                             \
-     .symbol = "K1",                                                                               \
-     .label = "colour temperature",                                                                \
-     .help = "of the light"},                                                                      \
-        {LAMP_COLUMN(S, member.balance, "balance") | COLUMN_ECHO,                                  \
-         .dimension = &dimension_colour,                                                           \
-         .unit = "K",                                                                              \
-         .with = "balance",                                                                        \
-         .symbol = "K2",                                                                           \
-         .label = "balanced for",                                                                  \
-         .help = "colour temperature of film or white balance"},                                   \
-        {LAMP_COLUMN(S, member.shift, "mired_shift"), .with = "filter", .symbol = "M",             \
-         .label = "mired shift of the filter",                                                     \
-         .help = "of the filters that are on: + amber, - blue"},                                   \
-        {LAMP_BRIEF(S, member.filtered, "filtered"),                                               \
-         .dimension = &dimension_colour,                                                           \
-         .unit = "K",                                                                              \
-         .with = "filter",                                                                         \
-         .symbol = "K3",                                                                           \
-         .label = "behind the filter",                                                             \
-         .help = "colour temperature behind the filters that are on"},                             \
-        {LAMP_BRIEF(S, member.wanted, "mired_wanted"), .with = "balance", .symbol = "Mw",          \
-         .label = "mired shift wanted", .help = "beside the filters that are on"},                 \
-        {LAMP_BRIEF(S, member.conversion, "conversion_filter"), .with = "balance",                 \
-         .label = "nearest filter", .help = "conversion filter with the nearest shift"},           \
-        {LAMP_COLUMN(S, member.conversion_shift, "conversion_shift"), .with = "balance",           \
-         .label = "its mired shift", .help = "of the nearest filter"},                             \
-        {LAMP_BRIEF(S, member.flicker, "flicker"), .with = "mains", .label = "flicker",            \
-         .help = "of this exposure under lamps on the mains"},                                     \
-        {LAMP_BRIEF(S, member.free_time, "flicker_free_time"),                                     \
-         .dimension = &dimension_time,                                                             \
-         .unit = "s",                                                                              \
-         .with = "mains",                                                                          \
-         .symbol = "tf",                                                                           \
-         .label = "nearest time without flicker",                                                  \
-         .help = "whole pulses of the lamps, within a frame"},                                     \
-        {LAMP_COLUMN(S, member.free_times, "flicker_free_times"), .with = "mains",                 \
-         .label = "times without flicker", .help = "the first of them, in s"},                     \
-        {LAMP_COLUMN(S, member.free_angles, "flicker_free_angles"), .with = "mains",               \
-         .label = "shutter angles without flicker", .help = "at the frame rate, in degrees"},      \
-    {                                                                                              \
-        LAMP_COLUMN(S, member.mains, "mains") | COLUMN_ASSUMED | COLUMN_ECHO | COLUMN_TIED,        \
-            .dimension = &dimension_rate, .unit = "Hz", .with = "mains", .depends = "mains",       \
-            .symbol = "mains", .label = "lamps on a mains of", .help = "frequency of the mains"    \
-    }
+#define LAMP_COLUMNS(member)                                                                       \
+    ENTRY(MEASURED(member.kelvin, colour, "K"), .name = "kelvin", ECHO_WITH("kelvin"),             \
+          .symbol = "K1", .label = "colour temperature", .help = "of the light"),                  \
+        ENTRY(MEASURED(member.balance, colour, "K"), .name = "balance", ECHO_WITH("balance"),      \
+              .symbol = "K2", .label = "balanced for",                                             \
+              .help = "colour temperature of film or white balance"),                              \
+        ENTRY(SHOWN(member.shift), .name = "mired_shift", WITH("filter"), .symbol = "M",           \
+              .label = "mired shift of the filter",                                                \
+              .help = "of the filters that are on: + amber, - blue"),                              \
+        ENTRY(MEASURED(member.filtered, colour, "K"), .name = "filtered", BRIEF_WITH("filter"),    \
+              .symbol = "K3", .label = "behind the filter",                                        \
+              .help = "colour temperature behind the filters that are on"),                        \
+        ENTRY(SHOWN(member.wanted), .name = "mired_wanted", BRIEF_WITH("balance"), .symbol = "Mw", \
+              .label = "mired shift wanted", .help = "beside the filters that are on"),            \
+        ENTRY(SHOWN(member.conversion), .name = "conversion_filter", BRIEF_WITH("balance"),        \
+              .label = "nearest filter", .help = "conversion filter with the nearest shift"),      \
+        ENTRY(SHOWN(member.conversion_shift), .name = "conversion_shift", WITH("balance"),         \
+              .label = "its mired shift", .help = "of the nearest filter"),                        \
+        ENTRY(SHOWN(member.flicker), .name = "flicker", BRIEF_WITH("mains"),                       \
+              .help = "of this exposure under lamps on the mains"),                                \
+        ENTRY(TIME(member.free_time), .name = "flicker_free_time", BRIEF_WITH("mains"),            \
+              .symbol = "tf", .label = "nearest time without flicker",                             \
+              .help = "whole pulses of the lamps, within a frame"),                                \
+        ENTRY(SHOWN(member.free_times), .name = "flicker_free_times", WITH("mains"),               \
+              .label = "times without flicker", .help = "the first of them, in s"),                \
+        ENTRY(SHOWN(member.free_angles), .name = "flicker_free_angles", WITH("mains"),             \
+              .label = "shutter angles without flicker", .help = "at the frame rate, in degrees"), \
+        ENTRY(MEASURED(member.mains, rate, "Hz"), .name = "mains",                                 \
+              ASSUMED_WITH("mains", "mains") | COLUMN_ECHO, .symbol = "mains",                     \
+              .label = "lamps on a mains of", .help = "frequency of the mains")
 
 /* Is anything of it asked? */
 static inline bool lamps_asked(const struct lamps *lamps)

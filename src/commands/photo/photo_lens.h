@@ -7,6 +7,7 @@
 #include "commands/lens/lens_options.h"
 #include "commands/photo/photo_columns.h"
 #include "commands/photo/photo_options.h"
+#include "commands/tables.h"
 #include "exchange/lens_formats.h"
 #include "photo/conjugate.h"
 #include "photo/distance_from.h"
@@ -34,15 +35,13 @@ enum photo_lens_use {
     PHOTO_LENS_OWN_PUPILS = 4      /* the command has no option that says other ones */
 };
 
-#define PHOTO_LENS_OPTIONS(S, member)                                                              \
-    {OPTION(S, member.lens),                                                                       \
-     .name = "lens",                                                                               \
-     .letter = 'l',                                                                                \
-     .value = "LENS",                                                                              \
-     .flags = OPTION_FILE,                                                                         \
-     .types = lens_types,                                                                          \
-     .help = "a real lens in place of -f: a name (list lenses), a file, or - for standard input"}, \
-        LENS_POSITION_OPTION(S, member), LENS_SECTION_OPTION(S, member)
+#define PHOTO_LENS_OPTIONS(member)                                                                 \
+    ENTRY(                                                                                         \
+        ASKED(member.lens), .name = "lens", .letter = 'l', .value = "LENS", .flags = OPTION_FILE,  \
+        .types = lens_types,                                                                       \
+        .help =                                                                                    \
+            "a real lens in place of -f: a name (list lenses), a file, or - for standard input"),  \
+        LENS_POSITION_OPTION(INPUT, member), LENS_SECTION_OPTION(INPUT, member)
 
 /* What a row says of a real lens; of a thin one nothing. Lengths in mm. */
 struct photo_real {
@@ -66,51 +65,33 @@ struct photo_lens {
 /* Of a thin lens. */
 extern const struct photo_real photo_real_none;
 
-#define PHOTO_LENS_ASSUMED .flags = COLUMN_ASSUMED | COLUMN_EXTRA | COLUMN_TIED, .with = "lens"
-
 /* What is said of a real lens among the assumptions; `member` is a struct photo_real. */
-#define PHOTO_LENS_COLUMNS(S, member)                                                              \
-    {COLUMN(S, member.title), .name = "lens",  PHOTO_LENS_ASSUMED,                                 \
-     .depends = "lens",       .label = "lens", .help = "title of the real lens"},                  \
-        {COLUMN(S, member.position),                                                               \
-         .name = "position",                                                                       \
-         PHOTO_LENS_ASSUMED,                                                                       \
-         .depends = "position lens",                                                               \
-         .label = "position",                                                                      \
-         .help = "zoom or focus position; absent where there is only one"},                        \
-    {                                                                                              \
-        COLUMN(S, member.focal),                                                                   \
-            .dimension = &dimension_length, .unit = "mm", .name = "lens_focal",                    \
-            PHOTO_LENS_ASSUMED, .depends = "position lens section wavelength",                     \
-            .label = "its focal length", .help = "focal length of the real lens at its wavelength" \
-    }
+#define PHOTO_LENS_COLUMNS(member)                                                                 \
+    ENTRY(SHOWN(member.title), .name = "lens", ASSUMED_WITH("lens", "lens"),                       \
+          .help = "title of the real lens"),                                                       \
+        ENTRY(SHOWN(member.position), .name = "position", ASSUMED_WITH("lens", "position lens"),   \
+              .help = "zoom or focus position; absent where there is only one"),                   \
+        ENTRY(LENGTH(member.focal, "mm"), .name = "lens_focal",                                    \
+              ASSUMED_WITH("lens", "position lens section wavelength"),                            \
+              .label = "its focal length",                                                         \
+              .help = "focal length of the real lens at its wavelength")
 
 /* What is doubtful about it. */
-#define PHOTO_LENS_WARNING_COLUMN(S, member)                                                       \
-    {                                                                                              \
-        COLUMN(S, member.warning), .name = "warning", .flags = COLUMN_EXTRA | COLUMN_NOTE,         \
-                                   .with = "lens", .label = "warning",                             \
-                                   .help = "what is doubtful about the lens"                       \
-    }
+#define PHOTO_LENS_WARNING_COLUMN(member)                                                          \
+    ENTRY(SHOWN(member.warning), .name = "warning", WITH("lens") | COLUMN_NOTE,                    \
+          .help = "what is doubtful about the lens")
 
 /* For a command that has no wavelength of its own. */
-#define PHOTO_LENS_WAVELENGTH_COLUMN(S, member)                                                    \
-    {                                                                                              \
-        COLUMN(S, member.wavelength),                                                              \
-            .dimension = &dimension_length, .unit = "nm", .name = "wavelength",                    \
-            .flags = COLUMN_ASSUMED | COLUMN_EXTRA | COLUMN_TIED | COLUMN_ECHO, .with = "lens",    \
-            .depends = "wavelength lens", .label = "wavelength",                                   \
-            .help = "of the light in the lens"                                                     \
-    }
+#define PHOTO_LENS_WAVELENGTH_COLUMN(member)                                                       \
+    ENTRY(LENGTH(member.wavelength, "nm"), .name = "wavelength",                                   \
+          ASSUMED_WITH("lens", "wavelength lens") | COLUMN_ECHO,                                   \
+          .help = "of the light in the lens")
 
 /* Between the principal planes of a real lens. */
-#define PHOTO_LENS_HIATUS_COLUMN(S, member)                                                        \
-    {                                                                                              \
-        COLUMN(S, member), .dimension = &dimension_length, .unit = "mm", .name = "hiatus",         \
-                           .flags = COLUMN_EXTRA | COLUMN_HIDDEN, .with = "lens", .symbol = "HH'", \
-                           .label = "between the principal planes",                                \
-                           .help = "from the front to the rear principal plane"                    \
-    }
+#define PHOTO_LENS_HIATUS_COLUMN(member)                                                           \
+    ENTRY(LENGTH(member, "mm"), .name = "hiatus", WITH("lens") | COLUMN_HIDDEN, .symbol = "HH'",   \
+          .label = "between the principal planes",                                                 \
+          .help = "from the front to the rear principal plane")
 
 /* Green, where no lens says what its light is, mm. */
 #define PHOTO_WAVELENGTH 0.00055
@@ -180,18 +161,17 @@ bool photo_lens_makes_many(const struct photo_lens_question *question);
 bool photo_lens_varies(const struct photo_lens_question *question, const char *option);
 
 /* `varies` of a command with --lens; `member` is the question in its input. */
-#define PHOTO_LENS_VARIES(S, member)                                                               \
+#define PHOTO_LENS_VARIES(member)                                                                  \
     static bool varies(const void *input, const char *option)                                      \
     {                                                                                              \
-        return photo_lens_varies(&((const S *)input)->member, option);                             \
+        return photo_lens_varies(&((const INPUT *)input)->member, option);                         \
     }
 
 /* And `makes_many` too, where nothing else makes several rows. */
-#define PHOTO_LENS_MAKES_MANY(S, member)                                                           \
-    PHOTO_LENS_VARIES(S, member)                                                                   \
-    static bool makes_many(const void *input)                                                      \
+#define PHOTO_LENS_MAKES_MANY(member)                                                              \
+    PHOTO_LENS_VARIES(member) static bool makes_many(const void *input)                            \
     {                                                                                              \
-        return photo_lens_makes_many(&((const S *)input)->member);                                 \
+        return photo_lens_makes_many(&((const INPUT *)input)->member);                             \
     }
 
 /* Refuse a subject at s from the front principal plane, mm, that would lie inside a real lens. */

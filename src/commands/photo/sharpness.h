@@ -5,6 +5,7 @@
 
 #include "commands/photo/photo_columns.h"
 #include "commands/photo/photo_options.h"
+#include "commands/tables.h"
 
 /* A circle of confusion, and what it may be derived from. */
 struct sharpness {
@@ -21,49 +22,38 @@ struct sharpness {
  * Initialisers of the options for a member of that type in a command's input; `pitch_use` is
  * coc_is_pixels, or null where --pitch is for more than --coc.
  */
-#define SHARPNESS_OPTIONS(S, member, more, coc_fallback, pitch_use)                                \
-    SHARPNESS_OPTIONS_DARK(S, member, more, coc_fallback, pitch_use),                              \
-        OPTION_WAVELENGTH(S, member.wavelength, "coc=airy")
+#define SHARPNESS_OPTIONS(member, more, coc_fallback, pitch_use)                                   \
+    SHARPNESS_OPTIONS_DARK(member, more, coc_fallback, pitch_use),                                 \
+        OPTION_WAVELENGTH(member.wavelength, "coc=airy")
 
 /* The same for a command with --lens; `question` is a struct photo_lens_question. */
-#define SHARPNESS_OPTIONS_OF_LENS(S, member, question, more, coc_fallback, pitch_use)              \
-    SHARPNESS_OPTIONS_DARK(S, member, more, coc_fallback, pitch_use),                              \
-        OPTION_WAVELENGTH_OF_LENS(S, question.wavelength, "lens|coc=airy")
+#define SHARPNESS_OPTIONS_OF_LENS(member, question, more, coc_fallback, pitch_use)                 \
+    SHARPNESS_OPTIONS_DARK(member, more, coc_fallback, pitch_use),                                 \
+        OPTION_WAVELENGTH_OF_LENS(question.wavelength, "lens|coc=airy")
 
 /* What both have: all but the light. */
-#define SHARPNESS_OPTIONS_DARK(S, member, more, coc_fallback, pitch_use)                           \
-    OPTION_COC(S, member.coc, more, coc_fallback), OPTION_SENSOR(S, member.sensor),                \
-        OPTION_PITCH(S, member.pitch, pitch_use), OPTION_PRINT(S, member.print),                   \
-        OPTION_VIEWING(S, member.viewing), OPTION_ACUITY(S, member.acuity)
+#define SHARPNESS_OPTIONS_DARK(member, more, coc_fallback, pitch_use)                              \
+    OPTION_COC(member.coc, more, coc_fallback), OPTION_SENSOR(member.sensor),                      \
+        OPTION_PITCH(member.pitch, pitch_use), OPTION_PRINT(member.print),                         \
+        OPTION_VIEWING(member.viewing), OPTION_ACUITY(member.acuity)
 
 /* With one of these wishes the circle of confusion may be the unknown of every row. */
 #define SHARPNESS_WISHES " +near +far +dof +hyperfocal"
 
 /* The circle of confusion; `wishes` is SHARPNESS_WISHES where the command has them, else "". */
-#define COLUMN_COC(S, member, more, wishes)                                                        \
-    {                                                                                              \
-        COLUMN(S, member), .name = "coc", .dimension = &dimension_length, .unit = "mm",            \
-                           .flags = COLUMN_ASSUMED | (more), .symbol = "c",                        \
-                           .depends = "coc sensor pitch print viewing acuity wavelength" wishes,   \
-                           .label = "circle of confusion",                                         \
-                           .help = "circle of confusion, diameter on the sensor"                   \
-    }
+#define COLUMN_COC(member, more, wishes)                                                           \
+    ENTRY(LENGTH(member, "mm"), .name = "coc", .flags = COLUMN_ASSUMED | (more), .symbol = "c",    \
+          .depends = "coc sensor pitch print viewing acuity wavelength" wishes,                    \
+          .label = "circle of confusion", .help = "circle of confusion, diameter on the sensor")
 
-#define COLUMN_CRITERION(S, member)                                                                \
-    {                                                                                              \
-        COLUMN(S, member), .name = "coc_criterion", .symbol = "criterion",                         \
-                           .depends = "coc pitch print viewing acuity",                            \
-                           .flags = COLUMN_ASSUMED | COLUMN_EXTRA, .label = "criterion",           \
-                           .help = "where the circle of confusion comes from"                      \
-    }
+#define COLUMN_CRITERION(member)                                                                   \
+    ENTRY(SHOWN(member), .name = "coc_criterion", ASSUMED_BY("coc pitch print viewing acuity"),    \
+          .symbol = "criterion", .label = "criterion",                                             \
+          .help = "where the circle of confusion comes from")
 
-#define COLUMN_WAVELENGTH(S, member)                                                               \
-    {                                                                                              \
-        COLUMN(S, member), .name = "wavelength", .dimension = &dimension_length, .unit = "nm",     \
-                           .flags = COLUMN_ASSUMED | COLUMN_EXTRA | COLUMN_ECHO, .symbol = "w",    \
-                           .depends = "wavelength lens", .label = "wavelength",                    \
-                           .help = "of the light in a real lens and in the Airy disc"              \
-    }
+#define COLUMN_WAVELENGTH(member)                                                                  \
+    ENTRY(LENGTH(member, "nm"), .name = "wavelength", ASSUMED_BY("wavelength lens") | COLUMN_ECHO, \
+          .symbol = "w", .help = "of the light in a real lens and in the Airy disc")
 
 /* What is a pixel pitch of the command for? */
 enum pitch_use { PITCH_FOR_COC, PITCH_FOR_MORE };
