@@ -169,28 +169,3 @@ bool attach_focused(const struct attach_lens *lens, bool near, struct attach_foc
                                    .working_fnumber = lens->N * (1 + m / lens->P)};
     return true;
 }
-
-static bool check_more(double f, double m0, double m, struct error *error)
-{
-    if (!check_positive("focal length", " mm", f, error) ||
-        !check_not_negative("magnification without attachment", "", m0, error)) {
-        return false;
-    }
-    if (!(m >= m0 && isfinite(m))) {
-        return fail(error, ERROR_DOMAIN,
-                    "{magnification} %g is below what the lens does alone (%g or more)", m, m0);
-    }
-    return true;
-}
-
-bool attach_tube_for(double f, double m0, double m, double *length, struct error *error)
-{
-    *length = f * (m - m0);
-    return check_more(f, m0, m, error);
-}
-
-bool attach_close_up_for(double f, double m0, double m, double *dioptres, struct error *error)
-{
-    *dioptres = 1000 * (m - m0) / (f * (1 + m0));
-    return check_more(f, m0, m, error);
-}

@@ -107,20 +107,4 @@ bool attach_apply(struct attach_lens *lens, const struct attach_step *steps, siz
 bool attach_focused(const struct attach_lens *lens, bool near, struct attach_focus *focus,
                     struct error *error);
 
-/*
- * The tube that takes a lens from magnification m0 to m.
- *
- * Result    e = f (m - m0), mm
- * Errors    m below m0: a tube can't reduce the magnification; f not above 0
- */
-bool attach_tube_for(double f, double m0, double m, double *length, struct error *error);
-
-/*
- * The close-up lens, on the front principal plane (d = 0), that takes a lens from m0 to m.
- *
- * Result    D = 1000 (m - m0)/(f (1 + m0)), dioptres, from m' = f/F + m0 (1 + f/F)
- * Errors    m below m0; f not above 0
- */
-bool attach_close_up_for(double f, double m0, double m, double *dioptres, struct error *error);
-
 #endif

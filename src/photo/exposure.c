@@ -272,15 +272,6 @@ bool exposure_equivalent(double ev_set, double N, int per_stop, struct equivalen
     return answer_positive("the exposure time", line->t, error);
 }
 
-bool exposure_rule_ev100(double N, double *ev100, struct error *error)
-{
-    if (!require_positive("f-number", "", N, error)) {
-        return false;
-    }
-    *ev100 = log2_of_100 + 2 * log2(N);
-    return true;
-}
-
 double exposure_white(double ev100)
 {
     return EXPOSURE_C * exp2(ev100) / 100 / PI;

@@ -121,16 +121,4 @@ struct equivalent_exposure {
 bool exposure_equivalent(double ev_set, double N, int per_stop, struct equivalent_exposure *line,
                          struct error *error);
 
-/*
- * Exposure value at ISO 100 of the rule "f/N at 1/ISO s": sunny 16, looney 11.
- *
- * Given     N       f-number of the rule, > 0
- * Result    EV100: 14.644 for f/16, 13.563 for f/11
- * Formula   log2(100 N^2)
- * Source    lenscalc data scene-ev.tsv, sunny-16 ladder
- * Errors    N not above 0
- * Limits    a rule of thumb: no account of season, latitude, hour
- */
-bool exposure_rule_ev100(double N, double *ev100, struct error *error);
-
 #endif

@@ -58,21 +58,6 @@ bool panorama_frame(const struct panorama_lens *lens, double width, double heigh
     return true;
 }
 
-bool panorama_focal(double angle, double m, double P, double width, double *f, struct error *error)
-{
-    if (!(angle > 0 && angle < PI)) {
-        return fail(error, ERROR_DOMAIN,
-                    "angle of view %g degrees is out of range (above 0, below "
-                    "180)",
-                    degrees_from_radians(angle));
-    }
-    if (!panorama_check_lens(m, P, error) || !check_positive("sensor width", " mm", width, error)) {
-        return false;
-    }
-    *f = width / (2 * tan(angle / 2) * (1 + m / P));
-    return true;
-}
-
 /* How many frames of an angle cover a total, and their even step. */
 static bool count_frames(double angle, double total, double overlap, bool closed, int *count,
                          double *step, struct error *error)

@@ -63,9 +63,6 @@ struct panorama_lens {
 bool panorama_frame(const struct panorama_lens *lens, double width, double height,
                     struct panorama_frame *frame, struct error *error);
 
-/* The focal length whose frame of this width spans the angle: width/(2 tan(angle/2)(1 + m/P)). */
-bool panorama_focal(double angle, double m, double P, double width, double *f, struct error *error);
-
 /*
  * Columns, rows and even steps.
  *

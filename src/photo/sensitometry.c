@@ -58,11 +58,6 @@ double saturation_exposure(double S)
     return 78 / S;
 }
 
-double recommended_index(double H)
-{
-    return 10 / H;
-}
-
 double recommended_exposure(double S)
 {
     return 10 / S;

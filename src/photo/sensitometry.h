@@ -55,7 +55,6 @@ bool focal_plane_exposure(const struct focal_plane_light *light, double *H, stru
  */
 double saturation_speed(double H);
 double saturation_exposure(double S);
-double recommended_index(double H);
 double recommended_exposure(double S);
 
 #endif

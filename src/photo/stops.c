@@ -15,29 +15,14 @@ double stops_from_density(double D)
     return D / log10_of_2;
 }
 
-double density_from_stops(double stops)
-{
-    return stops * log10_of_2;
-}
-
 double stops_from_factor(double F)
 {
     return log2(F);
 }
 
-double factor_from_stops(double stops)
-{
-    return exp2(stops);
-}
-
 double stops_from_transmittance(double transmittance)
 {
     return -log2(transmittance);
-}
-
-double transmittance_from_stops(double stops)
-{
-    return exp2(-stops);
 }
 
 bool check_transmittance(double transmittance, struct error *error)
@@ -78,26 +63,6 @@ static bool pupil_stretch(double m, double P, double *stretch, struct error *err
     }
     *stretch = 1 + m / P;
     return require_positive("pupil magnification", "", P, error);
-}
-
-bool bellows_factor(double m, double P, double *factor, struct error *error)
-{
-    double stretch = 0;
-    if (!pupil_stretch(m, P, &stretch, error)) {
-        return false;
-    }
-    *factor = stretch * stretch;
-    return true;
-}
-
-bool working_fnumber(double N, double m, double P, double *working, struct error *error)
-{
-    double stretch = 0;
-    if (!require_positive("f-number", "", N, error) || !pupil_stretch(m, P, &stretch, error)) {
-        return false;
-    }
-    *working = N * stretch;
-    return true;
 }
 
 /* Loss of the lens itself: absorption and extension. */

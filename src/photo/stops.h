@@ -16,11 +16,8 @@
  * Limits    trade labels are rounded: ND 3.0 is 9.966 stops, sold as "10 stops" and "ND1000"
  */
 double stops_from_density(double D);
-double density_from_stops(double stops);
 double stops_from_factor(double F);
-double factor_from_stops(double stops);
 double stops_from_transmittance(double transmittance);
-double transmittance_from_stops(double stops);
 
 /* Glass passes 1 at most; real rays may bring a little more than the f-number says they do. */
 #define TRANSMITTANCE_MOST 1.25
@@ -40,19 +37,6 @@ bool check_transmittance(double transmittance, struct error *error);
  */
 bool t_stop(double N, double transmittance, double *T, struct error *error);
 bool transmittance_from_t_stop(double N, double T, double *transmittance, struct error *error);
-
-/*
- * Exposure factor of a close-up, and its working f-number.
- *
- * Given     m magnification >= 0, P pupil magnification > 0
- *           N f-number > 0
- * Result    factor >= 1 by which light is lost; the working f-number N (1 + m/P)
- * Formula   (1 + m/P)^2
- * Source    lenscalc physics 3; for P = 1 the bellows rule (extension/focal length)^2
- * Errors    a negative or infinite m, P not above 0
- */
-bool bellows_factor(double m, double P, double *factor, struct error *error);
-bool working_fnumber(double N, double m, double P, double *working, struct error *error);
 
 /* Everything between the scene and the film; NaN where there is none of it. */
 struct light_loss {

@@ -188,19 +188,6 @@ bool tilt_through(double f, const struct tilt_point *first, const struct tilt_po
     return true;
 }
 
-bool tilt_point_focused(double f, double z, double h, struct tilt_point *point, struct error *error)
-{
-    if (!check_positive("focal length", " mm", f, error)) {
-        return false;
-    }
-    if (!(z >= f && isfinite(z))) {
-        return fail(error, ERROR_DOMAIN,
-                    "image distance %g mm lies within the focal length (%g mm or more)", z, f);
-    }
-    *point = (struct tilt_point){.distance = f * z / (z - f), .rise = -h / z};
-    return true;
-}
-
 struct tilt_reach tilt_along(const struct tilt *camera, double rise)
 {
     double D = camera->A - rise * camera->B;
@@ -257,48 +244,4 @@ bool tilt_shift_limit(const struct tilt *camera, double circle, const struct til
                     circle, width, height, hypot(width, height) * (f / image));
     }
     return true;
-}
-
-/* Narrow from..to to where low <= start + t step <= high. */
-static void tilt_clip(double start, double step, double low, double high, double *from, double *to)
-{
-    if (!(fabs(step) > 0)) {
-        *to = start >= low && start <= high ? *to : -(double)INFINITY;
-        return;
-    }
-    double a = (low - start) / step, b = (high - start) / step;
-    *from = fmax(*from, fmin(a, b));
-    *to = fmin(*to, fmax(a, b));
-}
-
-/* The part of the line A u - B y = f inside the view. */
-static struct tilt_segment clipped(double A, double B, double f, const struct tilt_view *view)
-{
-    double square = A * A + B * B;
-    double u = f * A / square, y = -f * B / square; /* nearest to the lens; direction (B, A) */
-    double from = -(double)INFINITY, to = (double)INFINITY;
-    tilt_clip(u, B, 0, view->u_max, &from, &to);
-    tilt_clip(y, A, view->y_min, view->y_max, &from, &to);
-    if (!(from < to)) {
-        return (struct tilt_segment){.shown = false};
-    }
-    return (struct tilt_segment){
-        .from = {-(u + from * B), y + from * A}, .to = {-(u + to * B), y + to * A}, .shown = true};
-}
-
-void tilt_draw(const struct tilt *camera, const struct tilt_view *view, struct tilt_sketch *drawing)
-{
-    double f = camera->f, B = camera->B, cosine = cos(camera->tilt), v = camera->image;
-    double half = view->lens_diameter / 2, bottom = view->sensor_centre - view->sensor_height / 2;
-    double back = v * cosine; /* along the axis to about the sensor */
-    *drawing = (struct tilt_sketch){
-        .hinge = {0, -camera->hinge},
-        .scheimpflug = {v, -camera->scheimpflug},
-        .lens = {{half * B, -half * cosine}, {-half * B, half * cosine}, true},
-        .sensor = {{v, bottom}, {v, bottom + view->sensor_height}, true},
-        .axis = {{-2 * f * cosine, -2 * f * B}, {back * cosine, back * B}, true},
-        .front_focal = clipped(cosine, B, f, view),
-        .sharp = clipped(camera->A, B, f, view),
-        .near = clipped(camera->A_near, B, f, view),
-        .far = clipped(camera->A_far, B, f, view)};
 }

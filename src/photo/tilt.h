@@ -61,30 +61,6 @@ struct tilt_coverage {
     double circle; /* diameter of the image circle at infinity that holds all corners, mm */
 };
 
-/* Light goes to +z: subject at z < 0, sensor at z > 0. mm. */
-struct tilt_place {
-    double z, y;
-};
-
-struct tilt_segment {
-    struct tilt_place from, to;
-    bool shown; /* false: outside the view */
-};
-
-/* How much to draw. */
-struct tilt_view {
-    double u_max;         /* depth of the scene, mm, > 0 */
-    double y_min, y_max;  /* its height, mm */
-    double lens_diameter; /* mm */
-    double sensor_height; /* mm */
-    double sensor_centre; /* y of the sensor's middle, mm (shift) */
-};
-
-struct tilt_sketch {
-    struct tilt_place hinge, scheimpflug; /* infinite untilted */
-    struct tilt_segment lens, sensor, axis, front_focal, sharp, near, far;
-};
-
 /*
  * Solve a tilted camera.
  *
@@ -115,17 +91,6 @@ bool tilt_solve(const struct tilt_given *given, struct tilt *result, struct erro
  */
 bool tilt_through(double f, const struct tilt_point *first, const struct tilt_point *second,
                   double *tilt, double *image, struct error *error);
-
-/*
- * A subject point from its image on the ground glass of the untilted camera.
- *
- * Given     f; image distance z at which it is sharp, mm, >= f; height h of its image, mm, + above
- *           the lens axis
- * Result    1/u = 1/f - 1/z, y/u = -h/z
- * Errors    z within f
- */
-bool tilt_point_focused(double f, double z, double h, struct tilt_point *point,
-                        struct error *error);
 
 /*
  * Near limit, plane of focus and far limit along one line of sight.
@@ -167,15 +132,5 @@ bool tilt_coverage(const struct tilt *camera, const struct tilt_frame *frame,
  */
 bool tilt_shift_limit(const struct tilt *camera, double circle, const struct tilt_frame *frame,
                       double *limit, struct error *error);
-
-/*
- * The lines and points of a side-view drawing, clipped to the view.
- *
- * Given     camera solved; view
- * Result    sharp, near and far lie in 0 <= u <= u_max, y_min <= y <= y_max; front_focal is the
- *           plane that meets the lens's parallel to the sensor in the hinge line
- */
-void tilt_draw(const struct tilt *camera, const struct tilt_view *view,
-               struct tilt_sketch *drawing);
 
 #endif

@@ -257,26 +257,6 @@ static void test_stacked_beam(void)
     CHECK_RELATIVE(focus.working_fnumber, 16.0, 1e-13, "limited by the rear lens");
 }
 
-/* What is asked for is what is got. */
-static void test_solved(void)
-{
-    uint64_t state = 7;
-    for (int i = 0; i < 2000; i++) {
-        double f = 20 + 200 * uniform(&state), m0 = uniform(&state), m = m0 + uniform(&state);
-        double e, D;
-        struct attach_lens tube, close_up;
-        struct error error;
-        CHECK(attach_tube_for(f, m0, m, &e, &error));
-        CHECK(attach_close_up_for(f, m0, m, &D, &error));
-        CHECK(attach_bare(&(struct attach_bare){f, 4, 1, m0, 0, 0}, &tube, &error));
-        close_up = tube;
-        CHECK(attach_apply(&tube, &(struct attach_step){ATTACH_TUBE, e, 0, 0}, 1, &error));
-        CHECK(attach_apply(&close_up, &(struct attach_step){ATTACH_CLOSE_UP, D, 0, 0}, 1, &error));
-        CHECK_RELATIVE(tube.m_near, m, 1e-13, "tube for a magnification");
-        CHECK_RELATIVE(close_up.m_near, m, 1e-13, "close-up lens for a magnification");
-    }
-}
-
 static void test_refusals(void)
 {
     static const struct {
@@ -306,8 +286,6 @@ static void test_refusals(void)
     CHECK(attach_bare(&(struct attach_bare){50, 4, 1, 5, 61, 0}, &lens,
                       &error)); /* s = 60 mm, front 61 mm before H */
     CHECK(!attach_focused(&lens, true, &focus, &error));
-    double e;
-    CHECK(!attach_tube_for(50, 0.5, 0.4, &e, &error));
 }
 
 int main(void)
@@ -320,7 +298,6 @@ int main(void)
     test_overflow();
     test_reversed();
     test_stacked_beam();
-    test_solved();
     test_refusals();
     return check_report();
 }

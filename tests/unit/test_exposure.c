@@ -221,10 +221,6 @@ static void test_refusals(void)
     CHECK(!exposure_deviation(&given, &stops, &error) && error.code == ERROR_USAGE);
     given.t = 1;
     CHECK(!exposure_deviation(&given, &stops, &error) && error.code == ERROR_USAGE);
-    double ev = 0;
-    CHECK(exposure_rule_ev100(16, &ev, &error));
-    CHECK_NEAR(ev, 14.644, 5e-4, "sunny 16, physics.md 3");
-    CHECK(!exposure_rule_ev100(0, &ev, &error));
 }
 
 static void test_losses(void)
@@ -259,9 +255,6 @@ static void test_losses(void)
         double stops = NAN;
         CHECK(!light_loss(&bad[i], &stops, &error) && error.code == ERROR_DOMAIN);
     }
-    CHECK_NEAR(density_from_stops(stops_from_density(0.9)), 0.9, 1e-15, "round trip");
-    CHECK_NEAR(stops_from_factor(factor_from_stops(6.6)), 6.6, 1e-14, "round trip");
-    CHECK_NEAR(stops_from_transmittance(transmittance_from_stops(2)), 2, 1e-15, "round trip");
 }
 
 static void test_lens(void)
@@ -280,12 +273,10 @@ static void test_lens(void)
                    {8.0 / 12, 2.8, 0.05, "army SS0512: image 8 in, original 12 in"},
                    {27.0 / 12 - 1, 5.06, 0.005, "army SS0511: bellows 27 in, lens 12 in"}};
     for (int i = 0; i < COUNT(bellows); i++) {
-        CHECK(bellows_factor(bellows[i].m, 1, &x, &error));
-        CHECK_NEAR(x, bellows[i].factor, bellows[i].tolerance, bellows[i].source);
+        const struct light_loss loss = {NAN, NAN, NAN, NAN, bellows[i].m, 1};
+        CHECK(light_loss(&loss, &x, &error));
+        CHECK_NEAR(exp2(x), bellows[i].factor, bellows[i].tolerance, bellows[i].source);
     }
-    CHECK(working_fnumber(16, 1, 1, &x, &error));
-    CHECK_NEAR(x, 32, 0, "f/16 at 1:1 works as f/32");
-    CHECK(!working_fnumber(16, NAN, 1, &x, &error) && !bellows_factor(1, -1, &x, &error));
 }
 
 static void test_shutter(void)
@@ -330,7 +321,6 @@ static void test_sensor(void)
     CHECK_RELATIVE(H / saturation_exposure(400), 0.46993364546604555, 1e-12,
                    "colour-hdri saturation_based_speed_focal_plane_exposure, 50 mm at 5 m");
     CHECK_NEAR(saturation_speed(0.78), 100, 1e-12, "ISO 12232: 78/H");
-    CHECK_NEAR(recommended_index(0.1), 100, 1e-12, "ISO 12232: 10/H");
     CHECK_NEAR(log2(saturation_exposure(100) / recommended_exposure(100)), 2.963, 5e-4, "log2 7.8");
     CHECK(!lens_q(1.3, 1, 0, &q, &error) && !lens_q(1, 1, pi / 2, &q, &error));
     CHECK(strstr(error.message, "field angle 90 deg") != NULL);

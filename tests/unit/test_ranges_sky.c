@@ -120,15 +120,6 @@ static void test_panorama_frame(void)
             "sensor width 0 mm must be above 0 and finite");
     OUTSIDE(panorama_frame(&(struct panorama_lens){1, 0, 1}, 1, 0, &frame, &error),
             "sensor height 0 mm must be above 0 and finite");
-    INSIDE(panorama_focal(pi / 2, 0.25, 0.25, 1, &x, &error));
-    CHECK_RELATIVE(x, 0.25, 1e-15, "the way back");
-    OUTSIDE(panorama_focal(pi, 0, 1, 1, &x, &error),
-            "angle of view 180 degrees is out of range (above 0, below 180)");
-    OUTSIDE(panorama_focal(0, 0, 1, 1, &x, &error),
-            "angle of view 0 degrees is out of range (above 0, below 180)");
-    OUTSIDE(panorama_focal(1, -0.5, 1, 1, &x, &error),
-            "magnification -0.5 must be 0 or more and finite");
-    OUTSIDE(panorama_focal(1, 0, 1, 0, &x, &error), "sensor width 0 mm must be above 0 and finite");
     INSIDE(panorama_pupil(0.5, 0.5, 0.5, -1, &x, &error));
     CHECK_NEAR(x, -0.75, 1e-16, "f (1 + m) + hiatus + f (1 - 1/P)");
     OUTSIDE(panorama_pupil(0, 0, 1, 0, &x, &error), "focal length 0 mm must be above 0 and finite");
@@ -376,13 +367,6 @@ static void test_tilt_points(void)
     OUTSIDE(tilt_through(2, &near, &(struct tilt_point){1, 0.5}, &tilt, &image, &error),
             "no sensor position images both points: the plane through them lies within the focal "
             "length 2 mm (farther away)");
-    OUTSIDE(tilt_point_focused(0, 1, 1, &at, &error),
-            "focal length 0 mm must be above 0 and finite");
-    INSIDE(tilt_point_focused(0.5, 0.5, 0.25, &at, &error));
-    CHECK_NEAR(at.distance, INFINITY, 0, "the focus");
-    CHECK_NEAR(at.rise, -0.5, 0, "-h/z");
-    OUTSIDE(tilt_point_focused(2, 1.5, 0, &at, &error),
-            "image distance 1.5 mm lies within the focal length (2 mm or more)");
 }
 
 /* A 3 x 4 frame untilted: its corner is 2.5 off the middle; the lens stands at v = 2 f. */
@@ -427,57 +411,6 @@ static void test_tilt_circle(void)
             "image distance 0 mm must be above 0 and finite");
 }
 
-/* The drawing of a lens tilted by asin 0.6, f = 2, v' = 5; all points from the lines' equations. */
-static void test_tilt_drawing(void)
-{
-    const struct tilt t = {.f = 2,
-                           .image = 5,
-                           .tilt = 0.643501108793284387,
-                           .hinge = 10.0 / 3,
-                           .scheimpflug = 20.0 / 3,
-                           .A = 0.4,
-                           .A_near = 0.5,
-                           .A_far = 0,
-                           .B = 0.6};
-    const struct tilt_view view = {.u_max = 8,
-                                   .y_min = -4,
-                                   .y_max = 3,
-                                   .lens_diameter = 2,
-                                   .sensor_height = 3,
-                                   .sensor_centre = 0.5};
-    struct tilt_sketch d;
-    tilt_draw(&t, &view, &d);
-    static const struct {
-        size_t at;
-        double from_z, from_y, to_z, to_y;
-    } rows[] = {
-        {offsetof(struct tilt_sketch, lens), 0.6, -0.8, -0.6, 0.8},
-        {offsetof(struct tilt_sketch, sensor), 5, -1, 5, 2},
-        {offsetof(struct tilt_sketch, axis), -3.2, -2.4, 3.2, 2.4},
-        {offsetof(struct tilt_sketch, front_focal), 0, -10.0 / 3, -4.75, 3},
-        {offsetof(struct tilt_sketch, sharp), 0, -10.0 / 3, -8, 2},
-        {offsetof(struct tilt_sketch, near), 0, -10.0 / 3, -7.6, 3},
-        {offsetof(struct tilt_sketch, far), 0, -10.0 / 3, -8, -10.0 / 3},
-    };
-    for (size_t i = 0; i < sizeof rows / sizeof *rows; i++) {
-        struct tilt_segment s;
-        memcpy(&s, (const char *)&d + rows[i].at, sizeof s);
-        CHECK(s.shown);
-        CHECK_NEAR(s.from.z, rows[i].from_z, 1e-14, "A u - B y = f, cut by the view");
-        CHECK_NEAR(s.from.y, rows[i].from_y, 1e-14, "A u - B y = f, cut by the view");
-        CHECK_NEAR(s.to.z, rows[i].to_z, 1e-14, "A u - B y = f, cut by the view");
-        CHECK_NEAR(s.to.y, rows[i].to_y, 1e-14, "A u - B y = f, cut by the view");
-    }
-    CHECK_NEAR(d.hinge.y, -10.0 / 3, 0, "below the lens");
-    CHECK_NEAR(d.scheimpflug.z, 5, 0, "in the sensor's plane");
-    CHECK_NEAR(d.scheimpflug.y, -20.0 / 3, 0, "below");
-    struct tilt outside = t;
-    outside.B = 0;
-    outside.A = 0.2; /* u = 10: behind the edge of the view */
-    tilt_draw(&outside, &view, &d);
-    CHECK(!d.sharp.shown && !d.far.shown);
-}
-
 int main(void)
 {
     test_star_ranges();
@@ -490,6 +423,5 @@ int main(void)
     test_tilt_ranges();
     test_tilt_points();
     test_tilt_circle();
-    test_tilt_drawing();
     return check_report();
 }
