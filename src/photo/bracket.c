@@ -121,12 +121,9 @@ double bracket_offset(const struct bracket *plan, int i, double base)
 bool bracket_covers(const struct bracket *plan, double single, struct bracket_range *range,
                     struct error *error)
 {
-    if (!require_positive("range of a shot", " stops", single, error)) {
-        return false;
-    }
     range->covered = single + plan->span;
     range->overlap = single - plan->step;
-    return true;
+    return require_positive("range of a shot", " stops", single, error);
 }
 
 bool bracket_shots_needed(double scene, double single, double step, int *shots, struct error *error)
@@ -143,9 +140,6 @@ bool bracket_shots_needed(double scene, double single, double step, int *shots, 
     }
     /* 1e-9: 12 stops in steps of 0.1 need no extra shot for a rounding */
     double needed = fmax(0, ceil((scene - single) / step - 1e-9)) + 1;
-    if (!bracket_check_shots(needed, error)) {
-        return false;
-    }
     *shots = (int)needed;
-    return true;
+    return bracket_check_shots(needed, error);
 }

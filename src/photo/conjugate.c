@@ -2,190 +2,120 @@
 /* SPDX-License-Identifier: MIT */
 #include "photo/conjugate.h"
 
-#include <math.h>
-#include <stddef.h>
+#include "photo/given.h"
 
-/* The bits of the given quantities, in the order of quantities[]. */
+#include <math.h>
+
+/* The bits of the given quantities. */
 enum { HAS_F = 1, HAS_S = 2, HAS_V = 4, HAS_M = 8, HAS_T = 16 };
 
 /* Relative slack at T = 4 f + hiatus: 33.3 x 4 and 133.2 differ by rounding only. */
 static const double one_to_one_slack = 1e-12;
 
-static bool from_f_s(const struct conjugates_given *g, struct conjugates *r, struct error *error)
+/* Magnification from the focal length and one more. */
+static bool conjugates_with_f(unsigned has, const struct conjugates_given *g, struct conjugates *r,
+                              struct error *error)
 {
-    if (!(g->s > g->f)) {
-        return fail(error, ERROR_DOMAIN,
+    const double f = g->f;
+    if (has == (HAS_F | HAS_S)) {
+        r->m = f / (g->s - f);
+        return g->s > f ||
+               fail(error, ERROR_DOMAIN,
                     "{distance} %g mm lies within {the focal length} %g mm: no real image, a "
                     "magnifier and not a photograph (more than %g mm)",
-                    g->s, g->f, g->f);
+                    g->s, f, f);
     }
-    r->m = g->f / (g->s - g->f);
-    return true;
-}
-
-static bool from_f_v(const struct conjugates_given *g, struct conjugates *r, struct error *error)
-{
-    if (!(g->v >= g->f)) {
-        return fail(
-            error, ERROR_DOMAIN,
-            "{image distance} %g mm lies within {the focal length} %g mm: focused beyond infinity "
-            "(%g mm or more)",
-            g->v, g->f, g->f);
+    if (has == (HAS_F | HAS_V)) {
+        r->m = (g->v - f) / f;
+        return g->v >= f ||
+               fail(error, ERROR_DOMAIN,
+                    "{image distance} %g mm lies within {the focal length} %g mm: focused beyond "
+                    "infinity (%g mm or more)",
+                    g->v, f, f);
     }
-    r->m = (g->v - g->f) / g->f;
-    return true;
-}
-
-static bool from_f_m(const struct conjugates_given *g, struct conjugates *r, struct error *error)
-{
-    (void)g;
-    (void)r;
-    (void)error;
-    return true;
-}
-
-static bool from_f_T(const struct conjugates_given *g, struct conjugates *r, struct error *error)
-{
-    double x = (g->T - g->hiatus - 4 * g->f) / g->f;
+    if (has == (HAS_F | HAS_M)) {
+        return true;
+    }
+    double x = (g->T - g->hiatus - 4 * f) / f;
     if (!(x >= -one_to_one_slack)) {
-        return fail(
-            error, ERROR_DOMAIN,
-            "{sensor distance} %g mm is too short for {the focal length} %g mm: no real image "
-            "(4 f + hiatus = %g mm or more)",
-            g->T, g->f, 4 * g->f + g->hiatus);
+        return fail(error, ERROR_DOMAIN,
+                    "{sensor distance} %g mm is too short for {the focal length} %g mm: no real "
+                    "image (4 f + hiatus = %g mm or more)",
+                    g->T, f, 4 * f + g->hiatus);
     }
     x = fmax(x, 0);
-    double large = isinf(x) ? x : (2 + x + sqrt(x * (x + 4))) / 2;
-    if (g->choice == CONJUGATES_ENLARGED && isinf(large)) {
-        return fail(error, ERROR_DOMAIN,
-                    "{sensor distance} inf has no enlarged image (a finite distance)");
-    }
-    r->m = g->choice == CONJUGATES_ENLARGED ? large : 1 / large;
-    return true;
+    const double large = isinf(x) ? x : (2 + x + sqrt(x * (x + 4))) / 2;
+    const bool is_enlarged = g->choice == CONJUGATES_ENLARGED;
+    r->m = is_enlarged ? large : 1 / large;
+    return !(is_enlarged && isinf(large)) ||
+           fail(error, ERROR_DOMAIN,
+                "{sensor distance} inf has no enlarged image (a finite distance)");
 }
 
-static bool from_s_v(const struct conjugates_given *g, struct conjugates *r, struct error *error)
+/* Focal length and magnification from two others. */
+static bool conjugates_without_f(unsigned has, const struct conjugates_given *g,
+                                 struct conjugates *r, struct error *error)
 {
-    (void)error;
-    r->m = g->v / g->s;
-    r->f = g->v / (1 + r->m);
-    return true;
-}
-
-static bool from_s_m(const struct conjugates_given *g, struct conjugates *r, struct error *error)
-{
-    if (!(isfinite(g->s) && g->m > 0)) {
-        return fail(error, ERROR_DOMAIN,
+    const double between = g->T - g->hiatus;
+    switch (has) {
+    case HAS_S | HAS_M:
+        r->f = g->s * g->m / (1 + g->m);
+        return (isfinite(g->s) && g->m > 0) ||
+               fail(error, ERROR_DOMAIN,
                     "{distance} %g mm with {magnification} %g leaves the focal length open (a "
                     "finite distance and a magnification above 0)",
                     g->s, g->m);
-    }
-    r->f = g->s * g->m / (1 + g->m);
-    return true;
-}
-
-static bool from_s_T(const struct conjugates_given *g, struct conjugates *r, struct error *error)
-{
-    double v = g->T - g->hiatus - g->s;
-    if (!(v > 0 && isfinite(v))) {
-        return fail(
-            error, ERROR_DOMAIN,
-            "{sensor distance} %g mm leaves no room for an image behind {the distance} %g mm "
-            "(finite and more than %g mm)",
-            g->T, g->s, g->s + g->hiatus);
-    }
-    r->v = v;
-    r->m = v / g->s;
-    r->f = v / (1 + r->m);
-    return true;
-}
-
-static bool from_v_m(const struct conjugates_given *g, struct conjugates *r, struct error *error)
-{
-    (void)error;
-    r->f = g->v / (1 + g->m);
-    return true;
-}
-
-static bool from_v_T(const struct conjugates_given *g, struct conjugates *r, struct error *error)
-{
-    double s = g->T - g->hiatus - g->v;
-    if (!(s > 0)) {
-        return fail(error, ERROR_DOMAIN,
-                    "{sensor distance} %g mm leaves no room for a subject before {the image "
-                    "distance} %g mm "
-                    "(more than %g mm)",
-                    g->T, g->v, g->v + g->hiatus);
-    }
-    r->s = s;
-    r->m = g->v / s;
-    r->f = g->v / (1 + r->m);
-    return true;
-}
-
-static bool from_m_T(const struct conjugates_given *g, struct conjugates *r, struct error *error)
-{
-    double D = g->T - g->hiatus;
-    if (!(isfinite(D) && D > 0 && g->m > 0)) {
-        return fail(error, ERROR_DOMAIN,
+    case HAS_V | HAS_M:
+        r->f = g->v / (1 + g->m);
+        return true;
+    case HAS_M | HAS_T:
+        r->f = between / (1 + g->m) * (g->m / (1 + g->m));
+        return (isfinite(between) && between > 0 && g->m > 0) ||
+               fail(error, ERROR_DOMAIN,
                     "{sensor distance} %g mm with {magnification} %g leaves the focal length open "
                     "(finite and more than the hiatus %g mm, a magnification above 0)",
                     g->T, g->m, g->hiatus);
+    case HAS_S | HAS_T:
+        r->v = between - g->s;
+        if (!(r->v > 0 && isfinite(r->v))) {
+            return fail(error, ERROR_DOMAIN,
+                        "{sensor distance} %g mm leaves no room for an image behind {the "
+                        "distance} %g mm (finite and more than %g mm)",
+                        g->T, g->s, g->s + g->hiatus);
+        }
+        break;
+    case HAS_V | HAS_T:
+        r->s = between - g->v;
+        if (!(r->s > 0)) {
+            return fail(error, ERROR_DOMAIN,
+                        "{sensor distance} %g mm leaves no room for a subject before {the image "
+                        "distance} %g mm (more than %g mm)",
+                        g->T, g->v, g->v + g->hiatus);
+        }
+        break;
+    default: /* s and v */
+        break;
     }
-    r->f = D / (1 + g->m) * (g->m / (1 + g->m));
+    r->m = r->v / r->s;
+    r->f = r->v / (1 + r->m);
     return true;
-}
-
-/* Each sets f and m from its pair; f and m are already there if they were given. */
-static const struct solver {
-    unsigned has;
-    bool (*solve)(const struct conjugates_given *, struct conjugates *, struct error *);
-} solvers[] = {
-    {HAS_F | HAS_S, from_f_s}, {HAS_F | HAS_V, from_f_v}, {HAS_F | HAS_M, from_f_m},
-    {HAS_F | HAS_T, from_f_T}, {HAS_S | HAS_V, from_s_v}, {HAS_S | HAS_M, from_s_m},
-    {HAS_S | HAS_T, from_s_T}, {HAS_V | HAS_M, from_v_m}, {HAS_V | HAS_T, from_v_T},
-    {HAS_M | HAS_T, from_m_T},
-};
-
-/* The five quantities with their legal ranges, one bit each. */
-static const struct quantity {
-    size_t offset;
-    const char *name, *unit, *range;
-    bool zero, infinite; /* are these legal */
-} quantities[] = {
-    {offsetof(struct conjugates_given, f), "focal length", " mm", "above 0 mm, finite", 0, 0},
-    {offsetof(struct conjugates_given, s), "distance", " mm", "above 0 mm, may be inf", 0, 1},
-    {offsetof(struct conjugates_given, v), "image distance", " mm", "above 0 mm, finite", 0, 0},
-    {offsetof(struct conjugates_given, m), "magnification", "", "0 or more, finite", 1, 0},
-    {offsetof(struct conjugates_given, T), "sensor distance", " mm", "above 0 mm, may be inf", 0,
-     1},
-};
-
-static double quantity_value(const struct conjugates_given *given, const struct quantity *q)
-{
-    return *(const double *)(const void *)((const char *)given + q->offset);
 }
 
 /* Which are given, as bits; false and an error if one is out of its range. */
 static bool given_bits(const struct conjugates_given *given, unsigned *has, struct error *error)
 {
+    const double values[] = {given->f, given->s, given->v, given->m, given->T};
+    const struct given finite[] = {{"focal length", " mm", given->f},
+                                   {"image distance", " mm", given->v}};
+    const struct given others[] = {{"distance", " mm", given->s},
+                                   {"sensor distance", " mm", given->T}};
     *has = 0;
-    for (unsigned i = 0; i < sizeof quantities / sizeof *quantities; i++) {
-        const struct quantity *q = &quantities[i];
-        double x = quantity_value(given, q);
-        if (isnan(x)) {
-            continue;
-        }
-        if (!(x > 0 || (q->zero && x >= 0)) || (isinf(x) && !q->infinite)) {
-            return fail(error, ERROR_DOMAIN, "{%s} %g%s is out of range (%s)", q->name, x, q->unit,
-                        q->range);
-        }
-        *has |= 1U << i;
+    for (unsigned i = 0; i < sizeof values / sizeof values[0]; i++) {
+        *has |= isnan(values[i]) ? 0 : 1U << i;
     }
-    if (!isfinite(given->hiatus)) {
-        return fail(error, ERROR_DOMAIN, "{hiatus} %g mm is out of range (finite)", given->hiatus);
-    }
-    return true;
+    return given_positive(finite, 2, error) && given_above_0(others, 2, error) &&
+           (isnan(given->m) || check_not_negative("magnification", "", given->m, error)) &&
+           check_finite("hiatus", " mm", given->hiatus, error);
 }
 
 /* From f and m everything else; what was given or solved before stays as it is. */
@@ -213,34 +143,27 @@ bool conjugates_solve(const struct conjugates_given *given, struct conjugates *r
     }
     *result = (struct conjugates){
         .f = given->f, .s = given->s, .v = given->v, .m = given->m, .T = given->T};
-    for (size_t i = 0; i < sizeof solvers / sizeof *solvers; i++) {
-        if (solvers[i].has == has) {
-            if (!solvers[i].solve(given, result, error)) {
-                return false;
-            }
-            conjugate_complete(has, given->hiatus, result);
-            return true;
-        }
+    const unsigned rest = has & (has - 1); /* without the first of them */
+    if (rest == 0 || (rest & (rest - 1)) != 0) {
+        return fail(error, ERROR_USAGE,
+                    "give exactly two of {focal length}, {distance}, {image distance}, "
+                    "{magnification} and {sensor distance}");
     }
-    return fail(
-        error, ERROR_USAGE,
-        "give exactly two of {focal length}, {distance}, {image distance}, {magnification} and "
-        "{sensor distance}");
+    if (!((has & HAS_F) != 0 ? conjugates_with_f(has, given, result, error)
+                             : conjugates_without_f(has, given, result, error))) {
+        return false;
+    }
+    conjugate_complete(has, given->hiatus, result);
+    return true;
 }
 
 bool conjugates_exposure(double N, double m, double P, struct conjugates_exposure *result,
                          struct error *error)
 {
-    if (!(N > 0 && isfinite(N))) {
-        return fail(error, ERROR_DOMAIN, "{f-number} %g is out of range (above 0, finite)", N);
-    }
-    if (!(m >= 0 && isfinite(m))) {
-        return fail(error, ERROR_DOMAIN, "{magnification} %g is out of range (0 or more, finite)",
-                    m);
-    }
-    if (!(P > 0 && isfinite(P))) {
-        return fail(error, ERROR_DOMAIN,
-                    "{pupil magnification} %g is out of range (above 0, finite)", P);
+    if (!check_positive("f-number", "", N, error) ||
+        !check_not_negative("magnification", "", m, error) ||
+        !check_positive("pupil magnification", "", P, error)) {
+        return false;
     }
     double ratio = 1 + m / P;
     if (!(ratio <= 1e150)) {

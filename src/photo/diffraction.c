@@ -4,6 +4,7 @@
 #include "photo/diffraction.h"
 
 #include "base/constants.h"
+#include "photo/given.h"
 
 #include <math.h>
 
@@ -18,29 +19,19 @@ static double mm_from_um(double um)
     return um / 1000;
 }
 
-static bool diffraction_check_range(double x, bool zero, const char *name, const char *unit,
-                                    struct error *error)
-{
-    if (!((x > 0 || (zero && x >= 0)) && isfinite(x))) {
-        return fail(error, ERROR_DOMAIN, "{%s} %g%s is out of range (%s, finite)", name, x, unit,
-                    zero ? "0 or more" : "above 0");
-    }
-    return true;
-}
-
 static bool diffraction_check_light(double wavelength, double m, double P, struct error *error)
 {
-    return diffraction_check_range(wavelength, false, "wavelength", " um", error) &&
-           diffraction_check_range(m, true, "magnification", "", error) &&
-           diffraction_check_range(P, false, "pupil magnification", "", error);
+    return check_positive("wavelength", " um", wavelength, error) &&
+           check_not_negative("magnification", "", m, error) &&
+           check_positive("pupil magnification", "", P, error);
 }
 
 static bool diffraction_check_setting(const struct diffraction_setting *s, struct error *error)
 {
-    return diffraction_check_range(s->N, false, "f-number", "", error) &&
+    return check_positive("f-number", "", s->N, error) &&
            diffraction_check_light(s->wavelength, s->m, s->P, error) &&
-           diffraction_check_range(s->blur, true, "blur by defocus", " mm", error) &&
-           diffraction_check_range(s->pitch, true, "pixel pitch", " mm", error);
+           check_not_negative("blur by defocus", " mm", s->blur, error) &&
+           check_not_negative("pixel pitch", " mm", s->pitch, error);
 }
 
 /* Wavelength times working f-number, mm: the unit of everything here. */
@@ -110,12 +101,9 @@ static struct diffraction_mtf mtf_factors(const struct diffraction_setting *s, d
 bool diffraction_mtf_at(const struct diffraction_setting *setting, double nu,
                         struct diffraction_mtf *mtf, struct error *error)
 {
-    if (!diffraction_check_setting(setting, error) ||
-        !diffraction_check_range(nu, true, "spatial frequency", " per mm", error)) {
-        return false;
-    }
     *mtf = mtf_factors(setting, nu);
-    return true;
+    return diffraction_check_setting(setting, error) &&
+           check_not_negative("spatial frequency", " per mm", nu, error);
 }
 
 bool diffraction_frequency(const struct diffraction_setting *setting, double level, double *nu,
@@ -146,18 +134,15 @@ bool diffraction_frequency(const struct diffraction_setting *setting, double lev
 bool diffraction_fnumber(double diameter, double wavelength, double m, double P, double *N,
                          struct error *error)
 {
-    if (!diffraction_check_range(diameter, false, "diameter on the sensor", " mm", error) ||
-        !diffraction_check_light(wavelength, m, P, error)) {
-        return false;
-    }
     *N = diameter / (2 * DIFFRACTION_AIRY_RADIUS * mm_from_um(wavelength) * (1 + m / P));
-    return true;
+    return check_positive("diameter on the sensor", " mm", diameter, error) &&
+           diffraction_check_light(wavelength, m, P, error);
 }
 
 bool diffraction_optimum(double spread, double wavelength, double m, double P,
                          struct diffraction_optimum *result, struct error *error)
 {
-    if (!diffraction_check_range(spread, false, "focus spread", " mm", error) ||
+    if (!check_positive("focus spread", " mm", spread, error) ||
         !diffraction_check_light(wavelength, m, P, error)) {
         return false;
     }
@@ -175,7 +160,7 @@ bool diffraction_optimum(double spread, double wavelength, double m, double P,
 bool diffraction_focus_spread(double f, double near, double far, double *spread,
                               struct error *error)
 {
-    if (!diffraction_check_range(f, false, "focal length", " mm", error)) {
+    if (!check_positive("focal length", " mm", f, error)) {
         return false;
     }
     if (!(near > f && isfinite(near))) {
@@ -198,8 +183,8 @@ bool diffraction_focus_spread(double f, double near, double far, double *spread,
 bool diffraction_resolve(double diameter, double wavelength, struct diffraction_angles *angles,
                          struct error *error)
 {
-    if (!diffraction_check_range(diameter, false, "entrance pupil", " mm", error) ||
-        !diffraction_check_range(wavelength, false, "wavelength", " um", error)) {
+    if (!check_positive("entrance pupil", " mm", diameter, error) ||
+        !check_positive("wavelength", " um", wavelength, error)) {
         return false;
     }
     double unit = mm_from_um(wavelength) / diameter;

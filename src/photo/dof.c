@@ -4,6 +4,8 @@
 
 #include <math.h>
 
+#include "photo/given.h"
+
 const struct word dof_models[DOF_MODELS + 1] = {
     [DOF_EXACT] = {"exact", "thin lens with pupils, no approximation"},
     [DOF_NO_F] = {"no-f",
@@ -15,20 +17,11 @@ const struct word dof_models[DOF_MODELS + 1] = {
 /* The refusals of dof_check; apart, so that the checks in the hot path are one branch. */
 static bool dof_refuse(const struct dof_setting *a, struct error *error)
 {
-    if (!(a->f > 0 && a->f < INFINITY)) {
-        return fail(error, ERROR_DOMAIN, "{focal length} %.15g mm must be above 0 mm and finite",
-                    a->f);
-    }
-    if (!(a->N > 0 && a->N < INFINITY)) {
-        return fail(error, ERROR_DOMAIN, "{f-number} %.15g must be above 0 and finite", a->N);
-    }
-    if (!(a->c >= 0 && a->c < INFINITY)) {
-        return fail(error, ERROR_DOMAIN,
-                    "{circle of confusion} %.15g mm must be 0 mm or more and finite", a->c);
-    }
-    if (!(a->P > 0 && a->P < INFINITY)) {
-        return fail(error, ERROR_DOMAIN, "{pupil magnification} %.15g must be above 0 and finite",
-                    a->P);
+    if (!check_positive("focal length", " mm", a->f, error) ||
+        !check_positive("f-number", "", a->N, error) ||
+        !check_not_negative("circle of confusion", " mm", a->c, error) ||
+        !check_positive("pupil magnification", "", a->P, error)) {
+        return false;
     }
     if (isnan(a->s)) {
         return fail(error, ERROR_DOMAIN, "{distance} is not a number; it must be above %.15g mm",

@@ -5,6 +5,7 @@
 #include <math.h>
 
 #include "photo/dof_solve.h"
+#include "photo/given.h"
 
 /* A step that rounding alone would add is not taken. */
 #define COUNT_TOLERANCE 1e-9
@@ -85,11 +86,8 @@ bool dof_plan_shot(const struct dof_plan *plan, long index, struct dof_setting *
 bool dof_equal(const struct dof_setting *setting, double k, struct dof_setting *other,
                struct error *error)
 {
-    if (!dof_check(setting, error)) {
+    if (!dof_check(setting, error) || !check_positive("ratio of formats", "", k, error)) {
         return false;
-    }
-    if (!(k > 0 && k < INFINITY)) {
-        return fail(error, ERROR_DOMAIN, "ratio of formats %.15g must be above 0 and finite", k);
     }
     double f = setting->f, s = setting->s;
     struct dof_setting b = *setting;

@@ -4,6 +4,8 @@
 
 #include <math.h>
 
+#include "photo/given.h"
+
 /* The bits of a set by the names of their quantities. */
 struct bit_word {
     unsigned bit;
@@ -98,15 +100,6 @@ bool problem_undetermined(const struct problem *p, struct error *error)
     return false;
 }
 
-static bool check_target(double x, bool legal, const char *name, const char *unit,
-                         const char *range, struct error *error)
-{
-    if (isnan(x) || legal) {
-        return true;
-    }
-    return fail(error, ERROR_DOMAIN, "{%s} %.15g%s must be %s", name, x, unit, range);
-}
-
 bool problem_check_targets(const struct dof_targets *t, struct error *error)
 {
     if (t->near >= t->far) {
@@ -114,14 +107,13 @@ bool problem_check_targets(const struct dof_targets *t, struct error *error)
                     "{near limit} %.15g mm must lie before {the far limit} %.15g mm", t->near,
                     t->far);
     }
-    return check_target(t->near, t->near > 0 && t->near < INFINITY, "near limit", " mm",
-                        "above 0 and finite", error) &&
-           check_target(t->far, t->far > 0, "far limit", " mm", "above 0", error) &&
-           check_target(t->total, t->total > 0, "depth of field", " mm", "above 0", error) &&
-           check_target(t->hyperfocal, t->hyperfocal > 0 && t->hyperfocal < INFINITY,
-                        "hyperfocal distance", " mm", "above 0 and finite", error) &&
-           check_target(t->magnification, t->magnification >= 0 && t->magnification < INFINITY,
-                        "magnification", "", "0 or more and finite", error);
+    const struct given finite[] = {{"near limit", " mm", t->near},
+                                   {"hyperfocal distance", " mm", t->hyperfocal}};
+    const struct given others[] = {{"far limit", " mm", t->far},
+                                   {"depth of field", " mm", t->total}};
+    return given_above_0(others, 2, error) && given_positive(finite, 2, error) &&
+           (isnan(t->magnification) ||
+            check_not_negative("magnification", "", t->magnification, error));
 }
 
 /* The unknown settings replaced by something legal. */

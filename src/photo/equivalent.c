@@ -6,69 +6,38 @@
 
 #include <math.h>
 
-static double size_diagonal(const struct equivalent_format *format)
+static double format_size(const struct sensor *format, enum equivalent_measure measure)
 {
-    return hypot(format->width, format->height);
-}
-
-static double size_width(const struct equivalent_format *format)
-{
-    return format->width;
-}
-
-static double size_height(const struct equivalent_format *format)
-{
-    return format->height;
-}
-
-static double size_area(const struct equivalent_format *format)
-{
-    return sqrt(format->width * format->height);
-}
-
-/* In the order of enum equivalent_measure. */
-static double (*const sizes[])(const struct equivalent_format *) = {size_diagonal, size_width,
-                                                                    size_height, size_area};
-
-static bool equivalent_check_format(const struct equivalent_format *format, struct error *error)
-{
-    if (!(format->width > 0 && isfinite(format->width) && format->height > 0 &&
-          isfinite(format->height))) {
-        return fail(error, ERROR_DOMAIN, "format %g x %g mm is out of range (both sides above 0)",
-                    format->width, format->height);
+    switch (measure) {
+    case EQUIVALENT_WIDTH:
+        return format->width;
+    case EQUIVALENT_HEIGHT:
+        return format->height;
+    case EQUIVALENT_AREA:
+        return sqrt(format->width * format->height);
+    case EQUIVALENT_DIAGONAL:
+        break;
     }
-    return true;
+    return sensor_diagonal(format);
 }
 
-bool equivalent_ratio(const struct equivalent_format *from, const struct equivalent_format *to,
+bool equivalent_ratio(const struct sensor *from, const struct sensor *to,
                       enum equivalent_measure measure, double *k, struct error *error)
 {
-    if (!equivalent_check_format(from, error) || !equivalent_check_format(to, error)) {
-        return false;
-    }
-    *k = sizes[measure](to) / sizes[measure](from);
-    return true;
+    *k = format_size(to, measure) / format_size(from, measure);
+    return sensor_check(from, error) && sensor_check(to, error);
 }
 
 static bool equivalent_check_setting(const struct equivalent_setting *s, double k,
                                      struct error *error)
 {
-    if (!check_positive("focal length", " mm", s->f, error) ||
-        !check_positive("f-number", "", s->N, error) ||
-        !check_positive("pupil magnification", "", s->P, error) ||
-        !check_positive("ISO speed", "", s->iso, error) ||
-        !check_positive("size ratio of the formats", "", k, error)) {
-        return false;
-    }
-    if (!(s->m >= 0 && isfinite(s->m))) {
-        return fail(error, ERROR_DOMAIN, "{magnification} %g is out of range (0 or more, finite)",
-                    s->m);
-    }
-    if (!(s->c >= 0 && isfinite(s->c))) {
-        return fail(error, ERROR_DOMAIN,
-                    "{circle of confusion} %g mm is out of range (0 or more, finite)", s->c);
-    }
-    return true;
+    return check_positive("focal length", " mm", s->f, error) &&
+           check_positive("f-number", "", s->N, error) &&
+           check_positive("pupil magnification", "", s->P, error) &&
+           check_positive("ISO speed", "", s->iso, error) &&
+           check_positive("size ratio of the formats", "", k, error) &&
+           check_not_negative("magnification", "", s->m, error) &&
+           check_not_negative("circle of confusion", " mm", s->c, error);
 }
 
 bool equivalent_compute(const struct equivalent_setting *setting, double k,

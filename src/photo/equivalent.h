@@ -6,6 +6,7 @@
 #include <stdbool.h>
 
 #include "base/error.h"
+#include "photo/format.h"
 
 /* By which measure two formats are compared; it only matters if their shapes differ. */
 enum equivalent_measure {
@@ -19,10 +20,6 @@ enum equivalent_measure {
 enum equivalent_keep {
     EQUIVALENT_PICTURE, /* depth of field, diffraction, total light, time: N and ISO change */
     EQUIVALENT_EXPOSURE /* effective f-number, ISO, time: depth of field changes */
-};
-
-struct equivalent_format {
-    double width, height; /* mm, > 0 */
 };
 
 /* A photograph to be matched. */
@@ -50,7 +47,7 @@ struct equivalent {
  *
  * Errors    a side not above 0
  */
-bool equivalent_ratio(const struct equivalent_format *from, const struct equivalent_format *to,
+bool equivalent_ratio(const struct sensor *from, const struct sensor *to,
                       enum equivalent_measure measure, double *k, struct error *error);
 
 /*

@@ -247,11 +247,8 @@ static bool exposure_check_setting(const struct camera_setting *setting, struct 
 bool exposure_stops(const struct camera_setting *from, const struct camera_setting *to,
                     double *stops, struct error *error)
 {
-    if (!exposure_check_setting(from, error) || !exposure_check_setting(to, error)) {
-        return false;
-    }
     *stops = log2(to->t / from->t) + log2(to->S / from->S) + 2 * log2(from->N / to->N);
-    return true;
+    return exposure_check_setting(from, error) && exposure_check_setting(to, error);
 }
 
 bool exposure_equivalent(double ev_set, double N, int per_stop, struct equivalent_exposure *line,

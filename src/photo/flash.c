@@ -177,35 +177,23 @@ bool flash_zoomed(const struct flash_mark *marks, int count, double f, double *G
 bool flash_bounce(double along, double flash_gap, double subject_gap, double *d,
                   struct error *error)
 {
-    if (!(along >= 0 && isfinite(along))) {
-        return fail(error, ERROR_DOMAIN, "{distance} %.10g mm must be 0 or above and finite",
-                    along);
-    }
-    if (!require_positive("ceiling over the flash", " mm", flash_gap, error) ||
-        !require_positive("ceiling over the subject", " mm", subject_gap, error)) {
-        return false;
-    }
     *d = hypot(along, flash_gap + subject_gap);
-    return true;
+    return check_not_negative("distance", " mm", along, error) &&
+           require_positive("ceiling over the flash", " mm", flash_gap, error) &&
+           require_positive("ceiling over the subject", " mm", subject_gap, error);
 }
 
 bool flash_falloff(double near, double far, double *stops, struct error *error)
 {
-    if (!require_positive("nearest point", " mm", near, error) ||
-        !require_positive("farthest point", " mm", far, error)) {
-        return false;
-    }
     *stops = 2 * log2(far / near);
-    return true;
+    return require_positive("nearest point", " mm", near, error) &&
+           require_positive("farthest point", " mm", far, error);
 }
 
 bool lighting_ratio(double stops, double *ratio, struct error *error)
 {
-    if (!require_within("key to fill", " stops", stops, -100, 100, error)) {
-        return false;
-    }
     *ratio = exp2(stops) + 1;
-    return true;
+    return require_within("key to fill", " stops", stops, -100, 100, error);
 }
 
 bool lighting_stops(double ratio, double *stops, struct error *error)

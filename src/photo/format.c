@@ -58,68 +58,39 @@ bool sensor_extract(const struct sensor *gate, double ratio, struct sensor *part
     return true;
 }
 
-static bool coc_length(const struct coc *coc, const struct sensor *sensor, double *c,
-                       struct error *error)
+bool coc_resolve(const struct coc *coc, const struct sensor *sensor, double *c, struct error *error)
 {
-    (void)sensor;
-    *c = coc->value;
-    if (!(coc->value >= 0 && coc->value < INFINITY)) {
-        return fail(error, ERROR_DOMAIN,
-                    "{circle of confusion} %.15g mm must be 0 mm or more and finite", coc->value);
+    const double value = coc->value;
+    *c = value;
+    if (coc->kind == COC_LENGTH) {
+        return check_not_negative("circle of confusion", " mm", value, error);
     }
-    return true;
-}
-
-static bool coc_diagonal(const struct coc *coc, const struct sensor *sensor, double *c,
-                         struct error *error)
-{
-    *c = sensor_diagonal(sensor) / coc->value;
-    return check_positive("circle of confusion d/x: x", "", coc->value, error);
-}
-
-static bool coc_pixels(const struct coc *coc, const struct sensor *sensor, double *c,
-                       struct error *error)
-{
-    *c = coc->value * sensor->pitch;
-    if (isnan(sensor->pitch)) {
-        return fail(error, ERROR_DOMAIN,
-                    "a circle of confusion in pixels needs the pixel pitch: give {pixel pitch}, or "
-                    "a camera with a known one as {sensor}");
+    if (!sensor_check(sensor, error)) {
+        return false;
     }
-    return check_positive("circle of confusion", " pixels", coc->value, error);
-}
-
-static bool coc_print(const struct coc *coc, const struct sensor *sensor, double *c,
-                      struct error *error)
-{
-    double enlargement = coc->print / fmax(sensor->width, sensor->height);
-    double other = coc->print_short / fmin(sensor->width, sensor->height);
-    enlargement = other > 0 ? fmin(enlargement, other) : enlargement;
-    *c = coc->viewing / 250 / (coc->acuity * enlargement);
-    return check_positive("viewing distance", " mm", coc->viewing, error) &&
-           check_positive("acuity", " line pairs per mm", coc->acuity, error) &&
-           check_positive("long side of the print", " mm", coc->print, error);
-}
-
-static bool coc_airy(const struct coc *coc, const struct sensor *sensor, double *c,
-                     struct error *error)
-{
-    (void)sensor;
+    if (coc->kind == COC_DIAGONAL) {
+        *c = sensor_diagonal(sensor) / value;
+        return check_positive("circle of confusion d/x: x", "", value, error);
+    }
+    if (coc->kind == COC_PIXELS) {
+        *c = value * sensor->pitch;
+        if (isnan(sensor->pitch)) {
+            return fail(error, ERROR_DOMAIN,
+                        "a circle of confusion in pixels needs the pixel pitch: give {pixel "
+                        "pitch}, or a camera with a known one as {sensor}");
+        }
+        return check_positive("circle of confusion", " pixels", value, error);
+    }
+    if (coc->kind == COC_PRINT) {
+        double enlargement = coc->print / fmax(sensor->width, sensor->height);
+        double other = coc->print_short / fmin(sensor->width, sensor->height);
+        enlargement = other > 0 ? fmin(enlargement, other) : enlargement;
+        *c = coc->viewing / 250 / (coc->acuity * enlargement);
+        return check_positive("viewing distance", " mm", coc->viewing, error) &&
+               check_positive("acuity", " line pairs per mm", coc->acuity, error) &&
+               check_positive("long side of the print", " mm", coc->print, error);
+    }
     *c = 2 * FIRST_ZERO_OF_J1 / PI * coc->wavelength * coc->fnumber;
     return check_positive("wavelength", " mm", coc->wavelength, error) &&
            check_positive("f-number", "", coc->fnumber, error);
-}
-
-bool coc_resolve(const struct coc *coc, const struct sensor *sensor, double *c, struct error *error)
-{
-    static bool (*const rule[])(const struct coc *, const struct sensor *, double *,
-                                struct error *) = {[COC_LENGTH] = coc_length,
-                                                   [COC_DIAGONAL] = coc_diagonal,
-                                                   [COC_PIXELS] = coc_pixels,
-                                                   [COC_PRINT] = coc_print,
-                                                   [COC_AIRY] = coc_airy};
-    if (coc->kind != COC_LENGTH && !sensor_check(sensor, error)) {
-        return false;
-    }
-    return rule[coc->kind](coc, sensor, c, error);
 }

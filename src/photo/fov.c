@@ -16,11 +16,6 @@ const struct word projections[PROJECTIONS + 1] = {
 };
 
 /* Half angle of the image height x = r/f', and back. */
-static double half_rectilinear(double x)
-{
-    return atan(x);
-}
-
 static double half_equidistant(double x)
 {
     return x;
@@ -34,16 +29,6 @@ static double half_equisolid(double x)
 static double half_stereographic(double x)
 {
     return 2 * atan(x / 2);
-}
-
-static double half_orthographic(double x)
-{
-    return asin(x);
-}
-
-static double height_rectilinear(double t)
-{
-    return tan(t);
 }
 
 static double height_equidistant(double t)
@@ -61,11 +46,6 @@ static double height_stereographic(double t)
     return 2 * tan(t / 2);
 }
 
-static double height_orthographic(double t)
-{
-    return sin(t);
-}
-
 struct fov_rule {
     double (*half)(double x);
     double (*height)(double t);
@@ -75,11 +55,11 @@ struct fov_rule {
 };
 
 static const struct fov_rule rules[PROJECTIONS] = {
-    [RECTILINEAR] = {half_rectilinear, height_rectilinear, INFINITY, PI, true},
+    [RECTILINEAR] = {atan, tan, INFINITY, PI, true},
     [EQUIDISTANT] = {half_equidistant, height_equidistant, PI, 2 * PI, false},
     [EQUISOLID] = {half_equisolid, height_equisolid, 2, 2 * PI, false},
     [STEREOGRAPHIC] = {half_stereographic, height_stereographic, INFINITY, 2 * PI, true},
-    [ORTHOGRAPHIC] = {half_orthographic, height_orthographic, 1, PI, false},
+    [ORTHOGRAPHIC] = {asin, sin, 1, PI, false},
 };
 
 bool fov_angle(enum projection projection, double scale, double dimension, double *angle,
@@ -192,13 +172,10 @@ bool fov_focal_length(const struct fov_setting *setting, double dimension, doubl
 bool fov_focal_length_for_field(double dimension, double field, double s, double *f,
                                 struct error *error)
 {
-    if (!check_positive("sensor dimension", " mm", dimension, error) ||
-        !check_positive("field width", " mm", field, error) ||
-        !check_positive("distance", " mm", s, error)) {
-        return false;
-    }
     *f = s * (dimension / (field + dimension));
-    return true;
+    return check_positive("sensor dimension", " mm", dimension, error) &&
+           check_positive("field width", " mm", field, error) &&
+           check_positive("distance", " mm", s, error);
 }
 
 /* One goal and the sensor dimension it belongs to. */

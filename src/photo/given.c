@@ -36,6 +36,12 @@ bool check_not_negative(const char *name, const char *unit, double value, struct
                 unit);
 }
 
+bool check_finite(const char *name, const char *unit, double value, struct error *error)
+{
+    return isfinite(value) ||
+           fail(error, ERROR_DOMAIN, "{%s} %.10g%s must be finite", name, value, unit);
+}
+
 bool given_positive(const struct given *numbers, int count, struct error *error)
 {
     for (int i = 0; i < count; i++) {
@@ -43,6 +49,17 @@ bool given_positive(const struct given *numbers, int count, struct error *error)
         if (is_given(number->value) &&
             !check_positive(number->name, number->unit, number->value, error)) {
             return false;
+        }
+    }
+    return true;
+}
+
+bool given_above_0(const struct given *numbers, int count, struct error *error)
+{
+    for (int i = 0; i < count; i++) {
+        if (numbers[i].value <= 0) {
+            return fail(error, ERROR_DOMAIN, "{%s} %.10g%s must be above 0", numbers[i].name,
+                        numbers[i].value, numbers[i].unit);
         }
     }
     return true;

@@ -21,9 +21,13 @@ int given_missing(const struct given *numbers, int count);
 /* Every number that is given is above 0 and finite; ERROR_DOMAIN names the first that is not. */
 bool given_positive(const struct given *numbers, int count, struct error *error);
 
-/* The number is above 0, or not below it, and finite; ERROR_DOMAIN if not, also for NaN. */
+/* The same where they may be infinite. */
+bool given_above_0(const struct given *numbers, int count, struct error *error);
+
+/* The number is above 0, or not below it, or any, and finite; ERROR_DOMAIN if not, also for NaN. */
 bool check_positive(const char *name, const char *unit, double value, struct error *error);
 bool check_not_negative(const char *name, const char *unit, double value, struct error *error);
+bool check_finite(const char *name, const char *unit, double value, struct error *error);
 
 /* The number is given (else ERROR_USAGE), above 0 and finite (else ERROR_DOMAIN). */
 bool require_positive(const char *name, const char *unit, double value, struct error *error);

@@ -88,13 +88,10 @@ static bool check_motion(const struct motion *motion, struct error *error)
         return fail(error, ERROR_USAGE,
                     "give exactly three of {speed}, {exposure time}, {magnification} and {blur}");
     }
-    if (is_given(motion->s) && !(motion->s > 0)) {
-        return fail(error, ERROR_DOMAIN, "{distance} %.10g mm must be above 0", motion->s);
-    }
-    if (!isfinite(motion->h)) {
-        return fail(error, ERROR_DOMAIN, "{image height} %.10g mm must be finite", motion->h);
-    }
-    return given_positive(numbers, 4, error) && motion_check_angle(motion->angle, error);
+    const struct given distance = {"distance", " mm", motion->s};
+    return given_above_0(&distance, 1, error) &&
+           check_finite("image height", " mm", motion->h, error) &&
+           given_positive(numbers, 4, error) && motion_check_angle(motion->angle, error);
 }
 
 bool motion_solve(struct motion *motion, struct error *error)
@@ -132,12 +129,9 @@ bool shake_solve(struct shake *shake, struct error *error)
         return fail(error, ERROR_USAGE,
                     "give exactly three of {focal length}, {rotation}, {exposure time} and {blur}");
     }
-    if (!given_positive(numbers, 4, error)) {
+    if (!given_positive(numbers, 4, error) ||
+        !check_not_negative("magnification", "", shake->m, error)) {
         return false;
-    }
-    if (!(shake->m >= 0 && isfinite(shake->m))) {
-        return fail(error, ERROR_DOMAIN, "{magnification} %.10g must be 0 or above and finite",
-                    shake->m);
     }
     double *unknown = &shake->blur;
     double stretch = 1 + shake->m;
@@ -160,12 +154,9 @@ bool blur_measure(double blur, double pitch, double c, struct blur_size *size, s
 {
     const struct given numbers[] = {{"pixel pitch", " mm", pitch},
                                     {"circle of confusion", " mm", c}};
-    if (!given_positive(numbers, 2, error)) {
-        return false;
-    }
     size->pixels = blur / pitch;
     size->circles = blur / c;
-    return true;
+    return given_positive(numbers, 2, error);
 }
 
 bool panning_solve(const struct panning_shot *pan, struct panning_blur *blur, struct error *error)
@@ -174,11 +165,9 @@ bool panning_solve(const struct panning_shot *pan, struct panning_blur *blur, st
     if (!require_positive("speed", " mm/s", pan->v, error) ||
         !require_positive("exposure time", " s", pan->t, error) ||
         !motion_check_angle(pan->angle, error) ||
-        !motion_magnification(pan->f, pan->s, &m, error)) {
+        !motion_magnification(pan->f, pan->s, &m, error) ||
+        !check_not_negative("track", "", pan->track, error)) {
         return false;
-    }
-    if (!(pan->track >= 0 && isfinite(pan->track))) {
-        return fail(error, ERROR_DOMAIN, "{track} %.10g must be 0 or above and finite", pan->track);
     }
     double across = pan->v * sin(pan->angle);
     blur->rate = across / pan->s;
@@ -189,27 +178,19 @@ bool panning_solve(const struct panning_shot *pan, struct panning_blur *blur, st
 
 bool handheld_time(double f, double crop, double stops, double *t, struct error *error)
 {
-    if (!require_positive("focal length", " mm", f, error) ||
-        !require_positive("crop factor", "", crop, error) ||
-        !require_within("stabiliser", " stops", stops, 0, 20, error)) {
-        return false;
-    }
     *t = exp2(stops) / (crop * f);
-    return answer_positive("the longest time", *t, error);
+    return require_positive("focal length", " mm", f, error) &&
+           require_positive("crop factor", "", crop, error) &&
+           require_within("stabiliser", " stops", stops, 0, 20, error) &&
+           answer_positive("the longest time", *t, error);
 }
 
 bool rolling_shutter(double speed, double readout, double height, struct rolling_skew *skew,
                      struct error *error)
 {
-    if (!(speed >= 0 && isfinite(speed))) {
-        return fail(error, ERROR_DOMAIN,
-                    "speed of the image %.10g mm/s must be 0 or above and finite", speed);
-    }
-    if (!require_positive("readout time", " s", readout, error) ||
-        !require_positive("height of the sensor", " mm", height, error)) {
-        return false;
-    }
     skew->shift = speed * readout;
     skew->angle = atan(skew->shift / height);
-    return true;
+    return check_not_negative("speed of the image", " mm/s", speed, error) &&
+           require_positive("readout time", " s", readout, error) &&
+           require_positive("height of the sensor", " mm", height, error);
 }

@@ -269,23 +269,15 @@ bool panorama_offset(double parallax, double step, double near, double *offset, 
 bool panorama_nearest(double offset, double parallax, double step, double *near,
                       struct error *error)
 {
-    if (!check_parallax(parallax, step, error) ||
-        !check_positive("offset", " mm", fabs(offset), error)) {
-        return false;
-    }
     *near = fabs(offset) * sin(step / 2 + parallax / 2) / sin(parallax / 2);
-    return true;
+    return check_parallax(parallax, step, error) &&
+           check_positive("offset", " mm", fabs(offset), error);
 }
 
 bool panorama_pupil(double f, double m, double P, double hiatus, double *distance,
                     struct error *error)
 {
-    if (!check_positive("focal length", " mm", f, error) || !panorama_check_lens(m, P, error)) {
-        return false;
-    }
-    if (!isfinite(hiatus)) {
-        return fail(error, ERROR_DOMAIN, "{hiatus} %g mm is out of range (finite)", hiatus);
-    }
     *distance = f * (1 + m) + hiatus + f * (1 - 1 / P);
-    return true;
+    return check_positive("focal length", " mm", f, error) && panorama_check_lens(m, P, error) &&
+           check_finite("hiatus", " mm", hiatus, error);
 }

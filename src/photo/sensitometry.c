@@ -38,14 +38,12 @@ bool focal_plane_exposure(const struct focal_plane_light *light, double *H, stru
         return fail(error, ERROR_DOMAIN, "q %.10g must lie above 0 and up to %.4g", q,
                     quarter_pi * TRANSMITTANCE_MOST);
     }
-    if (!require_positive("luminance", " cd/m^2", light->L, error) ||
-        !require_positive("f-number", "", N, error) ||
-        !require_positive("exposure time", " s", light->t, error) ||
-        !require_within("loss of light", " stops", light->loss, LOSS_LEAST, 200, error)) {
-        return false;
-    }
     *H = q * light->L * light->t / (N * N) * exp2(-light->loss);
-    return answer_positive("the focal-plane exposure", *H, error);
+    return require_positive("luminance", " cd/m^2", light->L, error) &&
+           require_positive("f-number", "", N, error) &&
+           require_positive("exposure time", " s", light->t, error) &&
+           require_within("loss of light", " stops", light->loss, LOSS_LEAST, 200, error) &&
+           answer_positive("the focal-plane exposure", *H, error);
 }
 
 double saturation_speed(double H)

@@ -75,12 +75,9 @@ bool star_trail_worst(double f, double dec, double t, double half_diagonal, doub
                       struct error *error)
 {
     if (!require_positive("focal length", " mm", f, error) || !check_declination(dec, error) ||
-        !check_time(t, error)) {
+        !check_time(t, error) ||
+        !check_not_negative("half diagonal", " mm", half_diagonal, error)) {
         return false;
-    }
-    if (!(half_diagonal >= 0 && isfinite(half_diagonal))) {
-        return fail(error, ERROR_DOMAIN, "half diagonal %.10g mm must be 0 or above and finite",
-                    half_diagonal);
     }
     double R = half_diagonal / f, c = fmax(cos(dec), 0), s = fabs(sin(dec));
     double steep = 2 + R * R;
@@ -107,23 +104,19 @@ bool star_time(double f, double dec, double allowed, struct star_time *time, str
 
 bool star_focal_length(double dec, double t, double allowed, double *f, struct error *error)
 {
-    if (!check_off_pole(dec, error) || !check_time(t, error) ||
-        !require_positive("trail", " mm", allowed, error)) {
-        return false;
-    }
     *f = allowed / unit_chord(dec, t);
-    return answer_positive("the focal length", *f, error);
+    return check_off_pole(dec, error) && check_time(t, error) &&
+           require_positive("trail", " mm", allowed, error) &&
+           answer_positive("the focal length", *f, error);
 }
 
 bool star_rule_time(double constant, double f, double crop, double *t, struct error *error)
 {
-    if (!require_positive("rule constant", "", constant, error) ||
-        !require_positive("focal length", " mm", f, error) ||
-        !require_positive("crop factor", "", crop, error)) {
-        return false;
-    }
     *t = constant / (crop * f);
-    return answer_positive("the longest time", *t, error);
+    return require_positive("rule constant", "", constant, error) &&
+           require_positive("focal length", " mm", f, error) &&
+           require_positive("crop factor", "", crop, error) &&
+           answer_positive("the longest time", *t, error);
 }
 
 static bool check_npf(double f, double N, double pitch, struct error *error)
@@ -135,22 +128,17 @@ static bool check_npf(double f, double N, double pitch, struct error *error)
 
 bool npf_simple_time(double f, double N, double pitch, double *t, struct error *error)
 {
-    if (!check_npf(f, N, pitch, error)) {
-        return false;
-    }
     *t = (35 * N + 30 * (pitch * 1000)) / f;
-    return answer_positive("the longest time", *t, error);
+    return check_npf(f, N, pitch, error) && answer_positive("the longest time", *t, error);
 }
 
 bool npf_full_time(const struct npf_setting *setting, double *t, struct error *error)
 {
     double f = setting->f, N = setting->N, pitch = setting->pitch;
-    if (!check_npf(f, N, pitch, error) || !check_off_pole(setting->dec, error) ||
-        !require_positive("accuracy", "", setting->k, error)) {
-        return false;
-    }
     *t = setting->k * (16.9 * N + 0.10 * f + 13.7 * (pitch * 1000)) / (f * cos(setting->dec));
-    return answer_positive("the longest time", *t, error);
+    return check_npf(f, N, pitch, error) && check_off_pole(setting->dec, error) &&
+           require_positive("accuracy", "", setting->k, error) &&
+           answer_positive("the longest time", *t, error);
 }
 
 bool four_minus_crop_time(double f, double crop, double *t, struct error *error)

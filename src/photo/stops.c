@@ -36,11 +36,8 @@ bool check_transmittance(double transmittance, struct error *error)
 
 bool t_stop(double N, double transmittance, double *T, struct error *error)
 {
-    if (!require_positive("f-number", "", N, error) || !check_transmittance(transmittance, error)) {
-        return false;
-    }
     *T = N / sqrt(transmittance);
-    return true;
+    return require_positive("f-number", "", N, error) && check_transmittance(transmittance, error);
 }
 
 bool transmittance_from_t_stop(double N, double T, double *transmittance, struct error *error)
@@ -58,11 +55,9 @@ bool transmittance_from_t_stop(double N, double T, double *transmittance, struct
 
 static bool pupil_stretch(double m, double P, double *stretch, struct error *error)
 {
-    if (!(m >= 0 && isfinite(m))) {
-        return fail(error, ERROR_DOMAIN, "{magnification} %.10g must be 0 or above and finite", m);
-    }
     *stretch = 1 + m / P;
-    return require_positive("pupil magnification", "", P, error);
+    return check_not_negative("magnification", "", m, error) &&
+           require_positive("pupil magnification", "", P, error);
 }
 
 /* Loss of the lens itself: absorption and extension. */

@@ -301,12 +301,12 @@ static void test_refusals(void)
         const char *message;
     } bad[] = {
         {{50, 4, 0.03, 40, 1}, "distance 40 mm lies within the focal length 50 mm: no real image"},
-        {{0, 4, 0.03, 40, 1}, "focal length 0 mm must be above 0 mm and finite"},
+        {{0, 4, 0.03, 40, 1}, "focal length 0 mm must be above 0 and finite"},
         {{50, -1, 0.03, 400, 1}, "f-number -1 must be above 0 and finite"},
-        {{50, 4, -0.5, 400, 1}, "circle of confusion -0.5 mm must be 0 mm or more and finite"},
+        {{50, 4, -0.5, 400, 1}, "circle of confusion -0.5 mm must be 0 or more and finite"},
         {{50, 4, 0.03, 400, 0}, "pupil magnification 0 must be above 0 and finite"},
         {{50, 4, 0.03, NAN, 1}, "distance is not a number; it must be above 50 mm"},
-        {{INFINITY, 4, 0.03, INFINITY, 1}, "focal length inf mm must be above 0 mm and finite"},
+        {{INFINITY, 4, 0.03, INFINITY, 1}, "focal length inf mm must be above 0 and finite"},
     };
     for (size_t i = 0; i < sizeof bad / sizeof bad[0]; i++) {
         struct error error = {0};

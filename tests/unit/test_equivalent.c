@@ -9,7 +9,7 @@
 
 #define NONE ((double)NAN)
 
-static const struct equivalent_format full = {36, 24}, four_thirds = {17.3, 13};
+static const struct sensor full = {36, 24, NONE}, four_thirds = {17.3, 13, NONE};
 
 /* James, Equivalence, quoted at dpreview.com post 53107559 and 50563808; his crop factors. */
 static void test_published(void)
@@ -58,7 +58,7 @@ static void test_ratio(void)
         CHECK(equivalent_ratio(&full, &four_thirds, rows[i].measure, &back, &error));
         CHECK_RELATIVE(k * back, 1.0, 1e-15, "there and back");
     }
-    struct equivalent_format dx = {23.7, 15.6}, bad = {0, 24};
+    struct sensor dx = {23.7, 15.6, NONE}, bad = {0, 24, NONE};
     CHECK(equivalent_ratio(&dx, &full, EQUIVALENT_DIAGONAL, &k, &error));
     CHECK_NEAR(k, 1.525, 0.001, "Nikon DX 23.7 x 15.6: crop 1.52 (maker: 1.5x)");
     CHECK(!equivalent_ratio(&bad, &full, EQUIVALENT_WIDTH, &k, &error));

@@ -81,18 +81,17 @@ static void test_conjugates(void)
 static void test_quantities(void)
 {
     struct conjugates r;
-    OUTSIDE_PAIR("focal length 0 mm is out of range (above 0 mm, finite)", .f = 0, .s = 1);
-    OUTSIDE_PAIR("focal length inf mm is out of range (above 0 mm, finite)", .f = INFINITY, .s = 1);
-    OUTSIDE_PAIR("distance 0 mm is out of range (above 0 mm, may be inf)", .f = 1, .s = 0);
+    OUTSIDE_PAIR("focal length 0 mm must be above 0 and finite", .f = 0, .s = 1);
+    OUTSIDE_PAIR("focal length inf mm must be above 0 and finite", .f = INFINITY, .s = 1);
+    OUTSIDE_PAIR("distance 0 mm must be above 0", .f = 1, .s = 0);
     INSIDE_PAIR(.f = 1, .s = INFINITY);
-    OUTSIDE_PAIR("image distance 0 mm is out of range (above 0 mm, finite)", .f = 1, .v = 0);
-    OUTSIDE_PAIR("image distance inf mm is out of range (above 0 mm, finite)", .f = 1,
-                 .v = INFINITY);
+    OUTSIDE_PAIR("image distance 0 mm must be above 0 and finite", .f = 1, .v = 0);
+    OUTSIDE_PAIR("image distance inf mm must be above 0 and finite", .f = 1, .v = INFINITY);
     INSIDE_PAIR(.f = 0.25, .m = 0);
-    OUTSIDE_PAIR("magnification -0.25 is out of range (0 or more, finite)", .f = 1, .m = -0.25);
-    OUTSIDE_PAIR("magnification inf is out of range (0 or more, finite)", .f = 1, .m = INFINITY);
-    OUTSIDE_PAIR("sensor distance 0 mm is out of range (above 0 mm, may be inf)", .f = 1, .T = 0);
-    OUTSIDE_PAIR("hiatus inf mm is out of range (finite)", .f = 1, .m = 1, .hiatus = INFINITY);
+    OUTSIDE_PAIR("magnification -0.25 must be 0 or more and finite", .f = 1, .m = -0.25);
+    OUTSIDE_PAIR("magnification inf must be 0 or more and finite", .f = 1, .m = INFINITY);
+    OUTSIDE_PAIR("sensor distance 0 mm must be above 0", .f = 1, .T = 0);
+    OUTSIDE_PAIR("hiatus inf mm must be finite", .f = 1, .m = 1, .hiatus = INFINITY);
     MISUSED(conjugates_solve(PAIR(.f = 1), &r, &error),
             "give exactly two of focal length, distance, image distance, magnification and "
             "sensor distance");
@@ -108,18 +107,17 @@ static void test_conjugate_parts(void)
     CHECK_NEAR(x.working_fnumber, 0.5, 0, "N (1 + m/P)");
     CHECK_NEAR(x.factor, 4, 0, "(1 + m/P)^2");
     CHECK_NEAR(x.stops, 2, 1e-15, "log2 of the factor");
-    OUTSIDE(conjugates_exposure(0, 1, 1, &x, &error),
-            "f-number 0 is out of range (above 0, finite)");
+    OUTSIDE(conjugates_exposure(0, 1, 1, &x, &error), "f-number 0 must be above 0 and finite");
     OUTSIDE(conjugates_exposure(INFINITY, 1, 1, &x, &error),
-            "f-number inf is out of range (above 0, finite)");
+            "f-number inf must be above 0 and finite");
     OUTSIDE(conjugates_exposure(1, -0.25, 1, &x, &error),
-            "magnification -0.25 is out of range (0 or more, finite)");
+            "magnification -0.25 must be 0 or more and finite");
     OUTSIDE(conjugates_exposure(1, INFINITY, 1, &x, &error),
-            "magnification inf is out of range (0 or more, finite)");
+            "magnification inf must be 0 or more and finite");
     OUTSIDE(conjugates_exposure(1, 1, 0, &x, &error),
-            "pupil magnification 0 is out of range (above 0, finite)");
+            "pupil magnification 0 must be above 0 and finite");
     OUTSIDE(conjugates_exposure(1, 1, INFINITY, &x, &error),
-            "pupil magnification inf is out of range (above 0, finite)");
+            "pupil magnification inf must be above 0 and finite");
     INSIDE(conjugates_exposure(1, 1e150, 1, &x, &error));
     OUTSIDE(conjugates_exposure(1, 1.5e150, 1, &x, &error),
             "the magnification 1.5e+150 is out of range: at most 1e150 times the pupil "
@@ -271,18 +269,17 @@ static void test_diffraction(void)
         double value;
         const char *message;
     } rows[] = {
-        {offsetof(struct diffraction_setting, N), 0,
-         "f-number 0 is out of range (above 0, finite)"},
+        {offsetof(struct diffraction_setting, N), 0, "f-number 0 must be above 0 and finite"},
         {offsetof(struct diffraction_setting, wavelength), 0,
-         "wavelength 0 um is out of range (above 0, finite)"},
+         "wavelength 0 um must be above 0 and finite"},
         {offsetof(struct diffraction_setting, m), -0.25,
-         "magnification -0.25 is out of range (0 or more, finite)"},
+         "magnification -0.25 must be 0 or more and finite"},
         {offsetof(struct diffraction_setting, P), 0,
-         "pupil magnification 0 is out of range (above 0, finite)"},
+         "pupil magnification 0 must be above 0 and finite"},
         {offsetof(struct diffraction_setting, blur), -0.25,
-         "blur by defocus -0.25 mm is out of range (0 or more, finite)"},
+         "blur by defocus -0.25 mm must be 0 or more and finite"},
         {offsetof(struct diffraction_setting, pitch), INFINITY,
-         "pixel pitch inf mm is out of range (0 or more, finite)"},
+         "pixel pitch inf mm must be 0 or more and finite"},
     };
     for (size_t i = 0; i < sizeof rows / sizeof *rows; i++) {
         bad = good;
@@ -296,7 +293,7 @@ static void test_diffraction(void)
     INSIDE(diffraction_mtf_at(&good, 1000, &mtf, &error));
     CHECK_NEAR(mtf.lens, 0, 0, "at the cut-off");
     OUTSIDE(diffraction_mtf_at(&good, -0.25, &mtf, &error),
-            "spatial frequency -0.25 per mm is out of range (0 or more, finite)");
+            "spatial frequency -0.25 per mm must be 0 or more and finite");
     OUTSIDE(diffraction_frequency(&good, 0, &x, &error),
             "contrast 0 is out of range (above 0, below 1)");
     OUTSIDE(diffraction_frequency(&good, 1, &x, &error),
@@ -316,7 +313,7 @@ static void test_diffraction_answers(void)
     INSIDE(diffraction_fnumber(0.5, 0.5, 0.75, 0.25, &x, &error));
     CHECK_RELATIVE(x, 102.486747352761228, 1e-15, "d/(2 1.22 lambda (1 + m/P))");
     OUTSIDE(diffraction_fnumber(0, 1, 0, 1, &x, &error),
-            "diameter on the sensor 0 mm is out of range (above 0, finite)");
+            "diameter on the sensor 0 mm must be above 0 and finite");
     INSIDE(diffraction_optimum(0.5, 0.5, 0.75, 0.25, &best, &error));
     CHECK_RELATIVE(best.working_fnumber, 14.3168954283225264, 1e-15,
                    "sqrt(spread/(4 1.22 lambda))");
@@ -324,7 +321,7 @@ static void test_diffraction_answers(void)
     CHECK_RELATIVE(best.blur, hypot(best.airy_diameter, best.defocus), 1e-15, "both together");
     CHECK_RELATIVE(best.airy_diameter, best.defocus, 1e-14, "equal at the optimum");
     OUTSIDE(diffraction_optimum(0, 1, 0, 1, &best, &error),
-            "focus spread 0 mm is out of range (above 0, finite)");
+            "focus spread 0 mm must be above 0 and finite");
     INSIDE(diffraction_focus_spread(0.25, 0.5, 0.5, &x, &error));
     CHECK_NEAR(x, 0, 0, "no depth, no spread");
     INSIDE(diffraction_focus_spread(0.25, 0.5, INFINITY, &x, &error));
@@ -332,7 +329,7 @@ static void test_diffraction_answers(void)
     INSIDE(diffraction_focus_spread(0.25, 0.5, 0.75, &x, &error));
     CHECK_NEAR(x, 0.125, 0, "f^2/(near - f) (far - near)/(far - f)");
     OUTSIDE(diffraction_focus_spread(0, 1, 2, &x, &error),
-            "focal length 0 mm is out of range (above 0, finite)");
+            "focal length 0 mm must be above 0 and finite");
     OUTSIDE(
         diffraction_focus_spread(50, 50, 100, &x, &error),
         "nearest point 50 mm lies within the focal length 50 mm: no real image (more than 50 mm, "
@@ -344,9 +341,9 @@ static void test_diffraction_answers(void)
     CHECK_RELATIVE(angles.sparrow, 0.947155252709185545e-3, 1e-15, "Sparrow");
     CHECK_RELATIVE(angles.dawes, 1.12476774017412351e-3, 1e-15, "116 arc seconds/D in mm");
     OUTSIDE(diffraction_resolve(0, 1, &angles, &error),
-            "entrance pupil 0 mm is out of range (above 0, finite)");
+            "entrance pupil 0 mm must be above 0 and finite");
     OUTSIDE(diffraction_resolve(1, 0, &angles, &error),
-            "wavelength 0 um is out of range (above 0, finite)");
+            "wavelength 0 um must be above 0 and finite");
 }
 
 static void test_distance_from(void)

@@ -174,7 +174,7 @@ static void test_losses(void)
     INSIDE(light_loss(LOSS(.m = 0.25, .P = 0.25), &stops, &error));
     CHECK_NEAR(stops, 2, 1e-15, "(1 + m/P)^2 = 4");
     OUTSIDE(light_loss(LOSS(.m = -0.5), &stops, &error),
-            "magnification -0.5 must be 0 or above and finite");
+            "magnification -0.5 must be 0 or more and finite");
     OUTSIDE(light_loss(LOSS(.m = 1, .P = 0), &stops, &error),
             "pupil magnification 0 must be above 0 and finite");
 }
@@ -382,7 +382,7 @@ static void test_flash(void)
     MISUSED(flash_sum(NULL, 0, &x, &error), "guide number is missing");
     INSIDE(flash_bounce(0, 0.1, 0.2, &x, &error));
     CHECK_NEAR(x, 0.3, 1e-16, "up and down");
-    OUTSIDE(flash_bounce(-1, 1, 1, &x, &error), "distance -1 mm must be 0 or above and finite");
+    OUTSIDE(flash_bounce(-1, 1, 1, &x, &error), "distance -1 mm must be 0 or more and finite");
     OUTSIDE(flash_bounce(1, 0, 1, &x, &error),
             "ceiling over the flash 0 mm must be above 0 and finite");
     OUTSIDE(flash_bounce(1, 1, 0, &x, &error),

@@ -193,9 +193,9 @@ static void test_format(void)
             "pixel pitch 0 mm must be above 0 and finite");
     INSIDE(coc_resolve(&(struct coc){.kind = COC_LENGTH, .value = 0}, NULL, &c, &error));
     OUTSIDE(coc_resolve(&(struct coc){.kind = COC_LENGTH, .value = -1}, NULL, &c, &error),
-            "circle of confusion -1 mm must be 0 mm or more and finite");
+            "circle of confusion -1 mm must be 0 or more and finite");
     OUTSIDE(coc_resolve(&(struct coc){.kind = COC_LENGTH, .value = INFINITY}, NULL, &c, &error),
-            "circle of confusion inf mm must be 0 mm or more and finite");
+            "circle of confusion inf mm must be 0 or more and finite");
     INSIDE(coc_resolve(&(struct coc){.kind = COC_DIAGONAL, .value = 0.5}, &bare, &c, &error));
     CHECK_NEAR(c, 10, 0, "5/0.5");
     OUTSIDE(coc_resolve(&(struct coc){.kind = COC_DIAGONAL, .value = 0}, &bare, &c, &error),
@@ -225,20 +225,20 @@ static void test_format(void)
 
 static void test_equivalent(void)
 {
-    const struct equivalent_format quarter = {0.5, 0.25}, half = {1, 0.75};
+    const struct sensor quarter = {0.5, 0.25, NAN}, half = {1, 0.75, NAN};
     double k = 0;
     INSIDE(equivalent_ratio(&quarter, &half, EQUIVALENT_WIDTH, &k, &error));
     CHECK_NEAR(k, 2, 0, "widths");
     INSIDE(equivalent_ratio(&quarter, &half, EQUIVALENT_HEIGHT, &k, &error));
     CHECK_NEAR(k, 3, 0, "heights");
-    OUTSIDE(equivalent_ratio(&quarter, &(struct equivalent_format){0, 1}, 0, &k, &error),
-            "format 0 x 1 mm is out of range (both sides above 0)");
-    OUTSIDE(equivalent_ratio(&(struct equivalent_format){1, 0}, &half, 0, &k, &error),
-            "format 1 x 0 mm is out of range (both sides above 0)");
-    OUTSIDE(equivalent_ratio(&(struct equivalent_format){INFINITY, 1}, &half, 0, &k, &error),
-            "format inf x 1 mm is out of range (both sides above 0)");
-    OUTSIDE(equivalent_ratio(&(struct equivalent_format){1, INFINITY}, &half, 0, &k, &error),
-            "format 1 x inf mm is out of range (both sides above 0)");
+    OUTSIDE(equivalent_ratio(&quarter, &(struct sensor){0, 1, NAN}, 0, &k, &error),
+            "sensor width 0 mm must be above 0 and finite");
+    OUTSIDE(equivalent_ratio(&(struct sensor){1, 0, NAN}, &half, 0, &k, &error),
+            "sensor height 0 mm must be above 0 and finite");
+    OUTSIDE(equivalent_ratio(&(struct sensor){INFINITY, 1, NAN}, &half, 0, &k, &error),
+            "sensor width inf mm must be above 0 and finite");
+    OUTSIDE(equivalent_ratio(&(struct sensor){1, INFINITY, NAN}, &half, 0, &k, &error),
+            "sensor height inf mm must be above 0 and finite");
     struct equivalent e;
     const struct equivalent_setting good = {0.5, 0.5, 0.5, 0.5, 0.5, 0};
     INSIDE(equivalent_compute(&good, 0.5, EQUIVALENT_EXPOSURE, &e, &error));
@@ -260,16 +260,12 @@ static void test_equivalent(void)
     } rows[] = {
         {{0, 1, 1, 1, 1, 1}, 1, "focal length 0 mm must be above 0 and finite"},
         {{1, 0, 1, 1, 1, 1}, 1, "f-number 0 must be above 0 and finite"},
-        {{1, 1, -0.5, 1, 1, 1}, 1, "magnification -0.5 is out of range (0 or more, finite)"},
-        {{1, 1, INFINITY, 1, 1, 1}, 1, "magnification inf is out of range (0 or more, finite)"},
+        {{1, 1, -0.5, 1, 1, 1}, 1, "magnification -0.5 must be 0 or more and finite"},
+        {{1, 1, INFINITY, 1, 1, 1}, 1, "magnification inf must be 0 or more and finite"},
         {{1, 1, 1, 0, 1, 1}, 1, "pupil magnification 0 must be above 0 and finite"},
         {{1, 1, 1, 1, 0, 1}, 1, "ISO speed 0 must be above 0 and finite"},
-        {{1, 1, 1, 1, 1, -0.5},
-         1,
-         "circle of confusion -0.5 mm is out of range (0 or more, finite)"},
-        {{1, 1, 1, 1, 1, INFINITY},
-         1,
-         "circle of confusion inf mm is out of range (0 or more, finite)"},
+        {{1, 1, 1, 1, 1, -0.5}, 1, "circle of confusion -0.5 mm must be 0 or more and finite"},
+        {{1, 1, 1, 1, 1, INFINITY}, 1, "circle of confusion inf mm must be 0 or more and finite"},
         {{1, 1, 1, 1, 1, 1}, 0, "size ratio of the formats 0 must be above 0 and finite"},
     };
     for (size_t i = 0; i < sizeof rows / sizeof *rows; i++) {
@@ -324,7 +320,7 @@ static void test_unsteady(void)
     INSIDE(shake_solve(&shake, &error));
     CHECK_NEAR(shake.blur, 0.25, 0, "f (1 + m) w t");
     OUTSIDE(shake_solve(SHAKE(.f = 1, .omega = 1, .t = 1, .m = -0.5), &error),
-            "magnification -0.5 must be 0 or above and finite");
+            "magnification -0.5 must be 0 or more and finite");
     OUTSIDE(shake_solve(SHAKE(.f = 1, .omega = 0, .t = 1), &error),
             "rotation 0 rad/s must be above 0 and finite");
     MISUSED(shake_solve(SHAKE(.f = 1, .omega = 1), &error),
@@ -350,7 +346,7 @@ static void test_unsteady(void)
     OUTSIDE(panning_solve(&(struct panning_shot){1, 1, 1, 1, 1, 1}, &blur, &error),
             "distance 1 mm lies within the focal length 1 mm: no real image");
     OUTSIDE(panning_solve(&(struct panning_shot){1, 1, 1, 1, 2, -0.5}, &blur, &error),
-            "track -0.5 must be 0 or above and finite");
+            "track -0.5 must be 0 or more and finite");
     double t = 0;
     INSIDE(handheld_time(0.5, 0.5, 20, &t, &error));
     CHECK_NEAR(t, 0x1p22, 0, "2^20/(crop f)");
@@ -366,7 +362,7 @@ static void test_unsteady(void)
     INSIDE(rolling_shutter(0.5, 0.5, 0.25, &skew, &error));
     CHECK_RELATIVE(skew.angle, pi / 4, 1e-15, "as far as it is high");
     OUTSIDE(rolling_shutter(-0.5, 1, 1, &skew, &error),
-            "speed of the image -0.5 mm/s must be 0 or above and finite");
+            "speed of the image -0.5 mm/s must be 0 or more and finite");
     OUTSIDE(rolling_shutter(1, 0, 1, &skew, &error), "readout time 0 s must be above 0 and finite");
     OUTSIDE(rolling_shutter(1, 1, 0, &skew, &error),
             "height of the sensor 0 mm must be above 0 and finite");

@@ -134,11 +134,6 @@ static bool find_magnification(const struct equivalent_input *input, double f, d
     return true;
 }
 
-static struct equivalent_format equivalent_format_of(const struct sensor_value *sensor)
-{
-    return (struct equivalent_format){sensor->size.width, sensor->size.height};
-}
-
 /* Without an f-number: everything that does not follow from it. */
 static void forget_fnumber(struct equivalent_row *row)
 {
@@ -150,8 +145,6 @@ static bool equivalent_answer(const void *data, const struct photo_lens *lens, s
                               struct error *error)
 {
     const struct equivalent_input *input = data;
-    const struct equivalent_format from = equivalent_format_of(&input->sharp.sensor);
-    const struct equivalent_format to = equivalent_format_of(&input->to);
     bool has_fnumber = !isnan(lens->N);
     double k;
     struct sharpness sharp;
@@ -177,7 +170,8 @@ static bool equivalent_answer(const void *data, const struct photo_lens *lens, s
         !sharpness_resolve_in(&sharp, lens->wavelength,
                               diffracting_fnumber(lens->N, row.setting.m, lens->P), &row.setting.c,
                               error) ||
-        !equivalent_ratio(&from, &to, (enum equivalent_measure)input->by, &k, error) ||
+        !equivalent_ratio(&input->sharp.sensor.size, &input->to.size,
+                          (enum equivalent_measure)input->by, &k, error) ||
         !equivalent_compute(&row.setting, k, (enum equivalent_keep)input->keep, &row.equal,
                             error)) {
         return false;
