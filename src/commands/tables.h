@@ -55,4 +55,26 @@
 #define ASSUMED_BY(options)          .depends = (options), .flags = COLUMN_ASSUMED | COLUMN_EXTRA
 #define ASSUMED_WITH(given, options) .with = (given), ASSUMED_BY(options) | COLUMN_TIED
 
+/* -------- what is asked -------- */
+
+/* An option, and whether it says anything. */
+struct said {
+    bool is;
+    const char *option;
+};
+
+/* The first that does; null: none. */
+static inline const char *said_first(const struct said *list, size_t count)
+{
+    const char *found = NULL;
+    for (size_t i = 0; i < count && found == NULL; i++) {
+        found = list[i].is ? list[i].option : NULL;
+    }
+    return found;
+}
+
+#define SAID_FIRST(...)                                                                            \
+    said_first((const struct said[]){__VA_ARGS__},                                                 \
+               sizeof((const struct said[]){__VA_ARGS__}) / sizeof(struct said))
+
 #endif

@@ -405,9 +405,11 @@ static void include_infinity(struct problem *p, unsigned solved)
     struct dof_setting *a = &p->a;
     struct error ignored;
     struct dof d;
-    double *which = solved & DISTANCE ? &a->s : solved & FNUMBER ? &a->N : &a->c;
+    double *which = solved & FNUMBER ? &a->N : &a->c;
     if (!(solved & ~(unsigned)FOCAL)) {
         which = &a->f;
+    } else if (solved & DISTANCE) {
+        which = &a->s;
     }
     double end = which == &a->f ? 0 : INFINITY;
     for (int step = 0; step < 16; step++) {

@@ -158,9 +158,8 @@ bool panorama_overlap(const struct panorama_frame *frame, double arc, int column
                     columns);
     }
     double h = frame->horizontal;
-    double step = is_closed(arc) ? 2 * PI / columns
-                  : columns > 1  ? (arc - h) / (columns - 1)
-                                 : (double)NAN;
+    double step = columns > 1 ? (arc - h) / (columns - 1) : (double)NAN;
+    step = is_closed(arc) ? 2 * PI / columns : step;
     *overlap = 1 - step / h;
     return true;
 }

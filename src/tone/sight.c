@@ -9,11 +9,16 @@
 double sight_threshold(double adaptation)
 {
     const double x = log10(adaptation);
-    const double log_threshold = x < -3.94     ? -2.86
-                                 : x < -1.44   ? pow(0.405 * x + 1.6, 2.18) - 2.86
-                                 : x < -0.0184 ? x - 0.395
-                                 : x < 1.9     ? pow(0.249 * x + 0.65, 2.7) - 0.72
-                                               : x - 1.255;
+    double log_threshold = x - 1.255;
+    if (x < -3.94) {
+        log_threshold = -2.86;
+    } else if (x < -1.44) {
+        log_threshold = pow(0.405 * x + 1.6, 2.18) - 2.86;
+    } else if (x < -0.0184) {
+        log_threshold = x - 0.395;
+    } else if (x < 1.9) {
+        log_threshold = pow(0.249 * x + 0.65, 2.7) - 0.72;
+    }
     return pow(10, log_threshold);
 }
 

@@ -66,6 +66,7 @@ void render_say_card(const struct render_input *input, const struct photograph *
 {
     const struct card *card = &photograph->card;
     const double rim = 2 * PI * CHART_STAR_RADIUS * card->height / card->width;
+    const double mesh = card->width / CHART_MESHES;
     switch (card->chart) {
     case CHART_EDGE:
         growing_format(remarks, "edge %g degrees from upright, contrast %g:1 (ISO 12233)\n",
@@ -85,13 +86,13 @@ void render_say_card(const struct render_input *input, const struct photograph *
                        0.5 * (CHART_WEDGE_FIELDS - 1) * log10(2));
         break;
     case CHART_GRID:
+        growing_format(remarks, "meshes of %.4g mm\n", mesh);
+        break;
     case CHART_CHECKER:
+        growing_format(remarks, "squares of %.4g mm\n", mesh);
+        break;
     case CHART_POINTS:
-        growing_format(remarks, "%s of %.4g mm\n",
-                       card->chart == CHART_GRID      ? "meshes"
-                       : card->chart == CHART_CHECKER ? "squares"
-                                                      : "discs, in steps",
-                       card->width / CHART_MESHES);
+        growing_format(remarks, "discs, in steps of %.4g mm\n", mesh);
         break;
     case CHART_STARS:
         growing_format(remarks, "stars of magnitudes 0 to %d, the brightest as bright as white\n",

@@ -260,11 +260,15 @@ static void render_expose_add_remarks(const struct render_input *input,
 {
     const bool is_leaf = input->shutter.kind == SHUTTER_LEAF;
     const struct photograph *photograph = &shot->photograph;
-    const char *why = !exposure->is_chosen    ? ""
-                      : shot->is_world        ? ": metered, 10/ISO lx s on average (ISO 2720)"
-                      : render_is_film(input) ? ": 18 % grey as a meter exposes it"
-                                              : ": white half a stop below saturation";
+    const char *why = ": white half a stop below saturation";
     char time[64];
+    if (!exposure->is_chosen) {
+        why = "";
+    } else if (shot->is_world) {
+        why = ": metered, 10/ISO lx s on average (ISO 2720)";
+    } else if (render_is_film(input)) {
+        why = ": 18 % grey as a meter exposes it";
+    }
     spoken_time(time, exposure->time, 3);
     if (shot->is_world) {
         growing_format(remarks, "%.4g lx on the film on average",
@@ -335,10 +339,8 @@ static bool expose(const struct render_input *input, const struct render_shot *s
     render_expose_add_notes(input, shot, &exposure, &image, remarks->arena);
     add_note_of_white(input, &exposure, photograph->reference, is_png, &image, remarks->arena);
     if (!is_png) {
-        render_note(&image, remarks->arena, "Unit",
-                    is_film           ? "density"
-                    : input->radiance ? "cd/m2"
-                                      : "lx s");
+        const char *light = input->radiance ? "cd/m2" : "lx s";
+        render_note(&image, remarks->arena, "Unit", is_film ? "density" : light);
     }
     return receive_light(input, shot, &exposure, is_png, &image, remarks, error) &&
            image_file_bytes(&image, type, &way, remarks->arena, bytes, error);

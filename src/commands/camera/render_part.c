@@ -34,7 +34,7 @@ bool render_check_part(const struct artifact_job *job, struct error *error)
                     job->path);
     }
     if (!render_is_part(job)) {
-        const char *option = input->part.count > 0 ? "part" : input->resume ? "resume" : NULL;
+        const char *option = SAID_FIRST({input->part.count > 0, "part"}, {input->resume, "resume"});
         return option == NULL ||
                fail(error, ERROR_USAGE, "{--%s} needs {--output} with a name that ends in .part",
                     option);

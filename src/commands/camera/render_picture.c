@@ -182,8 +182,10 @@ static double duration_of(const struct picture_job *picture, const struct render
                           unsigned kept)
 {
     const bool moves = picture->world != NULL && picture->world->moves;
-    const bool is_asked = skip_is_kept(kept, SKIP_TIME);
-    return moves ? input->time : is_asked ? (isnan(input->time) ? 1 : input->time) : 0;
+    if (!moves && !skip_is_kept(kept, SKIP_TIME)) {
+        return 0;
+    }
+    return !moves && isnan(input->time) ? 1 : input->time;
 }
 
 /* Is exposure i another picture than the one before it? */

@@ -50,10 +50,10 @@ struct ray_writer {
 
 static void render_rays_write_names(const struct ray_writer *writer)
 {
-    const char separator = writer->file->separator;
+    const char separator = writer->file->separator, between = separator != 0 ? separator : ' ';
     for (int k = 0; k < NUMBERS; k++) {
         output_string(writer->sink, names[k]);
-        output_character(writer->sink, k + 1 == NUMBERS ? '\n' : separator != 0 ? separator : ' ');
+        output_character(writer->sink, k + 1 == NUMBERS ? '\n' : between);
     }
 }
 

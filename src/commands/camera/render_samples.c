@@ -26,9 +26,8 @@ bool render_check_samples(const struct render_input *input, struct error *error)
 
 void render_ask_samples(const struct render_input *input, struct photograph_question *question)
 {
-    const long usual = !isnan(input->seconds) ? MOST_SAMPLES
-                       : isnan(input->error)  ? USUAL_SAMPLES
-                                              : USUAL_WITH_ERROR;
+    long usual = isnan(input->error) ? USUAL_SAMPLES : USUAL_WITH_ERROR;
+    usual = isnan(input->seconds) ? usual : MOST_SAMPLES;
     question->samples = (size_t)(input->samples == 0 ? usual : input->samples);
     question->error = isnan(input->error) ? 0 : input->error;
 }

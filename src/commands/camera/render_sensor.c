@@ -84,11 +84,10 @@ static bool read_response(const struct render_input *input, struct arena *arena,
         }
     }
     struct number_table file;
-    const char *const other = !isnan(input->efficiency)                 ? "efficiency"
-                              : input->question.wavelength.name != NULL ? "wavelength"
-                              : input->question.spectrum.count > 0      ? "spectrum"
-                              : !isnan(input->band)                     ? "band"
-                                                                        : NULL;
+    const char *other =
+        SAID_FIRST({!isnan(input->efficiency), "efficiency"},
+                   {input->question.wavelength.name != NULL, "wavelength"},
+                   {input->question.spectrum.count > 0, "spectrum"}, {!isnan(input->band), "band"});
     if (other != NULL) {
         return fail(error, ERROR_USAGE, "{--%s} and a table of {--response} exclude each other",
                     other);

@@ -35,10 +35,9 @@ bool render_check_shutter(const struct artifact_job *job, struct error *error)
     if (input->shutter.kind == SHUTTER_GLOBAL) {
         return true;
     }
-    const char *missing = isnan(input->time) ? "time"
-                          : !asking_given(job->asking, needed[input->shutter.kind])
-                              ? needed[input->shutter.kind]
-                              : NULL;
+    const char *own = needed[input->shutter.kind];
+    const char *missing =
+        SAID_FIRST({isnan(input->time), "time"}, {!asking_given(job->asking, own), own});
     if (missing != NULL) {
         return fail(error, ERROR_USAGE, "{--shutter} %s needs {--%s}",
                     shutter_kinds[input->shutter.kind].word, missing);

@@ -61,10 +61,11 @@ static void explain_colour(const struct photograph_question *question,
         growing_format(remarks, "%zu bands, four for each point%s", question->view->bands->count,
                        as_one ? ": " : ", a ray each");
     }
-    growing_format(remarks, "%s",
-                   as_one     ? "all colours go the same way: one pass of rays"
-                   : in_bands ? ""
-                              : "a pass of rays for each");
+    if (as_one) {
+        growing_format(remarks, "all colours go the same way: one pass of rays");
+    } else if (!in_bands) {
+        growing_format(remarks, "a pass of rays for each");
+    }
     if (question->view != NULL && !as_one && !in_bands) {
         growing_format(remarks,
                        ", but one for all in %" PRIu64 " of %" PRIu64

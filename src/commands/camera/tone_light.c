@@ -2,6 +2,7 @@
 /* SPDX-License-Identifier: MIT */
 #include "camera/sensor/develop.h"
 #include "commands/camera/tone.h"
+#include "commands/tables.h"
 #include "photo/sensitometry.h"
 #include "report/spoken.h"
 #include "tone/align.h"
@@ -64,9 +65,8 @@ static bool tone_light_miss(const struct tone_frames *frames, struct error *erro
     return fail(error, ERROR_USAGE,
                 "luminance takes the exposure time, the f-number and%s: %s is missing",
                 is_light ? " lx s" : " the ISO speed",
-                isnan(frames->frames[0].time) ? "the time"
-                : isnan(frames->fnumber)      ? "{--aperture}"
-                                              : "{--iso}");
+                SAID_FIRST({isnan(frames->frames[0].time), "the time"},
+                           {isnan(frames->fnumber), "{--aperture}"}, {true, "{--iso}"}));
 }
 
 /* What one of a merged picture's values is, cd/m^2, and why. */
@@ -176,9 +176,8 @@ static bool tone_light_check_asked(const struct tone_input *input, const struct 
     const bool has_noise = !isnan(input->full_well) || !isnan(input->read_noise);
     if (frames->count == 1 && (has_noise || input->align)) {
         return fail(error, ERROR_USAGE, "{--%s} needs several frames",
-                    input->align               ? "align"
-                    : !isnan(input->full_well) ? "full-well"
-                                               : "read-noise");
+                    SAID_FIRST({input->align, "align"}, {!isnan(input->full_well), "full-well"},
+                               {true, "read-noise"}));
     }
     return !(has_noise && frames->frames[0].bits == 0) ||
            fail(error, ERROR_USAGE, "{--%s} works only with whole numbers, and %.200s holds floats",

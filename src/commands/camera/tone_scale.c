@@ -35,9 +35,8 @@ static void write_marks(struct image *picture, size_t left, size_t size, const d
     lettering_write(picture, left, size, size, "cd/m2");
     for (int decade = first - 1; decade <= last + 1; decade++) {
         const bool is_end = decade < first || decade > last;
-        const double luminance = decade < first  ? range[0]
-                                 : decade > last ? range[1]
-                                                 : pow(10, decade);
+        const double end = decade < first ? range[0] : range[1];
+        const double luminance = is_end ? end : pow(10, decade);
         const double y = bottom - tone_scale_share_of(luminance, range) * (bottom - top);
         const double other = decade < first ? pow(10, first) : pow(10, last);
         const double away =

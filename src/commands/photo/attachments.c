@@ -27,9 +27,8 @@ static bool attachments_check_question(const struct attachments *a, const struct
     if (isnan(lens->f)) {
         return fail(error, ERROR_USAGE,
                     "{--%s} needs {--focal-length} or {--lens}: it is added to a known lens",
-                    !isnan(a->close_up) ? "close-up"
-                    : !isnan(a->tube)   ? "tube"
-                                        : "converter");
+                    SAID_FIRST({!isnan(a->close_up), "close-up"}, {!isnan(a->tube), "tube"},
+                               {true, "converter"}));
     }
     return isnan(a->converter) || lens->measuring.from != FROM_SENSOR ||
            fail(error, ERROR_USAGE,

@@ -250,11 +250,9 @@ static bool check_best(const struct diffraction_input *input, const struct sharp
 {
     const bool is_best =
         isnan(input->lens.fnumber) && (!isnan(input->near) || !isnan(input->focus_spread));
-    const char *idle = !input->sharp.coc.is_fallback      ? "coc"
-                       : sharp->coc.coc.kind == COC_PRINT ? "print"
-                       : !isnan(input->film)              ? "film"
-                       : input->defocus > 0               ? "defocus"
-                                                          : NULL;
+    const char *idle = SAID_FIRST({!input->sharp.coc.is_fallback, "coc"},
+                                  {sharp->coc.coc.kind == COC_PRINT, "print"},
+                                  {!isnan(input->film), "film"}, {input->defocus > 0, "defocus"});
     return !is_best || idle == NULL ||
            fail(error, ERROR_USAGE,
                 "{--%s} says nothing of the best f-number: give {--aperture} too", idle);

@@ -235,13 +235,10 @@ static void focus_fill_row(const struct focus_input *input, const struct photo_l
 
 static bool focus_check_rays(const struct focus_input *input, struct error *error)
 {
-    const char *other = !isnan(input->image)    ? "image"
-                        : !isnan(input->hiatus) ? "hiatus"
-                        : !isnan(input->front)  ? "front"
-                        : input->enlarged       ? "enlarged"
-                        : has_attachments(input)
-                            ? "reversed, --close-up, --stacked, --tube, --converter"
-                            : NULL;
+    const char *other = SAID_FIRST(
+        {!isnan(input->image), "image"}, {!isnan(input->hiatus), "hiatus"},
+        {!isnan(input->front), "front"}, {input->enlarged, "enlarged"},
+        {has_attachments(input), "reversed, --close-up, --stacked, --tube, --converter"});
     return other == NULL || fail(error, ERROR_USAGE,
                                  "{--exact} goes by the lens as it is, and finds its image: it "
                                  "excludes {--%s}",

@@ -123,12 +123,12 @@ static bool hyperfocal_find_by_rays(const struct hyperfocal_input *input,
     double blur;
     struct real_focus focus;
     struct real_range range;
-    if (!isnan(input->hyperfocal) || !isnan(input->near) || !isnan(input->squeeze)) {
+    const char *other =
+        SAID_FIRST({!isnan(input->near), "near"}, {!isnan(input->hyperfocal), "hyperfocal"},
+                   {!isnan(input->squeeze), "squeeze"});
+    if (other != NULL) {
         return fail(error, ERROR_USAGE,
-                    "{--exact} answers for a lens and an f-number: it excludes {--%s}",
-                    !isnan(input->near)         ? "near"
-                    : !isnan(input->hyperfocal) ? "hyperfocal"
-                                                : "squeeze");
+                    "{--exact} answers for a lens and an f-number: it excludes {--%s}", other);
     }
     const struct by_rays_question question = {&input->rays, &input->lens, lens, INFINITY, c};
     if (!by_rays_open(&question, run, &focus, &row->rays, error) ||

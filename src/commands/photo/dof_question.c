@@ -78,17 +78,12 @@ static bool dof_question_complete(const struct dof_question *input, const struct
 static bool dof_question_check_rays(const struct dof_question *input, struct error *error)
 {
     const struct dof_targets *t = &input->targets;
-    const char *other = input->stack                        ? "stack"
-                        : input->model != DOF_EXACT         ? "model"
-                        : attachments_any(&input->attached) ? "tube, --close-up, --converter"
-                        : input->other.name != NULL         ? "equal-on"
-                        : !isnan(input->squeeze)            ? "squeeze"
-                        : !isnan(input->t_stop)             ? "t-stop"
-                        : !isnan(t->near)                   ? "near"
-                        : !isnan(t->far)                    ? "far"
-                        : !isnan(t->total)                  ? "dof"
-                        : !isnan(t->hyperfocal)             ? "hyperfocal"
-                                                            : NULL;
+    const char *other = SAID_FIRST(
+        {input->stack, "stack"}, {input->model != DOF_EXACT, "model"},
+        {attachments_any(&input->attached), "tube, --close-up, --converter"},
+        {input->other.name != NULL, "equal-on"}, {!isnan(input->squeeze), "squeeze"},
+        {!isnan(input->t_stop), "t-stop"}, {!isnan(t->near), "near"}, {!isnan(t->far), "far"},
+        {!isnan(t->total), "dof"}, {!isnan(t->hyperfocal), "hyperfocal"});
     return other == NULL || fail(error, ERROR_USAGE,
                                  "{--exact} answers for a lens, an f-number and a distance: it "
                                  "excludes {--%s}",

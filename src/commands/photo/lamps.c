@@ -56,7 +56,8 @@ static void lamps_list_free(const struct lamps *lamps, const struct flicker *fli
 {
     enum { FOR_A_PICTURE = 6, MOST = 12 };
     bool film = !isnan(rate);
-    long count = !film ? FOR_A_PICTURE : flicker->longest < MOST ? flicker->longest : MOST;
+    const long longest = flicker->longest < MOST ? flicker->longest : MOST;
+    const long count = film ? longest : FOR_A_PICTURE;
     for (long i = 1; i <= count; i++) {
         const char *comma = i > 1 ? ", " : "";
         row->free_times = arena_printf(arena, "%s%s%s", i > 1 ? row->free_times : "", comma,
