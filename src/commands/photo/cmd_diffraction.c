@@ -303,14 +303,13 @@ static bool diffraction_answer(const void *data, const struct photo_lens *lens, 
                                struct error *error)
 {
     const struct diffraction_input *input = data;
-    struct sharpness implied;
-    const struct sharpness *sharp = &implied;
+    struct sharpness own = input->sharp;
+    const struct sharpness *sharp = &own;
     struct diffraction_row row = empty;
-    if (!sharpness_imply(&input->sharp, PITCH_FOR_MORE, &implied, error) ||
+    if (!sharpness_settle(&own, PITCH_FOR_MORE, run->doubts, error) ||
         !check_best(input, sharp, error)) {
         return false;
     }
-    sharpness_doubt_pitch(sharp, run->doubts);
     row.real = *lens->real;
     row.focal = lens->f;
     row.wavelength = lens->wavelength;

@@ -333,7 +333,7 @@ static bool dof_answer(const void *data, const struct photo_lens *lens, struct r
     struct dof_row row;
     if (!sharpness_is_plain(&input->sharp)) {
         own = *input;
-        if (!sharpness_imply(&input->sharp, PITCH_FOR_COC, &own.sharp, error)) {
+        if (!sharpness_settle(&own.sharp, PITCH_FOR_COC, run->doubts, error)) {
             return false;
         }
         input = &own;
@@ -341,9 +341,6 @@ static bool dof_answer(const void *data, const struct photo_lens *lens, struct r
     struct dof_setting *setting = &row.setting;
     if (!dof_question_open(input, lens, &room, &attached, setting, error)) {
         return false;
-    }
-    if (sharpness_in_pixels(&input->sharp)) {
-        sharpness_doubt_pitch(&input->sharp, run->doubts);
     }
     row.rays = by_rays_none;
     bool solves_coc = wants_coc(input, setting);

@@ -147,12 +147,9 @@ static bool equivalent_answer(const void *data, const struct photo_lens *lens, s
     const struct equivalent_input *input = data;
     bool has_fnumber = !isnan(lens->N);
     double k;
-    struct sharpness sharp;
-    if (!sharpness_imply(&input->sharp, PITCH_FOR_COC, &sharp, error)) {
+    struct sharpness sharp = input->sharp;
+    if (!sharpness_settle(&sharp, PITCH_FOR_COC, run->doubts, error)) {
         return false;
-    }
-    if (sharpness_in_pixels(&sharp)) {
-        sharpness_doubt_pitch(&sharp, run->doubts);
     }
     struct equivalent_row row = {
         .sensor = input->sharp.sensor.name,

@@ -165,13 +165,10 @@ static bool hyperfocal_answer(const void *data, const struct photo_lens *lens, s
             "give two of {--focal-length}, {--aperture} and {--hyperfocal} (or {--near}), and the "
             "third is found");
     }
-    struct sharpness sharp;
-    if (!sharpness_imply(&input->sharp, PITCH_FOR_COC, &sharp, error) ||
+    struct sharpness sharp = input->sharp;
+    if (!sharpness_settle(&sharp, PITCH_FOR_COC, run->doubts, error) ||
         !hyperfocal_solve(input, &sharp, lens, &setting, error)) {
         return false;
-    }
-    if (sharpness_in_pixels(&sharp)) {
-        sharpness_doubt_pitch(&sharp, run->doubts);
     }
     struct hyperfocal_row row = {
         .focal = setting.f,

@@ -210,11 +210,9 @@ static bool motion_run(const void *data, struct run *run, struct error *error)
 {
     struct motion_input own = *(const struct motion_input *)data;
     const struct motion_input *input = &own;
-    if (!sharpness_imply(&((const struct motion_input *)data)->sharp, PITCH_FOR_MORE, &own.sharp,
-                         error)) {
+    if (!sharpness_settle(&own.sharp, PITCH_FOR_MORE, run->doubts, error)) {
         return false;
     }
-    sharpness_doubt_pitch(&own.sharp, run->doubts);
     struct motion_row row = {
         .motion = {input->speed, input->time, NAN, NAN, input->angle, input->distance,
                    input->height},

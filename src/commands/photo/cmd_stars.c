@@ -116,10 +116,11 @@ static const struct column columns[] = {
 };
 
 /* How long a trail may be: as asked, else the circle of confusion. */
-static bool allow(const struct stars_input *input, struct stars_row *row, struct error *error)
+static bool allow(const struct stars_input *input, struct warnings *doubts, struct stars_row *row,
+                  struct error *error)
 {
-    struct sharpness sharp;
-    if (!sharpness_imply(&input->sharp, PITCH_FOR_MORE, &sharp, error)) {
+    struct sharpness sharp = input->sharp;
+    if (!sharpness_settle(&sharp, PITCH_FOR_MORE, doubts, error)) {
         return false;
     }
     if (is_given(input->trail.coc.value)) {
@@ -209,9 +210,8 @@ static bool stars_run(const void *data, struct run *run, struct error *error)
                     "give {--focal-length} for the longest time, or {--time} for "
                     "the longest focal length");
     }
-    sharpness_doubt_pitch(&input->sharp, run->doubts);
     stars_assume(sensor, &row, run->arena);
-    if (!allow(input, &row, error) ||
+    if (!allow(input, run->doubts, &row, error) ||
         (!is_given(row.focal) &&
          !star_focal_length(row.declination, row.exposure, row.allowed, &row.focal, error)) ||
         !star_time(row.focal, row.declination, row.allowed, &row.time, error) ||

@@ -235,12 +235,8 @@ static bool tilt_run(const void *data, struct run *run, struct error *error)
 {
     struct tilt_input own = *(const struct tilt_input *)data;
     const struct tilt_input *input = &own;
-    if (!sharpness_imply(&((const struct tilt_input *)data)->sharp, PITCH_FOR_COC, &own.sharp,
-                         error)) {
+    if (!sharpness_settle(&own.sharp, PITCH_FOR_COC, run->doubts, error)) {
         return false;
-    }
-    if (sharpness_in_pixels(&own.sharp)) {
-        sharpness_doubt_pitch(&own.sharp, run->doubts);
     }
     struct tilt_row row = {
         .sight = input->sight,
@@ -266,10 +262,9 @@ static bool draw_wedge(const struct artifact_job *job, struct output *sink, stru
 {
     struct tilt_input own = *(const struct tilt_input *)job->inputs[0];
     const struct tilt_input *input = &own;
-    const struct sharpness asked = own.sharp;
     struct svg svg = {.arena = job->run->arena};
     struct tilt camera;
-    if (!sharpness_imply(&asked, PITCH_FOR_COC, &own.sharp, error) ||
+    if (!sharpness_settle(&own.sharp, PITCH_FOR_COC, NULL, error) ||
         !tilt_row_solve(input, &camera, error)) {
         return false;
     }

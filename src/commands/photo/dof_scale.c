@@ -38,7 +38,6 @@ bool dof_draw_scale(const struct artifact_job *job, struct output *sink, struct 
 {
     struct dof_question own = *(const struct dof_question *)job->inputs[0];
     const struct dof_question *input = &own;
-    const struct sharpness asked = own.sharp;
     struct svg svg = {.arena = job->run->arena};
     struct photo_lens lens, room;
     struct attached_lens attached;
@@ -46,7 +45,7 @@ bool dof_draw_scale(const struct artifact_job *job, struct output *sink, struct 
     struct barrel_mark marks[16];
     struct barrel barrel = {.marks = marks};
     double fnumbers[16];
-    if (!sharpness_imply(&asked, PITCH_FOR_COC, &own.sharp, error) ||
+    if (!sharpness_settle(&own.sharp, PITCH_FOR_COC, NULL, error) ||
         !photo_lens_single(&input->lens, dof_question_use(input), svg.arena, &lens, error) ||
         !dof_question_open(input, &lens, &room, &attached, &setting, error) ||
         !dof_question_solve(input, &attached, &setting, error)) {

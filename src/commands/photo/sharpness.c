@@ -13,24 +13,26 @@ static bool is_print_given(const struct sharpness *a)
     return !isnan(a->print.longer) || !isnan(a->viewing) || !isnan(a->acuity);
 }
 
-bool sharpness_imply(const struct sharpness *a, enum pitch_use use, struct sharpness *implied,
-                     struct error *error)
+bool sharpness_settle(struct sharpness *a, enum pitch_use use, struct warnings *doubts,
+                      struct error *error)
 {
     bool is_print = is_print_given(a), is_pitch = !isnan(a->pitch) && use == PITCH_FOR_COC;
-    *implied = *a;
     if (coc_is_print(&a->coc) && a->print.criterion != NULL) {
-        implied->coc.criterion = a->print.criterion;
+        a->coc.criterion = a->print.criterion;
     }
-    if ((!is_print && !is_pitch) || !a->coc.is_fallback) {
-        return true;
-    }
-    if (is_print && is_pitch) {
+    if (is_print && is_pitch && a->coc.is_fallback) {
         fail(error, ERROR_USAGE, "{--pitch} and {--print} are two criteria of sharpness");
         return error_hint(error, "{--coc} print or {--coc} 2px says which counts");
     }
-    const char *print = a->print.criterion != NULL ? a->print.criterion : "print";
-    implied->coc = is_print ? (struct coc_value){{.kind = COC_PRINT, .value = 1}, print, false}
-                            : (struct coc_value){{.kind = COC_PIXELS, .value = 2}, "2px", false};
+    if (is_print && a->coc.is_fallback) {
+        const char *print = a->print.criterion != NULL ? a->print.criterion : "print";
+        a->coc = (struct coc_value){{.kind = COC_PRINT, .value = 1}, print, false};
+    } else if (is_pitch && a->coc.is_fallback) {
+        a->coc = (struct coc_value){{.kind = COC_PIXELS, .value = 2}, "2px", false};
+    }
+    if (use == PITCH_FOR_MORE || coc_is_pixels(&a->coc)) {
+        sharpness_doubt_pitch(a, doubts);
+    }
     return true;
 }
 

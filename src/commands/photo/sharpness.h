@@ -62,16 +62,18 @@ enum pitch_use { PITCH_FOR_COC, PITCH_FOR_MORE };
  * The criterion that follows from the other options where --coc is not given: print from those of
  * a print, 2px from a pitch that is for nothing else. They are never without effect.
  *
- * Given     implied  receives the options with their criterion
+ * Given     sharpness  of the options; receives their criterion
+ *           doubts     of a pitch that is used and an estimate; null: nobody listens
  * Errors    ERROR_USAGE: options of two criteria
  */
-bool sharpness_imply(const struct sharpness *sharpness, enum pitch_use use,
-                     struct sharpness *implied, struct error *error);
+bool sharpness_settle(struct sharpness *sharpness, enum pitch_use use, struct warnings *doubts,
+                      struct error *error);
 
-/* Is --coc, or its default, all there is? */
+/* Is --coc, or its default, all there is, so that nothing is to be settled? */
 static inline bool sharpness_is_plain(const struct sharpness *a)
 {
-    return isnan(a->pitch) && isnan(a->print.longer) && isnan(a->viewing) && isnan(a->acuity);
+    return isnan(a->pitch) && isnan(a->print.longer) && isnan(a->viewing) && isnan(a->acuity) &&
+           a->coc.coc.kind != COC_PIXELS;
 }
 
 /* The pixel pitch: as given, else that of the sensor; NaN where neither is known. */
@@ -93,12 +95,6 @@ bool sharpness_resolve(const struct sharpness *sharpness, double fnumber, double
 /* The same in light of this wavelength, mm. */
 bool sharpness_resolve_in(const struct sharpness *sharpness, double wavelength, double fnumber,
                           double *c, struct error *error);
-
-/* Does the criterion follow from the pixel pitch? */
-static inline bool sharpness_in_pixels(const struct sharpness *sharpness)
-{
-    return sharpness->coc.coc.kind == COC_PIXELS;
-}
 
 /* The f-number that diffracts. */
 static inline double diffracting_fnumber(double N, double m, double P)
