@@ -58,9 +58,13 @@ static const struct sheet *list_choose_sheet(const void *data, const struct opti
 static bool list_run(const void *data, struct run *run, struct error *error)
 {
     const struct list_input *input = data;
+    const struct topic *topic = topics[input->topic];
     struct list list = {.input = input, .run = run};
-    if (!topics[input->topic]->list(&list, error)) {
-        return false;
+    for (int i = 0; i < (topic->is_of_places ? LENSDB_PLACES : 1); i++) {
+        list.place = (enum lensdb_place)i;
+        if (!topic->list(&list, error)) {
+            return false;
+        }
     }
     if (list.found == 0) {
         return fail(error, ERROR_DOMAIN, "nothing among the %s matches %s%s%s%s",

@@ -14,6 +14,7 @@ struct list_input {
 struct list {
     const struct list_input *input;
     struct run *run;
+    enum lensdb_place place; /* whose rows are listed */
     size_t found;
 };
 
@@ -21,6 +22,7 @@ struct list {
 struct topic {
     struct sheet sheet;
     bool (*list)(struct list *list, struct error *error);
+    bool is_of_places; /* called for the user's rows, and again for those of the program */
 };
 
 /* A text that lives as long as a row; null where it is empty. */

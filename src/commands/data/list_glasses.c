@@ -58,4 +58,5 @@ static bool list_glasses(struct list *list, struct error *error)
     return error->code == ERROR_NONE;
 }
 
-const struct topic topic_glasses = {SHEET(columns, struct list_glasses_glass_row), list_glasses};
+const struct topic topic_glasses = {SHEET(columns, struct list_glasses_glass_row), list_glasses,
+                                    false};

@@ -38,4 +38,5 @@ static bool list_keywords(struct list *list, struct error *error)
     return true;
 }
 
-const struct topic topic_keywords = {SHEET(keyword_columns, struct keyword_row), list_keywords};
+const struct topic topic_keywords = {SHEET(keyword_columns, struct keyword_row), list_keywords,
+                                     false};

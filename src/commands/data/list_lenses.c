@@ -33,20 +33,11 @@ static const struct column lens_columns[] = {
     {SHOWN(place), .name = "database", .help = "embedded, or the user's own folder"},
 };
 
-static const char *join_notes(const struct lens *lens, struct arena *arena)
+static const char *joined(const char *const *texts, size_t count, struct arena *arena)
 {
     const char *all = NULL;
-    for (size_t i = 0; i < lens->note_count; i++) {
-        all = i == 0 ? lens->notes[0] : arena_printf(arena, "%s %s", all, lens->notes[i]);
-    }
-    return all;
-}
-
-static const char *join_positions(const struct lens *lens, struct arena *arena)
-{
-    const char *all = NULL;
-    for (size_t i = 0; i < lens->position_count; i++) {
-        all = i == 0 ? lens->positions[0] : arena_printf(arena, "%s %s", all, lens->positions[i]);
+    for (size_t i = 0; i < count; i++) {
+        all = i == 0 ? texts[0] : arena_printf(arena, "%s %s", all, texts[i]);
     }
     return all;
 }
@@ -112,13 +103,12 @@ static void list_lenses_emit(struct list *list, struct list_lenses_lens_row *row
 }
 
 /* `arena` is given up after each lens. */
-static void list_lens(struct list *list, const char *name, enum lensdb_place place,
-                      struct arena *arena)
+static void list_lens(struct list *list, const char *name, struct arena *arena)
 {
     struct lens lens;
     struct error error;
     struct list_lenses_lens_row row = {
-        .name = name, .place = list_place(place), .efl = NAN, .bfl = NAN, .fnumber = NAN};
+        .name = name, .place = list_place(list->place), .efl = NAN, .bfl = NAN, .fnumber = NAN};
     if (!lens_open(list->run->db, text_of(name), arena, &lens, &error)) {
         list_broken(list, &row, &error);
         return;
@@ -126,8 +116,8 @@ static void list_lens(struct list *list, const char *name, enum lensdb_place pla
     row.title = lens.title;
     row.kind = lens.kind;
     row.source = lens.source;
-    row.positions = join_positions(&lens, arena);
-    row.note = join_notes(&lens, arena);
+    row.positions = joined(lens.positions, lens.position_count, arena);
+    row.note = joined(lens.notes, lens.note_count, arena);
     row.surfaces = (long)lens.surface_count;
     /* "zoom" is any zoom: "zoom tele", "cine anamorphic zoom" */
     const char *kind = list->input->kind != NULL && row.kind != NULL &&
@@ -140,25 +130,21 @@ static void list_lens(struct list *list, const char *name, enum lensdb_place pla
     }
 }
 
-static bool list_place_of(struct list *list, enum lensdb_place place, struct error *error)
+static bool list_lenses(struct list *list, struct error *error)
 {
     const char *const *names;
     struct arena of_lens = {0};
-    if (!lens_open_names(list->run->db, place, list->run->arena, &names, error)) {
+    if (!lens_open_names(list->run->db, list->place, list->run->arena, &names, error)) {
         return false;
     }
     for (; *names != NULL; names++) {
         const struct arena_mark mark = arena_mark(&of_lens);
-        list_lens(list, *names, place, &of_lens);
+        list_lens(list, *names, &of_lens);
         arena_reset(&of_lens, mark);
     }
     arena_free(&of_lens);
     return true;
 }
 
-static bool list_lenses(struct list *list, struct error *error)
-{
-    return list_place_of(list, LENSDB_USER, error) && list_place_of(list, LENSDB_EMBEDDED, error);
-}
-
-const struct topic topic_lenses = {SHEET(lens_columns, struct list_lenses_lens_row), list_lenses};
+const struct topic topic_lenses = {SHEET(lens_columns, struct list_lenses_lens_row), list_lenses,
+                                   true};

@@ -99,20 +99,15 @@ static bool list_film(struct list *list, const struct lensdb_film *film, struct 
 
 static bool list_films(struct list *list, struct error *error)
 {
-    for (int place = 0; place < LENSDB_PLACES; place++) {
-        struct lensdb_facts facts;
-        struct lensdb_film film;
-        bool open = lensdb_films_open(&facts, list->run->db, (enum lensdb_place)place, error);
-        while (open && lensdb_films_next(&facts, &film, error)) {
-            if (!list_film(list, &film, error)) {
-                return false;
-            }
-        }
-        if (error->code != ERROR_NONE) {
+    struct lensdb_facts facts;
+    struct lensdb_film film;
+    bool open = lensdb_films_open(&facts, list->run->db, list->place, error);
+    while (open && lensdb_films_next(&facts, &film, error)) {
+        if (!list_film(list, &film, error)) {
             return false;
         }
     }
-    return true;
+    return error->code == ERROR_NONE;
 }
 
 struct scene_row {
@@ -134,30 +129,24 @@ static const struct column scene_columns[] = {
 
 static bool list_scenes(struct list *list, struct error *error)
 {
-    for (int place = 0; place < LENSDB_PLACES; place++) {
-        struct lensdb_facts facts;
-        struct lensdb_scene scene;
-        bool open = lensdb_scenes_open(&facts, list->run->db, (enum lensdb_place)place, error);
-        while (open && lensdb_scenes_next(&facts, &scene, error)) {
-            struct scene_row row = {
-                .scene = list_string(list, scene.name),
-                .aliases = list_string(list, scene.aliases),
-                .meaning = list_string(list, scene.scene),
-                .confidence = list_string(list, scene.confidence),
-                .source = list_string(list, scene.source),
-                .place = list_place(scene.place),
-                .ev100 = scene.ev100,
-            };
-            if (list_matches(list, NULL, (const char *[]){row.scene, row.aliases, row.meaning},
-                             3)) {
-                list_row(list, &row);
-            }
-        }
-        if (error->code != ERROR_NONE) {
-            return false;
+    struct lensdb_facts facts;
+    struct lensdb_scene scene;
+    bool open = lensdb_scenes_open(&facts, list->run->db, list->place, error);
+    while (open && lensdb_scenes_next(&facts, &scene, error)) {
+        struct scene_row row = {
+            .scene = list_string(list, scene.name),
+            .aliases = list_string(list, scene.aliases),
+            .meaning = list_string(list, scene.scene),
+            .confidence = list_string(list, scene.confidence),
+            .source = list_string(list, scene.source),
+            .place = list_place(scene.place),
+            .ev100 = scene.ev100,
+        };
+        if (list_matches(list, NULL, (const char *[]){row.scene, row.aliases, row.meaning}, 3)) {
+            list_row(list, &row);
         }
     }
-    return true;
+    return error->code == ERROR_NONE;
 }
 
 struct filter_row {
@@ -186,35 +175,29 @@ static const struct column filter_columns[] = {
 
 static bool list_filters(struct list *list, struct error *error)
 {
-    for (int place = 0; place < LENSDB_PLACES; place++) {
-        struct lensdb_facts facts;
-        struct lensdb_filter filter;
-        bool open = lensdb_filters_open(&facts, list->run->db, (enum lensdb_place)place, error);
-        while (open && lensdb_filters_next(&facts, &filter, error)) {
-            struct filter_row row = {
-                .filter = list_string(list, filter.name),
-                .aliases = list_string(list, filter.aliases),
-                .kind = list_string(list, filter.kind),
-                .confidence = list_string(list, filter.confidence),
-                .source = list_string(list, filter.source),
-                .place = list_place(filter.place),
-                .factor = filter.factor,
-                .mired = filter.mired,
-                .stops = filter.stops,
-                .used = lensdb_filter_stops(&filter),
-            };
-            if (list_matches(list, row.kind, (const char *[]){row.filter, row.aliases, row.kind},
-                             3)) {
-                list_row(list, &row);
-            }
-        }
-        if (error->code != ERROR_NONE) {
-            return false;
+    struct lensdb_facts facts;
+    struct lensdb_filter filter;
+    bool open = lensdb_filters_open(&facts, list->run->db, list->place, error);
+    while (open && lensdb_filters_next(&facts, &filter, error)) {
+        struct filter_row row = {
+            .filter = list_string(list, filter.name),
+            .aliases = list_string(list, filter.aliases),
+            .kind = list_string(list, filter.kind),
+            .confidence = list_string(list, filter.confidence),
+            .source = list_string(list, filter.source),
+            .place = list_place(filter.place),
+            .factor = filter.factor,
+            .mired = filter.mired,
+            .stops = filter.stops,
+            .used = lensdb_filter_stops(&filter),
+        };
+        if (list_matches(list, row.kind, (const char *[]){row.filter, row.aliases, row.kind}, 3)) {
+            list_row(list, &row);
         }
     }
-    return true;
+    return error->code == ERROR_NONE;
 }
 
-const struct topic topic_films = {SHEET(film_columns, struct film_row), list_films};
-const struct topic topic_scenes = {SHEET(scene_columns, struct scene_row), list_scenes};
-const struct topic topic_filters = {SHEET(filter_columns, struct filter_row), list_filters};
+const struct topic topic_films = {SHEET(film_columns, struct film_row), list_films, true};
+const struct topic topic_scenes = {SHEET(scene_columns, struct scene_row), list_scenes, true};
+const struct topic topic_filters = {SHEET(filter_columns, struct filter_row), list_filters, true};

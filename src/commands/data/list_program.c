@@ -222,9 +222,12 @@ static bool list_columns(struct list *list, struct error *error)
     return true;
 }
 
-const struct topic topic_stops = {SHEET(stop_columns, struct stop_row), list_stops};
-const struct topic topic_units = {SHEET(unit_columns, struct unit_row), list_program_list_units};
-const struct topic topic_commands = {SHEET(command_columns, struct command_row), list_commands};
+const struct topic topic_stops = {SHEET(stop_columns, struct stop_row), list_stops, false};
+const struct topic topic_units = {SHEET(unit_columns, struct unit_row), list_program_list_units,
+                                  false};
+const struct topic topic_commands = {SHEET(command_columns, struct command_row), list_commands,
+                                     false};
 const struct topic topic_options = {SHEET(option_columns, struct option_row),
-                                    list_program_list_options};
-const struct topic topic_columns = {SHEET(columns_of_columns, struct column_row), list_columns};
+                                    list_program_list_options, false};
+const struct topic topic_columns = {SHEET(columns_of_columns, struct column_row), list_columns,
+                                    false};

@@ -55,12 +55,11 @@ static const struct column camera_columns[] = {
     SENSOR_ORIGIN,
 };
 
-static bool list_sensors(struct list *list, enum lensdb_place place, bool cameras,
-                         struct error *error)
+static bool list_sensors(struct list *list, bool cameras, struct error *error)
 {
     struct lensdb_sensors sensors;
     struct lensdb_sensor sensor;
-    if (!lensdb_sensors_open(&sensors, list->run->db, place, cameras, error)) {
+    if (!lensdb_sensors_open(&sensors, list->run->db, list->place, cameras, error)) {
         return error->code == ERROR_NONE;
     }
     while (lensdb_sensors_next(&sensors, &sensor, error)) {
@@ -71,7 +70,7 @@ static bool list_sensors(struct list *list, enum lensdb_place place, bool camera
             .pitch_from = list_string(list, sensor.pitch_from),
             .confidence = list_string(list, sensor.confidence),
             .source = list_string(list, sensor.source),
-            .place = list_place(place),
+            .place = list_place(list->place),
             .width = sensor.size.width,
             .height = sensor.size.height,
             .diagonal = sensor_diagonal(&sensor.size),
@@ -95,16 +94,14 @@ static bool list_sensors(struct list *list, enum lensdb_place place, bool camera
 
 static bool list_sensors_list_formats(struct list *list, struct error *error)
 {
-    return list_sensors(list, LENSDB_USER, false, error) &&
-           list_sensors(list, LENSDB_EMBEDDED, false, error);
+    return list_sensors(list, false, error);
 }
 
 static bool list_cameras(struct list *list, struct error *error)
 {
-    return list_sensors(list, LENSDB_USER, true, error) &&
-           list_sensors(list, LENSDB_EMBEDDED, true, error);
+    return list_sensors(list, true, error);
 }
 
 const struct topic topic_formats = {SHEET(format_columns, struct sensor_row),
-                                    list_sensors_list_formats};
-const struct topic topic_cameras = {SHEET(camera_columns, struct sensor_row), list_cameras};
+                                    list_sensors_list_formats, true};
+const struct topic topic_cameras = {SHEET(camera_columns, struct sensor_row), list_cameras, true};

@@ -27,31 +27,28 @@ static const struct column columns[] = {
 
 static bool list_tolerances(struct list *list, struct error *error)
 {
-    for (int place = 0; place < LENSDB_PLACES; place++) {
-        struct lensdb_grades grades;
-        struct lensdb_tolerance one;
-        bool open = lensdb_grades_open(&grades, list->run->db, (enum lensdb_place)place, error);
-        while (open && lensdb_grades_next(&grades, &one, error)) {
-            const struct tolerance_row row = {
-                .grade = list_string(list, one.grade),
-                .quantity = list_string(list, one.quantity),
-                .unit = list_string(list, one.unit),
-                .distribution = list_string(list, one.distribution),
-                .confidence = list_string(list, one.confidence),
-                .source = list_string(list, one.source),
-                .place = list_place(one.place),
-                .value = one.value,
-            };
-            if (list_matches(list, row.grade, (const char *[]){row.grade, row.quantity}, 2)) {
-                list_row(list, &row);
-            }
-        }
-        if (error->code != ERROR_NONE) {
-            return false;
+    struct lensdb_grades grades;
+    struct lensdb_tolerance one;
+    bool open = lensdb_grades_open(&grades, list->run->db, list->place, error);
+    while (open && lensdb_grades_next(&grades, &one, error)) {
+        const struct tolerance_row row = {
+            .grade = list_string(list, one.grade),
+            .quantity = list_string(list, one.quantity),
+            .unit = list_string(list, one.unit),
+            .distribution = list_string(list, one.distribution),
+            .confidence = list_string(list, one.confidence),
+            .source = list_string(list, one.source),
+            .place = list_place(one.place),
+            .value = one.value,
+        };
+        if (list_matches(list, row.grade, (const char *[]){row.grade, row.quantity}, 2)) {
+            list_row(list, &row);
         }
     }
-    return true;
+    return error->code == ERROR_NONE;
 }
 
 const struct topic topic_tolerances = {
-    {columns, sizeof columns / sizeof columns[0], sizeof(struct tolerance_row)}, list_tolerances};
+    {columns, sizeof columns / sizeof columns[0], sizeof(struct tolerance_row)},
+    list_tolerances,
+    true};
