@@ -93,7 +93,7 @@ bool render_focus(const struct render_input *input, struct arena *arena,
 /* -------- commands/camera/render_autofocus.c -------- */
 
 /* Where in the picture: fractions from the upper left. Errors: ERROR_USAGE: no place there */
-bool render_autofocus_place(const char *text, double *x, double *y, struct error *error);
+bool render_autofocus_place(const char *text, double place[2], struct error *error);
 
 /* Errors: ERROR_USAGE: no place in the picture; what contradicts it */
 bool render_check_autofocus(const struct render_input *input, struct error *error);
@@ -114,21 +114,17 @@ void render_say_autofocus(const struct render_input *input, double distance,
 
 /* -------- commands/camera/render_model.c -------- */
 
-/* Who looks at the lens that a question is about. */
-struct lens_visitor {
-    const struct render_input *input;
-    struct run *run;
-    analysis_visit *visit;
-    void *context;
-};
+/* Keeps a case, which is as context a const struct analysis_case **. */
+bool render_keep_case(const struct analysis_case *one, void *context, struct error *error);
 
 /*
- * The same visit of the model of the lens that is asked for.
+ * The model of the lens that is asked for, in its place.
  *
- * Errors    as lens_model_check, fit_job_run and the visit
+ * Given     one  the lens as it is; receives the case of its model
+ * Errors    as lens_model_check, fit_job_run and render_open
  */
-bool render_model(const struct lens_visitor *opening, const struct analysis_case *one,
-                  const struct analysis_policy *policy, struct error *error);
+bool render_model(const struct render_input *input, const struct analysis_policy *policy,
+                  struct run *run, const struct analysis_case **one, struct error *error);
 
 /* Which, unless it is the exact lens; of a fitted one how well it fits. */
 void render_say_model(const struct render_input *input, const struct analysis_case *one,
@@ -137,14 +133,15 @@ void render_say_model(const struct render_input *input, const struct analysis_ca
 /* -------- commands/camera/render_case.c -------- */
 
 /*
- * A visit of the only case that is asked for: focused on the distance, if there is one, with the
- * model of the lens.
+ * The only case that is asked for: focused on the distance, if there is one, with the model of the
+ * lens.
  *
  * Given     channels  wavelengths in place of those asked for; null: these
+ *           one       receives it, in the arena of the run
  * Errors    ERROR_USAGE: several positions; as analysis_each, render_focus and render_model
  */
 bool render_open(const struct render_input *input, const struct spectrum_value *channels,
-                 struct run *run, analysis_visit *visit, void *context, struct error *error);
+                 struct run *run, const struct analysis_case **one, struct error *error);
 
 /*
  * The lens that is asked for, not its model, by an f-number, at its primary wavelength and with the

@@ -4,18 +4,13 @@
 #include "commands/camera/render.h"
 #include "photo/distance_from.h"
 
-bool render_autofocus_place(const char *text, double *x, double *y, struct error *error)
+bool render_autofocus_place(const char *text, double place[2], struct error *error)
 {
-    double place[2];
-    if (!render_numbers(text, ":", false, place) || !(place[0] <= 1 && place[1] <= 1)) {
-        return fail(error, ERROR_USAGE,
-                    "{--autofocus} '%.40s': fractions of width and height from the upper left, 0 "
-                    "to 1 each, as 0.5:0.5",
-                    text);
-    }
-    *x = place[0];
-    *y = place[1];
-    return true;
+    return (render_numbers(text, ":", false, place) && place[0] <= 1 && place[1] <= 1) ||
+           fail(error, ERROR_USAGE,
+                "{--autofocus} '%.40s': fractions of width and height from the upper left, 0 to 1 "
+                "each, as 0.5:0.5",
+                text);
 }
 
 /*
@@ -39,7 +34,7 @@ bool render_check_autofocus(const struct render_input *input, struct error *erro
     if (input->autofocus == NULL) {
         return true;
     }
-    if (!render_autofocus_place(input->autofocus, &place[0], &place[1], error)) {
+    if (!render_autofocus_place(input->autofocus, place, error)) {
         return false;
     }
     if (!isnan(input->field_width)) {
@@ -63,7 +58,7 @@ bool render_autofocus(const struct render_input *input, struct arena *arena,
     if (input->autofocus == NULL || input->depth_map == NULL) {
         return true; /* a flat card lies as far away everywhere */
     }
-    if (!render_autofocus_place(input->autofocus, &place[0], &place[1], error) ||
+    if (!render_autofocus_place(input->autofocus, place, error) ||
         !render_depths(input, NULL, arena, &depths, error)) {
         return false;
     }

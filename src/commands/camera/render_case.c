@@ -5,15 +5,9 @@
 static const struct analysis_policy policy = {.wavelengths = WAVELENGTHS_ALL,
                                               .fields = FIELDS_LARGEST};
 
-static bool take_model(const struct analysis_case *one, void *context, struct error *error)
-{
-    return render_model(context, one, &policy, error);
-}
-
 bool render_open(const struct render_input *input, const struct spectrum_value *channels,
-                 struct run *run, analysis_visit *visit, void *context, struct error *error)
+                 struct run *run, const struct analysis_case **one, struct error *error)
 {
-    struct lens_visitor opening = {input, run, visit, context};
     struct analysis_question *question = ARENA_NEW(run->arena, struct analysis_question);
     *question = input->question;
     question->field = question->field_x = question->height = question->height_x = NAN;
@@ -22,7 +16,8 @@ bool render_open(const struct render_input *input, const struct spectrum_value *
         question->spectrum = *channels;
     }
     return (isnan(input->distance) || render_focus(input, run->arena, question, error)) &&
-           analysis_each(question, &policy, run->arena, take_model, &opening, error);
+           analysis_each(question, &policy, run->arena, render_keep_case, one, error) &&
+           render_model(input, &policy, run, one, error);
 }
 
 double render_object(const struct analysis_case *one)

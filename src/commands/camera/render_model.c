@@ -40,13 +40,11 @@ static bool render_model_fit(const struct setup *setup, const char *warning, voi
 }
 
 /* By eighths as far as the film goes, for a lens that states no fields. */
-static struct fields_value fields_of_film(const struct lens_visitor *opening,
-                                          const struct setup *setup)
+static struct fields_value fields_of_film(const struct sensor *film, const struct setup *setup)
 {
     enum { STEPS = 8 };
-    const struct sensor *film = &opening->input->sensor.size;
     const double corner = hypot(film->width, film->height) / 2;
-    struct field_item *items = ARENA_ARRAY(opening->run->arena, STEPS + 1, struct field_item);
+    struct field_item *items = ARENA_ARRAY(setup->arena, STEPS + 1, struct field_item);
     for (int i = 0; i <= STEPS; i++) {
         const double height = corner * i / STEPS;
         items[i] = (struct field_item){.angle = atan(height / fabs(setup->first.efl)),
@@ -57,10 +55,9 @@ static struct fields_value fields_of_film(const struct lens_visitor *opening,
 }
 
 /* Fitted as `lenscalc fit --distortion 0` does, to rays from the object of the picture. */
-static bool fit_lens_of(const struct lens_visitor *opening, const struct analysis_case *one,
-                        struct lens *stand_in, struct error *error)
+static bool fit_lens_of(const struct render_input *input, const struct analysis_case *one,
+                        struct run *run, struct lens *stand_in, struct error *error)
 {
-    struct run *run = opening->run;
     static const struct lens_policy policy = {.wavelengths = WAVELENGTHS_ALL,
                                               .fields = FIELDS_SPREAD};
     struct lens *lens = ARENA_NEW(run->arena, struct lens);
@@ -79,7 +76,7 @@ static bool fit_lens_of(const struct lens_visitor *opening, const struct analysi
                                      .field_x = NAN};
     question.lens.lens = lens;
     if (lens->field_count == 0) {
-        question.fields = fields_of_film(opening, one->setup);
+        question.fields = fields_of_film(&input->sensor.size, one->setup);
     }
     return lens_each_setup(&question, &policy, run->arena, render_model_fit, &fitting, error) ||
            error_prefix(error, "no thick lens could be fitted: ");
@@ -103,22 +100,28 @@ static struct plane_value render_model_plane_of(const struct analysis_case *one,
     return *asked;
 }
 
-bool render_model(const struct lens_visitor *opening, const struct analysis_case *one,
-                  const struct analysis_policy *policy, struct error *error)
+bool render_keep_case(const struct analysis_case *one, void *context, struct error *error)
 {
-    const enum lens_model model = (enum lens_model)opening->input->model;
-    const struct setup *setup = one->setup;
-    struct run *run = opening->run;
+    (void)error;
+    *(const struct analysis_case **)context = one;
+    return true;
+}
+
+bool render_model(const struct render_input *input, const struct analysis_policy *policy,
+                  struct run *run, const struct analysis_case **one, struct error *error)
+{
+    const enum lens_model model = (enum lens_model)input->model;
+    const struct setup *setup = (*one)->setup;
     if (model == MODEL_EXACT || (model == MODEL_FITTED && is_thick(setup->lens))) {
-        return opening->visit(one, opening->context, error);
+        return true;
     }
     struct analysis_question *question = ARENA_NEW(run->arena, struct analysis_question);
-    *question = *one->question;
-    question->focus = render_model_plane_of(one, opening->input);
+    *question = *(*one)->question;
+    question->focus = render_model_plane_of(*one, input);
     if (lens_model_replaces(model)) {
         struct lens *stand_in = ARENA_NEW(run->arena, struct lens);
         if (!lens_model_check(setup->lens, &setup->first, error) ||
-            (model == MODEL_FITTED && !fit_lens_of(opening, one, stand_in, error))) {
+            (model == MODEL_FITTED && !fit_lens_of(input, *one, run, stand_in, error))) {
             return false;
         }
         if (model != MODEL_FITTED) {
@@ -127,7 +130,7 @@ bool render_model(const struct lens_visitor *opening, const struct analysis_case
         question->lens.lens = stand_in;
         question->position = NULL;
     }
-    return analysis_each(question, policy, run->arena, opening->visit, opening->context, error);
+    return analysis_each(question, policy, run->arena, render_keep_case, one, error);
 }
 
 void render_say_model(const struct render_input *input, const struct analysis_case *one,

@@ -271,14 +271,22 @@ static const char *digest_of_world(const struct picture_job *picture)
     return picture->world != NULL ? picture->world->scene.digest.text : "";
 }
 
-static bool take_picture(const struct analysis_case *one, void *context, struct error *error)
+/* What the lens sees that is focused so. */
+static bool take_picture(struct picture_job *picture, const struct render_input *focused,
+                         struct error *error)
 {
-    struct picture_job *picture = context;
     const struct artifact_job *job = picture->job;
     const struct render_input *input = job->inputs[0];
     struct arena *arena = job->run->arena;
     struct render_shot shot = {.is_world = picture->world != NULL};
     struct render_part part;
+    const struct spectrum_value colours = picture->world != NULL && input->spectral
+                                              ? render_world_colours(picture->world, arena)
+                                              : render_colours(input, arena);
+    const struct analysis_case *one;
+    if (!render_open(focused, render_is_grey(input) ? NULL : &colours, job->run, &one, error)) {
+        return false;
+    }
     struct photograph_question question = {.film = render_film(input, one),
                                            .is_coloured = !render_is_grey(input),
                                            .seed = (uint64_t)input->seed,
@@ -310,39 +318,19 @@ static bool take_picture(const struct analysis_case *one, void *context, struct 
     return expose_all(one, picture, question, &shot, error);
 }
 
-static bool take_card(struct picture_job *picture, struct error *error)
-{
-    const struct artifact_job *job = picture->job;
-    const struct render_input *input = job->inputs[0];
-    const struct spectrum_value colours = render_colours(input, job->run->arena);
-    struct render_input focused;
-    return render_autofocus(input, job->run->arena, &focused, error) &&
-           render_open(&focused, render_is_grey(input) ? NULL : &colours, job->run, take_picture,
-                       picture, error);
-}
-
-static bool render_picture_take_scene(struct picture_job *picture, struct error *error)
-{
-    const struct artifact_job *job = picture->job;
-    const struct render_input *input = job->inputs[0];
-    struct render_world *world = ARENA_NEW(job->run->arena, struct render_world);
-    struct render_input focused;
-    picture->world = world;
-    if (!render_world_read(job, world, error) || !render_world_focus(job, world, &focused, error)) {
-        return false;
-    }
-    const struct spectrum_value colours = input->spectral
-                                              ? render_world_colours(world, job->run->arena)
-                                              : render_colours(input, job->run->arena);
-    return render_open(&focused, render_is_grey(input) ? NULL : &colours, job->run, take_picture,
-                       picture, error);
-}
-
 bool render_picture(const struct artifact_job *job, struct output *sinks, struct error *error)
 {
+    const struct render_input *input = job->inputs[0];
     struct picture_job picture = {.job = job, .sinks = sinks};
-    return render_is_world(job->inputs[0]) ? render_picture_take_scene(&picture, error)
-                                           : take_card(&picture, error);
+    struct render_input focused;
+    if (!render_is_world(input)) {
+        return render_autofocus(input, job->run->arena, &focused, error) &&
+               take_picture(&picture, &focused, error);
+    }
+    picture.world = ARENA_NEW(job->run->arena, struct render_world);
+    return render_world_read(job, picture.world, error) &&
+           render_world_focus(job, picture.world, &focused, error) &&
+           take_picture(&picture, &focused, error);
 }
 
 const struct file_type *render_picture_types(size_t i)

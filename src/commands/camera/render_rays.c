@@ -91,12 +91,6 @@ static bool write_rays(void *context, const struct lens_ray *rays, size_t count,
            fail(error, ERROR_DOMAIN, "interrupted: what would follow is missing");
 }
 
-/* One case, and where its rays go. */
-struct rays_job {
-    const struct artifact_job *job;
-    struct output *sink;
-};
-
 static const struct ray_file *file_of(const struct file_type *type)
 {
     const struct ray_file *file = files;
@@ -106,13 +100,15 @@ static const struct ray_file *file_of(const struct file_type *type)
     return file;
 }
 
-static bool send_rays(const struct analysis_case *one, void *context, struct error *error)
+bool render_rays(const struct artifact_job *job, struct output *sink, struct error *error)
 {
-    const struct rays_job *rays_job = context;
-    const struct artifact_job *job = rays_job->job;
     const struct render_input *input = job->inputs[0];
-    struct ray_writer writer = {file_of(job->type), rays_job->sink, job->run->watch};
+    const struct analysis_case *one;
+    struct ray_writer writer = {file_of(job->type), sink, job->run->watch};
     struct lens_rays result;
+    if (!render_open(input, NULL, job->run, &one, error)) {
+        return false;
+    }
     struct lens_rays_question question = {.film = render_film(input, one),
                                           .samples = input->samples == 0 ? USUAL_RAYS
                                                                          : (uint64_t)input->samples,
@@ -139,12 +135,6 @@ static bool send_rays(const struct analysis_case *one, void *context, struct err
                        "%.4g %% of %" PRIu64 " rays arrived\n",
                        100 * share, question.samples);
     }
-    rays_job->sink->remarks = growing_done(&remarks);
+    sink->remarks = growing_done(&remarks);
     return true;
-}
-
-bool render_rays(const struct artifact_job *job, struct output *sink, struct error *error)
-{
-    struct rays_job rays_job = {job, sink};
-    return render_open(job->inputs[0], NULL, job->run, send_rays, &rays_job, error);
 }

@@ -180,23 +180,15 @@ static const char *enclosing_words(const struct render_world *world, struct aren
 
 /* -------- focus -------- */
 
-struct world_view {
-    const struct artifact_job *job;
-    struct render_world *world;
-    double x, y;     /* of the picture, from the upper left, 0 to 1 */
-    double distance; /* of what is there before the first vertex, mm; infinite: nothing */
-};
-
-static bool render_world_look(const struct analysis_case *one, void *context, struct error *error)
+/* How far before the first vertex is what lies at a place of the picture, mm? Infinite: nothing. */
+static bool render_world_look(const struct render_input *input, const struct render_world *world,
+                              const double place[2], const struct analysis_case *one,
+                              struct arena *arena, double *distance, struct error *error)
 {
-    struct world_view *looking = context;
-    const struct render_input *input = looking->job->inputs[0];
-    struct arena *arena = looking->job->run->arena;
     const struct film_question question = render_film(input, one);
-    const struct scene_place *camera = &looking->world->scene.camera.where;
+    const struct scene_place *camera = &world->scene.camera.where;
     /* the film is upside down */
-    const double at[2] = {(0.5 - looking->x) * question.width,
-                          (looking->y - 0.5) * question.height};
+    const double at[2] = {(0.5 - place[0]) * question.width, (place[1] - 0.5) * question.height};
     const double pupil = lens_clearance_pupil(one->setup);
     struct film_samples *samples = ARENA_NEW(arena, struct film_samples);
     struct rays rays = rays_new(arena, RAYS_BLOCK);
@@ -211,34 +203,36 @@ static bool render_world_look(const struct analysis_case *one, void *context, st
                     input->autofocus);
     }
     const struct world_ray ray = view_ray(camera, pupil, rays.blocks, 0, 0);
-    looking->distance = INFINITY;
-    if (world_intersect(&looking->world->world, &ray, &hit)) {
+    *distance = INFINITY;
+    if (world_intersect(&world->world, &ray, &hit)) {
         const struct scene_pose pose = scene_pose_at(camera, 0);
-        looking->distance = -pupil - vector_dot(pose.turned.z, vector_minus(hit.at, pose.at));
+        *distance = -pupil - vector_dot(pose.turned.z, vector_minus(hit.at, pose.at));
     }
     return true;
 }
 
 /* A lens that is focused sees another way: again, until the distance stays. */
-static bool find_distance(struct world_view *looking, struct render_input *focused,
-                          struct error *error)
+static bool find_distance(const struct artifact_job *job, struct render_world *world,
+                          const double place[2], struct render_input *focused, struct error *error)
 {
     enum { TURNS = 20 };
     const double enough = 1e-9;
     const double still[2] = {0, 0};
-    struct run *run = looking->job->run;
+    const struct render_input *input = job->inputs[0];
+    struct run *run = job->run;
     focused->distance = INFINITY;
     focused->from = FROM_PRINCIPAL;
-    if (!world_open(&looking->world->scene, still, run->arena, &looking->world->world, error)) {
+    if (!world_open(&world->scene, still, run->arena, &world->world, error)) {
         return false;
     }
     for (int turn = 0; turn < TURNS; turn++) {
         const double before = focused->distance;
-        if (!render_open(focused, NULL, run, render_world_look, looking, error)) {
+        const struct analysis_case *one;
+        if (!render_open(focused, NULL, run, &one, error) ||
+            !render_world_look(input, world, place, one, run->arena, &focused->distance, error)) {
             return false;
         }
-        focused->distance = looking->distance;
-        focused->from = isinf(looking->distance) ? FROM_PRINCIPAL : FROM_FRONT;
+        focused->from = isinf(focused->distance) ? FROM_PRINCIPAL : FROM_FRONT;
         if (isinf(focused->distance) || fabs(focused->distance / before - 1) < enough) {
             return true;
         }
@@ -248,25 +242,20 @@ static bool find_distance(struct world_view *looking, struct render_input *focus
                 focused->autofocus);
 }
 
-static bool pupil_note(const struct analysis_case *one, void *context, struct error *error)
-{
-    (void)error;
-    *(double *)context = lens_clearance_pupil(one->setup);
-    return true;
-}
-
 /* The scene's distance counts from where it has the camera, which a lens moves as it focuses. */
 static bool focus_from_camera(const struct artifact_job *job, double distance,
                               struct render_input *focused, struct error *error)
 {
     enum { TURNS = 20 };
     const double enough = 1e-12;
-    double pupil = 0, before = INFINITY;
+    double before = INFINITY;
     focused->distance = NAN;
     for (int turn = 0; turn < TURNS; turn++) {
-        if (!render_open(focused, NULL, job->run, pupil_note, &pupil, error)) {
+        const struct analysis_case *one;
+        if (!render_open(focused, NULL, job->run, &one, error)) {
             return false;
         }
+        const double pupil = lens_clearance_pupil(one->setup);
         focused->from = FROM_FRONT;
         focused->distance = distance - pupil;
         if (fabs(pupil - before) <= enough * distance) {
@@ -304,9 +293,9 @@ bool render_world_focus(const struct artifact_job *job, struct render_world *wor
     const struct render_input *input = job->inputs[0];
     *focused = *input;
     if (input->autofocus != NULL) {
-        struct world_view looking = {.job = job, .world = world};
-        return render_autofocus_place(input->autofocus, &looking.x, &looking.y, error) &&
-               find_distance(&looking, focused, error);
+        double place[2];
+        return render_autofocus_place(input->autofocus, place, error) &&
+               find_distance(job, world, place, focused, error);
     }
     if (isnan(input->distance) && !is_fixed(input) && !isnan(world->scene.camera.distance)) {
         return focus_on_said(job, &world->scene.camera, focused, error);
