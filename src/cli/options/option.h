@@ -188,6 +188,7 @@ struct option {
     /* What this one says nothing without, one of several: "lens|coc=airy", "pattern!=few". */
     const char *wants;
     const char *excludes;     /* options beside which one of both says nothing: "coc trail" */
+    const char *why;          /* they do: "raw numbers have no white balance"; null = plainly */
     const char *fallback;     /* what it is if not given, as it would be typed; null = absent */
     const struct word *words; /* of a choice: the place in the list is the value */
     const struct word *(*word_at)(size_t i); /* the same from a list that is kept elsewhere */

@@ -130,8 +130,9 @@ static bool check_option(const struct idle *idle, const struct option *option, s
     char words[120] = "";
     const struct option *other = find_excluded(idle, option);
     if (other != NULL) {
-        return fail(error, ERROR_USAGE, "{--%s} and {--%s} exclude each other", option->name,
-                    other->name);
+        return fail(error, ERROR_USAGE, "{--%s} and {--%s} exclude each other%s%s", option->name,
+                    other->name, option->why != NULL ? ": " : "",
+                    option->why != NULL ? option->why : "");
     }
     if (option->wants != NULL && !has_wanted(idle, option->wants, words, sizeof words)) {
         return fail(error, ERROR_USAGE, "{--%s} needs %s", option->name, words);

@@ -32,7 +32,7 @@ static const struct option options[] = {
                            "611, 549 and 464 nm for red, green and blue; for rays all of the lens"),
     ANALYSIS_SPECTRUM_OPTION(struct render_input, question),
     {MEASURE(band, wavelength, "nm", "LENGTH"), .name = "band", .lowest = 0, .highest = 1e-4,
-     .flags = OPTION_ABOVE_LOWEST,
+     .flags = OPTION_ABOVE_LOWEST, .excludes = "wavelength spectrum",
      .help = "spread red, green and blue light so far, over 8 wavelengths each; default none"},
     LENS_FNUMBER_OPTION(struct render_input, question),
     {ASKED(blades), .name = "blades", .lowest = BLADES_LEAST, .highest = BLADES_MOST,
@@ -110,15 +110,17 @@ static const struct option options[] = {
      .help = "of a number: PNG 8 or 16 (8), OpenEXR 16 or 32 (32)"},
     {ASKED(packing), .name = "packing", .words = render_packings, .fallback = "zip",
      .value = "NAME", .help = "how an OpenEXR is packed"},
-    {ASKED(radiance), .name = "radiance", .help = "write cd/m2 of the scene in place of lx s"},
+    {ASKED(radiance), .name = "radiance", .excludes = "filter",
+     .why = "light of the scene has passed no filter",
+     .help = "write cd/m2 of the scene in place of lx s"},
     {ASKED(noise), .name = "noise", .help = "noise of the photons"},
     {ANALYSIS_LENGTH(struct render_input, pitch), .name = "pitch", .lowest = 1e-4, .highest = 100,
      .help = "of the sensor's pixels, for their noise; default that of the picture's"},
-    {MEASURE(read_noise, number, NULL, "NUMBER"), .name = "read-noise", FROM_0 | (0),
+    {MEASURE(read_noise, number, NULL, "NUMBER"), .name = "read-noise", FROM_0,
      .help = "noise of reading a pixel, standard deviation in electrons"},
     {MEASURE(full_well, number, NULL, "NUMBER"), .name = "full-well", .lowest = 1,
      .highest = INFINITY, .flags = OPTION_NO_INFINITY, .help = "electrons that a pixel holds"},
-    {MEASURE(dark_current, number, NULL, "NUMBER"), .name = "dark-current", FROM_0 | (0),
+    {MEASURE(dark_current, number, NULL, "NUMBER"), .name = "dark-current", FROM_0,
      .help = "electrons a second in the dark"},
     {MEASURE(fill, number, NULL, "NUMBER"), .name = "fill", .lowest = 0, .highest = 1,
      .flags = OPTION_ABOVE_LOWEST, .help = "share of a pixel that takes light (1)"},
@@ -126,9 +128,9 @@ static const struct option options[] = {
      .flags = OPTION_ABOVE_LOWEST, .help = "electrons of a photon (0.5)"},
     {ASKED(response), .name = "response", .value = "NAME|FILE", .flags = OPTION_FILE,
      .help = "what its channels see: rgb, mono, xyz, or a table of efficiencies by wavelength"},
-    {MEASURE(gain, number, NULL, "NUMBER"), .name = "gain", FROM_0 | (OPTION_ABOVE_LOWEST),
+    {MEASURE(gain, number, NULL, "NUMBER"), .name = "gain", ABOVE_0, .excludes = "iso",
      .help = "numbers of an electron, in place of --iso"},
-    {MEASURE(black, number, NULL, "NUMBER"), .name = "black", FROM_0 | (0),
+    {MEASURE(black, number, NULL, "NUMBER"), .name = "black", FROM_0,
      .help = "number of no electrons (0)"},
     {ASKED(adc), .name = "adc", .lowest = 8, .highest = 16, .value = "BITS",
      .help = "bits of the sensor's numbers (14)"},
@@ -138,8 +140,11 @@ static const struct option options[] = {
      .help = "colours of the pixels of a sensor"},
     {ASKED(white), .name = "white", .value = "LIGHT",
      .help = "light that is white in a PNG: daylight, tungsten, auto, 5600K"},
-    {ASKED(raw), .name = "raw", .help = "write the numbers of the sensor, as a PNG of 16 bits"},
+    {ASKED(raw), .name = "raw", .excludes = "white", .why = "raw numbers have no white balance",
+     .help = "write the numbers of the sensor, as a PNG of 16 bits"},
     {ASKED(film), .name = "film", .value = "NAME",
+     .excludes = "iso radiance noise pitch read-noise full-well dark-current mosaic response fill "
+                 "efficiency gain black adc white raw",
      .help = "expose a film of 'list films', and print it; or densities, as .pfm and .exr"},
     {MEASURE(grain, number, NULL, "NUMBER"), .name = "grain", .lowest = 0, .highest = 1000,
      .wants = "film", .help = "with its grain, by the rms granularity of its maker; default none"},
@@ -187,23 +192,24 @@ static bool render_check_question(const struct artifact_job *job, struct error *
 static bool render_check_rays(const struct artifact_job *job, struct error *error)
 {
     static const char *const of_pictures[] = {
-        "part",        "resume",    "subject", "band",    "autofocus", "error",
-        "radiance",    "packing",   "ev",      "scene",   "filter",    "depth-map",
-        "field-width", "luminance", "iso",     "size",    "crop",      "bits",
-        "film",        "grain",     "threads", "depth",   "hidden",    "no-skip",
-        "bounces",     "spectral",  "bands",   "seconds", NULL};
-    static const char *const of_exposures[] = {"time", NULL};
-    const char *const *const lists[] = {of_pictures, render_sensor_options, of_exposures};
+        "part",        "resume",    "subject",      "band",    "autofocus", "error",
+        "radiance",    "packing",   "ev",           "scene",   "filter",    "depth-map",
+        "field-width", "luminance", "iso",          "size",    "crop",      "bits",
+        "film",        "grain",     "threads",      "depth",   "hidden",    "no-skip",
+        "bounces",     "spectral",  "bands",        "seconds", "noise",     "pitch",
+        "read-noise",  "full-well", "dark-current", "mosaic",  "response",  "fill",
+        "efficiency",  "gain",      "black",        "adc",     "white",     "raw",
+        "time"};
     const struct render_input *input = job->inputs[0];
-    const size_t count = input->shutter.kind == SHUTTER_GLOBAL ? 3 : 2;
     const bool also_picture = asking_given(job->asking, "output");
-    for (size_t k = 0; k < count && !also_picture; k++) {
-        for (size_t i = 0; lists[k][i] != NULL; i++) {
-            if (asking_given(job->asking, lists[k][i])) {
-                return fail(error, ERROR_USAGE,
-                            "{--%s} is of pictures, and {--rays} makes none: {--output} FILE does",
-                            lists[k][i]);
-            }
+    /* a shutter lets rays pass by the time, which is the last */
+    const size_t count =
+        sizeof of_pictures / sizeof of_pictures[0] - (input->shutter.kind != SHUTTER_GLOBAL);
+    for (size_t i = 0; i < count && !also_picture; i++) {
+        if (asking_given(job->asking, of_pictures[i])) {
+            return fail(error, ERROR_USAGE,
+                        "{--%s} is of pictures, and {--rays} makes none: {--output} FILE does",
+                        of_pictures[i]);
         }
     }
     if (!also_picture && !isnan(input->distance) &&

@@ -223,9 +223,6 @@ static inline bool render_is_grey(const struct render_input *input)
     return input->question.wavelength.name != NULL || input->question.spectrum.count > 0;
 }
 
-/* Errors: ERROR_USAGE: a band of other wavelengths than those of colours */
-bool render_check_colours(const struct render_input *input, struct error *error);
-
 /* Red, green and blue, each at one wavelength or at several within its band: for render_open. */
 struct spectrum_value render_colours(const struct render_input *input, struct arena *arena);
 
@@ -368,9 +365,6 @@ extern const struct word render_mosaics[];
 
 /* Is a sensor asked for? */
 bool render_senses(const struct render_input *input);
-
-/* The options that ask for one; ends with null. */
-extern const char *const render_sensor_options[];
 
 /*
  * Given     frame  of the picture

@@ -5,13 +5,6 @@
 
 enum { BAND_WAVES = 8 };
 
-bool render_check_colours(const struct render_input *input, struct error *error)
-{
-    return isnan(input->band) || !render_is_grey(input) ||
-           fail(error, ERROR_USAGE, "{--band} and {--%s} exclude each other",
-                input->question.spectrum.count > 0 ? "spectrum" : "wavelength");
-}
-
 struct spectrum_value render_colours(const struct render_input *input, struct arena *arena)
 {
     static const double middles[PHOTOGRAPH_CHANNELS] = {RESPONSE_RED, RESPONSE_GREEN,

@@ -8,18 +8,6 @@
 #include <math.h>
 #include <string.h>
 
-/* What a sensor has, and the speed, which the film has itself. */
-static bool check_others(const struct artifact_job *job, struct error *error)
-{
-    const char *other = asking_given(job->asking, "iso") ? "iso" : NULL;
-    for (size_t i = 0; other == NULL && render_sensor_options[i] != NULL; i++) {
-        other =
-            asking_given(job->asking, render_sensor_options[i]) ? render_sensor_options[i] : NULL;
-    }
-    return other == NULL ||
-           fail(error, ERROR_USAGE, "{--%s} and {--film} exclude each other", other);
-}
-
 bool render_check_film(const struct artifact_job *job, struct error *error)
 {
     const struct render_input *input = job->inputs[0];
@@ -41,7 +29,7 @@ bool render_check_film(const struct artifact_job *job, struct error *error)
         fail(error, ERROR_USAGE, "a .hdr holds light, and a film has densities");
         return error_hint(error, "those are written as .pfm and .exr, its print as .png");
     }
-    return check_others(job, error);
+    return true;
 }
 
 bool render_film_time(const struct render_input *input, double *time, double *metered,

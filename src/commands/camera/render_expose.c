@@ -68,9 +68,6 @@ bool render_check_file(const struct render_input *input, const struct file_type 
         return fail(error, ERROR_USAGE, "{--packing} %s: only an .exr has a choice",
                     render_packings[input->packing].word);
     }
-    if (input->radiance && render_is_film(input)) {
-        return fail(error, ERROR_USAGE, "{--radiance} and {--film} exclude each other");
-    }
     return !input->radiance || !is_png ||
            fail(error, ERROR_USAGE, "{--radiance}: a .png holds shares of white, not cd/m2");
 }

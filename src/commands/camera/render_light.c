@@ -6,11 +6,6 @@
 
 bool render_check_light(const struct render_input *input, struct error *error)
 {
-    if (input->filter.name != NULL && input->radiance) {
-        return fail(error, ERROR_USAGE,
-                    "{--filter} and {--radiance} exclude each other: light of the scene has passed "
-                    "no filter");
-    }
     return !isnan(input->filter.mired) ||
            fail(error, ERROR_USAGE,
                 "{--filter} %s: its colour is not that of a light, and no spectrum of it is known",

@@ -43,9 +43,9 @@ bool render_check_picture(const struct artifact_job *job, struct error *error)
     return check_subject(job, error) && render_check_part(job, error) &&
            (render_is_part(job) || render_check_file(input, job->type, error)) &&
            render_check_light(input, error) && render_check_samples(input, error) &&
-           render_check_colours(input, error) && render_check_autofocus(input, error) &&
-           render_check_film(job, error) && render_check_depths(input, error) &&
-           render_frame_read(input, &frame, error) && render_check_sensor(job, &frame, error);
+           render_check_autofocus(input, error) && render_check_film(job, error) &&
+           render_check_depths(input, error) && render_frame_read(input, &frame, error) &&
+           render_check_sensor(job, &frame, error);
 }
 
 /* -------- the picture -------- */

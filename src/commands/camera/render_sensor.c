@@ -51,10 +51,6 @@ static bool read_white(const char *text, struct develop_way *way, struct error *
                 text);
 }
 
-const char *const render_sensor_options[] = {
-    "noise",      "pitch", "read-noise", "full-well", "dark-current", "mosaic", "response", "fill",
-    "efficiency", "gain",  "black",      "adc",       "white",        "raw",    NULL};
-
 bool render_senses(const struct render_input *input)
 {
     const double numbers[] = {input->pitch,        input->read_noise, input->full_well,
@@ -143,14 +139,6 @@ bool render_check_sensor(const struct artifact_job *job, const struct render_fra
     const struct render_input *input = job->inputs[0];
     struct develop_way way;
     struct sensor_model model;
-    if (input->raw && input->white != NULL) {
-        return fail(error, ERROR_USAGE,
-                    "{--raw} and {--white} exclude each other: raw numbers "
-                    "have no white balance");
-    }
-    if (!isnan(input->gain) && asking_given(job->asking, "iso")) {
-        return fail(error, ERROR_USAGE, "{--gain} and {--iso} exclude each other");
-    }
     if (!read_white(input->white, &way, error)) {
         return false;
     }

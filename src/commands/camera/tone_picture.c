@@ -89,16 +89,8 @@ static bool check_operator(const struct artifact_job *job, struct error *error)
 
 static bool check_colours(const struct artifact_job *job, struct error *error)
 {
-    static const char *const of_display[] = {"operator", "ceiling", "gamma",
-                                             "white",    "display", NULL};
     const struct tone_input *input = job->inputs[0];
     double range[2];
-    for (size_t i = 0; of_display[i] != NULL; i++) {
-        if (asking_given(job->asking, of_display[i])) {
-            return fail(error, ERROR_USAGE, "{--%s} and {--falsecolor} exclude each other",
-                        of_display[i]);
-        }
-    }
     return (is_png(job) || fail(error, ERROR_USAGE, "{--falsecolor} is written as .png, not %s",
                                 job->type->ending)) &&
            (input->scale == NULL || tone_picture_read_range("scale", input->scale, range, error));
