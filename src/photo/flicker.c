@@ -25,16 +25,17 @@ static bool is_whole(double x, double slack)
     return rint(x) >= 1 && fabs(x - rint(x)) <= slack * fmin(x, 1);
 }
 
-bool flicker_check(const struct flicker_given *given, struct flicker *flicker, struct error *error)
+bool flicker_check(double mains, double t, double rate, struct flicker *flicker,
+                   struct error *error)
 {
-    const struct given numbers[] = {{"mains frequency", " Hz", given->mains},
-                                    {"exposure time", " s", given->t},
-                                    {"frame rate", " fps", given->rate}};
+    const struct given numbers[] = {{"mains frequency", " Hz", mains},
+                                    {"exposure time", " s", t},
+                                    {"frame rate", " fps", rate}};
     const double most = 1e9; /* pulses that are counted */
     if (!given_positive(numbers, 3, error)) {
         return false;
     }
-    double in_frame = 2 * given->mains / given->rate, pulses = 2 * given->mains * given->t;
+    double in_frame = 2 * mains / rate, pulses = 2 * mains * t;
     double longest = fmin(floor(in_frame * (1 + 1e-12)), most);
     double nearest = fmax(1, rint(fmin(pulses, most)));
     *flicker = (struct flicker){.longest = is_given(in_frame) ? (long)longest : 0,
@@ -46,7 +47,7 @@ bool flicker_check(const struct flicker_given *given, struct flicker *flicker, s
         nearest = fmin(nearest, longest);
     }
     if (is_given(pulses) && nearest >= 1) {
-        flicker->nearest = flicker_time(given->mains, (long)nearest);
+        flicker->nearest = flicker_time(mains, (long)nearest);
     }
     return true;
 }

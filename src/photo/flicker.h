@@ -7,13 +7,6 @@
 
 #include <stdbool.h>
 
-/* A lamp and a shutter; NaN = not given. */
-struct flicker_given {
-    double mains; /* frequency of the mains, Hz, > 0: the light pulses at twice that */
-    double t;     /* exposure time, s, > 0 */
-    double rate;  /* frames per second, > 0; of a single picture NaN */
-};
-
 struct flicker {
     long longest;   /* pulses that fit into a frame; of a single picture 0 */
     double pulses;  /* of light in the exposure; NaN without t */
@@ -30,6 +23,9 @@ double flicker_angle(double mains, double rate, long pulses);
 /*
  * Does an exposure flicker under lamps on the mains, and which one does not?
  *
+ * Given     mains  frequency of the mains, Hz, > 0: the light pulses at twice that
+ *           t      exposure time, s, > 0; NaN = not given
+ *           rate   frames per second, > 0; of a single picture NaN
  * Formula   pulses = 2 mains t; free where whole (within 1 %); steady where 2 mains/rate is whole
  *           (within 1e-4); longest = floor(2 mains/rate); angle = 2 pi rate pulses/(2 mains)
  * Source    custom of cinematography: 172.8 deg at 24 fps and 50 Hz is 1/50 s, 144 deg at 60 Hz
@@ -38,6 +34,7 @@ double flicker_angle(double mains, double rate, long pulses);
  * Limits    lamps that follow the mains: LEDs and electronic ballasts have other frequencies.
  *           A rolling shutter shows bands where frames are only steady
  */
-bool flicker_check(const struct flicker_given *given, struct flicker *flicker, struct error *error);
+bool flicker_check(double mains, double t, double rate, struct flicker *flicker,
+                   struct error *error);
 
 #endif

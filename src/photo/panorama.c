@@ -43,16 +43,15 @@ static bool is_closed(double arc)
     return arc > 2 * PI * (1 - 1e-12); /* 360 degrees after conversion */
 }
 
-bool panorama_frame(const struct panorama_lens *lens, double width, double height,
+bool panorama_frame(double f, double m, double P, double width, double height,
                     struct panorama_frame *frame, struct error *error)
 {
-    if (!check_positive("focal length", " mm", lens->f, error) ||
-        !panorama_check_lens(lens->m, lens->P, error) ||
+    if (!check_positive("focal length", " mm", f, error) || !panorama_check_lens(m, P, error) ||
         !check_positive("sensor width", " mm", width, error) ||
         !check_positive("sensor height", " mm", height, error)) {
         return false;
     }
-    double reach = 2 * lens->f * (1 + lens->m / lens->P);
+    double reach = 2 * f * (1 + m / P);
     *frame = (struct panorama_frame){.horizontal = 2 * atan(width / reach),
                                      .vertical = 2 * atan(height / reach)};
     return true;
@@ -165,17 +164,16 @@ bool panorama_overlap(const struct panorama_frame *frame, double arc, int column
 }
 
 bool panorama_row_at(const struct panorama_frame *frame, const struct panorama_goal *goal,
-                     const struct panorama *plan, const struct panorama_place *place,
+                     const struct panorama *plan, double middle, int index,
                      struct panorama_row *row, struct error *error)
 {
-    int index = place->index;
     if (!panorama_check_flat(frame, error) || !panorama_check_goal(frame, goal, error)) {
         return false;
     }
     if (index < 0 || index >= plan->rows) {
         return fail(error, ERROR_DOMAIN, "row %d is out of range (0 to %d)", index, plan->rows - 1);
     }
-    double elevation = place->middle + (index - (plan->rows - 1) / 2.0) * plan->row_step;
+    double elevation = middle + (index - (plan->rows - 1) / 2.0) * plan->row_step;
     if (!(fabs(elevation) <= PI / 2 + 1e-9)) {
         return fail(error, ERROR_DOMAIN, "row at %g degrees is out of range (-90 to 90)",
                     degrees_from_radians(elevation));

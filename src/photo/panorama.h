@@ -33,12 +33,6 @@ struct panorama_row {
     double step;      /* rad */
 };
 
-/* Which row: index 0 (lowest) to rows - 1 about the panorama's middle, its elevation in rad. */
-struct panorama_place {
-    double middle;
-    int index;
-};
-
 /* Pixels of the stitched picture; one pixel in the middle of a frame stays one pixel. */
 struct panorama_size {
     double per_degree;
@@ -48,19 +42,16 @@ struct panorama_size {
     double flat_width;      /* rectilinear: 2 tan(arc/2) x pixels per radian; inf likewise */
 };
 
-struct panorama_lens {
-    double f, m, P; /* f > 0 mm; magnification at the focus, >= 0; of the pupils, > 0 */
-};
-
 /*
  * Angles of view of a rectilinear frame.
  *
- * Given     width, height  of the sensor as held, mm, > 0
+ * Given     f, m, P        mm, > 0; magnification at the focus, >= 0; of the pupils, > 0
+ *           width, height  of the sensor as held, mm, > 0
  * Formula   2 atan(width/(2 f (1 + m/P)))
  * Source    lenscalc.7, photography, from the entrance pupil, about which the camera turns
  * Errors    values outside their ranges
  */
-bool panorama_frame(const struct panorama_lens *lens, double width, double height,
+bool panorama_frame(double f, double m, double P, double width, double height,
                     struct panorama_frame *frame, struct error *error);
 
 /*
@@ -100,7 +91,9 @@ bool panorama_overlap(const struct panorama_frame *frame, double arc, int column
 /*
  * One row of a rectilinear many-row panorama.
  *
- * Given     frame, goal, plan, place
+ * Given     frame, goal, plan
+ *           middle  elevation of the panorama's middle, rad
+ *           index   of the row, 0 (lowest) to rows - 1
  * Formula   elevation e, row step r: half-way to the row nearer the horizon the frame's side
  *           reaches cos(|e| - r/2)/cos(r/2) forward and spans the azimuth 2 atan(tan(h/2)
  *           cos(r/2)/cos(|e| - r/2)), its least in the band that is this row's own; columns as
@@ -109,7 +102,7 @@ bool panorama_overlap(const struct panorama_frame *frame, double arc, int column
  * Errors    index out of range; elevation beyond 90 degrees; frame not below 180 degrees
  */
 bool panorama_row_at(const struct panorama_frame *frame, const struct panorama_goal *goal,
-                     const struct panorama *plan, const struct panorama_place *place,
+                     const struct panorama *plan, double middle, int index,
                      struct panorama_row *row, struct error *error);
 
 /*

@@ -31,18 +31,18 @@ bool lens_q(double T, double v, double theta, double *q, struct error *error)
     return true;
 }
 
-bool focal_plane_exposure(const struct focal_plane_light *light, double *H, struct error *error)
+bool focal_plane_exposure(double q, double L, double N, double t, double loss, double *H,
+                          struct error *error)
 {
-    double q = light->q, N = light->N;
     if (!(q > 0 && q <= quarter_pi * TRANSMITTANCE_MOST)) {
         return fail(error, ERROR_DOMAIN, "q %.10g must lie above 0 and up to %.4g", q,
                     quarter_pi * TRANSMITTANCE_MOST);
     }
-    *H = q * light->L * light->t / (N * N) * exp2(-light->loss);
-    return require_positive("luminance", " cd/m^2", light->L, error) &&
+    *H = q * L * t / (N * N) * exp2(-loss);
+    return require_positive("luminance", " cd/m^2", L, error) &&
            require_positive("f-number", "", N, error) &&
-           require_positive("exposure time", " s", light->t, error) &&
-           require_within("loss of light", " stops", light->loss, LOSS_LEAST, 200, error) &&
+           require_positive("exposure time", " s", t, error) &&
+           require_within("loss of light", " stops", loss, LOSS_LEAST, 200, error) &&
            answer_positive("the focal-plane exposure", *H, error);
 }
 

@@ -22,25 +22,20 @@
  */
 bool lens_q(double T, double v, double theta, double *q, struct error *error);
 
-/* What lets light onto film or sensor. */
-struct focal_plane_light {
-    double q;    /* above 0 and up to pi/4 */
-    double L;    /* scene luminance, cd/m^2, > 0 */
-    double N, t; /* f-number; exposure time, s; both > 0 */
-    double
-        loss; /* further stops lost (filters, extension; not what q holds already), >= LOSS_LEAST */
-};
-
 /*
  * Luminous exposure of the film or sensor.
  *
+ * Given     q     above 0 and up to pi/4;  L  scene luminance, cd/m^2, > 0
+ *           N, t  f-number; exposure time, s; both > 0
+ *           loss  further stops lost (filters, extension; not what q holds already), >= LOSS_LEAST
  * Result    H     lx s
  * Formula   H = q L t/N^2 2^-loss
  * Source    ISO 12232:2006; Wikipedia "Film speed"
  * Errors    a number outside its range
  * Limits    aplanat at infinity; for close-ups give 2 log2(1 + m/P) in `loss`
  */
-bool focal_plane_exposure(const struct focal_plane_light *light, double *H, struct error *error);
+bool focal_plane_exposure(double q, double L, double N, double t, double loss, double *H,
+                          struct error *error);
 
 /*
  * Speeds of a sensor from a focal-plane exposure and back.

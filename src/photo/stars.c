@@ -132,12 +132,12 @@ bool npf_simple_time(double f, double N, double pitch, double *t, struct error *
     return check_npf(f, N, pitch, error) && answer_positive("the longest time", *t, error);
 }
 
-bool npf_full_time(const struct npf_setting *setting, double *t, struct error *error)
+bool npf_full_time(double f, double N, double pitch, double dec, double k, double *t,
+                   struct error *error)
 {
-    double f = setting->f, N = setting->N, pitch = setting->pitch;
-    *t = setting->k * (16.9 * N + 0.10 * f + 13.7 * (pitch * 1000)) / (f * cos(setting->dec));
-    return check_npf(f, N, pitch, error) && check_off_pole(setting->dec, error) &&
-           require_positive("accuracy", "", setting->k, error) &&
+    *t = k * (16.9 * N + 0.10 * f + 13.7 * (pitch * 1000)) / (f * cos(dec));
+    return check_npf(f, N, pitch, error) && check_off_pole(dec, error) &&
+           require_positive("accuracy", "", k, error) &&
            answer_positive("the longest time", *t, error);
 }
 

@@ -116,21 +116,19 @@ bool star_rule_time(double constant, double f, double crop, double *t, struct er
  */
 bool npf_simple_time(double f, double N, double pitch, double *t, struct error *error);
 
-struct npf_setting {
-    double f, N, pitch; /* as npf_simple_time */
-    double dec;         /* declination, rad; the pole is refused */
-    double k;           /* accuracy, > 0: 1 points, 2 slightly drawn out, 3 drawn out */
-};
-
 /*
  * The NPF rule in full.
  *
+ * Given     f, N, pitch   as npf_simple_time
+ *           dec           declination, rad; the pole is refused
+ *           k             accuracy, > 0: 1 points, 2 slightly drawn out, 3 drawn out
  * Result    t             s
  * Formula   t = k (16.9 N + 0.10 f + 13.7 p)/(f cos dec), p in um: diffraction, seeing, pixel
  * Source    as npf_simple_time; 13.7 p/(f cos dec) is the time a star takes over one pixel
  * Errors    numbers outside their ranges; |dec| = 90 deg
  */
-bool npf_full_time(const struct npf_setting *setting, double *t, struct error *error);
+bool npf_full_time(double f, double N, double pitch, double dec, double k, double *t,
+                   struct error *error);
 
 /*
  * Michaud's "4 - crop" rule, for a head without calculator.

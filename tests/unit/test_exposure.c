@@ -310,23 +310,22 @@ static void test_sensor(void)
     CHECK(lens_q(0.9, 0.98, 10 * pi / 180, &q, &error));
     CHECK_NEAR(q, LENS_Q_STANDARD, 0.002, "Wikipedia Film speed: q = 0.65");
     for (int i = 0; i < COUNT(rows); i++) {
-        CHECK(focal_plane_exposure(
-            &(struct focal_plane_light){q, rows[i][0], rows[i][1], 1 / rows[i][2], 0}, &H, &error));
+        CHECK(focal_plane_exposure(q, rows[i][0], rows[i][1], 1 / rows[i][2], 0, &H, &error));
         CHECK_NEAR(H, rows[i][3], 1e-8, "colour-hdri arithmetic_mean_focal_plane_exposure");
     }
     struct light_loss near = NO_LOSS;
     near.m = 0.05 / (5 - 0.05);
     CHECK(light_loss(&near, &loss, &error));
-    CHECK(focal_plane_exposure(&(struct focal_plane_light){q, 18, 5.6, 0.25, loss}, &H, &error));
+    CHECK(focal_plane_exposure(q, 18, 5.6, 0.25, loss, &H, &error));
     CHECK_RELATIVE(H / saturation_exposure(400), 0.46993364546604555, 1e-12,
                    "colour-hdri saturation_based_speed_focal_plane_exposure, 50 mm at 5 m");
     CHECK_NEAR(saturation_speed(0.78), 100, 1e-12, "ISO 12232: 78/H");
     CHECK_NEAR(log2(saturation_exposure(100) / recommended_exposure(100)), 2.963, 5e-4, "log2 7.8");
     CHECK(!lens_q(1.3, 1, 0, &q, &error) && !lens_q(1, 1, pi / 2, &q, &error));
     CHECK(strstr(error.message, "field angle 90 deg") != NULL);
-    CHECK(!focal_plane_exposure(&(struct focal_plane_light){0.65, 0, 8, 1, 0}, &H, &error));
-    CHECK(!focal_plane_exposure(&(struct focal_plane_light){NAN, 1, 8, 1, 0}, &H, &error));
-    CHECK(!focal_plane_exposure(&(struct focal_plane_light){1.0, 1, 8, 1, 0}, &H, &error));
+    CHECK(!focal_plane_exposure(0.65, 0, 8, 1, 0, &H, &error));
+    CHECK(!focal_plane_exposure(NAN, 1, 8, 1, 0, &H, &error));
+    CHECK(!focal_plane_exposure(1.0, 1, 8, 1, 0, &H, &error));
 }
 
 /* The slide: sixteen one-stop shots from 30 s to 1/1000 s. */

@@ -48,7 +48,7 @@ static void test_mired(void)
 static void test_flicker(void)
 {
     struct flicker f;
-    CHECK(flicker_check(&(struct flicker_given){50, 1 / 50.0, 24}, &f, &error));
+    CHECK(flicker_check(50, 1 / 50.0, 24, &f, &error));
     CHECK(f.is_free && !f.is_steady && f.longest == 4);
     CHECK_RELATIVE(flicker_angle(50, 24, 2), 172.8 * RADIANS_PER_DEGREE, 1e-14,
                    "172.8 deg at 24 fps under 50 Hz");
@@ -58,27 +58,27 @@ static void test_flicker(void)
         CHECK_RELATIVE(flicker_angle(60, 25, n), 75.0 * (double)n * RADIANS_PER_DEGREE, 1e-14,
                        "tumgag.com, flicker free equation: 75, 150, 225, 300 deg at 25 fps");
     }
-    CHECK(flicker_check(&(struct flicker_given){60, NAN, 25}, &f, &error));
+    CHECK(flicker_check(60, NAN, 25, &f, &error));
     CHECK(f.longest == 4 && isnan(f.nearest) && !f.is_steady && !f.is_free);
     /* 180 deg at 24 fps under 50 Hz: 2.083 pulses */
-    CHECK(flicker_check(&(struct flicker_given){50, 1 / 48.0, 24}, &f, &error));
+    CHECK(flicker_check(50, 1 / 48.0, 24, &f, &error));
     CHECK(!f.is_free);
     CHECK_RELATIVE(f.pulses, 100 / 48.0, 1e-15, "2 x 50 Hz/48");
     CHECK_RELATIVE(f.nearest, 0.02, 1e-15, "1/50 s");
     /* cinematography.com topic 13437: any number that divides evenly into 2 x 60 Hz */
     static const double rates[] = {1, 2, 3, 4, 5, 6, 8, 10, 12, 15, 20, 24, 30, 40, 60};
     for (size_t i = 0; i < sizeof rates / sizeof rates[0]; i++) {
-        CHECK(flicker_check(&(struct flicker_given){60, 1 / 300.0, rates[i]}, &f, &error));
+        CHECK(flicker_check(60, 1 / 300.0, rates[i], &f, &error));
         CHECK(f.is_steady && !f.is_free);
     }
-    CHECK(flicker_check(&(struct flicker_given){60, 1 / 48.0, 25}, &f, &error) && !f.is_steady);
-    CHECK(flicker_check(&(struct flicker_given){50, 1 / 500.0, 240}, &f, &error));
+    CHECK(flicker_check(60, 1 / 48.0, 25, &f, &error) && !f.is_steady);
+    CHECK(flicker_check(50, 1 / 500.0, 240, &f, &error));
     CHECK(f.longest == 0 && isnan(f.nearest) && !f.is_steady && !f.is_free);
-    CHECK(flicker_check(&(struct flicker_given){50, 1 / 500.0, NAN}, &f, &error));
+    CHECK(flicker_check(50, 1 / 500.0, NAN, &f, &error));
     CHECK_RELATIVE(f.nearest, 0.01, 1e-15, "a picture: one pulse at least");
-    CHECK(flicker_check(&(struct flicker_given){60, 1 / 125.0, NAN}, &f, &error) && !f.is_free);
-    CHECK(flicker_check(&(struct flicker_given){60, 1 / 60.0, NAN}, &f, &error) && f.is_free);
-    CHECK(!flicker_check(&(struct flicker_given){0, 1, NAN}, &f, &error));
+    CHECK(flicker_check(60, 1 / 125.0, NAN, &f, &error) && !f.is_free);
+    CHECK(flicker_check(60, 1 / 60.0, NAN, &f, &error) && f.is_free);
+    CHECK(!flicker_check(0, 1, NAN, &f, &error));
     CHECK_TEXT(error.message, "mains frequency 0 Hz must be above 0 and finite");
 }
 

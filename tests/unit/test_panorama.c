@@ -26,7 +26,7 @@ static void test_columbia(void)
         struct panorama_frame frame;
         struct panorama p;
         struct error error;
-        CHECK(panorama_frame(&(struct panorama_lens){rows[i].f, 0, 1}, 24, 36, &frame, &error));
+        CHECK(panorama_frame(rows[i].f, 0, 1, 24, 36, &frame, &error));
         CHECK(panorama_plan(&frame, &goal, &p, &error));
         CHECK_NEAR(p.columns + p.columns % 2, rows[i].frames, 0, "Columbia R4110 table");
         CHECK(p.overlap >= 0.5 && p.rows == 1 && isnan(p.row_overlap));
@@ -40,12 +40,12 @@ static void test_angles(void)
 {
     struct panorama_frame frame;
     struct error error;
-    CHECK(panorama_frame(&(struct panorama_lens){24, 0, 1}, 36, 24, &frame, &error));
+    CHECK(panorama_frame(24, 0, 1, 36, 24, &frame, &error));
     CHECK_NEAR(frame.horizontal / degree, 73.7, 0.05, "Markerink: 73.7");
     CHECK_NEAR(frame.vertical / degree, 53.1, 0.05, "Markerink: 53.1");
-    CHECK(panorama_frame(&(struct panorama_lens){50, 0, 1}, 24, 36, &frame, &error));
+    CHECK(panorama_frame(50, 0, 1, 24, 36, &frame, &error));
     CHECK_NEAR(0.7 * frame.horizontal / degree, 18.9, 0.05, "novacalculator: step 18.9");
-    CHECK(panorama_frame(&(struct panorama_lens){50, 1, 1}, 24, 36, &frame, &error));
+    CHECK(panorama_frame(50, 1, 1, 24, 36, &frame, &error));
     CHECK_RELATIVE(tan(frame.horizontal / 2), 12 / 100.0, 1e-14, "1:1 halves it");
 }
 
@@ -134,7 +134,7 @@ static void test_rows(void)
     int total = 0;
     CHECK(panorama_plan(&frame, &goal, &p, &error));
     for (int i = 0; i < p.rows; i++) {
-        CHECK(panorama_row_at(&frame, &goal, &p, &(struct panorama_place){0, i}, &row, &error));
+        CHECK(panorama_row_at(&frame, &goal, &p, 0, i, &row, &error));
         CHECK(row.columns >= 1 && row.columns <= p.columns);
         total += row.columns;
         /* worst azimuth half-width of the frame's right edge, half-way to both neighbours */
@@ -149,12 +149,10 @@ static void test_rows(void)
     CHECK(total < p.shots);
     goal.span = 0;
     CHECK(panorama_plan(&frame, &goal, &p, &error));
-    CHECK(panorama_row_at(&frame, &goal, &p, &(struct panorama_place){0, 0}, &row, &error) &&
-          row.columns == p.columns);
-    CHECK(panorama_row_at(&frame, &goal, &p, &(struct panorama_place){pi / 2, 0}, &row, &error) &&
-          row.columns == 1);
-    CHECK(!panorama_row_at(&frame, &goal, &p, &(struct panorama_place){0, 1}, &row, &error));
-    CHECK(!panorama_row_at(&frame, &goal, &p, &(struct panorama_place){2, 0}, &row, &error));
+    CHECK(panorama_row_at(&frame, &goal, &p, 0, 0, &row, &error) && row.columns == p.columns);
+    CHECK(panorama_row_at(&frame, &goal, &p, pi / 2, 0, &row, &error) && row.columns == 1);
+    CHECK(!panorama_row_at(&frame, &goal, &p, 0, 1, &row, &error));
+    CHECK(!panorama_row_at(&frame, &goal, &p, 2, 0, &row, &error));
 }
 
 static void test_size(void)
@@ -246,7 +244,7 @@ static void test_refusals(void)
         check_at(strstr(error.message, rows[i].words) != NULL, __FILE__, __LINE__, rows[i].words);
     }
     struct panorama_frame frame;
-    CHECK(!panorama_frame(&(struct panorama_lens){0, 0, 1}, 36, 24, &frame, &error));
+    CHECK(!panorama_frame(0, 0, 1, 36, 24, &frame, &error));
     CHECK(!panorama_parallax(50, 1, 40, 1000, &x, &error));
     CHECK(!panorama_parallax(50, 1, 400, 100, &x, &error));
     CHECK(!panorama_offset(0, 1, 400, &x, &error));

@@ -237,23 +237,22 @@ static void test_sensor(void)
     OUTSIDE(lens_q(1, 1, pi / 2, &q, &error), "field angle 90 deg must lie from 0 to below 90 deg");
     OUTSIDE(lens_q(1, 1, -pi / 4, &q, &error),
             "field angle -45 deg must lie from 0 to below 90 deg");
-    INSIDE(
-        focal_plane_exposure(&(struct focal_plane_light){pi / 4, 0.5, 0.5, 0.25, 200}, &H, &error));
+    INSIDE(focal_plane_exposure(pi / 4, 0.5, 0.5, 0.25, 200, &H, &error));
     CHECK_RELATIVE(H, ldexp(pi / 8, -200), 1e-15, "q L t/N^2 2^-loss");
-    INSIDE(focal_plane_exposure(&(struct focal_plane_light){0.001, 0.5, 0.5, 0.25, 0}, &H, &error));
-    OUTSIDE(focal_plane_exposure(&(struct focal_plane_light){0, 1, 8, 1, 0}, &H, &error),
+    INSIDE(focal_plane_exposure(0.001, 0.5, 0.5, 0.25, 0, &H, &error));
+    OUTSIDE(focal_plane_exposure(0, 1, 8, 1, 0, &H, &error),
             "q 0 must lie above 0 and up to 0.9817");
-    OUTSIDE(focal_plane_exposure(&(struct focal_plane_light){0.99, 1, 8, 1, 0}, &H, &error),
+    OUTSIDE(focal_plane_exposure(0.99, 1, 8, 1, 0, &H, &error),
             "q 0.99 must lie above 0 and up to 0.9817");
-    OUTSIDE(focal_plane_exposure(&(struct focal_plane_light){0.5, 0, 8, 1, 0}, &H, &error),
+    OUTSIDE(focal_plane_exposure(0.5, 0, 8, 1, 0, &H, &error),
             "luminance 0 cd/m^2 must be above 0 and finite");
-    OUTSIDE(focal_plane_exposure(&(struct focal_plane_light){0.5, 1, 0, 1, 0}, &H, &error),
+    OUTSIDE(focal_plane_exposure(0.5, 1, 0, 1, 0, &H, &error),
             "f-number 0 must be above 0 and finite");
-    OUTSIDE(focal_plane_exposure(&(struct focal_plane_light){0.5, 1, 8, 0, 0}, &H, &error),
+    OUTSIDE(focal_plane_exposure(0.5, 1, 8, 0, 0, &H, &error),
             "exposure time 0 s must be above 0 and finite");
-    OUTSIDE(focal_plane_exposure(&(struct focal_plane_light){0.5, 1, 8, 1, -0.5}, &H, &error),
+    OUTSIDE(focal_plane_exposure(0.5, 1, 8, 1, -0.5, &H, &error),
             "loss of light -0.5 stops lies outside -0.322 to 200 stops");
-    OUTSIDE(focal_plane_exposure(&(struct focal_plane_light){0.5, 1, 8, 1, 200.5}, &H, &error),
+    OUTSIDE(focal_plane_exposure(0.5, 1, 8, 1, 200.5, &H, &error),
             "loss of light 200.5 stops lies outside -0.322 to 200 stops");
 }
 

@@ -63,14 +63,13 @@ static void test_star_rules(void)
     OUTSIDE(npf_simple_time(0, 1, 1, &t, &error), "focal length 0 mm must be above 0 and finite");
     OUTSIDE(npf_simple_time(1, 0, 1, &t, &error), "f-number 0 must be above 0 and finite");
     OUTSIDE(npf_simple_time(1, 1, 0, &t, &error), "pixel pitch 0 mm must be above 0 and finite");
-    INSIDE(npf_full_time(&(struct npf_setting){0.5, 0.5, 0.0005, pi / 3, 0.5}, &t, &error));
+    INSIDE(npf_full_time(0.5, 0.5, 0.0005, pi / 3, 0.5, &t, &error));
     CHECK_RELATIVE(t, 30.7, 1e-15, "k (16.9 N + 0.1 f + 13.7 p)/(f cos 60)");
-    OUTSIDE(npf_full_time(&(struct npf_setting){1, 1, 0, 0, 1}, &t, &error),
+    OUTSIDE(npf_full_time(1, 1, 0, 0, 1, &t, &error),
             "pixel pitch 0 mm must be above 0 and finite");
-    OUTSIDE(npf_full_time(&(struct npf_setting){1, 1, 1, 0.75 * pi, 1}, &t, &error),
+    OUTSIDE(npf_full_time(1, 1, 1, 0.75 * pi, 1, &t, &error),
             "declination 135 deg lies outside -90 to 90 deg");
-    OUTSIDE(npf_full_time(&(struct npf_setting){1, 1, 1, 0, 0}, &t, &error),
-            "accuracy 0 must be above 0 and finite");
+    OUTSIDE(npf_full_time(1, 1, 1, 0, 0, &t, &error), "accuracy 0 must be above 0 and finite");
     INSIDE(four_minus_crop_time(0.5, 0.5, &t, &error));
     CHECK_NEAR(t, 700, 0, "100 (4 - crop)/f");
     OUTSIDE(four_minus_crop_time(0, 1, &t, &error), "focal length 0 mm must be above 0 and finite");
@@ -107,18 +106,18 @@ static void test_panorama_frame(void)
 {
     struct panorama_frame frame;
     double x = 0;
-    INSIDE(panorama_frame(&(struct panorama_lens){0.25, 0.25, 0.25}, 1, 0.5, &frame, &error));
+    INSIDE(panorama_frame(0.25, 0.25, 0.25, 1, 0.5, &frame, &error));
     CHECK_RELATIVE(frame.horizontal, pi / 2, 1e-15, "width 2 f (1 + m/P)");
     CHECK_RELATIVE(frame.vertical, 0.927295218001612232, 1e-15, "2 atan(1/2)");
-    OUTSIDE(panorama_frame(&(struct panorama_lens){0, 0, 1}, 1, 1, &frame, &error),
+    OUTSIDE(panorama_frame(0, 0, 1, 1, 1, &frame, &error),
             "focal length 0 mm must be above 0 and finite");
-    OUTSIDE(panorama_frame(&(struct panorama_lens){1, -0.5, 1}, 1, 1, &frame, &error),
+    OUTSIDE(panorama_frame(1, -0.5, 1, 1, 1, &frame, &error),
             "magnification -0.5 must be 0 or more and finite");
-    OUTSIDE(panorama_frame(&(struct panorama_lens){1, 0, 0}, 1, 1, &frame, &error),
+    OUTSIDE(panorama_frame(1, 0, 0, 1, 1, &frame, &error),
             "pupil magnification 0 must be above 0 and finite");
-    OUTSIDE(panorama_frame(&(struct panorama_lens){1, 0, 1}, 0, 1, &frame, &error),
+    OUTSIDE(panorama_frame(1, 0, 1, 0, 1, &frame, &error),
             "sensor width 0 mm must be above 0 and finite");
-    OUTSIDE(panorama_frame(&(struct panorama_lens){1, 0, 1}, 1, 0, &frame, &error),
+    OUTSIDE(panorama_frame(1, 0, 1, 1, 0, &frame, &error),
             "sensor height 0 mm must be above 0 and finite");
     INSIDE(panorama_pupil(0.5, 0.5, 0.5, -1, &x, &error));
     CHECK_NEAR(x, -0.75, 1e-16, "f (1 + m) + hiatus + f (1 - 1/P)");
@@ -212,27 +211,24 @@ static void test_panorama_rows(void)
     const struct panorama plan = {.columns = 4, .rows = 5, .step = pi / 2, .row_step = pi / 4};
     struct panorama_row row;
     struct panorama_size size;
-    INSIDE(panorama_row_at(&frame, &goal, &plan, &(struct panorama_place){0, 2}, &row, &error));
+    INSIDE(panorama_row_at(&frame, &goal, &plan, 0, 2, &row, &error));
     CHECK(row.columns == 4);
     CHECK_NEAR(row.elevation, 0, 0, "the middle one");
-    INSIDE(panorama_row_at(&frame, &goal, &plan, &(struct panorama_place){0, 3}, &row, &error));
+    INSIDE(panorama_row_at(&frame, &goal, &plan, 0, 3, &row, &error));
     CHECK_RELATIVE(row.elevation, pi / 4, 1e-15, "one up");
     CHECK(row.columns == 4); /* 360/(2 atan cot 45) */
-    INSIDE(panorama_row_at(&frame, &goal, &plan, &(struct panorama_place){0, 4}, &row, &error));
+    INSIDE(panorama_row_at(&frame, &goal, &plan, 0, 4, &row, &error));
     CHECK(row.columns == 1 && row.step == 0);
     CHECK_RELATIVE(row.elevation, pi / 2, 1e-15, "the zenith");
-    OUTSIDE(panorama_row_at(&frame, &goal, &plan, &(struct panorama_place){0, 5}, &row, &error),
+    OUTSIDE(panorama_row_at(&frame, &goal, &plan, 0, 5, &row, &error),
             "row 5 is out of range (0 to 4)");
-    OUTSIDE(panorama_row_at(&frame, &goal, &plan, &(struct panorama_place){0, -1}, &row, &error),
+    OUTSIDE(panorama_row_at(&frame, &goal, &plan, 0, -1, &row, &error),
             "row -1 is out of range (0 to 4)");
-    OUTSIDE(
-        panorama_row_at(&frame, &goal, &plan, &(struct panorama_place){pi / 4, 4}, &row, &error),
-        "row at 135 degrees is out of range (-90 to 90)");
-    OUTSIDE(panorama_row_at(&(struct panorama_frame){pi, 1}, &goal, &plan,
-                            &(struct panorama_place){0, 0}, &row, &error),
+    OUTSIDE(panorama_row_at(&frame, &goal, &plan, pi / 4, 4, &row, &error),
+            "row at 135 degrees is out of range (-90 to 90)");
+    OUTSIDE(panorama_row_at(&(struct panorama_frame){pi, 1}, &goal, &plan, 0, 0, &row, &error),
             "a flat frame of 180 x 57.2958 degrees is out of range (above 0, below 180)");
-    OUTSIDE(panorama_row_at(&(struct panorama_frame){1, 0}, &goal, &plan,
-                            &(struct panorama_place){0, 0}, &row, &error),
+    OUTSIDE(panorama_row_at(&(struct panorama_frame){1, 0}, &goal, &plan, 0, 0, &row, &error),
             "a flat frame of 57.2958 x 0 degrees is out of range (above 0, below 180)");
     INSIDE(panorama_size(&frame, &(struct panorama_goal){pi / 2, pi / 2, 0}, 0.5, &size, &error));
     CHECK_RELATIVE(size.per_degree, pi / 720, 1e-15, "1/4 pixel a radian");

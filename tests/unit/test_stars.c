@@ -35,9 +35,9 @@ static void test_rules(void)
     CHECK_NEAR(t, 1.26, 0.005, "theprimecalculator.com: 200 mm f/4, 3.75 um, 1.26 s");
     CHECK(npf_simple_time(24, 2.8, 0.0033, &t, &error));
     CHECK_NEAR(t, 8.208, 5e-4, "detect_meteors test_calculate_npf_rule: 24 mm f/2.8, 3.3 um");
-    CHECK(npf_full_time(&(struct npf_setting){24, 2.8, 0.0043, 0, 1}, &t, &error));
+    CHECK(npf_full_time(24, 2.8, 0.0043, 0, 1, &t, &error));
     CHECK_NEAR(t, (47.32 + 2.4 + 58.91) / 24, 1e-12, "Michaud's full formula, by hand");
-    CHECK(npf_full_time(&(struct npf_setting){24, 2.8, 0.0043, pi / 3, 3}, &t, &error));
+    CHECK(npf_full_time(24, 2.8, 0.0043, pi / 3, 3, &t, &error));
     CHECK_NEAR(t, 6 * (47.32 + 2.4 + 58.91) / 24, 1e-11, "k = 3, declination 60 deg");
     CHECK(four_minus_crop_time(20, 1, &t, &error));
     CHECK_NEAR(t, 15, 1e-14, "webastro.net 186159: 300 for 35 mm");
@@ -195,8 +195,7 @@ static void test_refusals(void)
         double dec = poles[i] * pi / 180;
         CHECK(!star_time(50, dec, 0.01, &time, &error) && error.code == ERROR_DOMAIN);
         CHECK(strstr(error.message, "90 deg is a pole") != NULL);
-        CHECK(!npf_full_time(&(struct npf_setting){50, 2, 0.004, dec, 1}, &x, &error) &&
-              error.code == ERROR_DOMAIN);
+        CHECK(!npf_full_time(50, 2, 0.004, dec, 1, &x, &error) && error.code == ERROR_DOMAIN);
         CHECK(!star_focal_length(dec, 10, 0.01, &x, &error) && error.code == ERROR_DOMAIN);
     }
     CHECK(star_time(50, 89.9999 * pi / 180, 0.01, &time, &error));
@@ -211,7 +210,7 @@ static void test_refusals(void)
     CHECK(!star_trail_worst(50, 0, 1, -1, &x, &error));
     CHECK(!star_rule_time(0, 50, 1, &x, &error) && !star_rule_time(500, 50, 0, &x, &error));
     CHECK(!npf_simple_time(50, 0, 0.004, &x, &error) && !npf_simple_time(50, 2, -1, &x, &error));
-    CHECK(!npf_full_time(&(struct npf_setting){50, 2, 0.004, 0, 0}, &x, &error));
+    CHECK(!npf_full_time(50, 2, 0.004, 0, 0, &x, &error));
     CHECK(!four_minus_crop_time(50, 4, &x, &error) && !four_minus_crop_time(0, 1, &x, &error));
 }
 

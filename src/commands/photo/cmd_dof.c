@@ -244,17 +244,6 @@ static bool fill_other(const struct dof_question *input, struct dof_row *row, st
     return true;
 }
 
-static bool answer_by_rays(const struct dof_question *input, const struct attached_lens *attached,
-                           struct run *run, struct dof_row *row, struct error *error)
-{
-    struct dof_traced traced = {row->setting, row->dof, by_rays_none};
-    const bool found = dof_question_by_rays(input, attached, run, &traced, error);
-    row->setting = traced.setting;
-    row->dof = traced.dof;
-    row->rays = traced.rays;
-    return found;
-}
-
 static bool run_stack(const struct dof_question *input, const struct attached_lens *attached,
                       const struct dof_plan *plan, const char *criterion, struct run *run,
                       struct error *error)
@@ -355,7 +344,8 @@ static bool dof_answer(const void *data, const struct photo_lens *lens, struct r
     }
     if (!dof_question_solve(input, &attached, setting, error) ||
         !dof_compute(setting, (enum dof_model)input->model, &row.dof, error) ||
-        (input->rays.exact && !answer_by_rays(input, &attached, run, &row, error)) ||
+        (input->rays.exact &&
+         !dof_question_by_rays(input, &attached, run, setting, &row.dof, &row.rays, error)) ||
         !dof_fill_row(input, &attached, &row, error)) {
         return false;
     }

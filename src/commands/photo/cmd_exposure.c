@@ -243,8 +243,8 @@ static bool exposure_row_answer(const void *data, const struct photo_lens *lens,
     if (!(blank ? exposure_blank : exposure_answer)(input, &row, error)) {
         return false;
     }
-    const struct lamp_camera camera = {input->filter.mired, row.x.t, input->frame_rate};
-    if (!lamps_answer(&input->lamps, &camera, run, &row.lamps, error)) {
+    if (!lamps_answer(&input->lamps, input->filter.mired, row.x.t, input->frame_rate, run,
+                      &row.lamps, error)) {
         return false;
     }
     row.real = *lens->real;

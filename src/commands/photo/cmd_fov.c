@@ -1,8 +1,8 @@
 /* commands/photo/cmd_fov.c - lenscalc fov: field of view. */
 /* SPDX-License-Identifier: MIT */
 #include "analysis/rays/angle_of_view.h"
+#include "commands/lens/focus_gaps.h"
 #include "commands/photo/by_rays.h"
-#include "commands/photo/focused_lens.h"
 #include "commands/photo/photo_lens.h"
 #include "commands/photo/sharpness.h"
 #include "commands/tables.h"
@@ -406,6 +406,59 @@ static bool fov_answer(const void *data, const struct photo_lens *lens, struct r
     return true;
 }
 
+/* Indexed by enum distance_from. */
+static const enum conjugate_from places[] = {
+    [FROM_PRINCIPAL] = CONJUGATE_FROM_PRINCIPAL,
+    [FROM_SENSOR] = CONJUGATE_FROM_SENSOR,
+    [FROM_ENTRANCE] = CONJUGATE_FROM_ENTRANCE,
+    [FROM_FRONT] = CONJUGATE_FROM_FRONT,
+};
+
+/*
+ * The lens in a position as it stands when its gaps are focused on a distance, at the question's
+ * wavelength, else the primary one; of several solutions the one that moves least.
+ */
+static bool focus_by_gaps(const struct fov_input *input, size_t position, double distance,
+                          struct arena *arena, struct photo_lens_question *focused,
+                          struct error *error)
+{
+    const struct photo_lens_question *question = &input->lens;
+    const struct lens *typed = question->lens.lens;
+    const struct lens *lens = lens_at_position(typed, position, arena);
+    struct focused *solutions = ARENA_ARRAY(arena, FOCUS_SOLUTIONS, struct focused);
+    struct named_gap named[FOCUS_GAPS];
+    struct focus_gap moved[FOCUS_GAPS];
+    struct first_order first;
+    struct focus_mechanism focusing = {
+        .lens = lens,
+        .wavelength = question->wavelength > 0 ? wavelength_micrometres(question->wavelength)
+                                               : lens_primary_wavelength(typed),
+        .section = (enum lens_section)question->section,
+        .gaps = moved,
+    };
+    const struct conjugate_question object = {CONJUGATE_OBJECT, places[question->from], distance,
+                                              0};
+    if (!focus_gaps_read(text_of(input->gap), typed, named, &focusing.gap_count, error) ||
+        !first_order_of_lens(lens, lens_primary_wavelength(lens), focusing.section, arena, &first,
+                             error)) {
+        return false;
+    }
+    for (size_t i = 0; i < focusing.gap_count; i++) {
+        moved[i] = named[i].gap;
+    }
+    focusing.image_plane = setup_paraxial_image(lens, &first);
+    if (focus_solve(&focusing, &object, arena, solutions, error) == 0) {
+        return false;
+    }
+    *focused = *question;
+    focused->position = NULL;
+    focused->lens.lens = solutions[0].lens;
+    focused->lens.memo = ARENA_NEW(arena, struct lens_memo);
+    *focused->lens.memo = (struct lens_memo){.is_known = false};
+    focused->lens.arena = arena;
+    return true;
+}
+
 /* The lens in a position, focused by its gaps. */
 static bool answer_focused(const struct fov_input *input, size_t position, struct run *run,
                            struct error *error)
@@ -417,13 +470,9 @@ static bool answer_focused(const struct fov_input *input, size_t position, struc
     if (!isnan(input->magnification)) {
         return fail(error, ERROR_USAGE, "{--gap} focuses on a {--distance}, not a magnification");
     }
-    struct focused_question asked = {&input->lens, position, input->gap, input->distance};
-    if (!focused_lens(&asked, run->arena, &own.lens, error) ||
-        !photo_lens_single(&own.lens, 0, run->arena, &near, error)) {
-        return false;
-    }
-    asked.distance = INFINITY;
-    if (!focused_lens(&asked, run->arena, &far, error) ||
+    if (!focus_by_gaps(input, position, input->distance, run->arena, &own.lens, error) ||
+        !photo_lens_single(&own.lens, 0, run->arena, &near, error) ||
+        !focus_by_gaps(input, position, INFINITY, run->arena, &far, error) ||
         !photo_lens_single(&far, 0, run->arena, &infinity, error)) {
         return false;
     }

@@ -207,8 +207,8 @@ static bool find_frame(const struct panorama_input *input, struct panorama_comma
                     "{--horizontal} or {--vertical} with it");
     }
     return conjugates_solve(&given, &c, error) &&
-           panorama_frame(&(struct panorama_lens){c.f, c.m, input->pupil}, sensor.width,
-                          sensor.height, &row->frame, error) &&
+           panorama_frame(c.f, c.m, input->pupil, sensor.width, sensor.height, &row->frame,
+                          error) &&
            panorama_pupil(c.f, c.m, input->pupil, input->hiatus, &row->pupil_distance, error);
 }
 
@@ -283,8 +283,7 @@ static bool panorama_emit_rows(const struct panorama_input *input, const struct 
 {
     for (int i = 0; i < plan->rows; i++) {
         struct panorama_row one;
-        const struct panorama_place place = {input->elevation, i};
-        if (!panorama_row_at(&row->frame, goal, plan, &place, &one, error)) {
+        if (!panorama_row_at(&row->frame, goal, plan, input->elevation, i, &one, error)) {
             return false;
         }
         row->row = i + 1;

@@ -167,13 +167,9 @@ static bool apply_rules(struct stars_row *row, struct error *error)
         !four_minus_crop_time(row->focal, row->crop, &row->four_minus_crop, error)) {
         return false;
     }
-    const struct npf_setting full = {.f = row->focal,
-                                     .N = row->npf_fnumber,
-                                     .pitch = row->npf_pitch,
-                                     .dec = row->declination,
-                                     .k = row->accuracy};
-    return npf_simple_time(full.f, full.N, full.pitch, &row->npf_simple, error) &&
-           npf_full_time(&full, &row->npf, error);
+    const double f = row->focal, N = row->npf_fnumber, pitch = row->npf_pitch;
+    return npf_simple_time(f, N, pitch, &row->npf_simple, error) &&
+           npf_full_time(f, N, pitch, row->declination, row->accuracy, &row->npf, error);
 }
 
 static bool measure_trail(const struct sensor *sensor, struct stars_row *row, struct error *error)

@@ -206,18 +206,17 @@ static void take_range(const struct real_range *range, double rear, struct dof *
 }
 
 bool dof_question_by_rays(const struct dof_question *input, const struct attached_lens *attached,
-                          struct run *run, struct dof_traced *traced, struct error *error)
+                          struct run *run, struct dof_setting *setting, struct dof *dof,
+                          struct by_rays_row *rays, struct error *error)
 {
     const struct photo_lens *lens = attached->lens;
     const double front = lens->measuring.front;
-    struct dof_setting *setting = &traced->setting;
-    struct dof *dof = &traced->dof;
     struct real_focus focus;
     struct real_range range;
     double blur; /* of infinity */
     const struct by_rays_question question = {&input->rays, &input->lens, lens, setting->s,
                                               setting->c};
-    if (!by_rays_open(&question, run, &focus, &traced->rays, error)) {
+    if (!by_rays_open(&question, run, &focus, rays, error)) {
         return false;
     }
     if (input->lens.from == FROM_SENSOR && !isnan(input->distance) &&
@@ -232,6 +231,6 @@ bool dof_question_by_rays(const struct dof_question *input, const struct attache
     dof->front = setting->s - dof->near;
     dof->behind = isinf(dof->far) ? dof->far : dof->far - setting->s;
     dof->total = dof->front + dof->behind;
-    traced->rays.blur = range.blur;
+    rays->blur = range.blur;
     return true;
 }

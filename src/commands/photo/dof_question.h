@@ -63,21 +63,16 @@ bool dof_question_solve(const struct dof_question *input, const struct attached_
 bool dof_question_plan(const struct dof_question *input, const struct photo_lens *lens,
                        struct dof_setting *setting, struct dof_plan *plan, struct error *error);
 
-/* An answer that formulas gave, to be given by rays. */
-struct dof_traced {
-    struct dof_setting
-        setting;    /* solved; its distance is met again where that is from the sensor */
-    struct dof dof; /* of dof_compute */
-    struct by_rays_row rays;
-};
-
 /*
  * Limits, focus and blurs by the rays of the lens in place of those that formulas gave.
  *
+ * Given     setting  solved; its distance is met again where that is from the sensor
+ *           dof      of dof_compute
  * Errors    as by_rays_open and real_range_find
  */
 bool dof_question_by_rays(const struct dof_question *input, const struct attached_lens *attached,
-                          struct run *run, struct dof_traced *traced, struct error *error);
+                          struct run *run, struct dof_setting *setting, struct dof *dof,
+                          struct by_rays_row *rays, struct error *error);
 
 /* Draw the depth-of-field scale of the barrel, an artifact of the command. */
 bool dof_draw_scale(const struct artifact_job *job, struct output *sink, struct error *error);

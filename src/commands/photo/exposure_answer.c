@@ -261,8 +261,7 @@ static bool fill_focal_plane(const struct exposure_input *input, struct exposure
     row->vignetting = input->vignetting;
     row->off_axis = input->off_axis;
     return lens_q(glass, input->vignetting, input->off_axis, &row->q, error) &&
-           focal_plane_exposure(&(struct focal_plane_light){row->q, row->x.L, row->x.N, row->x.t,
-                                                            row->loss - counted},
+           focal_plane_exposure(row->q, row->x.L, row->x.N, row->x.t, row->loss - counted,
                                 &row->focal_plane, error);
 }
 

@@ -96,7 +96,7 @@ static bool answer_flicker(const struct lamps *lamps, double t, double rate, str
     if (isnan(lamps->mains)) {
         return true;
     }
-    if (!flicker_check(&(struct flicker_given){lamps->mains, t, rate}, &flicker, error)) {
+    if (!flicker_check(lamps->mains, t, rate, &flicker, error)) {
         return false;
     }
     row->free_time = flicker.nearest;
@@ -105,10 +105,9 @@ static bool answer_flicker(const struct lamps *lamps, double t, double rate, str
     return true;
 }
 
-bool lamps_answer(const struct lamps *lamps, const struct lamp_camera *camera, struct run *run,
+bool lamps_answer(const struct lamps *lamps, double filter, double t, double rate, struct run *run,
                   struct lamp_row *row, struct error *error)
 {
-    double filter = camera->filter;
     *row = (struct lamp_row){.kelvin = lamps->kelvin,
                              .balance = lamps->balance,
                              .shift = fabs(filter) > 0 || !isnan(lamps->kelvin) ? filter : NAN,
@@ -118,5 +117,5 @@ bool lamps_answer(const struct lamps *lamps, const struct lamp_camera *camera, s
                              .mains = lamps->mains,
                              .free_time = NAN};
     return answer_colour(lamps, filter, run, row, error) &&
-           answer_flicker(lamps, camera->t, camera->rate, run, row, error);
+           answer_flicker(lamps, t, rate, run, row, error);
 }

@@ -30,12 +30,6 @@ struct lamps {
               .help = "frequency of the mains that lamps follow: times and shutter angles "        \
                       "without flicker")
 
-/* What the lamps shine on. */
-struct lamp_camera {
-    double filter;  /* mired, as struct loss_value has it; 0 for none */
-    double t, rate; /* exposure time, s, and frames per second; NaN = not known */
-};
-
 /* What is answered; NaN and null = absent. */
 struct lamp_row {
     double kelvin, balance, shift, filtered, wanted, conversion_shift;
@@ -85,10 +79,11 @@ static inline bool lamps_asked(const struct lamps *lamps)
 /*
  * Answer what is asked.
  *
- * Given     camera  what they shine on
+ * Given     filter   before the lens, mired, as struct loss_value has it; 0 for none
+ *           t, rate  exposure time, s, and frames per second; NaN = not known
  * Errors    --balance without --kelvin (ERROR_USAGE); as photo/mired.h and photo/flicker.h
  */
-bool lamps_answer(const struct lamps *lamps, const struct lamp_camera *camera, struct run *run,
+bool lamps_answer(const struct lamps *lamps, double filter, double t, double rate, struct run *run,
                   struct lamp_row *row, struct error *error);
 
 #endif
