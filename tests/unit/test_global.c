@@ -2,7 +2,6 @@
 /* SPDX-License-Identifier: MIT */
 #include "base/constants.h"
 #include "check.h"
-#include "design/solver/escape.h"
 #include "design/solver/global.h"
 
 #include <math.h>

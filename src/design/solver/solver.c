@@ -2,11 +2,323 @@
 /* SPDX-License-Identifier: MIT */
 #include "design/solver/solver.h"
 
+#include "base/linear.h"
+#include "design/solver/solver_engine.h"
 #include "design/solver/solver_loss.h"
-#include "design/solver/solver_solving.h"
+#include "design/solver/solver_normal.h"
 
 #include <math.h>
 #include <string.h>
+
+/* A problem being solved. */
+struct solver_state {
+    const struct solver_problem *problem;
+    const struct engine *engine;
+    struct solver_options options;
+    struct arena *arena;
+    double *residuals, *jacobian, *gradient, *weights; /* at the parameters last looked at */
+    double *seen, seen_cost;                           /* those; NaN = none yet */
+    bool *held;     /* at a bound, for as long as the cost falls beyond it */
+    bool *on;       /* lay on a bound when this round began */
+    bool *at_bound; /* of an engine that keeps bounds by itself */
+    double *multipliers;
+    bool stopped; /* by the caller */
+    int done;     /* iterations of earlier rounds */
+};
+
+static inline double solving_low(const struct solver_problem *problem, size_t i)
+{
+    return problem->low != NULL ? problem->low[i] : -INFINITY;
+}
+
+static inline double solving_high(const struct solver_problem *problem, size_t i)
+{
+    return problem->high != NULL ? problem->high[i] : INFINITY;
+}
+
+bool solver_has(enum solver_engine engine)
+{
+    return solver_engines[engine].minimize != NULL;
+}
+
+static bool check_blocks(const struct solver_problem *problem, struct error *error)
+{
+    size_t sum = 0;
+    if (problem->blocks == NULL) {
+        return true;
+    }
+    if (problem->sides != NULL) {
+        return fail(error, ERROR_DOMAIN, "residuals of one side have no loss");
+    }
+    for (size_t i = 0; i < problem->block_count; i++) {
+        const struct solver_block *block = &problem->blocks[i];
+        if (block->loss != LOSS_NONE && !(block->scale > 0 && isfinite(block->scale))) {
+            return fail(error, ERROR_DOMAIN, "the scale %.6g of a loss is not above 0",
+                        block->scale);
+        }
+        sum += block->residuals;
+    }
+    return sum == solver_squares(problem) ||
+           fail(error, ERROR_DOMAIN, "the blocks have %zu residuals, the problem has %zu", sum,
+                solver_squares(problem));
+}
+
+static bool solver_check_bounds(const struct solver_problem *problem, const double *parameters,
+                                struct error *error)
+{
+    for (size_t i = 0; i < problem->parameter_count; i++) {
+        double low = solving_low(problem, i), high = solving_high(problem, i);
+        if (!isfinite(parameters[i])) {
+            return fail(error, ERROR_DOMAIN, "parameter %zu begins at %.6g", i + 1, parameters[i]);
+        }
+        if (!(low < high)) {
+            return fail(error, ERROR_DOMAIN,
+                        "the bounds %.10g to %.10g of parameter %zu leave "
+                        "nothing between them",
+                        low, high, i + 1);
+        }
+        if (!(low <= parameters[i] && parameters[i] <= high)) {
+            return fail(error, ERROR_DOMAIN,
+                        "parameter %zu begins at %.10g, outside its bounds %.10g to %.10g", i + 1,
+                        parameters[i], low, high);
+        }
+    }
+    return true;
+}
+
+/* What only damped least squares can. */
+static bool check_engine(const struct solver_problem *problem, enum solver_engine engine,
+                         struct error *error)
+{
+    if (!solver_has(engine)) {
+        return fail(error, ERROR_DOMAIN, "this program is without the solver Ceres");
+    }
+    return problem->exact_count == 0 || solver_engines[engine].keeps_bounds ||
+           fail(error, ERROR_DOMAIN, "Ceres meets no condition exactly: damped least squares do");
+}
+
+/* Errors    as solver_run, but for the start without finite residuals */
+static bool solver_check(const struct solver_problem *problem, const struct solver_options *options,
+                         const double *parameters, struct error *error)
+{
+    size_t n = problem->parameter_count, m = problem->residual_count;
+    if (!check_engine(problem, options->engine, error)) {
+        return false;
+    }
+    if (n == 0 || m == 0) {
+        return fail(error, ERROR_DOMAIN, "there is nothing to fit: %zu parameters, %zu residuals",
+                    n, m);
+    }
+    if (m < n && !options->lean) {
+        return fail(error, ERROR_DOMAIN, "%zu residuals do not fix %zu parameters", m, n);
+    }
+    if (n > SOLVER_COLUMNS || m > 100000000 / n) {
+        return fail(error, ERROR_DOMAIN, "%zu residuals of %zu parameters are too many", m, n);
+    }
+    return solver_check_bounds(problem, parameters, error) && check_blocks(problem, error);
+}
+
+/* Residuals that count on one side only, for an engine that knows nothing of sides. */
+static bool evaluate_counted(void *context, const double *parameters, double *residuals,
+                             double *jacobian)
+{
+    const struct solver_problem *problem = context;
+    const size_t n = problem->parameter_count;
+    if (!problem->evaluate(problem->context, parameters, residuals, jacobian)) {
+        return false;
+    }
+    for (size_t i = 0; i < problem->residual_count; i++) {
+        residuals[i] = solver_counted(problem->sides, i, residuals[i]);
+        if (residuals[i] == 0 && problem->sides[i] != SIDE_BOTH && jacobian != NULL) {
+            memset(jacobian + i * n, 0, n * sizeof *jacobian);
+        }
+    }
+    return true;
+}
+
+/* The problem for an engine that knows nothing of sides: what does not count is 0. */
+static struct solver_problem solver_without_sides(struct solver_problem *problem)
+{
+    struct solver_problem plain = *problem;
+    plain.evaluate = evaluate_counted;
+    plain.context = problem;
+    plain.sides = NULL;
+    return plain;
+}
+
+static bool solver_look_all_finite(const double *values, size_t count)
+{
+    for (size_t i = 0; i < count; i++) {
+        if (!isfinite(values[i])) {
+            return false;
+        }
+    }
+    return true;
+}
+
+/* Residuals, derivatives, weights and the gradient at these parameters; false: not all finite. */
+static bool solving_look(struct solver_state *solving, const double *parameters, double *cost)
+{
+    const struct solver_problem *problem = solving->problem;
+    size_t n = problem->parameter_count, m = problem->residual_count;
+    if (memcmp(parameters, solving->seen, n * sizeof(double)) == 0 &&
+        isfinite(solving->seen_cost)) {
+        *cost = solving->seen_cost;
+        return true;
+    }
+    memcpy(solving->seen, parameters, n * sizeof(double));
+    solving->seen_cost = NAN;
+    if (!problem->evaluate(problem->context, parameters, solving->residuals, solving->jacobian) ||
+        !solver_look_all_finite(solving->residuals, m) ||
+        !solver_look_all_finite(solving->jacobian, m * n)) {
+        return false;
+    }
+    *cost = solver_cost(problem, solving->residuals, solving->weights);
+    memset(solving->gradient, 0, n * sizeof(double));
+    double *gradient = solving->gradient;
+    for (size_t i = 0; i < solver_squares(problem); i++) {
+        double r = solving->weights[i] * solving->residuals[i];
+        const double *row = solving->jacobian + i * n;
+        for (size_t j = 0; j < n; j++) {
+            gradient[j] += r * row[j];
+        }
+    }
+    if (!isfinite(*cost) || !solver_look_all_finite(solving->gradient, n)) {
+        return false;
+    }
+    solving->seen_cost = *cost;
+    return true;
+}
+
+/* Derivatives by the parameters that are free, weighted: what the errors follow from. */
+static struct linear_factors solver_errors_factor_free(struct solver_state *solving,
+                                                       const size_t *free_of, size_t count)
+{
+    size_t n = solving->problem->parameter_count, m = solving->problem->residual_count;
+    double *a = ARENA_ARRAY(solving->arena, m * count + 1, double);
+    for (size_t i = 0; i < m; i++) {
+        double root = sqrt(solving->weights[i]);
+        for (size_t j = 0; j < count; j++) {
+            a[i * count + j] = root * solving->jacobian[i * n + free_of[j]];
+        }
+    }
+    return linear_factor(a, m, count, solving->options.dependent, solving->arena);
+}
+
+static size_t solver_errors_list_free(const struct solver_state *solving, size_t *free_of)
+{
+    size_t count = 0;
+    for (size_t i = 0; i < solving->problem->parameter_count; i++) {
+        if (!solving->held[i]) {
+            free_of[count++] = i;
+        }
+    }
+    return count;
+}
+
+/*
+ * The undamped step from where the solver looked last, inside the bounds.
+ *
+ * Result    what it promises to take off the sum of squares; NaN where there is no such step
+ */
+static double solver_errors_newton_step(struct solver_state *solving, double *parameters)
+{
+    const struct solver_problem *problem = solving->problem;
+    size_t n = problem->parameter_count, m = problem->residual_count;
+    size_t *free_of = ARENA_ARRAY(solving->arena, n, size_t);
+    size_t count = solver_errors_list_free(solving, free_of);
+    double *b = ARENA_ARRAY(solving->arena, m, double);
+    double *step = ARENA_ARRAY(solving->arena, count + 1, double), promise = 0;
+    const struct linear_factors factors = solver_errors_factor_free(solving, free_of, count);
+    for (size_t i = 0; i < m; i++) {
+        b[i] = -sqrt(solving->weights[i]) * solving->residuals[i];
+    }
+    linear_reflect(&factors, b);
+    for (size_t k = 0; k < factors.rank; k++) {
+        promise += b[k] * b[k];
+    }
+    linear_substitute(&factors, b, step);
+    for (size_t i = 0; i < count; i++) {
+        size_t at = free_of[i];
+        parameters[at] = fmin(fmax(parameters[at] + step[i], solving_low(problem, at)),
+                              solving_high(problem, at));
+    }
+    return factors.rank == count ? promise : NAN;
+}
+
+/* By how much rounding moves a cost whose residuals are small differences, as of image points. */
+static const double blurred = 1e-8;
+
+/*
+ * Near the end the cost no longer tells better from worse, but the gradient does: a few undamped
+ * steps, for as long as what the next one promises gets smaller.
+ */
+static void solving_polish(struct solver_state *solving, double *parameters, double cost)
+{
+    size_t n = solving->problem->parameter_count;
+    double *next = ARENA_ARRAY(solving->arena, n, double), promised = INFINITY, there = cost;
+    for (int i = 0; i < 20; i++) {
+        memcpy(next, parameters, n * sizeof(double));
+        double promise = solver_errors_newton_step(solving, next);
+        if (!(promise < 0.5 * promised) || !solving_look(solving, next, &there) ||
+            !(there <= cost * (1 + blurred))) {
+            break;
+        }
+        promised = promise;
+        memcpy(parameters, next, n * sizeof(double));
+        if (promise <= 1e-24 * cost) {
+            break; /* far below the errors */
+        }
+    }
+}
+
+/* What a summary says of the residuals where the solver looked last. */
+static void solving_tell(const struct solver_state *solving, struct solver_summary *summary)
+{
+    const size_t squares = solver_squares(solving->problem);
+    double sum = 0;
+    for (size_t i = 0; i < squares; i++) {
+        const double r = solver_counted(solving->problem->sides, i, solving->residuals[i]);
+        sum += r * r;
+    }
+    summary->rms = sqrt(sum / (double)squares);
+    summary->excess = 0;
+    for (size_t i = squares; i < solving->problem->residual_count; i++) {
+        summary->excess = fmax(summary->excess, fabs(solving->residuals[i]));
+    }
+}
+
+/* And of the errors of the parameters. */
+static void solving_errors(struct solver_state *solving, struct solver_summary *summary)
+{
+    size_t n = solving->problem->parameter_count, m = solving->problem->residual_count;
+    struct arena *arena = solving->arena;
+    size_t *free_of = ARENA_ARRAY(arena, n, size_t),
+           count = solver_errors_list_free(solving, free_of);
+    const struct linear_factors factors = solver_errors_factor_free(solving, free_of, count);
+    double *inverse = ARENA_ARRAY(arena, count * count + 1, double);
+    linear_normal_inverse(&factors, inverse, arena);
+    summary->rank = factors.rank;
+    for (size_t k = factors.rank; k < count; k++) {
+        summary->undetermined[free_of[factors.order[k]]] = true;
+    }
+    double squares = 0;
+    for (size_t i = 0; i < m; i++) {
+        double r = solving->residuals[i];
+        squares += solving->weights[i] * r * r;
+    }
+    summary->degrees_of_freedom = m - factors.rank;
+    double variance =
+        summary->degrees_of_freedom > 0 ? squares / (double)summary->degrees_of_freedom : NAN;
+    for (size_t i = 0; i < count; i++) {
+        for (size_t j = 0; j < count; j++) {
+            double element = inverse[i * count + j];
+            summary->inverse[free_of[i] * n + free_of[j]] = element;
+            summary->covariance[free_of[i] * n + free_of[j]] = variance * element;
+        }
+        summary->standard_error[free_of[i]] = sqrt(variance * inverse[i * count + i]);
+    }
+}
 
 static const struct solver_options usual = {
     .iterations = 200,
