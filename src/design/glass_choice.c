@@ -290,19 +290,6 @@ static void try_pieces(void *context, const struct parallel_piece *piece)
     }
 }
 
-/* Those that lose least first; of equal ones the nearer. */
-static void sort_trials(struct trial *trials, size_t count)
-{
-    for (size_t i = 1; i < count; i++) {
-        const struct trial one = trials[i];
-        size_t at = i;
-        for (; at > 0 && is_better(one.rank, trials[at - 1].rank); at--) {
-            trials[at] = trials[at - 1];
-        }
-        trials[at] = one;
-    }
-}
-
 /* All of them, in the order of their loss; false: there is no time for it. */
 static bool try_all(struct glass_choice_search *search, const struct glass_choice_node *node,
                     size_t surface, struct trial *trials, size_t count)
@@ -326,7 +313,15 @@ static bool try_all(struct glass_choice_search *search, const struct glass_choic
             search->why = trials[i].why;
         }
     }
-    sort_trials(trials, count);
+    /* Those that lose least first; of equal ones the nearer. */
+    for (size_t i = 1; i < count; i++) {
+        const struct trial one = trials[i];
+        size_t at = i;
+        for (; at > 0 && is_better(one.rank, trials[at - 1].rank); at--) {
+            trials[at] = trials[at - 1];
+        }
+        trials[at] = one;
+    }
     return !choice->is_stopped;
 }
 

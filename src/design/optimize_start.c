@@ -62,22 +62,6 @@ static bool eased_has_value(struct eased_merit *easing)
     return has_value(&easing->eased, easing->numbers, residuals);
 }
 
-/* What keeps rays from loss looks at those of other goals. */
-static size_t optimize_start_add_grazing(const struct merit_question *question,
-                                         struct operand *some, size_t count)
-{
-    bool has_rays = false;
-    for (size_t i = 0; i < count; i++) {
-        has_rays = has_rays || (operand_type(some[i].kind)->is & OPERAND_TRACES) != 0;
-    }
-    for (size_t i = 0; i < question->operand_count && has_rays; i++) {
-        if (question->operands[i].kind == OPERAND_GRAZING) {
-            some[count++] = question->operands[i];
-        }
-    }
-    return count;
-}
-
 /* Goals that have a value by themselves. */
 static bool open_some(struct eased_merit *easing, struct error *error)
 {
@@ -93,7 +77,16 @@ static bool open_some(struct eased_merit *easing, struct error *error)
         count += open_eased(easing, &some[count], 1, error) && eased_has_value(easing);
     }
     easing->is_whole = false;
-    count = optimize_start_add_grazing(question, some, count);
+    /* What keeps rays from loss looks at those of other goals. */
+    bool has_rays = false;
+    for (size_t i = 0; i < count; i++) {
+        has_rays = has_rays || (operand_type(some[i].kind)->is & OPERAND_TRACES) != 0;
+    }
+    for (size_t i = 0; i < question->operand_count && has_rays; i++) {
+        if (question->operands[i].kind == OPERAND_GRAZING) {
+            some[count++] = question->operands[i];
+        }
+    }
     return (count > 0 || fail(error, ERROR_DOMAIN, "no goal has a value")) &&
            open_eased(easing, some, count, error) &&
            (eased_has_value(easing) || fail(error, ERROR_DOMAIN, "no goal has a value"));

@@ -438,23 +438,6 @@ static bool open_lone(struct variables *variables, size_t at, struct error *erro
     return true;
 }
 
-/* Do the pick-ups give numbers? */
-static bool check_rules(const struct variables *variables, struct error *error)
-{
-    for (size_t p = 0; p < variables->position_count; p++) {
-        for (size_t i = 0; i < variables->rule_count; i++) {
-            const struct variable_number *to = &variables->numbers[variables->rules[i].to];
-            if (!isfinite(
-                    variables->values[p * variables->number_count + variables->rules[i].to])) {
-                return fail(error, ERROR_DOMAIN,
-                            "the pick-up of the %s of surface %zu gives no finite number",
-                            parameter_type(to->what.kind)->words, to->what.surface + 1);
-            }
-        }
-    }
-    return true;
-}
-
 /* Room for all, and the lens in every position. */
 static void open_room(struct variables *variables, struct arena *arena)
 {
@@ -504,8 +487,21 @@ static void open_values(struct variables *variables, struct arena *arena)
     }
 }
 
-static bool open_all(struct variables *variables, struct error *error)
+bool variables_open(const struct lens *lens, const struct variable *list, size_t count,
+                    struct arena *arena, struct variables *variables, struct error *error)
 {
+    *variables = (struct variables){.lens = lens, .count = count};
+    variables->list = ARENA_ARRAY(arena, count + 1, struct variable);
+    if (count > 0) {
+        memcpy(variables->list, list, count * sizeof list[0]);
+    }
+    open_room(variables, arena);
+    const struct lens *first = &variables->lenses[0].lens;
+    double size = variable_size_of(first, arena);
+    for (size_t i = 0; i < count; i++) {
+        variables->scale[i] =
+            list[i].scale > 0 ? list[i].scale : variable_scale_of(first, list[i].what, size);
+    }
     for (size_t i = 0; i < variables->count; i++) {
         if (!variable_check_kind(variables->list[i].what.kind, error) ||
             !check_what(variables->lens, &variables->list[i], error) ||
@@ -527,27 +523,18 @@ static bool open_all(struct variables *variables, struct error *error)
         }
     }
     add_rules(variables);
-    return true;
-}
-
-bool variables_open(const struct lens *lens, const struct variable *list, size_t count,
-                    struct arena *arena, struct variables *variables, struct error *error)
-{
-    *variables = (struct variables){.lens = lens, .count = count};
-    variables->list = ARENA_ARRAY(arena, count + 1, struct variable);
-    if (count > 0) {
-        memcpy(variables->list, list, count * sizeof list[0]);
-    }
-    open_room(variables, arena);
-    const struct lens *first = &variables->lenses[0].lens;
-    double size = variable_size_of(first, arena);
-    for (size_t i = 0; i < count; i++) {
-        variables->scale[i] =
-            list[i].scale > 0 ? list[i].scale : variable_scale_of(first, list[i].what, size);
-    }
-    if (!open_all(variables, error)) {
-        return false;
-    }
     open_values(variables, arena);
-    return check_rules(variables, error);
+    /* Do the pick-ups give numbers? */
+    for (size_t p = 0; p < variables->position_count; p++) {
+        for (size_t i = 0; i < variables->rule_count; i++) {
+            const struct variable_number *to = &variables->numbers[variables->rules[i].to];
+            if (!isfinite(
+                    variables->values[p * variables->number_count + variables->rules[i].to])) {
+                return fail(error, ERROR_DOMAIN,
+                            "the pick-up of the %s of surface %zu gives no finite number",
+                            parameter_type(to->what.kind)->words, to->what.surface + 1);
+            }
+        }
+    }
+    return true;
 }

@@ -117,26 +117,6 @@ static struct scale barrel_scale_of(const struct barrel *barrel, double nearest)
     return scale;
 }
 
-static bool check_mark(const struct barrel_mark *mark, double focus, struct error *error)
-{
-    if (!(mark->fnumber > 0 && isfinite(mark->fnumber))) {
-        return fail(error, ERROR_DOMAIN, "f-number %g of a barrel mark is not above 0",
-                    mark->fnumber);
-    }
-    /* rounding may put the limits of a tiny aperture on the wrong side of the focus */
-    double slack = 1e-9 * focus;
-    if (!(mark->near_diopter >= focus - slack && isfinite(mark->near_diopter))) {
-        return fail(error, ERROR_DOMAIN, "near limit of f/%g, %g 1/m, is behind the focus, %g 1/m",
-                    mark->fnumber, mark->near_diopter, focus);
-    }
-    if (!(mark->far_diopter <= focus + slack && isfinite(mark->far_diopter))) {
-        return fail(error, ERROR_DOMAIN,
-                    "far limit of f/%g, %g 1/m, is in front of the focus, %g 1/m", mark->fnumber,
-                    mark->far_diopter, focus);
-    }
-    return true;
-}
-
 static bool check_barrel(const struct barrel *barrel, struct error *error)
 {
     double focus = barrel->focus_diopter, nearest = barrel->nearest_diopter;
@@ -148,8 +128,22 @@ static bool check_barrel(const struct barrel *barrel, struct error *error)
                     barrel->chosen + 1, barrel->mark_count);
     }
     for (size_t i = 0; i < barrel->mark_count; i++) {
-        if (!check_mark(&barrel->marks[i], focus, error)) {
-            return false;
+        const struct barrel_mark *mark = &barrel->marks[i];
+        if (!(mark->fnumber > 0 && isfinite(mark->fnumber))) {
+            return fail(error, ERROR_DOMAIN, "f-number %g of a barrel mark is not above 0",
+                        mark->fnumber);
+        }
+        /* rounding may put the limits of a tiny aperture on the wrong side of the focus */
+        double slack = 1e-9 * focus;
+        if (!(mark->near_diopter >= focus - slack && isfinite(mark->near_diopter))) {
+            return fail(error, ERROR_DOMAIN,
+                        "near limit of f/%g, %g 1/m, is behind the focus, %g 1/m", mark->fnumber,
+                        mark->near_diopter, focus);
+        }
+        if (!(mark->far_diopter <= focus + slack && isfinite(mark->far_diopter))) {
+            return fail(error, ERROR_DOMAIN,
+                        "far limit of f/%g, %g 1/m, is in front of the focus, %g 1/m",
+                        mark->fnumber, mark->far_diopter, focus);
         }
     }
     if (!(nearest >= 0 && isfinite(nearest)) || (nearest > 0 && nearest < focus)) {
@@ -210,44 +204,38 @@ static void engrave_distance(struct svg *svg, const struct scale *scale,
     engrave(svg, row, x, room ? text : NULL, 15);
 }
 
-/* Round distances, the roundest first, so that these get their numbers. */
-static void engrave_row(struct svg *svg, const struct scale *scale, double nearest,
-                        const struct engraved_row *row)
-{
-    struct barrel_row numbers = {.count = 0}, ticks = {.count = 0};
-    double closest = 1 / (nearest * row->unit);
-    double x = barrel_position(scale, 0);
-    occupy(&numbers, x, 24);
-    occupy(&ticks, x, 0);
-    engrave(svg, row, x, "∞", 24);
-    for (size_t rank = 0; rank < sizeof(leading_digits) / sizeof(leading_digits[0]); rank++) {
-        /* four decades are far more than a barrel has room for */
-        for (double decade = floor(log10(closest)), i = 0; i < 5; i++) {
-            double distance = leading_digits[rank] * pow(10, decade + i);
-            if (distance >= closest * (1 - 1e-9)) {
-                engrave_distance(svg, scale, row, distance, rank, &numbers, &ticks);
-            }
-        }
-    }
-    svg_text(svg,
-             &(struct svg_label){.x = MARGIN + 22,
-                                 .y = row->base_line,
-                                 .size = 13,
-                                 .anchor = SVG_MIDDLE,
-                                 .colour = row->colour},
-             row->name);
-}
-
 static void draw_focus_ring(struct svg *svg, const struct scale *scale, double nearest)
 {
-    static const char *const names[] = {"ft", "m"};
     const struct engraved_row rows[] = {
-        {metres_in_foot(), names[0], AMBER, RING_TOP + 34, RING_TOP, 1},
-        {1, names[1], IVORY, RING_BOTTOM - 24, RING_BOTTOM, -1},
+        {metres_in_foot(), "ft", AMBER, RING_TOP + 34, RING_TOP, 1},
+        {1, "m", IVORY, RING_BOTTOM - 24, RING_BOTTOM, -1},
     };
     for (size_t i = 0; i < 2; i++) {
-        svg_group_begin(svg, &(struct svg_style){.stroke = rows[i].colour, .width = 1.5});
-        engrave_row(svg, scale, nearest, &rows[i]);
+        /* round distances, the roundest first, so that these get their numbers */
+        const struct engraved_row *row = &rows[i];
+        svg_group_begin(svg, &(struct svg_style){.stroke = row->colour, .width = 1.5});
+        struct barrel_row numbers = {.count = 0}, ticks = {.count = 0};
+        double closest = 1 / (nearest * row->unit);
+        double x = barrel_position(scale, 0);
+        occupy(&numbers, x, 24);
+        occupy(&ticks, x, 0);
+        engrave(svg, row, x, "∞", 24);
+        for (size_t rank = 0; rank < sizeof(leading_digits) / sizeof(leading_digits[0]); rank++) {
+            /* four decades are far more than a barrel has room for */
+            for (double decade = floor(log10(closest)), k = 0; k < 5; k++) {
+                double distance = leading_digits[rank] * pow(10, decade + k);
+                if (distance >= closest * (1 - 1e-9)) {
+                    engrave_distance(svg, scale, row, distance, rank, &numbers, &ticks);
+                }
+            }
+        }
+        svg_text(svg,
+                 &(struct svg_label){.x = MARGIN + 22,
+                                     .y = row->base_line,
+                                     .size = 13,
+                                     .anchor = SVG_MIDDLE,
+                                     .colour = row->colour},
+                 row->name);
         svg_group_end(svg);
     }
 }
@@ -345,16 +333,6 @@ static void draw_pairs(struct svg *svg, const struct scale *scale, const struct 
             draw_pair(svg, scale, &barrel->marks[i], false, &pairs);
         }
     }
-    svg_group_end(svg);
-}
-
-static void draw_index(struct svg *svg, double x)
-{
-    svg_group_begin(svg, &(struct svg_style){.stroke = RED, .width = 2.6});
-    svg_line(svg, x, FIXED_TOP + 2, x, FIXED_BOTTOM - 12);
-    svg_group_end(svg);
-    svg_group_begin(svg, &(struct svg_style){.fill = RED});
-    svg_path(svg, x, FIXED_TOP, "M0 0L6 11 -6 11z");
     svg_group_end(svg);
 }
 
@@ -461,7 +439,13 @@ bool barrel_draw(const struct barrel *barrel, struct svg *svg, struct error *err
     draw_rings(svg, &scale, &barrel->marks[barrel->chosen]);
     draw_focus_ring(svg, &scale, nearest);
     draw_pairs(svg, &scale, barrel);
-    draw_index(svg, barrel_position(&scale, barrel->focus_diopter));
+    double x = barrel_position(&scale, barrel->focus_diopter);
+    svg_group_begin(svg, &(struct svg_style){.stroke = RED, .width = 2.6});
+    svg_line(svg, x, FIXED_TOP + 2, x, FIXED_BOTTOM - 12);
+    svg_group_end(svg);
+    svg_group_begin(svg, &(struct svg_style){.fill = RED});
+    svg_path(svg, x, FIXED_TOP, "M0 0L6 11 -6 11z");
+    svg_group_end(svg);
     barrel_draw_axis(svg, &scale);
     barrel_draw_legend(svg, barrel);
     svg_end(svg);

@@ -133,18 +133,6 @@ static void draw_group(const struct bars *bars, size_t g, const struct bars_page
     }
 }
 
-static void draw_ground(const struct bars *bars, const struct bars_page *page, struct svg *svg)
-{
-    svg_group_begin(svg, &(struct svg_style){.fill = "#f0f0f0"});
-    for (size_t g = 0; g < bars->group_count; g++) {
-        if (bars->groups[g].apart) {
-            svg_rect(svg, LEFT + (double)g * page->pitch, page->top, page->pitch,
-                     page->bottom - page->top);
-        }
-    }
-    svg_group_end(svg);
-}
-
 bool bars_draw(const struct bars *bars, struct svg *svg, struct error *error)
 {
     enum { MOST_GROUPS = 200 };
@@ -165,7 +153,14 @@ bool bars_draw(const struct bars *bars, struct svg *svg, struct error *error)
     page.top = bars_draw_legend(bars, page.width, NULL) + 16;
     ticks_linear(low, high, &page.ticks);
     svg_begin(svg, page.width, HEIGHT, bars->title);
-    draw_ground(bars, &page, svg);
+    svg_group_begin(svg, &(struct svg_style){.fill = "#f0f0f0"});
+    for (size_t g = 0; g < bars->group_count; g++) {
+        if (bars->groups[g].apart) {
+            svg_rect(svg, LEFT + (double)g * page.pitch, page.top, page.pitch,
+                     page.bottom - page.top);
+        }
+    }
+    svg_group_end(svg);
     bars_draw_grid(&page, svg);
     for (size_t g = 0; g < bars->group_count; g++) {
         draw_group(bars, g, &page, svg);

@@ -108,29 +108,6 @@ static bool holds_zero(const struct panels_scale *scale)
     return scale->low <= 0 && scale->high >= 0;
 }
 
-/* lines: of the ticks and of zero; through the words in a panel without points there are none. */
-static void panels_cell_draw_frame(struct svg *svg, const struct panels_cell *cell, bool ticks,
-                                   bool lines)
-{
-    if (ticks) {
-        svg_group_begin(svg, &(struct svg_style){.stroke = "#e6e6e6", .width = 1});
-        draw_x_ticks(svg, cell, lines);
-        draw_y_ticks(svg, cell, lines);
-        svg_group_end(svg);
-    }
-    svg_group_begin(svg, &(struct svg_style){.stroke = ticks ? "#999" : "#ddd", .width = 1});
-    if (lines && holds_zero(&cell->x)) {
-        svg_line(svg, at_x(cell, 0), cell->top, at_x(cell, 0), cell->top + cell->height);
-    }
-    if (lines && holds_zero(&cell->y)) {
-        svg_line(svg, cell->left, at_y(cell, 0), cell->left + cell->width, at_y(cell, 0));
-    }
-    svg_group_end(svg);
-    svg_group_begin(svg, &(struct svg_style){.stroke = GREY, .width = 1});
-    svg_rect(svg, cell->left, cell->top, cell->width, cell->height);
-    svg_group_end(svg);
-}
-
 /* Can one point at least be seen? */
 static bool has_points(const struct panels_cell *cell, const struct panel *panel)
 {
@@ -190,7 +167,25 @@ void panels_cell_draw(const struct panels *panels, struct svg *svg, const struct
                       const struct panel *panel)
 {
     const bool any = has_points(cell, panel);
-    panels_cell_draw_frame(svg, cell, panels->unit == NULL, any);
+    /* lines: of the ticks and of zero; through the words in a panel without points there are none. */
+    bool ticks = panels->unit == NULL;
+    if (ticks) {
+        svg_group_begin(svg, &(struct svg_style){.stroke = "#e6e6e6", .width = 1});
+        draw_x_ticks(svg, cell, any);
+        draw_y_ticks(svg, cell, any);
+        svg_group_end(svg);
+    }
+    svg_group_begin(svg, &(struct svg_style){.stroke = ticks ? "#999" : "#ddd", .width = 1});
+    if (any && holds_zero(&cell->x)) {
+        svg_line(svg, at_x(cell, 0), cell->top, at_x(cell, 0), cell->top + cell->height);
+    }
+    if (any && holds_zero(&cell->y)) {
+        svg_line(svg, cell->left, at_y(cell, 0), cell->left + cell->width, at_y(cell, 0));
+    }
+    svg_group_end(svg);
+    svg_group_begin(svg, &(struct svg_style){.stroke = GREY, .width = 1});
+    svg_rect(svg, cell->left, cell->top, cell->width, cell->height);
+    svg_group_end(svg);
     if (any) {
         draw_series(panels, svg, cell, panel);
     }

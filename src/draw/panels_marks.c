@@ -32,13 +32,6 @@ static const char *colour_of(const struct panels *panels, size_t key)
     return spectrum[chosen[count - 1][key] - '0'];
 }
 
-/* The middle wavelength is a solid line; of other keys the first. */
-static size_t look_of(const struct panels *panels, size_t key)
-{
-    size_t middle = panels->light ? panels->key_count / 2 : 0;
-    return (key + panels->key_count - middle) % (panels->key_count > 0 ? panels->key_count : 1);
-}
-
 /* Corners of the shapes of spots, in their radius; the first is a dot. */
 static const struct {
     size_t count;
@@ -83,7 +76,10 @@ static void panels_marks_draw_spots(struct svg *svg, size_t look, const char *co
 void panels_marks_draw(const struct panels *panels, struct svg *svg, const struct panels_mark *mark)
 {
     const char *colour = colour_of(panels, mark->key);
-    size_t look = look_of(panels, mark->key);
+    /* The middle wavelength is a solid line; of other keys the first. */
+    size_t middle = panels->light ? panels->key_count / 2 : 0;
+    size_t look =
+        (mark->key + panels->key_count - middle) % (panels->key_count > 0 ? panels->key_count : 1);
     if (mark->spots) {
         panels_marks_draw_spots(svg, look, colour, mark);
         return;

@@ -28,15 +28,6 @@ struct pen {
     double x, y;
 };
 
-/* Room for an entry: on the next line if it does not end within the page. */
-static void panels_page_advance(struct pen *pen, double width, double limit)
-{
-    if (pen->x + width > limit && pen->x > MARGIN) {
-        pen->x = MARGIN;
-        pen->y += LINE;
-    }
-}
-
 /* Where the words of an entry begin, and the next entry. */
 static double words_from(bool spots)
 {
@@ -70,20 +61,15 @@ static void draw_sample(const struct panels_page *page, size_t key, const struct
     panels_marks_draw(page->panels, page->svg, &mark);
 }
 
-static void draw_circle_sample(struct svg *svg, double x, double y)
-{
-    svg_group_begin(svg, &(struct svg_style){.stroke = SOFT, .width = 1, .dash = "3 3"});
-    svg_circle(svg, x + 5, y - 4, 5);
-    svg_group_end(svg);
-}
-
 static void draw_entry(const struct panels_page *page, size_t key, const struct pen *pen,
                        bool spots)
 {
     const struct panels *panels = page->panels;
     bool circle = panels->keys == NULL || key >= panels->key_count;
     if (circle) {
-        draw_circle_sample(page->svg, pen->x, pen->y);
+        svg_group_begin(page->svg, &(struct svg_style){.stroke = SOFT, .width = 1, .dash = "3 3"});
+        svg_circle(page->svg, pen->x + 5, pen->y - 4, 5);
+        svg_group_end(page->svg);
     } else {
         draw_sample(page, key, pen, spots);
     }
@@ -105,7 +91,12 @@ static double lay_legend(const struct panels_page *page, double y, bool drawn)
             continue;
         }
         double width = entry_width(words, spots || key == count);
-        panels_page_advance(&pen, width, page->total_x - MARGIN);
+        /* Room for an entry: on the next line if it does not end within the page. */
+        double limit = page->total_x - MARGIN;
+        if (pen.x + width > limit && pen.x > MARGIN) {
+            pen.x = MARGIN;
+            pen.y += LINE;
+        }
         if (drawn) {
             draw_entry(page, key, &pen, spots);
         }

@@ -28,24 +28,6 @@ static double pareto_x_at(const struct pareto_page *page, double share)
     return page->left + share / high * (WIDTH - RIGHT - page->left);
 }
 
-/* The rows that are drawn: the last stands for all that are left. */
-static void choose_rows(const struct pareto *pareto, struct arena *arena, struct pareto_page *page)
-{
-    struct pareto_bar *rows = ARENA_ARRAY(arena, pareto->count + 1, struct pareto_bar);
-    const bool has_others = pareto->count > pareto->most;
-    page->count = has_others ? pareto->most : pareto->count;
-    page->bars = rows;
-    for (size_t i = 0; i < pareto->count; i++) {
-        struct pareto_bar *row = &rows[i < page->count ? i : page->count - 1];
-        const struct pareto_bar *bar = &pareto->bars[i];
-        const bool is_other = has_others && i + 1 >= page->count;
-        row->label = is_other ? arena_printf(arena, "%zu others", pareto->count - page->count + 1)
-                              : bar->label;
-        row->part += bar->part;
-        row->whole += bar->whole;
-    }
-}
-
 static bool pareto_find_scale(struct pareto_page *page, struct error *error)
 {
     double longest = 0, widest = 0;
@@ -125,7 +107,21 @@ static void pareto_draw_legend(const struct pareto *pareto, const struct pareto_
 bool pareto_draw(const struct pareto *pareto, struct svg *svg, struct error *error)
 {
     struct pareto_page page;
-    choose_rows(pareto, svg->arena, &page);
+    /* The rows that are drawn: the last stands for all that are left. */
+    struct pareto_bar *rows = ARENA_ARRAY(svg->arena, pareto->count + 1, struct pareto_bar);
+    const bool has_others = pareto->count > pareto->most;
+    page.count = has_others ? pareto->most : pareto->count;
+    page.bars = rows;
+    for (size_t i = 0; i < pareto->count; i++) {
+        struct pareto_bar *row = &rows[i < page.count ? i : page.count - 1];
+        const struct pareto_bar *bar = &pareto->bars[i];
+        const bool is_other = has_others && i + 1 >= page.count;
+        row->label = is_other
+                         ? arena_printf(svg->arena, "%zu others", pareto->count - page.count + 1)
+                         : bar->label;
+        row->part += bar->part;
+        row->whole += bar->whole;
+    }
     if (!pareto_find_scale(&page, error)) {
         return false;
     }

@@ -402,28 +402,23 @@ static size_t collect_keys(const struct plot *plot, const struct plot_frame *fra
     return count;
 }
 
-/* Move the labels apart: down from the top, then up again from the lower edge. */
-static void spread_keys(struct plot_key *keys, size_t count, double top, double bottom, double gap)
-{
-    double next = top;
-    for (size_t i = 0; i < count; i++) {
-        keys[i].y = fmax(keys[i].y, next);
-        next = keys[i].y + gap;
-    }
-    next = bottom;
-    for (size_t i = count; i-- > 0;) {
-        keys[i].y = fmin(keys[i].y, next);
-        next = keys[i].y - gap;
-    }
-}
-
 static void draw_keys(struct svg *svg, const struct plot *plot, const struct plot_frame *frame)
 {
     struct plot_key *keys = ARENA_ARRAY(svg->arena, plot->series_count, struct plot_key);
     size_t count = collect_keys(plot, frame, keys);
     double left = frame->x.stop + 12, height = frame->y.start - frame->y.stop;
     double gap = fmin(18, height / (double)(count + 1));
-    spread_keys(keys, count, frame->y.stop, frame->y.start, gap);
+    /* Move the labels apart: down from the top, then up again from the lower edge. */
+    double next = frame->y.stop;
+    for (size_t i = 0; i < count; i++) {
+        keys[i].y = fmax(keys[i].y, next);
+        next = keys[i].y + gap;
+    }
+    next = frame->y.start;
+    for (size_t i = count; i-- > 0;) {
+        keys[i].y = fmin(keys[i].y, next);
+        next = keys[i].y - gap;
+    }
     for (size_t i = 0; i < count; i++) {
         struct svg_style style = plot_line_of(keys[i].series);
         svg_group_begin(svg, &style);
@@ -449,7 +444,8 @@ static double widest_number(struct svg *svg, const struct ticks *ticks)
     return width;
 }
 
-static double widest_label(const struct plot *plot)
+/* Place the frame so that all words fit around it. */
+static void plot_set_frame(struct svg *svg, const struct plot *plot, struct plot_frame *frame)
 {
     double width = 0;
     for (size_t s = 0; s < plot->series_count; s++) {
@@ -457,13 +453,7 @@ static double widest_label(const struct plot *plot)
             width = fmax(width, svg_text_width(plot->series[s].label, NUMBER_SIZE));
         }
     }
-    return width;
-}
-
-/* Place the frame so that all words fit around it. */
-static void plot_set_frame(struct svg *svg, const struct plot *plot, struct plot_frame *frame)
-{
-    double label = widest_label(plot);
+    double label = width;
     frame->x.start = 44 + widest_number(svg, &frame->y.ticks);
     frame->x.stop = PLOT_WIDTH - (label > 0 ? fmin(58 + label, 260) : 28);
     frame->y.start = PLOT_HEIGHT - 60;

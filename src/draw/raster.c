@@ -67,14 +67,6 @@ static bool raster_find_scale(const struct rasters *rasters, double *low, double
     return true;
 }
 
-static void put_pixel(float *pixel, const double colour[3], bool is_there)
-{
-    for (int i = 0; i < 3; i++) {
-        pixel[i] = (float)(is_there ? srgb_light(colour[i]) : 1);
-    }
-    pixel[3] = is_there ? 1 : 0;
-}
-
 /* The pixels of a map, or of the bar beside it. */
 static bool raster_paint(const struct raster_page *page, const struct raster_map *map,
                          struct arena *arena, struct text *file, struct error *error)
@@ -100,7 +92,12 @@ static bool raster_paint(const struct raster_page *page, const struct raster_map
             share = isnan(value) ? (double)NAN : share;
         }
         palette_scale(rasters->colours == RASTER_SIGNED, isnan(share) ? 0 : share, colour);
-        put_pixel(image.pixels + CHANNELS * i, colour, !isnan(share));
+        float *pixel = image.pixels + CHANNELS * i;
+        bool is_there = !isnan(share);
+        for (int k = 0; k < 3; k++) {
+            pixel[k] = (float)(is_there ? srgb_light(colour[k]) : 1);
+        }
+        pixel[3] = is_there ? 1 : 0;
     }
     return png_write(&image, &way, arena, file, error);
 }
@@ -130,21 +127,6 @@ struct raster_axis {
     bool is_log; /* of powers of ten */
 };
 
-static void draw_tick(const struct raster_page *page, const struct raster_axis *axis, double share,
-                      const char *text)
-{
-    const double at = share * axis->length, side = axis->upwards;
-    const double x = side == 0 ? axis->x + at : axis->x, y = side == 0 ? axis->y : axis->y - at;
-    svg_group_begin(page->svg, &frame);
-    svg_line(page->svg, x, y, x + side * TICK, side == 0 ? y + TICK : y);
-    svg_group_end(page->svg);
-    if (axis->upwards == 0) {
-        raster_write_text(page, x, y + 17, 11, SVG_MIDDLE, text);
-    } else {
-        raster_write_text(page, x + 8 * side, y + 4, 11, side < 0 ? SVG_END : SVG_START, text);
-    }
-}
-
 static void raster_draw_axis(const struct raster_page *page, const struct raster_axis *axis)
 {
     struct ticks ticks;
@@ -155,9 +137,21 @@ static void raster_draw_axis(const struct raster_page *page, const struct raster
         const double value = ticks.value[i];
         const bool between = axis->is_log && fabs(value - round(value)) > slack;
         if (value >= axis->low - slack && value <= axis->high + slack && !between) {
-            draw_tick(page, axis, (value - axis->low) / (axis->high - axis->low),
-                      axis->is_log ? arena_printf(arena, "1e%.0f", value)
-                                   : ticks_text(arena, &ticks, i));
+            double share = (value - axis->low) / (axis->high - axis->low);
+            const char *text =
+                axis->is_log ? arena_printf(arena, "1e%.0f", value) : ticks_text(arena, &ticks, i);
+            const double at = share * axis->length, side = axis->upwards;
+            const double x = side == 0 ? axis->x + at : axis->x,
+                         y = side == 0 ? axis->y : axis->y - at;
+            svg_group_begin(page->svg, &frame);
+            svg_line(page->svg, x, y, x + side * TICK, side == 0 ? y + TICK : y);
+            svg_group_end(page->svg);
+            if (axis->upwards == 0) {
+                raster_write_text(page, x, y + 17, 11, SVG_MIDDLE, text);
+            } else {
+                raster_write_text(page, x + 8 * side, y + 4, 11, side < 0 ? SVG_END : SVG_START,
+                                  text);
+            }
         }
     }
 }

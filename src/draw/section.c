@@ -129,28 +129,6 @@ static bool is_taken(const struct section_page *page, const struct section_box *
     return false;
 }
 
-/* Above or below its part, outwards until it touches no other label. */
-static void section_write_label(struct section_page *page, const struct layout_part *part)
-{
-    bool point = part->kind == LAYOUT_POINT, below = part->kind == LAYOUT_PUPIL || point;
-    double width = svg_text_width(part->label, SMALL), x = page->x0 + page->scale * part->z[0];
-    double up = below ? -1 : 1, end = part->y[part->count - 1];
-    double y = page->y0 - page->scale * end;
-    x += point ? 5 + width / 2 : 0;
-    x = fmax(8 + width / 2, fmin(SECTION_WIDTH - 8 - width / 2, x));
-    y = (point ? y : clear_of_glass(page, x, width, y, up)) + (below ? 15 : -6);
-    struct section_box box = {x - width / 2 - 2, x + width / 2 + 2, y - 10, y + 2};
-    while (is_taken(page, &box)) {
-        y -= 13 * up;
-        box.top = y - 10;
-        box.bottom = y + 2;
-    }
-    page->taken[page->taken_count++] = box;
-    const struct svg_style *style = &styles[part->kind];
-    section_write_text(page, x, y, SVG_MIDDLE, style->stroke != NULL ? style->stroke : style->fill,
-                       part->label);
-}
-
 /* Labels from left to right, so that each sees what is taken. */
 static void write_labels(struct section_page *page)
 {
@@ -172,7 +150,24 @@ static void write_labels(struct section_page *page)
         if (next == NULL) {
             return;
         }
-        section_write_label(page, next);
+        /* Above or below its part, outwards until it touches no other label. */
+        bool point = next->kind == LAYOUT_POINT, below = next->kind == LAYOUT_PUPIL || point;
+        double width = svg_text_width(next->label, SMALL), x = page->x0 + page->scale * next->z[0];
+        double up = below ? -1 : 1, end = next->y[next->count - 1];
+        double y = page->y0 - page->scale * end;
+        x += point ? 5 + width / 2 : 0;
+        x = fmax(8 + width / 2, fmin(SECTION_WIDTH - 8 - width / 2, x));
+        y = (point ? y : clear_of_glass(page, x, width, y, up)) + (below ? 15 : -6);
+        struct section_box box = {x - width / 2 - 2, x + width / 2 + 2, y - 10, y + 2};
+        while (is_taken(page, &box)) {
+            y -= 13 * up;
+            box.top = y - 10;
+            box.bottom = y + 2;
+        }
+        page->taken[page->taken_count++] = box;
+        const struct svg_style *style = &styles[next->kind];
+        section_write_text(page, x, y, SVG_MIDDLE,
+                           style->stroke != NULL ? style->stroke : style->fill, next->label);
         from = next->z[0];
         index = place;
     }

@@ -269,17 +269,6 @@ void svg_path(struct svg *svg, double x, double y, const char *words)
     svg_put(svg, "\"/>\n");
 }
 
-static void put_rotation(struct svg *svg, const struct svg_label *label)
-{
-    svg_put(svg, " transform=\"rotate(");
-    svg_put_number(svg, label->rotation);
-    svg_put(svg, " ");
-    svg_put_number(svg, label->x);
-    svg_put(svg, " ");
-    svg_put_number(svg, label->y);
-    svg_put(svg, ")\"");
-}
-
 /* Three bytes become four letters (RFC 4648). */
 static void put_base64(struct svg *svg, struct text bytes)
 {
@@ -327,7 +316,13 @@ void svg_text(struct svg *svg, const struct svg_label *label, const char *text)
     svg_put_colour(svg, "fill", label->colour ? label->colour : "#000");
     svg_put(svg, " stroke=\"none\"");
     if (fabs(label->rotation) > 0) {
-        put_rotation(svg, label);
+        svg_put(svg, " transform=\"rotate(");
+        svg_put_number(svg, label->rotation);
+        svg_put(svg, " ");
+        svg_put_number(svg, label->x);
+        svg_put(svg, " ");
+        svg_put_number(svg, label->y);
+        svg_put(svg, ")\"");
     }
     svg_put(svg, ">");
     bool fits = !(label->width > 0) || svg_text_width(text, label->size) <= label->width;

@@ -131,13 +131,6 @@ static void draw_curve(const struct tally_plot *plot, const struct tally_plot_pa
 
 enum { WORDS = 160 }; /* room of the words beside a mark */
 
-/* Do the words stand left of the line? Away from the other one, where there is room. */
-static bool tally_plot_turns_left(double x, double other)
-{
-    const bool wants = isnan(other) ? x > (LEFT + WIDTH - RIGHT) / 2 : x < other;
-    return wants ? x > LEFT + WORDS : x > WIDTH - RIGHT - WORDS;
-}
-
 /* A line from top to bottom; the words of the two stand in lines of their own. */
 static void tally_plot_draw_mark(const struct tally_plot *plot, int which,
                                  const struct tally_plot_page *page, struct svg *svg)
@@ -147,8 +140,10 @@ static void tally_plot_draw_mark(const struct tally_plot *plot, int which,
     if (isnan(value)) {
         return;
     }
-    const bool turns =
-        tally_plot_turns_left(x, tally_plot_x_at(page, which == 0 ? plot->limit : plot->nominal));
+    /* Do the words stand left of the line? Away from the other one, where there is room. */
+    double other = tally_plot_x_at(page, which == 0 ? plot->limit : plot->nominal);
+    const bool wants = isnan(other) ? x > (LEFT + WIDTH - RIGHT) / 2 : x < other;
+    const bool turns = wants ? x > LEFT + WORDS : x > WIDTH - RIGHT - WORDS;
     const struct svg_style style = {.stroke = which == 0 ? "#000" : palette_colour(FAILS),
                                     .width = 1.6,
                                     .dash = which == 0 ? NULL : "6 4"};

@@ -95,16 +95,6 @@ const char *ticks_fixed(struct arena *arena, double x, int decimals)
                         missing > 0 && !point ? "." : "", missing, zeros);
 }
 
-static const char *superscript(struct arena *arena, int exponent)
-{
-    static const char *const digit[] = {"⁰", "¹", "²", "³", "⁴", "⁵", "⁶", "⁷", "⁸", "⁹"};
-    const char *text = "";
-    for (int rest = exponent < 0 ? -exponent : exponent; rest > 0 || !*text; rest /= 10) {
-        text = arena_printf(arena, "%s%s", digit[rest % 10], text);
-    }
-    return exponent < 0 ? arena_printf(arena, "⁻%s", text) : text;
-}
-
 /* floor(log10(x)), where 999.9999999 counts as 1000. */
 static int exponent_of(double x)
 {
@@ -113,7 +103,12 @@ static int exponent_of(double x)
 
 static const char *power_text(struct arena *arena, double x, int exponent, int decimals)
 {
-    const char *power = superscript(arena, exponent);
+    static const char *const digit[] = {"⁰", "¹", "²", "³", "⁴", "⁵", "⁶", "⁷", "⁸", "⁹"};
+    const char *text = "";
+    for (int rest = exponent < 0 ? -exponent : exponent; rest > 0 || !*text; rest /= 10) {
+        text = arena_printf(arena, "%s%s", digit[rest % 10], text);
+    }
+    const char *power = exponent < 0 ? arena_printf(arena, "⁻%s", text) : text;
     double mantissa = x / pow(10, exponent);
     if (fabs(mantissa - 1) < 1e-9 && decimals == 0) {
         return arena_printf(arena, "10%s", power);

@@ -45,17 +45,6 @@ void wedge_draw_camera(struct svg *svg, const struct view *view, const struct we
     draw_lens(svg, view, wedge);
 }
 
-static void place_camera(struct view *view, const struct wedge *wedge)
-{
-    double v = wedge->image, half = wedge->lens_diameter / 2;
-    double height = fmax(half, fabs(wedge->sensor_centre) + wedge->sensor_height / 2);
-    double before = fmax(0.5 * v, half);
-    view->scale = fmin((view->right - view->left - 70) / (v + before),
-                       (view->bottom - view->top - 72) / (2 * height));
-    view->x0 = (view->left + view->right - view->scale * (before - v)) / 2;
-    view->y0 = (view->top + view->bottom) / 2 - 8;
-}
-
 /* The tilt as an arc between the lens and the direction of the sensor, above the lens. */
 static void draw_tilt(struct svg *svg, const struct view *view, const struct wedge *wedge)
 {
@@ -88,7 +77,13 @@ static void draw_tilt(struct svg *svg, const struct view *view, const struct wed
 
 void wedge_draw_close_view(struct svg *svg, struct view *view, const struct wedge *wedge)
 {
-    place_camera(view, wedge);
+    double v = wedge->image, half = wedge->lens_diameter / 2;
+    double height = fmax(half, fabs(wedge->sensor_centre) + wedge->sensor_height / 2);
+    double before = fmax(0.5 * v, half);
+    view->scale = fmin((view->right - view->left - 70) / (v + before),
+                       (view->bottom - view->top - 72) / (2 * height));
+    view->x0 = (view->left + view->right - view->scale * (before - v)) / 2;
+    view->y0 = (view->top + view->bottom) / 2 - 8;
     double y = view->bottom - 30, left = view_x(view, -wedge->image), right = view->x0;
     svg_group_begin(svg, &(struct svg_style){.stroke = "#bbb", .fill = "#fcfcfa"});
     svg_rect(svg, view->left, view->top, view->right - view->left, view->bottom - view->top);

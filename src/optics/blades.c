@@ -10,25 +10,6 @@
 /* As a share of the radius: how far sides may lie from an arc; curvature that counts as none. */
 static const double near_arc = 1e-4, straight = 1e-6;
 
-static bool check_blades(const struct blades *blades, double radius, struct error *error)
-{
-    if (!(blades->count >= BLADES_LEAST && blades->count <= BLADES_MOST)) {
-        return fail(error, ERROR_DOMAIN, "an iris of %u blades: it has %d to %d", blades->count,
-                    BLADES_LEAST, BLADES_MOST);
-    }
-    if (!(blades->rounding >= 0 && blades->rounding <= 1)) {
-        return fail(error, ERROR_DOMAIN,
-                    "a rounding of %.6g of the blades is not from 0, straight, to 1, a circle",
-                    blades->rounding);
-    }
-    if (!(fabs(blades->turn) < 1e6)) {
-        return fail(error, ERROR_DOMAIN, "a turn of the blades of %.6g rad", blades->turn);
-    }
-    return (radius > 0 && radius < 1e90) ||
-           fail(error, ERROR_DOMAIN, "a stop radius of %.6g mm is not above 0 and below 1e90",
-                radius);
-}
-
 /* Half the angle by which an edge turns. */
 static double blades_bend_of(const struct blades *blades)
 {
@@ -100,8 +81,21 @@ static void put_blade(const struct blades *blades, double radius, unsigned blade
 bool blades_aperture(const struct blades *blades, double radius, struct arena *arena,
                      struct aperture *aperture, struct error *error)
 {
-    if (!check_blades(blades, radius, error)) {
-        return false;
+    if (!(blades->count >= BLADES_LEAST && blades->count <= BLADES_MOST)) {
+        return fail(error, ERROR_DOMAIN, "an iris of %u blades: it has %d to %d", blades->count,
+                    BLADES_LEAST, BLADES_MOST);
+    }
+    if (!(blades->rounding >= 0 && blades->rounding <= 1)) {
+        return fail(error, ERROR_DOMAIN,
+                    "a rounding of %.6g of the blades is not from 0, straight, to 1, a circle",
+                    blades->rounding);
+    }
+    if (!(fabs(blades->turn) < 1e6)) {
+        return fail(error, ERROR_DOMAIN, "a turn of the blades of %.6g rad", blades->turn);
+    }
+    if (!(radius > 0 && radius < 1e90)) {
+        return fail(error, ERROR_DOMAIN, "a stop radius of %.6g mm is not above 0 and below 1e90",
+                    radius);
     }
     const size_t sides = sides_of(blades), count = sides * blades->count;
     struct figure(*points)[2] = arena_array(arena, count, sizeof *points);

@@ -136,22 +136,6 @@ static bool find_by_magnification(const struct optics *o, double m, struct conju
     return true;
 }
 
-static size_t find_by_total_afocal(const struct optics *o, struct pair rest,
-                                   struct conjugate_ray *ray, struct error *error)
-{
-    struct pair slope = pair_subtract(o->n, pair_multiply(o->n_image, pair_multiply(o->a, o->a)));
-    struct pair right = pair_add(rest, pair_multiply(o->n_image, pair_multiply(o->a, o->b)));
-    if (fabs(slope.hi) <= NOTHING * fabs(o->n.hi)) {
-        fail(error, ERROR_DOMAIN,
-             "this afocal system has the same distance from object to image, %.10g mm, wherever "
-             "the object is",
-             pair_subtract(o->length, pair_multiply(o->n_image, pair_multiply(o->a, o->b))).hi);
-        return 0;
-    }
-    *ray = (struct conjugate_ray){right, slope};
-    return 1;
-}
-
 /* n' m^2 - k m + n = 0 */
 static size_t find_by_total(const struct optics *o, double total, struct conjugate_ray rays[2],
                             struct error *error)
@@ -162,7 +146,20 @@ static size_t find_by_total(const struct optics *o, double total, struct conjuga
         return 1;
     }
     if (o->is_afocal) {
-        return find_by_total_afocal(o, rest, &rays[0], error);
+        struct conjugate_ray *ray = &rays[0];
+        struct pair slope =
+            pair_subtract(o->n, pair_multiply(o->n_image, pair_multiply(o->a, o->a)));
+        struct pair right = pair_add(rest, pair_multiply(o->n_image, pair_multiply(o->a, o->b)));
+        if (fabs(slope.hi) <= NOTHING * fabs(o->n.hi)) {
+            fail(
+                error, ERROR_DOMAIN,
+                "this afocal system has the same distance from object to image, %.10g mm, wherever "
+                "the object is",
+                pair_subtract(o->length, pair_multiply(o->n_image, pair_multiply(o->a, o->b))).hi);
+            return 0;
+        }
+        *ray = (struct conjugate_ray){right, slope};
+        return 1;
     }
     struct pair k = pair_add(pair_multiply(o->n_image, o->a), pair_multiply(o->n, o->d));
     struct pair fixed = k;

@@ -2,14 +2,6 @@
 /* SPDX-License-Identifier: MIT */
 #include "optics/element.h"
 
-/* Is there air behind the surface, or the end of the lens? A mirror's light stays in its medium. */
-static bool ends(const struct lens *lens, size_t surface, bool in_air)
-{
-    const struct surface *one = &lens->surfaces[surface];
-    return surface + 1 == lens->surface_count ||
-           (surface_reflects(one) ? in_air : medium_is_air(&one->medium));
-}
-
 /* Is it there at all, where it stands by itself? A stop is not, nor a plane in air. */
 static bool is_piece(const struct lens *lens, size_t surface)
 {
@@ -26,7 +18,10 @@ size_t elements_of(const struct lens *lens, struct arena *arena, struct element 
     for (size_t i = 0; i < lens->surface_count; i++) {
         first = in_air ? i : first;
         const bool was_in_air = in_air;
-        in_air = ends(lens, i, in_air);
+        /* air behind the surface, or the end of the lens; a mirror's light stays in its medium */
+        const struct surface *one = &lens->surfaces[i];
+        in_air = i + 1 == lens->surface_count ||
+                 (surface_reflects(one) ? in_air : medium_is_air(&one->medium));
         if (in_air && (!was_in_air || is_piece(lens, i))) {
             all[count++] = (struct element){first, i};
         }

@@ -35,15 +35,6 @@ INLINE struct pair first_order_times(struct pair n, struct pair a, bool fused)
     return n.hi == 1 && n.lo == 0 ? a : fused_multiply(n, a, fused);
 }
 
-static void set_afocal(struct first_order *all)
-{
-    all->is_afocal = true;
-    all->power = 0;
-    all->efl = all->rear_focal = all->ffl = all->bfl = INFINITY;
-    all->front_focal = all->front_principal = all->rear_principal = INFINITY;
-    all->front_nodal = all->rear_nodal = INFINITY;
-}
-
 INLINE void set_cardinal_points(struct first_order *all, const struct paraxial_matrix *m,
                                 struct pair n, struct pair n_image, bool fused)
 {
@@ -107,21 +98,6 @@ INLINE void set_image(struct first_order *all, const struct paraxial_matrix *m,
     all->magnification = by_v.hi;
 }
 
-/* What the lens is said to be, wherever its own pupil and image are. */
-static void set_declared(struct first_order *all, const struct conjugate_object *object)
-{
-    if (object->is_telecentric) {
-        all->entrance_pupil = INFINITY;
-        all->exit_pupil = all->bfl;
-        all->entrance_scale = all->exit_scale = NAN;
-        all->pupil_magnification = 0;
-    }
-    if (object->is_afocal) {
-        all->image = INFINITY;
-        all->magnification = object->is_infinite ? 0 : INFINITY;
-    }
-}
-
 INLINE void first_order_trace(const struct paraxial_system *system,
                               const struct paraxial_trace *trace,
                               const struct conjugate_object *object, struct first_order *all,
@@ -136,7 +112,10 @@ INLINE void first_order_trace(const struct paraxial_system *system,
                       fabs(trace->whole.c.hi) < LEFT_POWER * system->strongest);
     all->angular_magnification = NAN;
     if (all->is_afocal) {
-        set_afocal(all);
+        all->power = 0;
+        all->efl = all->rear_focal = all->ffl = all->bfl = INFINITY;
+        all->front_focal = all->front_principal = all->rear_principal = INFINITY;
+        all->front_nodal = all->rear_nodal = INFINITY;
         all->angular_magnification = pair_divide(pair_multiply(n, trace->whole.d), n_image).hi;
     } else {
         set_cardinal_points(all, &trace->whole, n, n_image, fused);
@@ -148,7 +127,17 @@ INLINE void first_order_trace(const struct paraxial_system *system,
         all->entrance_scale = all->exit_scale = NAN;
     }
     set_image(all, &trace->whole, object, n, n_image, fused);
-    set_declared(all, object);
+    /* What the lens is said to be, wherever its own pupil and image are. */
+    if (object->is_telecentric) {
+        all->entrance_pupil = INFINITY;
+        all->exit_pupil = all->bfl;
+        all->entrance_scale = all->exit_scale = NAN;
+        all->pupil_magnification = 0;
+    }
+    if (object->is_afocal) {
+        all->image = INFINITY;
+        all->magnification = object->is_infinite ? 0 : INFINITY;
+    }
     all->petzval_sum = system->petzval;
     all->petzval_radius = system->petzval == 0 ? INFINITY : -1 / (n_image.hi * system->petzval);
     all->length = system->length;

@@ -52,16 +52,6 @@ static struct pair focusing_thickness_of(const struct focus_mechanism *focusing,
     return last ? focusing->image_plane : focusing->lens->surfaces[surface].thickness.value;
 }
 
-/* t + w e, without a term that is always 0. */
-static struct polynomial focusing_gap_of(const struct focus_mechanism *focusing, size_t surface)
-{
-    double weight = focusing_weight_of(focusing, surface);
-    struct polynomial gap =
-        polynomial_linear(focusing_thickness_of(focusing, surface), pair_of(weight));
-    gap.degree = weight == 0 ? 0 : 1;
-    return gap;
-}
-
 static void trace_moving(struct movement_polynomials *all)
 {
     const struct paraxial_system *system = &all->system;
@@ -76,7 +66,10 @@ static void trace_moving(struct movement_polynomials *all)
         power = (struct polynomial){0, {pair_negate(system->surfaces[i].power)}};
         all->c = plus_times(&all->c, &power, &all->a);
         all->d = plus_times(&all->d, &power, &all->b);
-        gap = focusing_gap_of(all->focusing, i);
+        /* t + w e, without a term that is always 0. */
+        double weight = focusing_weight_of(all->focusing, i);
+        gap = polynomial_linear(focusing_thickness_of(all->focusing, i), pair_of(weight));
+        gap.degree = weight == 0 ? 0 : 1;
         if (i + 1 < system->count) {
             all->length = polynomial_add(&all->length, &gap);
             gap = polynomial_scale(&gap, pair_divide(pair_of(1), system->index[i + 1]));

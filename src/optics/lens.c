@@ -253,28 +253,6 @@ static bool check_numbers(const struct surface *surface, size_t number, struct e
     return true;
 }
 
-/* The largest r at which the sag exists; infinite for most surfaces. */
-static void check_sag(const struct check *check, const struct surface *surface, size_t number)
-{
-    if (surface->has_diameter && isnan(surface_sag(surface, surface->diameter.value.hi / 2))) {
-        lens_warn(check,
-                  arena_printf(check->arena,
-                               "surface %zu: the diameter %.6g mm is beyond the sag's domain",
-                               number, surface->diameter.value.hi));
-    }
-}
-
-static void check_cone(const struct check *check, const struct surface *surface, size_t number)
-{
-    if (surface_is_cone(surface)) {
-        lens_warn(check,
-                  arena_printf(check->arena,
-                               "surface %zu is a cone at its vertex (A1): no ray is paraxial "
-                               "there, and paraxial results leave A1 out",
-                               number));
-    }
-}
-
 /* Glass or air between two surfaces must not be negative inside both apertures. */
 static void check_gap(const struct check *check, size_t i, double direction)
 {
@@ -314,8 +292,20 @@ static bool check_position(const struct check *check, struct error *error)
         if (!check_numbers(surface, i + 1, error)) {
             return false;
         }
-        check_sag(check, surface, i + 1);
-        check_cone(check, surface, i + 1);
+        size_t number = i + 1;
+        if (surface->has_diameter && isnan(surface_sag(surface, surface->diameter.value.hi / 2))) {
+            lens_warn(check,
+                      arena_printf(check->arena,
+                                   "surface %zu: the diameter %.6g mm is beyond the sag's domain",
+                                   number, surface->diameter.value.hi));
+        }
+        if (surface_is_cone(surface)) {
+            lens_warn(check,
+                      arena_printf(check->arena,
+                                   "surface %zu is a cone at its vertex (A1): no ray is paraxial "
+                                   "there, and paraxial results leave A1 out",
+                                   number));
+        }
         if (surface->medium.warning != NULL) {
             lens_warn(check, surface->medium.warning);
         }

@@ -177,25 +177,6 @@ static bool solve_rear_radius(struct lensmaker *lens, const char *which, struct 
     return true;
 }
 
-static struct lensmaker lensmaker_reversed(const struct lensmaker *lens)
-{
-    return (struct lensmaker){lens->n1,  lens->n, lens->n0, -lens->R2,
-                              -lens->R1, lens->d, lens->f,  -lens->q};
-}
-
-static bool lensmaker_solve_radius(struct lensmaker *lens, struct error *error)
-{
-    if (isnan(lens->R2)) {
-        return solve_rear_radius(lens, "second", error);
-    }
-    struct lensmaker other = lensmaker_reversed(lens);
-    if (!solve_rear_radius(&other, "first", error)) {
-        return false;
-    }
-    lens->R1 = isinf(other.R2) ? INFINITY : -other.R2;
-    return true;
-}
-
 static bool solve_thickness(struct lensmaker *lens, struct error *error)
 {
     struct lensmaker thin = *lens;
@@ -339,31 +320,6 @@ static bool too_little(struct error *error)
                 "first radius, second radius (or shape factor) and index");
 }
 
-/* f is given: find the one or two that are missing. */
-static bool solve_for_focal_length(struct lensmaker *lens, struct lensmaker_choice *choice,
-                                   struct error *error)
-{
-    bool thin = isnan(lens->d);
-    int radii = !isnan(lens->R1) + !isnan(lens->R2);
-    if (radii == 2 && !isnan(lens->n)) {
-        return thin ? solve_thickness(lens, error)
-                    : fail(error, ERROR_USAGE,
-                           "too much is given: the focal length follows from radii, index and "
-                           "thickness");
-    }
-    lens->d = thin ? 0 : lens->d;
-    if (radii == 2) {
-        return lensmaker_solve_index(lens, choice, error);
-    }
-    if (isnan(lens->n)) {
-        return too_little(error);
-    }
-    if (radii == 1) {
-        return lensmaker_solve_radius(lens, error);
-    }
-    return isnan(lens->q) ? too_little(error) : solve_bending(lens, choice, error);
-}
-
 /* A shape factor stands for the radius that is missing; with both radii it is too much. */
 static bool use_shape(struct lensmaker *lens, struct error *error)
 {
@@ -383,7 +339,35 @@ static bool lensmaker_complete(struct lensmaker *lens, struct lensmaker_choice *
                                struct error *error)
 {
     if (!isnan(lens->f)) {
-        return solve_for_focal_length(lens, choice, error);
+        /* f is given: find the one or two that are missing. */
+        bool thin = isnan(lens->d);
+        int radii = !isnan(lens->R1) + !isnan(lens->R2);
+        if (radii == 2 && !isnan(lens->n)) {
+            return thin ? solve_thickness(lens, error)
+                        : fail(error, ERROR_USAGE,
+                               "too much is given: the focal length follows from radii, index and "
+                               "thickness");
+        }
+        lens->d = thin ? 0 : lens->d;
+        if (radii == 2) {
+            return lensmaker_solve_index(lens, choice, error);
+        }
+        if (isnan(lens->n)) {
+            return too_little(error);
+        }
+        if (radii == 1) {
+            if (isnan(lens->R2)) {
+                return solve_rear_radius(lens, "second", error);
+            }
+            struct lensmaker other = (struct lensmaker){lens->n1,  lens->n, lens->n0, -lens->R2,
+                                                        -lens->R1, lens->d, lens->f,  -lens->q};
+            if (!solve_rear_radius(&other, "first", error)) {
+                return false;
+            }
+            lens->R1 = isinf(other.R2) ? INFINITY : -other.R2;
+            return true;
+        }
+        return isnan(lens->q) ? too_little(error) : solve_bending(lens, choice, error);
     }
     lens->d = isnan(lens->d) ? 0 : lens->d;
     return (!isnan(lens->R1) && !isnan(lens->R2) && !isnan(lens->n)) || too_little(error);

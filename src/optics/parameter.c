@@ -475,18 +475,6 @@ struct lens *parameter_apply(const struct lens *lens, const struct parameter *pa
     return to;
 }
 
-/* dn by nd, or Vd: of a glass with nd = 2, n - 1 is what nd - 1 is multiplied by. */
-static double parameter_index_slope(const struct medium *medium, enum parameter_kind kind,
-                                    double wavelength)
-{
-    const struct glass unit = glass_nd_vd(pair_of(2), medium->abbe);
-    if (medium->kind != MEDIUM_MODEL) {
-        return kind == PARAMETER_INDEX ? 1 : NAN;
-    }
-    double n = glass_n(&unit, wavelength);
-    return kind == PARAMETER_INDEX ? n - 1 : -(medium->index.hi - 1) * (n - 2) / medium->abbe.hi;
-}
-
 double parameter_slope(const struct lens *lens, struct parameter parameter, double wavelength)
 {
     const struct parameter_row *row = &rows[parameter.kind];
@@ -494,8 +482,16 @@ double parameter_slope(const struct lens *lens, struct parameter parameter, doub
         return NAN;
     }
     if (row->stored == NULL) {
-        return parameter_index_slope(parameter_medium_of(lens, parameter.surface), parameter.kind,
-                                     wavelength);
+        /* dn by nd, or Vd: of a glass with nd = 2, n - 1 is what nd - 1 is multiplied by. */
+        const struct medium *medium = parameter_medium_of(lens, parameter.surface);
+        const struct glass unit = glass_nd_vd(pair_of(2), medium->abbe);
+        if (medium->kind != MEDIUM_MODEL) {
+            return parameter.kind == PARAMETER_INDEX ? 1 : NAN;
+        }
+        double n = glass_n(&unit, wavelength);
+        return parameter.kind == PARAMETER_INDEX
+                   ? n - 1
+                   : -(medium->index.hi - 1) * (n - 2) / medium->abbe.hi;
     }
     if (parameter.kind == PARAMETER_RADIUS) {
         double R = parameter_get(lens, parameter);

@@ -44,31 +44,26 @@ static bool paraxial_dual_set_index(const struct lens *lens, double wavelength, 
     return true;
 }
 
-static struct dual_surface paraxial_dual_surface_of(const struct surface *surface,
-                                                    enum lens_section section)
-{
-    const size_t axis = section == SECTION_Y ? 1 : 0;
-    const bool is_curved = surface_section(surface)->weight[axis] != 0;
-    struct dual_surface to = {.is_thick = surface_has(surface, SURFACE_HAS_FOCAL)};
-    to.thickness = dual_of(surface->thickness.value.hi);
-    if (to.is_thick) {
-        to.hiatus = dual_of(surface->hiatus.value.hi);
-        to.power = dual_of(1 / surface->focal.value.hi);
-    } else if (is_curved && surface_has(surface, SURFACE_HAS_CURVE)) {
-        to.curvature = dual_of(surface_base_curvature(surface).hi);
-        to.conic = dual_of(surface->conic.value.hi);
-        to.second = dual_of(surface->coefficient[surface_term(2)].value.hi);
-        to.fourth = dual_of(surface->coefficient[surface_term(4)].value.hi);
-    }
-    return to;
-}
-
 bool paraxial_dual_read(const struct lens *lens, double wavelength, struct paraxial_dual *dual,
                         struct error *error)
 {
     dual->lens = lens;
     for (size_t i = 0; i < dual->count; i++) {
-        dual->surfaces[i] = paraxial_dual_surface_of(&lens->surfaces[i], dual->section);
+        const struct surface *surface = &lens->surfaces[i];
+        const size_t axis = dual->section == SECTION_Y ? 1 : 0;
+        const bool is_curved = surface_section(surface)->weight[axis] != 0;
+        struct dual_surface to = {.is_thick = surface_has(surface, SURFACE_HAS_FOCAL)};
+        to.thickness = dual_of(surface->thickness.value.hi);
+        if (to.is_thick) {
+            to.hiatus = dual_of(surface->hiatus.value.hi);
+            to.power = dual_of(1 / surface->focal.value.hi);
+        } else if (is_curved && surface_has(surface, SURFACE_HAS_CURVE)) {
+            to.curvature = dual_of(surface_base_curvature(surface).hi);
+            to.conic = dual_of(surface->conic.value.hi);
+            to.second = dual_of(surface->coefficient[surface_term(2)].value.hi);
+            to.fourth = dual_of(surface->coefficient[surface_term(4)].value.hi);
+        }
+        dual->surfaces[i] = to;
     }
     return paraxial_dual_set_index(lens, wavelength, dual->index, error);
 }

@@ -118,20 +118,6 @@ static struct pair departure_of(const struct surface *surface, struct pair c)
     return pair_add(seidel_scaled(cubes, 0.125), surface->coefficient[surface_term(4)].value);
 }
 
-static bool seidel_check_surface(const struct surface *surface, size_t i, struct error *error)
-{
-    for (int order = 1; order <= 3; order += 2) {
-        if (surface_has(surface, SURFACE_HAS_CURVE) &&
-            surface->coefficient[surface_term(order)].value.hi != 0) {
-            return fail(error, ERROR_DOMAIN,
-                        "surface %zu: A%d r%s makes an aberration of lower order than the Seidel "
-                        "sums have",
-                        i + 1, order, order == 1 ? "" : "^3");
-        }
-    }
-    return true;
-}
-
 static struct interface interface_at(const struct seidel_question *question, size_t i)
 {
     const struct paraxial_system *system = question->system;
@@ -211,28 +197,6 @@ static void add_asphere(const struct interface *at, const struct two_rays *rays,
     }
 }
 
-/* Its power is the same for all light: only the media beside it disperse. */
-static void seidel_add_thick(const struct interface *at, const struct two_rays *rays,
-                             struct exact_part *part)
-{
-    const struct pair ratio[2] = {pair_divide(at->dn[0], at->n[0]),
-                                  pair_divide(at->dn[1], at->n[1])};
-    part->sum[SEIDEL_AXIAL_COLOR] =
-        pair_multiply(rays->y, pair_subtract(pair_multiply(ratio[1], rays->after),
-                                             pair_multiply(ratio[0], rays->v)));
-    part->sum[SEIDEL_LATERAL_COLOR] =
-        pair_multiply(rays->y, pair_subtract(pair_multiply(ratio[1], rays->chief_after),
-                                             pair_multiply(ratio[0], rays->chief_v)));
-}
-
-/* The rays behind the surface; on to the next. */
-static void refract(const struct paraxial_surface *surface, struct two_rays *rays)
-{
-    const struct pair power = pair_negate(surface->power);
-    rays->after = seidel_sum_of(rays->v, pair_multiply(rays->y, power));
-    rays->chief_after = seidel_sum_of(rays->chief_v, pair_multiply(rays->chief_y, power));
-}
-
 static void transfer(const struct paraxial_surface *surface, struct two_rays *rays)
 {
     rays->v = rays->after;
@@ -268,15 +232,33 @@ bool seidel_compute(const struct seidel_question *question, struct arena *arena,
         const struct surface *surface = &question->lens->surfaces[i];
         const struct interface at = interface_at(question, i);
         struct exact_part part = {0};
-        if (!seidel_check_surface(surface, i, error)) {
-            return false;
+        for (int order = 1; order <= 3; order += 2) {
+            if (surface_has(surface, SURFACE_HAS_CURVE) &&
+                surface->coefficient[surface_term(order)].value.hi != 0) {
+                return fail(
+                    error, ERROR_DOMAIN,
+                    "surface %zu: A%d r%s makes an aberration of lower order than the Seidel "
+                    "sums have",
+                    i + 1, order, order == 1 ? "" : "^3");
+            }
         }
         if (i == system->stop && !question->first->is_telecentric && !isnan(rays.chief_y.hi)) {
             rays.chief_y = pair_of(0); /* by definition */
         }
-        refract(&system->surfaces[i], &rays);
+        /* The rays behind the surface; on to the next. */
+        const struct pair power = pair_negate(system->surfaces[i].power);
+        rays.after = seidel_sum_of(rays.v, pair_multiply(rays.y, power));
+        rays.chief_after = seidel_sum_of(rays.chief_v, pair_multiply(rays.chief_y, power));
         if (at.is_thick) {
-            seidel_add_thick(&at, &rays, &part);
+            /* Its power is the same for all light: only the media beside it disperse. */
+            const struct pair ratio[2] = {pair_divide(at.dn[0], at.n[0]),
+                                          pair_divide(at.dn[1], at.n[1])};
+            part.sum[SEIDEL_AXIAL_COLOR] =
+                pair_multiply(rays.y, pair_subtract(pair_multiply(ratio[1], rays.after),
+                                                    pair_multiply(ratio[0], rays.v)));
+            part.sum[SEIDEL_LATERAL_COLOR] =
+                pair_multiply(rays.y, pair_subtract(pair_multiply(ratio[1], rays.chief_after),
+                                                    pair_multiply(ratio[0], rays.chief_v)));
             seidel->distorting = surface->distortion[0].value.hi != 0 ? i : seidel->distorting;
         } else {
             add_sphere(&at, &rays, &part);

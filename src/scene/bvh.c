@@ -112,39 +112,6 @@ static void cut_choose(const struct bin *bins, const struct bvh_cut *along, stru
     }
 }
 
-static struct bvh_cut best_cut(const struct bvh_item *items, size_t count)
-{
-    struct bvh_cut along[AXES], best = {.cost = INFINITY};
-    double low[AXES] = {INFINITY, INFINITY, INFINITY};
-    double high[AXES] = {-INFINITY, -INFINITY, -INFINITY};
-    for (size_t i = 0; i < count; i++) {
-        for (int k = 0; k < AXES; k++) {
-            const double middle = item_middle(&items[i], k);
-            low[k] = middle < low[k] ? middle : low[k];
-            high[k] = middle > high[k] ? middle : high[k];
-        }
-    }
-    struct bin bins[AXES][BINS];
-    for (int k = 0; k < AXES; k++) {
-        const double width = high[k] - low[k];
-        along[k] = (struct bvh_cut){k, 0, INFINITY, low[k], width > 0 ? BINS / width : 0};
-        for (int b = 0; b < BINS; b++) {
-            bins[k][b] = (struct bin){nothing, 0};
-        }
-    }
-    for (size_t i = 0; i < count; i++) {
-        for (int k = 0; k < AXES; k++) {
-            struct bin *bin = &bins[k][bin_of(&along[k], item_middle(&items[i], k))];
-            box_grow(&bin->box, &items[i].box);
-            bin->count++;
-        }
-    }
-    for (int k = 0; k < AXES; k++) {
-        cut_choose(bins[k], &along[k], &best);
-    }
-    return best;
-}
-
 static struct bvh_box box_around(const struct bvh_item *items, size_t count)
 {
     struct bvh_box box = nothing;
@@ -176,7 +143,35 @@ static struct bvh_range bvh_cut_range(const struct builder *builder, struct bvh_
     struct bvh_item *items = builder->items + range->first;
     struct bvh_cut cut = {.before = 0};
     if (range->depth < BVH_UNEVEN) {
-        cut = best_cut(items, range->count);
+        struct bvh_cut along[AXES], best = {.cost = INFINITY};
+        double low[AXES] = {INFINITY, INFINITY, INFINITY};
+        double high[AXES] = {-INFINITY, -INFINITY, -INFINITY};
+        for (size_t i = 0; i < range->count; i++) {
+            for (int k = 0; k < AXES; k++) {
+                const double middle = item_middle(&items[i], k);
+                low[k] = middle < low[k] ? middle : low[k];
+                high[k] = middle > high[k] ? middle : high[k];
+            }
+        }
+        struct bin bins[AXES][BINS];
+        for (int k = 0; k < AXES; k++) {
+            const double width = high[k] - low[k];
+            along[k] = (struct bvh_cut){k, 0, INFINITY, low[k], width > 0 ? BINS / width : 0};
+            for (int b = 0; b < BINS; b++) {
+                bins[k][b] = (struct bin){nothing, 0};
+            }
+        }
+        for (size_t i = 0; i < range->count; i++) {
+            for (int k = 0; k < AXES; k++) {
+                struct bin *bin = &bins[k][bin_of(&along[k], item_middle(&items[i], k))];
+                box_grow(&bin->box, &items[i].box);
+                bin->count++;
+            }
+        }
+        for (int k = 0; k < AXES; k++) {
+            cut_choose(bins[k], &along[k], &best);
+        }
+        cut = best;
     }
     const size_t before = cut.before > 0 ? part_items(items, range->count, &cut) : range->count / 2;
     struct bvh_range second = *range;
@@ -190,32 +185,6 @@ static struct bvh_range bvh_cut_range(const struct builder *builder, struct bvh_
 
 /* -------- a tree of them -------- */
 
-/* Which part is divided next; `count`: none, they are all leaves. */
-static size_t next_to_cut(const struct builder *builder, const struct bvh_range *parts,
-                          size_t count, bool by_number)
-{
-    size_t best = count;
-    double largest = -1;
-    for (size_t i = 0; i < count; i++) {
-        const double size = by_number ? (double)parts[i].count : box_half_surface(&parts[i].box);
-        if (parts[i].count > builder->most && size > largest) {
-            best = i;
-            largest = size;
-        }
-    }
-    return best;
-}
-
-static void put_child(struct bvh_node *node, size_t place, const struct bvh_range *part)
-{
-    for (int k = 0; k < AXES; k++) {
-        node->side[0][k][place] = part->box.low[k];
-        node->side[1][k][place] = part->box.high[k];
-    }
-    node->child[place] = (uint32_t)part->first;
-    node->count[place] = (uint32_t)part->count;
-}
-
 /* A node of a range: up to four parts; those that become nodes go on the heap. */
 static size_t make_node(struct builder *builder, const struct bvh_range *range,
                         struct bvh_range *heap)
@@ -223,7 +192,19 @@ static size_t make_node(struct builder *builder, const struct bvh_range *range,
     struct bvh_range parts[BVH_WIDTH] = {*range};
     size_t count = 1, kept = 0;
     while (count < BVH_WIDTH) {
-        const size_t next = next_to_cut(builder, parts, count, range->depth >= BVH_UNEVEN);
+        /* Which part is divided next; `count`: none, they are all leaves. */
+        bool by_number = range->depth >= BVH_UNEVEN;
+        size_t best = count;
+        double largest = -1;
+        for (size_t i = 0; i < count; i++) {
+            const double size =
+                by_number ? (double)parts[i].count : box_half_surface(&parts[i].box);
+            if (parts[i].count > builder->most && size > largest) {
+                best = i;
+                largest = size;
+            }
+        }
+        const size_t next = best;
         if (next == count) {
             break;
         }
@@ -234,7 +215,12 @@ static size_t make_node(struct builder *builder, const struct bvh_range *range,
     struct bvh_node *node = &builder->nodes[number];
     for (size_t i = 0; i < BVH_WIDTH; i++) {
         const struct bvh_range *part = i < count ? &parts[i] : &(struct bvh_range){.box = nothing};
-        put_child(node, i, part);
+        for (int k = 0; k < AXES; k++) {
+            node->side[0][k][i] = part->box.low[k];
+            node->side[1][k][i] = part->box.high[k];
+        }
+        node->child[i] = (uint32_t)part->first;
+        node->count[i] = (uint32_t)part->count;
         if (part->count > builder->most) {
             node->count[i] = 0;
             heap[kept] = *part;

@@ -120,16 +120,6 @@ static double cap_height(double radius)
     return 2 * half * half;
 }
 
-static struct distant_light disc_of(const struct scene_light *light, const struct banded *unit)
-{
-    const double radius = light->diameter / 2, sine = sin(radius);
-    return (struct distant_light){.direction = light->direction,
-                                  .radius = radius,
-                                  .chord = 2 * cap_height(radius),
-                                  .luminance = light->amount / (PI * sine * sine),
-                                  .unit = unit};
-}
-
 /* -------- discs that lie on each other -------- */
 
 static int compare_numbers(double a, double b)
@@ -186,25 +176,6 @@ static void join_alike(struct distant_lights *discs, double *amount)
     arena_free(&work);
 }
 
-/* What is left of them, in the order of the scene, and how often each is chosen. */
-static void distant_lights_weigh(struct distant_lights *discs, const double *amount)
-{
-    size_t count = 0;
-    for (size_t i = 0; i < discs->count; i++) {
-        if (amount[i] > 0) {
-            discs->all[count] = discs->all[i];
-            discs->below[count + 1] = discs->below[count] + amount[i];
-            count++;
-        }
-    }
-    discs->count = count;
-    discs->total = discs->below[count];
-    for (size_t i = 0; i < count; i++) {
-        const double share = (discs->below[i + 1] - discs->below[i]) / discs->total;
-        discs->all[i].pdf = share / (2 * PI * cap_height(discs->all[i].radius));
-    }
-}
-
 void distant_lights_open(const struct scene *scene, const struct banded *const *units,
                          struct arena *arena, struct distant_lights *discs)
 {
@@ -221,12 +192,32 @@ void distant_lights_open(const struct scene *scene, const struct banded *const *
     size_t count = 0;
     for (size_t i = 0; i < scene->light_count; i++) {
         if (is_distant_light(&scene->lights[i])) {
-            discs->all[count] = disc_of(&scene->lights[i], units[i]);
+            const struct scene_light *light = &scene->lights[i];
+            const double radius = light->diameter / 2, sine = sin(radius);
+            discs->all[count] =
+                (struct distant_light){.direction = light->direction,
+                                       .radius = radius,
+                                       .chord = 2 * cap_height(radius),
+                                       .luminance = light->amount / (PI * sine * sine),
+                                       .unit = units[i]};
             amount[count++] = scene->lights[i].amount;
         }
     }
     join_alike(discs, amount);
-    distant_lights_weigh(discs, amount);
+    /* What is left of them, in the order of the scene, and how often each is chosen. */
+    for (size_t i = 0; i < discs->count; i++) {
+        if (amount[i] > 0) {
+            discs->all[count] = discs->all[i];
+            discs->below[count + 1] = discs->below[count] + amount[i];
+            count++;
+        }
+    }
+    discs->count = count;
+    discs->total = discs->below[count];
+    for (size_t i = 0; i < count; i++) {
+        const double share = (discs->below[i + 1] - discs->below[i]) / discs->total;
+        discs->all[i].pdf = share / (2 * PI * cap_height(discs->all[i].radius));
+    }
     sort_into_cells(discs, arena);
 }
 

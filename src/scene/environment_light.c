@@ -113,13 +113,6 @@ static double sky_mean(const struct environment_light *around, size_t row, size_
     return mean;
 }
 
-static double cell_mean(const struct environment_light *around, size_t row, size_t column)
-{
-    return around->light->amount * (around->light->kind == LIGHT_SKY
-                                        ? sky_mean(around, row, column)
-                                        : picture_mean(around->light->picture, row, column));
-}
-
 /* -------- chances -------- */
 
 /* Sums of what comes before, as shares of all; nothing of a row without light. */
@@ -150,7 +143,10 @@ static void open_cells(struct environment_light *around, struct arena *arena)
     double *of_rows = ARENA_ARRAY(&spare, around->rows, double);
     for (size_t row = 0; row < around->rows; row++) {
         for (size_t column = 0; column < around->columns; column++) {
-            weights[column] = cell_mean(around, row, column);
+            weights[column] =
+                around->light->amount * (around->light->kind == LIGHT_SKY
+                                             ? sky_mean(around, row, column)
+                                             : picture_mean(around->light->picture, row, column));
         }
         of_rows[row] =
             sums_of(weights, around->columns, across + row * line) * cell_solid_angle(around, row);

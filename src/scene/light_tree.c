@@ -128,18 +128,6 @@ static void light_tree_build(struct emitter_item *items, size_t count,
     }
 }
 
-static struct emitter_item item_of(const struct scene *scene, const struct emitter *emitter,
-                                   size_t given, double power)
-{
-    const struct emitter_bounds bounds = emitter_bounds(scene, emitter);
-    return (struct emitter_item){
-        .emitter = *emitter,
-        .given = given,
-        .at = {(float)bounds.middle.x, (float)bounds.middle.y, (float)bounds.middle.z},
-        .radius = (float)bounds.radius,
-        .power = power};
-}
-
 void light_tree_open(const struct scene *scene, const struct emitter *emitters, const double *power,
                      size_t count, struct arena *arena, struct light_tree *tree)
 {
@@ -153,7 +141,13 @@ void light_tree_open(const struct scene *scene, const struct emitter *emitters, 
     struct arena spare = arena_within(arena);
     struct emitter_item *items = ARENA_ARRAY(&spare, count, struct emitter_item);
     for (size_t i = 0; i < count; i++) {
-        items[i] = item_of(scene, &emitters[i], i, power[i]);
+        const struct emitter_bounds bounds = emitter_bounds(scene, &emitters[i]);
+        items[i] = (struct emitter_item){
+            .emitter = emitters[i],
+            .given = i,
+            .at = {(float)bounds.middle.x, (float)bounds.middle.y, (float)bounds.middle.z},
+            .radius = (float)bounds.radius,
+            .power = power[i]};
     }
     light_tree_build(items, count, tree->nodes);
     for (size_t i = 0; i < count; i++) {

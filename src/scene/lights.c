@@ -10,22 +10,17 @@
 
 enum { OF_DISCS, OF_AROUND, OF_EMITTERS, OF_PLANES, KINDS };
 
-/* How much light each kind gives a point, roughly: luminance times solid angle, lx. */
-static void light_of_kinds(const struct lights *lights, struct vector from, double of[KINDS])
-{
-    of[OF_DISCS] = lights->distant.total;
-    of[OF_AROUND] = lights->environment_below[lights->environment_count];
-    of[OF_EMITTERS] = light_tree_importance(&lights->tree, from);
-    of[OF_PLANES] = 2 * PI * lights->plane_below[lights->plane_count];
-}
-
 /* The chances of each kind, as sums before each; false: there is no light. */
 static bool light_kind_probabilities(const struct lights *lights, struct vector from,
                                      double below[KINDS + 1])
 {
     double of[KINDS], all = 0;
     int there = 0;
-    light_of_kinds(lights, from, of);
+    /* How much light each kind gives a point, roughly: luminance times solid angle, lx. */
+    of[OF_DISCS] = lights->distant.total;
+    of[OF_AROUND] = lights->environment_below[lights->environment_count];
+    of[OF_EMITTERS] = light_tree_importance(&lights->tree, from);
+    of[OF_PLANES] = 2 * PI * lights->plane_below[lights->plane_count];
     for (int i = 0; i < KINDS; i++) {
         all += of[i];
         there += of[i] > 0 ? 1 : 0;
@@ -114,16 +109,6 @@ static double share_there(const struct scene_thing *thing, const double place[2]
     return of[TEXTURE_ALPHA];
 }
 
-static void light_sample_emission(const struct lights *lights, size_t thing, const double place[2],
-                                  const struct lanes *lanes, struct light_sample *sample)
-{
-    const double there = share_there(&lights->scene->things[thing], place);
-    materials_shine(&lights->materials, thing, place, lanes, &sample->light);
-    for (size_t k = 0; k < lanes->count; k++) {
-        sample->light.of[k] *= there;
-    }
-}
-
 static bool sample_emitter(const struct lights *lights, struct vector from, double time,
                            const double u[3], const struct lanes *lanes,
                            struct light_sample *sample)
@@ -147,7 +132,11 @@ static bool sample_emitter(const struct lights *lights, struct vector from, doub
     sample->direction = ray.direction;
     sample->distance = ray.distance;
     sample->pdf = chance * ray.pdf;
-    light_sample_emission(lights, emitter->thing, ray.place, lanes, sample);
+    const double there = share_there(&lights->scene->things[emitter->thing], ray.place);
+    materials_shine(&lights->materials, emitter->thing, ray.place, lanes, &sample->light);
+    for (size_t k = 0; k < lanes->count; k++) {
+        sample->light.of[k] *= there;
+    }
     return true;
 }
 

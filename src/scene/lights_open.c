@@ -77,27 +77,19 @@ static bool is_point(const struct lights *lights, size_t light)
     return lights->scene->lights[light].kind == LIGHT_POINT && lights->units[light] != NULL;
 }
 
-static size_t count_emitters(const struct lights *lights)
-{
-    const struct scene *scene = lights->scene;
-    size_t count = 0;
-    for (size_t i = 0; i < scene->thing_count; i++) {
-        count += is_emitter(lights, i) ? emitter_parts(&scene->things[i]) : 0;
-    }
-    for (size_t i = 0; i < scene->light_count; i++) {
-        count += is_point(lights, i) ? 1 : 0;
-    }
-    return count;
-}
-
 static void open_emitters(struct lights *lights, struct arena *arena)
 {
     const struct scene *scene = lights->scene;
     struct arena spare = arena_within(arena);
-    const size_t room = count_emitters(lights);
+    size_t room = 0, count = 0;
+    for (size_t i = 0; i < scene->thing_count; i++) {
+        room += is_emitter(lights, i) ? emitter_parts(&scene->things[i]) : 0;
+    }
+    for (size_t i = 0; i < scene->light_count; i++) {
+        room += is_point(lights, i);
+    }
     struct emitter *emitters = ARENA_ARRAY(&spare, room, struct emitter);
     double *power = ARENA_ARRAY(&spare, room, double);
-    size_t count = 0;
     for (size_t i = 0; i < scene->thing_count; i++) {
         const struct scene_thing *thing = &scene->things[i];
         if (is_emitter(lights, i)) {

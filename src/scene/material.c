@@ -35,24 +35,6 @@ static size_t list_glossy(const struct scene *scene, struct arena *arena,
     return count;
 }
 
-/* A coat takes a while: none for what is not used, one for all that are alike. */
-static void open_coats(const struct scene *scene, struct material *of, struct arena *arena)
-{
-    struct arena spare = arena_within(arena);
-    const struct scene_material **list =
-        ARENA_ARRAY(&spare, scene->material_count, const struct scene_material *);
-    const size_t count = list_glossy(scene, &spare, list);
-    struct microfacets *coat = NULL;
-    for (size_t i = 0; i < count; i++) {
-        if (i == 0 || compare_coats(&list[i - 1], &list[i]) != 0) {
-            coat = ARENA_NEW(arena, struct microfacets);
-            microfacets_open(list[i]->roughness, list[i]->index, coat);
-        }
-        of[list[i] - scene->materials].microfacets = coat;
-    }
-    arena_free(&spare);
-}
-
 /* -------- materials -------- */
 
 static bool open_material(const struct scene_material *written, struct spectra *spectra,
@@ -87,7 +69,20 @@ bool materials_open(const struct scene *scene, struct spectra *spectra, struct m
             return false;
         }
     }
-    open_coats(scene, of, arena);
+    /* A coat takes a while: none for what is not used, one for all that are alike. */
+    struct arena spare = arena_within(arena);
+    const struct scene_material **list =
+        ARENA_ARRAY(&spare, scene->material_count, const struct scene_material *);
+    const size_t count = list_glossy(scene, &spare, list);
+    struct microfacets *coat = NULL;
+    for (size_t i = 0; i < count; i++) {
+        if (i == 0 || compare_coats(&list[i - 1], &list[i]) != 0) {
+            coat = ARENA_NEW(arena, struct microfacets);
+            microfacets_open(list[i]->roughness, list[i]->index, coat);
+        }
+        of[list[i] - scene->materials].microfacets = coat;
+    }
+    arena_free(&spare);
     *materials = (struct materials){.scene = scene, .bands = spectra->bands, .of = of};
     return true;
 }

@@ -115,15 +115,6 @@ static struct incidence see_from(const struct microfacets *coat, double cosine)
                               .turning = turning};
 }
 
-/* A normal of the stretched facets, pressed together again. */
-static struct vector normal_at(const struct incidence *seen, struct unit_complex b,
-                               struct unit_complex g)
-{
-    const double x = b.cosine * (g.cosine * seen->upright.sine - g.sine * seen->upright.cosine);
-    const double z = b.cosine * (g.sine * seen->upright.sine + g.cosine * seen->upright.cosine);
-    return vector_unit((struct vector){seen->coat->alpha * x, seen->coat->alpha * b.sine, z});
-}
-
 /* Between which angles g the light leaves; they are less than pi apart. */
 static void azimuth_limits(const struct incidence *seen, double tangent,
                            struct unit_complex ends[2])
@@ -153,7 +144,11 @@ static double sum_along(const struct incidence *seen, struct unit_complex b,
         const double t = edge * place, scale = 1 / (1 + t * t);
         const struct unit_complex turned = {(1 - t * t) * scale, 2 * t * scale};
         const struct unit_complex g = unit_complex_turned(middle, turned, 1);
-        const struct vector normal = normal_at(seen, b, g);
+        /* A normal of the stretched facets, pressed together again. */
+        const double x = b.cosine * (g.cosine * seen->upright.sine - g.sine * seen->upright.cosine);
+        const double z = b.cosine * (g.sine * seen->upright.sine + g.cosine * seen->upright.cosine);
+        const struct vector normal =
+            vector_unit((struct vector){seen->coat->alpha * x, seen->coat->alpha * b.sine, z});
         const struct vector in = vector_mirrored(seen->out, normal);
         sum += along_rule[i].weight * step * edge * 2 * scale * g.cosine *
                microfacets_reflect(seen->coat, seen->out, normal, in);

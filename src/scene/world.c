@@ -240,10 +240,15 @@ static struct vector normal_facing(struct vector normal, double sign, struct vec
     return along < least ? turned : vector_unit(vector_along(turned, least - along, direction));
 }
 
-/* All about where a ray met something. */
-static void world_hit_fill(const struct world *world, const struct world_ray *ray, size_t which,
-                           const struct shape_hit *meeting, struct world_hit *hit)
+bool world_intersect(const struct world *world, const struct world_ray *ray, struct world_hit *hit)
 {
+    struct shape_hit nearest = {0};
+    const size_t which = world_nearest(world, ray, false, &nearest);
+    if (which == SCENE_NONE) {
+        return false;
+    }
+    /* All about where a ray met something. */
+    const struct shape_hit *meeting = &nearest;
     const struct world_thing *thing = &world->things[which];
     const struct scene_pose pose = pose_of(thing, ray->time);
     const struct shape_ray own = turned_in(&pose, ray);
@@ -265,16 +270,6 @@ static void world_hit_fill(const struct world *world, const struct world_ray *ra
         .place = {spot.place[0], spot.place[1]},
         .slack = 0x1p-46 * (vector_taxi(at) + spot.size),
     };
-}
-
-bool world_intersect(const struct world *world, const struct world_ray *ray, struct world_hit *hit)
-{
-    struct shape_hit nearest = {0};
-    const size_t which = world_nearest(world, ray, false, &nearest);
-    if (which == SCENE_NONE) {
-        return false;
-    }
-    world_hit_fill(world, ray, which, &nearest, hit);
     return true;
 }
 

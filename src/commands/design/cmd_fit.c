@@ -151,24 +151,19 @@ static bool fit_makes_many(const void *data)
            (all && lens != NULL && lens->position_count > 1);
 }
 
-static bool refuse_show(const struct fit_kind *kind, int show, struct arena *arena,
-                        struct error *error)
-{
-    const char *words = "";
-    for (int i = 0; i < FIT_SHOWS; i++) {
-        if (kind->sheets[i] != NULL) {
-            words = arena_printf(arena, "%s%s%s", words, i > 0 ? ", " : "", shows[i].word);
-        }
-    }
-    return fail(error, ERROR_USAGE, "{--show} %s: %s has %s", shows[show].word, kind->name, words);
-}
-
 static bool fit_run(const void *data, struct run *run, struct error *error)
 {
     const struct fit_input *input = data;
     const struct fit_kind *kind = fit_kind_of(input);
     if (kind->sheets[input->show] == NULL) {
-        return refuse_show(kind, input->show, run->arena, error);
+        const char *words = "";
+        for (int i = 0; i < FIT_SHOWS; i++) {
+            if (kind->sheets[i] != NULL) {
+                words = arena_printf(run->arena, "%s%s%s", words, i > 0 ? ", " : "", shows[i].word);
+            }
+        }
+        return fail(error, ERROR_USAGE, "{--show} %s: %s has %s", shows[input->show].word,
+                    kind->name, words);
     }
     if (floor(input->distortion) < input->distortion) {
         return fail(error, ERROR_USAGE, "{--distortion} %g: terms are a whole number",
@@ -192,12 +187,6 @@ static bool fit_check_lens(const struct artifact_job *job, struct error *error)
                 job->artifact->option.name);
 }
 
-static bool fit_check_glass(const struct fit_input *input, struct error *error)
-{
-    return input->name == NULL || strpbrk(input->name, "\t\n:") == NULL ||
-           fail(error, ERROR_USAGE, "{--name} has a tab, a line feed or a colon");
-}
-
 static bool check_saved(const struct artifact_job *job, struct error *error)
 {
     const struct fit_input *input = job->inputs[0];
@@ -207,7 +196,8 @@ static bool check_saved(const struct artifact_job *job, struct error *error)
                     kind->type->ending);
     }
     if (input->glass != NULL) {
-        return fit_check_glass(input, error);
+        return input->name == NULL || strpbrk(input->name, "\t\n:") == NULL ||
+               fail(error, ERROR_USAGE, "{--name} has a tab, a line feed or a colon");
     }
     if (input->chromatic && input->goals == NULL) {
         return fail(error, ERROR_USAGE,

@@ -15,21 +15,6 @@ static struct thick_lens thick_of(const struct first_order *first, const struct 
                                    lens->object_is_infinite ? INFINITY : lens->object.value.hi};
 }
 
-/* What the fitted lens is compared with: the paraxial lens, and the thin one. */
-static void set_rivals(struct fit_job *job)
-{
-    size_t count = job->setup->wavelength_count;
-    job->paraxial = ARENA_ARRAY(job->run->arena, count, struct thick_lens);
-    job->thin = ARENA_ARRAY(job->run->arena, count, struct thick_lens);
-    for (size_t g = 0; g < count; g++) {
-        job->paraxial[g] = thick_of(&job->light.first, job->setup->lens);
-        job->paraxial[g].index_object = job->ray_data.index_object[g];
-        job->paraxial[g].index_image = job->ray_data.index_image[g];
-        job->thin[g] = job->paraxial[g];
-        job->thin[g].front = job->light.first.length + job->thin[g].rear;
-    }
-}
-
 static void fit_job_set_pupils(struct fit_job *job)
 {
     const struct thick_pupil none = {NAN, NAN, NAN, NAN, NAN, NAN, NAN};
@@ -176,7 +161,17 @@ bool fit_job_run(struct fit_job *job, struct error *error)
     }
     set_task(job);
     watch_begin(job->run->watch, "iterations", 0);
-    set_rivals(job);
+    /* What the fitted lens is compared with: the paraxial lens, and the thin one. */
+    size_t count = job->setup->wavelength_count;
+    job->paraxial = ARENA_ARRAY(job->run->arena, count, struct thick_lens);
+    job->thin = ARENA_ARRAY(job->run->arena, count, struct thick_lens);
+    for (size_t g = 0; g < count; g++) {
+        job->paraxial[g] = thick_of(&job->light.first, job->setup->lens);
+        job->paraxial[g].index_object = job->ray_data.index_object[g];
+        job->paraxial[g].index_image = job->ray_data.index_image[g];
+        job->thin[g] = job->paraxial[g];
+        job->thin[g].front = job->light.first.length + job->thin[g].rear;
+    }
     fit_job_set_pupils(job);
     if (!thick_fit(&job->task, job->run->arena, &job->fit, error)) {
         const char *missing = fit_missing_fields(job);

@@ -121,28 +121,6 @@ static const struct column columns[] = {
 const struct sheet fit_lens_sheet = {columns, sizeof columns / sizeof columns[0],
                                      sizeof(struct fit_lens_lens_row)};
 
-/* What takes every ray once more. */
-struct ray_extremes {
-    double largest; /* error of the fitted lens in the image, mm */
-    double height;  /* of the exact image, in the plane where rays are compared, mm */
-};
-
-static struct ray_extremes fit_lens_find_extremes(struct fit_job *job)
-{
-    struct thick_score score = {.largest = 0};
-    double z = job->task.planes[0], height = 0;
-    const struct ray_part *part;
-    while ((part = ray_data_next(&job->ray_data)) != NULL) {
-        const struct thick_rays *rays = &part->rays;
-        thick_score_add(rays, job->fit.lenses, job->task.planes, &score);
-        for (size_t i = 0; i < rays->count; i++) {
-            height = fmax(height, hypot(rays->x_out[i] + z * rays->p_out[i],
-                                        rays->y_out[i] + z * rays->q_out[i]));
-        }
-    }
-    return (struct ray_extremes){score.largest, height};
-}
-
 /* What clear apertures leave of the stop, percent, over all fields. */
 static double clear_percent(const struct fit_job *job)
 {
@@ -165,63 +143,66 @@ static const char *misfit(const struct fit_job *job, double height)
                : NULL;
 }
 
-/* Of group g, or of all rays. */
-static void fit_lens_emit_answer(const struct fit_job *job, const struct ray_extremes *extremes,
-                                 size_t g)
-{
-    const struct thick_fit *fit = &job->fit;
-    const struct solver_summary *summary = &fit->summary;
-    size_t base = job->task.separate ? 3 * g : 0;
-    double plane = job->task.planes[0];
-    bool one = job->task.separate || job->input->question.wavelength.name != NULL;
-    struct fit_lens_lens_row row = {
-        .position = job->setup->position,
-        .lens = job->setup->lens->title,
-        .fields = job->setup->fields_from != NULL ? job->setup->fields_from
-                                                  : job->input->question.fields.text,
-        .status = fit_status(summary),
-        .warning = fit_join(fit_join(job->warning, fit_missing_fields(job), job->run->arena),
-                            misfit(job, extremes->height), job->run->arena),
-        .wavelength = one ? job->setup->wavelengths[g].wavelength : NAN,
-        .fnumber = job->light.first.fnumber,
-        .object = job->task.object,
-        .efl = fit->lenses[g].focal,
-        .front = fit->lenses[g].front,
-        .rear = fit->lenses[g].rear,
-        .efl_error = summary->standard_error[base],
-        .front_error = summary->standard_error[base + 1],
-        .rear_error = summary->standard_error[base + 2],
-        .rms = fit->rms,
-        .largest = extremes->largest,
-        .rms_percent = 100 * fit->rms / extremes->height,
-        .rms_pupil = fit->rms_second,
-        .rms_paraxial = thick_sums_rms(&job->sums, job->paraxial, plane),
-        .rms_thin = thick_sums_rms(&job->sums, job->thin, plane),
-        .paraxial_efl = job->light.first.efl,
-        .paraxial_front = job->light.first.front_principal,
-        .paraxial_rear = job->light.first.rear_principal,
-        .rays = (long)job->ray_data.count,
-        .lost = (long)(job->ray_data.wanted - job->ray_data.count),
-        .clear_percent = clear_percent(job),
-        .terms = (long)job->task.distortions,
-        .sampling = job->sampling[g],
-        .iterations = summary->iterations,
-        .entrance = job->entrance,
-        .exit = job->exit,
-        .entrance_diameter = 2 * fabs(job->entrance.radius),
-        .exit_diameter = 2 * fabs(job->exit.radius),
-    };
-    for (size_t j = 0; j < THICK_DISTORTIONS; j++) {
-        row.d[j] = j < job->task.distortions ? fit->lenses[g].distortion[j] : NAN;
-    }
-    run_emit(job->run, &row);
-}
-
 static void show_answers(struct fit_job *job)
 {
-    const struct ray_extremes extremes = fit_lens_find_extremes(job);
+    const struct thick_fit *fit = &job->fit;
+    struct thick_score score = {.largest = 0};
+    double z = job->task.planes[0], height = 0;
+    const struct ray_part *part;
+    while ((part = ray_data_next(&job->ray_data)) != NULL) {
+        const struct thick_rays *rays = &part->rays;
+        thick_score_add(rays, job->fit.lenses, job->task.planes, &score);
+        for (size_t i = 0; i < rays->count; i++) {
+            height = fmax(height, hypot(rays->x_out[i] + z * rays->p_out[i],
+                                        rays->y_out[i] + z * rays->q_out[i]));
+        }
+    }
     for (size_t g = 0; g < (job->input->chromatic ? job->setup->wavelength_count : 1); g++) {
-        fit_lens_emit_answer(job, &extremes, g);
+        const struct solver_summary *summary = &fit->summary;
+        size_t base = job->task.separate ? 3 * g : 0;
+        double plane = job->task.planes[0];
+        bool one = job->task.separate || job->input->question.wavelength.name != NULL;
+        struct fit_lens_lens_row row = {
+            .position = job->setup->position,
+            .lens = job->setup->lens->title,
+            .fields = job->setup->fields_from != NULL ? job->setup->fields_from
+                                                      : job->input->question.fields.text,
+            .status = fit_status(summary),
+            .warning = fit_join(fit_join(job->warning, fit_missing_fields(job), job->run->arena),
+                                misfit(job, height), job->run->arena),
+            .wavelength = one ? job->setup->wavelengths[g].wavelength : NAN,
+            .fnumber = job->light.first.fnumber,
+            .object = job->task.object,
+            .efl = fit->lenses[g].focal,
+            .front = fit->lenses[g].front,
+            .rear = fit->lenses[g].rear,
+            .efl_error = summary->standard_error[base],
+            .front_error = summary->standard_error[base + 1],
+            .rear_error = summary->standard_error[base + 2],
+            .rms = fit->rms,
+            .largest = score.largest,
+            .rms_percent = 100 * fit->rms / height,
+            .rms_pupil = fit->rms_second,
+            .rms_paraxial = thick_sums_rms(&job->sums, job->paraxial, plane),
+            .rms_thin = thick_sums_rms(&job->sums, job->thin, plane),
+            .paraxial_efl = job->light.first.efl,
+            .paraxial_front = job->light.first.front_principal,
+            .paraxial_rear = job->light.first.rear_principal,
+            .rays = (long)job->ray_data.count,
+            .lost = (long)(job->ray_data.wanted - job->ray_data.count),
+            .clear_percent = clear_percent(job),
+            .terms = (long)job->task.distortions,
+            .sampling = job->sampling[g],
+            .iterations = summary->iterations,
+            .entrance = job->entrance,
+            .exit = job->exit,
+            .entrance_diameter = 2 * fabs(job->entrance.radius),
+            .exit_diameter = 2 * fabs(job->exit.radius),
+        };
+        for (size_t j = 0; j < THICK_DISTORTIONS; j++) {
+            row.d[j] = j < job->task.distortions ? fit->lenses[g].distortion[j] : NAN;
+        }
+        run_emit(job->run, &row);
     }
 }
 

@@ -70,31 +70,6 @@ static const enum goal_kind goal_kinds[OPERAND_KINDS + 1] = {
     [OPERAND_LENGTH] = GOAL_LENGTH + 1,
 };
 
-static bool take_goal(const struct operand *operand, double wavelength,
-                      struct prescription_goal *goal, struct error *error)
-{
-    if (goal_kinds[operand->kind] == 0) {
-        fail(error, ERROR_USAGE, "the goal '%s' in {--prescription} is nothing that fit takes",
-             operand->name);
-        return error_hint(error,
-                          "goals are efl=50.2, bfl=38.1:0.02, ffl, length, height@10deg=8.8");
-    }
-    if (operand->relation != OPERAND_NEAR) {
-        return fail(error, ERROR_USAGE,
-                    "the goal '%s' in {--prescription}: what was measured stands behind '='",
-                    operand->name);
-    }
-    *goal = (struct prescription_goal){
-        goal_kinds[operand->kind] - 1, operand->target, operand->deviation,
-        isnan(operand->wavelength) ? wavelength : operand->wavelength, NAN};
-    if (operand->field != NULL) {
-        goal->field = operand->field->point.value[1];
-    }
-    return operand->field == NULL || operand->field->point.kind == FIELD_ANGLE ||
-           fail(error, ERROR_USAGE, "the goal '%s' in {--prescription}: its field is an angle",
-                operand->name);
-}
-
 static bool fit_prescription_read_goals(const char *list, struct run *run, double wavelength,
                                         struct wishes *wishes, struct error *error)
 {
@@ -111,8 +86,28 @@ static bool fit_prescription_read_goals(const char *list, struct run *run, doubl
         struct text rest = text_of(goals.list[i].name);
         const struct text name = text_trim(text_cut(&rest, '='));
         wishes->goal_names[i] = arena_string(run->arena, name.start, name.length);
-        if (!take_goal(&goals.list[i], wavelength, &wishes->goals[i], error)) {
-            return false;
+        const struct operand *operand = &goals.list[i];
+        struct prescription_goal *goal = &wishes->goals[i];
+        if (goal_kinds[operand->kind] == 0) {
+            fail(error, ERROR_USAGE, "the goal '%s' in {--prescription} is nothing that fit takes",
+                 operand->name);
+            return error_hint(error,
+                              "goals are efl=50.2, bfl=38.1:0.02, ffl, length, height@10deg=8.8");
+        }
+        if (operand->relation != OPERAND_NEAR) {
+            return fail(error, ERROR_USAGE,
+                        "the goal '%s' in {--prescription}: what was measured stands behind '='",
+                        operand->name);
+        }
+        *goal = (struct prescription_goal){
+            goal_kinds[operand->kind] - 1, operand->target, operand->deviation,
+            isnan(operand->wavelength) ? wavelength : operand->wavelength, NAN};
+        if (operand->field != NULL) {
+            goal->field = operand->field->point.value[1];
+        }
+        if (!(operand->field == NULL || operand->field->point.kind == FIELD_ANGLE)) {
+            return fail(error, ERROR_USAGE,
+                        "the goal '%s' in {--prescription}: its field is an angle", operand->name);
         }
     }
     wishes->goal_count = goals.count;

@@ -182,26 +182,6 @@ void fit_show_matrix(struct fit_job *job)
     }
 }
 
-/* Labels of the columns and rows of the map. */
-static void label_map(const struct fit_job *job, struct ray_map *map)
-{
-    struct arena *arena = job->run->arena;
-    bool angle = job->setup->lens->object_is_infinite;
-    const char **columns = ARENA_ARRAY(arena, job->setup->field_count, const char *);
-    const char **rows = ARENA_ARRAY(arena, job->setup->wavelength_count, const char *);
-    for (size_t i = 0; i < job->setup->field_count; i++) {
-        columns[i] = angle ? arena_printf(arena, "%.4g°", fit_field(job, i) * DEGREES_PER_RADIAN)
-                           : arena_printf(arena, "%.4g mm", fit_field(job, i));
-    }
-    for (size_t i = 0; i < job->setup->wavelength_count; i++) {
-        rows[i] = arena_printf(arena, "%.4g nm", 1000 * job->setup->wavelengths[i].wavelength);
-    }
-    map->columns = columns;
-    map->column_count = job->setup->field_count;
-    map->rows = rows;
-    map->row_count = job->setup->wavelength_count;
-}
-
 /* The points of all rays; those that came through first. Result: the largest error, mm. */
 static double fit_view_place_points(struct fit_job *job, struct ray_map *map)
 {
@@ -239,7 +219,21 @@ bool fit_draw_map(const struct artifact_job *wanted, struct output *sink, struct
     const char *title = job->setup->lens->title != NULL ? job->setup->lens->title : "lens";
     struct ray_map map = {.unit = "um"};
     struct svg svg = {.arena = arena};
-    label_map(job, &map);
+    /* Labels of the columns and rows of the map. */
+    bool angle = job->setup->lens->object_is_infinite;
+    const char **columns = ARENA_ARRAY(arena, job->setup->field_count, const char *);
+    const char **rows = ARENA_ARRAY(arena, job->setup->wavelength_count, const char *);
+    for (size_t i = 0; i < job->setup->field_count; i++) {
+        columns[i] = angle ? arena_printf(arena, "%.4g°", fit_field(job, i) * DEGREES_PER_RADIAN)
+                           : arena_printf(arena, "%.4g mm", fit_field(job, i));
+    }
+    for (size_t i = 0; i < job->setup->wavelength_count; i++) {
+        rows[i] = arena_printf(arena, "%.4g nm", 1000 * job->setup->wavelengths[i].wavelength);
+    }
+    map.columns = columns;
+    map.column_count = job->setup->field_count;
+    map.rows = rows;
+    map.row_count = job->setup->wavelength_count;
     const double largest = fit_view_place_points(job, &map);
     map.title = arena_printf(arena, "%s%s%s: exact rays against the fitted thick lens", title,
                              job->setup->position != NULL ? ", " : "",

@@ -100,13 +100,6 @@ static bool add_glass(struct glass_list *list, const struct glass *glass, struct
     return true;
 }
 
-/* Is it made, as far as the catalogue says? */
-static bool is_current(struct text status)
-{
-    return text_equal(status, "current") || text_equal(status, "preferred") ||
-           text_equal(status, "standard");
-}
-
 /*
  * Go through all catalogues: first which of the words name one, then for their glasses. Of one that
  * does not say what is made all but what is not made any more.
@@ -120,7 +113,10 @@ static bool optimize_glasses_read_catalogs(struct glass_list *list, bool takes, 
         return false;
     }
     while (glass_catalogs_next(&catalogs, &record, error)) {
-        const bool current = is_current(record.status);
+        /* Is it made, as far as the catalogue says? */
+        const bool current = text_equal(record.status, "current") ||
+                             text_equal(record.status, "preferred") ||
+                             text_equal(record.status, "standard");
         for (size_t i = 0; i < list->word_count; i++) {
             struct glass_word *word = &list->words[i];
             if (!text_same_name(word->text, record.glass.catalog)) {

@@ -152,24 +152,6 @@ static bool take_result(const struct optimize_global *global, struct arena *aren
     return true;
 }
 
-static bool take_file(struct optimize_part *part, const struct part_file *file, struct error *error)
-{
-    struct optimize_global *global = part->global;
-    const struct part_range range = part_range(file->head.part, file->head.total);
-    const unsigned char *flags = (const unsigned char *)file->body.start;
-    const uint64_t starts = range.end - range.begin;
-    bool good = file->body.length >= starts;
-    struct rest rest = {flags + starts, good ? file->body.length - starts : 0};
-    uint64_t done = 0;
-    for (uint64_t k = 0; k < starts && good; k++) {
-        done += flags[k] != 0;
-        good = flags[k] == 0 ||
-               take_result(global, part->run->arena, &rest, &global->results[range.begin + k]);
-    }
-    return (good && rest.length == 0 && done == file->head.done) ||
-           fail(error, ERROR_DATA, "%s: its starts are not those that its head says", file->path);
-}
-
 static bool take_files(struct optimize_part *part, const struct part_head *head, const char *path,
                        struct error *error)
 {
@@ -179,8 +161,22 @@ static bool take_files(struct optimize_part *part, const struct part_head *head,
         return false;
     }
     for (size_t i = 0; i < count; i++) {
-        if (!take_file(part, &files[i], error)) {
-            return false;
+        const struct part_file *file = &files[i];
+        struct optimize_global *global = part->global;
+        const struct part_range range = part_range(file->head.part, file->head.total);
+        const unsigned char *flags = (const unsigned char *)file->body.start;
+        const uint64_t starts = range.end - range.begin;
+        bool good = file->body.length >= starts;
+        struct rest rest = {flags + starts, good ? file->body.length - starts : 0};
+        uint64_t done = 0;
+        for (uint64_t k = 0; k < starts && good; k++) {
+            done += flags[k] != 0;
+            good = flags[k] == 0 ||
+                   take_result(global, part->run->arena, &rest, &global->results[range.begin + k]);
+        }
+        if (!(good && rest.length == 0 && done == file->head.done)) {
+            return fail(error, ERROR_DATA, "%s: its starts are not those that its head says",
+                        file->path);
         }
     }
     return true;

@@ -110,14 +110,6 @@ static const char *range_in_words(const struct optimize_job *job)
                         names, input->spread, plural);
 }
 
-static const char *search_in_words(const struct optimize_job *job, size_t done)
-{
-    const struct optimize_input *input = job->input;
-    return arena_printf(job->run->arena, "%zu start%s %s, with %ld escape%s each, by seed %ld",
-                        done, done == 1 ? "" : "s", range_in_words(job), input->escapes,
-                        input->escapes == 1 ? "" : "s", input->seed);
-}
-
 /* -------- the search -------- */
 
 static int optimize_search_compare(const void *one, const void *other)
@@ -265,7 +257,11 @@ static void run_search(struct optimize_job *job, struct optimize_global *global)
         optimize_part_save(job->part);
     }
     const size_t done = count_done(job, global), all = wanted_of(job, global);
-    job->search = search_in_words(job, done);
+    const struct optimize_input *input = job->input;
+    job->search =
+        arena_printf(job->run->arena, "%zu start%s %s, with %ld escape%s each, by seed %ld", done,
+                     done == 1 ? "" : "s", range_in_words(job), input->escapes,
+                     input->escapes == 1 ? "" : "s", input->seed);
     job->is_late = done < all && !watch_is_ended(watch) && job->run->parts == NULL;
     if (done < all && !job->is_late) {
         job->incomplete =

@@ -314,37 +314,6 @@ static const char *tolerance_costs_line_of(const struct tolerance_job *job,
     return arena_string(job->run->arena, line.start, line.length);
 }
 
-static void emit_inverse(struct tolerance_job *job, const struct things *things,
-                         const struct inverse *answers, double together)
-{
-    static const char *const limits[] = {
-        [INVERSE_TIGHTEST] = "high", [INVERSE_LOOSEST] = "commercial"};
-    const struct criterion_type *type = criterion_type(job->question.criterion.kind);
-    const struct tolerance_about about = tolerance_about_of(job);
-    bool goes_on = true;
-    for (size_t i = 0; i < things->count && goes_on; i++) {
-        const struct perturbation *one = &job->question.perturbations[things->first[i]];
-        const struct tolerance_costs_range range = tolerance_costs_range_of(one);
-        const double proposed = one->amount * range.scale * answers[i].factor;
-        const char *name = thing_name(job, things, i);
-        const struct inverse_row row = {
-            .about = about,
-            .perturbation = name,
-            .range = one->amount * range.scale,
-            .range_unit = range.unit,
-            .criterion = job->question.criterion.name,
-            .of = job->trials.of == TOLERANCE_OF_MEAN ? "mean" : "worst",
-            .unit = type->unit,
-            .limited = limits[answers[i].limit],
-            .line = tolerance_costs_line_of(job, one, answers[i].factor),
-            .proposed = proposed,
-            .factor = answers[i].factor,
-            .cost = type->scale * answers[i].cost,
-            .together = type->scale * together};
-        goes_on = run_emit(job->run, &row);
-    }
-}
-
 bool tolerance_emit_inverse(struct tolerance_job *job, struct error *error)
 {
     struct arena *arena = job->run->arena;
@@ -377,7 +346,31 @@ bool tolerance_emit_inverse(struct tolerance_job *job, struct error *error)
                      "the drop of %.4g %s",
                      type->scale * together, type->unit, type->scale * job->drop, type->unit);
     }
-    emit_inverse(job, &things, answers, together);
+    static const char *const limits[] = {
+        [INVERSE_TIGHTEST] = "high", [INVERSE_LOOSEST] = "commercial"};
+    const struct tolerance_about about = tolerance_about_of(job);
+    bool goes_on = true;
+    for (size_t i = 0; i < things.count && goes_on; i++) {
+        const struct perturbation *one = &job->question.perturbations[things.first[i]];
+        const struct tolerance_costs_range range = tolerance_costs_range_of(one);
+        const double proposed = one->amount * range.scale * answers[i].factor;
+        const char *name = thing_name(job, &things, i);
+        const struct inverse_row row = {
+            .about = about,
+            .perturbation = name,
+            .range = one->amount * range.scale,
+            .range_unit = range.unit,
+            .criterion = job->question.criterion.name,
+            .of = job->trials.of == TOLERANCE_OF_MEAN ? "mean" : "worst",
+            .unit = type->unit,
+            .limited = limits[answers[i].limit],
+            .line = tolerance_costs_line_of(job, one, answers[i].factor),
+            .proposed = proposed,
+            .factor = answers[i].factor,
+            .cost = type->scale * answers[i].cost,
+            .together = type->scale * together};
+        goes_on = run_emit(job->run, &row);
+    }
     return true;
 }
 

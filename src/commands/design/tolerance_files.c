@@ -118,21 +118,16 @@ static bool save_trial(struct tolerance_job *job, uint64_t number, struct output
     return true;
 }
 
-/* The part: what was counted of its trials. */
-static void tolerance_files_write_part(struct tolerance_job *job, struct output *sink)
-{
-    struct arena *arena = job->run->arena;
-    struct part_head head = job->head;
-    head.done = job->result.done;
-    division_write(&head, tolerance_result_write(&job->result, arena), arena, sink);
-}
-
 bool tolerance_write_output(const struct artifact_job *asked, struct output *sink,
                             struct error *error)
 {
     struct tolerance_job *job = asked->run->state;
     if (is_part(asked)) {
-        tolerance_files_write_part(job, sink);
+        /* The part: what was counted of its trials. */
+        struct arena *arena = job->run->arena;
+        struct part_head head = job->head;
+        head.done = job->result.done;
+        division_write(&head, tolerance_result_write(&job->result, arena), arena, sink);
         return true;
     }
     if (job->save_trial > 0) {

@@ -107,53 +107,50 @@ static double tolerance_rows_worst_of(const struct tolerance_job *job,
     return tally->lowest;
 }
 
-static void emit_summary(struct tolerance_job *job, struct tolerance_column *column)
-{
-    const struct criterion_type *type = criterion_type(job->question.criterion.kind);
-    const double scale = type->scale, done = (double)job->result.done;
-    const struct trial_statistics_moments moments = trial_statistics_moments(&column->tally);
-    const struct trial_statistics_moments moves = trial_statistics_moments(&job->result.moves[0]);
-    const double yield = (double)column->passed / done;
-    const bool judges = !isnan(job->limit);
-    double p[PERCENTILES];
-    for (int i = 0; i < PERCENTILES; i++) {
-        p[i] = scale * trial_statistics_quantile(&column->tally, shares[i], NULL);
-    }
-    const struct summary_row row = {.about = tolerance_about_of(job),
-                                    .position = tolerance_position_of(job, column->of),
-                                    .criterion = job->question.criterion.name,
-                                    .of = tolerance_name_of(job, column->of),
-                                    .unit = type->unit,
-                                    .nominal = scale * column->tally.nominal,
-                                    .yield = judges ? yield : NAN,
-                                    .yield_error = judges ? sqrt(yield * (1 - yield) / done) : NAN,
-                                    .mean = scale * moments.mean,
-                                    .error = scale * moments.mean_error,
-                                    .sd = scale * moments.sd,
-                                    .sd_error = scale * moments.sd_error,
-                                    .worst = scale * tolerance_rows_worst_of(job, &column->tally),
-                                    .p02 = p[0],
-                                    .p10 = p[1],
-                                    .p20 = p[2],
-                                    .p50 = p[3],
-                                    .p80 = p[4],
-                                    .p90 = p[5],
-                                    .p98 = p[6],
-                                    .failed = (long)job->result.failed,
-                                    .trials = (long)job->result.done,
-                                    .nominal_refocus =
-                                        tolerance_refocus_of(job, job->tolerance.nominal_moves[0]),
-                                    .refocus = tolerance_refocus_of(job, moves.mean),
-                                    .refocus_sd = tolerance_refocus_of(job, moves.sd),
-                                    .moves = moves_in_words(job)};
-    run_emit(job->run, &row);
-}
-
 static bool emit_summaries(struct tolerance_job *job, struct error *error)
 {
     (void)error;
     for (size_t i = 0; i < job->result.column_count; i++) {
-        emit_summary(job, &job->result.columns[i]);
+        struct tolerance_column *column = &job->result.columns[i];
+        const struct criterion_type *type = criterion_type(job->question.criterion.kind);
+        const double scale = type->scale, done = (double)job->result.done;
+        const struct trial_statistics_moments moments = trial_statistics_moments(&column->tally);
+        const struct trial_statistics_moments moves =
+            trial_statistics_moments(&job->result.moves[0]);
+        const double yield = (double)column->passed / done;
+        const bool judges = !isnan(job->limit);
+        double p[PERCENTILES];
+        for (int k = 0; k < PERCENTILES; k++) {
+            p[k] = scale * trial_statistics_quantile(&column->tally, shares[k], NULL);
+        }
+        const struct summary_row row = {
+            .about = tolerance_about_of(job),
+            .position = tolerance_position_of(job, column->of),
+            .criterion = job->question.criterion.name,
+            .of = tolerance_name_of(job, column->of),
+            .unit = type->unit,
+            .nominal = scale * column->tally.nominal,
+            .yield = judges ? yield : NAN,
+            .yield_error = judges ? sqrt(yield * (1 - yield) / done) : NAN,
+            .mean = scale * moments.mean,
+            .error = scale * moments.mean_error,
+            .sd = scale * moments.sd,
+            .sd_error = scale * moments.sd_error,
+            .worst = scale * tolerance_rows_worst_of(job, &column->tally),
+            .p02 = p[0],
+            .p10 = p[1],
+            .p20 = p[2],
+            .p50 = p[3],
+            .p80 = p[4],
+            .p90 = p[5],
+            .p98 = p[6],
+            .failed = (long)job->result.failed,
+            .trials = (long)job->result.done,
+            .nominal_refocus = tolerance_refocus_of(job, job->tolerance.nominal_moves[0]),
+            .refocus = tolerance_refocus_of(job, moves.mean),
+            .refocus_sd = tolerance_refocus_of(job, moves.sd),
+            .moves = moves_in_words(job)};
+        run_emit(job->run, &row);
     }
     return true;
 }

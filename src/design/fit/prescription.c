@@ -264,19 +264,6 @@ static bool prescription_evaluate(void *context, const double *parameters, doubl
     return true;
 }
 
-static bool prescription_check_goal(const struct prescription_goal *goal, struct error *error)
-{
-    bool height = goal->kind == GOAL_HEIGHT;
-    if (height && !(fabs(tan(goal->field)) > 0)) {
-        return fail(error, ERROR_DOMAIN, "the height of an image on the axis is 0 for every lens");
-    }
-    if ((height || goal->kind == GOAL_EFL) && !(fabs(goal->value) > 0)) {
-        return fail(error, ERROR_DOMAIN, "no lens has %s of 0 mm: its power is endless",
-                    height ? "an image height" : "a focal length");
-    }
-    return true;
-}
-
 bool prescription_fits(enum parameter_kind kind)
 {
     return kind == PARAMETER_RADIUS || kind == PARAMETER_THICKNESS || kind == PARAMETER_INDEX;
@@ -481,8 +468,15 @@ bool prescription_fit(const struct lens *lens, const struct prescription_task *t
                                     : "nothing may change: no R, t or n");
     }
     for (size_t g = 0; g < goal_count; g++) {
-        if (!prescription_check_goal(&task->goals[g], error)) {
-            return false;
+        const struct prescription_goal *goal = &task->goals[g];
+        bool height = goal->kind == GOAL_HEIGHT;
+        if (height && !(fabs(tan(goal->field)) > 0)) {
+            return fail(error, ERROR_DOMAIN,
+                        "the height of an image on the axis is 0 for every lens");
+        }
+        if ((height || goal->kind == GOAL_EFL) && !(fabs(goal->value) > 0)) {
+            return fail(error, ERROR_DOMAIN, "no lens has %s of 0 mm: its power is endless",
+                        height ? "an image height" : "a focal length");
         }
     }
     fitting.start = ARENA_ARRAY(arena, part_count, double);

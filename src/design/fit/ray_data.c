@@ -279,22 +279,6 @@ static void trace_part(struct ray_tracing *tracing, size_t count, struct ray_dat
     }
 }
 
-/* The rays of a field at a wavelength; none where it has no chief ray. */
-static void open_bundle(struct ray_tracing *tracing, struct ray_data *ray_data)
-{
-    const size_t groups = tracing->request.setup->wavelength_count;
-    arena_reset(&tracing->scratch, (struct arena_mark){0});
-    tracing->place = 0;
-    tracing->pupil = (struct quadrature){.is_empty = true};
-    if (ray_data_open_field(tracing, tracing->bundle / groups, tracing->bundle % groups,
-                            &tracing->last)) {
-        tracing->pupil = choose_rays(tracing);
-    } else if (!tracing->is_counted) {
-        ray_data->wanted += tracing->sample.count;
-        ray_data->unreachable += tracing->sample.count;
-    }
-}
-
 /* A part that is kept has room of its own. */
 static void keep_part(struct ray_tracing *tracing, size_t count)
 {
@@ -341,7 +325,18 @@ const struct ray_part *ray_data_next(struct ray_data *ray_data)
         if (tracing->bundle == tracing->bundles) {
             return end_parts(ray_data);
         }
-        open_bundle(tracing, ray_data);
+        /* The rays of a field at a wavelength; none where it has no chief ray. */
+        const size_t groups = tracing->request.setup->wavelength_count;
+        arena_reset(&tracing->scratch, (struct arena_mark){0});
+        tracing->place = 0;
+        tracing->pupil = (struct quadrature){.is_empty = true};
+        if (ray_data_open_field(tracing, tracing->bundle / groups, tracing->bundle % groups,
+                                &tracing->last)) {
+            tracing->pupil = choose_rays(tracing);
+        } else if (!tracing->is_counted) {
+            ray_data->wanted += tracing->sample.count;
+            ray_data->unreachable += tracing->sample.count;
+        }
     }
     size_t left = tracing->pupil.sample.count - tracing->place,
            count = left < RAY_PART ? left : RAY_PART;

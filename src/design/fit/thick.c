@@ -55,12 +55,6 @@ static size_t residual_count(const struct thick_sums *sums)
     return count;
 }
 
-/* How much blur counts against the place of the mean. */
-static double blur_weight(const struct thick_task *task)
-{
-    return task->focus_weight > 0 ? task->focus_weight / thick_sums_cone(task->sums) : 1;
-}
-
 /* What becomes of the columns of one wavelength in the two planes. */
 struct plane_factors {
     double value[2][THICK_COLUMNS], slope[2][SLOPES * THICK_COLUMNS];
@@ -121,7 +115,8 @@ bool thick_residuals(void *context, const double *parameters, double *residuals,
     const struct thick_task *task = context;
     const struct thick_sums *sums = task->sums;
     struct plane_factors factors[THICK_GROUPS];
-    double blur = blur_weight(task);
+    /* How much blur counts against the place of the mean. */
+    double blur = task->focus_weight > 0 ? task->focus_weight / thick_sums_cone(task->sums) : 1;
     struct residual_rows to = {residuals, jacobian, base_count(task) + task->distortions,
                                task->distortions};
     for (size_t g = 0; g < task->group_count; g++) {
@@ -279,15 +274,6 @@ void thick_score_add(const struct thick_rays *rays, const struct thick_lens *len
     join_rms(&score->direction, before, sums[2], score->weight);
 }
 
-static void thick_set_result(const struct thick_task *task, struct thick_fit *fit)
-{
-    for (size_t g = 0; g < task->group_count; g++) {
-        fit->lenses[g] = lens_of(task, fit->parameters, g);
-    }
-    fit->rms = thick_sums_rms(task->sums, fit->lenses, task->planes[0]);
-    fit->rms_second = thick_sums_rms(task->sums, fit->lenses, task->planes[1]);
-}
-
 /* By leaving out fields; rays of one field err alike, at all wavelengths. */
 static void thick_set_errors(const struct thick_task *task, struct arena *arena,
                              struct thick_fit *fit)
@@ -345,6 +331,10 @@ bool thick_fit(const struct thick_task *task, struct arena *arena, struct thick_
         return false;
     }
     thick_set_errors(task, arena, fit);
-    thick_set_result(task, fit);
+    for (size_t g = 0; g < task->group_count; g++) {
+        fit->lenses[g] = lens_of(task, fit->parameters, g);
+    }
+    fit->rms = thick_sums_rms(task->sums, fit->lenses, task->planes[0]);
+    fit->rms_second = thick_sums_rms(task->sums, fit->lenses, task->planes[1]);
     return true;
 }

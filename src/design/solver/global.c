@@ -23,17 +23,6 @@ double escape_distance(const struct solver_problem *problem, const double *a, co
 /* Beyond this a hill is nothing, and its exponential out of range. */
 static const double far_away = 30; /* widths */
 
-static void put_hill(const struct solver_problem *problem, const struct escape_hill *hill,
-                     const double *parameters, double *residual, double *row)
-{
-    const double d = escape_distance(problem, parameters, hill->at) / hill->width;
-    *residual = d < far_away ? sqrt(hill->height) * exponential(-d * d / 2) : 0;
-    for (size_t j = 0; j < problem->parameter_count && row != NULL; j++) {
-        const double wide = problem->scale[j] * hill->width;
-        row[j] = -*residual * (parameters[j] - hill->at[j]) / (wide * wide);
-    }
-}
-
 /* The residuals of the problem, hills between them and the exact ones. */
 static bool escape_evaluate(void *context, const double *parameters, double *residuals,
                             double *jacobian)
@@ -51,8 +40,15 @@ static bool escape_evaluate(void *context, const double *parameters, double *res
                 exact * n * sizeof *jacobian);
     }
     for (size_t i = 0; i < escape->count; i++) {
-        put_hill(problem, &escape->hills[i], parameters, residuals + squares + i,
-                 jacobian != NULL ? jacobian + (squares + i) * n : (double *)NULL);
+        const struct escape_hill *hill = &escape->hills[i];
+        double *residual = residuals + squares + i;
+        double *row = jacobian != NULL ? jacobian + (squares + i) * n : (double *)NULL;
+        const double d = escape_distance(problem, parameters, hill->at) / hill->width;
+        *residual = d < far_away ? sqrt(hill->height) * exponential(-d * d / 2) : 0;
+        for (size_t j = 0; j < problem->parameter_count && row != NULL; j++) {
+            const double wide = problem->scale[j] * hill->width;
+            row[j] = -*residual * (parameters[j] - hill->at[j]) / (wide * wide);
+        }
     }
     return true;
 }
@@ -193,21 +189,15 @@ static void step_aside(struct chain_state *chaining, const double *from, uint32_
     }
 }
 
-static const struct global_minimum *best_of(const struct global_chain *chain)
-{
-    const struct global_minimum *best = &chain->minima[0];
-    for (size_t i = 1; i < chain->count; i++) {
-        best = global_is_better(&chain->minima[i], best) ? &chain->minima[i] : best;
-    }
-    return best;
-}
-
 /* One way out, from as far aside as there is a value. */
 static void find_way(struct chain_state *chaining, uint32_t attempt)
 {
     const struct global_search *search = chaining->search;
     struct global_chain *chain = chaining->chain;
-    const struct global_minimum *from = best_of(chain);
+    const struct global_minimum *from = &chain->minima[0];
+    for (size_t i = 1; i < chain->count; i++) {
+        from = global_is_better(&chain->minima[i], from) ? &chain->minima[i] : from;
+    }
     struct escape escape = {search->problem, chaining->hills, chain->count};
     struct global_minimum ignored;
     double length = aside * width;

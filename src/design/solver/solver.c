@@ -86,24 +86,18 @@ static bool solver_check_bounds(const struct solver_problem *problem, const doub
     return true;
 }
 
-/* What only damped least squares can. */
-static bool check_engine(const struct solver_problem *problem, enum solver_engine engine,
-                         struct error *error)
-{
-    if (!solver_has(engine)) {
-        return fail(error, ERROR_DOMAIN, "this program is without the solver Ceres");
-    }
-    return problem->exact_count == 0 || solver_engines[engine].keeps_bounds ||
-           fail(error, ERROR_DOMAIN, "Ceres meets no condition exactly: damped least squares do");
-}
-
 /* Errors    as solver_run, but for the start without finite residuals */
 static bool solver_check(const struct solver_problem *problem, const struct solver_options *options,
                          const double *parameters, struct error *error)
 {
     size_t n = problem->parameter_count, m = problem->residual_count;
-    if (!check_engine(problem, options->engine, error)) {
-        return false;
+    /* What only damped least squares can. */
+    if (!solver_has(options->engine)) {
+        return fail(error, ERROR_DOMAIN, "this program is without the solver Ceres");
+    }
+    if (!(problem->exact_count == 0 || solver_engines[options->engine].keeps_bounds)) {
+        return fail(error, ERROR_DOMAIN,
+                    "Ceres meets no condition exactly: damped least squares do");
     }
     if (n == 0 || m == 0) {
         return fail(error, ERROR_DOMAIN, "there is nothing to fit: %zu parameters, %zu residuals",
@@ -269,22 +263,6 @@ static void solving_polish(struct solver_state *solving, double *parameters, dou
         if (promise <= 1e-24 * cost) {
             break; /* far below the errors */
         }
-    }
-}
-
-/* What a summary says of the residuals where the solver looked last. */
-static void solving_tell(const struct solver_state *solving, struct solver_summary *summary)
-{
-    const size_t squares = solver_squares(solving->problem);
-    double sum = 0;
-    for (size_t i = 0; i < squares; i++) {
-        const double r = solver_counted(solving->problem->sides, i, solving->residuals[i]);
-        sum += r * r;
-    }
-    summary->rms = sqrt(sum / (double)squares);
-    summary->excess = 0;
-    for (size_t i = squares; i < solving->problem->residual_count; i++) {
-        summary->excess = fmax(summary->excess, fabs(solving->residuals[i]));
     }
 }
 
@@ -492,21 +470,6 @@ static void run_rounds(struct solver_state *solving, double *parameters,
     tell_end(solving, &run, summary);
 }
 
-static void open_summary(struct solver_summary *summary, size_t n, struct arena *arena)
-{
-    *summary = (struct solver_summary){.at_bound = ARENA_ARRAY(arena, n, bool),
-                                       .undetermined = ARENA_ARRAY(arena, n, bool),
-                                       .covariance = ARENA_ARRAY(arena, n * n, double),
-                                       .inverse = ARENA_ARRAY(arena, n * n, double),
-                                       .standard_error = ARENA_ARRAY(arena, n, double)};
-    for (size_t i = 0; i < n * n; i++) {
-        summary->covariance[i] = summary->inverse[i] = NAN;
-    }
-    for (size_t i = 0; i < n; i++) {
-        summary->standard_error[i] = NAN;
-    }
-}
-
 static double or_usual(double value, double otherwise)
 {
     return value > 0 ? value : otherwise;
@@ -552,7 +515,17 @@ bool solver_run(const struct solver_problem *problem, const struct solver_option
                                        ARENA_ARRAY(arena, problem->exact_count + 1, double),
                                    .held = ARENA_ARRAY(arena, n, bool),
                                    .on = ARENA_ARRAY(arena, n, bool)};
-    open_summary(summary, n, arena);
+    *summary = (struct solver_summary){.at_bound = ARENA_ARRAY(arena, n, bool),
+                                       .undetermined = ARENA_ARRAY(arena, n, bool),
+                                       .covariance = ARENA_ARRAY(arena, n * n, double),
+                                       .inverse = ARENA_ARRAY(arena, n * n, double),
+                                       .standard_error = ARENA_ARRAY(arena, n, double)};
+    for (size_t i = 0; i < n * n; i++) {
+        summary->covariance[i] = summary->inverse[i] = NAN;
+    }
+    for (size_t i = 0; i < n; i++) {
+        summary->standard_error[i] = NAN;
+    }
     if (!solving_look(&solving, parameters, &summary->initial_cost)) {
         return fail(error, ERROR_DOMAIN,
                     "the fit cannot begin: not all residuals and derivatives are numbers there");
@@ -568,7 +541,18 @@ bool solver_run(const struct solver_problem *problem, const struct solver_option
     summary->residuals = solving.residuals;
     summary->jacobian = solving.jacobian;
     memcpy(summary->at_bound, solving.held, n * sizeof(bool));
-    solving_tell(&solving, summary);
+    /* What a summary says of the residuals where the solver looked last. */
+    const size_t squares = solver_squares(solving.problem);
+    double sum = 0;
+    for (size_t i = 0; i < squares; i++) {
+        const double r = solver_counted(solving.problem->sides, i, solving.residuals[i]);
+        sum += r * r;
+    }
+    summary->rms = sqrt(sum / (double)squares);
+    summary->excess = 0;
+    for (size_t i = squares; i < solving.problem->residual_count; i++) {
+        summary->excess = fmax(summary->excess, fabs(solving.residuals[i]));
+    }
     if (!all.lean) {
         solving_errors(&solving, summary);
     }

@@ -104,25 +104,19 @@ static struct solver_rows solver_descent_rows_of(const struct descent *descent,
             descent->problem->blocks != NULL || descent->sided.count > 0 ? descent->weights : NULL};
 }
 
-/* Without natural scales a parameter is measured by the largest effect that it had so far. */
-static void set_scales(struct descent *descent)
-{
-    const size_t n = descent->n;
-    for (size_t i = 0; i < n && descent->problem->scale == NULL; i++) {
-        const double effect = sqrt(descent->normal[i * n + i]);
-        if (effect > 0 && !(descent->scale[i] <= 1 / effect)) {
-            descent->scale[i] = 1 / effect;
-        }
-    }
-}
-
 /* What follows from residuals and derivatives here. */
 static void descent_set_equations(struct descent *descent)
 {
     const size_t n = descent->n;
     const struct solver_rows rows = solver_descent_rows_of(descent, descent->here.residuals);
     solver_normal(&rows, descent->normal, descent->rest);
-    set_scales(descent);
+    /* Without natural scales a parameter is measured by the largest effect that it had so far. */
+    for (size_t i = 0; i < n && descent->problem->scale == NULL; i++) {
+        const double effect = sqrt(descent->normal[i * n + i]);
+        if (effect > 0 && !(descent->scale[i] <= 1 / effect)) {
+            descent->scale[i] = 1 / effect;
+        }
+    }
     solver_sided_set(&descent->sided, descent->jacobian);
     for (size_t i = 0; i < descent->sided.count * n; i++) {
         descent->sided.slopes[i] *= descent_scale(descent, i % n);
@@ -224,61 +218,11 @@ static void descent_open(struct descent *descent, struct arena *arena)
     descent->step.slopes = descent->slopes;
 }
 
-/* Damping at the start. */
-static void descent_begin(struct descent *descent)
-{
-    const bool learns = descent->problem->scale != NULL;
-    double most = 0;
-    for (size_t i = 0; i < descent->n; i++) {
-        most = fmax(most, descent->normal[i * descent->n + i]);
-    }
-    most = most > 0 ? most : 1;
-    const double diagonal = learns ? first_diagonal : 1;
-    for (size_t i = 0; i < descent->n; i++) {
-        descent->diagonal[i] = diagonal * most;
-    }
-    descent->damping = (learns ? first_damping : plain_damping) / diagonal;
-    descent->growth = 2;
-    descent->share = 1;
-}
-
 /* A share of the step, behind which the second derivative along it is looked for. */
 static const double probe = 0.1;
 
 /* What the step may bend by, of its own length. */
 static const double most_bend = 0.75;
-
-/* r'' along the step d, from r there: 2/h ((r(h d) - r)/h - J d). */
-static void find_second(struct descent *descent, const double *d)
-{
-    const size_t n = descent->n;
-    for (size_t k = 0; k < descent->squares; k++) {
-        const double *row = descent->jacobian + k * n;
-        double along = 0;
-        for (size_t j = 0; j < n; j++) {
-            along += row[j] * descent_scale(descent, j) * d[j];
-        }
-        const double change = descent->there.residuals[k] - descent->here.residuals[k];
-        descent->second[k] = 2 / probe * (change / probe - along);
-    }
-    for (size_t k = 0; k < descent->sided.count; k++) {
-        descent->second[descent->sided.at[k]] = 0; /* straight, as far as the step goes */
-    }
-}
-
-/* The bend a with bounds that leave d + a/2 within those of d; who is on a bound stays there. */
-static bool find_bend(struct descent *descent, const double *d)
-{
-    struct solver_step *step = &descent->step;
-    for (size_t i = 0; i < descent->n; i++) {
-        const bool is_held = step->side[i] != STEP_FREE;
-        descent->low[i] = is_held ? 0 : 2 * (descent->low[i] - d[i]);
-        descent->high[i] = is_held ? 0 : 2 * (descent->high[i] - d[i]);
-    }
-    descent_carry(descent, descent->second, descent->before);
-    step->g = descent->before;
-    return solver_step_find(step);
-}
 
 static double length(const struct descent *descent, const double *d)
 {
@@ -310,8 +254,28 @@ static void descent_bend(struct descent *descent)
     if (!descent_measure(descent, &descent->there, NULL)) {
         return;
     }
-    find_second(descent, d);
-    const bool found = find_bend(descent, d);
+    /* r'' along the step d, from r there: 2/h ((r(h d) - r)/h - J d). */
+    for (size_t k = 0; k < descent->squares; k++) {
+        const double *row = descent->jacobian + k * n;
+        double along = 0;
+        for (size_t j = 0; j < n; j++) {
+            along += row[j] * descent_scale(descent, j) * d[j];
+        }
+        const double change = descent->there.residuals[k] - descent->here.residuals[k];
+        descent->second[k] = 2 / probe * (change / probe - along);
+    }
+    for (size_t k = 0; k < descent->sided.count; k++) {
+        descent->second[descent->sided.at[k]] = 0; /* straight, as far as the step goes */
+    }
+    /* The bend a with bounds that leave d + a/2 within those of d; who is on a bound stays there. */
+    for (size_t i = 0; i < descent->n; i++) {
+        const bool is_held = step->side[i] != STEP_FREE;
+        descent->low[i] = is_held ? 0 : 2 * (descent->low[i] - d[i]);
+        descent->high[i] = is_held ? 0 : 2 * (descent->high[i] - d[i]);
+    }
+    descent_carry(descent, descent->second, descent->before);
+    step->g = descent->before;
+    const bool found = solver_step_find(step);
     const bool bends = found && 2 * length(descent, step->d) <= most_bend * length(descent, d);
     for (size_t i = 0; i < n; i++) {
         step->d[i] = d[i] + (bends ? step->d[i] / 2 : 0);
@@ -393,16 +357,6 @@ static double promise(const struct descent *descent)
     return sum;
 }
 
-/* Who lies on a bound stays there. */
-static void hold_at_bounds(struct descent *descent)
-{
-    for (size_t i = 0; i < descent->n; i++) {
-        if (descent->step.side[i] != STEP_FREE) {
-            descent->low[i] = descent->high[i] = 0;
-        }
-    }
-}
-
 /* Back to where the exact residuals are 0, which bend away from the step, by its derivatives. */
 static bool return_to_exact(struct descent *descent)
 {
@@ -410,7 +364,12 @@ static bool return_to_exact(struct descent *descent)
     for (int i = 0; i < 4 && descent->there.excess > DESCENT_MET; i++) {
         const double excess = descent->there.excess;
         bound_step(descent, descent->there.parameters);
-        hold_at_bounds(descent);
+        /* Who lies on a bound stays there. */
+        for (size_t k = 0; k < descent->n; k++) {
+            if (descent->step.side[k] != STEP_FREE) {
+                descent->low[k] = descent->high[k] = 0;
+            }
+        }
         descent->step.h = descent->damped;
         descent->step.g = descent->none;
         descent->step.excess = descent->there.residuals + descent->squares;
@@ -427,17 +386,6 @@ static bool return_to_exact(struct descent *descent)
         }
     }
     return true;
-}
-
-/* Above all multipliers, so that nothing is gained by leaving the exact residuals; but what they
-   were far from the end is forgotten. */
-static void set_price(struct descent *descent)
-{
-    double most = 0;
-    for (size_t r = 0; r < descent->exact; r++) {
-        most = fmax(most, fmin(fabs(descent->step.multipliers[r]), 1e150));
-    }
-    descent->price = fmin(fmax(descent->price, 2 * most), 20 * most);
 }
 
 /*
@@ -466,7 +414,13 @@ static bool descent_step(struct descent *descent, double *promised)
                            step)) {
         return false;
     }
-    set_price(descent);
+    /* Above all multipliers, so that nothing is gained by leaving the exact residuals; but what they
+       were far from the end is forgotten. */
+    double most = 0;
+    for (size_t r = 0; r < descent->exact; r++) {
+        most = fmax(most, fmin(fabs(descent->step.multipliers[r]), 1e150));
+    }
+    descent->price = fmin(fmax(descent->price, 2 * most), 20 * most);
     *promised = promise(descent);
     if (creeps(descent, *promised)) {
         descent_bend(descent);
@@ -647,7 +601,20 @@ void dls_minimize(struct engine_run *run)
     }
     descent.first_cost = descent.here.cost;
     descent_set_equations(&descent);
-    descent_begin(&descent);
+    /* Damping at the start. */
+    const bool learns = descent.problem->scale != NULL;
+    double most = 0;
+    for (size_t i = 0; i < descent.n; i++) {
+        most = fmax(most, descent.normal[i * descent.n + i]);
+    }
+    most = most > 0 ? most : 1;
+    const double diagonal = learns ? first_diagonal : 1;
+    for (size_t i = 0; i < descent.n; i++) {
+        descent.diagonal[i] = diagonal * most;
+    }
+    descent.damping = (learns ? first_damping : plain_damping) / diagonal;
+    descent.growth = 2;
+    descent.share = 1;
     solver_dls_end(run, ENGINE_LIMIT, "as many iterations as allowed");
     while (run->iterations < run->options.iterations && solver_dls_advance(&descent)) {
         if (!run->watch(run->watch_context, run->iterations, descent.here.cost,

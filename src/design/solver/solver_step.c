@@ -38,20 +38,6 @@ void solver_step_open(struct solver_step *step, size_t count, size_t exact, stru
     system->miss = ARENA_ARRAY(arena, exact + 1, double);
 }
 
-/* Who is free; the others lie at their bounds. */
-static void solver_step_list_free(const struct solver_step *step)
-{
-    struct step_system *system = step->system;
-    system->count = 0;
-    for (size_t i = 0; i < step->count; i++) {
-        if (step->side[i] == STEP_FREE) {
-            system->places[system->count++] = i;
-        } else {
-            step->d[i] = step->side[i] == STEP_AT_LOW ? step->low[i] : step->high[i];
-        }
-    }
-}
-
 static bool factor_conditions(const struct solver_step *step)
 {
     const struct step_system *system = step->system;
@@ -79,19 +65,6 @@ static bool factor_conditions(const struct solver_step *step)
     return cholesky_factor(system->inner, e);
 }
 
-static bool solver_step_factor_free(const struct solver_step *step)
-{
-    const struct step_system *system = step->system;
-    const size_t k = system->count;
-    for (size_t i = 0; i < k; i++) {
-        const double *row = step->h + system->places[i] * step->count;
-        for (size_t j = 0; j <= i; j++) {
-            system->l[i * k + j] = row[system->places[j]];
-        }
-    }
-    return cholesky_factor(system->l, k) && factor_conditions(step);
-}
-
 /* Slope of the quadratic form where d is. */
 static double solver_step_slope_at(const struct solver_step *step, size_t i)
 {
@@ -102,23 +75,18 @@ static double solver_step_slope_at(const struct solver_step *step, size_t i)
     return sum;
 }
 
-/* How far the conditions are from being met at d. */
-static void miss_conditions(const struct solver_step *step, double *miss)
-{
-    for (size_t r = 0; r < step->exact; r++) {
-        miss[r] = step->excess[r];
-        for (size_t j = 0; j < step->count; j++) {
-            miss[r] += step->slopes[r * step->count + j] * step->d[j];
-        }
-    }
-}
-
 /* Move what is free so that the conditions are met, the quadratic form rising least. */
 static void meet_conditions(struct solver_step *step)
 {
     const struct step_system *system = step->system;
     const size_t e = step->exact, k = system->count;
-    miss_conditions(step, system->miss);
+    /* How far the conditions are from being met at d. */
+    for (size_t r = 0; r < step->exact; r++) {
+        system->miss[r] = step->excess[r];
+        for (size_t j = 0; j < step->count; j++) {
+            system->miss[r] += step->slopes[r * step->count + j] * step->d[j];
+        }
+    }
     cholesky_forward(system->inner, e, system->miss);
     cholesky_backward(system->inner, e, system->miss);
     for (size_t i = 0; i < k; i++) {
@@ -141,7 +109,13 @@ static bool solve_free(struct solver_step *step)
 {
     const struct step_system *system = step->system;
     const size_t k = system->count;
-    if (!solver_step_factor_free(step)) {
+    for (size_t i = 0; i < k; i++) {
+        const double *row = step->h + system->places[i] * step->count;
+        for (size_t j = 0; j <= i; j++) {
+            system->l[i * k + j] = row[system->places[j]];
+        }
+    }
+    if (!cholesky_factor(system->l, k) || !factor_conditions(step)) {
         return false;
     }
     for (size_t i = 0; i < k; i++) {
@@ -206,7 +180,16 @@ bool solver_step_find(struct solver_step *step)
 {
     const int limit = 10 * (int)step->count + 20;
     for (int round = 0; round < limit; round++) {
-        solver_step_list_free(step);
+        /* Who is free; the others lie at their bounds. */
+        struct step_system *system = step->system;
+        system->count = 0;
+        for (size_t i = 0; i < step->count; i++) {
+            if (step->side[i] == STEP_FREE) {
+                system->places[system->count++] = i;
+            } else {
+                step->d[i] = step->side[i] == STEP_AT_LOW ? step->low[i] : step->high[i];
+            }
+        }
         if (!solve_free(step)) {
             return false;
         }
@@ -289,27 +272,6 @@ double solver_sided_gain(const struct solver_sided *sided, const double *residua
         sum += (here * here - there * there) / 2;
     }
     return sum;
-}
-
-/* One step, with those that count. */
-static bool sided_bound_find(struct solver_sided *sided, const double *residuals, const double *h,
-                             const double *g, struct solver_step *step)
-{
-    const size_t n = sided->columns;
-    memcpy(sided->h, h, n * n * sizeof *h);
-    memcpy(sided->g, g, n * sizeof *g);
-    for (size_t k = 0; k < sided->count; k++) {
-        const double *row = sided->slopes + k * n;
-        for (size_t i = 0; i < n && sided->counts[k]; i++) {
-            sided->g[i] += residuals[sided->at[k]] * row[i];
-            for (size_t j = 0; j < n && row[i] != 0; j++) { /* most know few parameters */
-                sided->h[i * n + j] += row[i] * row[j];
-            }
-        }
-    }
-    step->h = sided->h;
-    step->g = sided->g;
-    return solver_step_find(step);
 }
 
 /* Who counts where d leads. Result: are they others than before? */
@@ -401,7 +363,22 @@ bool solver_sided_find(struct solver_sided *sided, const double *residuals, cons
     memset(sided->from, 0, sided->columns * sizeof(double));
     solver_sided_choose(sided, residuals, sided->from);
     for (int round = 0; round < ROUNDS; round++) {
-        if (!sided_bound_find(sided, residuals, h, g, step)) {
+        /* One step, with those that count. */
+        const size_t n = sided->columns;
+        memcpy(sided->h, h, n * n * sizeof *h);
+        memcpy(sided->g, g, n * sizeof *g);
+        for (size_t k = 0; k < sided->count; k++) {
+            const double *row = sided->slopes + k * n;
+            for (size_t i = 0; i < n && sided->counts[k]; i++) {
+                sided->g[i] += residuals[sided->at[k]] * row[i];
+                for (size_t j = 0; j < n && row[i] != 0; j++) { /* most know few parameters */
+                    sided->h[i * n + j] += row[i] * row[j];
+                }
+            }
+        }
+        step->h = sided->h;
+        step->g = sided->g;
+        if (!solver_step_find(step)) {
             return false;
         }
         /* the first step meets conditions, which no step need do that lies before it */

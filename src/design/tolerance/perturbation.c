@@ -315,18 +315,13 @@ bool perturbations_of(const struct lens *lens, const struct perturbation_wish *w
 
 /* -------- as random numbers -------- */
 
-/* The first of the two of an astigmatism, which lie side by side. */
-static bool is_astigmatism(const struct perturbation *one)
-{
-    return one->kind == TOLERANCE_IRREGULARITY && one->axis == PERTURBATION_X;
-}
-
 void perturbation_errors(const struct perturbation *list, size_t count, const double *even,
                          double *errors)
 {
     for (size_t i = 0; i < count; i++) {
         errors[i] = spread_quantile(&list[i].spread, even[i]);
-        if (is_astigmatism(&list[i]) && i + 1 < count) {
+        if ((list[i].kind == TOLERANCE_IRREGULARITY && list[i].axis == PERTURBATION_X) &&
+            i + 1 < count) {
             const double size = errors[i], turn = even[i + 1];
             double cosine, sine;
             turns_of(turn, &cosine, &sine);

@@ -243,22 +243,17 @@ static const char *fringes(const struct tolerance_site *site, const struct toler
                               : "so many fringes lead beyond the edge of the surface's sphere";
 }
 
-/* Is it a space beside a plane stop, which may stand within the sag of its neighbour? */
-static bool is_beside_stop(const struct tolerance_site *site, const struct tolerance_place *place)
-{
-    return place->kind == TOLERANCE_AIR &&
-           (perturbation_place_surface_at(site, place->first)->kind == SURFACE_STOP ||
-            perturbation_place_surface_at(site, place->first + 1)->kind == SURFACE_STOP);
-}
-
 static const char *number_amount(const struct tolerance_site *site,
                                  const struct tolerance_place *place, struct perturbation *result)
 {
     const struct lens_tolerance *from = place->from;
     const enum parameter_kind kind = tolerance_type(place->kind)->parameter;
     const bool is_share = from->unit == TOLERANCE_PERCENT;
-    const bool may_pass_0 = place->kind == TOLERANCE_CONIC ||
-                            place->kind == TOLERANCE_COEFFICIENT || is_beside_stop(site, place);
+    const bool may_pass_0 =
+        place->kind == TOLERANCE_CONIC || place->kind == TOLERANCE_COEFFICIENT ||
+        (place->kind == TOLERANCE_AIR &&
+         (perturbation_place_surface_at(site, place->first)->kind == SURFACE_STOP ||
+          perturbation_place_surface_at(site, place->first + 1)->kind == SURFACE_STOP));
     result->what = (struct parameter){
         place->first, kind == PARAMETER_KINDS ? PARAMETER_THICKNESS : kind, from->order};
     if (from->unit == TOLERANCE_FRINGES) {

@@ -74,27 +74,6 @@ static size_t motion_of(struct perturbed *perturbed, size_t at)
     return perturbed->motion_count++;
 }
 
-static bool add_motion(struct perturbed *perturbed, size_t at, struct error *error)
-{
-    const struct perturbation *one = &perturbed->list[at];
-    for (size_t i = one->first + 1; i <= one->last; i++) {
-        if (perturbed->lens->surfaces[i].coordinate_break != NULL) {
-            return fail(error, ERROR_DOMAIN,
-                        "%s: the axis bends within the element, before surface %zu", one->name,
-                        i + 1);
-        }
-    }
-    perturbed->target[at] = motion_of(perturbed, at);
-    for (size_t i = one->first; i <= one->last; i++) {
-        perturbed->is_posed[i] = true;
-        perturbed_number_of(perturbed, perturbed_thickness_of(i));
-    }
-    if (one->first > 0) {
-        perturbed_number_of(perturbed, perturbed_thickness_of(one->first - 1));
-    }
-    return true;
-}
-
 static bool add_medium(struct perturbed *perturbed, size_t at, struct error *error)
 {
     const struct perturbation *one = &perturbed->list[at];
@@ -121,7 +100,22 @@ static bool perturbed_add(struct perturbed *perturbed, size_t at, struct error *
     const struct perturbation *one = &perturbed->list[at];
     perturbed->target[at] = LENS_NONE;
     if (is_motion(one)) {
-        return add_motion(perturbed, at, error);
+        for (size_t i = one->first + 1; i <= one->last; i++) {
+            if (perturbed->lens->surfaces[i].coordinate_break != NULL) {
+                return fail(error, ERROR_DOMAIN,
+                            "%s: the axis bends within the element, before surface %zu", one->name,
+                            i + 1);
+            }
+        }
+        perturbed->target[at] = motion_of(perturbed, at);
+        for (size_t i = one->first; i <= one->last; i++) {
+            perturbed->is_posed[i] = true;
+            perturbed_number_of(perturbed, perturbed_thickness_of(i));
+        }
+        if (one->first > 0) {
+            perturbed_number_of(perturbed, perturbed_thickness_of(one->first - 1));
+        }
+        return true;
     }
     if (perturbed_is_of_medium(one)) {
         return add_medium(perturbed, at, error);
@@ -132,20 +126,6 @@ static bool perturbed_add(struct perturbed *perturbed, size_t at, struct error *
     } else if (one->kind != TOLERANCE_IRREGULARITY) {
         perturbed->target[at] = perturbed_number_of(perturbed, one->what);
         perturbed_keep(perturbed, one->what);
-    }
-    return true;
-}
-
-/* Radii before curvatures, which are added to what those have made. */
-static bool add_all(struct perturbed *perturbed, struct error *error)
-{
-    for (int bends = 1; bends >= 0; bends--) {
-        for (size_t i = 0; i < perturbed->count; i++) {
-            const bool is_radius = perturbed->list[i].what.kind == PARAMETER_RADIUS;
-            if (is_radius == (bends == 1) && !perturbed_add(perturbed, i, error)) {
-                return false;
-            }
-        }
     }
     return true;
 }
@@ -171,7 +151,16 @@ bool perturbed_open(const struct perturbed_question *question, struct arena *are
     for (size_t p = 0; p < perturbed->position_count; p++) {
         perturbed->at[p] = lens_at_position(lens, p, arena);
     }
-    return add_all(perturbed, error);
+    /* Radii before curvatures, which are added to what those have made. */
+    for (int bends = 1; bends >= 0; bends--) {
+        for (size_t i = 0; i < perturbed->count; i++) {
+            const bool is_radius = perturbed->list[i].what.kind == PARAMETER_RADIUS;
+            if (is_radius == (bends == 1) && !perturbed_add(perturbed, i, error)) {
+                return false;
+            }
+        }
+    }
+    return true;
 }
 
 void perturbed_keep(struct perturbed *perturbed, struct parameter what)
@@ -386,20 +375,6 @@ static void put_media(struct perturbed *perturbed, size_t position)
     }
 }
 
-/* Vertices that went along the axis, by the thicknesses before and behind them. */
-static void put_places(struct perturbed *perturbed, struct lens_numbers *lens)
-{
-    const size_t count = perturbed->lens->surface_count;
-    for (size_t i = 0; i < count; i++) {
-        const double behind = i + 1 < count ? perturbed->poses[i + 1].z : 0;
-        const double more = behind - perturbed->poses[i].z;
-        if (more != 0) {
-            const double now = parameter_get(&lens->lens, perturbed_thickness_of(i));
-            lens_numbers_set(lens, perturbed_thickness_of(i), now + more);
-        }
-    }
-}
-
 void perturbed_put(struct perturbed *perturbed, const double *errors)
 {
     const size_t count = perturbed->lens->surface_count;
@@ -415,38 +390,41 @@ void perturbed_put(struct perturbed *perturbed, const double *errors)
                 put_pose(perturbed, p, i);
             }
         }
-        put_places(perturbed, lens);
+        /* Vertices that went along the axis, by the thicknesses before and behind them. */
+        for (size_t i = 0; i < count; i++) {
+            const double behind = i + 1 < count ? perturbed->poses[i + 1].z : 0;
+            const double more = behind - perturbed->poses[i].z;
+            if (more != 0) {
+                const double now = parameter_get(&lens->lens, perturbed_thickness_of(i));
+                lens_numbers_set(lens, perturbed_thickness_of(i), now + more);
+            }
+        }
     }
 }
 
 /* -------- small errors -------- */
-
-static size_t motion_links(const struct perturbed *perturbed, const struct perturbation *one,
-                           struct perturbed_link *links)
-{
-    const struct lens *lens = &perturbed->lenses[0].lens;
-    const bool is_tilt = one->kind == TOLERANCE_ELEMENT_TILT, is_y = perturbed_part_of(one) == 1;
-    size_t count = 0;
-    for (size_t i = one->first; i <= one->last; i++) {
-        const double z = place_within(lens, one->first, i) - one->pivot;
-        const bool along_y = is_tilt ? !is_y : is_y;
-        const double shift = !is_tilt ? 1 : is_y ? z : -z;
-        links[count++] = (struct perturbed_link){
-            {i, along_y ? PARAMETER_DECENTER_Y : PARAMETER_DECENTER_X, 0}, one->amount * shift};
-        if (is_tilt) {
-            links[count++] = (struct perturbed_link){
-                {i, is_y ? PARAMETER_TILT_Y : PARAMETER_TILT_X, 0}, one->amount};
-        }
-    }
-    return count;
-}
 
 size_t perturbed_links(const struct perturbed *perturbed, size_t perturbation,
                        struct perturbed_link *links)
 {
     const struct perturbation *one = &perturbed->list[perturbation];
     if (is_motion(one)) {
-        return motion_links(perturbed, one, links);
+        const struct lens *lens = &perturbed->lenses[0].lens;
+        const bool is_tilt = one->kind == TOLERANCE_ELEMENT_TILT,
+                   is_y = perturbed_part_of(one) == 1;
+        size_t count = 0;
+        for (size_t i = one->first; i <= one->last; i++) {
+            const double z = place_within(lens, one->first, i) - one->pivot;
+            const bool along_y = is_tilt ? !is_y : is_y;
+            const double shift = !is_tilt ? 1 : is_y ? z : -z;
+            links[count++] = (struct perturbed_link){
+                {i, along_y ? PARAMETER_DECENTER_Y : PARAMETER_DECENTER_X, 0}, one->amount * shift};
+            if (is_tilt) {
+                links[count++] = (struct perturbed_link){
+                    {i, is_y ? PARAMETER_TILT_Y : PARAMETER_TILT_X, 0}, one->amount};
+            }
+        }
+        return count;
     }
     if (one->kind == TOLERANCE_IRREGULARITY) {
         return 0;

@@ -48,26 +48,6 @@ static bool second_order_look(const struct expansion *developing, size_t i, size
     return true;
 }
 
-static bool second_order_look_along(const struct expansion *developing, size_t i,
-                                    struct second_order_form *forms)
-{
-    const size_t figures = developing->problem->figure_count, n = developing->problem->error_count;
-    double *above = developing->above + i * figures, *below = developing->below + i * figures;
-    if (!second_order_look(developing, i, i, step, above) ||
-        !second_order_look(developing, i, i, -step, below) ||
-        !second_order_look(developing, i, i, 2 * step, developing->up) ||
-        !second_order_look(developing, i, i, -2 * step, developing->down)) {
-        return false;
-    }
-    for (size_t f = 0; f < figures; f++) {
-        forms[f].slope[i] =
-            (8 * (above[f] - below[f]) - (developing->up[f] - developing->down[f])) / (12 * step);
-        forms[f].curve[i * n + i] =
-            (above[f] + below[f] - 2 * developing->middle[f]) / (step * step);
-    }
-    return true;
-}
-
 static bool second_order_look_across(const struct expansion *developing, size_t i, size_t j,
                                      struct second_order_form *forms)
 {
@@ -96,8 +76,21 @@ static bool develop(const struct expansion *developing, struct second_order_form
         forms[f].value = developing->middle[f];
     }
     for (size_t i = 0; i < developing->problem->error_count; i++) {
-        if (!second_order_look_along(developing, i, forms)) {
+        const size_t figures = developing->problem->figure_count,
+                     n = developing->problem->error_count;
+        double *above = developing->above + i * figures, *below = developing->below + i * figures;
+        if (!second_order_look(developing, i, i, step, above) ||
+            !second_order_look(developing, i, i, -step, below) ||
+            !second_order_look(developing, i, i, 2 * step, developing->up) ||
+            !second_order_look(developing, i, i, -2 * step, developing->down)) {
             return false;
+        }
+        for (size_t f = 0; f < figures; f++) {
+            forms[f].slope[i] =
+                (8 * (above[f] - below[f]) - (developing->up[f] - developing->down[f])) /
+                (12 * step);
+            forms[f].curve[i * n + i] =
+                (above[f] + below[f] - 2 * developing->middle[f]) / (step * step);
         }
         for (size_t j = 0; j < i; j++) {
             if (!second_order_look_across(developing, i, j, forms)) {

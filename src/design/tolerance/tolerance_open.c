@@ -35,11 +35,6 @@ static bool tolerance_open_find_image(const struct merit_question *view, size_t 
            fail(error, ERROR_DOMAIN, "the image is infinitely far away: nothing is in focus there");
 }
 
-static struct figure plain(double value)
-{
-    return (struct figure){.value = pair_of(value), .variable = LENS_NONE};
-}
-
 /* The last thickness of a lens with `focus paraxial` or `best`: a word where positions differ. */
 static bool tolerance_open_put_image(const struct merit_question *view, struct lens *lens,
                                      struct arena *arena, struct error *error)
@@ -53,7 +48,7 @@ static bool tolerance_open_put_image(const struct merit_question *view, struct l
         if (!tolerance_open_find_image(view, p, arena, &image, error)) {
             return false;
         }
-        values[p] = plain(image);
+        values[p] = (struct figure){.value = pair_of(image), .variable = LENS_NONE};
     }
     lens->focus = FOCUS_TABLE;
     last->has_thickness = true;

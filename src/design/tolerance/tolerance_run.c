@@ -32,17 +32,13 @@ static double badness(const struct tolerance *tolerance, size_t figure, double v
     return criterion_badness(tolerance->question.criterion.kind, value, tolerance->nominal[figure]);
 }
 
-static double tolerance_run_weight_of(const struct tolerance_figure *figure)
-{
-    return figure->field != NULL ? figure->field->weight : 1;
-}
-
 /* The mean by the weights of the fields. */
 static double tolerance_run_mean_of(const struct tolerance *tolerance, const double *figures)
 {
     double sum = 0, weights = 0;
     for (size_t i = 0; i < tolerance->figure_count; i++) {
-        const double weight = tolerance_run_weight_of(&tolerance->figures[i]);
+        const struct tolerance_figure *figure = &tolerance->figures[i];
+        const double weight = figure->field != NULL ? figure->field->weight : 1;
         sum += weight * figures[i];
         weights += weight;
     }
@@ -176,22 +172,6 @@ static void keep_reason(struct tolerance_result *result, struct tolerance_reason
     result->reason_count++;
 }
 
-static void count_figures(const struct tolerance_run *run, const double *figures,
-                          struct tolerance_result *result)
-{
-    const enum criterion_kind kind = run->question->criterion.kind;
-    for (size_t i = 0; i < result->column_count; i++) {
-        struct tolerance_column *column = &result->columns[i];
-        const double bad = column_badness(result->tolerance, run->of, i, figures);
-        trial_statistics_add(&column->tally,
-                             column->of != NULL
-                                 ? figures[i]
-                                 : tolerance_judged(result->tolerance, run->of, figures));
-        trial_statistics_add(&column->badness, bad);
-        column->passed += criterion_passes(kind, bad, run->limit) ? 1 : 0;
-    }
-}
-
 static void count_trial(const struct tolerance_run *run, uint64_t number, bool found,
                         const struct tolerance_trial *trial, struct tolerance_result *result)
 {
@@ -201,7 +181,17 @@ static void count_trial(const struct tolerance_run *run, uint64_t number, bool f
         keep_reason(result, (struct tolerance_reason){1, number, trial->why.message});
         return;
     }
-    count_figures(run, trial->figures, result);
+    const enum criterion_kind kind = run->question->criterion.kind;
+    for (size_t i = 0; i < result->column_count; i++) {
+        struct tolerance_column *column = &result->columns[i];
+        const double bad = column_badness(result->tolerance, run->of, i, trial->figures);
+        trial_statistics_add(&column->tally,
+                             column->of != NULL
+                                 ? trial->figures[i]
+                                 : tolerance_judged(result->tolerance, run->of, trial->figures));
+        trial_statistics_add(&column->badness, bad);
+        column->passed += criterion_passes(kind, bad, run->limit) ? 1 : 0;
+    }
     for (size_t i = 0; i < tolerance_moves(result->tolerance); i++) {
         trial_statistics_add(&result->moves[i], trial->moves[i]);
     }

@@ -220,14 +220,6 @@ static void sum_waves(const struct tolerance *tolerance, double *figures)
     }
 }
 
-/* The centroid of a spot that lies `s` behind the image plane. */
-static void centroid_at(const struct merit_spot *spot, double s, double centroid[2])
-{
-    for (int k = 0; k < 2; k++) {
-        centroid[k] = spot->centroid[k] + s * spot->drift[k];
-    }
-}
-
 /* Figures of spots that lie s behind. */
 static void judge_spots(const struct tolerance *tolerance, double s, double *figures)
 {
@@ -236,7 +228,10 @@ static void judge_spots(const struct tolerance *tolerance, double s, double *fig
         const struct merit_spot *spot = &spots[tolerance->figures[i].spot];
         if (tolerance->question.criterion.kind == CRITERION_BORESIGHT) {
             double centroid[2];
-            centroid_at(spot, s, centroid);
+            /* The centroid of a spot that lies `s` behind the image plane. */
+            for (int k = 0; k < 2; k++) {
+                centroid[k] = spot->centroid[k] + s * spot->drift[k];
+            }
             figures[i] =
                 hypot(centroid[0] - tolerance->rest[i][0], centroid[1] - tolerance->rest[i][1]);
         } else {

@@ -36,14 +36,6 @@ static uint64_t *trial_statistics_page_at(struct trial_statistics *tally, size_t
     return tally->pages[page];
 }
 
-static void count_one(struct trial_statistics *tally, double departure)
-{
-    uint64_t bits;
-    memcpy(&bits, &departure, sizeof bits);
-    trial_statistics_page_at(
-        tally, bits >> (BIN_SHIFT + PAGE_BITS))[bits >> BIN_SHIFT & (PAGE_BINS - 1)]++;
-}
-
 void trial_statistics_add(struct trial_statistics *tally, double figure)
 {
     const double departure = figure - tally->nominal + 0.0; /* no -0 */
@@ -55,7 +47,10 @@ void trial_statistics_add(struct trial_statistics *tally, double figure)
     if (tally->keeps) {
         tally->kept[tally->count] = departure;
     } else {
-        count_one(tally, departure);
+        uint64_t bits;
+        memcpy(&bits, &departure, sizeof bits);
+        trial_statistics_page_at(
+            tally, bits >> (BIN_SHIFT + PAGE_BITS))[bits >> BIN_SHIFT & (PAGE_BINS - 1)]++;
     }
     tally->lowest = fmin(tally->lowest, figure);
     tally->highest = fmax(tally->highest, figure);
