@@ -1,7 +1,7 @@
 /* commands/camera/render_model.c - the model of a lens in its place. */
 /* SPDX-License-Identifier: MIT */
 #include "commands/camera/render.h"
-#include "commands/design/fit_job.h"
+#include "commands/design/fit.h"
 
 /* Is it one already, as `fit -o` writes them: no power but that of thick lenses? */
 static bool is_thick(const struct lens *lens)

@@ -3,7 +3,7 @@
 #include "base/parallel.h"
 #include "cli/question/division.h"
 #include "commands/analysis/analysis_options.h"
-#include "commands/design/optimize_search.h"
+#include "commands/design/optimize_job.h"
 #include "file/lens_file.h"
 #include "trace/aim/sample.h"
 

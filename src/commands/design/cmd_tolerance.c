@@ -3,7 +3,6 @@
 #include "base/parallel.h"
 #include "commands/analysis/analysis_options.h"
 #include "commands/design/tolerance_job.h"
-#include "commands/design/tolerance_view.h"
 #include "trace/aim/sample.h"
 
 static const struct word shows[] = {

@@ -53,8 +53,7 @@ static const struct column glass_columns[] = {
      .help = "converged, or why the fit ended otherwise"},
 };
 
-const struct sheet fit_glass_sheet = {glass_columns, sizeof glass_columns / sizeof glass_columns[0],
-                                      sizeof(struct fit_glass_glass_row)};
+const struct sheet fit_glass_sheet = SHEET(glass_columns, struct fit_glass_glass_row);
 
 struct index_row {
     double wavelength; /* um */
@@ -73,8 +72,7 @@ static const struct column index_columns[] = {
      .help = "index by the formula less the measured one"},
 };
 
-const struct sheet fit_index_sheet = {index_columns, sizeof index_columns / sizeof index_columns[0],
-                                      sizeof(struct index_row)};
+const struct sheet fit_index_sheet = SHEET(index_columns, struct index_row);
 
 static bool fit_glass_read_indices(const struct fit_input *input, struct run *run,
                                    struct index_table *table, struct error *error)

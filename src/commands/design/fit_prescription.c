@@ -50,8 +50,7 @@ static const struct column columns[] = {
      .help = "that the goal is missed, and what is doubtful about the fitted lens"},
 };
 
-const struct sheet fit_goal_sheet = {columns, sizeof columns / sizeof columns[0],
-                                     sizeof(struct fit_prescription_goal_row)};
+const struct sheet fit_goal_sheet = SHEET(columns, struct fit_prescription_goal_row);
 
 /* What was asked. */
 struct wishes {
@@ -190,7 +189,7 @@ static const char *fit_prescription_misses(const struct wishes *wishes,
 {
     const char *all = NULL;
     for (size_t g = 0; g < wishes->goal_count; g++) {
-        all = fit_join(all, fit_prescription_miss(wishes, fit, g, arena), arena);
+        all = lens_warnings_join(all, fit_prescription_miss(wishes, fit, g, arena), arena);
     }
     return all;
 }
@@ -207,7 +206,7 @@ static bool fit_prescription_apply(const struct lens *lens, const struct wishes 
         return error_prefix(error, "the fitted lens: ");
     }
     for (size_t i = 0; i < warnings.count; i++) {
-        *doubt = fit_join(*doubt, warnings.texts[i], arena);
+        *doubt = lens_warnings_join(*doubt, warnings.texts[i], arena);
     }
     return true;
 }
@@ -238,7 +237,7 @@ static void free_marks(struct lens *fitted, const struct wishes *wishes,
                 wishes->part_names[j], value, unit, low, high, unit,
                 parameter_type(what.kind)->name);
             warnings_add(run->doubts, "%s", words);
-            *freed = fit_join(*freed, words, run->arena);
+            *freed = lens_warnings_join(*freed, words, run->arena);
         }
         surface->varies = copy;
     }
@@ -252,8 +251,8 @@ static void emit_goals(const struct wishes *wishes, const struct prescription_fi
             .goal = wishes->goal_names[g],
             .lens = fitted->title,
             .status = fit_status(&fit->summary),
-            .warning =
-                fit_join(fit_prescription_miss(wishes, fit, g, run->arena), doubt, run->arena),
+            .warning = lens_warnings_join(fit_prescription_miss(wishes, fit, g, run->arena), doubt,
+                                          run->arena),
             .target = wishes->goals[g].value,
             .deviation = wishes->goals[g].deviation,
             .reached = fit->reached[g],

@@ -27,12 +27,8 @@ static const struct column correlation_columns[] = {
      .help = "covariance over the product of the standard errors, -1 to 1"},
 };
 
-const struct sheet fit_parameter_sheet = {parameter_columns,
-                                          sizeof parameter_columns / sizeof parameter_columns[0],
-                                          sizeof(struct fit_row)};
-const struct sheet fit_correlation_sheet = {
-    correlation_columns, sizeof correlation_columns / sizeof correlation_columns[0],
-    sizeof(struct fit_row)};
+const struct sheet fit_parameter_sheet = SHEET(parameter_columns, struct fit_row);
+const struct sheet fit_correlation_sheet = SHEET(correlation_columns, struct fit_row);
 
 static void emit_parameters(const struct fit_found *found, struct run *run)
 {
@@ -75,17 +71,6 @@ void fit_emit(const struct fit_found *found, enum fit_show show, struct run *run
     } else {
         emit_parameters(found, run);
     }
-}
-
-const char *fit_join(const char *one, const char *other, struct arena *arena)
-{
-    if (one == NULL) {
-        return other;
-    }
-    if (other == NULL) {
-        return one;
-    }
-    return arena_printf(arena, "%s; %s", one, other);
 }
 
 void fit_note(struct lens *lens, const char *note, struct arena *arena)

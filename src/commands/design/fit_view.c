@@ -1,6 +1,6 @@
 /* commands/design/fit_view.c - what a fit found, as rows and files. */
 /* SPDX-License-Identifier: MIT */
-#include "commands/design/fit_job.h"
+#include "commands/design/fit.h"
 #include "draw/ray_map.h"
 #include "draw/svg.h"
 #include "file/lens_file.h"
@@ -38,8 +38,7 @@ static const struct column ray_columns[] = {
      .label = "distance", .help = "length of (dx, dy)"},
 };
 
-const struct sheet fit_ray_sheet = {ray_columns, sizeof ray_columns / sizeof ray_columns[0],
-                                    sizeof(struct ray_row)};
+const struct sheet fit_ray_sheet = SHEET(ray_columns, struct ray_row);
 
 /* A thick lens beside its rivals. */
 struct model_row {
@@ -73,8 +72,7 @@ static const struct column model_columns[] = {
      .help = "angle between its rays and the exact ones behind the lens, root mean square"},
 };
 
-const struct sheet fit_model_sheet = {model_columns, sizeof model_columns / sizeof model_columns[0],
-                                      sizeof(struct model_row)};
+const struct sheet fit_model_sheet = SHEET(model_columns, struct model_row);
 
 struct matrix_row {
     const char *position, *row;
@@ -95,8 +93,7 @@ static const struct column matrix_columns[] = {
     {CELL(w), .help = "times 1; the image point's z is from H too"},
 };
 
-const struct sheet fit_matrix_sheet = {
-    matrix_columns, sizeof matrix_columns / sizeof matrix_columns[0], sizeof(struct matrix_row)};
+const struct sheet fit_matrix_sheet = SHEET(matrix_columns, struct matrix_row);
 /* What the fitted lens makes of the rays of a part, less what they are, in the image. */
 static void fit_view_find_errors(const struct fit_job *job, const struct ray_part *part, double *dx,
                                  double *dy)

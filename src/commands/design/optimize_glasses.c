@@ -1,6 +1,6 @@
 /* commands/design/optimize_glasses.c - optimize --glasses: model glasses end as real ones. */
 /* SPDX-License-Identifier: MIT */
-#include "commands/design/optimize_glasses.h"
+#include "commands/design/optimize_job.h"
 
 #include "base/parallel.h"
 #include "data/glass_catalog.h"
@@ -299,10 +299,10 @@ bool optimize_glasses_choose(struct optimize_job *job, struct error *error)
 /* -------- rows -------- */
 
 struct optimize_glasses_glass_row {
-    const char *glass, *lens, *warning;
+    struct optimize_about about;
+    const char *glass;
     double model_nd, model_Vd, nd, Vd, distance, before, after, loss;
-    double fnumber;
-    long seed, rank, surface;
+    long surface;
 };
 
 static const struct column glass_columns[] = {
@@ -328,22 +328,17 @@ static const struct column glass_columns[] = {
      .label = "merit after", .help = "after it, everything else optimised again"},
     {COLUMN(struct optimize_glasses_glass_row, loss), .flags = COLUMN_BRIEF, .name = "loss",
      .label = "loss", .help = "how much the merit has grown"},
-    LENS_TITLE_COLUMN(struct optimize_glasses_glass_row, lens),
-    LENS_WARNING_COLUMN(struct optimize_glasses_glass_row, warning),
+    OPTIMIZE_LENS_COLUMNS(struct optimize_glasses_glass_row),
 };
 
-const struct sheet optimize_glass_sheet = {glass_columns,
-                                           sizeof glass_columns / sizeof glass_columns[0],
-                                           sizeof(struct optimize_glasses_glass_row)};
+const struct sheet optimize_glass_sheet = SHEET(glass_columns, struct optimize_glasses_glass_row);
 
 bool optimize_emit_glasses(struct optimize_job *job)
 {
     const struct glass_choice *choice = job->choice;
     for (size_t i = 0; i < choice->count; i++) {
         const struct glass_exchange *exchange = &choice->exchanges[i];
-        const struct optimize_glasses_glass_row row = {.fnumber = job->input->question.fnumber,
-                                                       .seed = job->input->seed,
-                                                       .rank = job->rank,
+        const struct optimize_glasses_glass_row row = {.about = optimize_about_of(job, i == 0),
                                                        .surface = (long)exchange->surface + 1,
                                                        .model_nd = exchange->nd,
                                                        .model_Vd = exchange->Vd,
@@ -354,9 +349,7 @@ bool optimize_emit_glasses(struct optimize_job *job)
                                                        .distance = exchange->distance,
                                                        .before = exchange->before,
                                                        .after = exchange->after,
-                                                       .loss = exchange->after - exchange->before,
-                                                       .lens = job->lens->title,
-                                                       .warning = i == 0 ? job->warning : NULL};
+                                                       .loss = exchange->after - exchange->before};
         if (!run_emit(job->run, &row)) {
             break;
         }

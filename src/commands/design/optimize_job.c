@@ -4,17 +4,233 @@
 
 #include "base/constants.h"
 #include "cli/options/goals.h"
+#include "cli/options/tolerances.h"
 #include "cli/options/vary.h"
 #include "cli/progress.h"
 #include "commands/analysis/analysis_options.h"
-#include "commands/design/optimize_contrast.h"
-#include "commands/design/optimize_glasses.h"
-#include "commands/design/optimize_goals.h"
 #include "design/glass_map.h"
+#include "optics/first_order.h"
 #include "report/warnings.h"
 
 #include <math.h>
 #include <string.h>
+
+/* mm; NaN: an afocal lens. */
+static double focal_length(const struct optimize_job *job, size_t position)
+{
+    const struct lens *lens = job->lens;
+    const enum lens_section section = (enum lens_section)job->input->question.section;
+    struct arena *arena = job->run->arena;
+    const double stated = lens_stated(lens, STATED_EFL, position);
+    struct first_order first;
+    struct error ignored;
+    if (!isnan(stated)) {
+        return stated;
+    }
+    const bool known =
+        first_order_of_lens(lens_at_position(lens, position, arena), lens_primary_wavelength(lens),
+                            section, arena, &first, &ignored);
+    return known && isfinite(first.efl) ? first.efl : NAN;
+}
+
+static const char *add_focal_lengths(const struct optimize_job *job,
+                                     const struct merit_question *question, const char *words,
+                                     double *size)
+{
+    const struct lens *lens = job->lens;
+    struct arena *arena = job->run->arena;
+    const size_t all = lens->position_count > 0 ? lens->position_count : 1;
+    const size_t count = question->position_count > 0 ? question->position_count : all;
+    *size = INFINITY;
+    for (size_t i = 0; i < count; i++) {
+        const size_t at = question->position_count > 0 ? question->positions[i] : i;
+        const double focal = focal_length(job, at);
+        if (!isnan(focal)) {
+            words = all > 1 ? arena_printf(arena, "%s, efl@%s = %.6g", words, lens->positions[at],
+                                           focal)
+                            : arena_printf(arena, "%s, efl = %.6g", words, focal);
+            *size = fmin(*size, fabs(focal));
+        }
+    }
+    return words;
+}
+
+/* The least of the lens's own centres, edges or gaps, mm; NaN: it cannot be told. */
+static double optimize_job_least_of(struct optimize_job *job, const struct merit_question *question,
+                                    const char *name)
+{
+    struct arena *arena = job->run->arena;
+    const struct goals_reader reader = {job->run->db, job->lens, arena, "--goals", 1};
+    const char *words = arena_printf(arena, "%s > 0", name);
+    struct merit_question asked = *question;
+    struct merit merit;
+    struct goals goals;
+    struct error ignored;
+    if (!goals_read(&reader, text_of(words), &goals, &ignored)) {
+        return NAN;
+    }
+    asked.operands = goals.list;
+    asked.operand_count = goals.count;
+    if (!merit_open(&asked, arena, &merit, &ignored)) {
+        return NAN;
+    }
+    double *numbers = ARENA_ARRAY(arena, job->variables.count + 1, double), least = INFINITY;
+    double *residuals = ARENA_ARRAY(arena, merit.residual_count + 1, double);
+    variables_get(&job->variables, numbers);
+    if (!merit_evaluate(&merit, numbers, residuals, NULL)) {
+        return NAN;
+    }
+    for (size_t i = 0; i < merit.residual_count; i++) {
+        least = fmin(least, merit.values[i]);
+    }
+    return least;
+}
+
+/* Two digits of it, not more than it is. */
+static double round_down(double value)
+{
+    const double step = pow(10, floor(log10(value)) - 1);
+    return floor(value / step * (1 + 1e-12)) * step;
+}
+
+/* No glass and no gap thinner than so much of the focal length, or than the thinnest that is there;
+   what cannot be told, as of surfaces that end before their edges, is left out. */
+static const char *usual_goals(struct optimize_job *job, const struct merit_question *question)
+{
+    static const struct {
+        const char *name;
+        double share;
+    } limits[] = {{"center", 0.02}, {"edge", 0.01}, {"air", 0.001}};
+    struct arena *arena = job->run->arena;
+    double size;
+    const char *words = add_focal_lengths(job, question, "poly", &size);
+    for (size_t i = 0; i < sizeof limits / sizeof limits[0] && isfinite(size); i++) {
+        const double least = optimize_job_least_of(job, question, limits[i].name),
+                     usual = limits[i].share * size;
+        if (!isnan(least)) {
+            words = arena_printf(arena, "%s, %s > %.2g", words, limits[i].name,
+                                 round_down(least > 0 ? fmin(least, usual) : usual));
+        }
+    }
+    return words;
+}
+
+static const char *join_goals(const struct lens *lens, struct arena *arena)
+{
+    const char *words = "";
+    for (size_t i = 0; i < lens->goal_count; i++) {
+        const struct text text = lens->goals[i].text;
+        words =
+            arena_printf(arena, "%s%s%.*s", words, i > 0 ? ", " : "", (int)text.length, text.start);
+    }
+    return words;
+}
+
+/* Rays near loss count, wherever rays do and nothing else is said. */
+static void optimize_job_add_grazing(struct optimize_job *job, struct goals *goals)
+{
+    struct operand grazing = operand_of(OPERAND_GRAZING, "grazing < 85");
+    grazing.relation = OPERAND_BELOW;
+    grazing.target = 85 * RADIANS_PER_DEGREE;
+    struct operand *all = ARENA_ARRAY(job->run->arena, goals->count + 1, struct operand);
+    bool has_rays = false, has_grazing = false;
+    for (size_t i = 0; i < goals->count; i++) {
+        all[i] = goals->list[i];
+        has_rays = has_rays || (operand_type(all[i].kind)->is & OPERAND_TRACES) != 0;
+        has_grazing = has_grazing || all[i].kind == OPERAND_GRAZING;
+    }
+    if (has_rays && !has_grazing) {
+        all[goals->count++] = grazing;
+        goals->list = all;
+        job->guards = true;
+    }
+}
+
+static bool optimize_job_read_goals(struct optimize_job *job, const struct merit_question *question,
+                                    struct goals *goals, struct error *error)
+{
+    struct arena *arena = job->run->arena;
+    const char *typed = job->input->goals;
+    const bool own = typed == NULL && job->lens->goal_count > 0;
+    const struct goals_reader reader = {
+        .db = job->run->db, .lens = job->lens, .arena = arena, .where = "--goals", .deviation = 1};
+    if (own) {
+        job->goals = join_goals(job->lens, arena);
+        return goals_of_lens(&reader, job->lens, goals, error);
+    }
+    job->goals = typed != NULL ? typed : usual_goals(job, question);
+    return goals_read(&reader, text_of(job->goals), goals, error);
+}
+
+/* Wavelengths and fields that are asked for count for goals alone that name none. */
+static bool check_used(const struct merit_question *question, const struct goals *goals,
+                       struct error *error)
+{
+    bool of_wavelengths = false, of_fields = false;
+    for (size_t i = 0; i < goals->count; i++) {
+        const struct operand *goal = &goals->list[i];
+        const unsigned is = operand_type(goal->kind)->is;
+        of_wavelengths |= (is & OPERAND_OF_WAVELENGTHS) != 0 && isnan(goal->wavelength);
+        of_fields |= (is & OPERAND_AT_FIELD) != 0 && goal->field == NULL;
+    }
+    if (question->wavelength_count > 0 && !of_wavelengths) {
+        fail(error, ERROR_USAGE, "{--wavelength} does nothing here: no goal is of all wavelengths");
+        return error_hint(error, "a goal may name its own: efl@550nm = 100");
+    }
+    return question->field_count == 0 || of_fields ||
+           fail(error, ERROR_USAGE, "{--field} does nothing here: no goal is of these fields");
+}
+
+/*
+ * The goals of a job, whose variables are open; job->goals receives them in words that --goals
+ * takes.
+ *
+ * Given     question  for its merit, but for the goals
+ * Result    without any: `poly`, the focal length that is stated or else the lens's own in each
+ *           position, and centres, edges and gaps not below 2 %, 1 % and 0.1 % of the shortest of
+ *           them, or below the thinnest that the lens has
+ * Errors    as goals_read
+ */
+static bool optimize_goals(struct optimize_job *job, const struct merit_question *question,
+                           struct goals *goals, struct error *error)
+{
+    if (!optimize_job_read_goals(job, question, goals, error) ||
+        !check_used(question, goals, error)) {
+        return false;
+    }
+    optimize_job_add_grazing(job, goals);
+    return true;
+}
+
+/*
+ * What may be wrong with the lens, for goals of how it is made: job->errors.
+ *
+ * Errors    as tolerances_of; ERROR_USAGE: it is told, and no goal asks for it
+ */
+static bool optimize_errors(struct optimize_job *job, const struct goals *goals,
+                            struct error *error)
+{
+    const struct optimize_input *input = job->input;
+    const struct tolerances_reader reader = {job->lens, job->run->db, job->run->arena};
+    const char *grade = tolerances_grade(job->lens, input->grade, input->tolerances), *words;
+    bool counts = false;
+    for (size_t i = 0; i < goals->count; i++) {
+        counts = counts || goals->list[i].kind == OPERAND_ASBUILT;
+    }
+    if (!counts) {
+        return (input->grade == NULL && input->tolerances == NULL) ||
+               fail(error, ERROR_USAGE, "{--%s} is of the goal asbuilt, and there is no such goal",
+                    input->grade != NULL ? "grade" : "tolerances");
+    }
+    if (!tolerances_of(&reader, grade, input->tolerances, &job->errors, &words, error)) {
+        return false;
+    }
+    job->made = arena_printf(job->run->arena, "%zu error%s, %s", job->errors.count,
+                             job->errors.count == 1 ? "" : "s", words);
+    return true;
+}
+
+/* -------- the job -------- */
 
 /* What is seen of the lens while it changes. */
 struct optimize_job_view {
@@ -127,272 +343,6 @@ static bool optimize_job_goes_on(void *context)
     return watch_add(job->run->watch, 1) && progress_clock() < job->until;
 }
 
-static const char *optimize_job_status_of(const struct optimize_job *job)
-{
-    static const char *const words[] = {
-        [SOLVER_CONVERGED] = "converged",
-        [SOLVER_LIMIT] = "as many iterations as allowed",
-        [SOLVER_STOPPED] = "interrupted",
-        [SOLVER_STUCK] = "no step makes it better",
-    };
-    const enum solver_status status = job->answer.summary.status;
-    return status == SOLVER_STOPPED && job->is_late ? "the time is up" : words[status];
-}
-
-void optimize_warn(struct optimize_job *job, const char *words)
-{
-    job->warning = lens_warnings_join(job->warning, words, job->run->arena);
-}
-
-/* Variables that nothing depends on, in words. */
-static void warn_of_idle(struct optimize_job *job)
-{
-    const char *names = NULL;
-    struct arena *arena = job->run->arena;
-    size_t count = 0;
-    for (size_t i = 0; i < job->variables.count; i++) {
-        if (job->answer.is_idle[i]) {
-            names =
-                names == NULL ? job->names[i] : arena_printf(arena, "%s, %s", names, job->names[i]);
-            count++;
-        }
-    }
-    if (count > 0) {
-        optimize_warn(job, arena_printf(arena, "no goal depends on %s: %s stays as it is", names,
-                                        count > 1 ? "each" : "it"));
-    }
-}
-
-/* By how many deviations a goal of a figure is missed; those of rays have no target. */
-static double optimize_job_missed_by(const struct optimize_job *job, const struct merit_slot *slot)
-{
-    const struct operand *operand = slot->operand;
-    double most = 0;
-    if ((operand_type(operand->kind)->is & OPERAND_OF_RAYS) != 0 ||
-        operand->kind == OPERAND_GRAZING || operand->relation == OPERAND_EXACT) {
-        return 0;
-    }
-    for (size_t i = slot->first; i < slot->first + slot->count; i++) {
-        most = fmax(most, fabs(job->answer.after.residuals[i]));
-    }
-    return most;
-}
-
-/* A goal that is off by more than it may be is out of reach, of the variables or of other goals. */
-static void warn_of_missed(struct optimize_job *job)
-{
-    struct arena *arena = job->run->arena;
-    const struct merit *merit = &job->merit;
-    const char *name = NULL;
-    double most = 1;
-    size_t count = 0;
-    for (size_t i = 0; i < merit->slot_count; i++) {
-        const double by = optimize_job_missed_by(job, &merit->slots[i]);
-        count += by > 1;
-        if (by > most) {
-            most = by;
-            name = merit->slots[i].operand->name;
-        }
-    }
-    if (count > 0) {
-        optimize_warn(job,
-                      arena_printf(arena, "the goal %s is missed by %.3g deviations%s", name, most,
-                                   count > 2    ? arena_printf(arena,
-                                                               ", and %zu others by "
-                                                                  "more than one",
-                                                               count - 1)
-                                   : count == 2 ? ", and another by more than one"
-                                                : ""));
-    }
-}
-
-/* What keeps rays from loss is part of the merit that nobody has asked for: it is said. So is the
-   angle where somebody has, as its residuals are none. */
-static void warn_of_grazing(struct optimize_job *job)
-{
-    const struct optimize_state *after = &job->answer.after;
-    struct arena *arena = job->run->arena;
-    const char *name = NULL;
-    double sum = 0, angle = 0;
-    for (size_t i = 0; i < job->merit.slot_count; i++) {
-        const struct merit_slot *slot = &job->merit.slots[i];
-        const double residual = after->residuals[slot->first];
-        if (slot->operand->kind == OPERAND_GRAZING && residual > 0) {
-            sum += residual * residual;
-            angle = fmax(angle, after->values[slot->first]);
-            name = slot->operand->name;
-        }
-    }
-    if (sum > 0) {
-        const char *missed =
-            job->guards ? "" : arena_printf(arena, "the goal %s is missed: ", name);
-        const double percent = 100 * sum / after->merit;
-        optimize_warn(job, arena_printf(arena,
-                                        "%srays meet or leave a surface at up to %.1f deg from its "
-                                        "normal: %.*g %% of the merit keeps them from loss",
-                                        missed, angle * DEGREES_PER_RADIAN, percent < 99.5 ? 2 : 3,
-                                        percent));
-    }
-}
-
-/* Goals of positions that are not optimised. */
-static void warn_of_elsewhere(struct optimize_job *job)
-{
-    const struct merit *merit = &job->merit;
-    for (size_t i = 0; i < merit->question.operand_count; i++) {
-        const struct operand *operand = &merit->question.operands[i];
-        bool counts = false;
-        for (size_t k = 0; k < merit->slot_count && !counts; k++) {
-            counts = merit->slots[k].operand == operand;
-        }
-        if (!counts) {
-            optimize_warn(
-                job, arena_printf(job->run->arena,
-                                  "the goal %s is of a position that is not optimised: it does "
-                                  "not count",
-                                  operand->name));
-        }
-    }
-}
-
-/* Goals of an f-number that is given. */
-static void warn_of_fnumber(struct optimize_job *job)
-{
-    const struct operand *told = NULL;
-    for (size_t i = 0; i < job->merit.slot_count; i++) {
-        const struct merit_slot *slot = &job->merit.slots[i];
-        const bool is_given = job->merit.places[slot->place].aperture.kind == APERTURE_FNUMBER;
-        if (slot->operand->kind == OPERAND_FNUMBER && is_given && slot->operand != told) {
-            told = slot->operand;
-            optimize_warn(
-                job, arena_printf(job->run->arena,
-                                  "the goal %s does nothing: the f-number is given, whatever the "
-                                  "lens",
-                                  told->name));
-        }
-    }
-}
-
-/* Model glasses that became such as there are none, by wide bounds or by pick-ups. */
-static void warn_of_glasses(struct optimize_job *job)
-{
-    static const double slack = 1e-9; /* what lies on the border is within */
-    struct arena *arena = job->run->arena;
-    for (size_t i = 0; i < job->found->surface_count; i++) {
-        const struct medium *was = &job->lens->surfaces[i].medium;
-        const struct medium *is = &job->found->surfaces[i].medium;
-        const bool changed = is->index.hi != was->index.hi || is->abbe.hi != was->abbe.hi;
-        const double share = glass_map_share(is->index.hi, is->abbe.hi);
-        if (is->kind == MEDIUM_MODEL && changed && !(share >= -slack && share <= 1 + slack)) {
-            optimize_warn(job, arena_printf(arena,
-                                            "surface %zu: %.6g/%.4g lies outside of the map of "
-                                            "optical glasses",
-                                            i + 1, is->index.hi, is->abbe.hi));
-        }
-    }
-}
-
-/* Does a goal that counts in a place hold the focal length there? */
-static bool holds_power(const struct merit *merit, size_t place)
-{
-    bool holds = false;
-    for (size_t i = 0; i < merit->slot_count; i++) {
-        const enum operand_kind kind = merit->slots[i].operand->kind;
-        holds = holds ||
-                (merit->slots[i].place == place &&
-                 (kind == OPERAND_EFL || kind == OPERAND_MAGNIFICATION || kind == OPERAND_HEIGHT));
-    }
-    return holds;
-}
-
-/* Small spots are easiest to have of a lens that is another: one that has become so is told. */
-static bool warn_of_power(struct optimize_job *job, struct error *error)
-{
-    static const double most = 0.05; /* of a change that goes without saying */
-    struct arena *arena = job->run->arena;
-    for (size_t i = 0; i < job->merit.place_count; i++) {
-        const struct merit_place *place = &job->merit.places[i];
-        const struct lens *found = lens_at_position(job->found, place->position, arena);
-        const char *position = place->setup.position;
-        const double before = place->setup.first.efl;
-        struct first_order first;
-        if (!first_order_of_lens(found, lens_primary_wavelength(found), place->setup.section, arena,
-                                 &first, error)) {
-            return error_prefix(error, "the lens that was found: ");
-        }
-        if (isfinite(before) && !(fabs(first.efl / before - 1) <= most) &&
-            !holds_power(&job->merit, i)) {
-            optimize_warn(
-                job, arena_printf(arena,
-                                  "%s%sno goal holds the focal length: it was %.4g mm and is %.4g",
-                                  position != NULL ? position : "", position != NULL ? ": " : "",
-                                  before, first.efl));
-        }
-    }
-    return true;
-}
-
-/* What lenscalc would say of the lens that was found. */
-static bool check_found(struct optimize_job *job, struct error *error)
-{
-    struct arena *arena = job->run->arena;
-    struct lens_warnings warnings;
-    if (!lens_check(job->found, arena, &warnings, error)) {
-        return error_prefix(error, "the lens that was found: ");
-    }
-    for (size_t i = 0; i < warnings.count; i++) {
-        optimize_warn(job, warnings.texts[i]);
-    }
-    return true;
-}
-
-/* Conditions are met to this, in their deviations. */
-static const double exactly = 1e-10;
-
-/* The goal with == that is missed most. */
-static const char *missed_goal(const struct optimize_job *job)
-{
-    const struct merit *merit = &job->merit;
-    const char *name = "a goal with ==";
-    double most = 0;
-    for (size_t i = 0; i < merit->slot_count; i++) {
-        const struct merit_slot *slot = &merit->slots[i];
-        for (size_t k = 0; k < slot->count && slot->operand->relation == OPERAND_EXACT; k++) {
-            const double off = fabs(job->answer.after.residuals[slot->first + k]);
-            name = off > most ? slot->operand->name : name;
-            most = fmax(most, off);
-        }
-    }
-    return name;
-}
-
-static void optimize_job_judge(struct optimize_job *job)
-{
-    const struct solver_summary *summary = &job->answer.summary;
-    struct arena *arena = job->run->arena;
-    const char *why = NULL;
-    const size_t missing = job->choice != NULL ? job->choice->missing : 0;
-    const char *left = missing == 0 ? ""
-                                    : arena_printf(arena, ", %zu model glass%s left", missing,
-                                                   missing > 1 ? "es" : "");
-    if (summary->status == SOLVER_STOPPED && !job->is_late) {
-        why = arena_printf(arena, "interrupted after %ld iterations: the best so far, incomplete%s",
-                           summary->iterations, left);
-    } else if (missing > 0) {
-        why = arena_printf(arena, "the time was up: the best so far, incomplete%s", left);
-    } else if (!(summary->excess <= exactly)) {
-        why = arena_printf(arena,
-                           "the goal %s is missed by %.3g deviations: it contradicts another goal "
-                           "or the bounds, or wants more iterations",
-                           missed_goal(job), summary->excess);
-        job->status = "a goal with == is missed";
-    }
-    job->incomplete = why;
-    if (why != NULL) {
-        fail(&job->run->shortfall, ERROR_DOMAIN, "%s", why);
-    }
-}
-
 static bool optimize_job_optimise(struct optimize_job *job, struct error *error)
 {
     const struct optimize_input *input = job->input;
@@ -412,22 +362,6 @@ static bool optimize_job_optimise(struct optimize_job *job, struct error *error)
     }
     job->is_late = !watch_is_ended(job->run->watch) && progress_clock() >= job->until;
     return true;
-}
-
-bool optimize_judge(struct optimize_job *job, struct error *error)
-{
-    job->status = optimize_job_status_of(job);
-    optimize_warn(job, job->answer.begun);
-    warn_of_elsewhere(job);
-    warn_of_fnumber(job);
-    warn_of_idle(job);
-    warn_of_grazing(job);
-    warn_of_missed(job);
-    warn_of_glasses(job);
-    optimize_warn(job, optimize_contrast_missed(job));
-    optimize_warn(job, optimize_contrast_doubt(job));
-    optimize_job_judge(job);
-    return warn_of_power(job, error) && check_found(job, error);
 }
 
 bool optimize_open(struct optimize_job *job, struct merit_question *question, struct error *error)

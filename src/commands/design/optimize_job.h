@@ -3,9 +3,14 @@
 #ifndef LENSCALC_COMMANDS_DESIGN_OPTIMIZE_JOB_H
 #define LENSCALC_COMMANDS_DESIGN_OPTIMIZE_JOB_H
 
+#include "cli/options/goals.h"
+#include "cli/question/division.h"
 #include "commands/lens/lens_options.h"
 #include "design/glass_choice.h"
 #include "design/optimize.h"
+#include "design/optimize_global.h"
+
+#include <time.h>
 
 enum optimize_show {
     OPTIMIZE_ANSWER,
@@ -70,28 +75,45 @@ bool optimize_open(struct optimize_job *job, struct merit_question *question, st
 /* Optimise from the lens itself, and look at what was found. */
 bool optimize_near(struct optimize_job *job, struct error *error);
 
-/* What a sweep varies: in every sheet, so that its rows can be told apart. */
-#define OPTIMIZE_SWEPT_COLUMNS(row)                                                                \
-    {COLUMN(row, fnumber),                                                                         \
+/* What rows of every sheet have: what a sweep varies, so that they can be told apart, the lens. */
+struct optimize_about {
+    double fnumber;
+    long seed, rank;
+    const char *lens, *warning;
+};
+
+#define OPTIMIZE_SWEPT_COLUMNS(S)                                                                  \
+    {COLUMN(S, about.fnumber),                                                                     \
      .flags = COLUMN_ECHO | COLUMN_EXTRA,                                                          \
      .name = "fnumber",                                                                            \
      .dimension = &dimension_fnumber,                                                              \
      .with = "aperture",                                                                           \
      .label = "f-number",                                                                          \
      .help = "f-number in place of the lens's own aperture"},                                      \
-        {COLUMN(row, seed), .flags = COLUMN_ECHO | COLUMN_EXTRA,                                   \
-         .name = "seed",    .with = "seed",                                                        \
-         .label = "seed",   .help = "of the starts of --global, of the pattern sobol"},            \
+        {COLUMN(S, about.seed), .flags = COLUMN_ECHO | COLUMN_EXTRA,                               \
+         .name = "seed",        .with = "seed",                                                    \
+         .label = "seed",       .help = "of the starts of --global, of the pattern sobol"},        \
     {                                                                                              \
-        COLUMN(row, rank), .flags = COLUMN_EXTRA, .name = "rank", .with = "global",                \
-                           .label = "rank", .help = "of the lenses that are kept, 1 the best"      \
+        COLUMN(S, about.rank), .flags = COLUMN_EXTRA, .name = "rank", .with = "global",            \
+                               .label = "rank", .help = "of the lenses that are kept, 1 the best"  \
     }
+#define OPTIMIZE_LENS_COLUMNS(S)                                                                   \
+    LENS_TITLE_COLUMN(S, about.lens), LENS_WARNING_COLUMN(S, about.warning)
+
+/* Of the first row of a sheet with what is doubtful. */
+struct optimize_about optimize_about_of(const struct optimize_job *job, bool is_first);
 
 /* After an answer: the lens that was found, how it ended, and what is doubtful about it. */
 bool optimize_judge(struct optimize_job *job, struct error *error);
 
-/* One doubt more. */
-void optimize_warn(struct optimize_job *job, const char *words);
+/* One doubt more, as by printf. */
+void optimize_warn(struct optimize_job *job, const char *format, ...)
+    __attribute__((format(printf, 2, 3)));
+
+/* A lens in the position of a place of the merit, its image plane placed. */
+bool optimize_open_setup(const struct optimize_job *job, const struct lens *lens, size_t place,
+                         const struct setup_wavelength *lights, size_t light_count,
+                         bool takes_telecentric, struct setup *setup, struct error *error);
 
 /* The rows of --show. */
 extern const struct sheet *const optimize_sheets[];
@@ -108,5 +130,70 @@ bool optimize_save_state(const struct artifact_job *job, struct output *sink, st
 
 /* --plot: the merit against the iteration. */
 bool optimize_plot(const struct artifact_job *job, struct output *sink, struct error *error);
+
+/* -------- parts and states of a search: what starts led to, in files -------- */
+
+/* A search as its files have it; internal but for its place. */
+struct optimize_part {
+    const struct run *run;
+    struct optimize_global *global;
+    struct part_head part, state; /* of --part, and of --state, which is asked less */
+    const char *state_path;       /* null: nobody wants one */
+    time_t saved;                 /* when the state was written last */
+};
+
+/*
+ * Before a search.
+ *
+ * Given     global  its starts, of which none is done; receives which of them are searched, and
+ *                   what files say of the others: parts that are merged, the state it goes on from
+ * Errors    ERROR_USAGE: --part without a file; as division_head and division_found; ERROR_DATA: a
+ *           file that does not hold what its head says
+ */
+bool optimize_part_begin(const struct optimize_job *job, struct optimize_global *global,
+                         struct optimize_part *part, struct error *error);
+
+/* Now and then during one: the state is written, if it is wanted and half a minute has passed. */
+void optimize_part_pause(struct optimize_part *part);
+
+/* Write the state where it is wanted, at once; what cannot be written is said at the end. */
+void optimize_part_save(struct optimize_part *part);
+
+/* -------- optimize --glasses: model glasses end as real ones -------- */
+
+/*
+ * Read --glasses, where it is given: before anything is optimised, with the merit open.
+ *
+ * Errors    ERROR_USAGE: what is neither a catalogue nor a glass, with a suggestion. ERROR_DOMAIN:
+ *           no model glass varies; a glass that does not reach to all wavelengths, or whose nd and
+ *           Vd are not known; nothing left
+ */
+bool optimize_glasses_open(struct optimize_job *job, struct error *error);
+
+/* Replace the model glasses of what was optimised; errors as glass_choose. */
+bool optimize_glasses_choose(struct optimize_job *job, struct error *error);
+
+/* Rows of --show glasses. */
+extern const struct sheet optimize_glass_sheet;
+bool optimize_emit_glasses(struct optimize_job *job);
+
+/* -------- optimize --global: the best of many starts -------- */
+
+/* Is --global asked for? */
+static inline bool optimize_is_global(const struct optimize_input *input)
+{
+    return input->global > 0;
+}
+
+/* How many lenses it keeps at most. */
+size_t optimize_keep_count(const void *input);
+
+/*
+ * Read, optimise from the lens or search, look at what was found: job->answer, or job->kept.
+ *
+ * Errors    ERROR_USAGE: options that do not go together; ERROR_DOMAIN: nothing that can be judged
+ *           was found, with what is wrong with the lens itself
+ */
+bool optimize_job_run(struct optimize_job *job, struct error *error);
 
 #endif

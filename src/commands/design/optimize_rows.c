@@ -2,17 +2,27 @@
 /* SPDX-License-Identifier: MIT */
 #include "analysis/rays/spot.h"
 #include "commands/analysis/analysis_options.h"
-#include "commands/design/optimize_glasses.h"
+#include "commands/design/optimize_job.h"
 #include "file/lens_glass.h"
 
 #include <string.h>
 
+struct optimize_about optimize_about_of(const struct optimize_job *job, bool is_first)
+{
+    return (struct optimize_about){.fnumber = job->input->question.fnumber,
+                                   .seed = job->input->seed,
+                                   .rank = job->rank,
+                                   .lens = job->lens->title,
+                                   .warning = is_first ? job->warning : NULL};
+}
+
 /* -------- the answer -------- */
 
 struct answer_row {
-    double fnumber, merit_before, merit_after;
-    long seed, rank, hits, evaluations, iterations, variables, residuals;
-    const char *solver, *status, *goals, *made, *rays, *search, *lens, *warning;
+    struct optimize_about about;
+    double merit_before, merit_after;
+    long hits, evaluations, iterations, variables, residuals;
+    const char *solver, *status, *goals, *made, *rays, *search;
 };
 
 static const struct column answer_columns[] = {
@@ -49,12 +59,10 @@ static const struct column answer_columns[] = {
     {COLUMN(struct answer_row, search), .flags = COLUMN_EXTRA | COLUMN_ASSUMED, .name = "search",
      .depends = "global escapes spread seed", .label = "search",
      .help = "how many starts there were, and where"},
-    LENS_TITLE_COLUMN(struct answer_row, lens),
-    LENS_WARNING_COLUMN(struct answer_row, warning),
+    OPTIMIZE_LENS_COLUMNS(struct answer_row),
 };
 
-static const struct sheet answer_sheet = {
-    answer_columns, sizeof answer_columns / sizeof answer_columns[0], sizeof(struct answer_row)};
+static const struct sheet answer_sheet = SHEET(answer_columns, struct answer_row);
 
 static const char *optimize_rows_rays_in_words(const struct optimize_input *input,
                                                struct arena *arena)
@@ -67,9 +75,7 @@ static const char *optimize_rows_rays_in_words(const struct optimize_input *inpu
 static void optimize_rows_emit_answer(struct optimize_job *job)
 {
     const struct optimize_answer *answer = &job->answer;
-    const struct answer_row row = {.fnumber = job->input->question.fnumber,
-                                   .seed = job->input->seed,
-                                   .rank = job->rank,
+    const struct answer_row row = {.about = optimize_about_of(job, true),
                                    .hits = job->hits,
                                    .merit_before = answer->before.merit,
                                    .merit_after = answer->after.merit,
@@ -83,20 +89,17 @@ static void optimize_rows_emit_answer(struct optimize_job *job)
                                    .goals = job->goals,
                                    .made = job->made,
                                    .rays = optimize_rows_rays_in_words(job->input, job->run->arena),
-                                   .search = job->search,
-                                   .lens = job->lens->title,
-                                   .warning = job->warning};
+                                   .search = job->search};
     run_emit(job->run, &row);
 }
 
 /* -------- goals -------- */
 
 struct optimize_rows_goal_row {
-    const char *position, *goal, *unit, *lens, *warning;
+    struct optimize_about about;
+    const char *position, *goal, *unit;
     double before, after, share_before, share_after;
     double part;
-    double fnumber;
-    long seed, rank;
 };
 
 static const struct column goal_columns[] = {
@@ -119,12 +122,10 @@ static const struct column goal_columns[] = {
     {COLUMN(struct optimize_rows_goal_row, part), .dimension = &dimension_ratio, .unit = "%",
      .flags = COLUMN_BRIEF, .name = "share", .label = "share",
      .help = "of the merit afterwards; absent of what is met exactly"},
-    LENS_TITLE_COLUMN(struct optimize_rows_goal_row, lens),
-    LENS_WARNING_COLUMN(struct optimize_rows_goal_row, warning),
+    OPTIMIZE_LENS_COLUMNS(struct optimize_rows_goal_row),
 };
 
-static const struct sheet goal_sheet = {goal_columns, sizeof goal_columns / sizeof goal_columns[0],
-                                        sizeof(struct optimize_rows_goal_row)};
+static const struct sheet goal_sheet = SHEET(goal_columns, struct optimize_rows_goal_row);
 
 static double squares(const double *residuals, const struct merit_slot *slot)
 {
@@ -181,9 +182,7 @@ static bool emit_merit(struct optimize_job *job)
         const double after = squares(answer->after.residuals, slot);
         const bool is_exact = slot->operand->relation == OPERAND_EXACT;
         const struct optimize_rows_goal_row row = {
-            .fnumber = job->input->question.fnumber,
-            .seed = job->input->seed,
-            .rank = job->rank,
+            .about = optimize_about_of(job, i == 0),
             .position = merit->places[slot->place].setup.position,
             .goal = slot->operand->name,
             .unit = optimize_rows_unit_words(operand_type(slot->operand->kind)->unit),
@@ -191,9 +190,7 @@ static bool emit_merit(struct optimize_job *job)
             .after = optimize_rows_value_of(&answer->after, slot),
             .share_before = before,
             .share_after = after,
-            .part = is_exact ? NAN : after / answer->after.merit,
-            .lens = job->lens->title,
-            .warning = i == 0 ? job->warning : NULL};
+            .part = is_exact ? NAN : after / answer->after.merit};
         const bool is_quiet =
             job->guards && slot->operand->kind == OPERAND_GRAZING && !(before > 0) && !(after > 0);
         if (!is_quiet && !run_emit(job->run, &row)) {
@@ -206,10 +203,9 @@ static bool emit_merit(struct optimize_job *job)
 /* -------- variables -------- */
 
 struct variable_row {
-    const char *variable, *note, *lens, *warning;
+    struct optimize_about about;
+    const char *variable, *note;
     double before, after, low, high;
-    double fnumber;
-    long seed, rank;
 };
 
 static const struct column variable_columns[] = {
@@ -226,13 +222,10 @@ static const struct column variable_columns[] = {
      .label = "high", .help = "its upper bound"},
     {COLUMN(struct variable_row, note), .flags = COLUMN_BRIEF, .name = "note", .label = "note",
      .help = "at its bound, or that no goal depends on it; absent if neither"},
-    LENS_TITLE_COLUMN(struct variable_row, lens),
-    LENS_WARNING_COLUMN(struct variable_row, warning),
+    OPTIMIZE_LENS_COLUMNS(struct variable_row),
 };
 
-static const struct sheet variable_sheet = {variable_columns,
-                                            sizeof variable_columns / sizeof variable_columns[0],
-                                            sizeof(struct variable_row)};
+static const struct sheet variable_sheet = SHEET(variable_columns, struct variable_row);
 
 static double or_none(double bound)
 {
@@ -267,9 +260,7 @@ static bool emit_variables(struct optimize_job *job)
     for (size_t i = 0; i < job->variables.count; i++) {
         const struct variable *variable = &job->variables.list[i];
         const struct medium *glass = exchanged(job->found, variable);
-        const struct variable_row row = {.fnumber = job->input->question.fnumber,
-                                         .seed = job->input->seed,
-                                         .rank = job->rank,
+        const struct variable_row row = {.about = optimize_about_of(job, i == 0),
                                          .variable = variable->name,
                                          .before = value_in(job->lens, variable, job->run->arena),
                                          .after = value_in(job->found, variable, job->run->arena),
@@ -278,9 +269,7 @@ static bool emit_variables(struct optimize_job *job)
                                          .note = glass != NULL        ? glass->written.start
                                                  : answer->is_idle[i] ? "no goal depends on it"
                                                  : answer->summary.at_bound[i] ? "at its bound"
-                                                                               : NULL,
-                                         .lens = job->lens->title,
-                                         .warning = i == 0 ? job->warning : NULL};
+                                                                               : NULL};
         if (!run_emit(job->run, &row)) {
             break;
         }
@@ -291,10 +280,9 @@ static bool emit_variables(struct optimize_job *job)
 /* -------- spots -------- */
 
 struct spot_row {
-    const char *position, *lens, *warning;
+    struct optimize_about about;
+    const char *position;
     double field, height, wavelength, before, after; /* rad, mm, um, mm */
-    double fnumber;
-    long seed, rank;
 };
 
 static const struct column spot_columns[] = {
@@ -315,35 +303,10 @@ static const struct column spot_columns[] = {
     {COLUMN(struct spot_row, after), .name = "rms_after", .dimension = &dimension_length,
      .unit = "um", .flags = COLUMN_BRIEF, .label = "RMS after",
      .help = "of the lens that was found"},
-    LENS_TITLE_COLUMN(struct spot_row, lens),
-    LENS_WARNING_COLUMN(struct spot_row, warning),
+    OPTIMIZE_LENS_COLUMNS(struct spot_row),
 };
 
-static const struct sheet spot_sheet = {spot_columns, sizeof spot_columns / sizeof spot_columns[0],
-                                        sizeof(struct spot_row)};
-
-/* One lens in one position at one wavelength, its image plane placed. */
-static bool optimize_rows_open_setup(const struct optimize_job *job, const struct lens *lens,
-                                     size_t place, const struct setup_wavelength *light,
-                                     struct setup *setup, struct error *error)
-{
-    const struct merit_question *asked = &job->merit.question;
-    const struct plane_value own = {.kind = PLANE_OF_LENS};
-    const struct setup_question question = {.lens = lens,
-                                            .position = job->merit.places[place].position,
-                                            .section =
-                                                (enum lens_section)job->input->question.section,
-                                            .wavelength = NAN,
-                                            .wavelengths = WAVELENGTHS_ALL,
-                                            .spectrum = light,
-                                            .spectrum_count = 1,
-                                            .fnumber = asked->fnumber,
-                                            .fields = asked->fields,
-                                            .field_count = asked->field_count,
-                                            .field_policy = FIELDS_ALL};
-    return setup_open(&question, job->run->arena, setup, error) &&
-           setup_place_image(setup, &own, error);
-}
+static const struct sheet spot_sheet = SHEET(spot_columns, struct spot_row);
 
 /* mm; NaN: none. */
 static double optimize_rows_spot_of(const struct optimize_job *job, const struct setup *setup,
@@ -371,25 +334,21 @@ static bool emit_spots_of(struct optimize_job *job, size_t place,
     const bool is_first = place == 0 && light == at_place->setup.wavelengths;
     const struct setup_wavelength alone = {light->wavelength, 1}; /* whatever it counted for */
     struct setup before, after;
-    if (!optimize_rows_open_setup(job, job->lens, place, &alone, &before, error) ||
-        !optimize_rows_open_setup(job, job->found, place, &alone, &after, error)) {
+    if (!optimize_open_setup(job, job->lens, place, &alone, 1, false, &before, error) ||
+        !optimize_open_setup(job, job->found, place, &alone, 1, false, &after, error)) {
         return false;
     }
     for (size_t f = 0; f < before.field_count; f++) {
         const struct field_point *point = &before.fields[f].point;
         const double at = point->value[setup_axis(&before)];
         const bool is_angle = point->kind == FIELD_ANGLE || point->kind == FIELD_NONE;
-        const struct spot_row row = {.fnumber = job->input->question.fnumber,
-                                     .seed = job->input->seed,
-                                     .rank = job->rank,
+        const struct spot_row row = {.about = optimize_about_of(job, f == 0 && is_first),
                                      .position = before.position,
                                      .field = is_angle ? at : NAN,
                                      .height = is_angle ? NAN : at,
                                      .wavelength = light->wavelength,
                                      .before = optimize_rows_spot_of(job, &before, f),
-                                     .after = optimize_rows_spot_of(job, &after, f),
-                                     .lens = job->lens->title,
-                                     .warning = f == 0 && is_first ? job->warning : NULL};
+                                     .after = optimize_rows_spot_of(job, &after, f)};
         if (!run_emit(job->run, &row)) {
             return true;
         }

@@ -1,11 +1,10 @@
 /* commands/design/optimize_search.c - optimize --global: the best of many starts. */
 /* SPDX-License-Identifier: MIT */
-#include "commands/design/optimize_search.h"
+#include "commands/design/optimize_job.h"
 
 #include "base/parallel.h"
 #include "cli/interrupt.h"
 #include "cli/progress.h"
-#include "commands/design/optimize_part.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -63,8 +62,7 @@ static bool drop_idle(struct optimize_job *job, struct optimize_global *global,
     }
     for (size_t i = 0; i < all.count; i++) {
         if (is_idle[i]) {
-            optimize_warn(job, arena_printf(arena, "no goal depends on %s: it stays as it is",
-                                            job->names[i]));
+            optimize_warn(job, "no goal depends on %s: it stays as it is", job->names[i]);
         } else {
             names[count] = job->names[i];
             list[count++] = all.list[i];
@@ -305,10 +303,8 @@ static bool optimize_search_search(struct optimize_job *job, const struct merit_
         return fail_empty(job, count_done(job, global), error);
     }
     if (job->kept_count > 0 && job->kept_count < optimize_keep_count(input)) {
-        optimize_warn(job->kept,
-                      arena_printf(arena, "only %zu different lens%s found, of %ld to keep",
-                                   job->kept_count, job->kept_count == 1 ? " was" : "es were",
-                                   input->keep));
+        optimize_warn(job->kept, "only %zu different lens%s found, of %ld to keep", job->kept_count,
+                      job->kept_count == 1 ? " was" : "es were", input->keep);
     }
     return true;
 }

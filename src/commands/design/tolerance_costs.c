@@ -1,10 +1,9 @@
 /* commands/design/tolerance_costs.c - what each error costs, and what errors may be. */
 /* SPDX-License-Identifier: MIT */
-#include "commands/design/tolerance_costs.h"
+#include "commands/design/tolerance_job.h"
 
 #include "base/constants.h"
 #include "cli/options/tolerances.h"
-#include "commands/design/tolerance_about.h"
 #include "design/tolerance/sensitivity.h"
 #include "design/tolerance/tolerance_model.h"
 #include "file/lens_tolerance.h"

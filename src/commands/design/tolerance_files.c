@@ -1,7 +1,6 @@
 /* commands/design/tolerance_files.c - lenses as they may be made, and parts of a divided run. */
 /* SPDX-License-Identifier: MIT */
 #include "commands/design/fit.h"
-#include "commands/design/tolerance_about.h"
 #include "commands/design/tolerance_job.h"
 #include "file/lens_file.h"
 

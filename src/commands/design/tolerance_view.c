@@ -1,9 +1,7 @@
 /* commands/design/tolerance_view.c - the drawings of lenscalc tolerance. */
 /* SPDX-License-Identifier: MIT */
-#include "commands/design/tolerance_view.h"
+#include "commands/design/tolerance_job.h"
 
-#include "commands/design/tolerance_about.h"
-#include "commands/design/tolerance_costs.h"
 #include "draw/pareto.h"
 #include "draw/tally_plot.h"
 
