@@ -22,6 +22,9 @@ enum column_type { COLUMN_NUMBER, COLUMN_INTEGER, COLUMN_FLAG, COLUMN_TEXT };
         const char *: COLUMN_TEXT)
 
 #define COLUMN(S, member) .type = COLUMN_TYPE(S, member), .offset = offsetof(S, member)
+/* One that is called as its member is. */
+#define COLUMN_NAMED(S, member, more)                                                              \
+    COLUMN(S, member), .name = #member, .label = #member, .flags = (more)
 
 #define NO_INTEGER (-0x7fffffffL)
 

@@ -17,7 +17,7 @@ const struct word fit_formulas[] = {
     {NULL, NULL},
 };
 
-struct fit_glass_glass_row {
+struct fit_glass_row {
     const char *formula, *coefficients, *status;
     double rms, largest;
     double from, to; /* um */
@@ -28,32 +28,31 @@ struct fit_glass_glass_row {
 #define PLAIN(S, member_name) COLUMN(S, member_name), .flags = COLUMN_BRIEF
 
 static const struct column glass_columns[] = {
-    {PLAIN(struct fit_glass_glass_row, formula), .name = "formula", .label = "formula",
+    {COLUMN_NAMED(struct fit_glass_row, formula, COLUMN_BRIEF),
      .help = "form of the dispersion, l in um"},
-    {PLAIN(struct fit_glass_glass_row, coefficients), .name = "coefficients",
-     .label = "coefficients", .help = "in the order of the formula, as catalogues have them"},
-    {COLUMN(struct fit_glass_glass_row, from), .dimension = &dimension_wavelength_um, .unit = "nm",
-     .name = "from", .flags = COLUMN_BRIEF | COLUMN_ECHO, .label = "from",
-     .help = "shortest measured wavelength"},
-    {COLUMN(struct fit_glass_glass_row, to), .dimension = &dimension_wavelength_um, .unit = "nm",
-     .name = "to", .flags = COLUMN_BRIEF | COLUMN_ECHO, .label = "to",
+    {COLUMN_NAMED(struct fit_glass_row, coefficients, COLUMN_BRIEF),
+     .help = "in the order of the formula, as catalogues have them"},
+    {COLUMN_NAMED(struct fit_glass_row, from, COLUMN_BRIEF | COLUMN_ECHO),
+     .dimension = &dimension_wavelength_um, .unit = "nm", .help = "shortest measured wavelength"},
+    {COLUMN_NAMED(struct fit_glass_row, to, COLUMN_BRIEF | COLUMN_ECHO),
+     .dimension = &dimension_wavelength_um, .unit = "nm",
      .help = "longest measured wavelength: the formula holds between the two"},
-    {PLAIN(struct fit_glass_glass_row, rms), .name = "rms", .label = "error of the index, rms",
+    {PLAIN(struct fit_glass_row, rms), .name = "rms", .label = "error of the index, rms",
      .help = "difference from the measured indices, root mean square"},
-    {PLAIN(struct fit_glass_glass_row, largest), .name = "largest", .label = "largest error",
+    {PLAIN(struct fit_glass_row, largest), .name = "largest", .label = "largest error",
      .help = "the largest of these differences"},
-    {COLUMN(struct fit_glass_glass_row, nd), .name = "nd", .digits = 7, .label = "nd",
+    {COLUMN_NAMED(struct fit_glass_row, nd, 0), .digits = 7,
      .help = "index at the d line; absent where the range does not reach"},
-    {COLUMN(struct fit_glass_glass_row, Vd), .name = "vd", .label = "Vd", .help = "Abbe number"},
-    {COLUMN(struct fit_glass_glass_row, indices), .name = "indices", .label = "measured indices",
+    {COLUMN(struct fit_glass_row, Vd), .name = "vd", .label = "Vd", .help = "Abbe number"},
+    {COLUMN(struct fit_glass_row, indices), .name = "indices", .label = "measured indices",
      .help = "how many there are"},
-    {COLUMN(struct fit_glass_glass_row, iterations), .name = "iterations", .label = "iterations",
+    {COLUMN_NAMED(struct fit_glass_row, iterations, 0),
      .help = "of the solver, from the best start"},
-    {COLUMN(struct fit_glass_glass_row, status), .name = "status", .label = "status",
+    {COLUMN_NAMED(struct fit_glass_row, status, 0),
      .help = "converged, or why the fit ended otherwise"},
 };
 
-const struct sheet fit_glass_sheet = SHEET(glass_columns, struct fit_glass_glass_row);
+const struct sheet fit_glass_sheet = SHEET(glass_columns, struct fit_glass_row);
 
 struct index_row {
     double wavelength; /* um */
@@ -61,14 +60,12 @@ struct index_row {
 };
 
 static const struct column index_columns[] = {
-    {COLUMN(struct index_row, wavelength), .dimension = &dimension_wavelength_um, .unit = "nm",
-     .name = "wavelength", .flags = COLUMN_BRIEF | COLUMN_ECHO, .label = "wavelength",
-     .help = "wavelength"},
-    {PLAIN(struct index_row, measured), .name = "measured", .digits = 8, .label = "measured",
-     .help = "measured index"},
+    {COLUMN_NAMED(struct index_row, wavelength, COLUMN_BRIEF | COLUMN_ECHO),
+     .dimension = &dimension_wavelength_um, .unit = "nm", .help = "wavelength"},
+    {COLUMN_NAMED(struct index_row, measured, COLUMN_BRIEF), .digits = 8, .help = "measured index"},
     {PLAIN(struct index_row, fitted), .name = "index", .digits = 8, .label = "index",
      .help = "index by the formula"},
-    {PLAIN(struct index_row, residual), .name = "residual", .label = "residual",
+    {COLUMN_NAMED(struct index_row, residual, COLUMN_BRIEF),
      .help = "index by the formula less the measured one"},
 };
 
@@ -114,7 +111,7 @@ static void emit_glass(const struct index_table *table, const struct dispersion_
                        struct run *run)
 {
     const struct glass_summary summary = glass_summary(&fit->glass);
-    const struct fit_glass_glass_row row = {
+    const struct fit_glass_row row = {
         .formula = glass_formula_name(fit->glass.formula),
         .coefficients = coefficients_of(&fit->glass, run->arena),
         .status = fit_status(&fit->summary),

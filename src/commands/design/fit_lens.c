@@ -183,7 +183,7 @@ bool fit_job_run(struct fit_job *job, struct error *error)
 }
 
 /* The answer for one position, and for one wavelength where each has its own lens. */
-struct fit_lens_lens_row {
+struct fit_lens_row {
     const char *position, *lens, *fields, *status, *warning;
     double wavelength; /* um; NaN = all of them */
     double fnumber;
@@ -200,16 +200,15 @@ struct fit_lens_lens_row {
 };
 
 #define LENGTH(member_name, in_unit, more)                                                         \
-    COLUMN(struct fit_lens_lens_row, member_name), .dimension = &dimension_length,                 \
-                                                   .unit = in_unit, .flags = (more)
-#define NUMBER(member_name, more) COLUMN(struct fit_lens_lens_row, member_name), .flags = (more)
+    COLUMN(struct fit_lens_row, member_name), .dimension = &dimension_length, .unit = in_unit,     \
+                                              .flags = (more)
+#define NUMBER(member_name, more) COLUMN(struct fit_lens_row, member_name), .flags = (more)
 
 static const struct column columns[] = {
-    {NUMBER(position, COLUMN_BRIEF | COLUMN_SPARSE), .name = "position", .label = "position",
+    {COLUMN_NAMED(struct fit_lens_row, position, COLUMN_BRIEF | COLUMN_SPARSE),
      .help = "zoom or focus position; absent where there is only one"},
-    {NUMBER(wavelength, COLUMN_ECHO | COLUMN_BRIEF | COLUMN_SPARSE),
-     .dimension = &dimension_wavelength_um, .unit = "nm", .name = "wavelength",
-     .label = "wavelength",
+    {COLUMN_NAMED(struct fit_lens_row, wavelength, COLUMN_ECHO | COLUMN_BRIEF | COLUMN_SPARSE),
+     .dimension = &dimension_wavelength_um, .unit = "nm",
      .help = "wavelength, with --chromatic or --wavelength; absent where all are fitted together"},
     {NUMBER(fnumber, COLUMN_ECHO), .name = "fnumber", .with = "aperture", .label = "f-number",
      .help = "f-number of the rays"},
@@ -277,28 +276,28 @@ static const struct column columns[] = {
      .help = "pupil spherical aberration a: diameter times 1 + a s, s = tan^2 of the ray behind"},
     {LENGTH(exit.rms, "um", 0), .name = "rms_exit_pupil", .label = "exit pupil, rms error",
      .help = "distance of the rays from their place in it, root mean square"},
-    {NUMBER(rays, 0), .name = "rays", .label = "rays", .help = "rays that came through"},
+    {COLUMN_NAMED(struct fit_lens_row, rays, 0), .help = "rays that came through"},
     {NUMBER(lost, 0), .name = "lost", .label = "rays lost",
      .help = "rays stopped by clear apertures, and points of the stop that no ray reaches; the "
              "rays of gauss "
              "lie where the stop is clear"},
     {NUMBER(clear_percent, 0), .name = "clear_percent", .label = "clear share of the stop, %",
      .help = "what clear apertures leave of the stop's area, mean of the fields"},
-    {NUMBER(iterations, 0), .name = "iterations", .label = "iterations", .help = "of the solver"},
-    {NUMBER(status, 0), .name = "status", .label = "status",
+    {COLUMN_NAMED(struct fit_lens_row, iterations, 0), .help = "of the solver"},
+    {COLUMN_NAMED(struct fit_lens_row, status, 0),
      .help = "converged, or why the fit ended otherwise"},
-    {NUMBER(lens, COLUMN_EXTRA | COLUMN_ASSUMED), .name = "lens", .depends = "lens",
-     .label = "lens", .help = "title of the lens"},
+    {COLUMN_NAMED(struct fit_lens_row, lens, COLUMN_EXTRA | COLUMN_ASSUMED), .depends = "lens",
+     .help = "title of the lens"},
     {NUMBER(terms, COLUMN_EXTRA | COLUMN_ASSUMED), .name = "distortion_terms",
      .depends = "lens field distortion", .label = "terms of distortion",
      .help = "how many terms of distortion were fitted"},
-    {NUMBER(fields, COLUMN_EXTRA | COLUMN_ASSUMED), .name = "fields", .depends = "lens field",
-     .label = "fields", .help = "fields of the rays"},
-    {NUMBER(warning, COLUMN_NOTE), .name = "warning", .label = "warning",
+    {COLUMN_NAMED(struct fit_lens_row, fields, COLUMN_EXTRA | COLUMN_ASSUMED),
+     .depends = "lens field", .help = "fields of the rays"},
+    {COLUMN_NAMED(struct fit_lens_row, warning, COLUMN_NOTE),
      .help = "what is doubtful; absent if nothing is"},
 };
 
-const struct sheet fit_lens_sheet = SHEET(columns, struct fit_lens_lens_row);
+const struct sheet fit_lens_sheet = SHEET(columns, struct fit_lens_row);
 
 /* What clear apertures leave of the stop, percent, over all fields. */
 static double clear_percent(const struct fit_job *job)
@@ -341,7 +340,7 @@ static void show_answers(struct fit_job *job)
         size_t base = job->task.separate ? 3 * g : 0;
         double plane = job->task.planes[0];
         bool one = job->task.separate || job->input->question.wavelength.name != NULL;
-        struct fit_lens_lens_row row = {
+        struct fit_lens_row row = {
             .position = job->setup->position,
             .lens = job->setup->lens->title,
             .fields = job->setup->fields_from != NULL ? job->setup->fields_from

@@ -16,41 +16,35 @@ enum { MOST_GOALS = 64 };
 /* Of a goal that states none, mm: what a nodal bench measures to. */
 static const double usual_deviation = 0.01;
 
-struct fit_prescription_goal_row {
+struct fit_goal_row {
     const char *position, *goal, *lens, *status, *warning;
     double target, deviation, reached, off; /* mm */
 };
 
 #define LENGTH(member_name)                                                                        \
-    COLUMN(struct fit_prescription_goal_row, member_name), .dimension = &dimension_length,         \
-                                                           .unit = "mm", .flags = COLUMN_BRIEF
+    COLUMN(struct fit_goal_row, member_name), .dimension = &dimension_length, .unit = "mm",        \
+                                              .flags = COLUMN_BRIEF
 
 static const struct column columns[] = {
-    {COLUMN(struct fit_prescription_goal_row, position), .name = "position", .label = "position",
-     .help = "zoom or focus position"},
-    {COLUMN(struct fit_prescription_goal_row, goal), .flags = COLUMN_BRIEF, .name = "goal",
-     .label = "goal", .help = "what was measured"},
+    {COLUMN_NAMED(struct fit_goal_row, position, 0), .help = "zoom or focus position"},
+    {COLUMN_NAMED(struct fit_goal_row, goal, COLUMN_BRIEF), .help = "what was measured"},
     {LENGTH(target), .name = "target", .digits = 8, .label = "target", .help = "as measured"},
-    {COLUMN(struct fit_prescription_goal_row, deviation), .dimension = &dimension_length,
-     .unit = "mm", .name = "deviation", .label = "deviation",
+    {COLUMN_NAMED(struct fit_goal_row, deviation, 0), .dimension = &dimension_length, .unit = "mm",
      .help = "the standard deviation behind the colon, or 0.01 mm: a goal that is missed by more "
              "fails"},
-    {COLUMN(struct fit_prescription_goal_row, reached), .dimension = &dimension_length,
-     .unit = "mm", .flags = COLUMN_BRIEF | COLUMN_INFINITE, .name = "reached", .digits = 8,
-     .label = "reached", .help = "what the fitted lens has"},
-    {COLUMN(struct fit_prescription_goal_row, off), .dimension = &dimension_length, .unit = "mm",
-     .flags = COLUMN_BRIEF | COLUMN_INFINITE, .name = "off", .label = "off",
-     .help = "reached less target"},
-    {COLUMN(struct fit_prescription_goal_row, status), .name = "status", .label = "status",
+    {COLUMN_NAMED(struct fit_goal_row, reached, COLUMN_BRIEF | COLUMN_INFINITE),
+     .dimension = &dimension_length, .unit = "mm", .digits = 8, .help = "what the fitted lens has"},
+    {COLUMN_NAMED(struct fit_goal_row, off, COLUMN_BRIEF | COLUMN_INFINITE),
+     .dimension = &dimension_length, .unit = "mm", .help = "reached less target"},
+    {COLUMN_NAMED(struct fit_goal_row, status, 0),
      .help = "converged, or why the fit ended otherwise"},
-    {COLUMN(struct fit_prescription_goal_row, lens), .flags = COLUMN_EXTRA | COLUMN_ASSUMED,
-     .name = "lens", .depends = "lens", .label = "lens", .help = "title of the lens"},
-    {COLUMN(struct fit_prescription_goal_row, warning), .flags = COLUMN_NOTE, .name = "warning",
-     .label = "warning",
+    {COLUMN_NAMED(struct fit_goal_row, lens, COLUMN_EXTRA | COLUMN_ASSUMED), .depends = "lens",
+     .help = "title of the lens"},
+    {COLUMN_NAMED(struct fit_goal_row, warning, COLUMN_NOTE),
      .help = "that the goal is missed, and what is doubtful about the fitted lens"},
 };
 
-const struct sheet fit_goal_sheet = SHEET(columns, struct fit_prescription_goal_row);
+const struct sheet fit_goal_sheet = SHEET(columns, struct fit_goal_row);
 
 /* What was asked. */
 struct wishes {
@@ -69,8 +63,8 @@ static const enum goal_kind goal_kinds[OPERAND_KINDS + 1] = {
     [OPERAND_LENGTH] = GOAL_LENGTH + 1,
 };
 
-static bool fit_prescription_read_goals(const char *list, struct run *run, double wavelength,
-                                        struct wishes *wishes, struct error *error)
+static bool fit_read_goals(const char *list, struct run *run, double wavelength,
+                           struct wishes *wishes, struct error *error)
 {
     const struct goals_reader reader = {run->db, NULL, run->arena, "--prescription",
                                         usual_deviation};
@@ -114,8 +108,8 @@ static bool fit_prescription_read_goals(const char *list, struct run *run, doubl
 }
 
 /* A pick-up would have to follow what is fitted, and keep what it sets. */
-static bool fit_prescription_check_pickups(const struct lens *lens, const struct variable *one,
-                                           struct error *error)
+static bool fit_check_pickups(const struct lens *lens, const struct variable *one,
+                              struct error *error)
 {
     for (size_t i = 0; i < lens->pickup_count; i++) {
         const struct lens_pickup *pickup = &lens->pickups[i];
@@ -135,8 +129,8 @@ static bool fit_prescription_check_pickups(const struct lens *lens, const struct
 }
 
 /* --vary, or the marks of the lens that fit takes. */
-static bool fit_prescription_read_parts(const struct fit_input *input, const struct lens *lens,
-                                        struct run *run, struct wishes *wishes, struct error *error)
+static bool fit_read_parts(const struct fit_input *input, const struct lens *lens, struct run *run,
+                           struct wishes *wishes, struct error *error)
 {
     const struct vary_reader reader = {.lens = lens,
                                        .arena = run->arena,
@@ -163,7 +157,7 @@ static bool fit_prescription_read_parts(const struct fit_input *input, const str
     for (size_t i = 0; i < wishes->part_count; i++) {
         wishes->parts[i] = (struct prescription_part){list[i].what, list[i].low, list[i].high};
         wishes->part_names[i] = list[i].name;
-        if (!fit_prescription_check_pickups(lens, &list[i], error)) {
+        if (!fit_check_pickups(lens, &list[i], error)) {
             return false;
         }
     }
@@ -171,9 +165,8 @@ static bool fit_prescription_read_parts(const struct fit_input *input, const str
 }
 
 /* A goal that is off by more than its deviation, in words; null: it is met. */
-static const char *fit_prescription_miss(const struct wishes *wishes,
-                                         const struct prescription_fit *fit, size_t g,
-                                         struct arena *arena)
+static const char *fit_goal_miss(const struct wishes *wishes, const struct prescription_fit *fit,
+                                 size_t g, struct arena *arena)
 {
     const struct prescription_goal *goal = &wishes->goals[g];
     double off = fit->reached[g] - goal->value;
@@ -184,20 +177,20 @@ static const char *fit_prescription_miss(const struct wishes *wishes,
 }
 
 /* All goals that are missed, in words; null: none is. */
-static const char *fit_prescription_misses(const struct wishes *wishes,
-                                           const struct prescription_fit *fit, struct arena *arena)
+static const char *fit_goal_misses(const struct wishes *wishes, const struct prescription_fit *fit,
+                                   struct arena *arena)
 {
     const char *all = NULL;
     for (size_t g = 0; g < wishes->goal_count; g++) {
-        all = lens_warnings_join(all, fit_prescription_miss(wishes, fit, g, arena), arena);
+        all = lens_warnings_join(all, fit_goal_miss(wishes, fit, g, arena), arena);
     }
     return all;
 }
 
 /* The fitted lens, checked; `doubt` receives what is odd about it. */
-static bool fit_prescription_apply(const struct lens *lens, const struct wishes *wishes,
-                                   const struct prescription_fit *fit, struct arena *arena,
-                                   struct lens *fitted, const char **doubt, struct error *error)
+static bool fit_apply(const struct lens *lens, const struct wishes *wishes,
+                      const struct prescription_fit *fit, struct arena *arena, struct lens *fitted,
+                      const char **doubt, struct error *error)
 {
     struct lens_warnings warnings;
     *fitted = prescription_apply(lens, wishes->parts, wishes->part_count, fit, arena);
@@ -247,12 +240,12 @@ static void emit_goals(const struct wishes *wishes, const struct prescription_fi
                        const struct lens *fitted, const char *doubt, struct run *run)
 {
     for (size_t g = 0; g < wishes->goal_count; g++) {
-        const struct fit_prescription_goal_row row = {
+        const struct fit_goal_row row = {
             .goal = wishes->goal_names[g],
             .lens = fitted->title,
             .status = fit_status(&fit->summary),
-            .warning = lens_warnings_join(fit_prescription_miss(wishes, fit, g, run->arena), doubt,
-                                          run->arena),
+            .warning =
+                lens_warnings_join(fit_goal_miss(wishes, fit, g, run->arena), doubt, run->arena),
             .target = wishes->goals[g].value,
             .deviation = wishes->goals[g].deviation,
             .reached = fit->reached[g],
@@ -264,8 +257,7 @@ static void emit_goals(const struct wishes *wishes, const struct prescription_fi
 }
 
 /* Rows that fall short of what was asked stand, with exit status 1. */
-static void fit_prescription_judge(const char *missed, const struct prescription_fit *fit,
-                                   struct run *run)
+static void fit_judge(const char *missed, const struct prescription_fit *fit, struct run *run)
 {
     if (missed != NULL) {
         fail(&run->shortfall, ERROR_DOMAIN, "%s", missed);
@@ -294,7 +286,7 @@ struct fitted {
     const char *freed;  /* marks that lose their bounds, in words; null: none does */
 };
 
-static bool fit_prescription_visit(const struct lens_case *one, void *context, struct error *error)
+static bool fit_prescription_case(const struct lens_case *one, void *context, struct error *error)
 {
     const struct fit_asked *asked = context;
     const struct fit_input *input = asked->input;
@@ -307,14 +299,13 @@ static bool fit_prescription_visit(const struct lens_case *one, void *context, s
         return fail(error, ERROR_DOMAIN,
                     "a lens with positions: its prescription is not that of one of them");
     }
-    if (!fit_prescription_read_goals(input->goals, run, one->light.wavelength, wishes, error) ||
-        !fit_prescription_read_parts(input, one->setup->lens, run, wishes, error) ||
+    if (!fit_read_goals(input->goals, run, one->light.wavelength, wishes, error) ||
+        !fit_read_parts(input, one->setup->lens, run, wishes, error) ||
         !fit_wishes(one->setup->lens, wishes, run, &fit, error) ||
-        !fit_prescription_apply(one->setup->lens, wishes, &fit, run->arena, &fitted, &doubt,
-                                error)) {
+        !fit_apply(one->setup->lens, wishes, &fit, run->arena, &fitted, &doubt, error)) {
         return false;
     }
-    const char *missed = fit_prescription_misses(wishes, &fit, run->arena), *freed = NULL;
+    const char *missed = fit_goal_misses(wishes, &fit, run->arena), *freed = NULL;
     free_marks(&fitted, wishes, &fit, run, &freed);
     if (input->show == FIT_ANSWER || input->show == FIT_RESIDUALS) {
         emit_goals(wishes, &fit, &fitted, doubt, run);
@@ -327,7 +318,7 @@ static bool fit_prescription_visit(const struct lens_case *one, void *context, s
     struct fitted *kept = ARENA_NEW(run->arena, struct fitted);
     *kept = (struct fitted){fitted, missed, freed};
     run->state = kept;
-    fit_prescription_judge(missed, &fit, run);
+    fit_judge(missed, &fit, run);
     return true;
 }
 
@@ -351,5 +342,5 @@ bool fit_prescription(const struct fit_input *input, struct run *run, struct err
     struct lens_question question = input->question;
     question.field = question.field_x = NAN;
     struct fit_asked asked = {input, run};
-    return lens_each(&question, &policy, run->arena, fit_prescription_visit, &asked, error);
+    return lens_each(&question, &policy, run->arena, fit_prescription_case, &asked, error);
 }

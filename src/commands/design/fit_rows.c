@@ -7,23 +7,23 @@
 #define PLAIN(member_name) COLUMN(struct fit_row, member_name), .flags = COLUMN_BRIEF
 
 static const struct column parameter_columns[] = {
-    {COLUMN(struct fit_row, position), .flags = COLUMN_BRIEF | COLUMN_SPARSE, .name = "position",
-     .label = "position", .help = "zoom or focus position"},
-    {PLAIN(parameter), .name = "parameter", .label = "parameter", .help = "what was fitted"},
-    {PLAIN(value), .name = "value", .digits = 9, .label = "value",
+    {COLUMN_NAMED(struct fit_row, position, COLUMN_BRIEF | COLUMN_SPARSE),
+     .help = "zoom or focus position"},
+    {COLUMN_NAMED(struct fit_row, parameter, COLUMN_BRIEF), .help = "what was fitted"},
+    {COLUMN_NAMED(struct fit_row, value, COLUMN_BRIEF), .digits = 9,
      .help = "its value; lengths in mm"},
     {PLAIN(error), .name = "stderr", .label = "standard error",
      .help = "standard error; absent at a bound and where the data leave it open"},
-    {COLUMN(struct fit_row, note), .name = "note", .label = "note",
+    {COLUMN_NAMED(struct fit_row, note, 0),
      .help = "at its bound, or not determined; absent if neither"},
 };
 
 static const struct column correlation_columns[] = {
-    {COLUMN(struct fit_row, position), .flags = COLUMN_BRIEF | COLUMN_SPARSE, .name = "position",
-     .label = "position", .help = "zoom or focus position"},
-    {PLAIN(parameter), .name = "parameter", .label = "parameter", .help = "one parameter"},
-    {PLAIN(with), .name = "with", .label = "with", .help = "another"},
-    {PLAIN(correlation), .name = "correlation", .label = "correlation",
+    {COLUMN_NAMED(struct fit_row, position, COLUMN_BRIEF | COLUMN_SPARSE),
+     .help = "zoom or focus position"},
+    {COLUMN_NAMED(struct fit_row, parameter, COLUMN_BRIEF), .help = "one parameter"},
+    {COLUMN_NAMED(struct fit_row, with, COLUMN_BRIEF), .help = "another"},
+    {COLUMN_NAMED(struct fit_row, correlation, COLUMN_BRIEF),
      .help = "covariance over the product of the standard errors, -1 to 1"},
 };
 

@@ -19,23 +19,23 @@ struct ray_row {
 #define RAY(member_name, more) COLUMN(struct ray_row, member_name), .flags = (more)
 
 static const struct column ray_columns[] = {
-    {RAY(position, COLUMN_BRIEF | COLUMN_SPARSE), .name = "position", .label = "position",
+    {COLUMN_NAMED(struct ray_row, position, COLUMN_BRIEF | COLUMN_SPARSE),
      .help = "zoom or focus position"},
-    {RAY(wavelength, COLUMN_ECHO | COLUMN_BRIEF), .dimension = &dimension_wavelength_um,
-     .unit = "nm", .name = "wavelength", .label = "wavelength", .help = "wavelength"},
-    {RAY(field, COLUMN_BRIEF), .dimension = &dimension_angle, .unit = "deg", .name = "field",
-     .label = "field", .help = "field angle; absent for an object nearby"},
+    {COLUMN_NAMED(struct ray_row, wavelength, COLUMN_ECHO | COLUMN_BRIEF),
+     .dimension = &dimension_wavelength_um, .unit = "nm", .help = "wavelength"},
+    {COLUMN_NAMED(struct ray_row, field, COLUMN_BRIEF), .dimension = &dimension_angle,
+     .unit = "deg", .help = "field angle; absent for an object nearby"},
     {RAY(object_height, 0), .dimension = &dimension_length, .unit = "mm", .name = "object_height",
      .label = "object height", .help = "height of the object point; absent for a distant object"},
     {RAY(stop_x, COLUMN_BRIEF), .name = "stop_x", .label = "stop x",
      .help = "where the ray crosses the stop, in shares of its radius"},
     {RAY(stop_y, COLUMN_BRIEF), .name = "stop_y", .label = "stop y", .help = "the same"},
-    {RAY(dx, COLUMN_BRIEF), .dimension = &dimension_length, .unit = "um", .name = "dx",
-     .label = "dx", .help = "the thick lens's ray less the exact one, in the image"},
-    {RAY(dy, COLUMN_BRIEF), .dimension = &dimension_length, .unit = "um", .name = "dy",
-     .label = "dy", .help = "the same along y"},
-    {RAY(distance, COLUMN_BRIEF), .dimension = &dimension_length, .unit = "um", .name = "distance",
-     .label = "distance", .help = "length of (dx, dy)"},
+    {COLUMN_NAMED(struct ray_row, dx, COLUMN_BRIEF), .dimension = &dimension_length, .unit = "um",
+     .help = "the thick lens's ray less the exact one, in the image"},
+    {COLUMN_NAMED(struct ray_row, dy, COLUMN_BRIEF), .dimension = &dimension_length, .unit = "um",
+     .help = "the same along y"},
+    {COLUMN_NAMED(struct ray_row, distance, COLUMN_BRIEF), .dimension = &dimension_length,
+     .unit = "um", .help = "length of (dx, dy)"},
 };
 
 const struct sheet fit_ray_sheet = SHEET(ray_columns, struct ray_row);
@@ -52,9 +52,9 @@ struct model_row {
                                            .flags = COLUMN_BRIEF
 
 static const struct column model_columns[] = {
-    {COLUMN(struct model_row, position), .flags = COLUMN_BRIEF | COLUMN_SPARSE, .name = "position",
-     .label = "position", .help = "zoom or focus position"},
-    {COLUMN(struct model_row, model), .flags = COLUMN_BRIEF, .name = "model", .label = "model",
+    {COLUMN_NAMED(struct model_row, position, COLUMN_BRIEF | COLUMN_SPARSE),
+     .help = "zoom or focus position"},
+    {COLUMN_NAMED(struct model_row, model, COLUMN_BRIEF),
      .help = "fitted, paraxial, or thin: the paraxial f at H', where it focuses alike"},
     {MODEL(efl, "mm"), .name = "efl", .label = "f", .digits = 7, .help = "its focal length"},
     {MODEL(front, "mm"), .name = "front_principal", .label = "H", .digits = 6,
@@ -84,8 +84,8 @@ struct matrix_row {
                                             .label = #member_name
 
 static const struct column matrix_columns[] = {
-    {COLUMN(struct matrix_row, position), .flags = COLUMN_BRIEF | COLUMN_SPARSE, .name = "position",
-     .label = "position", .help = "zoom or focus position"},
+    {COLUMN_NAMED(struct matrix_row, position, COLUMN_BRIEF | COLUMN_SPARSE),
+     .help = "zoom or focus position"},
     {CELL(row), .help = "row of the matrix, from H to H'"},
     {CELL(x), .help = "times x of the object point"},
     {CELL(y), .help = "times y"},

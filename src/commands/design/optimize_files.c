@@ -189,7 +189,7 @@ static bool take_files(struct optimize_part *part, const struct part_head *head,
 /* -------- before a search -------- */
 
 /* What a result depends on besides words and files: glasses, what the lens is and has. */
-static struct text optimize_part_facts_of(const struct optimize_job *job)
+static struct text optimize_facts_of(const struct optimize_job *job)
 {
     struct text_buffer facts = {.arena = job->run->arena};
     growing_string(&facts, job->goals);
@@ -215,7 +215,7 @@ static bool make_heads(const struct optimize_job *job, struct optimize_part *par
     struct division division = {.part = {1, 1},
                                 .seed = part->global->seed,
                                 .total = part->global->start_count,
-                                .facts = optimize_part_facts_of(job)};
+                                .facts = optimize_facts_of(job)};
     if (run->parts != NULL) {
         division.part.count = run->parts[0].head.part.count;
     } else if (job->input->part.count > 0) {
@@ -271,7 +271,7 @@ static void put_goals(const struct optimize_job *job, struct lens *lens)
     fit_note(lens, "its goals are those that it was optimized for, no longer its own", arena);
 }
 
-static void optimize_files_save(const struct optimize_job *done, struct output *sink)
+static void optimize_save_lens(const struct optimize_job *done, struct output *sink)
 {
     struct arena *arena = done->run->arena;
     struct lens lens = *done->found;
@@ -295,7 +295,7 @@ bool optimize_save(const struct artifact_job *job, struct output *sink, struct e
     const struct optimize_job *done = job->run->state;
     (void)error;
     if (done->search == NULL) {
-        optimize_files_save(done, sink);
+        optimize_save_lens(done, sink);
         return true;
     }
     if (job->type == division_types(0)) {
@@ -304,7 +304,7 @@ bool optimize_save(const struct artifact_job *job, struct output *sink, struct e
     }
     for (size_t i = 0; i < job->files; i++) {
         if (i < done->kept_count) {
-            optimize_files_save(&done->kept[i], &sink[i]);
+            optimize_save_lens(&done->kept[i], &sink[i]);
         } else {
             sink[i].is_unused = true;
         }
@@ -328,7 +328,7 @@ bool optimize_save_state(const struct artifact_job *job, struct output *sink, st
 }
 
 /* "f/2.8", "seed 3"; null: there is only one. */
-static const char *optimize_files_label_of(const struct optimize_job *job, bool several)
+static const char *optimize_curve_label(const struct optimize_job *job, bool several)
 {
     const struct optimize_input *input = job->input;
     struct arena *arena = job->run->arena;
@@ -345,20 +345,20 @@ static const char *optimize_files_label_of(const struct optimize_job *job, bool 
 }
 
 /* What is drawn of a job: its merit after each iteration, or where its starts ended. */
-struct optimize_files_curve {
+struct optimize_curve {
     const double *y;
     size_t count;
 };
 
-static struct optimize_files_curve optimize_files_curve_of(const struct optimize_job *job)
+static struct optimize_curve optimize_curve_of(const struct optimize_job *job)
 {
     return job->kept_count > 0
-               ? (struct optimize_files_curve){job->ends, job->end_count}
-               : (struct optimize_files_curve){job->answer.history, job->answer.history_count};
+               ? (struct optimize_curve){job->ends, job->end_count}
+               : (struct optimize_curve){job->answer.history, job->answer.history_count};
 }
 
 /* As long as the longest. */
-static const double *optimize_files_stretch(struct optimize_files_curve curve, size_t length,
+static const double *optimize_curve_stretch(struct optimize_curve curve, size_t length,
                                             struct arena *arena)
 {
     double *y = ARENA_ARRAY(arena, length, double);
@@ -368,7 +368,7 @@ static const double *optimize_files_stretch(struct optimize_files_curve curve, s
     return y;
 }
 
-static bool optimize_files_is_positive(struct optimize_files_curve curve)
+static bool optimize_curve_is_positive(struct optimize_curve curve)
 {
     bool positive = true;
     for (size_t i = 0; i < curve.count; i++) {
@@ -386,16 +386,16 @@ bool optimize_plot(const struct artifact_job *job, struct output *sink, struct e
     size_t length = 0, at = job->count;
     bool log_y = true;
     for (const struct optimize_job *one = last; one != NULL; one = one->earlier) {
-        const struct optimize_files_curve curve = optimize_files_curve_of(one);
+        const struct optimize_curve curve = optimize_curve_of(one);
         length = curve.count > length ? curve.count : length;
-        log_y = log_y && optimize_files_is_positive(curve);
+        log_y = log_y && optimize_curve_is_positive(curve);
     }
     for (const struct optimize_job *one = last; one != NULL && at > 0; one = one->earlier) {
         at--;
-        series[at] = (struct plot_series){
-            .label = optimize_files_label_of(one, job->count > 1),
-            .y = optimize_files_stretch(optimize_files_curve_of(one), length, arena),
-            .style = at};
+        series[at] =
+            (struct plot_series){.label = optimize_curve_label(one, job->count > 1),
+                                 .y = optimize_curve_stretch(optimize_curve_of(one), length, arena),
+                                 .style = at};
     }
     const bool is_search = last->kept_count > 0;
     double *x = ARENA_ARRAY(arena, length, double);

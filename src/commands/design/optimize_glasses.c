@@ -31,7 +31,7 @@ struct glass_list {
     size_t wavelength_count, wavelength_room;
 };
 
-static void optimize_glasses_add_wavelength(struct glass_list *list, double wavelength)
+static void glass_list_add_wavelength(struct glass_list *list, double wavelength)
 {
     list->wavelengths = arena_grow(list->arena, list->wavelengths, list->wavelength_count,
                                    &list->wavelength_room, sizeof wavelength);
@@ -39,25 +39,24 @@ static void optimize_glasses_add_wavelength(struct glass_list *list, double wave
 }
 
 /* Of the merit, and of the lens in all its positions: it is to be usable. */
-static void optimize_glasses_list_wavelengths(struct glass_list *list)
+static void glass_list_wavelengths(struct glass_list *list)
 {
     const struct optimize_job *job = list->job;
     for (size_t p = 0; p == 0 || p < job->lens->position_count; p++) {
         const struct lens *lens = lens_at_position(job->lens, p, list->arena);
         for (size_t i = 0; i < lens->wavelength_count; i++) {
-            optimize_glasses_add_wavelength(list, lens->wavelengths[i].wavelength);
+            glass_list_add_wavelength(list, lens->wavelengths[i].wavelength);
         }
     }
     for (size_t p = 0; p < job->merit.place_count; p++) {
         for (size_t i = 0; i < job->merit.places[p].light_count; i++) {
-            optimize_glasses_add_wavelength(list, job->merit.places[p].lights[i].wavelength);
+            glass_list_add_wavelength(list, job->merit.places[p].lights[i].wavelength);
         }
     }
 }
 
 /* Is one of the list the same to light? As one with higher transmittance is, by another name. */
-static bool optimize_glasses_is_there(const struct glass_list *list,
-                                      const struct glass_candidate *one)
+static bool glass_list_has(const struct glass_list *list, const struct glass_candidate *one)
 {
     bool found = false;
     for (size_t i = 0; i < list->count && !found; i++) {
@@ -92,7 +91,7 @@ static bool add_glass(struct glass_list *list, const struct glass *glass, struct
     if (!isfinite(one.nd) || !isfinite(one.Vd)) {
         return fail(error, ERROR_DOMAIN, "glass %s has no nd and Vd to choose it by", name);
     }
-    if (optimize_glasses_is_there(list, &one)) {
+    if (glass_list_has(list, &one)) {
         return true;
     }
     list->glasses = arena_grow(list->arena, list->glasses, list->count, &list->room, sizeof one);
@@ -104,7 +103,7 @@ static bool add_glass(struct glass_list *list, const struct glass *glass, struct
  * Go through all catalogues: first which of the words name one, then for their glasses. Of one that
  * does not say what is made all but what is not made any more.
  */
-static bool optimize_glasses_read_catalogs(struct glass_list *list, bool takes, struct error *error)
+static bool glass_list_read_catalogs(struct glass_list *list, bool takes, struct error *error)
 {
     struct glass_catalogs catalogs;
     struct glass_record record;
@@ -149,8 +148,7 @@ static bool add_named(struct glass_list *list, const struct glass_word *word, st
     return false;
 }
 
-static bool optimize_glasses_read_words(struct glass_list *list, const char *typed,
-                                        struct error *error)
+static bool glass_list_read_words(struct glass_list *list, const char *typed, struct error *error)
 {
     size_t most = 1;
     for (const char *at = typed; *at != '\0'; at++) {
@@ -165,7 +163,7 @@ static bool optimize_glasses_read_words(struct glass_list *list, const char *typ
         list->words[list->word_count++] =
             (struct glass_word){.text = word, .nearest = {.typed = word}};
     }
-    if (!optimize_glasses_read_catalogs(list, false, error)) {
+    if (!glass_list_read_catalogs(list, false, error)) {
         return false;
     }
     for (size_t i = 0; i < list->word_count; i++) {
@@ -173,8 +171,7 @@ static bool optimize_glasses_read_words(struct glass_list *list, const char *typ
             return false;
         }
     }
-    return optimize_glasses_read_catalogs(list, true,
-                                          error) && /* those that were named come first */
+    return glass_list_read_catalogs(list, true, error) && /* those that were named come first */
            (list->count > 0 || fail(error, ERROR_DOMAIN,
                                     "'%s' has no glass that is made, has nd and Vd, and reaches "
                                     "to all wavelengths",
@@ -203,8 +200,8 @@ bool optimize_glasses_open(struct optimize_job *job, struct error *error)
         fail(error, ERROR_DOMAIN, "{--glasses}: no model glass nd/Vd varies");
         return error_hint(error, "those that do are replaced: {--vary} glass3, or the mark glass~");
     }
-    optimize_glasses_list_wavelengths(&list);
-    if (!optimize_glasses_read_words(&list, job->input->glasses, error)) {
+    glass_list_wavelengths(&list);
+    if (!glass_list_read_words(&list, job->input->glasses, error)) {
         return error_prefix(error, "{--glasses}: ");
     }
     job->glasses = list.glasses;
@@ -298,7 +295,7 @@ bool optimize_glasses_choose(struct optimize_job *job, struct error *error)
 
 /* -------- rows -------- */
 
-struct optimize_glasses_glass_row {
+struct optimize_glass_row {
     struct optimize_about about;
     const char *glass;
     double model_nd, model_Vd, nd, Vd, distance, before, after, loss;
@@ -306,50 +303,49 @@ struct optimize_glasses_glass_row {
 };
 
 static const struct column glass_columns[] = {
-    OPTIMIZE_SWEPT_COLUMNS(struct optimize_glasses_glass_row),
-    {COLUMN(struct optimize_glasses_glass_row, surface), .flags = COLUMN_BRIEF, .name = "surface",
-     .label = "surface", .help = "that the glass lies behind, in the order of the exchanges"},
-    {COLUMN(struct optimize_glasses_glass_row, model_nd), .flags = COLUMN_BRIEF, .digits = 5,
+    OPTIMIZE_SWEPT_COLUMNS(struct optimize_glass_row),
+    {COLUMN_NAMED(struct optimize_glass_row, surface, COLUMN_BRIEF),
+     .help = "that the glass lies behind, in the order of the exchanges"},
+    {COLUMN(struct optimize_glass_row, model_nd), .flags = COLUMN_BRIEF, .digits = 5,
      .name = "model_nd", .label = "model nd", .help = "of the model glass, as it was optimised"},
-    {COLUMN(struct optimize_glasses_glass_row, model_Vd), .flags = COLUMN_BRIEF, .name = "model_vd",
+    {COLUMN(struct optimize_glass_row, model_Vd), .flags = COLUMN_BRIEF, .name = "model_vd",
      .label = "model Vd", .help = "its Abbe number"},
-    {COLUMN(struct optimize_glasses_glass_row, glass), .flags = COLUMN_BRIEF, .name = "glass",
-     .label = "glass", .help = "what took its place; absent: there was no time"},
-    {COLUMN(struct optimize_glasses_glass_row, nd), .flags = COLUMN_BRIEF, .digits = 5,
-     .name = "nd", .label = "nd", .help = "of that glass"},
-    {COLUMN(struct optimize_glasses_glass_row, Vd), .flags = COLUMN_BRIEF, .name = "vd",
-     .label = "Vd", .help = "its Abbe number"},
-    {COLUMN(struct optimize_glasses_glass_row, distance), .name = "distance", .label = "distance",
+    {COLUMN_NAMED(struct optimize_glass_row, glass, COLUMN_BRIEF),
+     .help = "what took its place; absent: there was no time"},
+    {COLUMN_NAMED(struct optimize_glass_row, nd, COLUMN_BRIEF), .digits = 5,
+     .help = "of that glass"},
+    {COLUMN(struct optimize_glass_row, Vd), .flags = COLUMN_BRIEF, .name = "vd", .label = "Vd",
+     .help = "its Abbe number"},
+    {COLUMN_NAMED(struct optimize_glass_row, distance, 0),
      .help = "between the two: sqrt((dnd/0.1)^2 + (dVd/10)^2 + (dP/0.02)^2), dP of PgF from the "
              "normal line"},
-    {COLUMN(struct optimize_glasses_glass_row, before), .flags = COLUMN_BRIEF,
-     .name = "merit_before", .label = "merit before", .help = "before this exchange"},
-    {COLUMN(struct optimize_glasses_glass_row, after), .flags = COLUMN_BRIEF, .name = "merit_after",
+    {COLUMN(struct optimize_glass_row, before), .flags = COLUMN_BRIEF, .name = "merit_before",
+     .label = "merit before", .help = "before this exchange"},
+    {COLUMN(struct optimize_glass_row, after), .flags = COLUMN_BRIEF, .name = "merit_after",
      .label = "merit after", .help = "after it, everything else optimised again"},
-    {COLUMN(struct optimize_glasses_glass_row, loss), .flags = COLUMN_BRIEF, .name = "loss",
-     .label = "loss", .help = "how much the merit has grown"},
-    OPTIMIZE_LENS_COLUMNS(struct optimize_glasses_glass_row),
+    {COLUMN_NAMED(struct optimize_glass_row, loss, COLUMN_BRIEF),
+     .help = "how much the merit has grown"},
+    OPTIMIZE_LENS_COLUMNS(struct optimize_glass_row),
 };
 
-const struct sheet optimize_glass_sheet = SHEET(glass_columns, struct optimize_glasses_glass_row);
+const struct sheet optimize_glass_sheet = SHEET(glass_columns, struct optimize_glass_row);
 
 bool optimize_emit_glasses(struct optimize_job *job)
 {
     const struct glass_choice *choice = job->choice;
     for (size_t i = 0; i < choice->count; i++) {
         const struct glass_exchange *exchange = &choice->exchanges[i];
-        const struct optimize_glasses_glass_row row = {.about = optimize_about_of(job, i == 0),
-                                                       .surface = (long)exchange->surface + 1,
-                                                       .model_nd = exchange->nd,
-                                                       .model_Vd = exchange->Vd,
-                                                       .glass =
-                                                           exchange->glass->medium.written.start,
-                                                       .nd = exchange->glass->nd,
-                                                       .Vd = exchange->glass->Vd,
-                                                       .distance = exchange->distance,
-                                                       .before = exchange->before,
-                                                       .after = exchange->after,
-                                                       .loss = exchange->after - exchange->before};
+        const struct optimize_glass_row row = {.about = optimize_about_of(job, i == 0),
+                                               .surface = (long)exchange->surface + 1,
+                                               .model_nd = exchange->nd,
+                                               .model_Vd = exchange->Vd,
+                                               .glass = exchange->glass->medium.written.start,
+                                               .nd = exchange->glass->nd,
+                                               .Vd = exchange->glass->Vd,
+                                               .distance = exchange->distance,
+                                               .before = exchange->before,
+                                               .after = exchange->after,
+                                               .loss = exchange->after - exchange->before};
         if (!run_emit(job->run, &row)) {
             break;
         }

@@ -56,8 +56,8 @@ static const char *add_focal_lengths(const struct optimize_job *job,
 }
 
 /* The least of the lens's own centres, edges or gaps, mm; NaN: it cannot be told. */
-static double optimize_job_least_of(struct optimize_job *job, const struct merit_question *question,
-                                    const char *name)
+static double least_of_goal(struct optimize_job *job, const struct merit_question *question,
+                            const char *name)
 {
     struct arena *arena = job->run->arena;
     const struct goals_reader reader = {job->run->db, job->lens, arena, "--goals", 1};
@@ -105,7 +105,7 @@ static const char *usual_goals(struct optimize_job *job, const struct merit_ques
     double size;
     const char *words = add_focal_lengths(job, question, "poly", &size);
     for (size_t i = 0; i < sizeof limits / sizeof limits[0] && isfinite(size); i++) {
-        const double least = optimize_job_least_of(job, question, limits[i].name),
+        const double least = least_of_goal(job, question, limits[i].name),
                      usual = limits[i].share * size;
         if (!isnan(least)) {
             words = arena_printf(arena, "%s, %s > %.2g", words, limits[i].name,
@@ -127,7 +127,7 @@ static const char *join_goals(const struct lens *lens, struct arena *arena)
 }
 
 /* Rays near loss count, wherever rays do and nothing else is said. */
-static void optimize_job_add_grazing(struct optimize_job *job, struct goals *goals)
+static void goals_add_grazing(struct optimize_job *job, struct goals *goals)
 {
     struct operand grazing = operand_of(OPERAND_GRAZING, "grazing < 85");
     grazing.relation = OPERAND_BELOW;
@@ -146,8 +146,8 @@ static void optimize_job_add_grazing(struct optimize_job *job, struct goals *goa
     }
 }
 
-static bool optimize_job_read_goals(struct optimize_job *job, const struct merit_question *question,
-                                    struct goals *goals, struct error *error)
+static bool optimize_read_goals(struct optimize_job *job, const struct merit_question *question,
+                                struct goals *goals, struct error *error)
 {
     struct arena *arena = job->run->arena;
     const char *typed = job->input->goals;
@@ -194,11 +194,10 @@ static bool check_used(const struct merit_question *question, const struct goals
 static bool optimize_goals(struct optimize_job *job, const struct merit_question *question,
                            struct goals *goals, struct error *error)
 {
-    if (!optimize_job_read_goals(job, question, goals, error) ||
-        !check_used(question, goals, error)) {
+    if (!optimize_read_goals(job, question, goals, error) || !check_used(question, goals, error)) {
         return false;
     }
-    optimize_job_add_grazing(job, goals);
+    goals_add_grazing(job, goals);
     return true;
 }
 
@@ -240,8 +239,8 @@ struct optimize_job_view {
 };
 
 /* A position that is named twice would count twice. */
-static bool optimize_job_check_once(const struct lens *lens, const struct optimize_job_view *view,
-                                    struct error *error)
+static bool check_positions_once(const struct lens *lens, const struct optimize_job_view *view,
+                                 struct error *error)
 {
     for (size_t i = 0; i < view->position_count; i++) {
         for (size_t k = 0; k < i; k++) {
@@ -263,13 +262,13 @@ static bool set_view(const struct optimize_job *job, struct optimize_job_view *v
     view->fields = ARENA_ARRAY(arena, question->fields.count + 1, struct setup_field);
     return lens_positions(question->lens.lens, names, arena, &view->positions,
                           &view->position_count, error) &&
-           optimize_job_check_once(question->lens.lens, view, error) &&
+           check_positions_once(question->lens.lens, view, error) &&
            lens_fields_asked(question, view->positions[0], view->fields, error);
 }
 
 /* The question of the merit, without goals. */
-static struct merit_question optimize_job_question_of(struct optimize_job *job,
-                                                      const struct optimize_job_view *view)
+static struct merit_question optimize_question_of(struct optimize_job *job,
+                                                  const struct optimize_job_view *view)
 {
     const struct optimize_input *input = job->input;
     return (struct merit_question){.lens = job->lens,
@@ -372,7 +371,7 @@ bool optimize_open(struct optimize_job *job, struct merit_question *question, st
     if (!set_view(job, &view, error) || !open_variables(job, error)) {
         return false;
     }
-    *question = optimize_job_question_of(job, &view);
+    *question = optimize_question_of(job, &view);
     if (!optimize_goals(job, question, &goals, error) || !optimize_errors(job, &goals, error)) {
         return false;
     }

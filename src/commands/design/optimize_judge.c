@@ -78,24 +78,24 @@ static bool look_again(const struct optimize_job *job, const struct merit_slot *
 }
 
 /* The contrast that is off most. */
-struct optimize_contrast_doubt {
+struct contrast_doubt {
     const struct operand *operand;
     double off, seen, is; /* is NaN: it is not known */
 };
 
-static void optimize_contrast_compare(const struct optimize_job *job, const struct merit_slot *slot,
-                                      size_t row, double is, struct optimize_contrast_doubt *doubt)
+static void contrast_compare(const struct optimize_job *job, const struct merit_slot *slot,
+                             size_t row, double is, struct contrast_doubt *doubt)
 {
     const double seen = job->answer.after.values[slot->first + row];
     const double off = isnan(is) ? 1 : fabs(is - seen);
     if (off > doubt->off) {
-        *doubt = (struct optimize_contrast_doubt){slot->operand, off, seen, is};
+        *doubt = (struct contrast_doubt){slot->operand, off, seen, is};
     }
 }
 
 /* All residuals of a slot: of fields that count, tangential before sagittal. */
 static void look_at_slot(const struct optimize_job *job, const struct merit_slot *slot,
-                         struct optimize_contrast_doubt *doubt)
+                         struct contrast_doubt *doubt)
 {
     const struct operand *operand = slot->operand;
     const struct setup_field axis = {{.kind = FIELD_NONE}, 1};
@@ -122,10 +122,10 @@ static void look_at_slot(const struct optimize_job *job, const struct merit_slot
             mtf.contrast[0] = mtf.contrast[1] = NAN;
         }
         if (operand->orientation != ORIENTATION_SAGITTAL) {
-            optimize_contrast_compare(job, slot, row++, mtf.contrast[MTF_TANGENTIAL], doubt);
+            contrast_compare(job, slot, row++, mtf.contrast[MTF_TANGENTIAL], doubt);
         }
         if (operand->orientation != ORIENTATION_TANGENTIAL) {
-            optimize_contrast_compare(job, slot, row++, mtf.contrast[MTF_SAGITTAL], doubt);
+            contrast_compare(job, slot, row++, mtf.contrast[MTF_SAGITTAL], doubt);
         }
     }
 }
@@ -136,7 +136,7 @@ static void look_at_slot(const struct optimize_job *job, const struct merit_slot
  */
 static void warn_of_contrast(struct optimize_job *job)
 {
-    struct optimize_contrast_doubt doubt = {.off = doubtful};
+    struct contrast_doubt doubt = {.off = doubtful};
     for (size_t i = 0; i < job->merit.slot_count; i++) {
         if (is_contrast(job->merit.slots[i].operand)) {
             look_at_slot(job, &job->merit.slots[i], &doubt);
@@ -157,7 +157,7 @@ static void warn_of_contrast(struct optimize_job *job)
 /* -------- as wanted -------- */
 
 /* By how much a contrast is missed; "= 1" is how one asks for as much as can be. */
-static double optimize_contrast_missed_by(const struct operand *operand, double value)
+static double contrast_missed_by(const struct operand *operand, double value)
 {
     switch (operand->relation) {
     case OPERAND_ABOVE:
@@ -181,8 +181,8 @@ static void warn_of_missed_contrast(struct optimize_job *job)
     for (size_t i = 0; i < job->merit.slot_count; i++) {
         const struct merit_slot *slot = &job->merit.slots[i];
         for (size_t k = 0; k < slot->count && is_contrast(slot->operand); k++) {
-            const double by = optimize_contrast_missed_by(
-                slot->operand, job->answer.after.values[slot->first + k]);
+            const double by =
+                contrast_missed_by(slot->operand, job->answer.after.values[slot->first + k]);
             /* more than a deviation is said of all goals alike */
             if (by > most && by <= slot->operand->deviation) {
                 most = by;
@@ -197,7 +197,7 @@ static void warn_of_missed_contrast(struct optimize_job *job)
 
 /* -------- what is doubtful -------- */
 
-static const char *optimize_judge_status_of(const struct optimize_job *job)
+static const char *optimize_status_of(const struct optimize_job *job)
 {
     static const char *const words[] = {
         [SOLVER_CONVERGED] = "converged",
@@ -229,8 +229,7 @@ static void warn_of_idle(struct optimize_job *job)
 }
 
 /* By how many deviations a goal of a figure is missed; those of rays have no target. */
-static double optimize_judge_missed_by(const struct optimize_job *job,
-                                       const struct merit_slot *slot)
+static double goal_missed_by(const struct optimize_job *job, const struct merit_slot *slot)
 {
     const struct operand *operand = slot->operand;
     double most = 0;
@@ -252,7 +251,7 @@ static void warn_of_missed(struct optimize_job *job)
     double most = 1;
     size_t count = 0;
     for (size_t i = 0; i < merit->slot_count; i++) {
-        const double by = optimize_judge_missed_by(job, &merit->slots[i]);
+        const double by = goal_missed_by(job, &merit->slots[i]);
         count += by > 1;
         if (by > most) {
             most = by;
@@ -451,7 +450,7 @@ static void optimize_judge_end(struct optimize_job *job)
 
 bool optimize_judge(struct optimize_job *job, struct error *error)
 {
-    job->status = optimize_judge_status_of(job);
+    job->status = optimize_status_of(job);
     if (job->answer.begun != NULL) {
         optimize_warn(job, "%s", job->answer.begun);
     }

@@ -34,45 +34,37 @@ static const struct column answer_columns[] = {
      .digits = 6, .label = "merit after", .help = "and as it was found"},
     {COLUMN(struct answer_row, hits), .flags = COLUMN_EXTRA, .name = "starts", .with = "global",
      .label = "starts", .help = "those that led to this lens"},
-    {COLUMN(struct answer_row, evaluations), .flags = COLUMN_BRIEF, .name = "evaluations",
-     .label = "evaluations",
+    {COLUMN_NAMED(struct answer_row, evaluations, COLUMN_BRIEF),
      .help = "of the merit, with or without derivatives; of a search those of all its starts"},
-    {COLUMN(struct answer_row, iterations), .flags = COLUMN_BRIEF, .name = "iterations",
-     .label = "iterations",
+    {COLUMN_NAMED(struct answer_row, iterations, COLUMN_BRIEF),
      .help = "steps, those that were taken back among them; of a search those of its last descent"},
-    {COLUMN(struct answer_row, solver), .flags = COLUMN_BRIEF, .name = "solver", .label = "solver",
-     .help = "what made the steps"},
-    {COLUMN(struct answer_row, status), .flags = COLUMN_BRIEF, .name = "status", .label = "status",
+    {COLUMN_NAMED(struct answer_row, solver, COLUMN_BRIEF), .help = "what made the steps"},
+    {COLUMN_NAMED(struct answer_row, status, COLUMN_BRIEF),
      .help = "converged, or why it ended otherwise"},
-    {COLUMN(struct answer_row, variables), .flags = COLUMN_HIDDEN, .name = "variables",
-     .label = "variables", .help = "numbers that may change"},
-    {COLUMN(struct answer_row, residuals), .flags = COLUMN_HIDDEN, .name = "residuals",
-     .label = "residuals", .help = "squares in the sum"},
-    {COLUMN(struct answer_row, goals), .flags = COLUMN_EXTRA | COLUMN_ASSUMED, .name = "goals",
-     .depends = "goals lens", .label = "goals", .help = "what is wanted, as --goals takes it"},
+    {COLUMN_NAMED(struct answer_row, variables, COLUMN_HIDDEN), .help = "numbers that may change"},
+    {COLUMN_NAMED(struct answer_row, residuals, COLUMN_HIDDEN), .help = "squares in the sum"},
+    {COLUMN_NAMED(struct answer_row, goals, COLUMN_EXTRA | COLUMN_ASSUMED), .depends = "goals lens",
+     .help = "what is wanted, as --goals takes it"},
     {COLUMN(struct answer_row, made), .flags = COLUMN_EXTRA | COLUMN_ASSUMED, .name = "tolerances",
      .depends = "grade tolerances lens goals", .label = "tolerances",
      .help = "of the goal asbuilt, how many independent errors, and where they are from"},
-    {COLUMN(struct answer_row, rays), .flags = COLUMN_EXTRA | COLUMN_ASSUMED, .name = "rays",
-     .depends = "rays pattern aim clip no-clip", .label = "rays",
-     .help = "those of each field and wavelength"},
-    {COLUMN(struct answer_row, search), .flags = COLUMN_EXTRA | COLUMN_ASSUMED, .name = "search",
-     .depends = "global escapes spread seed", .label = "search",
-     .help = "how many starts there were, and where"},
+    {COLUMN_NAMED(struct answer_row, rays, COLUMN_EXTRA | COLUMN_ASSUMED),
+     .depends = "rays pattern aim clip no-clip", .help = "those of each field and wavelength"},
+    {COLUMN_NAMED(struct answer_row, search, COLUMN_EXTRA | COLUMN_ASSUMED),
+     .depends = "global escapes spread seed", .help = "how many starts there were, and where"},
     OPTIMIZE_LENS_COLUMNS(struct answer_row),
 };
 
 static const struct sheet answer_sheet = SHEET(answer_columns, struct answer_row);
 
-static const char *optimize_rows_rays_in_words(const struct optimize_input *input,
-                                               struct arena *arena)
+static const char *optimize_rays_in_words(const struct optimize_input *input, struct arena *arena)
 {
     return arena_printf(arena, "%ld %s, in the %s, %s", input->rays, patterns[input->pattern].word,
                         input->aim == ANALYSIS_AIM_ENTRANCE ? "entrance pupil" : "stop",
                         input->clip ? "clipped" : "not clipped");
 }
 
-static void optimize_rows_emit_answer(struct optimize_job *job)
+static void optimize_emit_answer(struct optimize_job *job)
 {
     const struct optimize_answer *answer = &job->answer;
     const struct answer_row row = {.about = optimize_about_of(job, true),
@@ -88,14 +80,14 @@ static void optimize_rows_emit_answer(struct optimize_job *job)
                                    .status = job->status,
                                    .goals = job->goals,
                                    .made = job->made,
-                                   .rays = optimize_rows_rays_in_words(job->input, job->run->arena),
+                                   .rays = optimize_rays_in_words(job->input, job->run->arena),
                                    .search = job->search};
     run_emit(job->run, &row);
 }
 
 /* -------- goals -------- */
 
-struct optimize_rows_goal_row {
+struct optimize_goal_row {
     struct optimize_about about;
     const char *position, *goal, *unit;
     double before, after, share_before, share_after;
@@ -103,29 +95,28 @@ struct optimize_rows_goal_row {
 };
 
 static const struct column goal_columns[] = {
-    OPTIMIZE_SWEPT_COLUMNS(struct optimize_rows_goal_row),
-    LENS_POSITION_COLUMN(struct optimize_rows_goal_row, position, COLUMN_BRIEF),
-    {COLUMN(struct optimize_rows_goal_row, goal), .flags = COLUMN_BRIEF, .name = "goal",
-     .label = "goal", .help = "what is wanted"},
-    {COLUMN(struct optimize_rows_goal_row, before), .flags = COLUMN_BRIEF | COLUMN_INFINITE,
+    OPTIMIZE_SWEPT_COLUMNS(struct optimize_goal_row),
+    LENS_POSITION_COLUMN(struct optimize_goal_row, position, COLUMN_BRIEF),
+    {COLUMN_NAMED(struct optimize_goal_row, goal, COLUMN_BRIEF), .help = "what is wanted"},
+    {COLUMN(struct optimize_goal_row, before), .flags = COLUMN_BRIEF | COLUMN_INFINITE,
      .name = "value_before", .label = "value before",
      .help = "what the lens had, of many surfaces the worst; of rays the root of their sum of "
              "squares"},
-    {COLUMN(struct optimize_rows_goal_row, after), .flags = COLUMN_BRIEF | COLUMN_INFINITE,
+    {COLUMN(struct optimize_goal_row, after), .flags = COLUMN_BRIEF | COLUMN_INFINITE,
      .name = "value_after", .label = "value after", .help = "what the lens that was found has"},
-    {COLUMN(struct optimize_rows_goal_row, unit), .flags = COLUMN_BRIEF, .name = "unit",
-     .label = "unit", .help = "of the two values; a plain number has none"},
-    {COLUMN(struct optimize_rows_goal_row, share_before), .flags = COLUMN_BRIEF,
-     .name = "merit_before", .label = "merit before", .help = "its part of the sum of squares"},
-    {COLUMN(struct optimize_rows_goal_row, share_after), .flags = COLUMN_BRIEF,
-     .name = "merit_after", .label = "merit after", .help = "the same afterwards"},
-    {COLUMN(struct optimize_rows_goal_row, part), .dimension = &dimension_ratio, .unit = "%",
+    {COLUMN_NAMED(struct optimize_goal_row, unit, COLUMN_BRIEF),
+     .help = "of the two values; a plain number has none"},
+    {COLUMN(struct optimize_goal_row, share_before), .flags = COLUMN_BRIEF, .name = "merit_before",
+     .label = "merit before", .help = "its part of the sum of squares"},
+    {COLUMN(struct optimize_goal_row, share_after), .flags = COLUMN_BRIEF, .name = "merit_after",
+     .label = "merit after", .help = "the same afterwards"},
+    {COLUMN(struct optimize_goal_row, part), .dimension = &dimension_ratio, .unit = "%",
      .flags = COLUMN_BRIEF, .name = "share", .label = "share",
      .help = "of the merit afterwards; absent of what is met exactly"},
-    OPTIMIZE_LENS_COLUMNS(struct optimize_rows_goal_row),
+    OPTIMIZE_LENS_COLUMNS(struct optimize_goal_row),
 };
 
-static const struct sheet goal_sheet = SHEET(goal_columns, struct optimize_rows_goal_row);
+static const struct sheet goal_sheet = SHEET(goal_columns, struct optimize_goal_row);
 
 static double squares(const double *residuals, const struct merit_slot *slot)
 {
@@ -150,8 +141,7 @@ static double wrong_by(const struct operand *operand, double value)
 }
 
 /* A figure, of many the worst, in the unit that the goal has; of rays their root sum square. */
-static double optimize_rows_value_of(const struct optimize_state *state,
-                                     const struct merit_slot *slot)
+static double optimize_value_of(const struct optimize_state *state, const struct merit_slot *slot)
 {
     const struct operand *operand = slot->operand;
     const struct operand_type *type = operand_type(operand->kind);
@@ -167,7 +157,7 @@ static double optimize_rows_value_of(const struct optimize_state *state,
     return unit_from_own(unit_find(type->dimension, text_of(type->unit)), worst);
 }
 
-static const char *optimize_rows_unit_words(const char *unit)
+static const char *optimize_unit_words(const char *unit)
 {
     return unit[0] != '\0' ? unit : NULL;
 }
@@ -181,13 +171,13 @@ static bool emit_merit(struct optimize_job *job)
         const double before = squares(answer->before.residuals, slot);
         const double after = squares(answer->after.residuals, slot);
         const bool is_exact = slot->operand->relation == OPERAND_EXACT;
-        const struct optimize_rows_goal_row row = {
+        const struct optimize_goal_row row = {
             .about = optimize_about_of(job, i == 0),
             .position = merit->places[slot->place].setup.position,
             .goal = slot->operand->name,
-            .unit = optimize_rows_unit_words(operand_type(slot->operand->kind)->unit),
-            .before = optimize_rows_value_of(&answer->before, slot),
-            .after = optimize_rows_value_of(&answer->after, slot),
+            .unit = optimize_unit_words(operand_type(slot->operand->kind)->unit),
+            .before = optimize_value_of(&answer->before, slot),
+            .after = optimize_value_of(&answer->after, slot),
             .share_before = before,
             .share_after = after,
             .part = is_exact ? NAN : after / answer->after.merit};
@@ -210,17 +200,16 @@ struct variable_row {
 
 static const struct column variable_columns[] = {
     OPTIMIZE_SWEPT_COLUMNS(struct variable_row),
-    {COLUMN(struct variable_row, variable), .flags = COLUMN_BRIEF, .name = "variable",
-     .label = "variable", .help = "what may change"},
-    {COLUMN(struct variable_row, before), .flags = COLUMN_BRIEF | COLUMN_INFINITE, .name = "before",
-     .digits = 8, .label = "before", .help = "as the lens was; lengths in mm, angles in rad"},
-    {COLUMN(struct variable_row, after), .flags = COLUMN_BRIEF | COLUMN_INFINITE, .name = "after",
-     .digits = 8, .label = "after", .help = "as it was found"},
-    {COLUMN(struct variable_row, low), .flags = COLUMN_BRIEF | COLUMN_SPARSE, .name = "low",
-     .label = "low", .help = "its lower bound; absent if there is none"},
-    {COLUMN(struct variable_row, high), .flags = COLUMN_BRIEF | COLUMN_SPARSE, .name = "high",
-     .label = "high", .help = "its upper bound"},
-    {COLUMN(struct variable_row, note), .flags = COLUMN_BRIEF, .name = "note", .label = "note",
+    {COLUMN_NAMED(struct variable_row, variable, COLUMN_BRIEF), .help = "what may change"},
+    {COLUMN_NAMED(struct variable_row, before, COLUMN_BRIEF | COLUMN_INFINITE), .digits = 8,
+     .help = "as the lens was; lengths in mm, angles in rad"},
+    {COLUMN_NAMED(struct variable_row, after, COLUMN_BRIEF | COLUMN_INFINITE), .digits = 8,
+     .help = "as it was found"},
+    {COLUMN_NAMED(struct variable_row, low, COLUMN_BRIEF | COLUMN_SPARSE),
+     .help = "its lower bound; absent if there is none"},
+    {COLUMN_NAMED(struct variable_row, high, COLUMN_BRIEF | COLUMN_SPARSE),
+     .help = "its upper bound"},
+    {COLUMN_NAMED(struct variable_row, note, COLUMN_BRIEF),
      .help = "at its bound, or that no goal depends on it; absent if neither"},
     OPTIMIZE_LENS_COLUMNS(struct variable_row),
 };
@@ -288,15 +277,13 @@ struct spot_row {
 static const struct column spot_columns[] = {
     OPTIMIZE_SWEPT_COLUMNS(struct spot_row),
     LENS_POSITION_COLUMN(struct spot_row, position, COLUMN_BRIEF),
-    {COLUMN(struct spot_row, field), .name = "field", .dimension = &dimension_angle, .unit = "deg",
-     .flags = COLUMN_ECHO | COLUMN_BRIEF | COLUMN_SPARSE, .label = "field",
-     .help = "field angle; absent for a height"},
+    {COLUMN_NAMED(struct spot_row, field, COLUMN_ECHO | COLUMN_BRIEF | COLUMN_SPARSE),
+     .dimension = &dimension_angle, .unit = "deg", .help = "field angle; absent for a height"},
     {COLUMN(struct spot_row, height), .name = "height", .dimension = &dimension_length,
      .unit = "mm", .flags = COLUMN_ECHO | COLUMN_BRIEF | COLUMN_SPARSE, .label = "field height",
      .help = "height of the field, at the object or at the image as the lens has it"},
-    {COLUMN(struct spot_row, wavelength), .name = "wavelength",
-     .dimension = &dimension_wavelength_um, .unit = "nm", .flags = COLUMN_ECHO | COLUMN_BRIEF,
-     .label = "wavelength", .help = "wavelength"},
+    {COLUMN_NAMED(struct spot_row, wavelength, COLUMN_ECHO | COLUMN_BRIEF),
+     .dimension = &dimension_wavelength_um, .unit = "nm", .help = "wavelength"},
     {COLUMN(struct spot_row, before), .name = "rms_before", .dimension = &dimension_length,
      .unit = "um", .flags = COLUMN_BRIEF, .label = "RMS before",
      .help = "root mean square distance from the centroid, converged; absent: no ray arrives"},
@@ -309,8 +296,8 @@ static const struct column spot_columns[] = {
 static const struct sheet spot_sheet = SHEET(spot_columns, struct spot_row);
 
 /* mm; NaN: none. */
-static double optimize_rows_spot_of(const struct optimize_job *job, const struct setup *setup,
-                                    size_t field)
+static double optimize_spot_of(const struct optimize_job *job, const struct setup *setup,
+                               size_t field)
 {
     const struct spot_question question = {
         .bundle = {.setup = setup,
@@ -347,8 +334,8 @@ static bool emit_spots_of(struct optimize_job *job, size_t place,
                                      .field = is_angle ? at : NAN,
                                      .height = is_angle ? NAN : at,
                                      .wavelength = light->wavelength,
-                                     .before = optimize_rows_spot_of(job, &before, f),
-                                     .after = optimize_rows_spot_of(job, &after, f)};
+                                     .before = optimize_spot_of(job, &before, f),
+                                     .after = optimize_spot_of(job, &after, f)};
         if (!run_emit(job->run, &row)) {
             return true;
         }
@@ -375,7 +362,7 @@ const struct sheet *const optimize_sheets[] = {
     [OPTIMIZE_GLASSES] = &optimize_glass_sheet, [OPTIMIZE_SHOWS] = NULL,
 };
 
-static bool optimize_rows_emit(struct optimize_job *job, struct error *error)
+static bool optimize_emit_show(struct optimize_job *job, struct error *error)
 {
     switch ((enum optimize_show)job->input->show) {
     case OPTIMIZE_MERIT:
@@ -387,16 +374,16 @@ static bool optimize_rows_emit(struct optimize_job *job, struct error *error)
     case OPTIMIZE_GLASSES:
         return optimize_emit_glasses(job);
     default:
-        optimize_rows_emit_answer(job);
+        optimize_emit_answer(job);
         return true;
     }
 }
 
 bool optimize_emit(struct optimize_job *job, struct error *error)
 {
-    bool done = job->search != NULL || optimize_rows_emit(job, error);
+    bool done = job->search != NULL || optimize_emit_show(job, error);
     for (size_t i = 0; i < job->kept_count && done; i++) {
-        done = optimize_rows_emit(&job->kept[i], error);
+        done = optimize_emit_show(&job->kept[i], error);
     }
     return done;
 }

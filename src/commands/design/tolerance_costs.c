@@ -15,12 +15,12 @@
 #include <string.h>
 
 /* How wide a tolerance is, as people say it. */
-struct tolerance_costs_range {
+struct tolerance_range {
     double scale; /* times the amount of a perturbation */
     const char *unit;
 };
 
-static struct tolerance_costs_range tolerance_costs_range_of(const struct perturbation *one)
+static struct tolerance_range tolerance_range_of(const struct perturbation *one)
 {
     const double arcminutes = 60 * DEGREES_PER_RADIAN;
     switch (one->kind) {
@@ -28,25 +28,24 @@ static struct tolerance_costs_range tolerance_costs_range_of(const struct pertur
     case TOLERANCE_ELEMENT_TILT:
     case TOLERANCE_ELEMENT_ROLL:
     case TOLERANCE_WEDGE:
-        return (struct tolerance_costs_range){arcminutes, "arcmin"};
+        return (struct tolerance_range){arcminutes, "arcmin"};
     case TOLERANCE_IRREGULARITY:
-        return (struct tolerance_costs_range){TOLERANCE_WAVE_MM / TOLERANCE_FRINGE_MM, "fringes"};
+        return (struct tolerance_range){TOLERANCE_WAVE_MM / TOLERANCE_FRINGE_MM, "fringes"};
     case TOLERANCE_INDEX:
     case TOLERANCE_ABBE:
     case TOLERANCE_CONIC:
-        return (struct tolerance_costs_range){1, "1"};
+        return (struct tolerance_range){1, "1"};
     case TOLERANCE_COEFFICIENT:
-        return (struct tolerance_costs_range){1, "mm^(1-n)"};
+        return (struct tolerance_range){1, "mm^(1-n)"};
     default:
-        return (struct tolerance_costs_range){1, one->what.kind == PARAMETER_CURVATURE ? "1/mm"
-                                                                                       : "mm"};
+        return (struct tolerance_range){1, one->what.kind == PARAMETER_CURVATURE ? "1/mm" : "mm"};
     }
 }
 
 /* What rows have of an error. */
 #define ERROR_COLUMNS(S)                                                                           \
-    {COLUMN(S, perturbation), .flags = COLUMN_BRIEF, .name = "perturbation",                       \
-     .label = "perturbation", .help = "what is wrong with the lens, and nothing else"},            \
+    {COLUMN_NAMED(S, perturbation, COLUMN_BRIEF),                                                  \
+     .help = "what is wrong with the lens, and nothing else"},                                     \
         {COLUMN(S, range),                                                                         \
          .flags = COLUMN_BRIEF,                                                                    \
          .name = "tolerance",                                                                      \
@@ -77,23 +76,20 @@ struct sensitivity_row {
 static const struct column sensitivity_columns[] = {
     ERROR_COLUMNS(struct sensitivity_row),
     TOLERANCE_CRITERION_COLUMNS(struct sensitivity_row),
-    {COLUMN(struct sensitivity_row, field), .flags = COLUMN_HIDDEN, .name = "field",
-     .dimension = &dimension_angle, .unit = "deg", .label = "field",
-     .help = "field angle in the y-z plane; absent for heights"},
-    {COLUMN(struct sensitivity_row, height), .flags = COLUMN_HIDDEN, .name = "height",
-     .dimension = &dimension_length, .unit = "mm", .label = "height",
-     .help = "field as a height; absent for angles"},
+    {COLUMN_NAMED(struct sensitivity_row, field, COLUMN_HIDDEN), .dimension = &dimension_angle,
+     .unit = "deg", .help = "field angle in the y-z plane; absent for heights"},
+    {COLUMN_NAMED(struct sensitivity_row, height, COLUMN_HIDDEN), .dimension = &dimension_length,
+     .unit = "mm", .help = "field as a height; absent for angles"},
     CHANGE(linear, "derivative of the figure, times the tolerance; absent of a root that is 0"),
     CHANGE(quadratic, "half of the sum of both changes: what does not depend on the sign"),
     CHANGE(plus, "change of the figure with the whole tolerance; absent where the lens has none"),
     CHANGE(minus, "the same with the opposite sign"),
-    {COLUMN(struct sensitivity_row, compensation), .flags = COLUMN_BRIEF | COLUMN_SPARSE,
-     .digits = 4, .name = "compensation", .dimension = &dimension_length, .unit = "mm",
-     .label = "compensation",
+    {COLUMN_NAMED(struct sensitivity_row, compensation, COLUMN_BRIEF | COLUMN_SPARSE), .digits = 4,
+     .dimension = &dimension_length, .unit = "mm",
      .help = "how far the image plane moves with plus; absent where something else is adjusted and "
              "--refocus is none"},
-    {COLUMN(struct sensitivity_row, moves), .flags = COLUMN_BRIEF | COLUMN_SPARSE, .name = "moves",
-     .label = "moves", .help = "what else is adjusted, and how far with plus"},
+    {COLUMN_NAMED(struct sensitivity_row, moves, COLUMN_BRIEF | COLUMN_SPARSE),
+     .help = "what else is adjusted, and how far with plus"},
     TOLERANCE_ABOUT_COLUMNS(struct sensitivity_row),
 };
 
@@ -127,7 +123,7 @@ bool tolerance_emit_sensitivity(struct tolerance_job *job, struct error *error)
     }
     for (size_t i = 0; i < done; i++) {
         const struct perturbation *one = &job->question.perturbations[i];
-        const struct tolerance_costs_range range = tolerance_costs_range_of(one);
+        const struct tolerance_range range = tolerance_range_of(one);
         for (size_t m = 0; m < tolerance_moves(tolerance); m++) {
             moves[m] = table[i * figures + tolerance->figure_count + m].plus;
         }
@@ -170,25 +166,22 @@ struct inverse_row {
 
 static const struct column inverse_columns[] = {
     ERROR_COLUMNS(struct inverse_row),
-    {COLUMN(struct inverse_row, proposed), .flags = COLUMN_BRIEF, .digits = 4, .name = "proposed",
-     .label = "proposed", .help = "the tolerance that costs an equal share of the drop"},
-    {COLUMN(struct inverse_row, factor), .flags = COLUMN_HIDDEN, .name = "factor",
-     .label = "factor", .help = "of the tolerance that was given"},
-    {COLUMN(struct inverse_row, cost), .flags = COLUMN_BRIEF, .digits = 4, .name = "cost",
-     .label = "cost",
+    {COLUMN_NAMED(struct inverse_row, proposed, COLUMN_BRIEF), .digits = 4,
+     .help = "the tolerance that costs an equal share of the drop"},
+    {COLUMN_NAMED(struct inverse_row, factor, COLUMN_HIDDEN),
+     .help = "of the tolerance that was given"},
+    {COLUMN_NAMED(struct inverse_row, cost, COLUMN_BRIEF), .digits = 4,
      .help = "what the proposed one costs alone, the worse of both signs; of two directions the "
              "root of the sum of the squares"},
-    {COLUMN(struct inverse_row, unit), .flags = COLUMN_BRIEF, .name = "unit", .label = "unit",
-     .help = "of the cost"},
-    {COLUMN(struct inverse_row, limited), .flags = COLUMN_BRIEF | COLUMN_SPARSE, .name = "limited",
-     .label = "limited",
+    {COLUMN_NAMED(struct inverse_row, unit, COLUMN_BRIEF), .help = "of the cost"},
+    {COLUMN_NAMED(struct inverse_row, limited, COLUMN_BRIEF | COLUMN_SPARSE),
      .help = "high: no published grade is tighter, and so it costs more; commercial: no shop has "
              "to be worse, and so it costs less"},
-    {COLUMN(struct inverse_row, criterion), .flags = COLUMN_HIDDEN, .name = "criterion",
-     .label = "criterion", .help = "what lenses are judged by"},
-    {COLUMN(struct inverse_row, of), .flags = COLUMN_HIDDEN, .name = "of", .label = "of",
+    {COLUMN_NAMED(struct inverse_row, criterion, COLUMN_HIDDEN),
+     .help = "what lenses are judged by"},
+    {COLUMN_NAMED(struct inverse_row, of, COLUMN_HIDDEN),
      .help = "worst or mean of all fields and positions"},
-    {COLUMN(struct inverse_row, line), .flags = COLUMN_EXTRA, .name = "line", .label = "line",
+    {COLUMN_NAMED(struct inverse_row, line, COLUMN_EXTRA),
      .help = "the proposal as a line of a lens or a file of --tolerances"},
     {COLUMN(struct inverse_row, together), .flags = COLUMN_EXTRA | COLUMN_ASSUMED,
      .name = "together", .depends = "drop", .label = "cost together",
@@ -199,7 +192,7 @@ static const struct column inverse_columns[] = {
 const struct sheet tolerance_inverse_sheet = SHEET(inverse_columns, struct inverse_row);
 
 /* How much worse a lens is than the nominal one: by its worst figure, or its mean. */
-static double tolerance_costs_cost_of(void *context, const double *figures)
+static double tolerance_cost_of(void *context, const double *figures)
 {
     const struct tolerance_job *job = context;
     const struct tolerance *tolerance = &job->tolerance;
@@ -293,8 +286,8 @@ static const char *thing_name(const struct tolerance_job *job, const struct thin
 }
 
 /* The line of the tolerance, so many times as wide, in the unit that it was written in. */
-static const char *tolerance_costs_line_of(const struct tolerance_job *job,
-                                           const struct perturbation *one, double factor)
+static const char *tolerance_line_of(const struct tolerance_job *job,
+                                     const struct perturbation *one, double factor)
 {
     static const char *const endings[TOLERANCE_UNITS] = {"mm", "arcmin", "", "%", "fringes"};
     const double arcminutes = 60 * DEGREES_PER_RADIAN;
@@ -322,7 +315,7 @@ bool tolerance_emit_inverse(struct tolerance_job *job, struct error *error)
     struct inverse *answers = ARENA_ARRAY(arena, things.count + 1, struct inverse);
     tolerance_model_open(&job->tolerance, job->run->watch, arena, model);
     const struct inverse_question question = {.problem = &model->problem,
-                                              .cost = tolerance_costs_cost_of,
+                                              .cost = tolerance_cost_of,
                                               .context = job,
                                               .drop = job->drop,
                                               .thing = things.of,
@@ -351,23 +344,23 @@ bool tolerance_emit_inverse(struct tolerance_job *job, struct error *error)
     bool goes_on = true;
     for (size_t i = 0; i < things.count && goes_on; i++) {
         const struct perturbation *one = &job->question.perturbations[things.first[i]];
-        const struct tolerance_costs_range range = tolerance_costs_range_of(one);
+        const struct tolerance_range range = tolerance_range_of(one);
         const double proposed = one->amount * range.scale * answers[i].factor;
         const char *name = thing_name(job, &things, i);
-        const struct inverse_row row = {
-            .about = about,
-            .perturbation = name,
-            .range = one->amount * range.scale,
-            .range_unit = range.unit,
-            .criterion = job->question.criterion.name,
-            .of = job->trials.of == TOLERANCE_OF_MEAN ? "mean" : "worst",
-            .unit = type->unit,
-            .limited = limits[answers[i].limit],
-            .line = tolerance_costs_line_of(job, one, answers[i].factor),
-            .proposed = proposed,
-            .factor = answers[i].factor,
-            .cost = type->scale * answers[i].cost,
-            .together = type->scale * together};
+        const struct inverse_row row = {.about = about,
+                                        .perturbation = name,
+                                        .range = one->amount * range.scale,
+                                        .range_unit = range.unit,
+                                        .criterion = job->question.criterion.name,
+                                        .of =
+                                            job->trials.of == TOLERANCE_OF_MEAN ? "mean" : "worst",
+                                        .unit = type->unit,
+                                        .limited = limits[answers[i].limit],
+                                        .line = tolerance_line_of(job, one, answers[i].factor),
+                                        .proposed = proposed,
+                                        .factor = answers[i].factor,
+                                        .cost = type->scale * answers[i].cost,
+                                        .together = type->scale * together};
         goes_on = run_emit(job->run, &row);
     }
     return true;
@@ -383,8 +376,7 @@ struct offender_row {
 };
 
 static const struct column offender_columns[] = {
-    {COLUMN(struct offender_row, rank), .flags = COLUMN_BRIEF, .name = "rank", .label = "rank",
-     .help = "from the worst, 1, on"},
+    {COLUMN_NAMED(struct offender_row, rank, COLUMN_BRIEF), .help = "from the worst, 1, on"},
     ERROR_COLUMNS(struct offender_row),
     {COLUMN(struct offender_row, first), .flags = COLUMN_BRIEF, .digits = 4, .name = "share_first",
      .head = "first", .label = "by itself",
@@ -393,8 +385,8 @@ static const struct column offender_columns[] = {
     {COLUMN(struct offender_row, total), .flags = COLUMN_BRIEF, .digits = 4, .name = "share_total",
      .head = "total", .label = "in all",
      .help = "with what it makes together with others, which count it too"},
-    {COLUMN(struct offender_row, criterion), .flags = COLUMN_HIDDEN, .name = "criterion",
-     .label = "criterion", .help = "what lenses are judged by"},
+    {COLUMN_NAMED(struct offender_row, criterion, COLUMN_HIDDEN),
+     .help = "what lenses are judged by"},
     TOLERANCE_ABOUT_COLUMNS(struct offender_row),
 };
 
@@ -459,7 +451,7 @@ bool tolerance_emit_offenders(struct tolerance_job *job, struct error *error)
     }
     for (size_t i = 0; i < job->question.perturbation_count; i++) {
         const struct perturbation *one = &job->question.perturbations[offenders[i].perturbation];
-        const struct tolerance_costs_range range = tolerance_costs_range_of(one);
+        const struct tolerance_range range = tolerance_range_of(one);
         const struct offender_row row = {.about = about,
                                          .rank = (long)i + 1,
                                          .perturbation = one->name,

@@ -99,7 +99,7 @@ const char *tolerance_method_in_words(const struct tolerance_job *job)
 /* -------- divided runs -------- */
 
 /* What trials depend on besides words and files: glasses, by what the nominal lens has. */
-static struct text tolerance_job_facts_of(const struct tolerance_job *job)
+static struct text tolerance_facts_of(const struct tolerance_job *job)
 {
     struct arena *arena = job->run->arena;
     const size_t count = job->tolerance.figure_count;
@@ -117,7 +117,7 @@ static bool tolerance_job_divide(struct tolerance_job *job, struct error *error)
     struct division division = {.part = {1, 1},
                                 .seed = job->trials.seed,
                                 .total = job->trials.total,
-                                .facts = tolerance_job_facts_of(job)};
+                                .facts = tolerance_facts_of(job)};
     if (run->parts != NULL) {
         division.part.count = run->parts[0].head.part.count;
     } else if (job->input->part.count > 0) {

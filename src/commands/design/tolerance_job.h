@@ -143,9 +143,8 @@ struct tolerance_about {
 /* What a row is of. */
 #define TOLERANCE_CRITERION_COLUMNS(S)                                                             \
     LENS_POSITION_COLUMN(S, position, COLUMN_BRIEF),                                               \
-        {COLUMN(S, criterion), .flags = COLUMN_BRIEF, .name = "criterion", .label = "criterion",   \
-         .help = "what lenses are judged by"},                                                     \
-        {COLUMN(S, of), .flags = COLUMN_BRIEF, .name = "of", .label = "of",                        \
+        {COLUMN_NAMED(S, criterion, COLUMN_BRIEF), .help = "what lenses are judged by"},           \
+        {COLUMN_NAMED(S, of, COLUMN_BRIEF),                                                        \
          .help = "worst or mean of all fields and positions, or the field"},                       \
     {                                                                                              \
         COLUMN(S, unit), .flags = COLUMN_BRIEF, .name = "unit", .label = "unit",                   \

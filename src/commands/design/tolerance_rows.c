@@ -58,7 +58,7 @@ static const char *adjusted_in_words(const struct tolerance_job *job)
 }
 
 /* With what rays that are not aimed anew are off by. */
-static const char *tolerance_about_rays_in_words(const struct tolerance_job *job)
+static const char *tolerance_rays_in_words(const struct tolerance_job *job)
 {
     const struct tolerance_input *input = job->input;
     struct arena *arena = job->run->arena;
@@ -112,7 +112,7 @@ struct tolerance_about tolerance_about_of(const struct tolerance_job *job)
                              job->perturbations.count == 1 ? "" : "s", job->made),
         .lens = job->lens->title,
         .method = tolerance_method_in_words(job),
-        .rays = tolerance_about_rays_in_words(job),
+        .rays = tolerance_rays_in_words(job),
         .adjusted = adjusted_in_words(job),
         .limit = limit_in_words(job),
         .warning = job->warning};
@@ -141,16 +141,15 @@ struct summary_row {
 
 static const struct column summary_columns[] = {
     TOLERANCE_CRITERION_COLUMNS(struct summary_row),
-    {COLUMN(struct summary_row, nominal), .flags = COLUMN_BRIEF, .name = "nominal",
-     .label = "nominal", .help = "figure of the lens without errors, adjusted as all are"},
+    {COLUMN_NAMED(struct summary_row, nominal, COLUMN_BRIEF),
+     .help = "figure of the lens without errors, adjusted as all are"},
     {COLUMN(struct summary_row, yield), .flags = COLUMN_BRIEF | COLUMN_SPARSE,
      .name = "yield_fraction", .when = "with --limit", .label = "yield",
      .help = "share of all trials that pass the limit; what failed does not"},
     {COLUMN(struct summary_row, yield_error), .flags = COLUMN_HIDDEN,
      .name = "yield_standard_error", .when = "with --limit", .label = "error of the yield",
      .help = "standard error of the yield"},
-    {COLUMN(struct summary_row, mean), .flags = COLUMN_BRIEF, .name = "mean", .label = "mean",
-     .help = "of those that have a figure"},
+    {COLUMN_NAMED(struct summary_row, mean, COLUMN_BRIEF), .help = "of those that have a figure"},
     {COLUMN(struct summary_row, error), .flags = COLUMN_BRIEF, .name = "standard_error",
      .head = "+-", .digits = 2, .label = "standard error", .help = "of the mean"},
     {COLUMN(struct summary_row, sd), .flags = COLUMN_BRIEF, .name = "sd", .label = "deviation",
@@ -164,19 +163,16 @@ static const struct column summary_columns[] = {
     PERCENTILE_COLUMN(p80, "80", COLUMN_HIDDEN),
     PERCENTILE_COLUMN(p90, "90", COLUMN_BRIEF),
     PERCENTILE_COLUMN(p98, "98", COLUMN_HIDDEN),
-    {COLUMN(struct summary_row, worst), .flags = COLUMN_BRIEF, .name = "worst", .label = "worst",
-     .help = "the worst figure"},
-    {COLUMN(struct summary_row, failed), .flags = COLUMN_BRIEF, .name = "failed", .label = "failed",
+    {COLUMN_NAMED(struct summary_row, worst, COLUMN_BRIEF), .help = "the worst figure"},
+    {COLUMN_NAMED(struct summary_row, failed, COLUMN_BRIEF),
      .help = "lenses without a figure: rays miss a surface, say"},
-    {COLUMN(struct summary_row, trials), .flags = COLUMN_BRIEF, .name = "trials", .label = "trials",
-     .help = "lenses that were made"},
+    {COLUMN_NAMED(struct summary_row, trials, COLUMN_BRIEF), .help = "lenses that were made"},
     {COLUMN(struct summary_row, nominal_refocus), .unit = "mm", .dimension = &dimension_length,
      .flags = COLUMN_HIDDEN, .name = "nominal_refocus", .label = "nominal refocus",
      .help = "how far the image plane of the lens without errors goes; absent where something else "
              "is adjusted and --refocus is none"},
-    {COLUMN(struct summary_row, refocus), .unit = "mm", .dimension = &dimension_length,
-     .flags = COLUMN_HIDDEN, .name = "refocus", .label = "refocus",
-     .help = "how far the image plane goes on average"},
+    {COLUMN_NAMED(struct summary_row, refocus, COLUMN_HIDDEN), .unit = "mm",
+     .dimension = &dimension_length, .help = "how far the image plane goes on average"},
     {COLUMN(struct summary_row, refocus_sd), .unit = "mm", .dimension = &dimension_length,
      .flags = COLUMN_HIDDEN, .name = "refocus_sd", .label = "deviation of the refocus",
      .help = "standard deviation of how far it goes"},
@@ -280,15 +276,13 @@ static const struct column yield_columns[] = {
     TOLERANCE_CRITERION_COLUMNS(struct yield_row),
     {COLUMN(struct yield_row, yield), .flags = COLUMN_BRIEF, .name = "yield_fraction",
      .label = "yield", .help = "share of all trials that are no worse"},
-    {COLUMN(struct yield_row, figure), .flags = COLUMN_BRIEF, .name = "figure", .label = "figure",
+    {COLUMN_NAMED(struct yield_row, figure, COLUMN_BRIEF),
      .help = "the limit that lets so many pass; of efl and bfl the departure from the nominal one; "
              "absent where more have failed"},
     {COLUMN(struct yield_row, error), .flags = COLUMN_BRIEF, .name = "standard_error", .head = "+-",
      .digits = 2, .label = "standard error", .help = "of the figure"},
-    {COLUMN(struct yield_row, failed), .flags = COLUMN_BRIEF, .name = "failed", .label = "failed",
-     .help = "lenses without a figure"},
-    {COLUMN(struct yield_row, trials), .flags = COLUMN_BRIEF, .name = "trials", .label = "trials",
-     .help = "lenses that were made"},
+    {COLUMN_NAMED(struct yield_row, failed, COLUMN_BRIEF), .help = "lenses without a figure"},
+    {COLUMN_NAMED(struct yield_row, trials, COLUMN_BRIEF), .help = "lenses that were made"},
     TOLERANCE_ABOUT_COLUMNS(struct yield_row),
 };
 
@@ -333,16 +327,14 @@ struct trial_row {
 };
 
 static const struct column trial_columns[] = {
-    {COLUMN(struct trial_row, trial), .flags = COLUMN_BRIEF, .name = "trial", .label = "trial",
-     .help = "its number, from 1"},
+    {COLUMN_NAMED(struct trial_row, trial, COLUMN_BRIEF), .help = "its number, from 1"},
     TOLERANCE_CRITERION_COLUMNS(struct trial_row),
-    {COLUMN(struct trial_row, figure), .flags = COLUMN_BRIEF, .name = "figure", .label = "figure",
+    {COLUMN_NAMED(struct trial_row, figure, COLUMN_BRIEF),
      .help = "of the lens; absent where it failed"},
-    {COLUMN(struct trial_row, passes), .flags = COLUMN_HIDDEN, .name = "passes", .label = "passes",
+    {COLUMN_NAMED(struct trial_row, passes, COLUMN_HIDDEN),
      .help = "it keeps the limit; without a limit it has a figure"},
-    {COLUMN(struct trial_row, refocus), .unit = "mm", .dimension = &dimension_length,
-     .flags = COLUMN_BRIEF | COLUMN_SPARSE, .name = "refocus", .label = "refocus",
-     .help = "how far its image plane goes"},
+    {COLUMN_NAMED(struct trial_row, refocus, COLUMN_BRIEF | COLUMN_SPARSE), .unit = "mm",
+     .dimension = &dimension_length, .help = "how far its image plane goes"},
     {COLUMN(struct trial_row, moves), .flags = COLUMN_BRIEF | COLUMN_SPARSE, .name = "compensation",
      .label = "compensation", .help = "what else was adjusted, and how far"},
     {COLUMN(struct trial_row, why), .flags = COLUMN_BRIEF | COLUMN_SPARSE, .name = "failure",

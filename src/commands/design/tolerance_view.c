@@ -25,14 +25,14 @@ static const char *title_of(const struct tolerance_job *job, const char *what)
                         job->question.criterion.name);
 }
 
-static const char *tolerance_view_subtitle_of(const struct tolerance_job *job, const char *which)
+static const char *tolerance_subtitle_of(const struct tolerance_job *job, const char *which)
 {
     const struct tolerance_about about = tolerance_about_of(job);
     return arena_printf(job->run->arena, "%s%s, adjusted: %s", which, about.made, about.adjusted);
 }
 
 /* Of the figure of each lens. */
-static const char *tolerance_view_label_of(const struct tolerance_job *job, const char *what)
+static const char *tolerance_label_of(const struct tolerance_job *job, const char *what)
 {
     const struct criterion_type *type = criterion_type(job->question.criterion.kind);
     const bool has_unit = type->unit != NULL && *type->unit != '\0';
@@ -72,8 +72,8 @@ static bool draw_histogram(struct tolerance_job *job, struct svg *svg, struct er
     const double scale = criterion_type(job->question.criterion.kind)->scale;
     double *counts = ARENA_ARRAY(job->run->arena, BARS, double);
     struct tally_plot plot = {.title = title_of(job, "spread"),
-                              .subtitle = tolerance_view_subtitle_of(job, lenses_of(job)),
-                              .x_label = tolerance_view_label_of(job, ""),
+                              .subtitle = tolerance_subtitle_of(job, lenses_of(job)),
+                              .x_label = tolerance_label_of(job, ""),
                               .y_label = "lenses",
                               .low = scale * tally->lowest,
                               .high = scale * tally->highest,
@@ -96,8 +96,8 @@ static bool draw_yield(struct tolerance_job *job, struct svg *svg, struct error 
     double *shares = ARENA_ARRAY(job->run->arena, STEPS + 1, double);
     double *counts = ARENA_ARRAY(job->run->arena, STEPS, double), sum = 0;
     struct tally_plot plot = {.title = title_of(job, "yield"),
-                              .subtitle = tolerance_view_subtitle_of(job, lenses_of(job)),
-                              .x_label = tolerance_view_label_of(job, "limit of "),
+                              .subtitle = tolerance_subtitle_of(job, lenses_of(job)),
+                              .x_label = tolerance_label_of(job, "limit of "),
                               .y_label = "lenses that pass (%)",
                               .low = type->scale * tally->lowest,
                               .high = type->scale * tally->highest,
@@ -131,7 +131,7 @@ static bool draw_offenders(struct tolerance_job *job, struct svg *svg, struct er
                                       offenders[i].share.first, offenders[i].share.total};
     }
     const struct pareto pareto = {.title = title_of(job, "who makes the spread"),
-                                  .subtitle = tolerance_view_subtitle_of(job, ""),
+                                  .subtitle = tolerance_subtitle_of(job, ""),
                                   .x_label = "share of the variance, mean of all fields",
                                   .part_name = "by itself",
                                   .whole_name = "with what it does together with others",
