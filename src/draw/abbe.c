@@ -80,14 +80,6 @@ static void set_axis(struct abbe_axis *axis, double least, double start, double 
     axis->stop = stop;
 }
 
-static void abbe_write_text(struct svg *svg, double x, double y, double size,
-                            enum svg_anchor anchor, const char *colour, const char *text)
-{
-    const struct svg_label label = {
-        .x = x, .y = y, .size = size, .anchor = anchor, .colour = colour};
-    svg_text(svg, &label, text);
-}
-
 static void abbe_draw_grid(const struct abbe_drawing *drawing)
 {
     const struct abbe_axis *x = &drawing->x, *y = &drawing->y;
@@ -115,21 +107,16 @@ static void draw_numbers(const struct abbe_drawing *drawing)
     const struct abbe_axis *x = &drawing->x, *y = &drawing->y;
     struct svg *svg = drawing->svg;
     for (size_t i = 0; i < x->ticks.count; i++) {
-        abbe_write_text(svg, abbe_page_at(x, x->ticks.value[i]), y->start + 18, NUMBER_SIZE,
-                        SVG_MIDDLE, NULL, ticks_text(svg->arena, &x->ticks, i));
+        svg_words(svg, abbe_page_at(x, x->ticks.value[i]), y->start + 18, NUMBER_SIZE, SVG_MIDDLE,
+                  NULL, ticks_text(svg->arena, &x->ticks, i));
     }
     for (size_t i = 0; i < y->ticks.count; i++) {
-        abbe_write_text(svg, x->start - 8, abbe_page_at(y, y->ticks.value[i]) + 4, NUMBER_SIZE,
-                        SVG_END, NULL, ticks_text(svg->arena, &y->ticks, i));
+        svg_words(svg, x->start - 8, abbe_page_at(y, y->ticks.value[i]) + 4, NUMBER_SIZE, SVG_END,
+                  NULL, ticks_text(svg->arena, &y->ticks, i));
     }
-    abbe_write_text(svg, (x->start + x->stop) / 2, y->start + 42, AXIS_SIZE, SVG_MIDDLE, NULL,
-                    "Abbe number Vd");
-    const struct svg_label label = {.x = 20,
-                                    .y = (y->start + y->stop) / 2,
-                                    .size = AXIS_SIZE,
-                                    .rotation = -90,
-                                    .anchor = SVG_MIDDLE};
-    svg_text(svg, &label, "refractive index nd");
+    svg_words(svg, (x->start + x->stop) / 2, y->start + 42, AXIS_SIZE, SVG_MIDDLE, NULL,
+              "Abbe number Vd");
+    svg_words_upwards(svg, 20, (y->start + y->stop) / 2, AXIS_SIZE, "refractive index nd");
     const struct svg_label title = {.x = (x->start + x->stop) / 2,
                                     .y = 32,
                                     .size = TITLE_SIZE,
@@ -155,11 +142,9 @@ static void draw_border(const struct abbe_drawing *drawing)
         page_x[i] = abbe_page_at(x, Vd[i]);
         page_y[i] = abbe_page_at(y, nd[i]);
     }
-    svg_group_begin(svg, &style);
-    svg_polyline(svg, page_x, page_y, 4);
-    svg_group_end(svg);
-    abbe_write_text(svg, page_x[0] - 8, y->start - 8, NUMBER_SIZE, SVG_END, "#666666", "crown");
-    abbe_write_text(svg, page_x[0] + 8, y->start - 8, NUMBER_SIZE, SVG_START, "#666666", "flint");
+    svg_styled_polyline(svg, &style, page_x, page_y, 4);
+    svg_words(svg, page_x[0] - 8, y->start - 8, NUMBER_SIZE, SVG_END, "#666666", "crown");
+    svg_words(svg, page_x[0] + 8, y->start - 8, NUMBER_SIZE, SVG_START, "#666666", "flint");
 }
 
 /* One of the three shapes, about as large as the others. */
@@ -254,8 +239,8 @@ static void label_point(struct abbe_drawing *drawing, const struct abbe_point *p
                                x + shift_x + half_width, y + shift_y + half_height};
         bool last = i + 1 == sizeof places / sizeof places[0];
         if (abbe_is_free(drawing, &box) || (last && point->chosen)) {
-            abbe_write_text(drawing->svg, x + shift_x, box.bottom - 0.06 * size, size, SVG_MIDDLE,
-                            point->chosen ? NULL : "#333333", point->label);
+            svg_words(drawing->svg, x + shift_x, box.bottom - 0.06 * size, size, SVG_MIDDLE,
+                      point->chosen ? NULL : "#333333", point->label);
             abbe_take(drawing, box);
             return;
         }
@@ -283,8 +268,7 @@ static void abbe_draw_legend(const struct abbe_drawing *drawing)
         svg_group_begin(drawing->svg, &style);
         abbe_draw_mark(drawing->svg, group, x, y, 4);
         svg_group_end(drawing->svg);
-        abbe_write_text(drawing->svg, x + 11, y + 4, NUMBER_SIZE, SVG_START, NULL,
-                        abbe->groups[group]);
+        svg_words(drawing->svg, x + 11, y + 4, NUMBER_SIZE, SVG_START, NULL, abbe->groups[group]);
     }
 }
 

@@ -177,12 +177,7 @@ static void engrave(struct svg *svg, const struct engraved_row *row, double x, c
                     double size)
 {
     if (text) {
-        struct svg_label label = {.x = x,
-                                  .y = row->base_line + (size - 15) / 4,
-                                  .size = size,
-                                  .anchor = SVG_MIDDLE,
-                                  .colour = row->colour};
-        svg_text(svg, &label, text);
+        svg_words(svg, x, row->base_line + (size - 15) / 4, size, SVG_MIDDLE, row->colour, text);
     }
     svg_line(svg, x, row->edge, x, row->edge + row->inward * (text ? 13 : 7));
 }
@@ -229,13 +224,7 @@ static void draw_focus_ring(struct svg *svg, const struct scale *scale, double n
                 }
             }
         }
-        svg_text(svg,
-                 &(struct svg_label){.x = MARGIN + 22,
-                                     .y = row->base_line,
-                                     .size = 13,
-                                     .anchor = SVG_MIDDLE,
-                                     .colour = row->colour},
-                 row->name);
+        svg_words(svg, MARGIN + 22, row->base_line, 13, SVG_MIDDLE, row->colour, row->name);
         svg_group_end(svg);
     }
 }
@@ -341,9 +330,7 @@ static void draw_pairs(struct svg *svg, const struct scale *scale, const struct 
 static void barrel_draw_area(struct svg *svg, const struct svg_style *style, double left,
                              double top, double right, double bottom)
 {
-    svg_group_begin(svg, style);
-    svg_rect(svg, left, top, right - left, bottom - top);
-    svg_group_end(svg);
+    svg_styled_rect(svg, style, left, top, right - left, bottom - top);
 }
 
 /* Both rings, and over them what is sharp at the chosen f-number. */
@@ -372,19 +359,11 @@ static void barrel_draw_axis(struct svg *svg, const struct scale *scale)
             continue;
         }
         svg_line(svg, x, AXIS, x, AXIS + 5);
-        svg_text(svg,
-                 &(struct svg_label){
-                     .x = x, .y = AXIS + 19, .size = 12, .anchor = SVG_MIDDLE, .colour = "#444"},
-                 ticks_text(svg->arena, &ticks, i));
+        svg_words(svg, x, AXIS + 19, 12, SVG_MIDDLE, "#444", ticks_text(svg->arena, &ticks, i));
     }
     svg_group_end(svg);
-    svg_text(svg,
-             &(struct svg_label){.x = BARREL_WIDTH / 2,
-                                 .y = AXIS + 40,
-                                 .size = 13,
-                                 .anchor = SVG_MIDDLE,
-                                 .colour = "#444"},
-             "1 / distance (dioptres, 1/m)");
+    svg_words(svg, BARREL_WIDTH / 2, AXIS + 40, 13, SVG_MIDDLE, "#444",
+              "1 / distance (dioptres, 1/m)");
 }
 
 /* "3 m (9.84 ft)", or the infinity sign. */
@@ -405,26 +384,23 @@ static void barrel_draw_legend(struct svg *svg, const struct barrel *barrel)
     svg_group_begin(svg, &(struct svg_style){.fill = RED});
     svg_path(svg, MARGIN + 6, y - 11, "M0 0L6 11 -6 11z");
     svg_group_end(svg);
-    svg_text(svg, &(struct svg_label){.x = MARGIN + 20, .y = y, .size = 13, .width = 280},
-             arena_printf(arena, "focused at %s", distance_text(arena, barrel->focus_diopter)));
+    svg_words_within(
+        svg, MARGIN + 20, y, 13, 280, NULL,
+        arena_printf(arena, "focused at %s", distance_text(arena, barrel->focus_diopter)));
     struct svg_style tint = {.fill = "#56b4e9", .stroke = BLUE, .opacity = 0.5};
     barrel_draw_area(svg, &tint, 330, y - 11, 352, y + 1);
-    svg_text(svg, &(struct svg_label){.x = 360, .y = y, .size = 13, .width = 510},
-             arena_printf(arena, "sharp at f/%s: %s to %s", number_text(arena, mark->fnumber),
-                          distance_text(arena, mark->near_diopter),
-                          distance_text(arena, mark->far_diopter)));
+    svg_words_within(svg, 360, y, 13, 510, NULL,
+                     arena_printf(arena, "sharp at f/%s: %s to %s",
+                                  number_text(arena, mark->fnumber),
+                                  distance_text(arena, mark->near_diopter),
+                                  distance_text(arena, mark->far_diopter)));
 }
 
 static void barrel_draw_words(struct svg *svg, const struct barrel *barrel)
 {
     double width = BARREL_WIDTH - 2 * MARGIN;
-    svg_text(svg,
-             &(struct svg_label){.x = MARGIN, .y = 36, .size = 18, .width = width, .bold = true},
-             barrel->title ? barrel->title : "");
-    svg_text(
-        svg,
-        &(struct svg_label){.x = MARGIN, .y = 60, .size = 13, .width = width, .colour = "#555"},
-        barrel->subtitle ? barrel->subtitle : "");
+    svg_heading(svg, MARGIN, 36, 18, width, barrel->title);
+    svg_words_within(svg, MARGIN, 60, 13, width, "#555", barrel->subtitle);
 }
 
 bool barrel_draw(const struct barrel *barrel, struct svg *svg, struct error *error)
@@ -440,9 +416,8 @@ bool barrel_draw(const struct barrel *barrel, struct svg *svg, struct error *err
     draw_focus_ring(svg, &scale, nearest);
     draw_pairs(svg, &scale, barrel);
     double x = barrel_position(&scale, barrel->focus_diopter);
-    svg_group_begin(svg, &(struct svg_style){.stroke = RED, .width = 2.6});
-    svg_line(svg, x, FIXED_TOP + 2, x, FIXED_BOTTOM - 12);
-    svg_group_end(svg);
+    svg_styled_line(svg, &(struct svg_style){.stroke = RED, .width = 2.6}, x, FIXED_TOP + 2, x,
+                    FIXED_BOTTOM - 12);
     svg_group_begin(svg, &(struct svg_style){.fill = RED});
     svg_path(svg, x, FIXED_TOP, "M0 0L6 11 -6 11z");
     svg_group_end(svg);

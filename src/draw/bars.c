@@ -54,19 +54,11 @@ static void bars_draw_words(const struct bars *bars, const struct bars_page *pag
         .x = LEFT, .y = 30, .size = TITLE_SIZE, .width = room, .bold = true};
     const struct svg_label subtitle = {
         .x = LEFT, .y = 50, .size = LABEL_SIZE, .width = room, .colour = "#555"};
-    const struct svg_label below = {.x = (LEFT + page->width - RIGHT) / 2,
-                                    .y = page->bottom + 48,
-                                    .size = LABEL_SIZE,
-                                    .anchor = SVG_MIDDLE};
-    const struct svg_label beside = {.x = 22,
-                                     .y = (page->top + page->bottom) / 2,
-                                     .size = LABEL_SIZE,
-                                     .rotation = -90,
-                                     .anchor = SVG_MIDDLE};
     svg_text(svg, &title, bars->title != NULL ? bars->title : "");
     svg_text(svg, &subtitle, bars->subtitle != NULL ? bars->subtitle : "");
-    svg_text(svg, &below, bars->x_label != NULL ? bars->x_label : "");
-    svg_text(svg, &beside, bars->y_label != NULL ? bars->y_label : "");
+    svg_words(svg, (LEFT + page->width - RIGHT) / 2, page->bottom + 48, LABEL_SIZE, SVG_MIDDLE,
+              NULL, bars->x_label);
+    svg_words_upwards(svg, 22, (page->top + page->bottom) / 2, LABEL_SIZE, bars->y_label);
 }
 
 /* In as many lines as it takes. Result: the y of the last; `svg` null: nothing is drawn. */
@@ -80,11 +72,9 @@ static double bars_draw_legend(const struct bars *bars, double width, struct svg
             y += LEGEND_STEP;
         }
         if (svg != NULL) {
-            svg_group_begin(svg, &(struct svg_style){.fill = palette_colour(k)});
-            svg_rect(svg, x, y - SWATCH + 1, SWATCH, SWATCH);
-            svg_group_end(svg);
-            svg_text(svg, &(struct svg_label){.x = x + SWATCH + 5, .y = y, .size = NUMBER_SIZE},
-                     bars->kinds[k]);
+            svg_styled_rect(svg, &(struct svg_style){.fill = palette_colour(k)}, x, y - SWATCH + 1,
+                            SWATCH, SWATCH);
+            svg_words(svg, x + SWATCH + 5, y, NUMBER_SIZE, SVG_START, NULL, bars->kinds[k]);
         }
         x += needed + 16;
     }
@@ -96,16 +86,11 @@ static void bars_draw_grid(const struct bars_page *page, struct svg *svg)
     const double right = page->width - RIGHT;
     for (size_t i = 0; i < page->ticks.count; i++) {
         const double y = bars_y_at(page, page->ticks.value[i]);
-        svg_group_begin(svg, &(struct svg_style){.stroke = "#d4d4d4", .width = 0.8});
-        svg_line(svg, LEFT, y, right, y);
-        svg_group_end(svg);
-        svg_group_begin(svg, &(struct svg_style){.stroke = "#333"});
-        svg_line(svg, LEFT - 5, y, LEFT, y);
-        svg_group_end(svg);
-        svg_text(
-            svg,
-            &(struct svg_label){.x = LEFT - 9, .y = y + 4, .size = NUMBER_SIZE, .anchor = SVG_END},
-            ticks_text(svg->arena, &page->ticks, i));
+        svg_styled_line(svg, &(struct svg_style){.stroke = "#d4d4d4", .width = 0.8}, LEFT, y, right,
+                        y);
+        svg_styled_line(svg, &(struct svg_style){.stroke = "#333"}, LEFT - 5, y, LEFT, y);
+        svg_words(svg, LEFT - 9, y + 4, NUMBER_SIZE, SVG_END, NULL,
+                  ticks_text(svg->arena, &page->ticks, i));
     }
 }
 
@@ -117,10 +102,9 @@ static void draw_group(const struct bars *bars, size_t g, const struct bars_page
     const double first = left + (page->pitch - page->bar * (double)bars->kind_count) / 2;
     for (size_t k = 0; k < bars->kind_count; k++) {
         const double value = group->values[k], y = bars_y_at(page, value);
-        svg_group_begin(svg, &(struct svg_style){.fill = palette_colour(k)});
-        svg_rect(svg, first + (double)k * page->bar, fmin(y, zero), page->bar * 0.92,
-                 fabs(y - zero));
-        svg_group_end(svg);
+        svg_styled_rect(svg, &(struct svg_style){.fill = palette_colour(k)},
+                        first + (double)k * page->bar, fmin(y, zero), page->bar * 0.92,
+                        fabs(y - zero));
     }
     if (group->label != NULL) {
         svg_text(svg,

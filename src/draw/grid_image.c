@@ -29,13 +29,6 @@ static double page_y(const struct grid_image_page *page, double y)
     return TOP + SIDE / 2 * (1 - y / page->reach);
 }
 
-static void grid_image_write_text(const struct grid_image_page *page, double x, double y,
-                                  double size, enum svg_anchor anchor, const char *text)
-{
-    const struct svg_label label = {.x = x, .y = y, .size = size, .anchor = anchor};
-    svg_text(page->svg, &label, text);
-}
-
 static bool grid_image_find_reach(const struct grid_image *grid, double *reach, struct error *error)
 {
     const size_t count = 2 * grid->lines * grid->points;
@@ -73,17 +66,15 @@ static void grid_image_draw_axes(const struct grid_image_page *page)
     for (size_t i = 0; i < ticks.count; i++) {
         if (fabs(ticks.value[i]) <= page->reach) {
             const char *text = ticks_text(svg->arena, &ticks, i);
-            grid_image_write_text(page, page_x(page, ticks.value[i]), TOP + SIDE + 20, 12,
-                                  SVG_MIDDLE, text);
-            grid_image_write_text(page, LEFT - 9, page_y(page, ticks.value[i]) + 4, 12, SVG_END,
-                                  text);
+            svg_words(page->svg, page_x(page, ticks.value[i]), TOP + SIDE + 20, 12, SVG_MIDDLE,
+                      NULL, text);
+            svg_words(page->svg, LEFT - 9, page_y(page, ticks.value[i]) + 4, 12, SVG_END, NULL,
+                      text);
         }
     }
-    grid_image_write_text(page, LEFT + SIDE / 2, TOP + SIDE + 40, 13, SVG_MIDDLE,
-                          "x in the image (mm)");
-    const struct svg_label up = {
-        .x = 22, .y = TOP + SIDE / 2, .size = 13, .rotation = -90, .anchor = SVG_MIDDLE};
-    svg_text(svg, &up, "y in the image (mm)");
+    svg_words(page->svg, LEFT + SIDE / 2, TOP + SIDE + 40, 13, SVG_MIDDLE, NULL,
+              "x in the image (mm)");
+    svg_words_upwards(svg, 22, TOP + SIDE / 2, 13, "y in the image (mm)");
 }
 
 static const struct svg_style ideal_style = {.stroke = "#777777", .dash = "5 4", .width = 1};
@@ -124,14 +115,10 @@ static void grid_image_draw_legend(const struct grid_image_page *page)
 {
     const double y = TOP + SIDE + 66, middle = LEFT + SIDE / 2;
     const struct grid_image *grid = page->grid;
-    svg_group_begin(page->svg, &image_style);
-    svg_line(page->svg, LEFT, y - 4, LEFT + 34, y - 4);
-    svg_group_end(page->svg);
-    grid_image_write_text(page, LEFT + 42, y, 12, SVG_START, grid->image_label);
-    svg_group_begin(page->svg, &ideal_style);
-    svg_line(page->svg, middle, y - 4, middle + 34, y - 4);
-    svg_group_end(page->svg);
-    grid_image_write_text(page, middle + 42, y, 12, SVG_START, grid->ideal_label);
+    svg_styled_line(page->svg, &image_style, LEFT, y - 4, LEFT + 34, y - 4);
+    svg_words(page->svg, LEFT + 42, y, 12, SVG_START, NULL, grid->image_label);
+    svg_styled_line(page->svg, &ideal_style, middle, y - 4, middle + 34, y - 4);
+    svg_words(page->svg, middle + 42, y, 12, SVG_START, NULL, grid->ideal_label);
 }
 
 bool grid_image_draw(const struct grid_image *grid, struct svg *svg, struct error *error)

@@ -105,7 +105,7 @@ static void draw_foot(struct svg *svg, const struct outlines *outlines, double s
     svg_line(svg, end, y - 4, end, y + 4);
     svg_group_end(svg);
     const char *words = arena_printf(svg->arena, "%g %s", length, outlines->unit);
-    svg_text(svg, &(struct svg_label){.x = end + 8, .y = y + 5, .size = 13}, words);
+    svg_words(svg, end + 8, y + 5, 13, SVG_START, NULL, words);
     x = end + 24 + svg_text_width(words, 13);
     for (int i = 0; i < 2; i++) {
         if (outlines->legend[i] == NULL) {
@@ -113,11 +113,8 @@ static void draw_foot(struct svg *svg, const struct outlines *outlines, double s
         }
         const struct svg_style area = {.stroke = BLUE, .fill = TINT, .width = 1.4, .opacity = 0.75};
         const struct svg_style line = {.stroke = GREY, .width = 1, .dash = "4 3"};
-        svg_group_begin(svg, i == 0 ? &area : &line);
-        svg_circle(svg, x + 7, y, 7);
-        svg_group_end(svg);
-        svg_text(svg, &(struct svg_label){.x = x + 20, .y = y + 5, .size = 13},
-                 outlines->legend[i]);
+        svg_styled_circle(svg, i == 0 ? &area : &line, x + 7, y, 7);
+        svg_words(svg, x + 20, y + 5, 13, SVG_START, NULL, outlines->legend[i]);
         x += 40 + svg_text_width(outlines->legend[i], 13);
     }
 }
@@ -149,16 +146,9 @@ bool outlines_draw(const struct outlines *outlines, struct svg *svg, struct erro
     double width = page_width(outlines, across), tall = HEAD + 2 * HALF + FOOT + 16;
     double height = TOP + (double)down * tall + BOTTOM, scale = HALF / most;
     svg_begin(svg, width, height, outlines->title);
-    svg_text(svg,
-             &(struct svg_label){
-                 .x = MARGIN, .y = 30, .size = 17, .bold = true, .width = width - 2 * MARGIN},
-             outlines->title);
+    svg_heading(svg, MARGIN, 30, 17, width - 2 * MARGIN, outlines->title);
     if (outlines->subtitle != NULL) {
-        svg_text(
-            svg,
-            &(struct svg_label){
-                .x = MARGIN, .y = 52, .size = 13, .colour = "#444", .width = width - 2 * MARGIN},
-            outlines->subtitle);
+        svg_words_within(svg, MARGIN, 52, 13, width - 2 * MARGIN, "#444", outlines->subtitle);
     }
     for (size_t i = 0; i < outlines->count; i++) {
         const struct outlines_page page = {

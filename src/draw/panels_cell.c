@@ -77,9 +77,8 @@ static void draw_x_ticks(struct svg *svg, const struct panels_cell *cell, bool l
             svg_line(svg, x, cell->top, x, bottom);
         }
         if (cell->x_numbers) {
-            const struct svg_label label = {
-                .x = x, .y = bottom + 14, .size = NUMBER, .anchor = SVG_MIDDLE};
-            svg_text(svg, &label, ticks_text(svg->arena, &cell->x.ticks, i));
+            svg_words(svg, x, bottom + 14, NUMBER, SVG_MIDDLE, NULL,
+                      ticks_text(svg->arena, &cell->x.ticks, i));
         }
     }
 }
@@ -96,9 +95,8 @@ static void draw_y_ticks(struct svg *svg, const struct panels_cell *cell, bool l
             svg_line(svg, cell->left, y, cell->left + cell->width, y);
         }
         if (cell->y_numbers) {
-            const struct svg_label label = {
-                .x = cell->left - 6, .y = y + 4, .size = NUMBER, .anchor = SVG_END};
-            svg_text(svg, &label, ticks_text(svg->arena, &cell->y.ticks, i));
+            svg_words(svg, cell->left - 6, y + 4, NUMBER, SVG_END, NULL,
+                      ticks_text(svg->arena, &cell->y.ticks, i));
         }
     }
 }
@@ -140,9 +138,8 @@ static void draw_series(const struct panels *panels, struct svg *svg,
         panels_marks_draw(panels, svg, &mark);
     }
     if (panel->circle > 0) {
-        svg_group_begin(svg, &(struct svg_style){.stroke = SOFT, .width = 1, .dash = "3 3"});
-        svg_circle(svg, at_x(cell, 0), at_y(cell, 0), at_x(cell, panel->circle) - at_x(cell, 0));
-        svg_group_end(svg);
+        svg_styled_circle(svg, &(struct svg_style){.stroke = SOFT, .width = 1, .dash = "3 3"},
+                          at_x(cell, 0), at_y(cell, 0), at_x(cell, panel->circle) - at_x(cell, 0));
     }
     svg_group_end(svg);
 }
@@ -183,9 +180,8 @@ void panels_cell_draw(const struct panels *panels, struct svg *svg, const struct
         svg_line(svg, cell->left, at_y(cell, 0), cell->left + cell->width, at_y(cell, 0));
     }
     svg_group_end(svg);
-    svg_group_begin(svg, &(struct svg_style){.stroke = GREY, .width = 1});
-    svg_rect(svg, cell->left, cell->top, cell->width, cell->height);
-    svg_group_end(svg);
+    svg_styled_rect(svg, &(struct svg_style){.stroke = GREY, .width = 1}, cell->left, cell->top,
+                    cell->width, cell->height);
     if (any) {
         draw_series(panels, svg, cell, panel);
     }

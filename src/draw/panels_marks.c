@@ -84,8 +84,8 @@ void panels_marks_draw(const struct panels *panels, struct svg *svg, const struc
         panels_marks_draw_spots(svg, look, colour, mark);
         return;
     }
-    svg_group_begin(svg, &(struct svg_style){
-                             .stroke = colour, .width = 1.6, .dash = dashes[look % COUNT(dashes)]});
-    svg_polyline(svg, mark->x, mark->y, mark->count);
-    svg_group_end(svg);
+    svg_styled_polyline(
+        svg,
+        &(struct svg_style){.stroke = colour, .width = 1.6, .dash = dashes[look % COUNT(dashes)]},
+        mark->x, mark->y, mark->count);
 }

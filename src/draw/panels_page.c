@@ -67,15 +67,13 @@ static void draw_entry(const struct panels_page *page, size_t key, const struct 
     const struct panels *panels = page->panels;
     bool circle = panels->keys == NULL || key >= panels->key_count;
     if (circle) {
-        svg_group_begin(page->svg, &(struct svg_style){.stroke = SOFT, .width = 1, .dash = "3 3"});
-        svg_circle(page->svg, pen->x + 5, pen->y - 4, 5);
-        svg_group_end(page->svg);
+        svg_styled_circle(page->svg, &(struct svg_style){.stroke = SOFT, .width = 1, .dash = "3 3"},
+                          pen->x + 5, pen->y - 4, 5);
     } else {
         draw_sample(page, key, pen, spots);
     }
-    const struct svg_label label = {
-        .x = pen->x + words_from(spots || circle), .y = pen->y, .size = WORDS};
-    svg_text(page->svg, &label, circle ? panels->circle_label : panels->keys[key]);
+    svg_words(page->svg, pen->x + words_from(spots || circle), pen->y, WORDS, SVG_START, NULL,
+              circle ? panels->circle_label : panels->keys[key]);
 }
 
 /* The legend from `y` on; drawn only if asked. The base line of its last line. */
@@ -258,8 +256,8 @@ static void panels_page_draw_bar(const struct panels_page *page, double y)
     svg_line(svg, left, y - 4, left, y + 4);
     svg_line(svg, end, y - 4, end, y + 4);
     svg_group_end(svg);
-    svg_text(
-        svg, &(struct svg_label){.x = end + 8, .y = y + 4, .size = WORDS},
+    svg_words(
+        svg, end + 8, y + 4, WORDS, SVG_START, NULL,
         arena_printf(svg->arena, "%s %s", ticks_fixed(svg->arena, length, 0), page->panels->unit));
 }
 

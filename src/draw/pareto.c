@@ -53,13 +53,10 @@ static void pareto_draw_grid(const struct pareto_page *page, struct svg *svg)
 {
     for (size_t i = 0; i < page->ticks.count; i++) {
         const double x = pareto_x_at(page, page->ticks.value[i]);
-        svg_group_begin(svg, &(struct svg_style){.stroke = i == 0 ? "#333" : "#d4d4d4"});
-        svg_line(svg, x, TOP, x, page->bottom + 4);
-        svg_group_end(svg);
-        svg_text(svg,
-                 &(struct svg_label){
-                     .x = x, .y = page->bottom + 18, .size = NUMBER_SIZE, .anchor = SVG_MIDDLE},
-                 arena_printf(svg->arena, "%.4g %%", 100 * page->ticks.value[i]));
+        svg_styled_line(svg, &(struct svg_style){.stroke = i == 0 ? "#333" : "#d4d4d4"}, x, TOP, x,
+                        page->bottom + 4);
+        svg_words(svg, x, page->bottom + 18, NUMBER_SIZE, SVG_MIDDLE, NULL,
+                  arena_printf(svg->arena, "%.4g %%", 100 * page->ticks.value[i]));
     }
 }
 
@@ -67,9 +64,8 @@ static void pareto_draw_bar(const struct pareto_page *page, double y, double sha
                             double opacity, struct svg *svg)
 {
     const struct svg_style style = {.fill = palette_colour(colour), .opacity = opacity};
-    svg_group_begin(svg, &style);
-    svg_rect(svg, page->left, y + (ROW - BAR) / 2, pareto_x_at(page, share) - page->left, BAR);
-    svg_group_end(svg);
+    svg_styled_rect(svg, &style, page->left, y + (ROW - BAR) / 2,
+                    pareto_x_at(page, share) - page->left, BAR);
 }
 
 static void draw_row(const struct pareto_page *page, size_t i, struct svg *svg)
@@ -81,12 +77,11 @@ static void draw_row(const struct pareto_page *page, size_t i, struct svg *svg)
                                    .size = NUMBER_SIZE,
                                    .width = WIDEST_LABEL,
                                    .anchor = SVG_END};
-    const struct svg_label number = {
-        .x = pareto_x_at(page, bar->whole) + 5, .y = base, .size = NUMBER_SIZE, .colour = "#444"};
     pareto_draw_bar(page, y, bar->whole, 0, 0.35, svg);
     pareto_draw_bar(page, y, bar->part, 0, 1, svg);
     svg_text(svg, &name, bar->label);
-    svg_text(svg, &number, pareto_percent(svg->arena, bar->whole));
+    svg_words(svg, pareto_x_at(page, bar->whole) + 5, base, NUMBER_SIZE, SVG_START, "#444",
+              pareto_percent(svg->arena, bar->whole));
 }
 
 static void pareto_draw_legend(const struct pareto *pareto, const struct pareto_page *page,
@@ -96,10 +91,8 @@ static void pareto_draw_legend(const struct pareto *pareto, const struct pareto_
     double x = page->left;
     for (size_t k = 0; k < 2; k++) {
         const struct svg_style style = {.fill = palette_colour(0), .opacity = k == 0 ? 1 : 0.35};
-        svg_group_begin(svg, &style);
-        svg_rect(svg, x, 66, BAR, BAR);
-        svg_group_end(svg);
-        svg_text(svg, &(struct svg_label){.x = x + BAR + 5, .y = 76, .size = 12}, names[k]);
+        svg_styled_rect(svg, &style, x, 66, BAR, BAR);
+        svg_words(svg, x + BAR + 5, 76, 12, SVG_START, NULL, names[k]);
         x += BAR + 24 + svg_text_width(names[k], 12);
     }
 }
@@ -129,10 +122,6 @@ bool pareto_draw(const struct pareto *pareto, struct svg *svg, struct error *err
         .x = 20, .y = 30, .size = TITLE_SIZE, .width = WIDTH - 32, .bold = true};
     const struct svg_label subtitle = {
         .x = 20, .y = 50, .size = LABEL_SIZE, .width = WIDTH - 32, .colour = "#555"};
-    const struct svg_label below = {.x = (page.left + WIDTH - RIGHT) / 2,
-                                    .y = page.bottom + 44,
-                                    .size = LABEL_SIZE,
-                                    .anchor = SVG_MIDDLE};
     svg_begin(svg, WIDTH, page.bottom + BELOW, pareto->title);
     pareto_draw_grid(&page, svg);
     for (size_t i = 0; i < page.count; i++) {
@@ -141,7 +130,8 @@ bool pareto_draw(const struct pareto *pareto, struct svg *svg, struct error *err
     pareto_draw_legend(pareto, &page, svg);
     svg_text(svg, &title, pareto->title != NULL ? pareto->title : "");
     svg_text(svg, &subtitle, pareto->subtitle != NULL ? pareto->subtitle : "");
-    svg_text(svg, &below, pareto->x_label != NULL ? pareto->x_label : "");
+    svg_words(svg, (page.left + WIDTH - RIGHT) / 2, page.bottom + 44, LABEL_SIZE, SVG_MIDDLE, NULL,
+              pareto->x_label);
     svg_end(svg);
     return true;
 }

@@ -89,10 +89,7 @@ static void draw_x_tick(struct svg *svg, const struct plot_frame *frame, double 
     if (at - half < *clear || at + half > PLOT_WIDTH) {
         return;
     }
-    svg_text(
-        svg,
-        &(struct svg_label){.x = at, .y = bottom + 19, .size = NUMBER_SIZE, .anchor = SVG_MIDDLE},
-        text);
+    svg_words(svg, at, bottom + 19, NUMBER_SIZE, SVG_MIDDLE, NULL, text);
     *clear = at + half + 6;
 }
 
@@ -122,10 +119,8 @@ static void plot_draw_axes(struct svg *svg, const struct plot *plot, const struc
     for (size_t i = 0; i < y->ticks.count; i++) {
         double at = plot_page_at(y, y->ticks.value[i]);
         svg_line(svg, x->start - 5, at, x->start, at);
-        svg_text(svg,
-                 &(struct svg_label){
-                     .x = x->start - 9, .y = at + 4, .size = NUMBER_SIZE, .anchor = SVG_END},
-                 ticks_text(svg->arena, &y->ticks, i));
+        svg_words(svg, x->start - 9, at + 4, NUMBER_SIZE, SVG_END, NULL,
+                  ticks_text(svg->arena, &y->ticks, i));
     }
     svg_group_end(svg);
 }
@@ -291,12 +286,8 @@ static void draw_arrow(struct svg *svg, struct plot_frame *frame, double x, bool
     svg_path(svg, x, up ? frame->y.stop : frame->y.start,
              up ? "M-4.5 0L0 -9 4.5 0z" : "M-4.5 -9L0 0 4.5 -9z");
     double side = x + 40 > frame->x.stop ? -24 : 6;
-    svg_text(svg,
-             &(struct svg_label){.x = up ? x : x + side,
-                                 .y = up ? frame->y.stop - 11 : frame->y.start - 5,
-                                 .size = 16,
-                                 .anchor = up ? SVG_MIDDLE : SVG_START},
-             up ? "∞" : "−∞");
+    svg_words(svg, up ? x : x + side, up ? frame->y.stop - 11 : frame->y.start - 5, 16,
+              up ? SVG_MIDDLE : SVG_START, NULL, up ? "∞" : "−∞");
 }
 
 static void draw_arrows(struct svg *svg, const struct plot *plot, struct plot_frame *frame,
@@ -345,9 +336,7 @@ static void plot_draw_curves(struct svg *svg, const struct plot *plot, struct pl
         struct plot_points line =
             plot_trace(plot, frame, &plot->series[s], 0, plot_series_count(plot, &plot->series[s]),
                        false, svg->arena);
-        svg_group_begin(svg, &style);
-        svg_polyline(svg, line.x, line.y, line.count);
-        svg_group_end(svg);
+        svg_styled_polyline(svg, &style, line.x, line.y, line.count);
     }
     svg_group_end(svg);
     for (size_t s = 0; s < plot->series_count; s++) {
@@ -421,15 +410,9 @@ static void draw_keys(struct svg *svg, const struct plot *plot, const struct plo
     }
     for (size_t i = 0; i < count; i++) {
         struct svg_style style = plot_line_of(keys[i].series);
-        svg_group_begin(svg, &style);
-        svg_line(svg, left, keys[i].y, left + 28, keys[i].y);
-        svg_group_end(svg);
-        svg_text(svg,
-                 &(struct svg_label){.x = left + 36,
-                                     .y = keys[i].y + 4,
-                                     .size = fmin(NUMBER_SIZE, gap),
-                                     .width = PLOT_WIDTH - left - 42},
-                 keys[i].series->label);
+        svg_styled_line(svg, &style, left, keys[i].y, left + 28, keys[i].y);
+        svg_words_within(svg, left + 36, keys[i].y + 4, fmin(NUMBER_SIZE, gap),
+                         PLOT_WIDTH - left - 42, NULL, keys[i].series->label);
     }
 }
 

@@ -105,17 +105,14 @@ static bool raster_paint(const struct raster_page *page, const struct raster_map
 static void raster_write_text(const struct raster_page *page, double x, double y, double size,
                               enum svg_anchor anchor, const char *text)
 {
-    const struct svg_label label = {.x = x, .y = y, .size = size, .anchor = anchor};
     if (text != NULL) {
-        svg_text(page->svg, &label, text);
+        svg_words(page->svg, x, y, size, anchor, NULL, text);
     }
 }
 
 static void write_upwards(const struct raster_page *page, double x, double y, const char *text)
 {
-    const struct svg_label label = {
-        .x = x, .y = y, .size = 12, .rotation = -90, .anchor = SVG_MIDDLE};
-    svg_text(page->svg, &label, text);
+    svg_words_upwards(page->svg, x, y, 12, text);
 }
 
 static const struct svg_style frame = {.stroke = "#444444"}, nothing = {.fill = "#dddddd"};
@@ -143,9 +140,7 @@ static void raster_draw_axis(const struct raster_page *page, const struct raster
             const double at = share * axis->length, side = axis->upwards;
             const double x = side == 0 ? axis->x + at : axis->x,
                          y = side == 0 ? axis->y : axis->y - at;
-            svg_group_begin(page->svg, &frame);
-            svg_line(page->svg, x, y, x + side * TICK, side == 0 ? y + TICK : y);
-            svg_group_end(page->svg);
+            svg_styled_line(page->svg, &frame, x, y, x + side * TICK, side == 0 ? y + TICK : y);
             if (axis->upwards == 0) {
                 raster_write_text(page, x, y + 17, 11, SVG_MIDDLE, text);
             } else {
@@ -166,13 +161,9 @@ static bool draw_map(const struct raster_page *page, size_t i, struct error *err
     if (!raster_paint(page, map, page->svg->arena, &png, error)) {
         return false;
     }
-    svg_group_begin(page->svg, &nothing);
-    svg_rect(page->svg, x, y, SIDE, SIDE);
-    svg_group_end(page->svg);
+    svg_styled_rect(page->svg, &nothing, x, y, SIDE, SIDE);
     svg_image(page->svg, x, y, SIDE, SIDE, png);
-    svg_group_begin(page->svg, &frame);
-    svg_rect(page->svg, x, y, SIDE, SIDE);
-    svg_group_end(page->svg);
+    svg_styled_rect(page->svg, &frame, x, y, SIDE, SIDE);
     const struct raster_axis along = {-map->half, map->half, x, y + SIDE, SIDE, 0, false};
     const struct raster_axis up = {-map->half, map->half, x, y + SIDE, SIDE, -1, false};
     raster_draw_axis(page, &along);
@@ -191,9 +182,7 @@ static bool raster_draw_bar(const struct raster_page *page, double x, struct err
         return false;
     }
     svg_image(page->svg, x, TOP, BAR_WIDTH, SIDE, png);
-    svg_group_begin(page->svg, &frame);
-    svg_rect(page->svg, x, TOP, BAR_WIDTH, SIDE);
-    svg_group_end(page->svg);
+    svg_styled_rect(page->svg, &frame, x, TOP, BAR_WIDTH, SIDE);
     const struct raster_axis up = {page->low,
                                    page->high,
                                    x + BAR_WIDTH,

@@ -35,13 +35,6 @@ static const char *shade_of(const struct map_drawing *drawing, double share)
                         (unsigned)colour[1], (unsigned)colour[2]);
 }
 
-static void ray_map_write_text(const struct map_drawing *drawing, double x, double y, double size,
-                               enum svg_anchor anchor, const char *text)
-{
-    const struct svg_label label = {.x = x, .y = y, .size = size, .anchor = anchor};
-    svg_text(drawing->svg, &label, text);
-}
-
 static double centre_x(size_t column)
 {
     return LEFT + CELL * ((double)column + 0.5);
@@ -81,27 +74,23 @@ static void draw_pupils(const struct map_drawing *drawing)
     const struct ray_map *map = drawing->map;
     const struct svg_style rim = {.stroke = "#bbbbbb"};
     for (size_t row = 0; row < map->row_count; row++) {
-        const struct svg_label side = {
-            .x = LEFT - 34, .y = centre_y(row), .size = 13, .rotation = -90, .anchor = SVG_MIDDLE};
-        svg_text(drawing->svg, &side, map->rows[row]);
+        svg_words_upwards(drawing->svg, LEFT - 34, centre_y(row), 13, map->rows[row]);
         for (size_t column = 0; column < map->column_count; column++) {
             bool found = false;
             for (size_t i = 0; i < map->count && !found; i++) {
                 found = map->points[i].column == column && map->points[i].row == row &&
                         isfinite(map->points[i].dx);
             }
-            svg_group_begin(drawing->svg, &rim);
-            svg_circle(drawing->svg, centre_x(column), centre_y(row), RADIUS);
-            svg_group_end(drawing->svg);
+            svg_styled_circle(drawing->svg, &rim, centre_x(column), centre_y(row), RADIUS);
             if (!found) {
-                ray_map_write_text(drawing, centre_x(column), centre_y(row) + RADIUS + 14, 11,
-                                   SVG_MIDDLE, "no ray comes through");
+                svg_words(drawing->svg, centre_x(column), centre_y(row) + RADIUS + 14, 11,
+                          SVG_MIDDLE, NULL, "no ray comes through");
             }
         }
     }
     for (size_t column = 0; column < map->column_count; column++) {
-        ray_map_write_text(drawing, centre_x(column), TOP - 8, 13, SVG_MIDDLE,
-                           map->columns[column]);
+        svg_words(drawing->svg, centre_x(column), TOP - 8, 13, SVG_MIDDLE, NULL,
+                  map->columns[column]);
     }
 }
 
@@ -113,18 +102,16 @@ static void ray_map_draw_legend(const struct map_drawing *drawing, double y)
     struct arena *arena = drawing->svg->arena;
     for (int i = 0; i < BAR_STEPS; i++) {
         const struct svg_style style = {.fill = shade_of(drawing, (i + 0.5) / BAR_STEPS)};
-        svg_group_begin(drawing->svg, &style);
-        svg_rect(drawing->svg, left + width * i / BAR_STEPS, y, width / BAR_STEPS + 0.5, 12);
-        svg_group_end(drawing->svg);
+        svg_styled_rect(drawing->svg, &style, left + width * i / BAR_STEPS, y,
+                        width / BAR_STEPS + 0.5, 12);
     }
     for (int i = 0; i <= 2; i++) {
-        ray_map_write_text(drawing, left + width * i / 2, y + 28, 12, SVG_MIDDLE,
-                           arena_printf(arena, "%.3g%s%s", drawing->largest * i / 2,
-                                        i == 2 ? " " : "", i == 2 ? map->unit : ""));
+        svg_words(drawing->svg, left + width * i / 2, y + 28, 12, SVG_MIDDLE, NULL,
+                  arena_printf(arena, "%.3g%s%s", drawing->largest * i / 2, i == 2 ? " " : "",
+                               i == 2 ? map->unit : ""));
     }
-    ray_map_write_text(
-        drawing, left, y - 8, 12, SVG_START,
-        "error in the image, colour and arrow; the circle is the stop, crosses are lost");
+    svg_words(drawing->svg, left, y - 8, 12, SVG_START, NULL,
+              "error in the image, colour and arrow; the circle is the stop, crosses are lost");
 }
 
 static bool ray_map_check_map(const struct ray_map *map, double *largest, struct error *error)

@@ -179,9 +179,7 @@ static void draw_tip(const struct section_page *page, const double *x, const dou
     double down = y[last] > y[0] ? -9 : 9;
     const double tip_x[] = {x[last], x[last] - 4.5, x[last] + 4.5};
     const double tip_y[] = {y[last], y[last] + down, y[last] + down};
-    svg_group_begin(page->svg, &style);
-    svg_polygon(page->svg, tip_x, tip_y, 3);
-    svg_group_end(page->svg);
+    svg_styled_polygon(page->svg, &style, tip_x, tip_y, 3);
 }
 
 static void draw_part(const struct section_page *page, const struct layout_part *part)

@@ -330,3 +330,71 @@ void svg_text(struct svg *svg, const struct svg_label *label, const char *text)
     put_escaped(svg, text, fits ? strlen(text) : fitting_length(text, label->size, room));
     svg_put(svg, fits ? "</text>\n" : "…</text>\n");
 }
+
+void svg_words(struct svg *svg, double x, double y, double size, enum svg_anchor anchor,
+               const char *colour, const char *text)
+{
+    const struct svg_label label = {
+        .x = x, .y = y, .size = size, .anchor = anchor, .colour = colour};
+    svg_text(svg, &label, text != NULL ? text : "");
+}
+
+void svg_words_within(struct svg *svg, double x, double y, double size, double width,
+                      const char *colour, const char *text)
+{
+    const struct svg_label label = {.x = x, .y = y, .size = size, .width = width, .colour = colour};
+    svg_text(svg, &label, text != NULL ? text : "");
+}
+
+void svg_words_upwards(struct svg *svg, double x, double y, double size, const char *text)
+{
+    const struct svg_label label = {
+        .x = x, .y = y, .size = size, .rotation = -90, .anchor = SVG_MIDDLE};
+    svg_text(svg, &label, text != NULL ? text : "");
+}
+
+void svg_heading(struct svg *svg, double x, double y, double size, double width, const char *text)
+{
+    const struct svg_label label = {.x = x, .y = y, .size = size, .width = width, .bold = true};
+    svg_text(svg, &label, text != NULL ? text : "");
+}
+
+void svg_styled_line(struct svg *svg, const struct svg_style *style, double x1, double y1,
+                     double x2, double y2)
+{
+    svg_group_begin(svg, style);
+    svg_line(svg, x1, y1, x2, y2);
+    svg_group_end(svg);
+}
+
+void svg_styled_rect(struct svg *svg, const struct svg_style *style, double x, double y,
+                     double width, double height)
+{
+    svg_group_begin(svg, style);
+    svg_rect(svg, x, y, width, height);
+    svg_group_end(svg);
+}
+
+void svg_styled_circle(struct svg *svg, const struct svg_style *style, double x, double y,
+                       double radius)
+{
+    svg_group_begin(svg, style);
+    svg_circle(svg, x, y, radius);
+    svg_group_end(svg);
+}
+
+void svg_styled_polyline(struct svg *svg, const struct svg_style *style, const double *x,
+                         const double *y, size_t count)
+{
+    svg_group_begin(svg, style);
+    svg_polyline(svg, x, y, count);
+    svg_group_end(svg);
+}
+
+void svg_styled_polygon(struct svg *svg, const struct svg_style *style, const double *x,
+                        const double *y, size_t count)
+{
+    svg_group_begin(svg, style);
+    svg_polygon(svg, x, y, count);
+    svg_group_end(svg);
+}

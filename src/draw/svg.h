@@ -75,6 +75,28 @@ void svg_image(struct svg *svg, double x, double y, double width, double height,
 /* Text in UTF-8, escaped; what XML cannot hold is shown as '?'. */
 void svg_text(struct svg *svg, const struct svg_label *label, const char *text);
 
+/* The same of a label with these alone; a null text is an empty one, a null colour black. */
+void svg_words(struct svg *svg, double x, double y, double size, enum svg_anchor anchor,
+               const char *colour, const char *text);
+void svg_words_within(struct svg *svg, double x, double y, double size, double width,
+                      const char *colour, const char *text);
+
+/* Turned to run upwards about its middle; bold. */
+void svg_words_upwards(struct svg *svg, double x, double y, double size, const char *text);
+void svg_heading(struct svg *svg, double x, double y, double size, double width, const char *text);
+
+/* One shape that is a group by itself. */
+void svg_styled_line(struct svg *svg, const struct svg_style *style, double x1, double y1,
+                     double x2, double y2);
+void svg_styled_rect(struct svg *svg, const struct svg_style *style, double x, double y,
+                     double width, double height);
+void svg_styled_circle(struct svg *svg, const struct svg_style *style, double x, double y,
+                       double radius);
+void svg_styled_polyline(struct svg *svg, const struct svg_style *style, const double *x,
+                         const double *y, size_t count);
+void svg_styled_polygon(struct svg *svg, const struct svg_style *style, const double *x,
+                        const double *y, size_t count);
+
 /*
  * About how wide a text will be, px.
  *

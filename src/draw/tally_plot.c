@@ -65,12 +65,10 @@ static void draw_y_axis(const struct tally_plot_page *page, struct svg *svg)
 {
     for (size_t i = 0; i < page->y.count; i++) {
         const double y = tally_plot_y_at(page, page->y.value[i]);
-        const struct svg_label number = {
-            .x = LEFT - 9, .y = y + 4, .size = NUMBER_SIZE, .anchor = SVG_END};
-        svg_group_begin(svg, &(struct svg_style){.stroke = "#d4d4d4", .width = 0.8});
-        svg_line(svg, LEFT, y, WIDTH - RIGHT, y);
-        svg_group_end(svg);
-        svg_text(svg, &number, ticks_text(svg->arena, &page->y, i));
+        svg_styled_line(svg, &(struct svg_style){.stroke = "#d4d4d4", .width = 0.8}, LEFT, y,
+                        WIDTH - RIGHT, y);
+        svg_words(svg, LEFT - 9, y + 4, NUMBER_SIZE, SVG_END, NULL,
+                  ticks_text(svg->arena, &page->y, i));
     }
 }
 
@@ -85,12 +83,10 @@ static void draw_x_axis(const struct tally_plot_page *page, struct svg *svg)
         if (value < page->low || value > page->high) {
             continue;
         }
-        const struct svg_label number = {
-            .x = x, .y = page->bottom + 20, .size = NUMBER_SIZE, .anchor = SVG_MIDDLE};
-        svg_group_begin(svg, &(struct svg_style){.stroke = "#333"});
-        svg_line(svg, x, page->bottom, x, page->bottom + 5);
-        svg_group_end(svg);
-        svg_text(svg, &number, ticks_text(svg->arena, &page->x, i));
+        svg_styled_line(svg, &(struct svg_style){.stroke = "#333"}, x, page->bottom, x,
+                        page->bottom + 5);
+        svg_words(svg, x, page->bottom + 20, NUMBER_SIZE, SVG_MIDDLE, NULL,
+                  ticks_text(svg->arena, &page->x, i));
     }
 }
 
@@ -108,9 +104,8 @@ static void draw_bars(const struct tally_plot *plot, const struct tally_plot_pag
         const double left = tally_plot_x_at(page, from), right = tally_plot_x_at(page, from + part);
         const double y = tally_plot_y_at(page, plot->values[i]);
         const size_t colour = fails(plot, from + part / 2) ? FAILS : PASSES;
-        svg_group_begin(svg, &(struct svg_style){.fill = palette_colour(colour), .opacity = 0.8});
-        svg_rect(svg, left, y, (right - left) * 0.94, page->bottom - y);
-        svg_group_end(svg);
+        svg_styled_rect(svg, &(struct svg_style){.fill = palette_colour(colour), .opacity = 0.8},
+                        left, y, (right - left) * 0.94, page->bottom - y);
     }
 }
 
@@ -124,9 +119,8 @@ static void draw_curve(const struct tally_plot *plot, const struct tally_plot_pa
         x[i] = tally_plot_x_at(page, plot->low + part * (double)i);
         y[i] = tally_plot_y_at(page, plot->values[i]);
     }
-    svg_group_begin(svg, &(struct svg_style){.stroke = palette_colour(PASSES), .width = 2});
-    svg_polyline(svg, x, y, count);
-    svg_group_end(svg);
+    svg_styled_polyline(svg, &(struct svg_style){.stroke = palette_colour(PASSES), .width = 2}, x,
+                        y, count);
 }
 
 enum { WORDS = 160 }; /* room of the words beside a mark */
@@ -147,14 +141,9 @@ static void tally_plot_draw_mark(const struct tally_plot *plot, int which,
     const struct svg_style style = {.stroke = which == 0 ? "#000" : palette_colour(FAILS),
                                     .width = 1.6,
                                     .dash = which == 0 ? NULL : "6 4"};
-    const struct svg_label words = {.x = turns ? x - 5 : x + 5,
-                                    .y = base,
-                                    .size = NUMBER_SIZE,
-                                    .anchor = turns ? SVG_END : SVG_START};
-    svg_group_begin(svg, &style);
-    svg_line(svg, x, base - 9, x, page->bottom);
-    svg_group_end(svg);
-    svg_text(svg, &words, plot->marks[which] != NULL ? plot->marks[which] : "");
+    svg_styled_line(svg, &style, x, base - 9, x, page->bottom);
+    svg_words(svg, turns ? x - 5 : x + 5, base, NUMBER_SIZE, turns ? SVG_END : SVG_START, NULL,
+              plot->marks[which]);
 }
 
 static void tally_plot_draw_words(const struct tally_plot *plot, const struct tally_plot_page *page,

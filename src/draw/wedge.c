@@ -35,9 +35,7 @@ static void draw_sharpness(struct svg *svg, const struct view *view, const struc
         x[i] = view_x(view, area.u[i]);
         y[i] = view_y(view, area.y[i]);
     }
-    svg_group_begin(svg, &(struct svg_style){.fill = TINT, .opacity = 0.35});
-    svg_polygon(svg, x, y, area.count);
-    svg_group_end(svg);
+    svg_styled_polygon(svg, &(struct svg_style){.fill = TINT, .opacity = 0.35}, x, y, area.count);
 }
 
 /* Its name along the line near its far end, so much above it (px). */
@@ -112,9 +110,8 @@ static void draw_construction(struct svg *svg, const struct view *view, const st
         view_line(view, svg, -v, down, 0, J);
     }
     svg_group_end(svg);
-    svg_group_begin(svg, &(struct svg_style){.stroke = "#aaa", .width = 1});
-    svg_line(svg, view->x0, view->y0, view->right, view->y0);
-    svg_group_end(svg);
+    svg_styled_line(svg, &(struct svg_style){.stroke = "#aaa", .width = 1}, view->x0, view->y0,
+                    view->right, view->y0);
     svg_group_begin(svg, &(struct svg_style){.stroke = RED, .width = 1, .dash = "2 3"});
     if (isfinite(J)) {
         view_line(view, svg, 0, 0, 0, J);
@@ -125,20 +122,12 @@ static void draw_construction(struct svg *svg, const struct view *view, const st
 static void name_left(struct svg *svg, const struct view *view, const struct wedge *wedge, double y,
                       const char *colour, const char *name)
 {
-    svg_text(svg,
-             &(struct svg_label){.x = view_x(view, -wedge->image) - 10,
-                                 .y = y,
-                                 .size = 13,
-                                 .anchor = SVG_END,
-                                 .colour = colour},
-             name);
+    svg_words(svg, view_x(view, -wedge->image) - 10, y, 13, SVG_END, colour, name);
 }
 
 static void draw_point(struct svg *svg, double x, double y, const char *colour)
 {
-    svg_group_begin(svg, &(struct svg_style){.fill = colour});
-    svg_circle(svg, x, y, 4);
-    svg_group_end(svg);
+    svg_styled_circle(svg, &(struct svg_style){.fill = colour}, x, y, 4);
 }
 
 /* The two lines in which planes meet, end on, with names that keep clear of each other. */
@@ -177,26 +166,21 @@ static void wedge_draw_scale(struct svg *svg, const struct view *view, bool alon
     for (size_t i = 0; i < ticks.count; i++) {
         double x = view_x(view, 1000 * ticks.value[i]), y = view_y(view, 1000 * ticks.value[i]);
         bool inside = along ? x <= view->right + 0.5 : y >= view->top && y <= view->bottom;
-        struct svg_label label = {.x = along ? x : view->left - 9,
-                                  .y = along ? view->bottom + 20 : y + 4,
-                                  .size = 12,
-                                  .anchor = along ? SVG_MIDDLE : SVG_END,
-                                  .colour = "#444"};
         if (!inside) {
             continue;
         }
         svg_line(svg, along ? x : view->left - 5, along ? view->bottom : y, along ? x : view->left,
                  along ? view->bottom + 5 : y);
-        svg_text(svg, &label, ticks_text(svg->arena, &ticks, i));
+        svg_words(svg, along ? x : view->left - 9, along ? view->bottom + 20 : y + 4, 12,
+                  along ? SVG_MIDDLE : SVG_END, "#444", ticks_text(svg->arena, &ticks, i));
     }
     svg_group_end(svg);
 }
 
 static void wedge_draw_frame(struct svg *svg, const struct view *view)
 {
-    svg_group_begin(svg, &(struct svg_style){.stroke = "#555"});
-    svg_rect(svg, view->left, view->top, view->right - view->left, view->bottom - view->top);
-    svg_group_end(svg);
+    svg_styled_rect(svg, &(struct svg_style){.stroke = "#555"}, view->left, view->top,
+                    view->right - view->left, view->bottom - view->top);
     wedge_draw_scale(svg, view, true);
     wedge_draw_scale(svg, view, false);
     struct svg_label label = {.x = (view->x0 + view->right) / 2,
@@ -222,10 +206,7 @@ static void wedge_explain(struct svg *svg, double y, const struct svg_style *sty
         svg_line(svg, MARGIN, y - 4, MARGIN + 26, y - 4);
     }
     svg_group_end(svg);
-    svg_text(svg,
-             &(struct svg_label){
-                 .x = MARGIN + 34, .y = y, .size = 12.5, .width = CAMERA_RIGHT - MARGIN - 34},
-             words);
+    svg_words_within(svg, MARGIN + 34, y, 12.5, CAMERA_RIGHT - MARGIN - 34, NULL, words);
 }
 
 /* "hinge line, 1.72 m below" (the lens) */
@@ -272,13 +253,8 @@ static void wedge_draw_legend(struct svg *svg, const struct wedge *wedge)
 static void wedge_draw_words(struct svg *svg, const struct wedge *wedge)
 {
     double width = WEDGE_WIDTH - 2 * MARGIN;
-    svg_text(svg,
-             &(struct svg_label){.x = MARGIN, .y = 36, .size = 18, .width = width, .bold = true},
-             wedge->title != NULL ? wedge->title : "");
-    svg_text(
-        svg,
-        &(struct svg_label){.x = MARGIN, .y = 60, .size = 13, .width = width, .colour = "#555"},
-        wedge->subtitle != NULL ? wedge->subtitle : "");
+    svg_heading(svg, MARGIN, 36, 18, width, wedge->title);
+    svg_words_within(svg, MARGIN, 60, 13, width, "#555", wedge->subtitle);
 }
 
 static bool check_wedge(const struct wedge *wedge, struct error *error)

@@ -23,9 +23,8 @@ static void draw_lens(struct svg *svg, const struct view *view, const struct wed
             y[at] = view_y(view, half * t * cosine - along * sine);
         }
     }
-    svg_group_begin(svg, &(struct svg_style){.fill = "#cfe3f2", .stroke = BLACK, .width = 1.4});
-    svg_polygon(svg, x, y, sizeof x / sizeof x[0]);
-    svg_group_end(svg);
+    svg_styled_polygon(svg, &(struct svg_style){.fill = "#cfe3f2", .stroke = BLACK, .width = 1.4},
+                       x, y, sizeof x / sizeof x[0]);
 }
 
 void wedge_draw_camera(struct svg *svg, const struct view *view, const struct wedge *wedge)
@@ -36,9 +35,8 @@ void wedge_draw_camera(struct svg *svg, const struct view *view, const struct we
                   view_x(view, -half * sine)};
     double y[] = {view_y(view, half * cosine), view_y(view, middle + sensor),
                   view_y(view, middle - sensor), view_y(view, -half * cosine)};
-    svg_group_begin(svg, &(struct svg_style){.fill = "#e9e6e0", .stroke = "#b9b4aa", .width = 1});
-    svg_polygon(svg, x, y, 4);
-    svg_group_end(svg);
+    svg_styled_polygon(svg, &(struct svg_style){.fill = "#e9e6e0", .stroke = "#b9b4aa", .width = 1},
+                       x, y, 4);
     svg_group_begin(svg, &(struct svg_style){.stroke = BLACK, .width = 3});
     view_line(view, svg, -v, middle - sensor, -v, middle + sensor);
     svg_group_end(svg);
@@ -63,16 +61,10 @@ static void draw_tilt(struct svg *svg, const struct view *view, const struct wed
     view_line(view, svg, 0, 0, 0, radius * 1.1);
     view_line(view, svg, 0, 0, radius * 1.1 * sin(wedge->tilt), radius * 1.1 * cos(wedge->tilt));
     svg_group_end(svg);
-    svg_group_begin(svg, &(struct svg_style){.stroke = RED, .width = 1.4});
-    svg_polyline(svg, x, y, POINTS);
-    svg_group_end(svg);
+    svg_styled_polyline(svg, &(struct svg_style){.stroke = RED, .width = 1.4}, x, y, POINTS);
     bool left = wedge->tilt < 0;
-    svg_text(svg,
-             &(struct svg_label){.x = fmax(x[0], x[POINTS - 1]) + 8,
-                                 .y = y[left ? 0 : POINTS - 1] + 4,
-                                 .size = 13,
-                                 .colour = RED},
-             wedge_degrees(svg->arena, wedge->tilt));
+    svg_words(svg, fmax(x[0], x[POINTS - 1]) + 8, y[left ? 0 : POINTS - 1] + 4, 13, SVG_START, RED,
+              wedge_degrees(svg->arena, wedge->tilt));
 }
 
 void wedge_draw_close_view(struct svg *svg, struct view *view, const struct wedge *wedge)
@@ -85,9 +77,8 @@ void wedge_draw_close_view(struct svg *svg, struct view *view, const struct wedg
     view->x0 = (view->left + view->right - view->scale * (before - v)) / 2;
     view->y0 = (view->top + view->bottom) / 2 - 8;
     double y = view->bottom - 30, left = view_x(view, -wedge->image), right = view->x0;
-    svg_group_begin(svg, &(struct svg_style){.stroke = "#bbb", .fill = "#fcfcfa"});
-    svg_rect(svg, view->left, view->top, view->right - view->left, view->bottom - view->top);
-    svg_group_end(svg);
+    svg_styled_rect(svg, &(struct svg_style){.stroke = "#bbb", .fill = "#fcfcfa"}, view->left,
+                    view->top, view->right - view->left, view->bottom - view->top);
     svg_group_begin(svg, &(struct svg_style){.stroke = "#aaa"});
     svg_line(svg, left, view->y0, view->right - 8, view->y0);
     svg_line(svg, left, y - 6, left, y + 6);
@@ -96,8 +87,6 @@ void wedge_draw_close_view(struct svg *svg, struct view *view, const struct wedg
     svg_group_end(svg);
     wedge_draw_camera(svg, view, wedge);
     draw_tilt(svg, view, wedge);
-    svg_text(
-        svg,
-        &(struct svg_label){.x = (left + right) / 2, .y = y + 20, .size = 13, .anchor = SVG_MIDDLE},
-        arena_printf(svg->arena, "v' = %s mm", wedge_digits(svg->arena, wedge->image)));
+    svg_words(svg, (left + right) / 2, y + 20, 13, SVG_MIDDLE, NULL,
+              arena_printf(svg->arena, "v' = %s mm", wedge_digits(svg->arena, wedge->image)));
 }
