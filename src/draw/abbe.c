@@ -4,6 +4,7 @@
 
 #include "base/arena.h"
 #include "base/error.h"
+#include "draw/palette.h"
 #include "draw/svg.h"
 #include "draw/ticks.h"
 
@@ -15,25 +16,17 @@ static const double LEGEND_WIDTH = 118;
 
 enum { MOST_LABELLED = 400, COLOURS = 7, SHAPES = 3 };
 
-/* As in plots: Okabe and Ito, Color Universal Design, 2008, without yellow. */
-static const char *const colours[COLOURS] = {"#0072b2", "#d55e00", "#009e73", "#cc79a7",
-                                             "#000000", "#e69f00", "#56b4e9"};
-
 struct abbe_axis {
     double low, high;   /* values at the ends */
     double start, stop; /* px */
     struct ticks ticks;
 };
 
-struct abbe_box {
-    double left, top, right, bottom; /* px */
-};
-
 struct abbe_drawing {
     const struct abbe *abbe;
     struct svg *svg;
     struct abbe_axis x, y;
-    struct abbe_box *taken; /* what labels must keep off: dots and labels */
+    struct svg_box *taken; /* what labels must keep off: dots and labels */
     size_t taken_count;
 };
 
@@ -171,7 +164,7 @@ static double mark_radius(const struct abbe *abbe, bool chosen)
     return chosen ? usual + 2 : usual;
 }
 
-static void abbe_take(struct abbe_drawing *drawing, struct abbe_box box)
+static void abbe_take(struct abbe_drawing *drawing, struct svg_box box)
 {
     drawing->taken[drawing->taken_count++] = box;
 }
@@ -182,7 +175,7 @@ static void draw_points(struct abbe_drawing *drawing, bool chosen)
     struct svg *svg = drawing->svg;
     double radius = mark_radius(abbe, chosen);
     for (size_t group = 0; group < abbe->group_count; group++) {
-        const struct svg_style style = {.fill = colours[group % COLOURS],
+        const struct svg_style style = {.fill = palette_colour(group),
                                         .stroke = chosen ? "#000000" : NULL,
                                         .width = 1.2,
                                         .opacity =
@@ -195,31 +188,21 @@ static void draw_points(struct abbe_drawing *drawing, bool chosen)
                        y = abbe_page_at(&drawing->y, point->nd);
                 abbe_draw_mark(svg, group, x, y, radius);
                 abbe_take(drawing,
-                          (struct abbe_box){x - radius, y - radius, x + radius, y + radius});
+                          (struct svg_box){x - radius, y - radius, x + radius, y + radius});
             }
         }
         svg_group_end(svg);
     }
 }
 
-static bool abbe_overlap(const struct abbe_box *a, const struct abbe_box *b)
-{
-    return a->left < b->right && b->left < a->right && a->top < b->bottom && b->top < a->bottom;
-}
-
-static bool abbe_is_free(const struct abbe_drawing *drawing, const struct abbe_box *box)
+static bool abbe_is_free(const struct abbe_drawing *drawing, const struct svg_box *box)
 {
     const struct abbe_axis *x = &drawing->x, *y = &drawing->y;
     if (box->left < x->start || box->right > x->stop || box->top < y->stop ||
         box->bottom > y->start) {
         return false;
     }
-    for (size_t i = 0; i < drawing->taken_count; i++) {
-        if (abbe_overlap(box, &drawing->taken[i])) {
-            return false;
-        }
-    }
-    return true;
+    return svg_is_free(drawing->taken, drawing->taken_count, box);
 }
 
 /* Beside the point where there is room: right, left, above, below, then the corners. */
@@ -235,8 +218,8 @@ static void label_point(struct abbe_drawing *drawing, const struct abbe_point *p
     for (size_t i = 0; i < sizeof places / sizeof places[0]; i++) {
         double shift_x = places[i].x * (half_width + gap);
         double shift_y = places[i].y * (half_height + gap);
-        struct abbe_box box = {x + shift_x - half_width, y + shift_y - half_height,
-                               x + shift_x + half_width, y + shift_y + half_height};
+        struct svg_box box = {x + shift_x - half_width, y + shift_y - half_height,
+                              x + shift_x + half_width, y + shift_y + half_height};
         bool last = i + 1 == sizeof places / sizeof places[0];
         if (abbe_is_free(drawing, &box) || (last && point->chosen)) {
             svg_words(drawing->svg, x + shift_x, box.bottom - 0.06 * size, size, SVG_MIDDLE,
@@ -264,7 +247,7 @@ static void abbe_draw_legend(const struct abbe_drawing *drawing)
     const struct abbe *abbe = drawing->abbe;
     double x = ABBE_WIDTH - LEGEND_WIDTH + 14, y = TOP + 10;
     for (size_t group = 0; group < abbe->group_count; group++, y += 19) {
-        const struct svg_style style = {.fill = colours[group % COLOURS]};
+        const struct svg_style style = {.fill = palette_colour(group)};
         svg_group_begin(drawing->svg, &style);
         abbe_draw_mark(drawing->svg, group, x, y, 4);
         svg_group_end(drawing->svg);
@@ -284,7 +267,7 @@ bool abbe_draw(const struct abbe *abbe, struct svg *svg, struct error *error)
     double high = drawing.x.high;
     drawing.x =
         (struct abbe_axis){high, drawing.x.low, LEFT, ABBE_WIDTH - LEGEND_WIDTH, drawing.x.ticks};
-    drawing.taken = ARENA_ARRAY(svg->arena, 2 * abbe->count + 1, struct abbe_box);
+    drawing.taken = ARENA_ARRAY(svg->arena, 2 * abbe->count + 1, struct svg_box);
     svg_begin(svg, ABBE_WIDTH, ABBE_HEIGHT, abbe->title);
     abbe_draw_grid(&drawing);
     draw_border(&drawing);

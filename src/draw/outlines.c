@@ -5,6 +5,7 @@
 #include "base/arena.h"
 #include "base/error.h"
 #include "draw/svg.h"
+#include "draw/ticks.h"
 
 #include <math.h>
 
@@ -82,28 +83,10 @@ static void draw_cell(struct svg *svg, const struct outlines_page *page,
     outlines_draw_words(svg, page->x, page->y + HALF + 24, false, shape->note);
 }
 
-/* A round length of about half a cell. */
-static double bar_length(double scale)
-{
-    double most = HALF / scale, power = pow(10, floor(log10(most)));
-    if (most >= 5 * power) {
-        return 5 * power;
-    }
-    if (most >= 2 * power) {
-        return 2 * power;
-    }
-    return power;
-}
-
 static void draw_foot(struct svg *svg, const struct outlines *outlines, double scale, double y)
 {
-    double length = bar_length(scale), x = MARGIN + 10, end = x + length * scale;
-    const struct svg_style *style = &(struct svg_style){.stroke = "#1d1d1d", .width = 1.4};
-    svg_group_begin(svg, style);
-    svg_line(svg, x, y, end, y);
-    svg_line(svg, x, y - 4, x, y + 4);
-    svg_line(svg, end, y - 4, end, y + 4);
-    svg_group_end(svg);
+    double length = ticks_round_below(HALF / scale), x = MARGIN + 10, end = x + length * scale;
+    svg_scale_bar(svg, "#1d1d1d", x, end, y);
     const char *words = arena_printf(svg->arena, "%g %s", length, outlines->unit);
     svg_words(svg, end + 8, y + 5, 13, SVG_START, NULL, words);
     x = end + 24 + svg_text_width(words, 13);

@@ -3,30 +3,102 @@
 #include "draw/panels_cell.h"
 
 #include "base/arena.h"
+#include "draw/palette.h"
 #include "draw/panels.h"
-#include "draw/panels_marks.h"
 #include "draw/svg.h"
 
 #include <math.h>
 
-static const double WORDS = 13, NUMBER = 11, NOTE = 11; /* px */
+/* For round line ends, which lengthen each dash by the line's width. */
+static const char *const dashes[] = {NULL, "5 4", "0.1 3.2", "8 4 0.1 4", "10 4 3 4"};
+
+/* The palette in the order of the spectrum, with a violet and a deep red. */
+static const char *const spectrum[] = {"#6a3d9a", "#0072b2", "#56b4e9", "#009e73",
+                                       "#e69f00", "#d55e00", "#800020"};
+#define COUNT(array) (sizeof(array) / sizeof((array)[0]))
+
+/* Which of the spectrum's colours so many wavelengths take, the shortest first. */
+static const char *const chosen[] = {"1", "15", "135", "1345", "12345", "012345", "0123456"};
+
+static const char *colour_of(const struct panels *panels, size_t key)
+{
+    size_t count = panels->key_count;
+    if (!panels->light || count == 0) {
+        return palette_colour(key);
+    }
+    if (count > COUNT(chosen)) {
+        return spectrum[key % COUNT(spectrum)];
+    }
+    return spectrum[chosen[count - 1][key] - '0'];
+}
+
+/* Corners of the shapes of spots, in their radius; the first is a dot. */
+static const struct {
+    size_t count;
+    double x[4], y[4];
+} shapes[] = {
+    {0, {0}, {0}},
+    {3, {0, 1.1, -1.1}, {-1.2, 0.8, 0.8}},
+    {4, {-0.9, 0.9, 0.9, -0.9}, {-0.9, -0.9, 0.9, 0.9}},
+    {4, {0, 1.25, 0, -1.25}, {-1.25, 0, 1.25, 0}},
+    {3, {0, 1.1, -1.1}, {1.2, -0.8, -0.8}},
+};
+
+static const double RADIUS = 1.5, LARGE = 3; /* px, of a spot */
+
+static void panels_marks_draw_spots(struct svg *svg, size_t look, const char *colour,
+                                    const struct panels_mark *mark)
+{
+    size_t shape = look % COUNT(shapes), corners = shapes[shape].count;
+    size_t each = (corners > 0 ? corners : 1) + 1;
+    double *x = ARENA_ARRAY(svg->arena, mark->count * each + 1, double);
+    double *y = ARENA_ARRAY(svg->arena, mark->count * each + 1, double);
+    double radius = mark->large ? LARGE : RADIUS;
+    size_t n = 0;
+    for (size_t i = 0; i < mark->count; i++) {
+        for (size_t k = 0; k + 1 < each; k++) {
+            x[n] = mark->x[i] + radius * shapes[shape].x[k];
+            y[n++] = mark->y[i] + radius * shapes[shape].y[k];
+        }
+        x[n] = y[n] = NAN;
+        n++;
+    }
+    if (corners == 0) {
+        svg_group_begin(svg, &(struct svg_style){.stroke = colour, .width = 2 * radius});
+        svg_polyline(svg, x, y, n);
+    } else {
+        svg_group_begin(svg, &(struct svg_style){.fill = colour});
+        svg_polygon(svg, x, y, n);
+    }
+    svg_group_end(svg);
+}
+
+void panels_marks_draw(const struct panels *panels, struct svg *svg, const struct panels_mark *mark)
+{
+    const char *colour = colour_of(panels, mark->key);
+    /* The middle wavelength is a solid line; of other keys the first. */
+    size_t middle = panels->light ? panels->key_count / 2 : 0;
+    size_t look =
+        (mark->key + panels->key_count - middle) % (panels->key_count > 0 ? panels->key_count : 1);
+    if (mark->spots) {
+        panels_marks_draw_spots(svg, look, colour, mark);
+        return;
+    }
+    svg_styled_polyline(
+        svg,
+        &(struct svg_style){.stroke = colour, .width = 1.6, .dash = dashes[look % COUNT(dashes)]},
+        mark->x, mark->y, mark->count);
+}
+
+static const double WORDS = 13, NOTE = 11; /* px */
 
 static const char *const DARK = "#1d1d1d", *const SOFT = "#444", *const GREY = "#888";
 
-static void panels_cell_write_at(struct svg *svg, const struct svg_label *label, const char *words)
+void panels_write_at(struct svg *svg, const struct svg_label *label, const char *words)
 {
     if (words != NULL) {
         svg_text(svg, label, words);
     }
-}
-
-double panels_cell_number(struct svg *svg, const struct ticks *ticks)
-{
-    double width = 0;
-    for (size_t i = 0; i < ticks->count; i++) {
-        width = fmax(width, svg_text_width(ticks_text(svg->arena, ticks, i), NUMBER));
-    }
-    return width;
 }
 
 static double panels_cell_part_of(const struct panels_scale *scale, double v)
@@ -66,7 +138,8 @@ static bool panels_cell_is_marked(const struct panels_scale *scale, size_t i, do
 
 static void draw_x_ticks(struct svg *svg, const struct panels_cell *cell, bool lines)
 {
-    double stride = stride_of(&cell->x, cell->width, panels_cell_number(svg, &cell->x.ticks) + 8);
+    double stride = stride_of(&cell->x, cell->width,
+                              ticks_width(svg->arena, &cell->x.ticks, PANELS_NUMBER_SIZE) + 8);
     double bottom = cell->top + cell->height;
     for (size_t i = 0; i < cell->x.ticks.count; i++) {
         if (!panels_cell_is_marked(&cell->x, i, stride)) {
@@ -77,7 +150,7 @@ static void draw_x_ticks(struct svg *svg, const struct panels_cell *cell, bool l
             svg_line(svg, x, cell->top, x, bottom);
         }
         if (cell->x_numbers) {
-            svg_words(svg, x, bottom + 14, NUMBER, SVG_MIDDLE, NULL,
+            svg_words(svg, x, bottom + 14, PANELS_NUMBER_SIZE, SVG_MIDDLE, NULL,
                       ticks_text(svg->arena, &cell->x.ticks, i));
         }
     }
@@ -95,7 +168,7 @@ static void draw_y_ticks(struct svg *svg, const struct panels_cell *cell, bool l
             svg_line(svg, cell->left, y, cell->left + cell->width, y);
         }
         if (cell->y_numbers) {
-            svg_words(svg, cell->left - 6, y + 4, NUMBER, SVG_END, NULL,
+            svg_words(svg, cell->left - 6, y + 4, PANELS_NUMBER_SIZE, SVG_END, NULL,
                       ticks_text(svg->arena, &cell->y.ticks, i));
         }
     }
@@ -157,14 +230,14 @@ static void draw_note(struct svg *svg, const struct panels_cell *cell, const str
                               .width = cell->room,
                               .anchor = SVG_MIDDLE,
                               .colour = SOFT};
-    panels_cell_write_at(svg, &label, panel->note);
+    panels_write_at(svg, &label, panel->note);
 }
 
 void panels_cell_draw(const struct panels *panels, struct svg *svg, const struct panels_cell *cell,
                       const struct panel *panel)
 {
     const bool any = has_points(cell, panel);
-    /* lines: of the ticks and of zero; through the words in a panel without points there are none. */
+    /* lines of the ticks and of zero; none go through the words in a panel without points */
     bool ticks = panels->unit == NULL;
     if (ticks) {
         svg_group_begin(svg, &(struct svg_style){.stroke = "#e6e6e6", .width = 1});
@@ -192,10 +265,10 @@ void panels_cell_draw(const struct panels *panels, struct svg *svg, const struct
                               .width = cell->room,
                               .anchor = SVG_MIDDLE,
                               .colour = DARK};
-    panels_cell_write_at(svg, &title, panel->title);
+    panels_write_at(svg, &title, panel->title);
     if (panels->own_x && panels->unit == NULL) {
         title.y = cell->top + cell->height + 32;
-        panels_cell_write_at(svg, &title, panel->x_label);
+        panels_write_at(svg, &title, panel->x_label);
     }
     if (panels->own_y && panels->unit == NULL) {
         const struct svg_label label = {.x = cell->left - PANELS_NUMBERS - 6,
@@ -204,6 +277,6 @@ void panels_cell_draw(const struct panels *panels, struct svg *svg, const struct
                                         .rotation = -90,
                                         .width = cell->height + 20,
                                         .anchor = SVG_MIDDLE};
-        panels_cell_write_at(svg, &label, panel->y_label);
+        panels_write_at(svg, &label, panel->y_label);
     }
 }

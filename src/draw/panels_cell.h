@@ -6,13 +6,21 @@
 #include "draw/ticks.h"
 
 #include <stdbool.h>
+#include <stddef.h>
 
 struct panel;
 struct panels;
 struct svg;
+struct svg_label;
 
 /* Px beside a panel that has numbers of its own. */
 #define PANELS_NUMBERS 46.0
+
+/* Of the letters of numbers, px. */
+#define PANELS_NUMBER_SIZE 11.0
+
+/* Words that there may be none of. */
+void panels_write_at(struct svg *svg, const struct svg_label *label, const char *words);
 
 struct panels_scale {
     double low, high; /* values at the ends */
@@ -27,11 +35,26 @@ struct panels_cell {
     bool x_numbers, y_numbers;
 };
 
-/* The width of the widest number of an axis, px. */
-double panels_cell_number(struct svg *svg, const struct ticks *ticks);
-
 /* Draw one panel. */
 void panels_cell_draw(const struct panels *panels, struct svg *svg, const struct panels_cell *cell,
                       const struct panel *panel);
+
+/* -------- what the curves and spots of panels look like -------- */
+
+struct panels;
+struct svg;
+struct svg_label;
+
+/* A curve, or spots, through points on the page (px); gaps where one is not finite. */
+struct panels_mark {
+    const double *x, *y;
+    size_t count;
+    size_t key;
+    bool spots;
+    bool large; /* for the legend: spots that are seen at a glance */
+};
+
+void panels_marks_draw(const struct panels *panels, struct svg *svg,
+                       const struct panels_mark *mark);
 
 #endif

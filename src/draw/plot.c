@@ -418,15 +418,6 @@ static void draw_keys(struct svg *svg, const struct plot *plot, const struct plo
 
 /* -------- the page -------- */
 
-static double widest_number(struct svg *svg, const struct ticks *ticks)
-{
-    double width = 0;
-    for (size_t i = 0; i < ticks->count; i++) {
-        width = fmax(width, svg_text_width(ticks_text(svg->arena, ticks, i), NUMBER_SIZE));
-    }
-    return width;
-}
-
 /* Place the frame so that all words fit around it. */
 static void plot_set_frame(struct svg *svg, const struct plot *plot, struct plot_frame *frame)
 {
@@ -436,9 +427,8 @@ static void plot_set_frame(struct svg *svg, const struct plot *plot, struct plot
             width = fmax(width, svg_text_width(plot->series[s].label, NUMBER_SIZE));
         }
     }
-    double label = width;
-    frame->x.start = 44 + widest_number(svg, &frame->y.ticks);
-    frame->x.stop = PLOT_WIDTH - (label > 0 ? fmin(58 + label, 260) : 28);
+    frame->x.start = 44 + ticks_width(svg->arena, &frame->y.ticks, NUMBER_SIZE);
+    frame->x.stop = PLOT_WIDTH - (width > 0 ? fmin(58 + width, 260) : 28);
     frame->y.start = PLOT_HEIGHT - 60;
     frame->y.stop = 88;
 }

@@ -5,6 +5,7 @@
 #include "base/arena.h"
 #include "base/error.h"
 #include "draw/svg.h"
+#include "draw/ticks.h"
 
 #include <math.h>
 
@@ -15,18 +16,13 @@
 #define SMALL      12.0 /* size of labels */
 #define LINE       18.0 /* of the legend */
 
-/* A place on the page, px. */
-struct section_box {
-    double left, right, top, bottom;
-};
-
 /* Millimetres to px: x = x0 + scale z, y = y0 - scale y. */
 struct section_page {
     struct svg *svg;
     const struct section *section;
     double x0, y0, scale;
-    double bottom, height;     /* of the lens; of the page */
-    struct section_box *taken; /* by labels */
+    double bottom, height; /* of the lens; of the page */
+    struct svg_box *taken; /* by labels */
     size_t taken_count;
 };
 
@@ -117,18 +113,6 @@ static double clear_of_glass(const struct section_page *page, double x, double w
     return end;
 }
 
-static bool is_taken(const struct section_page *page, const struct section_box *box)
-{
-    for (size_t i = 0; i < page->taken_count; i++) {
-        const struct section_box *other = &page->taken[i];
-        if (box->left < other->right && other->left < box->right && box->top < other->bottom &&
-            other->top < box->bottom) {
-            return true;
-        }
-    }
-    return false;
-}
-
 /* Labels from left to right, so that each sees what is taken. */
 static void write_labels(struct section_page *page)
 {
@@ -158,8 +142,8 @@ static void write_labels(struct section_page *page)
         x += point ? 5 + width / 2 : 0;
         x = fmax(8 + width / 2, fmin(SECTION_WIDTH - 8 - width / 2, x));
         y = (point ? y : clear_of_glass(page, x, width, y, up)) + (below ? 15 : -6);
-        struct section_box box = {x - width / 2 - 2, x + width / 2 + 2, y - 10, y + 2};
-        while (is_taken(page, &box)) {
+        struct svg_box box = {x - width / 2 - 2, y - 10, x + width / 2 + 2, y + 2};
+        while (!svg_is_free(page->taken, page->taken_count, &box)) {
             y -= 13 * up;
             box.top = y - 10;
             box.bottom = y + 2;
@@ -213,15 +197,9 @@ static void draw_part(const struct section_page *page, const struct layout_part 
 /* 1, 2 or 5 times a power of ten, at most a sixth of the page. */
 static void section_draw_bar(const struct section_page *page, double y)
 {
-    double most = SECTION_WIDTH / 6 / page->scale, decade = pow(10, floor(log10(most)));
-    double length = most >= 5 * decade ? 5 * decade : most >= 2 * decade ? 2 * decade : decade;
+    double length = ticks_round_below(SECTION_WIDTH / 6 / page->scale);
     double x = MARGIN, end = MARGIN + length * page->scale;
-    const struct svg_style style = {.stroke = "#000000", .width = 1.4};
-    svg_group_begin(page->svg, &style);
-    svg_line(page->svg, x, y, end, y);
-    svg_line(page->svg, x, y - 4, x, y + 4);
-    svg_line(page->svg, end, y - 4, end, y + 4);
-    svg_group_end(page->svg);
+    svg_scale_bar(page->svg, "#000000", x, end, y);
     section_write_text(page, end + 8, y + 4, SVG_START, NULL,
                        arena_printf(page->svg->arena, "%.10g mm", length));
 }
@@ -336,7 +314,7 @@ bool section_draw(const struct section *section, struct svg *svg, struct error *
     page.y0 = above + room / 2 + page.scale * (box.low + box.high) / 2;
     page.bottom = above + room + label_room(section, true);
     page.height = section_draw_legend(&page, page.bottom + 46, false) + 8;
-    page.taken = ARENA_ARRAY(svg->arena, section->layout->part_count, struct section_box);
+    page.taken = ARENA_ARRAY(svg->arena, section->layout->part_count, struct svg_box);
     svg_begin(svg, SECTION_WIDTH, page.height, section->title);
     draw_head(&page);
     for (int kind = 0; kind < LAYOUT_KINDS; kind++) {

@@ -398,3 +398,22 @@ void svg_styled_polygon(struct svg *svg, const struct svg_style *style, const do
     svg_polygon(svg, x, y, count);
     svg_group_end(svg);
 }
+
+void svg_scale_bar(struct svg *svg, const char *colour, double left, double right, double y)
+{
+    svg_group_begin(svg, &(struct svg_style){.stroke = colour, .width = 1.4});
+    svg_line(svg, left, y, right, y);
+    svg_line(svg, left, y - 4, left, y + 4);
+    svg_line(svg, right, y - 4, right, y + 4);
+    svg_group_end(svg);
+}
+
+bool svg_is_free(const struct svg_box *taken, size_t count, const struct svg_box *box)
+{
+    bool is_free = true;
+    for (size_t i = 0; i < count && is_free; i++) {
+        is_free = !(box->left < taken[i].right && taken[i].left < box->right &&
+                    box->top < taken[i].bottom && taken[i].top < box->bottom);
+    }
+    return is_free;
+}

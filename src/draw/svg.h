@@ -97,6 +97,15 @@ void svg_styled_polyline(struct svg *svg, const struct svg_style *style, const d
 void svg_styled_polygon(struct svg *svg, const struct svg_style *style, const double *x,
                         const double *y, size_t count);
 
+/* A line with both its ends marked. */
+void svg_scale_bar(struct svg *svg, const char *colour, double left, double right, double y);
+
+/* A place on the page, px; does one of several that are taken touch it? */
+struct svg_box {
+    double left, top, right, bottom;
+};
+bool svg_is_free(const struct svg_box *taken, size_t count, const struct svg_box *box);
+
 /*
  * About how wide a text will be, px.
  *

@@ -8,6 +8,7 @@
 
 #include "base/arena.h"
 #include "base/number.h"
+#include "draw/svg.h"
 
 static double smallest_step(double range, double intervals)
 {
@@ -131,4 +132,22 @@ const char *ticks_text(struct arena *arena, const struct ticks *ticks, size_t i)
         return power_text(arena, x, exponent, linear && place < exponent ? exponent - place : 0);
     }
     return ticks_fixed(arena, x, place < 0 ? -place : 0);
+}
+
+double ticks_width(struct arena *arena, const struct ticks *ticks, double size)
+{
+    double width = 0;
+    for (size_t i = 0; i < ticks->count; i++) {
+        width = fmax(width, svg_text_width(ticks_text(arena, ticks, i), size));
+    }
+    return width;
+}
+
+double ticks_round_below(double most)
+{
+    const double decade = pow(10, floor(log10(most)));
+    if (most >= 5 * decade) {
+        return 5 * decade;
+    }
+    return most >= 2 * decade ? 2 * decade : decade;
 }

@@ -41,4 +41,10 @@ void ticks_widen(double *low, double *high);
 /* A number with so many decimals at least, in fixed notation. */
 const char *ticks_fixed(struct arena *arena, double x, int decimals);
 
+/* Of the widest of their texts, px, at a size of letters. */
+double ticks_width(struct arena *arena, const struct ticks *ticks, double size);
+
+/* 1, 2 or 5 times a power of ten: the largest that is not above `most`, which is above 0. */
+double ticks_round_below(double most);
+
 #endif

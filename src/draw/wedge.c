@@ -5,11 +5,12 @@
 #include "base/arena.h"
 #include "base/constants.h"
 #include "base/error.h"
+#include "base/number.h"
 #include "draw/svg.h"
 #include "draw/ticks.h"
-#include "draw/wedge_view.h"
 
 #include <math.h>
+#include <stdbool.h>
 #include <stddef.h>
 
 /* Where things lie on the page, px. */
@@ -21,6 +22,261 @@ static const double LEGEND = 356;  /* its first line */
 
 static const char *const BLUE = "#0060a0", *const ORANGE = "#c25e00", *const RED = "#d0370a";
 static const char *const GREY = "#666", *const BLACK = "#1d1d1d", *const TINT = "#56b4e9";
+
+/* Millimetres to px: x = x0 + scale u, y = y0 - scale height. */
+struct view {
+    double x0, y0, scale;
+    double left, right, top, bottom; /* px, the frame */
+};
+
+/* A convex area, mm. */
+#define AREA_CORNERS 12
+
+struct area {
+    double u[AREA_CORNERS], y[AREA_CORNERS];
+    size_t count;
+};
+
+/* A stretch of a line, mm, from left to right. */
+struct stretch {
+    double u[2], y[2];
+    bool shown; /* false: none of it is in the view */
+};
+
+static double view_x(const struct view *view, double u)
+{
+    return view->x0 + view->scale * u;
+}
+
+static double view_y(const struct view *view, double y)
+{
+    return view->y0 - view->scale * y;
+}
+
+static bool view_holds(const struct view *view, double u, double y)
+{
+    double x = view_x(view, u), down = view_y(view, y);
+    return x >= view->left && x <= view->right && down >= view->top && down <= view->bottom;
+}
+
+/* A line between two points given in mm. */
+static void view_line(const struct view *view, struct svg *svg, double u1, double y1, double u2,
+                      double y2)
+{
+    svg_line(svg, view_x(view, u1), view_y(view, y1), view_x(view, u2), view_y(view, y2));
+}
+
+/* Where a plane A u - B y = f is met straight ahead, mm; inf if it is not, before the lens. */
+static double wedge_ahead(const struct wedge *wedge, double A)
+{
+    return A > 0 ? wedge->f / A : (double)INFINITY;
+}
+
+static double choose_depth(const struct wedge *wedge)
+{
+    double sharp = wedge_ahead(wedge, wedge->A), near = wedge_ahead(wedge, wedge->A_near);
+    double hinge = fabs(wedge->hinge), depth = 10 * wedge->f;
+    if (wedge->depth > 0) {
+        return wedge->depth;
+    }
+    if (isfinite(sharp)) {
+        depth = 1.25 * fmin(wedge_ahead(wedge, wedge->A_far), 2 * sharp);
+    } else if (isfinite(near)) {
+        depth = 1.3 * near;
+    } else if (isfinite(hinge)) {
+        depth = 6 * hinge;
+    }
+    /* farther away the hinge would be lost beside the lens */
+    return isfinite(hinge) ? fmin(depth, 12 * hinge) : depth;
+}
+
+/* The view of the scene inside the frame whose sides (px) are set in `view`. */
+static void view_choose(struct view *view, const struct wedge *wedge, double names_px)
+{
+    double hinge = fabs(wedge->hinge), depth = choose_depth(wedge);
+    double width = view->right - view->left - names_px, height = view->bottom - view->top;
+    bool shows_hinge = hinge < 4 * depth;
+    double deepest = fmax(hinge, fmin(fabs(wedge->scheimpflug), 2 * hinge));
+    double below = shows_hinge ? 1.1 * deepest : 0; /* above for a negative tilt */
+    double above = fmax(0.3 * below, wedge->sensor_height);
+    view->scale = width / (depth + wedge->image);
+    if (shows_hinge && !(wedge->depth > 0)) {
+        view->scale = fmin(view->scale, height / (below + above));
+    }
+    double spare = fmax(0, height / view->scale - below - above);
+    /* a level plane opens its wedge to both sides, a steep one goes up */
+    bool level = wedge->A < fabs(wedge->B);
+    double under = below + spare * (shows_hinge && !level ? 0.25 : 0.5);
+    view->x0 = view->left + names_px + view->scale * wedge->image;
+    view->y0 =
+        wedge->hinge > 0 ? view->bottom - view->scale * under : view->top + view->scale * under;
+}
+
+/* Keep the part of a convex area where a u + b y >= c. */
+static struct area wedge_view_cut(const struct area *area, double a, double b, double c)
+{
+    struct area kept = {.count = 0};
+    for (size_t i = 0; i < area->count; i++) {
+        size_t next = (i + 1) % area->count;
+        double here = a * area->u[i] + b * area->y[i] - c;
+        double there = a * area->u[next] + b * area->y[next] - c;
+        if (here >= 0 && kept.count < AREA_CORNERS) {
+            kept.u[kept.count] = area->u[i];
+            kept.y[kept.count++] = area->y[i];
+        }
+        if ((here >= 0) != (there >= 0) && kept.count < AREA_CORNERS) {
+            double part = here / (here - there);
+            kept.u[kept.count] = area->u[i] + part * (area->u[next] - area->u[i]);
+            kept.y[kept.count++] = area->y[i] + part * (area->y[next] - area->y[i]);
+        }
+    }
+    return kept;
+}
+
+/* The view before the lens. */
+static struct area scene(const struct view *view)
+{
+    double right = (view->right - view->x0) / view->scale;
+    double low = (view->y0 - view->bottom) / view->scale;
+    double high = (view->y0 - view->top) / view->scale;
+    return (struct area){{0, right, right, 0}, {low, low, high, high}, 4};
+}
+
+/* What is sharp: the view before the lens, behind the near limit and before the far limit. */
+static struct area view_sharp(const struct view *view, const struct wedge *wedge)
+{
+    struct area area = scene(view);
+    area = wedge_view_cut(&area, wedge->A_near, -wedge->B, wedge->f);
+    return wedge_view_cut(&area, -wedge->A_far, wedge->B, -wedge->f);
+}
+
+/* Narrow from..to to where low <= start + t step <= high. */
+static void wedge_view_narrow(double start, double step, double low, double high, double *from,
+                              double *to)
+{
+    if (fabs(step) > 0) {
+        double a = (low - start) / step, b = (high - start) / step;
+        *from = fmax(*from, fmin(a, b));
+        *to = fmin(*to, fmax(a, b));
+    } else if (!(start >= low && start <= high)) {
+        *to = -(double)INFINITY;
+    }
+}
+
+/* The part of the plane A u - B y = f that is in the view, before the lens. */
+static struct stretch view_plane(const struct view *view, const struct wedge *wedge, double A)
+{
+    struct area all = scene(view);
+    double B = wedge->B, square = A * A + B * B;
+    double u = wedge->f * A / square, y = -wedge->f * B / square; /* nearest to the lens */
+    double from = -(double)INFINITY, to = (double)INFINITY;
+    wedge_view_narrow(u, B, all.u[0], all.u[1], &from, &to);
+    wedge_view_narrow(y, A, all.y[0], all.y[2], &from, &to);
+    struct stretch part = {{u + from * B, u + to * B}, {y + from * A, y + to * A}, from < to};
+    if (part.u[0] > part.u[1]) {
+        part = (struct stretch){{part.u[1], part.u[0]}, {part.y[1], part.y[0]}, part.shown};
+    }
+    return part;
+}
+
+/* Numbers as the drawing shows them: "0.18", "5°". */
+static const char *wedge_digits(struct arena *arena, double x)
+{
+    char text[NUMBER_LENGTH + 1];
+    *number_write_digits(text, x, 4) = '\0';
+    return arena_printf(arena, "%s", text);
+}
+
+static const char *wedge_degrees(struct arena *arena, double angle)
+{
+    double turn = angle * DEGREES_PER_RADIAN;
+    return arena_printf(arena, "%s%s°", turn < 0 ? "−" : "", wedge_digits(arena, fabs(turn)));
+}
+
+/* A lens seen from the side: two arcs of the given height about the origin. */
+static void draw_lens(struct svg *svg, const struct view *view, const struct wedge *wedge)
+{
+    enum { POINTS = 17 };
+    double x[2 * POINTS], y[2 * POINTS], half = wedge->lens_diameter / 2;
+    double sine = sin(wedge->tilt), cosine = cos(wedge->tilt);
+    for (size_t i = 0; i < POINTS; i++) {
+        double t = 2.0 * (double)i / (POINTS - 1) - 1, thick = 0.22 * half * (1 - t * t);
+        for (size_t side = 0; side < 2; side++) {
+            double along = side == 0 ? thick : -thick; /* of the lens axis */
+            size_t at = side == 0 ? i : 2 * POINTS - 1 - i;
+            x[at] = view_x(view, along * cosine + half * t * sine);
+            y[at] = view_y(view, half * t * cosine - along * sine);
+        }
+    }
+    svg_styled_polygon(svg, &(struct svg_style){.fill = "#cfe3f2", .stroke = BLACK, .width = 1.4},
+                       x, y, sizeof x / sizeof x[0]);
+}
+
+/* Bellows, sensor and lens to scale. */
+static void wedge_draw_camera(struct svg *svg, const struct view *view, const struct wedge *wedge)
+{
+    double v = wedge->image, half = wedge->lens_diameter / 2, sensor = wedge->sensor_height / 2;
+    double sine = sin(wedge->tilt), cosine = cos(wedge->tilt), middle = wedge->sensor_centre;
+    double x[] = {view_x(view, half * sine), view_x(view, -v), view_x(view, -v),
+                  view_x(view, -half * sine)};
+    double y[] = {view_y(view, half * cosine), view_y(view, middle + sensor),
+                  view_y(view, middle - sensor), view_y(view, -half * cosine)};
+    svg_styled_polygon(svg, &(struct svg_style){.fill = "#e9e6e0", .stroke = "#b9b4aa", .width = 1},
+                       x, y, 4);
+    svg_group_begin(svg, &(struct svg_style){.stroke = BLACK, .width = 3});
+    view_line(view, svg, -v, middle - sensor, -v, middle + sensor);
+    svg_group_end(svg);
+    draw_lens(svg, view, wedge);
+}
+
+/* The tilt as an arc between the lens and the direction of the sensor, above the lens. */
+static void draw_tilt(struct svg *svg, const struct view *view, const struct wedge *wedge)
+{
+    enum { POINTS = 25 };
+    double x[POINTS], y[POINTS];
+    /* room for the number beside the arc, whatever the tilt */
+    double room =
+        fmin(view->y0 - view->top - 16, (view->right - view->x0 - 44) / fabs(sin(wedge->tilt)));
+    double radius = room / view->scale;
+    for (size_t i = 0; i < POINTS; i++) {
+        double turn = wedge->tilt * (double)i / (POINTS - 1);
+        x[i] = view_x(view, radius * sin(turn));
+        y[i] = view_y(view, radius * cos(turn));
+    }
+    svg_group_begin(svg, &(struct svg_style){.stroke = GREY, .width = 1, .dash = "6 4"});
+    view_line(view, svg, 0, 0, 0, radius * 1.1);
+    view_line(view, svg, 0, 0, radius * 1.1 * sin(wedge->tilt), radius * 1.1 * cos(wedge->tilt));
+    svg_group_end(svg);
+    svg_styled_polyline(svg, &(struct svg_style){.stroke = RED, .width = 1.4}, x, y, POINTS);
+    bool left = wedge->tilt < 0;
+    svg_words(svg, fmax(x[0], x[POINTS - 1]) + 8, y[left ? 0 : POINTS - 1] + 4, 13, SVG_START, RED,
+              wedge_degrees(svg->arena, wedge->tilt));
+}
+
+/* The camera enlarged inside the frame set in `view` (px), with its tilt and image distance. */
+static void wedge_draw_close_view(struct svg *svg, struct view *view, const struct wedge *wedge)
+{
+    double v = wedge->image, half = wedge->lens_diameter / 2;
+    double height = fmax(half, fabs(wedge->sensor_centre) + wedge->sensor_height / 2);
+    double before = fmax(0.5 * v, half);
+    view->scale = fmin((view->right - view->left - 70) / (v + before),
+                       (view->bottom - view->top - 72) / (2 * height));
+    view->x0 = (view->left + view->right - view->scale * (before - v)) / 2;
+    view->y0 = (view->top + view->bottom) / 2 - 8;
+    double y = view->bottom - 30, left = view_x(view, -wedge->image), right = view->x0;
+    svg_styled_rect(svg, &(struct svg_style){.stroke = "#bbb", .fill = "#fcfcfa"}, view->left,
+                    view->top, view->right - view->left, view->bottom - view->top);
+    svg_group_begin(svg, &(struct svg_style){.stroke = "#aaa"});
+    svg_line(svg, left, view->y0, view->right - 8, view->y0);
+    svg_line(svg, left, y - 6, left, y + 6);
+    svg_line(svg, right, y - 6, right, y + 6);
+    svg_line(svg, left, y, right, y);
+    svg_group_end(svg);
+    wedge_draw_camera(svg, view, wedge);
+    draw_tilt(svg, view, wedge);
+    svg_words(svg, (left + right) / 2, y + 20, 13, SVG_MIDDLE, NULL,
+              arena_printf(svg->arena, "v' = %s mm", wedge_digits(svg->arena, wedge->image)));
+}
 
 static const char *metres(struct arena *arena, double length)
 {

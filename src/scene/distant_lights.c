@@ -205,6 +205,7 @@ void distant_lights_open(const struct scene *scene, const struct banded *const *
     }
     join_alike(discs, amount);
     /* What is left of them, in the order of the scene, and how often each is chosen. */
+    count = 0;
     for (size_t i = 0; i < discs->count; i++) {
         if (amount[i] > 0) {
             discs->all[count] = discs->all[i];

@@ -2,6 +2,7 @@
 /* SPDX-License-Identifier: MIT */
 #include "base/constants.h"
 #include "check.h"
+#include "design/solver/escape.h"
 #include "design/solver/global.h"
 
 #include <math.h>

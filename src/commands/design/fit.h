@@ -123,9 +123,6 @@ bool fit_job_run(struct fit_job *job, struct error *error);
 /* The thick lens that was found, in place of the lens: optics/thick_element.h. */
 struct lens fit_equal_lens(const struct fit_job *job);
 
-/* The fields of which no ray came through, as a sentence; null = none. */
-const char *fit_missing_fields(const struct fit_job *job);
-
 /* -------- commands/design/fit_view.c: rows and files of what was found -------- */
 
 void fit_show_rays(struct fit_job *job);

@@ -27,7 +27,8 @@ static void fit_job_set_pupils(struct fit_job *job)
     }
 }
 
-const char *fit_missing_fields(const struct fit_job *job)
+/* The fields of which no ray came through, as a sentence; null = none. */
+static const char *fit_missing_fields(const struct fit_job *job)
 {
     struct arena *arena = job->run->arena;
     const char *list = NULL;

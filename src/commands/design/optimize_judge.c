@@ -465,3 +465,12 @@ bool optimize_judge(struct optimize_job *job, struct error *error)
     optimize_judge_end(job);
     return warn_of_power(job, error) && check_found(job, error);
 }
+
+struct optimize_about optimize_about_of(const struct optimize_job *job, bool is_first)
+{
+    return (struct optimize_about){.fnumber = job->input->question.fnumber,
+                                   .seed = job->input->seed,
+                                   .rank = job->rank,
+                                   .lens = job->lens->title,
+                                   .warning = is_first ? job->warning : NULL};
+}

@@ -7,15 +7,6 @@
 
 #include <string.h>
 
-struct optimize_about optimize_about_of(const struct optimize_job *job, bool is_first)
-{
-    return (struct optimize_about){.fnumber = job->input->question.fnumber,
-                                   .seed = job->input->seed,
-                                   .rank = job->rank,
-                                   .lens = job->lens->title,
-                                   .warning = is_first ? job->warning : NULL};
-}
-
 /* -------- the answer -------- */
 
 struct answer_row {

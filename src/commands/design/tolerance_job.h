@@ -80,21 +80,6 @@ bool tolerance_write_output(const struct artifact_job *job, struct output *sink,
 const struct file_type *tolerance_types(size_t i);
 size_t tolerance_count_output(const void *input);
 
-/* -------- trials to second order, and how far they are right -------- */
-
-/*
- * Make trials ready that --method asks for.
- *
- * Errors    ERROR_USAGE: a compensator with a range, which has no derivatives; as second_order_open
- */
-bool tolerance_method_open(struct tolerance_job *job, struct error *error);
-
-/* By what the first trials differ from exact ones; of exact trials nothing is done. */
-bool tolerance_method_check(struct tolerance_job *job, struct error *error);
-
-/* "differential (exact trials differ by ..)"; null: they are exact */
-const char *tolerance_method_in_words(const struct tolerance_job *job);
-
 /* -------- what all rows of tolerance say of their run -------- */
 
 /* What every row says of the run. */

@@ -26,16 +26,6 @@ struct solver_state {
     int done;     /* iterations of earlier rounds */
 };
 
-static inline double solving_low(const struct solver_problem *problem, size_t i)
-{
-    return problem->low != NULL ? problem->low[i] : -INFINITY;
-}
-
-static inline double solving_high(const struct solver_problem *problem, size_t i)
-{
-    return problem->high != NULL ? problem->high[i] : INFINITY;
-}
-
 bool solver_has(enum solver_engine engine)
 {
     return solver_engines[engine].minimize != NULL;
@@ -67,7 +57,7 @@ static bool solver_check_bounds(const struct solver_problem *problem, const doub
                                 struct error *error)
 {
     for (size_t i = 0; i < problem->parameter_count; i++) {
-        double low = solving_low(problem, i), high = solving_high(problem, i);
+        double low = solver_low(problem, i), high = solver_high(problem, i);
         if (!isfinite(parameters[i])) {
             return fail(error, ERROR_DOMAIN, "parameter %zu begins at %.6g", i + 1, parameters[i]);
         }
@@ -234,8 +224,8 @@ static double solver_errors_newton_step(struct solver_state *solving, double *pa
     linear_substitute(&factors, b, step);
     for (size_t i = 0; i < count; i++) {
         size_t at = free_of[i];
-        parameters[at] = fmin(fmax(parameters[at] + step[i], solving_low(problem, at)),
-                              solving_high(problem, at));
+        parameters[at] =
+            fmin(fmax(parameters[at] + step[i], solver_low(problem, at)), solver_high(problem, at));
     }
     return factors.rank == count ? promise : NAN;
 }
@@ -309,15 +299,15 @@ static const struct solver_options usual = {
 
 static bool is_on_bound(const struct solver_problem *problem, const double *parameters, size_t i)
 {
-    return parameters[i] <= solving_low(problem, i) || parameters[i] >= solving_high(problem, i);
+    return parameters[i] <= solver_low(problem, i) || parameters[i] >= solver_high(problem, i);
 }
 
 /* Would the cost fall beyond the bound? */
 static bool falls_outwards(const struct solver_state *solving, const double *parameters, size_t i)
 {
     const struct solver_problem *problem = solving->problem;
-    return (parameters[i] <= solving_low(problem, i) && solving->gradient[i] > 0) ||
-           (parameters[i] >= solving_high(problem, i) && solving->gradient[i] < 0);
+    return (parameters[i] <= solver_low(problem, i) && solving->gradient[i] > 0) ||
+           (parameters[i] >= solver_high(problem, i) && solving->gradient[i] < 0);
 }
 
 /* Ends a round when the caller wants it, or when a parameter arrives at a bound. */

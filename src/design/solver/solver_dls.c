@@ -189,26 +189,31 @@ static void descent_learn(struct descent *descent, const double *explained, cons
 static void descent_open(struct descent *descent, struct arena *arena)
 {
     const size_t n = descent->n, m = descent->squares + descent->exact;
-    struct place *places[2] = {&descent->here, &descent->there};
-    for (int i = 0; i < 2; i++) {
-        places[i]->parameters = ARENA_ARRAY(arena, n, double);
-        places[i]->residuals = ARENA_ARRAY(arena, m + 1, double);
+    double **const of_parameters[] = {&descent->here.parameters,
+                                      &descent->there.parameters,
+                                      &descent->scale,
+                                      &descent->rest,
+                                      &descent->gradient,
+                                      &descent->diagonal,
+                                      &descent->low,
+                                      &descent->high,
+                                      &descent->none,
+                                      &descent->before,
+                                      &descent->straight};
+    double **const of_residuals[] = {&descent->here.residuals, &descent->there.residuals,
+                                     &descent->weights, &descent->second};
+    for (size_t i = 0; i < sizeof of_parameters / sizeof of_parameters[0]; i++) {
+        *of_parameters[i] = ARENA_ARRAY(arena, n, double);
+    }
+    for (size_t i = 0; i < sizeof of_residuals / sizeof of_residuals[0]; i++) {
+        *of_residuals[i] = ARENA_ARRAY(arena, m + 1, double);
     }
     descent->jacobian = ARENA_ARRAY(arena, m * n, double);
-    descent->weights = ARENA_ARRAY(arena, m + 1, double);
-    descent->scale = ARENA_ARRAY(arena, n, double);
     descent->normal = ARENA_ARRAY(arena, n * n, double);
     descent->damped = ARENA_ARRAY(arena, n * n, double);
     descent->slopes = ARENA_ARRAY(arena, descent->exact * n + 1, double);
-    double **const each[] = {&descent->rest, &descent->gradient, &descent->diagonal, &descent->low,
-                             &descent->high, &descent->none,     &descent->before};
-    for (size_t i = 0; i < sizeof each / sizeof each[0]; i++) {
-        *each[i] = ARENA_ARRAY(arena, n, double);
-    }
     descent->move = ARENA_ARRAY(arena, n + descent->exact, double);
     descent->wanted = ARENA_ARRAY(arena, descent->exact + 1, double);
-    descent->second = ARENA_ARRAY(arena, m + 1, double);
-    descent->straight = ARENA_ARRAY(arena, n, double);
     descent->sides = ARENA_ARRAY(arena, n, enum step_side);
     solver_sided_open(descent->problem, arena, &descent->sided);
     descent->room = solver_normal_room(n, arena);
@@ -267,7 +272,7 @@ static void descent_bend(struct descent *descent)
     for (size_t k = 0; k < descent->sided.count; k++) {
         descent->second[descent->sided.at[k]] = 0; /* straight, as far as the step goes */
     }
-    /* The bend a with bounds that leave d + a/2 within those of d; who is on a bound stays there. */
+    /* the bend a within bounds that leave d + a/2 in those of d; who is on a bound stays there */
     for (size_t i = 0; i < descent->n; i++) {
         const bool is_held = step->side[i] != STEP_FREE;
         descent->low[i] = is_held ? 0 : 2 * (descent->low[i] - d[i]);
@@ -285,24 +290,11 @@ static void descent_bend(struct descent *descent)
 
 static void bound_step(struct descent *descent, const double *from)
 {
-    const struct solver_problem *problem = descent->problem;
     for (size_t i = 0; i < descent->n; i++) {
-        const double scale = descent_scale(descent, i), at = from[i];
+        const double scale = descent_scale(descent, i);
         const bool is_free = descent->run->is_free[i];
-        if (!is_free) {
-            descent->low[i] = 0;
-        } else if (problem->low != NULL) {
-            descent->low[i] = (problem->low[i] - at) / scale;
-        } else {
-            descent->low[i] = -INFINITY;
-        }
-        if (!is_free) {
-            descent->high[i] = 0;
-        } else if (problem->high != NULL) {
-            descent->high[i] = (problem->high[i] - at) / scale;
-        } else {
-            descent->high[i] = INFINITY;
-        }
+        descent->low[i] = is_free ? (solver_low(descent->problem, i) - from[i]) / scale : 0;
+        descent->high[i] = is_free ? (solver_high(descent->problem, i) - from[i]) / scale : 0;
     }
 }
 
@@ -316,19 +308,14 @@ static void damp(struct descent *descent)
 }
 
 /* Set parameters that much further, and not beyond bounds by rounding. */
-static void solver_move_move(const struct descent *descent, const double *from, double *to)
+static void solver_move(const struct descent *descent, const double *from, double *to)
 {
-    const struct solver_problem *problem = descent->problem;
+    const enum step_side *side = descent->step.side;
     for (size_t i = 0; i < descent->n; i++) {
+        const double low = solver_low(descent->problem, i), high = solver_high(descent->problem, i);
         to[i] = from[i] + descent->step.d[i] * descent_scale(descent, i);
-        if (problem->low != NULL &&
-            (descent->step.side[i] == STEP_AT_LOW || to[i] < problem->low[i])) {
-            to[i] = problem->low[i];
-        }
-        if (problem->high != NULL &&
-            (descent->step.side[i] == STEP_AT_HIGH || to[i] > problem->high[i])) {
-            to[i] = problem->high[i];
-        }
+        to[i] = isfinite(low) && (side[i] == STEP_AT_LOW || to[i] < low) ? low : to[i];
+        to[i] = isfinite(high) && (side[i] == STEP_AT_HIGH || to[i] > high) ? high : to[i];
         to[i] = descent->run->is_free[i] ? to[i] : from[i];
     }
 }
@@ -377,7 +364,7 @@ static bool return_to_exact(struct descent *descent)
             break;
         }
         memcpy(other, descent->there.parameters, descent->n * sizeof *d);
-        solver_move_move(descent, other, descent->there.parameters);
+        solver_move(descent, other, descent->there.parameters);
         if (!descent_measure(descent, &descent->there, NULL)) {
             return false;
         }
@@ -388,20 +375,10 @@ static bool return_to_exact(struct descent *descent)
     return true;
 }
 
-/*
- * Where a step gains little, in a narrow valley, it is worth one more evaluation that it follows
- * the bends of it; far from there steps are to lead elsewhere anyway.
- */
-static bool creeps(const struct descent *descent, double promised)
-{
-    static const double little = 0.1;
-    return descent->exact == 0 && descent->problem->scale != NULL &&
-           promised < little * descent_height(descent, &descent->here);
-}
-
 /* Find the step and what there is behind it. Result: false: no value there; NaN promise: no step */
 static bool descent_step(struct descent *descent, double *promised)
 {
+    static const double little = 0.1; /* of the height */
     struct solver_step *step = &descent->step;
     damp(descent);
     bound_step(descent, descent->here.parameters);
@@ -414,18 +391,21 @@ static bool descent_step(struct descent *descent, double *promised)
                            step)) {
         return false;
     }
-    /* Above all multipliers, so that nothing is gained by leaving the exact residuals; but what they
-       were far from the end is forgotten. */
+    /* above all multipliers, so that nothing is gained by leaving the exact residuals; but what
+       they were far from the end is forgotten */
     double most = 0;
     for (size_t r = 0; r < descent->exact; r++) {
         most = fmax(most, fmin(fabs(descent->step.multipliers[r]), 1e150));
     }
     descent->price = fmin(fmax(descent->price, 2 * most), 20 * most);
     *promised = promise(descent);
-    if (creeps(descent, *promised)) {
+    /* where a step gains little, in a narrow valley, it is worth one more evaluation that it follows
+       the bends of it; far from there steps are to lead elsewhere anyway */
+    if (descent->exact == 0 && descent->problem->scale != NULL &&
+        *promised < little * descent_height(descent, &descent->here)) {
         descent_bend(descent);
     }
-    solver_move_move(descent, descent->here.parameters, descent->there.parameters);
+    solver_move(descent, descent->here.parameters, descent->there.parameters);
     if (!descent_measure(descent, &descent->there, NULL)) {
         return false;
     }
@@ -499,16 +479,6 @@ static void solver_dls_end(struct engine_run *run, enum engine_end how, const ch
     snprintf(run->message, sizeof run->message, "%s", why);
 }
 
-/* Does nothing pull at a parameter that is free? */
-static bool solver_dls_is_flat(const struct descent *descent)
-{
-    double most = 0;
-    for (size_t i = 0; i < descent->n; i++) {
-        most = fmax(most, fabs(descent->gradient[i]) / descent_scale(descent, i));
-    }
-    return descent->exact == 0 && most <= descent->run->options.gradient;
-}
-
 /* Is the step that was just made one of the last? */
 static bool has_arrived(struct descent *descent, double gain, double moved)
 {
@@ -516,8 +486,12 @@ static bool has_arrived(struct descent *descent, double gain, double moved)
     const bool is_met = descent->exact == 0 || descent->here.excess <= DESCENT_MET;
     const bool small = gain <= options->function * (descent_height(descent, &descent->here) + gain);
     descent->steady = is_met && small ? descent->steady + 1 : 0;
+    double most = 0; /* of what pulls at a parameter that is free */
+    for (size_t i = 0; i < descent->n; i++) {
+        most = fmax(most, fabs(descent->gradient[i]) / descent_scale(descent, i));
+    }
     return descent->steady >= 3 || (is_met && moved <= options->parameter) ||
-           solver_dls_is_flat(descent);
+           (descent->exact == 0 && most <= options->gradient);
 }
 
 /* A step that brings nothing. Result: shall a shorter one be tried? */
@@ -570,18 +544,6 @@ static bool solver_dls_advance(struct descent *descent)
     return true;
 }
 
-static void solver_dls_set_sides(const struct descent *descent)
-{
-    const struct solver_problem *problem = descent->problem;
-    for (size_t i = 0; i < descent->n; i++) {
-        const double at = descent->here.parameters[i];
-        const bool on = (problem->low != NULL && at <= problem->low[i]) ||
-                        (problem->high != NULL && at >= problem->high[i]);
-        descent->run->at_bound[i] = on && descent->step.side[i] != STEP_FREE;
-    }
-    memcpy(descent->run->multipliers, descent->step.multipliers, descent->exact * sizeof(double));
-}
-
 void dls_minimize(struct engine_run *run)
 {
     const struct solver_problem *problem = run->problem;
@@ -602,7 +564,7 @@ void dls_minimize(struct engine_run *run)
     descent.first_cost = descent.here.cost;
     descent_set_equations(&descent);
     /* Damping at the start. */
-    const bool learns = descent.problem->scale != NULL;
+    const bool learns = problem->scale != NULL;
     double most = 0;
     for (size_t i = 0; i < descent.n; i++) {
         most = fmax(most, descent.normal[i * descent.n + i]);
@@ -625,5 +587,10 @@ void dls_minimize(struct engine_run *run)
     }
     descent_finish(&descent);
     memcpy(run->parameters, descent.here.parameters, descent.n * sizeof(double));
-    solver_dls_set_sides(&descent);
+    for (size_t i = 0; i < descent.n; i++) {
+        const double at = descent.here.parameters[i];
+        run->at_bound[i] = (at <= solver_low(problem, i) || at >= solver_high(problem, i)) &&
+                           descent.step.side[i] != STEP_FREE;
+    }
+    memcpy(run->multipliers, descent.step.multipliers, descent.exact * sizeof(double));
 }

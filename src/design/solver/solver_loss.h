@@ -5,10 +5,23 @@
 
 #include "design/solver/solver.h"
 
+#include <math.h>
+
 /* Residuals whose squares are summed: those that are met exactly stand behind them. */
 static inline size_t solver_squares(const struct solver_problem *problem)
 {
     return problem->residual_count - problem->exact_count;
+}
+
+/* The bounds of a parameter; infinite where there is none. */
+static inline double solver_low(const struct solver_problem *problem, size_t i)
+{
+    return problem->low != NULL ? problem->low[i] : -INFINITY;
+}
+
+static inline double solver_high(const struct solver_problem *problem, size_t i)
+{
+    return problem->high != NULL ? problem->high[i] : INFINITY;
 }
 
 /* What of a residual counts. */
