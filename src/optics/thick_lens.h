@@ -1,7 +1,10 @@
-/* optics/thick_lens.h - the thick lens: a focal length and two principal planes, for any ray. */
+/* optics/thick_lens.h - an ideal thick lens, and a prescription with one in place of a real lens. */
 /* SPDX-License-Identifier: MIT */
 #ifndef LENSCALC_OPTICS_THICK_LENS_H
 #define LENSCALC_OPTICS_THICK_LENS_H
+
+#include "base/arena.h"
+#include "optics/lens.h"
 
 #include <math.h>
 
@@ -49,5 +52,27 @@ static inline double thick_lens_slope(double power, double n, double m, double s
  *           height is that of the perspective image times 1 + d
  */
 struct slope_ray thick_lens_map(const struct thick_lens *lens, struct slope_ray ray);
+
+/* What stands in for the lens. Places as in struct thick_lens. */
+struct thick_stand_in {
+    struct thick_lens thick;
+    double length;         /* of the real lens, first to last vertex, mm */
+    double pupil;          /* place of the entrance pupil, mm; NaN = no stop */
+    double pupil_diameter; /* mm */
+    double fnumber;        /* where there is no stop; NaN = no aperture */
+    double image;          /* from the last vertex, mm */
+    const char *title, *note;
+};
+
+/*
+ * The lens with its surfaces replaced: a plane at the first vertex, the entrance pupil as stop, the
+ * thick lens, a plane at the last vertex. So H, H', pupils and focal points are counted from the
+ * same places as before. Object, fields, wavelengths and media outside stay.
+ *
+ * Given     lens  in one position
+ * Result    passes lens_check; what it points to lies in the arena or belongs to `lens`
+ */
+struct lens thick_element_lens(const struct lens *lens, const struct thick_stand_in *stand_in,
+                               struct arena *arena);
 
 #endif

@@ -33,3 +33,62 @@ bool scene_moves(const struct scene *scene)
     }
     return moves;
 }
+
+/* With a picture: where that is not black. */
+static bool thing_shines(const struct scene *scene, const struct scene_thing *thing)
+{
+    return (thing->shines && thing->mean > 0) ||
+           (thing->material != SCENE_NONE &&
+            scene->materials[thing->material].emission.kind != SPECTRUM_NONE);
+}
+
+bool scene_reflects(const struct scene *scene, const struct scene_thing *thing)
+{
+    return thing->material == SCENE_NONE ? !thing->shines
+                                         : scene->materials[thing->material].kind != MATERIAL_BLACK;
+}
+
+/* What a scene has, seen by itself or not. */
+struct scene_light_content {
+    bool seen, points, black, surface;
+};
+
+static struct scene_light_content look_over(const struct scene *scene)
+{
+    struct scene_light_content has = {false, false, false, false};
+    for (size_t i = 0; i < scene->light_count; i++) {
+        const struct scene_light *light = &scene->lights[i];
+        const bool is_point = light->kind == LIGHT_POINT;
+        const bool is_black = light->kind == LIGHT_ENVIRONMENT && !(light->mean > 0);
+        has.points = has.points || is_point;
+        has.black = has.black || is_black;
+        has.seen = has.seen || !(is_point || is_black);
+    }
+    for (size_t i = 0; i < scene->thing_count; i++) {
+        const struct scene_thing *thing = &scene->things[i];
+        has.seen = has.seen || thing_shines(scene, thing);
+        has.black = has.black || thing->shines;
+        has.surface = has.surface || scene_reflects(scene, thing);
+    }
+    return has;
+}
+
+bool scene_check(const struct scene *scene, int bounces, struct error *error)
+{
+    const struct scene_light_content has = look_over(scene);
+    if (has.seen || (has.points && has.surface && bounces > 0)) {
+        return true;
+    }
+    if (!has.points && has.black) {
+        fail(error, ERROR_DATA, "the scene has no light: the pictures that would shine are black");
+    } else if (!has.points) {
+        fail(error, ERROR_DATA,
+             "the scene has no light: a line 'light', or a material with luminance=");
+    } else if (!has.surface) {
+        fail(error, ERROR_DATA, "the light of points falls on nothing that would reflect it");
+    } else {
+        fail(error, ERROR_DATA,
+             "points of light are not seen by themselves: without any bounce all is dark");
+    }
+    return error_locate(error, scene->source, 0, 0);
+}

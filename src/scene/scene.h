@@ -4,6 +4,7 @@
 #define LENSCALC_SCENE_SCENE_H
 
 #include "base/digest.h"
+#include "base/error.h"
 #include "base/image/image.h"
 #include "base/text.h"
 #include "light/spectrum.h"
@@ -179,5 +180,20 @@ struct scene {
 
 /* Does anything move: a thing, a light, the camera? */
 bool scene_moves(const struct scene *scene);
+
+/* -------- what a scene lacks where nothing of it can be seen -------- */
+
+/* Does a thing send on light that it receives? */
+bool scene_reflects(const struct scene *scene, const struct scene_thing *thing);
+
+/*
+ * Refuse a scene whose every picture would be black.
+ *
+ * Given     bounces  how often light may be scattered: 0 is what shines, seen by itself
+ * Errors    ERROR_DATA with the scene's file: nothing shines, pictures that would
+ *           are black, or nothing is there that light which
+ *           cannot be seen by itself, a point's, may fall on
+ */
+bool scene_check(const struct scene *scene, int bounces, struct error *error);
 
 #endif

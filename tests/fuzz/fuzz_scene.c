@@ -6,7 +6,7 @@
  */
 #include "file/scene_file.h"
 #include "fuzz.h"
-#include "scene/scene_check.h"
+#include "scene/scene.h"
 #include "scene/world.h"
 
 #include <math.h>

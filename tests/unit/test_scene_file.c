@@ -2,7 +2,7 @@
 /* SPDX-License-Identifier: MIT */
 #include "check.h"
 #include "file/scene_file.h"
-#include "scene/scene_check.h"
+#include "scene/scene.h"
 
 /* Files that lie beside "there/test.scene", and no others. */
 static const struct beside {

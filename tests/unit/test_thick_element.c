@@ -3,7 +3,7 @@
 #include "check.h"
 #include "file/lens_file.h"
 #include "optics/first_order.h"
-#include "optics/thick_element.h"
+#include "optics/thick_lens.h"
 
 static const char *const text =
     "lens a title\nunit cm\nwavelength d F\nobject 90\nfield height 0 1.2\nmedium 1.33\n"

@@ -2,7 +2,7 @@
 /* SPDX-License-Identifier: MIT */
 #include "camera/film/lens_model.h"
 
-#include "optics/thick_element.h"
+#include "optics/thick_lens.h"
 
 #include <math.h>
 

@@ -11,7 +11,7 @@
 #include "photo/distance_from.h"
 #include "photo/mired.h"
 #include "photo/sensitometry.h"
-#include "scene/scene_check.h"
+#include "scene/scene.h"
 
 #include <stdio.h>
 #include <string.h>

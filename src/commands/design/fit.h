@@ -120,7 +120,7 @@ static inline double fit_field(const struct fit_job *job, size_t i)
 /* Trace and fit. */
 bool fit_job_run(struct fit_job *job, struct error *error);
 
-/* The thick lens that was found, in place of the lens: optics/thick_element.h. */
+/* The thick lens that was found, in place of the lens: optics/thick_lens.h. */
 struct lens fit_equal_lens(const struct fit_job *job);
 
 /* -------- commands/design/fit_view.c: rows and files of what was found -------- */

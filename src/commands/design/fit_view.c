@@ -4,7 +4,7 @@
 #include "draw/ray_map.h"
 #include "draw/svg.h"
 #include "file/lens_file.h"
-#include "optics/thick_element.h"
+#include "optics/thick_lens.h"
 
 #include "base/constants.h"
 

@@ -30,7 +30,7 @@ struct merit_asbuilt {
 
 /* -------- what rays are derived by -------- */
 
-/* dn/dnd, or dn/dVd, of a melt (optics/melt.h). */
+/* dn/dnd, or dn/dVd, of a melt (optics/medium.h). */
 static double medium_slope(const struct lens *lens, struct parameter what, double wavelength)
 {
     const struct medium *medium =

@@ -399,8 +399,8 @@ static bool descent_step(struct descent *descent, double *promised)
     }
     descent->price = fmin(fmax(descent->price, 2 * most), 20 * most);
     *promised = promise(descent);
-    /* where a step gains little, in a narrow valley, it is worth one more evaluation that it follows
-       the bends of it; far from there steps are to lead elsewhere anyway */
+    /* where a step gains little, in a narrow valley, it is worth one more evaluation that it
+       follows the bends of it; far from there steps are to lead elsewhere anyway */
     if (descent->exact == 0 && descent->problem->scale != NULL &&
         *promised < little * descent_height(descent, &descent->here)) {
         descent_bend(descent);

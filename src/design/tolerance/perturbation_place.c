@@ -2,7 +2,7 @@
 /* SPDX-License-Identifier: MIT */
 #include "design/tolerance/perturbation_place.h"
 
-#include "optics/melt.h"
+#include "optics/medium.h"
 #include "optics/wavelength.h"
 
 #include <math.h>

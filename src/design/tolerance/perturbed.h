@@ -6,7 +6,7 @@
 #include "design/tolerance/irregularity.h"
 #include "design/tolerance/perturbation.h"
 #include "optics/lens_numbers.h"
-#include "optics/melt.h"
+#include "optics/medium.h"
 
 /* A number that perturbations add to, and their sum. */
 struct perturbed_number {
