@@ -46,9 +46,11 @@ static void check_counts(uint64_t count, double tolerance)
     fill(&even, count, 0, 2);
     struct trial_statistics read;
     trial_statistics_open(5, count, &arena, &read);
-    struct text lines = trial_statistics_write(&odd, &arena),
-                more = trial_statistics_write(&even, &arena);
-    CHECK(trial_statistics_read(&lines, &read) && trial_statistics_read(&more, &read));
+    struct text_buffer written = {.arena = &arena};
+    trial_statistics_write(&odd, &written);
+    trial_statistics_write(&even, &written);
+    struct text lines = growing_done(&written);
+    CHECK(trial_statistics_read(&lines, &read) && trial_statistics_read(&lines, &read));
     const double n = (double)count, width = 0.01 * (n - 1);
     const struct trial_statistics_moments moments = trial_statistics_moments(&whole),
                                           joined = trial_statistics_moments(&read);

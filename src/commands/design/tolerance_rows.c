@@ -232,26 +232,6 @@ static const struct column trial_columns[] = {
 
 static const struct sheet trial_sheet = SHEET(trial_columns, struct trial_row);
 
-/* Trials that were made and wait to be printed. */
-struct pending_trials {
-    struct tolerance_job *job;
-    struct tolerance_trial *trials;
-    bool *made, *found;
-};
-
-/* tolerance_listener, from any thread. */
-static void hear(void *context, size_t at, bool found, const struct tolerance_trial *trial)
-{
-    const struct pending_trials *waiting = context;
-    const struct tolerance *tolerance = &waiting->job->tolerance;
-    struct tolerance_trial *kept = &waiting->trials[at];
-    waiting->made[at] = true;
-    waiting->found[at] = found;
-    memcpy(kept->figures, trial->figures, tolerance->figure_count * sizeof(double));
-    memcpy(kept->moves, trial->moves, tolerance_moves(tolerance) * sizeof(double));
-    kept->why = trial->why;
-}
-
 static bool emit_trial(struct tolerance_job *job, uint64_t number, bool found,
                        const struct tolerance_trial *trial, const struct tolerance_about *about)
 {
@@ -281,41 +261,32 @@ static bool emit_trial(struct tolerance_job *job, uint64_t number, bool found,
     return goes_on;
 }
 
-enum { AT_ONCE = 2048 };
-
-static struct pending_trials waiting_open(struct tolerance_job *job)
-{
-    struct arena *arena = job->run->arena;
-    const struct pending_trials waiting = {job, ARENA_ARRAY(arena, AT_ONCE, struct tolerance_trial),
-                                           ARENA_ARRAY(arena, AT_ONCE, bool),
-                                           ARENA_ARRAY(arena, AT_ONCE, bool)};
-    for (size_t i = 0; i < AT_ONCE; i++) {
-        waiting.trials[i].figures = ARENA_ARRAY(arena, job->tolerance.figure_count, double);
-        waiting.trials[i].moves = ARENA_ARRAY(arena, tolerance_moves(&job->tolerance), double);
-    }
-    return waiting;
-}
-
 /* Up to the first that was not made. */
 static bool emit_trials(struct tolerance_job *job, struct error *error)
 {
+    enum { AT_ONCE = 2048 };
     struct arena *arena = job->run->arena;
     const struct tolerance_about about = tolerance_about_of(job);
-    struct pending_trials waiting = waiting_open(job);
+    struct tolerance_round round = {.trials = ARENA_ARRAY(arena, AT_ONCE, struct tolerance_trial),
+                                    .made = ARENA_ARRAY(arena, AT_ONCE, bool),
+                                    .found = ARENA_ARRAY(arena, AT_ONCE, bool)};
+    for (size_t i = 0; i < AT_ONCE; i++) {
+        round.trials[i].figures = ARENA_ARRAY(arena, job->tolerance.figure_count, double);
+        round.trials[i].moves = ARENA_ARRAY(arena, tolerance_moves(&job->tolerance), double);
+    }
     uint64_t k = job->trials.begin;
     watch_begin(job->run->watch, "trials", (size_t)(job->trials.end - k));
     struct tolerance_team *team = tolerance_team_open(&job->trials, &job->result);
     bool goes_on = true, done = true;
     while (k < job->trials.end && goes_on && done) {
         const uint64_t left = job->trials.end - k;
-        const size_t count = left < AT_ONCE ? (size_t)left : AT_ONCE;
-        const struct tolerance_round round = {k, count, hear, &waiting};
-        memset(waiting.made, 0, count * sizeof *waiting.made);
+        round.begin = k;
+        round.count = left < AT_ONCE ? (size_t)left : AT_ONCE;
+        memset(round.made, 0, round.count * sizeof *round.made);
         done = tolerance_team_round(team, &round, error);
         const struct arena_mark mark = arena_mark(arena);
-        for (size_t i = 0; i < count && goes_on && done; i++) {
-            goes_on =
-                waiting.made[i] && emit_trial(job, k, waiting.found[i], &waiting.trials[i], &about);
+        for (size_t i = 0; i < round.count && goes_on && done; i++) {
+            goes_on = round.made[i] && emit_trial(job, k, round.found[i], &round.trials[i], &about);
             k += goes_on ? 1 : 0;
         }
         arena_reset(arena, mark);
@@ -332,18 +303,6 @@ static bool emit_trials(struct tolerance_job *job, struct error *error)
 
 /* -------- which -------- */
 
-static const struct show {
-    const struct sheet *sheet;
-    bool (*emit)(struct tolerance_job *job, struct error *error);
-} shows[TOLERANCE_SHOWS] = {
-    [TOLERANCE_SUMMARY] = {&summary_sheet, emit_summaries},
-    [TOLERANCE_TRIALS] = {&trial_sheet, emit_trials},
-    [TOLERANCE_YIELD] = {&yield_sheet, emit_yields},
-    [TOLERANCE_SENSITIVITY] = {&tolerance_sensitivity_sheet, tolerance_emit_sensitivity},
-    [TOLERANCE_INVERSE] = {&tolerance_inverse_sheet, tolerance_emit_inverse},
-    [TOLERANCE_OFFENDERS] = {&tolerance_offenders_sheet, tolerance_emit_offenders},
-};
-
 const struct sheet *const tolerance_sheets[] = {[TOLERANCE_SUMMARY] = &summary_sheet,
                                                 [TOLERANCE_TRIALS] = &trial_sheet,
                                                 [TOLERANCE_YIELD] = &yield_sheet,
@@ -355,5 +314,13 @@ const struct sheet *const tolerance_sheets[] = {[TOLERANCE_SUMMARY] = &summary_s
 
 bool tolerance_emit(struct tolerance_job *job, struct error *error)
 {
-    return shows[job->input->show].emit(job, error);
+    static bool (*const emits[])(struct tolerance_job *, struct error *) = {
+        [TOLERANCE_SUMMARY] = emit_summaries,
+        [TOLERANCE_TRIALS] = emit_trials,
+        [TOLERANCE_YIELD] = emit_yields,
+        [TOLERANCE_SENSITIVITY] = tolerance_emit_sensitivity,
+        [TOLERANCE_INVERSE] = tolerance_emit_inverse,
+        [TOLERANCE_OFFENDERS] = tolerance_emit_offenders,
+    };
+    return emits[job->input->show](job, error);
 }

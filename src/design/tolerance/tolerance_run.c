@@ -277,9 +277,15 @@ static void tolerance_run_count(const struct tolerance_team *team,
                                 struct tolerance_run_worker *worker, size_t at, bool found)
 {
     const struct tolerance_round *round = team->round;
+    const struct tolerance *tolerance = team->result->tolerance;
     count_trial(team->run, round->begin + at, found, &worker->trial, &worker->result);
-    if (round->listener != NULL) {
-        round->listener(round->context, at, found, &worker->trial);
+    if (round->trials != NULL) {
+        struct tolerance_trial *kept = &round->trials[at];
+        round->made[at] = true;
+        round->found[at] = found;
+        memcpy(kept->figures, worker->trial.figures, tolerance->figure_count * sizeof(double));
+        memcpy(kept->moves, worker->trial.moves, tolerance_moves(tolerance) * sizeof(double));
+        kept->why = worker->trial.why;
     }
 }
 
@@ -393,51 +399,37 @@ bool tolerance_run(const struct tolerance_run *run, struct tolerance_result *res
 
 /* -------- lines -------- */
 
-static const char *tolerance_run_put_numbers(const char *text, const uint64_t *numbers,
-                                             size_t count, struct arena *arena)
-{
-    for (size_t i = 0; i < count; i++) {
-        text = arena_printf(arena, "%s%lld%c", text, (long long)numbers[i],
-                            i + 1 < count ? ' ' : '\n');
-    }
-    return text;
-}
-
 /* Of the first line: of trials, of what follows, and the other reasons. */
 enum { HEAD_NUMBERS = 6 };
 
-static const char *write_lists(const struct tolerance_result *result, struct arena *arena)
+struct text tolerance_result_write(const struct tolerance_result *result, struct arena *arena)
 {
-    const uint64_t head[] = {result->done,         result->failed,       result->worst_count,
-                             result->reason_count, result->others.count, result->others.first};
-    const char *text = tolerance_run_put_numbers("", head, HEAD_NUMBERS, arena);
+    const uint64_t head[HEAD_NUMBERS] = {result->done,         result->failed,
+                                         result->worst_count,  result->reason_count,
+                                         result->others.count, result->others.first};
+    struct text_buffer text = {.arena = arena};
+    for (size_t i = 0; i < HEAD_NUMBERS; i++) {
+        growing_format(&text, "%lld%c", (long long)head[i], i + 1 < HEAD_NUMBERS ? ' ' : '\n');
+    }
     for (size_t i = 0; i < result->worst_count; i++) {
-        uint64_t one[2] = {result->worst[i].trial, 0};
-        memcpy(&one[1], &result->worst[i].badness, sizeof one[1]);
-        text = tolerance_run_put_numbers(text, one, 2, arena);
+        int64_t bits;
+        memcpy(&bits, &result->worst[i].badness, sizeof bits);
+        growing_format(&text, "%lld %lld\n", (long long)result->worst[i].trial, (long long)bits);
     }
     for (size_t i = 0; i < result->reason_count; i++) {
         const struct tolerance_reason *reason = &result->reasons[i];
-        text = arena_printf(arena, "%s%lld %lld %s\n", text, (long long)reason->count,
-                            (long long)reason->first, reason->why);
+        growing_format(&text, "%lld %lld %s\n", (long long)reason->count, (long long)reason->first,
+                       reason->why);
     }
-    return text;
-}
-
-struct text tolerance_result_write(const struct tolerance_result *result, struct arena *arena)
-{
-    const char *text = write_lists(result, arena);
     for (size_t i = 0; i < result->column_count; i++) {
-        text = tolerance_run_put_numbers(text, &result->columns[i].passed, 1, arena);
-        text =
-            ARENA_JOIN(arena, text, trial_statistics_write(&result->columns[i].tally, arena).start);
-        text = ARENA_JOIN(arena, text,
-                          trial_statistics_write(&result->columns[i].badness, arena).start);
+        growing_format(&text, "%lld\n", (long long)result->columns[i].passed);
+        trial_statistics_write(&result->columns[i].tally, &text);
+        trial_statistics_write(&result->columns[i].badness, &text);
     }
     for (size_t i = 0; i < tolerance_moves(result->tolerance); i++) {
-        text = ARENA_JOIN(arena, text, trial_statistics_write(&result->moves[i], arena).start);
+        trial_statistics_write(&result->moves[i], &text);
     }
-    return text_of(text);
+    return growing_done(&text);
 }
 
 static bool take_numbers(struct text *rest, uint64_t *numbers, size_t count)

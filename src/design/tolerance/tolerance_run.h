@@ -89,10 +89,6 @@ void tolerance_errors(const struct tolerance_question *question, uint64_t seed, 
 void tolerance_result_open(const struct tolerance_run *run, const struct tolerance *tolerance,
                            size_t worst, struct arena *arena, struct tolerance_result *result);
 
-/* Told of each trial, from any thread; `at` counts from the first of the round. */
-typedef void tolerance_listener(void *context, size_t at, bool found,
-                                const struct tolerance_trial *trial);
-
 /* Threads that are ready, each with a lens of its own. The run and the result must outlive it. */
 struct tolerance_team;
 struct tolerance_team *tolerance_team_open(const struct tolerance_run *run,
@@ -101,14 +97,15 @@ struct tolerance_team *tolerance_team_open(const struct tolerance_run *run,
 /*
  * Trials begin .. begin + count - 1; where the watch stops them, some of them.
  *
- * Given     listener  null: nobody listens
+ * Given     trials  receive each trial, with its room for figures and moves; null: nobody asks
+ *           made    of each: by then it was; found: it has figures
  * Errors    as tolerance_open, in a thread
  */
 struct tolerance_round {
     uint64_t begin;
     size_t count;
-    tolerance_listener *listener;
-    void *context;
+    struct tolerance_trial *trials;
+    bool *made, *found;
 };
 bool tolerance_team_round(struct tolerance_team *team, const struct tolerance_round *round,
                           struct error *error);

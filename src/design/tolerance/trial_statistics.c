@@ -227,64 +227,38 @@ void trial_statistics_histogram(struct trial_statistics *tally, double low, doub
 
 /* -------- lines -------- */
 
-/* A growing text. */
-struct trial_statistics_text {
-    struct arena *arena;
-    char *text;
-    size_t length, room;
-};
-
-static void trial_statistics_put_word(struct trial_statistics_text *writing, const char *word)
-{
-    const size_t length = strlen(word);
-    while (writing->length + length + 1 > writing->room) {
-        writing->text = arena_grow(writing->arena, writing->text, writing->room, &writing->room, 1);
-    }
-    memcpy(writing->text + writing->length, word, length);
-    writing->length += length;
-    writing->text[writing->length] = '\0';
-}
-
-static void put_integer(struct trial_statistics_text *writing, const char *before, int64_t number)
-{
-    char text[32];
-    snprintf(text, sizeof text, "%s%lld", before, (long long)number);
-    trial_statistics_put_word(writing, text);
-}
-
 /* Doubles by their bits. */
-static void put_double(struct trial_statistics_text *writing, double value)
+static void put_double(struct text_buffer *text, double value)
 {
     int64_t bits;
     memcpy(&bits, &value, sizeof bits);
-    put_integer(writing, " ", bits);
+    growing_format(text, " %lld", (long long)bits);
 }
 
-struct text trial_statistics_write(const struct trial_statistics *tally, struct arena *arena)
+void trial_statistics_write(const struct trial_statistics *tally, struct text_buffer *text)
 {
-    struct trial_statistics_text writing = {.arena = arena};
-    put_integer(&writing, "tally ", (int64_t)tally->count);
-    put_double(&writing, tally->lowest);
-    put_double(&writing, tally->highest);
+    growing_format(text, "tally %lld", (long long)tally->count);
+    put_double(text, tally->lowest);
+    put_double(text, tally->highest);
     for (int k = 0; k < TRIAL_STATISTICS_POWERS; k++) {
         for (int i = 0; i < EXACT_ACCUMULATOR_DIGITS; i++) {
-            put_integer(&writing, i == 0 ? "\n" : " ", tally->powers[k].digits[i]);
+            growing_format(text, "%c%lld", i == 0 ? '\n' : ' ',
+                           (long long)tally->powers[k].digits[i]);
         }
     }
-    trial_statistics_put_word(&writing, "\n");
+    growing_string(text, "\n");
     for (size_t i = 0; tally->keeps && i < tally->count; i++) {
-        put_double(&writing, tally->kept[i]);
+        put_double(text, tally->kept[i]);
     }
     for (size_t page = 0; page < PAGES && !tally->keeps; page++) {
         for (size_t i = 0; tally->pages[page] != NULL && i < PAGE_BINS; i++) {
             if (tally->pages[page][i] > 0) {
-                put_integer(&writing, " ", (int64_t)(page * PAGE_BINS + i));
-                put_integer(&writing, " ", (int64_t)tally->pages[page][i]);
+                growing_format(text, " %zu %lld", page * PAGE_BINS + i,
+                               (long long)tally->pages[page][i]);
             }
         }
     }
-    trial_statistics_put_word(&writing, "\n");
-    return (struct text){writing.text, writing.length};
+    growing_string(text, "\n");
 }
 
 bool trial_statistics_take(struct text *line, int64_t *number)

@@ -6,6 +6,7 @@
 #include "base/arena.h"
 #include "base/exact_accumulator.h"
 #include "base/text.h"
+#include "optics/growing.h"
 
 #include <stdbool.h>
 #include <stddef.h>
@@ -80,7 +81,7 @@ void trial_statistics_histogram(struct trial_statistics *tally, double low, doub
  *
  * Result    of the second: false: it is not what trial_statistics_write writes
  */
-struct text trial_statistics_write(const struct trial_statistics *tally, struct arena *arena);
+void trial_statistics_write(const struct trial_statistics *tally, struct text_buffer *text);
 bool trial_statistics_read(struct text *rest, struct trial_statistics *tally);
 
 /* The next word of a line, as a whole number. */
