@@ -95,20 +95,28 @@ static bool check_alone(const struct variables *variables, size_t at, struct err
     return true;
 }
 
-/* The number that something of the lens is, made where it is not there yet. */
+/* Which number something of the lens is; as many as there are: none. */
+static size_t variable_find_number(const struct variables *variables, struct parameter what)
+{
+    size_t i = 0;
+    what.kind = what.kind == PARAMETER_RADIUS ? PARAMETER_CURVATURE : what.kind;
+    while (i < variables->number_count &&
+           !parameter_is_identical(variables->numbers[i].what, what)) {
+        i++;
+    }
+    return i;
+}
+
+/* The same, made where it is not there yet. */
 static size_t variable_number_of(struct variables *variables, struct parameter what)
 {
-    struct variable_number number = {what, what.kind == PARAMETER_FOCAL};
-    number.what.kind = what.kind == PARAMETER_RADIUS ? PARAMETER_CURVATURE : what.kind;
-    for (size_t i = 0; i < variables->number_count; i++) {
-        const struct parameter *is = &variables->numbers[i].what;
-        if (is->surface == number.what.surface && is->kind == number.what.kind &&
-            is->order == number.what.order) {
-            return i;
-        }
+    const size_t i = variable_find_number(variables, what);
+    if (i == variables->number_count) {
+        struct variable_number *number = &variables->numbers[variables->number_count++];
+        *number = (struct variable_number){what, what.kind == PARAMETER_FOCAL};
+        number->what.kind = what.kind == PARAMETER_RADIUS ? PARAMETER_CURVATURE : what.kind;
     }
-    variables->numbers[variables->number_count] = number;
-    return variables->number_count++;
+    return i;
 }
 
 static void add_drive(struct variables *variables, size_t at, struct parameter what)
@@ -181,14 +189,7 @@ static void add_rule(struct variables *variables, const struct lens_pickup *pick
 /* Does a variable reach this number, itself or by the pick-ups so far? */
 static bool is_moved(const struct variables *variables, struct parameter what)
 {
-    what.kind = what.kind == PARAMETER_RADIUS ? PARAMETER_CURVATURE : what.kind;
-    for (size_t i = 0; i < variables->number_count; i++) {
-        const struct parameter *is = &variables->numbers[i].what;
-        if (is->surface == what.surface && is->kind == what.kind && is->order == what.order) {
-            return true;
-        }
-    }
-    return false;
+    return variable_find_number(variables, what) < variables->number_count;
 }
 
 /* Those pick-ups that follow a variable; of glasses their numbers. */

@@ -112,8 +112,7 @@ static size_t add_link(struct variable_link *links, size_t first, size_t count,
                        struct variable_link link)
 {
     for (size_t i = first; i < count; i++) {
-        if (links[i].basis.surface == link.basis.surface &&
-            links[i].basis.kind == link.basis.kind && links[i].basis.order == link.basis.order) {
+        if (parameter_is_identical(links[i].basis, link.basis)) {
             links[i].slope += link.slope;
             return count;
         }

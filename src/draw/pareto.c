@@ -44,11 +44,6 @@ static bool pareto_find_scale(struct pareto_page *page, struct error *error)
     return true;
 }
 
-static const char *pareto_percent(struct arena *arena, double share)
-{
-    return arena_printf(arena, share < 0.001 ? "%.2f %%" : "%.1f %%", 100 * share);
-}
-
 static void pareto_draw_grid(const struct pareto_page *page, struct svg *svg)
 {
     for (size_t i = 0; i < page->ticks.count; i++) {
@@ -80,8 +75,9 @@ static void draw_row(const struct pareto_page *page, size_t i, struct svg *svg)
     pareto_draw_bar(page, y, bar->whole, 0, 0.35, svg);
     pareto_draw_bar(page, y, bar->part, 0, 1, svg);
     svg_text(svg, &name, bar->label);
-    svg_words(svg, pareto_x_at(page, bar->whole) + 5, base, NUMBER_SIZE, SVG_START, "#444",
-              pareto_percent(svg->arena, bar->whole));
+    svg_words(
+        svg, pareto_x_at(page, bar->whole) + 5, base, NUMBER_SIZE, SVG_START, "#444",
+        arena_printf(svg->arena, bar->whole < 0.001 ? "%.2f %%" : "%.1f %%", 100 * bar->whole));
 }
 
 static void pareto_draw_legend(const struct pareto *pareto, const struct pareto_page *page,

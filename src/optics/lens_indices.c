@@ -7,18 +7,13 @@ static bool is_equal(struct pair a, struct pair b)
     return a.hi == b.hi && a.lo == b.lo;
 }
 
-/* Has it the same index at every wavelength? Whatever is written of it. */
-static bool lens_indices_is_known(const struct medium *medium, const struct medium *asked)
-{
-    return medium->kind == asked->kind && is_equal(medium->index, asked->index) &&
-           is_equal(medium->abbe, asked->abbe) && medium->points == asked->points &&
-           medium->glass_index == asked->glass_index && medium->glass == asked->glass;
-}
-
 static bool lens_indices_ask(const struct medium *medium, double wavelength, struct medium *asked,
                              struct pair *n, struct error *error)
 {
-    if (asked != NULL && lens_indices_is_known(medium, asked)) {
+    if (asked != NULL &&
+        (medium->kind == asked->kind && is_equal(medium->index, asked->index) &&
+         is_equal(medium->abbe, asked->abbe) && medium->points == asked->points &&
+         medium->glass_index == asked->glass_index && medium->glass == asked->glass)) {
         return true;
     }
     const bool found = medium_index(medium, wavelength, n, error);

@@ -125,6 +125,12 @@ enum { PARAMETER_MOST_MARKS = 32 }; /* at one surface: all of them */
  */
 bool parameter_is_same(struct parameter a, struct parameter b);
 
+/* Are they the same words for it? */
+static inline bool parameter_is_identical(struct parameter a, struct parameter b)
+{
+    return a.surface == b.surface && a.kind == b.kind && a.order == b.order;
+}
+
 /*
  * The number as the lens holds it, with its digits.
  *

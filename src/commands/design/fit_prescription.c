@@ -266,19 +266,6 @@ static void fit_judge(const char *missed, const struct prescription_fit *fit, st
     }
 }
 
-static bool fit_wishes(const struct lens *lens, const struct wishes *wishes, struct run *run,
-                       struct prescription_fit *fit, struct error *error)
-{
-    const struct prescription_task task = {
-        .goals = wishes->goals,
-        .goal_count = wishes->goal_count,
-        .parts = wishes->parts,
-        .part_count = wishes->part_count,
-        .options = {.progress = fit_goes_on, .progress_context = run->watch}};
-    watch_begin(run->watch, "iterations", 0);
-    return prescription_fit(lens, &task, run->arena, fit, error);
-}
-
 /* What --output saves. */
 struct fitted {
     struct lens lens;
@@ -300,9 +287,20 @@ static bool fit_prescription_case(const struct lens_case *one, void *context, st
                     "a lens with positions: its prescription is not that of one of them");
     }
     if (!fit_read_goals(input->goals, run, one->light.wavelength, wishes, error) ||
-        !fit_read_parts(input, one->setup->lens, run, wishes, error) ||
-        !fit_wishes(one->setup->lens, wishes, run, &fit, error) ||
-        !fit_apply(one->setup->lens, wishes, &fit, run->arena, &fitted, &doubt, error)) {
+        !fit_read_parts(input, one->setup->lens, run, wishes, error)) {
+        return false;
+    }
+    const struct prescription_task task = {
+        .goals = wishes->goals,
+        .goal_count = wishes->goal_count,
+        .parts = wishes->parts,
+        .part_count = wishes->part_count,
+        .options = {.progress = fit_goes_on, .progress_context = run->watch}};
+    watch_begin(run->watch, "iterations", 0);
+    if (!prescription_fit(one->setup->lens, &task, run->arena, &fit, error)) {
+        return false;
+    }
+    if (!fit_apply(one->setup->lens, wishes, &fit, run->arena, &fitted, &doubt, error)) {
         return false;
     }
     const char *missed = fit_goal_misses(wishes, &fit, run->arena), *freed = NULL;

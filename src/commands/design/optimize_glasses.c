@@ -330,8 +330,9 @@ static const struct column glass_columns[] = {
 
 const struct sheet optimize_glass_sheet = SHEET(glass_columns, struct optimize_glass_row);
 
-bool optimize_emit_glasses(struct optimize_job *job)
+bool optimize_emit_glasses(struct optimize_job *job, struct error *error)
 {
+    (void)error;
     const struct glass_choice *choice = job->choice;
     for (size_t i = 0; i < choice->count; i++) {
         const struct glass_exchange *exchange = &choice->exchanges[i];

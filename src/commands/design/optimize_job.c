@@ -146,6 +146,16 @@ static void goals_add_grazing(struct optimize_job *job, struct goals *goals)
     }
 }
 
+/*
+ * The goals of a job, whose variables are open; job->goals receives them in words that --goals
+ * takes.
+ *
+ * Given     question  for its merit, but for the goals
+ * Result    without any: `poly`, the focal length that is stated or else the lens's own in each
+ *           position, and centres, edges and gaps not below 2 %, 1 % and 0.1 % of the shortest of
+ *           them, or below the thinnest that the lens has
+ * Errors    as goals_read
+ */
 static bool optimize_read_goals(struct optimize_job *job, const struct merit_question *question,
                                 struct goals *goals, struct error *error)
 {
@@ -179,26 +189,6 @@ static bool check_used(const struct merit_question *question, const struct goals
     }
     return question->field_count == 0 || of_fields ||
            fail(error, ERROR_USAGE, "{--field} does nothing here: no goal is of these fields");
-}
-
-/*
- * The goals of a job, whose variables are open; job->goals receives them in words that --goals
- * takes.
- *
- * Given     question  for its merit, but for the goals
- * Result    without any: `poly`, the focal length that is stated or else the lens's own in each
- *           position, and centres, edges and gaps not below 2 %, 1 % and 0.1 % of the shortest of
- *           them, or below the thinnest that the lens has
- * Errors    as goals_read
- */
-static bool optimize_goals(struct optimize_job *job, const struct merit_question *question,
-                           struct goals *goals, struct error *error)
-{
-    if (!optimize_read_goals(job, question, goals, error) || !check_used(question, goals, error)) {
-        return false;
-    }
-    goals_add_grazing(job, goals);
-    return true;
 }
 
 /*
@@ -342,7 +332,31 @@ static bool optimize_job_goes_on(void *context)
     return watch_add(job->run->watch, 1) && progress_clock() < job->until;
 }
 
-static bool optimize_job_optimise(struct optimize_job *job, struct error *error)
+bool optimize_open(struct optimize_job *job, struct merit_question *question, struct error *error)
+{
+    struct optimize_job_view view;
+    struct goals goals;
+    job->lens = job->input->question.lens.lens;
+    if (!set_view(job, &view, error) || !open_variables(job, error)) {
+        return false;
+    }
+    *question = optimize_question_of(job, &view);
+    if (!optimize_read_goals(job, question, &goals, error) ||
+        !check_used(question, &goals, error)) {
+        return false;
+    }
+    goals_add_grazing(job, &goals);
+    if (!optimize_errors(job, &goals, error)) {
+        return false;
+    }
+    question->errors = &job->errors;
+    question->operands = goals.list;
+    question->operand_count = goals.count;
+    return merit_open(question, job->run->arena, &job->merit, error) &&
+           optimize_glasses_open(job, error);
+}
+
+bool optimize_near(struct optimize_job *job, struct error *error)
 {
     const struct optimize_input *input = job->input;
     job->task = (struct optimize_task){.merit = &job->merit,
@@ -360,29 +374,5 @@ static bool optimize_job_optimise(struct optimize_job *job, struct error *error)
         return false;
     }
     job->is_late = !watch_is_ended(job->run->watch) && progress_clock() >= job->until;
-    return true;
-}
-
-bool optimize_open(struct optimize_job *job, struct merit_question *question, struct error *error)
-{
-    struct optimize_job_view view;
-    struct goals goals;
-    job->lens = job->input->question.lens.lens;
-    if (!set_view(job, &view, error) || !open_variables(job, error)) {
-        return false;
-    }
-    *question = optimize_question_of(job, &view);
-    if (!optimize_goals(job, question, &goals, error) || !optimize_errors(job, &goals, error)) {
-        return false;
-    }
-    question->errors = &job->errors;
-    question->operands = goals.list;
-    question->operand_count = goals.count;
-    return merit_open(question, job->run->arena, &job->merit, error) &&
-           optimize_glasses_open(job, error);
-}
-
-bool optimize_near(struct optimize_job *job, struct error *error)
-{
-    return optimize_job_optimise(job, error) && optimize_judge(job, error);
+    return optimize_judge(job, error);
 }

@@ -175,7 +175,7 @@ bool optimize_glasses_choose(struct optimize_job *job, struct error *error);
 
 /* Rows of --show glasses. */
 extern const struct sheet optimize_glass_sheet;
-bool optimize_emit_glasses(struct optimize_job *job);
+bool optimize_emit_glasses(struct optimize_job *job, struct error *error);
 
 /* -------- optimize --global: the best of many starts -------- */
 

@@ -55,8 +55,9 @@ static const char *optimize_rays_in_words(const struct optimize_input *input, st
                         input->clip ? "clipped" : "not clipped");
 }
 
-static void optimize_emit_answer(struct optimize_job *job)
+static bool optimize_emit_answer(struct optimize_job *job, struct error *error)
 {
+    (void)error;
     const struct optimize_answer *answer = &job->answer;
     const struct answer_row row = {.about = optimize_about_of(job, true),
                                    .hits = job->hits,
@@ -74,6 +75,7 @@ static void optimize_emit_answer(struct optimize_job *job)
                                    .rays = optimize_rays_in_words(job->input, job->run->arena),
                                    .search = job->search};
     run_emit(job->run, &row);
+    return true;
 }
 
 /* -------- goals -------- */
@@ -153,8 +155,9 @@ static const char *optimize_unit_words(const char *unit)
     return unit[0] != '\0' ? unit : NULL;
 }
 
-static bool emit_merit(struct optimize_job *job)
+static bool emit_merit(struct optimize_job *job, struct error *error)
 {
+    (void)error;
     const struct merit *merit = &job->merit;
     const struct optimize_answer *answer = &job->answer;
     for (size_t i = 0; i < merit->slot_count; i++) {
@@ -234,8 +237,9 @@ static double value_in(const struct lens *lens, const struct variable *variable,
     return parameter_get(lens_at_position(lens, position, arena), variable->what);
 }
 
-static bool emit_variables(struct optimize_job *job)
+static bool emit_variables(struct optimize_job *job, struct error *error)
 {
+    (void)error;
     const struct optimize_answer *answer = &job->answer;
     for (size_t i = 0; i < job->variables.count; i++) {
         const struct variable *variable = &job->variables.list[i];
@@ -353,28 +357,17 @@ const struct sheet *const optimize_sheets[] = {
     [OPTIMIZE_GLASSES] = &optimize_glass_sheet, [OPTIMIZE_SHOWS] = NULL,
 };
 
-static bool optimize_emit_show(struct optimize_job *job, struct error *error)
-{
-    switch ((enum optimize_show)job->input->show) {
-    case OPTIMIZE_MERIT:
-        return emit_merit(job);
-    case OPTIMIZE_VARIABLES:
-        return emit_variables(job);
-    case OPTIMIZE_SPOTS:
-        return emit_spots(job, error);
-    case OPTIMIZE_GLASSES:
-        return optimize_emit_glasses(job);
-    default:
-        optimize_emit_answer(job);
-        return true;
-    }
-}
-
 bool optimize_emit(struct optimize_job *job, struct error *error)
 {
-    bool done = job->search != NULL || optimize_emit_show(job, error);
+    static bool (*const emits[])(struct optimize_job *,
+                                 struct error *) = {[OPTIMIZE_ANSWER] = optimize_emit_answer,
+                                                    [OPTIMIZE_MERIT] = emit_merit,
+                                                    [OPTIMIZE_VARIABLES] = emit_variables,
+                                                    [OPTIMIZE_SPOTS] = emit_spots,
+                                                    [OPTIMIZE_GLASSES] = optimize_emit_glasses};
+    bool done = job->search != NULL || emits[job->input->show](job, error);
     for (size_t i = 0; i < job->kept_count && done; i++) {
-        done = optimize_emit_show(&job->kept[i], error);
+        done = emits[job->input->show](&job->kept[i], error);
     }
     return done;
 }

@@ -18,16 +18,6 @@ size_t optimize_keep_count(const void *data)
     return optimize_is_global(input) ? (size_t)input->keep : 1;
 }
 
-static bool optimize_search_check(const struct optimize_input *input, struct error *error)
-{
-    if (input->keep > input->global) {
-        return fail(error, ERROR_USAGE, "{--keep} %ld of {--global} %ld: at most one a start",
-                    input->keep, input->global);
-    }
-    return input->solver == SOLVER_DLS ||
-           fail(error, ERROR_USAGE, "{--global} searches with {--solver} dls only");
-}
-
 /* Now and then. */
 static void keep_state(void *context)
 {
@@ -289,7 +279,14 @@ static bool optimize_search_search(struct optimize_job *job, const struct merit_
     job->part = ARENA_NEW(arena, struct optimize_part);
     const double until = isnan(input->seconds) ? INFINITY : progress_clock() + input->seconds;
     job->until = INFINITY; /* what is searched is the same, however little time there is */
-    if (!optimize_search_check(input, error) || !drop_idle(job, global, question, error) ||
+    if (input->keep > input->global) {
+        return fail(error, ERROR_USAGE, "{--keep} %ld of {--global} %ld: at most one a start",
+                    input->keep, input->global);
+    }
+    if (input->solver != SOLVER_DLS) {
+        return fail(error, ERROR_USAGE, "{--global} searches with {--solver} dls only");
+    }
+    if (!drop_idle(job, global, question, error) ||
         !optimize_part_begin(job, global, job->part, error)) {
         return false;
     }

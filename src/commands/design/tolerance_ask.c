@@ -155,11 +155,6 @@ static bool ask_compensators(struct tolerance_job *job, struct error *error)
 
 /* -------- the criterion -------- */
 
-static bool is_percent(struct text text)
-{
-    return text.length > 0 && text.start[text.length - 1] == '%';
-}
-
 /* Numbers have no units: that of a criterion, as it is printed, is for people. */
 static struct text without_unit(struct text text, const struct criterion_type *type)
 {
@@ -183,7 +178,8 @@ static bool tolerance_ask_read_figure(const char *what, struct text text, enum c
     if (!quantity_read(without_unit(text, type), type->dimension, unit, figure, NULL, error)) {
         return false;
     }
-    *figure /= kind == CRITERION_MTF && is_percent(text) ? 100 : 1;
+    *figure /=
+        kind == CRITERION_MTF && (text.length > 0 && text.start[text.length - 1] == '%') ? 100 : 1;
     return (*figure > 0 && *figure < most && isfinite(*figure)) ||
            fail(error, ERROR_USAGE, "{--%s} '%.*s' must be %s", what, text_shown(text), text.start,
                 kind == CRITERION_MTF ? "a contrast above 0 and below 1" : "finite and above 0");
@@ -322,22 +318,18 @@ static bool ask_view(struct tolerance_job *job, struct error *error)
            lens_fields_asked(question, view->positions[0], fields, error);
 }
 
-static bool ask_errors(struct tolerance_job *job, struct error *error)
-{
-    const struct tolerance_input *input = job->input;
-    const struct tolerances_reader reader = {job->lens, job->run->db, job->run->arena};
-    const char *grade = tolerances_grade(job->lens, input->grade, input->tolerances);
-    return tolerances_of(&reader, grade, input->tolerances, &job->perturbations, &job->made, error);
-}
-
 bool tolerance_ask(struct tolerance_job *job, struct error *error)
 {
     const struct tolerance_input *input = job->input;
     job->lens = input->question.lens.lens;
     job->question.refocus = (enum tolerance_refocus)input->refocus;
     job->question.aims = input->aim == TOLERANCE_AIM_STOP;
-    if (!ask_criterion(job, error) || !ask_view(job, error) || !ask_compensators(job, error) ||
-        !ask_errors(job, error)) {
+    if (!ask_criterion(job, error) || !ask_view(job, error) || !ask_compensators(job, error)) {
+        return false;
+    }
+    const struct tolerances_reader reader = {job->lens, job->run->db, job->run->arena};
+    const char *grade = tolerances_grade(job->lens, input->grade, input->tolerances);
+    if (!tolerances_of(&reader, grade, input->tolerances, &job->perturbations, &job->made, error)) {
         return false;
     }
     job->question.perturbations = job->perturbations.list;

@@ -88,13 +88,6 @@ static void add_block(const struct thick_rays *rays, size_t first, size_t count,
     linear_fold(bundle->r, THICK_COLUMNS, a, rows);
 }
 
-static bool is_finite_ray(const struct thick_rays *rays, size_t i)
-{
-    return isfinite(rays->x[i]) && isfinite(rays->y[i]) && isfinite(rays->p[i]) &&
-           isfinite(rays->q[i]) && isfinite(rays->x_out[i]) && isfinite(rays->y_out[i]) &&
-           isfinite(rays->p_out[i]) && isfinite(rays->q_out[i]);
-}
-
 /* The field of ray i, which is the one `number` of all. */
 static size_t ray_field(const struct thick_rays *rays, size_t i, size_t number)
 {
@@ -106,7 +99,9 @@ static bool check_ray(const struct thick_sums *sums, const struct thick_rays *ra
 {
     size_t number = sums->count + i, field = ray_field(rays, i, number);
     double weight = thick_rays_weight(rays, i);
-    if (!is_finite_ray(rays, i)) {
+    if (!(isfinite(rays->x[i]) && isfinite(rays->y[i]) && isfinite(rays->p[i]) &&
+          isfinite(rays->q[i]) && isfinite(rays->x_out[i]) && isfinite(rays->y_out[i]) &&
+          isfinite(rays->p_out[i]) && isfinite(rays->q_out[i]))) {
         return fail(error, ERROR_DOMAIN, "ray %zu is not all numbers", number + 1);
     }
     if (!(weight >= 0 && isfinite(weight))) {

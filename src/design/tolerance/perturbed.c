@@ -15,11 +15,6 @@ static bool perturbed_is_of_medium(const struct perturbation *one)
     return one->kind == TOLERANCE_INDEX || one->kind == TOLERANCE_ABBE;
 }
 
-static bool is_bend(enum parameter_kind kind)
-{
-    return kind == PARAMETER_RADIUS || kind == PARAMETER_CURVATURE;
-}
-
 static bool is_pose(enum parameter_kind kind)
 {
     return kind >= PARAMETER_DECENTER_X && kind <= PARAMETER_TILT_Z;
@@ -45,16 +40,13 @@ enum { KINDS_KEPT = 6 };
 static size_t perturbed_number_of(struct perturbed *perturbed, struct parameter what)
 {
     size_t i = 0;
-    while (i < perturbed->number_count && (perturbed->numbers[i].what.surface != what.surface ||
-                                           perturbed->numbers[i].what.kind != what.kind ||
-                                           perturbed->numbers[i].what.order != what.order)) {
+    while (i < perturbed->number_count &&
+           !parameter_is_identical(perturbed->numbers[i].what, what)) {
         i++;
     }
-    if (i < perturbed->number_count) {
-        return i;
+    if (i == perturbed->number_count) {
+        perturbed->numbers[perturbed->number_count++] = (struct perturbed_number){.what = what};
     }
-    struct perturbed_number *number = &perturbed->numbers[perturbed->number_count++];
-    *number = (struct perturbed_number){.what = what};
     return i;
 }
 
@@ -328,7 +320,7 @@ static void put_pose(struct perturbed *perturbed, size_t position, size_t i)
 /* A number as the lens has it, with all of its digits. */
 static void restore(const struct surface *from, struct parameter what, struct surface *to)
 {
-    if (is_bend(what.kind)) {
+    if (what.kind == PARAMETER_RADIUS || what.kind == PARAMETER_CURVATURE) {
         to->radius = from->radius;
         to->curvature = from->curvature;
         to->is_plane = from->is_plane;
