@@ -18,42 +18,41 @@ enum {
 static const double exactly = 1e-10;
 
 /* How good a lens is. */
-struct glass_choice_rank {
+struct glass_rank {
     double missed; /* of a condition; 0: it is met */
     double merit;
 };
 
 /* A lens some of whose glasses are real. */
-struct glass_choice_node {
-    const struct glass_choice_node *parent; /* null: none is */
+struct glass_node {
+    const struct glass_node *parent; /* null: none is */
     const struct lens *lens, *start; /* as optimised, and with the numbers of the question's lens */
     struct variable *list;           /* what still varies */
     size_t *origin;                  /* of these in the question's list */
     size_t count, depth;
     struct glass_exchange exchange; /* that made it of its parent */
     bool from_start;                /* it was found from there */
-    struct glass_choice_rank rank;
+    struct glass_rank rank;
 };
 
 /* A candidate in the place of a model glass, optimised. */
 struct trial {
     const struct glass_candidate *glass;
     double distance;
-    struct glass_choice_rank rank; /* infinite: the lens has no merit with it */
+    struct glass_rank rank; /* infinite: the lens has no merit with it */
     double *numbers;
     bool from_start, is_stopped;
     long evaluations, iterations;
     struct error why;
 };
 
-struct glass_choice_search {
+struct glass_search_state {
     const struct glass_choice_task *task;
     struct arena *arena;
-    size_t total; /* model glasses at first */
-    const struct glass_choice_node
-        *best; /* all of its glasses are real; null: none was found yet */
-    const struct glass_choice_node *deepest; /* most of its glasses are */
-    struct error why;                        /* of a candidate that the lens had no merit with */
+    size_t total;                     /* model glasses at first */
+    const struct glass_node *best;    /* all of its glasses are real; null: none was found yet */
+    const struct glass_node *deepest; /* most of its glasses are */
+    struct error why;                 /* of a candidate that the lens had no merit with */
     struct glass_choice *choice;
 };
 
@@ -64,19 +63,14 @@ struct outcome {
     struct optimize_answer answer;
 };
 
-static bool glass_choice_is_of_medium(enum parameter_kind kind)
-{
-    return kind == PARAMETER_INDEX || kind == PARAMETER_ABBE;
-}
-
-static bool is_better(struct glass_choice_rank a, struct glass_choice_rank b)
+static bool is_better(struct glass_rank a, struct glass_rank b)
 {
     return a.missed < b.missed || (a.missed == b.missed && a.merit < b.merit);
 }
 
-static struct glass_choice_rank rank_of(double merit, double missed)
+static struct glass_rank rank_of(double merit, double missed)
 {
-    return (struct glass_choice_rank){missed <= exactly ? 0 : missed, merit};
+    return (struct glass_rank){missed <= exactly ? 0 : missed, merit};
 }
 
 /* -------- glasses -------- */
@@ -87,8 +81,7 @@ static size_t list_models(const struct lens *lens, const struct variable *list, 
     size_t found = 0;
     for (size_t i = 0; i < count; i++) {
         const size_t surface = list[i].what.surface;
-        bool is_new = glass_choice_is_of_medium(list[i].what.kind) &&
-                      surface < lens->surface_count &&
+        bool is_new = parameter_is_of_medium(list[i].what.kind) && surface < lens->surface_count &&
                       lens->surfaces[surface].medium.kind == MEDIUM_MODEL;
         for (size_t k = 0; k < found && is_new; k++) {
             is_new = surfaces[k] != surface;
@@ -106,13 +99,13 @@ size_t glass_choice_models(const struct variables *variables, size_t *surfaces)
 }
 
 /* Do the bounds of nd and Vd allow it? */
-static bool is_allowed(const struct glass_choice_node *node, size_t surface,
+static bool is_allowed(const struct glass_node *node, size_t surface,
                        const struct glass_candidate *glass)
 {
     bool allowed = true;
     for (size_t i = 0; i < node->count; i++) {
         const struct variable *one = &node->list[i];
-        if (one->what.surface == surface && glass_choice_is_of_medium(one->what.kind)) {
+        if (one->what.surface == surface && parameter_is_of_medium(one->what.kind)) {
             const double value = one->what.kind == PARAMETER_INDEX ? glass->nd : glass->Vd;
             allowed = allowed && one->low <= value && value <= one->high;
         }
@@ -129,9 +122,9 @@ static double glass_choice_distance_of(const struct medium *model,
 }
 
 /* The candidates nearest to a model glass, nearest first; how many. */
-static size_t glass_choice_find_nearest(const struct glass_choice_search *search,
-                                        const struct glass_choice_node *node, size_t surface,
-                                        struct trial trials[NEAREST])
+static size_t find_nearest_glasses(const struct glass_search_state *search,
+                                   const struct glass_node *node, size_t surface,
+                                   struct trial trials[NEAREST])
 {
     const struct glass_choice_task *task = search->task;
     const struct medium *model = &node->lens->surfaces[surface].medium;
@@ -153,16 +146,15 @@ static size_t glass_choice_find_nearest(const struct glass_choice_search *search
 }
 
 /* The model glass that is farthest from all candidates; what is tried in its place. */
-static size_t choose_surface(const struct glass_choice_search *search,
-                             const struct glass_choice_node *node, struct trial trials[NEAREST],
-                             size_t *count)
+static size_t choose_surface(const struct glass_search_state *search, const struct glass_node *node,
+                             struct trial trials[NEAREST], size_t *count)
 {
     size_t *surfaces = ARENA_ARRAY(search->arena, node->count + 1, size_t), chosen = LENS_NONE;
     const size_t models = list_models(node->lens, node->list, node->count, surfaces);
     double farthest = -1;
     for (size_t i = 0; i < models; i++) {
         struct trial nearest[NEAREST];
-        const size_t found = glass_choice_find_nearest(search, node, surfaces[i], nearest);
+        const size_t found = find_nearest_glasses(search, node, surfaces[i], nearest);
         const double distance = found > 0 ? nearest[0].distance : INFINITY;
         if (distance > farthest) {
             farthest = distance;
@@ -183,7 +175,7 @@ static void drop_marks(struct surface *surface, struct arena *arena)
     size_t count = 0;
     for (size_t i = 0; i < surface->vary_count; i++) {
         const enum parameter_kind kind = surface->varies[i].kind;
-        if (kind != PARAMETER_GLASS && !glass_choice_is_of_medium(kind)) {
+        if (kind != PARAMETER_GLASS && !parameter_is_of_medium(kind)) {
             kept[count++] = surface->varies[i];
         }
     }
@@ -192,8 +184,8 @@ static void drop_marks(struct surface *surface, struct arena *arena)
 }
 
 /* The lens with a real glass behind a surface, all numbers as they are. */
-static const struct lens *glass_choice_put_medium(const struct lens *from, size_t surface,
-                                                  const struct medium *medium, struct arena *arena)
+static const struct lens *lens_with_medium(const struct lens *from, size_t surface,
+                                           const struct medium *medium, struct arena *arena)
 {
     struct lens *lens = parameter_apply(from, NULL, NULL, 0, arena);
     drop_marks(&lens->surfaces[surface], arena);
@@ -202,19 +194,17 @@ static const struct lens *glass_choice_put_medium(const struct lens *from, size_
     return lens;
 }
 
-static struct glass_choice_node glass_choice_put_glass(const struct glass_choice_node *parent,
-                                                       size_t surface,
-                                                       const struct glass_candidate *glass,
-                                                       struct arena *arena)
+static struct glass_node node_with_glass(const struct glass_node *parent, size_t surface,
+                                         const struct glass_candidate *glass, struct arena *arena)
 {
-    struct glass_choice_node child = {.parent = parent, .depth = parent->depth + 1};
-    child.lens = glass_choice_put_medium(parent->lens, surface, &glass->medium, arena);
-    child.start = glass_choice_put_medium(parent->start, surface, &glass->medium, arena);
+    struct glass_node child = {.parent = parent, .depth = parent->depth + 1};
+    child.lens = lens_with_medium(parent->lens, surface, &glass->medium, arena);
+    child.start = lens_with_medium(parent->start, surface, &glass->medium, arena);
     child.list = ARENA_ARRAY(arena, parent->count + 1, struct variable);
     child.origin = ARENA_ARRAY(arena, parent->count + 1, size_t);
     for (size_t i = 0; i < parent->count; i++) {
         const struct parameter *what = &parent->list[i].what;
-        if (what->surface != surface || !glass_choice_is_of_medium(what->kind)) {
+        if (what->surface != surface || !parameter_is_of_medium(what->kind)) {
             child.list[child.count] = parent->list[i];
             child.origin[child.count++] = parent->origin[i];
         }
@@ -223,7 +213,7 @@ static struct glass_choice_node glass_choice_put_glass(const struct glass_choice
 }
 
 /* Optimise what varies of a lens: one of the node's two. */
-static bool glass_choice_optimise(const struct glass_choice_node *node, const struct lens *lens,
+static bool glass_choice_optimise(const struct glass_node *node, const struct lens *lens,
                                   const struct glass_choice_task *asked, struct arena *arena,
                                   struct outcome *outcome, struct error *error)
 {
@@ -243,8 +233,8 @@ static bool glass_choice_optimise(const struct glass_choice_node *node, const st
 /* -------- trials -------- */
 
 struct glass_trials {
-    const struct glass_choice_search *search;
-    const struct glass_choice_node *node;
+    const struct glass_search_state *search;
+    const struct glass_node *node;
     size_t surface;
     struct trial *trials;
 };
@@ -253,8 +243,8 @@ struct glass_trials {
 static void try_from(const struct glass_trials *trying, bool from_start, struct arena *arena,
                      struct trial *trial)
 {
-    const struct glass_choice_node child =
-        glass_choice_put_glass(trying->node, trying->surface, trial->glass, arena);
+    const struct glass_node child =
+        node_with_glass(trying->node, trying->surface, trial->glass, arena);
     struct outcome *outcome = ARENA_NEW(arena, struct outcome);
     const struct optimize_answer *answer = &outcome->answer;
     if (!glass_choice_optimise(&child, from_start ? child.start : child.lens, trying->search->task,
@@ -262,7 +252,7 @@ static void try_from(const struct glass_trials *trying, bool from_start, struct 
         trial->why.more = NULL; /* it ends with this arena */
         return;
     }
-    const struct glass_choice_rank rank = rank_of(answer->after.merit, answer->summary.excess);
+    const struct glass_rank rank = rank_of(answer->after.merit, answer->summary.excess);
     trial->is_stopped = trial->is_stopped || answer->summary.status == SOLVER_STOPPED;
     trial->evaluations += answer->summary.evaluations;
     trial->iterations += answer->summary.iterations;
@@ -278,7 +268,7 @@ static void try_pieces(void *context, const struct parallel_piece *piece)
     const struct glass_trials *trying = context;
     for (size_t i = piece->begin; i < piece->end; i++) {
         struct trial *trial = &trying->trials[i];
-        trial->rank = (struct glass_choice_rank){INFINITY, INFINITY};
+        trial->rank = (struct glass_rank){INFINITY, INFINITY};
         for (int from_start = 0; from_start < 2; from_start++) {
             const bool is_few = trying->search->total <= LAST; /* the start is near still */
             if (from_start == 0 || is_few || isinf(trial->rank.merit)) {
@@ -291,7 +281,7 @@ static void try_pieces(void *context, const struct parallel_piece *piece)
 }
 
 /* All of them, in the order of their loss; false: there is no time for it. */
-static bool try_all(struct glass_choice_search *search, const struct glass_choice_node *node,
+static bool try_all(struct glass_search_state *search, const struct glass_node *node,
                     size_t surface, struct trial *trials, size_t count)
 {
     struct glass_trials trying = {search, node, surface, trials};
@@ -328,15 +318,15 @@ static bool try_all(struct glass_choice_search *search, const struct glass_choic
 /* -------- the search -------- */
 
 /* The lens of a trial, with its numbers. */
-static const struct glass_choice_node *glass_choice_enter(struct glass_choice_search *search,
-                                                          const struct glass_choice_node *parent,
-                                                          size_t surface, const struct trial *trial)
+static const struct glass_node *glass_node_enter(struct glass_search_state *search,
+                                                 const struct glass_node *parent, size_t surface,
+                                                 const struct trial *trial)
 {
     const struct medium *model = &parent->lens->surfaces[surface].medium;
-    struct glass_choice_node *node = ARENA_NEW(search->arena, struct glass_choice_node);
+    struct glass_node *node = ARENA_NEW(search->arena, struct glass_node);
     struct variables variables;
     struct error ignored;
-    *node = glass_choice_put_glass(parent, surface, trial->glass, search->arena);
+    *node = node_with_glass(parent, surface, trial->glass, search->arena);
     node->rank = trial->rank;
     node->from_start = trial->from_start;
     node->exchange =
@@ -350,7 +340,7 @@ static const struct glass_choice_node *glass_choice_enter(struct glass_choice_se
 }
 
 /* Is it worth going on from a trial for one of so many glasses? */
-static bool is_promising(const struct glass_choice_search *search, size_t models,
+static bool is_promising(const struct glass_search_state *search, size_t models,
                          const struct trial *trial)
 {
     const bool is_pair = search->total <= PAIR;
@@ -361,8 +351,7 @@ static bool is_promising(const struct glass_choice_search *search, size_t models
            ((is_pair && models > 1) || is_better(trial->rank, search->best->rank));
 }
 
-static void glass_choice_descend(struct glass_choice_search *search,
-                                 const struct glass_choice_node *node)
+static void glass_node_descend(struct glass_search_state *search, const struct glass_node *node)
 {
     struct trial trials[NEAREST];
     size_t *surfaces = ARENA_ARRAY(search->arena, node->count + 1, size_t), count = 0;
@@ -380,7 +369,7 @@ static void glass_choice_descend(struct glass_choice_search *search,
     }
     for (size_t i = 0; i < count && !search->choice->is_stopped; i++) {
         if (is_promising(search, models, &trials[i])) {
-            glass_choice_descend(search, glass_choice_enter(search, node, surface, &trials[i]));
+            glass_node_descend(search, glass_node_enter(search, node, surface, &trials[i]));
         }
     }
 }
@@ -392,8 +381,7 @@ static bool glass_choice_check_pickups(const struct lens *lens, const size_t *su
     for (size_t i = 0; i < lens->pickup_count; i++) {
         const struct lens_pickup *pickup = &lens->pickups[i];
         for (size_t k = 0; k < count; k++) {
-            if (glass_choice_is_of_medium(pickup->from.kind) &&
-                pickup->from.surface == surfaces[k]) {
+            if (parameter_is_of_medium(pickup->from.kind) && pickup->from.surface == surfaces[k]) {
                 return fail(error, ERROR_DOMAIN,
                             "%s follows a number of the glass behind surface %zu by a pick-up, "
                             "which a real glass cannot: let the glass follow, or hold it",
@@ -404,13 +392,12 @@ static bool glass_choice_check_pickups(const struct lens *lens, const size_t *su
     return true;
 }
 
-static bool check_allowed(const struct glass_choice_search *search,
-                          const struct glass_choice_node *root, const size_t *surfaces,
-                          size_t count, struct error *error)
+static bool check_allowed(const struct glass_search_state *search, const struct glass_node *root,
+                          const size_t *surfaces, size_t count, struct error *error)
 {
     struct trial trials[NEAREST];
     for (size_t i = 0; i < count; i++) {
-        if (glass_choice_find_nearest(search, root, surfaces[i], trials) == 0) {
+        if (find_nearest_glasses(search, root, surfaces[i], trials) == 0) {
             return fail(error, ERROR_DOMAIN, "no glass lies within the bounds of glass%zu",
                         surfaces[i] + 1);
         }
@@ -420,15 +407,15 @@ static bool check_allowed(const struct glass_choice_search *search,
 
 /* The last step once more, of which all is kept now: to its end, as it was; where the time is over
    it begins where that ended. */
-static bool glass_choice_keep(struct glass_choice_search *search,
-                              const struct glass_choice_node *found, struct error *error)
+static bool glass_choice_keep(struct glass_search_state *search, const struct glass_node *found,
+                              struct error *error)
 {
     struct glass_choice *choice = search->choice;
     struct optimize_task how = *search->task->how;
     struct glass_choice_task task = *search->task;
     struct outcome *outcome = ARENA_NEW(search->arena, struct outcome);
-    const struct glass_choice_node last = glass_choice_put_glass(
-        found->parent, found->exchange.surface, found->exchange.glass, search->arena);
+    const struct glass_node last = node_with_glass(found->parent, found->exchange.surface,
+                                                   found->exchange.glass, search->arena);
     const struct lens *start = choice->is_stopped  ? found->lens
                                : found->from_start ? last.start
                                                    : last.lens;
@@ -445,7 +432,7 @@ static bool glass_choice_keep(struct glass_choice_search *search,
     choice->lens = variables_lens(&choice->variables, choice->answer.after.numbers, search->arena);
     choice->count = found->depth;
     choice->exchanges = ARENA_ARRAY(search->arena, found->depth, struct glass_exchange);
-    for (const struct glass_choice_node *node = found; node->parent != NULL; node = node->parent) {
+    for (const struct glass_node *node = found; node->parent != NULL; node = node->parent) {
         choice->exchanges[node->depth - 1] = node->exchange;
     }
     return true;
@@ -455,18 +442,18 @@ bool glass_choose(const struct glass_choice_task *task, struct arena *arena,
                   struct glass_choice *choice, struct error *error)
 {
     const struct variables *variables = task->question->variables;
-    struct glass_choice_search search = {.task = task, .arena = arena, .choice = choice};
-    struct glass_choice_node *root = ARENA_NEW(arena, struct glass_choice_node);
+    struct glass_search_state search = {.task = task, .arena = arena, .choice = choice};
+    struct glass_node *root = ARENA_NEW(arena, struct glass_node);
     size_t *surfaces = ARENA_ARRAY(arena, variables->count + 1, size_t);
     const size_t count = glass_choice_models(variables, surfaces);
     search.total = count;
     *choice = (struct glass_choice){.lens = task->lens};
-    *root = (struct glass_choice_node){.lens = task->lens,
-                                       .start = variables->lens,
-                                       .list = variables->list,
-                                       .origin = ARENA_ARRAY(arena, variables->count + 1, size_t),
-                                       .count = variables->count,
-                                       .rank = rank_of(task->merit, task->missed)};
+    *root = (struct glass_node){.lens = task->lens,
+                                .start = variables->lens,
+                                .list = variables->list,
+                                .origin = ARENA_ARRAY(arena, variables->count + 1, size_t),
+                                .count = variables->count,
+                                .rank = rank_of(task->merit, task->missed)};
     for (size_t i = 0; i < variables->count; i++) {
         root->origin[i] = i;
     }
@@ -474,8 +461,8 @@ bool glass_choose(const struct glass_choice_task *task, struct arena *arena,
         !check_allowed(&search, root, surfaces, count, error)) {
         return false;
     }
-    glass_choice_descend(&search, root);
-    const struct glass_choice_node *found = search.best != NULL ? search.best : search.deepest;
+    glass_node_descend(&search, root);
+    const struct glass_node *found = search.best != NULL ? search.best : search.deepest;
     choice->missing = count - found->depth;
     if (choice->missing > 0 && !choice->is_stopped) {
         *error = search.why;

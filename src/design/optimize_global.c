@@ -62,8 +62,7 @@ struct global_run {
     size_t first; /* of the starts of this round */
 };
 
-static struct global_run optimize_global_open_search(const struct optimize_global *global,
-                                                     struct arena *arena)
+static struct global_run global_run_of(const struct optimize_global *global, struct arena *arena)
 {
     const struct variables *variables = global->merit->question.variables;
     return (struct global_run){.global = global,
@@ -129,7 +128,7 @@ static bool search_from(const struct global_run *searching, size_t start, struct
 
 bool optimize_global_idle(const struct optimize_global *global, struct arena *arena, bool *is_idle)
 {
-    const struct global_run searching = optimize_global_open_search(global, arena);
+    const struct global_run searching = global_run_of(global, arena);
     const size_t n = global->merit->variable_count, m = global->merit->residual_count;
     double *numbers = ARENA_ARRAY(arena, n + 1, double);
     double *residuals = ARENA_ARRAY(arena, m + 1, double);
@@ -156,7 +155,7 @@ bool optimize_global_idle(const struct optimize_global *global, struct arena *ar
     return found;
 }
 
-static bool optimize_global_goes_on(const struct optimize_global *global)
+static bool global_run_goes_on(const struct optimize_global *global)
 {
     return !watch_is_ended(global->watch) &&
            (global->goes_on == NULL || global->goes_on(global->context));
@@ -169,7 +168,7 @@ static void optimize_global_work(void *context, const struct parallel_piece *pie
     for (size_t k = searching->first + piece->begin; k < searching->first + piece->end; k++) {
         struct global_result *result = &global->results[k];
         struct global_chain chain;
-        if (!result->is_done && optimize_global_goes_on(global) &&
+        if (!result->is_done && global_run_goes_on(global) &&
             search_from(searching, k, piece->arena, &chain)) {
             *result = (struct global_result){true, chain.count, chain.minima, chain.evaluations};
             watch_add(global->watch, 1);
@@ -181,13 +180,13 @@ void optimize_global_search(struct optimize_global *global, struct arena *arena)
 {
     const size_t all = global->end - global->begin;
     const size_t round = global->pause == NULL ? all : (size_t)global->threads * STARTS_A_THREAD;
-    struct global_run searching = optimize_global_open_search(global, arena);
+    struct global_run searching = global_run_of(global, arena);
     struct parallel *team = ARENA_NEW(arena, struct parallel);
     team->threads = global->threads;
     for (; searching.first < global->end; searching.first += round) {
         const size_t left = global->end - searching.first;
         parallel_pieces(team, left < round ? left : round, 1, optimize_global_work, &searching);
-        if (!optimize_global_goes_on(global)) {
+        if (!global_run_goes_on(global)) {
             break;
         }
         if (global->pause != NULL) {
@@ -253,9 +252,8 @@ static struct candidate *list_candidates(const struct optimize_global *global, s
 }
 
 /* Does a lens that is there already lie there? */
-static bool optimize_global_is_known(const struct solver_problem *problem,
-                                     const struct global_kept *kept, size_t count,
-                                     const double *numbers)
+static bool kept_is_known(const struct solver_problem *problem, const struct global_kept *kept,
+                          size_t count, const double *numbers)
 {
     bool found = false;
     for (size_t i = 0; i < count; i++) {
@@ -282,9 +280,8 @@ static size_t count_hits(const struct optimize_global *global, const struct solv
 }
 
 /* Down to its minimum. */
-static bool optimize_global_finish(const struct optimize_task *task,
-                                   const struct candidate *candidate, struct arena *arena,
-                                   struct global_kept *kept)
+static bool candidate_finish(const struct optimize_task *task, const struct candidate *candidate,
+                             struct arena *arena, struct global_kept *kept)
 {
     struct optimize_task fine = *task;
     struct fresh *fresh = ARENA_NEW(arena, struct fresh);
@@ -309,12 +306,12 @@ size_t optimize_global_keep(const struct optimize_global *global, const struct o
         if (count > 0 && watch_is_ended(global->watch)) {
             break; /* who interrupts gets the best, and does not wait for others */
         }
-        if (optimize_global_is_known(&problem, kept, count, list[i].minimum->parameters)) {
+        if (kept_is_known(&problem, kept, count, list[i].minimum->parameters)) {
             continue;
         }
         tried++;
-        if (optimize_global_finish(task, &list[i], arena, &kept[count]) &&
-            !optimize_global_is_known(&problem, kept, count, kept[count].answer.after.numbers)) {
+        if (candidate_finish(task, &list[i], arena, &kept[count]) &&
+            !kept_is_known(&problem, kept, count, kept[count].answer.after.numbers)) {
             count++;
         }
     }

@@ -15,11 +15,6 @@ static bool is_inverse(enum parameter_kind kind)
     return kind == PARAMETER_RADIUS || kind == PARAMETER_FOCAL;
 }
 
-static bool variable_is_of_medium(enum parameter_kind kind)
-{
-    return kind == PARAMETER_INDEX || kind == PARAMETER_ABBE;
-}
-
 static bool is_cell(const struct figure *figure, size_t word)
 {
     return figure != NULL && figure->variable == word;
@@ -83,7 +78,7 @@ static bool check_alone(const struct variables *variables, size_t at, struct err
     }
     for (size_t i = 0; i < lens->pickup_count; i++) {
         const struct lens_pickup *pickup = &lens->pickups[i];
-        bool of_medium = variable_is_of_medium(one->what.kind) &&
+        bool of_medium = parameter_is_of_medium(one->what.kind) &&
                          pickup->what.kind == PARAMETER_GLASS &&
                          pickup->what.surface == one->what.surface;
         if (of_medium || parameter_is_same(pickup->what, one->what)) {
@@ -402,7 +397,7 @@ static const struct variable *other_number(const struct variables *variables,
     const struct variable *other = NULL;
     for (size_t i = 0; i < variables->count && other == NULL; i++) {
         const struct parameter *what = &variables->list[i].what;
-        if (variable_is_of_medium(what->kind) && what->surface == one->what.surface &&
+        if (parameter_is_of_medium(what->kind) && what->surface == one->what.surface &&
             what->kind != one->what.kind) {
             other = &variables->list[i];
         }
@@ -417,7 +412,7 @@ static bool open_lone(struct variables *variables, size_t at, struct error *erro
     const struct variable *one = &variables->list[at], *other = other_number(variables, one);
     const struct lens *lens = &variables->lenses[0].lens;
     const bool is_index = one->what.kind == PARAMETER_INDEX;
-    if (!variable_is_of_medium(one->what.kind) || !variable_is_free(one) ||
+    if (!parameter_is_of_medium(one->what.kind) || !variable_is_free(one) ||
         (other != NULL && variable_is_free(other)) || one->what.surface >= lens->surface_count ||
         lens->surfaces[one->what.surface].medium.kind != MEDIUM_MODEL) {
         return true;

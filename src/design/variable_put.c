@@ -155,7 +155,7 @@ size_t variables_links(const struct variables *variables, size_t position, doubl
             if (number->is_inverse) {
                 link.slope *= -1 / (values[i] * values[i]);
             }
-            if (link.basis.kind == PARAMETER_INDEX || link.basis.kind == PARAMETER_ABBE) {
+            if (parameter_is_of_medium(link.basis.kind)) {
                 link.slope *= parameter_slope(lens, number->what, wavelength);
                 link.basis.kind = PARAMETER_INDEX;
                 count = variable_index_links(lens, link, first, count, links);
@@ -172,7 +172,7 @@ static struct figure variable_put_rounded(double value, struct number_scale unit
                                           struct arena *arena)
 {
     char text[PAIR_LENGTH];
-    struct figure figure = {.value = pair_of(value), .variable = LENS_NONE};
+    struct figure figure = figure_number(pair_of(value));
     if (isfinite(value)) {
         const char *end = pair_write_digits(text, figure.value, unit, DIGITS);
         bool has_point = memchr(text, '.', (size_t)(end - text)) != NULL &&

@@ -17,19 +17,19 @@ static const double WIDE = 8;                  /* px that are halved twice in an
 enum { ROUNDS = 40 };
 
 /* A point of all curves, and what is known of the interval behind it. */
-struct plot_sample_node {
+struct curve_node {
     double x, at; /* at: px */
     double *y;    /* values */
     bool is_sample, is_open;
     int depth;
 };
 
-struct plot_sample_sampler {
+struct curve_sampler {
     const struct plot *plot;
     const struct plot_source *source;
     struct plot_axis x, y;
     struct arena *arena;
-    struct plot_sample_node *nodes;
+    struct curve_node *nodes;
     size_t count, asked;
     bool is_over;
 };
@@ -37,7 +37,7 @@ struct plot_sample_sampler {
 /* How a value is drawn: nowhere, off an edge, or on the page. */
 enum plot_sample_state { STATE_NONE, STATE_BELOW, STATE_ABOVE, STATE_FINITE };
 
-static enum plot_sample_state state_of(const struct plot_sample_sampler *sampler, double y)
+static enum plot_sample_state state_of(const struct curve_sampler *sampler, double y)
 {
     const double v = plot_drawable(y, sampler->plot->log_y);
     if (isfinite(v)) {
@@ -50,14 +50,14 @@ static enum plot_sample_state state_of(const struct plot_sample_sampler *sampler
 }
 
 /* Where a finite value lies, px from the lower edge, hardly beyond what is seen. */
-static double plot_sample_height_of(const struct plot_sample_sampler *sampler, double y)
+static double sampled_height(const struct curve_sampler *sampler, double y)
 {
     const double at = plot_page_at(&sampler->y, plot_drawable(y, sampler->plot->log_y));
     return fmin(fmax(at, -HEIGHT / 2), HEIGHT * 1.5);
 }
 
-static bool plot_sample_is_alike(const struct plot_sample_sampler *sampler,
-                                 const struct plot_sample_node *a, const struct plot_sample_node *b)
+static bool nodes_are_alike(const struct curve_sampler *sampler, const struct curve_node *a,
+                            const struct curve_node *b)
 {
     bool alike = true;
     for (size_t k = 0; k < sampler->source->curves && alike; k++) {
@@ -67,72 +67,67 @@ static bool plot_sample_is_alike(const struct plot_sample_sampler *sampler,
 }
 
 /* The longest way up or down from one point to the next, px, of curves that both have. */
-static double leap_of(const struct plot_sample_sampler *sampler, const struct plot_sample_node *a,
-                      const struct plot_sample_node *b)
+static double leap_of(const struct curve_sampler *sampler, const struct curve_node *a,
+                      const struct curve_node *b)
 {
     double leap = 0;
     for (size_t k = 0; k < sampler->source->curves; k++) {
         if (state_of(sampler, a->y[k]) == STATE_FINITE &&
             state_of(sampler, b->y[k]) == STATE_FINITE) {
-            leap = fmax(leap, fabs(plot_sample_height_of(sampler, a->y[k]) -
-                                   plot_sample_height_of(sampler, b->y[k])));
+            leap = fmax(leap,
+                        fabs(sampled_height(sampler, a->y[k]) - sampled_height(sampler, b->y[k])));
         }
     }
     return leap;
 }
 
 /* How far the middle is off the chord, px. */
-static double plot_sample_bend_of(const struct plot_sample_sampler *sampler,
-                                  const struct plot_sample_node *a,
-                                  const struct plot_sample_node *m,
-                                  const struct plot_sample_node *b)
+static double nodes_bend(const struct curve_sampler *sampler, const struct curve_node *a,
+                         const struct curve_node *m, const struct curve_node *b)
 {
     double bend = 0;
     for (size_t k = 0; k < sampler->source->curves; k++) {
         if (state_of(sampler, a->y[k]) == STATE_FINITE &&
             state_of(sampler, m->y[k]) == STATE_FINITE &&
             state_of(sampler, b->y[k]) == STATE_FINITE) {
-            const double chord = (plot_sample_height_of(sampler, a->y[k]) +
-                                  plot_sample_height_of(sampler, b->y[k])) /
-                                 2;
-            bend = fmax(bend, fabs(plot_sample_height_of(sampler, m->y[k]) - chord));
+            const double chord =
+                (sampled_height(sampler, a->y[k]) + sampled_height(sampler, b->y[k])) / 2;
+            bend = fmax(bend, fabs(sampled_height(sampler, m->y[k]) - chord));
         }
     }
     return bend;
 }
 
 /* Is half of an interval worth a look? `bent`: the whole was. */
-static bool half_is_open(const struct plot_sample_sampler *sampler,
-                         const struct plot_sample_node *a, const struct plot_sample_node *b,
-                         bool bent, int depth)
+static bool half_is_open(const struct curve_sampler *sampler, const struct curve_node *a,
+                         const struct curve_node *b, bool bent, int depth)
 {
     const double width = fabs(b->at - a->at);
-    if (!plot_sample_is_alike(sampler, a, b) || leap_of(sampler, a, b) > JUMP) {
+    if (!nodes_are_alike(sampler, a, b) || leap_of(sampler, a, b) > JUMP) {
         return width > EXACT;
     }
     return width > CLOSE && (bent || (depth < 2 && width > WIDE / 2));
 }
 
 /* The node in the middle of an interval; false if there is none. */
-static bool plot_sample_halve(struct plot_sample_sampler *sampler, struct plot_sample_node *a,
-                              const struct plot_sample_node *b, struct plot_sample_node *m)
+static bool nodes_halve(struct curve_sampler *sampler, struct curve_node *a,
+                        const struct curve_node *b, struct curve_node *m)
 {
     const double at = (a->at + b->at) / 2, x = plot_value_at(&sampler->x, at);
     if (sampler->is_over || sampler->asked == sampler->source->most ||
         !((a->x < x && x < b->x) || (b->x < x && x < a->x))) {
         return false;
     }
-    *m =
-        (struct plot_sample_node){.x = x,
-                                  .at = at,
-                                  .y = ARENA_ARRAY(sampler->arena, sampler->source->curves, double),
-                                  .depth = a->depth + 1};
+    *m = (struct curve_node){.x = x,
+                             .at = at,
+                             .y = ARENA_ARRAY(sampler->arena, sampler->source->curves, double),
+                             .depth = a->depth + 1};
     sampler->asked++;
     if (!sampler->source->at(sampler->source->context, x, m->y)) {
         sampler->is_over = true;
         return false;
     }
-    const bool bent = plot_sample_bend_of(sampler, a, m, b) > BENT;
+    const bool bent = nodes_bend(sampler, a, m, b) > BENT;
     a->depth++;
     a->is_open = half_is_open(sampler, a, m, bent, a->depth);
     m->is_open = half_is_open(sampler, m, b, bent, m->depth);
@@ -140,18 +135,16 @@ static bool plot_sample_halve(struct plot_sample_sampler *sampler, struct plot_s
 }
 
 /* Halve every interval that is open. */
-static bool sample_round(struct plot_sample_sampler *sampler)
+static bool sample_round(struct curve_sampler *sampler)
 {
-    struct plot_sample_node *nodes =
-        ARENA_ARRAY(sampler->arena, 2 * sampler->count, struct plot_sample_node);
+    struct curve_node *nodes = ARENA_ARRAY(sampler->arena, 2 * sampler->count, struct curve_node);
     size_t count = 0;
     bool any = false;
     for (size_t i = 0; i < sampler->count; i++) {
-        struct plot_sample_node *here = &sampler->nodes[i], middle;
+        struct curve_node *here = &sampler->nodes[i], middle;
         const bool was_open = here->is_open && i + 1 < sampler->count;
         here->is_open = false;
-        const bool has =
-            was_open && plot_sample_halve(sampler, here, &sampler->nodes[i + 1], &middle);
+        const bool has = was_open && nodes_halve(sampler, here, &sampler->nodes[i + 1], &middle);
         nodes[count++] = *here;
         if (has) {
             nodes[count++] = middle;
@@ -164,20 +157,20 @@ static bool sample_round(struct plot_sample_sampler *sampler)
 }
 
 /* Does a curve leave the page at one edge and come back at the other? */
-static bool has_pole(const struct plot_sample_sampler *sampler, size_t curve,
-                     const struct plot_sample_node *a, const struct plot_sample_node *b)
+static bool has_pole(const struct curve_sampler *sampler, size_t curve, const struct curve_node *a,
+                     const struct curve_node *b)
 {
     if (state_of(sampler, a->y[curve]) != STATE_FINITE ||
         state_of(sampler, b->y[curve]) != STATE_FINITE || fabs(b->at - a->at) > 2 * EXACT) {
         return false;
     }
-    const double from = plot_sample_height_of(sampler, a->y[curve]),
-                 to = plot_sample_height_of(sampler, b->y[curve]);
+    const double from = sampled_height(sampler, a->y[curve]),
+                 to = sampled_height(sampler, b->y[curve]);
     return fmin(from, to) < 0 && fmax(from, to) > HEIGHT;
 }
 
 /* Does a curve become infinite, or has a pole, between a sample and the next? */
-static bool is_steep(const struct plot_sample_sampler *sampler, size_t first, size_t last)
+static bool is_steep(const struct curve_sampler *sampler, size_t first, size_t last)
 {
     bool steep = false;
     for (size_t i = first; i <= last && !steep; i++) {
@@ -191,12 +184,11 @@ static bool is_steep(const struct plot_sample_sampler *sampler, size_t first, si
 }
 
 /* Is any curve as far off the page as its height here? */
-static bool plot_sample_is_far(const struct plot_sample_sampler *sampler,
-                               const struct plot_sample_node *node)
+static bool node_is_far(const struct curve_sampler *sampler, const struct curve_node *node)
 {
     bool far = false;
     for (size_t k = 0; k < sampler->source->curves && !far; k++) {
-        const double height = plot_sample_height_of(sampler, node->y[k]);
+        const double height = sampled_height(sampler, node->y[k]);
         far = state_of(sampler, node->y[k]) == STATE_FINITE &&
               (height <= -HEIGHT / 2 || height >= HEIGHT * 1.5);
     }
@@ -204,8 +196,8 @@ static bool plot_sample_is_far(const struct plot_sample_sampler *sampler,
 }
 
 /* Add a point to the curves. */
-static void curves_add(struct plot_curves *curves, const struct plot_sample_node *node,
-                       size_t count, enum plot_place place)
+static void curves_add(struct plot_curves *curves, const struct curve_node *node, size_t count,
+                       enum plot_place place)
 {
     curves->x[curves->count] = node->x;
     curves->places[curves->count] = (unsigned char)place;
@@ -216,10 +208,9 @@ static void curves_add(struct plot_curves *curves, const struct plot_sample_node
 }
 
 /* A gap in the curves that have a pole between two points. */
-static void curves_break(struct plot_curves *curves, const struct plot_sample_sampler *sampler,
-                         size_t i)
+static void curves_break(struct plot_curves *curves, const struct curve_sampler *sampler, size_t i)
 {
-    const struct plot_sample_node *here = &sampler->nodes[i];
+    const struct curve_node *here = &sampler->nodes[i];
     bool any = false;
     for (size_t k = 0; k < sampler->source->curves; k++) {
         const bool pole = has_pole(sampler, k, here, here + 1);
@@ -232,8 +223,7 @@ static void curves_break(struct plot_curves *curves, const struct plot_sample_sa
     }
 }
 
-static void plot_sample_curves_collect(const struct plot_sample_sampler *sampler,
-                                       struct plot_curves *curves)
+static void sampler_collect(const struct curve_sampler *sampler, struct plot_curves *curves)
 {
     const size_t room = 2 * sampler->count, kinds = sampler->source->curves;
     *curves = (struct plot_curves){ARENA_ARRAY(sampler->arena, room, double),
@@ -246,7 +236,7 @@ static void plot_sample_curves_collect(const struct plot_sample_sampler *sampler
         size_t last = first + 1; /* the next sample */
         bool far = false;
         while (last < sampler->count && !sampler->nodes[last].is_sample) {
-            far = far || plot_sample_is_far(sampler, &sampler->nodes[last]);
+            far = far || node_is_far(sampler, &sampler->nodes[last]);
             last++;
         }
         const bool steep = far || (last < sampler->count && is_steep(sampler, first, last));
@@ -264,7 +254,7 @@ static void plot_sample_curves_collect(const struct plot_sample_sampler *sampler
 }
 
 /* The page as the samples have it. */
-static bool find_page(struct plot_sample_sampler *sampler)
+static bool find_page(struct curve_sampler *sampler)
 {
     sampler->x = (struct plot_axis){.log = sampler->plot->log_x};
     sampler->y = (struct plot_axis){.log = sampler->plot->log_y};
@@ -281,30 +271,29 @@ static bool find_page(struct plot_sample_sampler *sampler)
 void plot_sample(const struct plot *plot, const double *x, const double *const *y, size_t count,
                  const struct plot_source *source, struct plot_curves *curves, struct arena *arena)
 {
-    struct plot_sample_sampler sampler = {.plot = plot,
-                                          .source = source,
-                                          .arena = arena,
-                                          .nodes =
-                                              ARENA_ARRAY(arena, count, struct plot_sample_node),
-                                          .count = count};
+    struct curve_sampler sampler = {.plot = plot,
+                                    .source = source,
+                                    .arena = arena,
+                                    .nodes = ARENA_ARRAY(arena, count, struct curve_node),
+                                    .count = count};
     const bool has_page = find_page(&sampler);
     for (size_t i = 0; i < count; i++) {
-        struct plot_sample_node *node = &sampler.nodes[i];
-        *node = (struct plot_sample_node){
-            .x = x[i],
-            .at = plot_page_at(&sampler.x, plot_drawable(x[i], plot->log_x)),
-            .y = ARENA_ARRAY(arena, source->curves, double),
-            .is_sample = true};
+        struct curve_node *node = &sampler.nodes[i];
+        *node =
+            (struct curve_node){.x = x[i],
+                                .at = plot_page_at(&sampler.x, plot_drawable(x[i], plot->log_x)),
+                                .y = ARENA_ARRAY(arena, source->curves, double),
+                                .is_sample = true};
         for (size_t k = 0; k < source->curves; k++) {
             node->y[k] = isfinite(node->at) ? y[k][i] : (double)NAN;
         }
     }
     for (size_t i = 0; i + 1 < count && has_page; i++) {
-        struct plot_sample_node *node = &sampler.nodes[i];
+        struct curve_node *node = &sampler.nodes[i];
         const double width = fabs(node[1].at - node->at);
         node->is_open = width < INFINITY && half_is_open(&sampler, node, node + 1, true, 0);
     }
     for (int i = 0; i < ROUNDS && has_page && sample_round(&sampler); i++) {
     }
-    plot_sample_curves_collect(&sampler, curves);
+    sampler_collect(&sampler, curves);
 }

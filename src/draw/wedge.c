@@ -113,7 +113,7 @@ static void view_choose(struct view *view, const struct wedge *wedge, double nam
 }
 
 /* Keep the part of a convex area where a u + b y >= c. */
-static struct area wedge_view_cut(const struct area *area, double a, double b, double c)
+static struct area area_cut(const struct area *area, double a, double b, double c)
 {
     struct area kept = {.count = 0};
     for (size_t i = 0; i < area->count; i++) {
@@ -146,13 +146,13 @@ static struct area scene(const struct view *view)
 static struct area view_sharp(const struct view *view, const struct wedge *wedge)
 {
     struct area area = scene(view);
-    area = wedge_view_cut(&area, wedge->A_near, -wedge->B, wedge->f);
-    return wedge_view_cut(&area, -wedge->A_far, wedge->B, -wedge->f);
+    area = area_cut(&area, wedge->A_near, -wedge->B, wedge->f);
+    return area_cut(&area, -wedge->A_far, wedge->B, -wedge->f);
 }
 
 /* Narrow from..to to where low <= start + t step <= high. */
-static void wedge_view_narrow(double start, double step, double low, double high, double *from,
-                              double *to)
+static void stretch_narrow(double start, double step, double low, double high, double *from,
+                           double *to)
 {
     if (fabs(step) > 0) {
         double a = (low - start) / step, b = (high - start) / step;
@@ -170,8 +170,8 @@ static struct stretch view_plane(const struct view *view, const struct wedge *we
     double B = wedge->B, square = A * A + B * B;
     double u = wedge->f * A / square, y = -wedge->f * B / square; /* nearest to the lens */
     double from = -(double)INFINITY, to = (double)INFINITY;
-    wedge_view_narrow(u, B, all.u[0], all.u[1], &from, &to);
-    wedge_view_narrow(y, A, all.y[0], all.y[2], &from, &to);
+    stretch_narrow(u, B, all.u[0], all.u[1], &from, &to);
+    stretch_narrow(y, A, all.y[0], all.y[2], &from, &to);
     struct stretch part = {{u + from * B, u + to * B}, {y + from * A, y + to * A}, from < to};
     if (part.u[0] > part.u[1]) {
         part = (struct stretch){{part.u[1], part.u[0]}, {part.y[1], part.y[0]}, part.shown};

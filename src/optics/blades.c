@@ -52,18 +52,13 @@ static double push_of(double x, size_t sides)
     return area / (1 + sqrt(1 + (s - 2) * area));
 }
 
-static struct figure blades_figure_of(double value)
-{
-    return (struct figure){.value = {value, 0}, .variable = LENS_NONE};
-}
-
 /* The corners of one blade, its first end and those between. */
 static void put_blade(const struct blades *blades, double radius, unsigned blade, size_t sides,
                       struct figure (*points)[2])
 {
     const double half = PI / blades->count, first = 2 * half * blade;
-    points[0][0] = blades_figure_of(radius * cos(first));
-    points[0][1] = blades_figure_of(radius * sin(first));
+    points[0][0] = figure_number(pair_of(radius * cos(first)));
+    points[0][1] = figure_number(pair_of(radius * sin(first)));
     if (sides < 2) {
         return;
     }
@@ -73,8 +68,8 @@ static void put_blade(const struct blades *blades, double radius, unsigned blade
     for (size_t i = 1; i < sides; i++) {
         const double angle = (double)i * x - bend;
         const double along = from + pushed * cos(angle), across = pushed * sin(angle);
-        points[i][0] = blades_figure_of(along * c - across * s);
-        points[i][1] = blades_figure_of(along * s + across * c);
+        points[i][0] = figure_number(pair_of(along * c - across * s));
+        points[i][1] = figure_number(pair_of(along * s + across * c));
     }
 }
 
@@ -105,7 +100,7 @@ bool blades_aperture(const struct blades *blades, double radius, struct arena *a
     *aperture = aperture_of(SHAPE_POLYGON, false);
     aperture->points = (const struct figure(*)[2])points;
     aperture->point_count = count;
-    aperture->turn = blades_figure_of(blades->turn);
+    aperture->turn = figure_number(pair_of(blades->turn));
     return true;
 }
 

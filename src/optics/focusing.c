@@ -8,7 +8,7 @@
 #include <stdlib.h>
 
 /* The system as functions of the movement. */
-struct movement_polynomials {
+struct movement_terms {
     const struct focus_mechanism *focusing;
     const struct conjugate_question *question;
     struct paraxial_system system;
@@ -52,7 +52,7 @@ static struct pair focusing_thickness_of(const struct focus_mechanism *focusing,
     return last ? focusing->image_plane : focusing->lens->surfaces[surface].thickness.value;
 }
 
-static void trace_moving(struct movement_polynomials *all)
+static void trace_moving(struct movement_terms *all)
 {
     const struct paraxial_system *system = &all->system;
     struct polynomial gap, power;
@@ -82,7 +82,7 @@ static void trace_moving(struct movement_polynomials *all)
 }
 
 /* No moved gap may change its sign. */
-static void limit_gaps(struct movement_polynomials *all)
+static void limit_gaps(struct movement_terms *all)
 {
     const struct focus_mechanism *focusing = all->focusing;
     all->low = -INFINITY;
@@ -99,7 +99,7 @@ static void limit_gaps(struct movement_polynomials *all)
 }
 
 /* An object at a distance from the image plane stays before the first vertex. */
-static bool limit_object(struct movement_polynomials *all, struct error *error)
+static bool limit_object(struct movement_terms *all, struct error *error)
 {
     const struct conjugate_question *question = all->question;
     bool from_sensor = question->asked == CONJUGATE_OBJECT &&
@@ -124,7 +124,7 @@ static bool limit_object(struct movement_polynomials *all, struct error *error)
 }
 
 /* The ray from the axial object point before the lens. */
-static void focusing_start(const struct movement_polynomials *all, struct polynomial *y,
+static void focusing_start(const struct movement_terms *all, struct polynomial *y,
                            struct polynomial *v)
 {
     const struct conjugate_question *question = all->question;
@@ -162,7 +162,7 @@ static void focusing_start(const struct movement_polynomials *all, struct polyno
 }
 
 /* The polynomial that is 0 when the image lies in its plane. */
-static struct polynomial condition(const struct movement_polynomials *all)
+static struct polynomial condition(const struct movement_terms *all)
 {
     const struct pair n_image = all->system.index[all->system.count];
     const struct polynomial back = polynomial_scale(&all->plane, pair_divide(pair_of(1), n_image));
@@ -194,7 +194,7 @@ static struct focused state_at(const struct focus_mechanism *focusing, struct pa
         }
         struct pair t =
             pair_add(focusing_thickness_of(focusing, i), pair_multiply(pair_of(weight), movement));
-        copy->surfaces[i].thickness = (struct figure){.value = t, .variable = LENS_NONE};
+        copy->surfaces[i].thickness = figure_number(t);
         if (i + 1 == lens->surface_count) {
             focused.image_plane = t;
         }
@@ -203,8 +203,7 @@ static struct focused state_at(const struct focus_mechanism *focusing, struct pa
 }
 
 /* What the lens focuses on after a movement: "850.3 mm", "inf". */
-static const char *reach_at(const struct movement_polynomials *all, double movement,
-                            struct arena *arena)
+static const char *reach_at(const struct movement_terms *all, double movement, struct arena *arena)
 {
     const struct focus_mechanism *focusing = all->focusing;
     const struct focused focused = state_at(focusing, pair_of(movement), arena);
@@ -227,7 +226,7 @@ static const char *reach_at(const struct movement_polynomials *all, double movem
     return fabs(points.object) > 1e12 ? "infinity" : arena_printf(arena, "%.5g mm", points.object);
 }
 
-static double focusing_scale_of(const struct movement_polynomials *all)
+static double focusing_scale_of(const struct movement_terms *all)
 {
     double sum = 1e-3;
     for (size_t i = 0; i < all->system.count; i++) {
@@ -237,7 +236,7 @@ static double focusing_scale_of(const struct movement_polynomials *all)
 }
 
 /* The whole lens between a subject and a sensor: is there such a distance at all? */
-static bool is_too_near(const struct movement_polynomials *all, struct error *error)
+static bool is_too_near(const struct movement_terms *all, struct error *error)
 {
     const struct focus_mechanism *focusing = all->focusing;
     struct paraxial_trace trace;
@@ -252,7 +251,7 @@ static bool is_too_near(const struct movement_polynomials *all, struct error *er
     return conjugate_find(&all->system, &trace, all->question, rays, error) == 0;
 }
 
-static void focusing_refuse(const struct movement_polynomials *all, const struct polynomial *g,
+static void focusing_refuse(const struct movement_terms *all, const struct polynomial *g,
                             struct arena *arena, struct error *error)
 {
     const char *range, *reach;
@@ -293,7 +292,7 @@ size_t focus_solve(const struct focus_mechanism *focusing,
                    const struct conjugate_question *question, struct arena *arena,
                    struct focused solutions[FOCUS_SOLUTIONS], struct error *error)
 {
-    struct movement_polynomials all = {.focusing = focusing, .question = question};
+    struct movement_terms all = {.focusing = focusing, .question = question};
     struct pair roots[POLYNOMIAL_DEGREE];
     if (question->asked == CONJUGATE_IMAGE) {
         fail(error, ERROR_USAGE, "focusing has its image plane: give an object or a magnification");

@@ -21,11 +21,6 @@ struct storage {
     void (*set)(struct surface *surface, size_t offset, double value);
 };
 
-static struct figure computed(struct pair value)
-{
-    return (struct figure){.value = value, .variable = LENS_NONE};
-}
-
 static const struct figure *parameter_at(const void *start, size_t offset)
 {
     return (const struct figure *)(const void *)((const char *)start + offset);
@@ -60,8 +55,8 @@ static void parameter_put_radius(struct surface *surface, size_t offset, struct 
     (void)room;
     surface->is_plane = isinf(figure.value.hi);
     surface->has_curvature = false;
-    surface->curvature = computed(pair_of(0));
-    *parameter_place(surface, offset) = surface->is_plane ? computed(pair_of(0)) : figure;
+    surface->curvature = figure_number(pair_of(0));
+    *parameter_place(surface, offset) = surface->is_plane ? figure_number(pair_of(0)) : figure;
 }
 
 static double get_radius(const struct surface *surface, size_t offset)
@@ -85,7 +80,7 @@ static void parameter_put_curvature(struct surface *surface, size_t offset, stru
 {
     (void)room;
     surface->is_plane = surface->has_curvature = true;
-    surface->radius = computed(pair_of(0));
+    surface->radius = figure_number(pair_of(0));
     *parameter_place(surface, offset) = figure;
 }
 
@@ -104,10 +99,10 @@ static double get_curvature(const struct surface *surface, size_t offset)
 static void parameter_set_curvature(struct surface *surface, size_t offset, double value)
 {
     if (surface->has_curvature) {
-        parameter_put_curvature(surface, offset, computed(pair_of(value)), NULL);
+        parameter_put_curvature(surface, offset, figure_number(pair_of(value)), NULL);
     } else {
         parameter_put_radius(surface, offsetof(struct surface, radius),
-                             computed(pair_divide(pair_of(1), pair_of(value))), NULL);
+                             figure_number(pair_divide(pair_of(1), pair_of(value))), NULL);
     }
 }
 
@@ -448,7 +443,7 @@ void parameter_set_in(struct lens *lens, struct parameter parameter, double valu
     if (stored->set != NULL) {
         stored->set(surface, offset, value);
     } else {
-        stored->put(surface, offset, computed(pair_of(value)), room->displacement);
+        stored->put(surface, offset, figure_number(pair_of(value)), room->displacement);
     }
 }
 

@@ -125,6 +125,12 @@ enum { PARAMETER_MOST_MARKS = 32 }; /* at one surface: all of them */
  */
 bool parameter_is_same(struct parameter a, struct parameter b);
 
+/* Is it a number of a medium? */
+static inline bool parameter_is_of_medium(enum parameter_kind kind)
+{
+    return kind == PARAMETER_INDEX || kind == PARAMETER_ABBE;
+}
+
 /* Are they the same words for it? */
 static inline bool parameter_is_identical(struct parameter a, struct parameter b)
 {

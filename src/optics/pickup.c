@@ -62,7 +62,7 @@ static const char *against_number(const struct lens *lens, struct parameter one,
     if (!is_set) { /* what it follows may be another in every position */
         const struct surface *surface = &lens->surfaces[one.surface];
         bool none = one.kind == PARAMETER_THICKNESS && !surface->has_thickness;
-        bool medium = one.kind == PARAMETER_INDEX || one.kind == PARAMETER_ABBE;
+        bool medium = parameter_is_of_medium(one.kind);
         if (none || !parameter_suits(one.kind, surface)) {
             return arena_printf(arena, "%s: its surface has no %s", name,
                                 parameter_type(one.kind)->words);
@@ -175,10 +175,9 @@ static void pickup_put_number(struct lens *lens, const struct lens_pickup *picku
         parameter_put_medium(lens, what.surface, &medium);
         return;
     }
-    const struct figure figure = {.value =
-                                      pickup_follow(pickup, pickup_number_of(from, pickup->from)),
-                                  .variable = LENS_NONE};
-    bool in_medium = what.kind == PARAMETER_INDEX || what.kind == PARAMETER_ABBE;
+    const struct figure figure =
+        figure_number(pickup_follow(pickup, pickup_number_of(from, pickup->from)));
+    bool in_medium = parameter_is_of_medium(what.kind);
     bool of_radius = what.kind == PARAMETER_CURVATURE && !surface->has_curvature;
     if (in_medium || of_radius) {
         parameter_set(lens, what, figure.value.hi, arena);

@@ -27,6 +27,11 @@ struct figure {
     size_t variable;   /* index of the variable that stands for it, LENS_NONE if it is a number */
 };
 
+static inline struct figure figure_number(struct pair value)
+{
+    return (struct figure){.value = value, .variable = LENS_NONE};
+}
+
 enum surface_kind {
     SURFACE_REFRACT,
     SURFACE_REFLECT,

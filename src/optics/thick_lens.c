@@ -23,21 +23,16 @@ struct slope_ray thick_lens_map(const struct thick_lens *lens, struct slope_ray 
     return out;
 }
 
-static struct figure thick_element_figure_of(double value)
-{
-    return (struct figure){{value, 0}, {NULL, 0}, LENS_NONE};
-}
-
 /* A plane that is only there to count from. */
 static struct surface plane_surface(double thickness, const struct medium *medium)
 {
     struct surface surface = {.is_plane = true, .has_thickness = true, .medium = *medium};
-    surface.radius = surface.curvature = surface.conic = thick_element_figure_of(0);
-    surface.diameter = surface.focal = surface.hiatus = thick_element_figure_of(0);
+    surface.radius = surface.curvature = surface.conic = figure_number(pair_of(0));
+    surface.diameter = surface.focal = surface.hiatus = figure_number(pair_of(0));
     for (int i = 0; i < LENS_COEFFICIENTS; i++) {
         surface.coefficient[i].variable = LENS_NONE;
     }
-    surface.thickness = thick_element_figure_of(thickness);
+    surface.thickness = figure_number(pair_of(thickness));
     return surface;
 }
 
@@ -46,7 +41,7 @@ static struct surface stop_surface(double thickness, double diameter, const stru
     struct surface stop = plane_surface(thickness, medium);
     stop.kind = SURFACE_STOP;
     stop.is_stop = stop.has_diameter = true;
-    stop.diameter = thick_element_figure_of(diameter);
+    stop.diameter = figure_number(pair_of(diameter));
     return stop;
 }
 
@@ -56,10 +51,10 @@ static struct surface thick_surface(const struct thick_stand_in *stand_in,
     const struct thick_lens *thick = &stand_in->thick;
     struct surface surface = plane_surface(-thick->rear, medium);
     surface.kind = SURFACE_THICK;
-    surface.focal = thick_element_figure_of(thick->focal);
-    surface.hiatus = thick_element_figure_of(stand_in->length + thick->rear - thick->front);
+    surface.focal = figure_number(pair_of(thick->focal));
+    surface.hiatus = figure_number(pair_of(stand_in->length + thick->rear - thick->front));
     for (size_t i = 0; i < THICK_DISTORTIONS; i++) {
-        surface.distortion[i] = thick_element_figure_of(thick->distortion[i]);
+        surface.distortion[i] = figure_number(pair_of(thick->distortion[i]));
     }
     return surface;
 }
@@ -88,7 +83,7 @@ static void set_surfaces(struct lens *lens, const struct thick_stand_in *stand_i
         lens->aperture_kind = APERTURE_NONE;
     }
     lens->aperture =
-        thick_element_figure_of(lens->aperture_kind == APERTURE_FNUMBER ? stand_in->fnumber : 0);
+        figure_number(pair_of(lens->aperture_kind == APERTURE_FNUMBER ? stand_in->fnumber : 0));
 }
 
 struct lens thick_element_lens(const struct lens *lens, const struct thick_stand_in *stand_in,

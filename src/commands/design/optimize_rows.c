@@ -220,9 +220,7 @@ static const struct medium *exchanged(const struct lens *lens, const struct vari
 {
     const enum parameter_kind kind = variable->what.kind;
     const struct medium *medium = &lens->surfaces[variable->what.surface].medium;
-    return (kind == PARAMETER_INDEX || kind == PARAMETER_ABBE) && medium->kind == MEDIUM_GLASS
-               ? medium
-               : NULL;
+    return parameter_is_of_medium(kind) && medium->kind == MEDIUM_GLASS ? medium : NULL;
 }
 
 static double value_in(const struct lens *lens, const struct variable *variable,

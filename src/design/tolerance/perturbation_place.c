@@ -19,8 +19,7 @@ const char *tolerance_place_name(const struct tolerance_site *site,
     return tolerance_name(&one, site->arena);
 }
 
-static const struct surface *perturbation_place_surface_at(const struct tolerance_site *site,
-                                                           size_t surface)
+static const struct surface *site_surface(const struct tolerance_site *site, size_t surface)
 {
     return &site->lens->surfaces[surface];
 }
@@ -29,7 +28,7 @@ static const struct surface *perturbation_place_surface_at(const struct toleranc
 
 static const char *no_curve(const struct tolerance_site *site, const struct tolerance_place *place)
 {
-    const struct surface *surface = perturbation_place_surface_at(site, place->first);
+    const struct surface *surface = site_surface(site, place->first);
     if (surface->kind == SURFACE_STOP || !surface_has(surface, SURFACE_HAS_CURVE)) {
         return "the surface has no shape of its own";
     }
@@ -41,8 +40,7 @@ static const char *no_curve(const struct tolerance_site *site, const struct tole
 
 static const char *no_radius(const struct tolerance_site *site, const struct tolerance_place *place)
 {
-    const bool is_plane =
-        surface_base_curvature(perturbation_place_surface_at(site, place->first)).hi == 0;
+    const bool is_plane = surface_base_curvature(site_surface(site, place->first)).hi == 0;
     const char *wrong = no_curve(site, place);
     if (wrong != NULL) {
         return wrong;
@@ -55,12 +53,12 @@ static const char *no_radius(const struct tolerance_site *site, const struct tol
 
 static bool is_air(const struct tolerance_site *site, size_t surface)
 {
-    while (surface > 0 && surface_reflects(perturbation_place_surface_at(site, surface))) {
+    while (surface > 0 && surface_reflects(site_surface(site, surface))) {
         surface--;
     }
-    return medium_is_air(surface_reflects(perturbation_place_surface_at(site, surface))
+    return medium_is_air(surface_reflects(site_surface(site, surface))
                              ? &site->lens->object_medium
-                             : &perturbation_place_surface_at(site, surface)->medium);
+                             : &site_surface(site, surface)->medium);
 }
 
 enum tolerance_kind tolerance_place_space(const struct tolerance_site *site, size_t surface)
@@ -72,7 +70,7 @@ enum tolerance_kind tolerance_place_space(const struct tolerance_site *site, siz
 static double space_at(const struct tolerance_site *site, size_t surface, bool narrowest)
 {
     const size_t word = site->all->surfaces[surface].thickness.variable;
-    double space = fabs(perturbation_place_surface_at(site, surface)->thickness.value.hi);
+    double space = fabs(site_surface(site, surface)->thickness.value.hi);
     for (size_t p = 0; p < site->all->position_count && word != LENS_NONE; p++) {
         const double one = fabs(site->all->variables[word].values[p].value.hi);
         space = narrowest ? fmin(space, one) : fmax(space, one);
@@ -95,7 +93,7 @@ static const char *no_space(const struct tolerance_site *site, const struct tole
 
 static const char *no_glass(const struct tolerance_site *site, const struct tolerance_place *place)
 {
-    const struct surface *surface = perturbation_place_surface_at(site, place->first);
+    const struct surface *surface = site_surface(site, place->first);
     struct melt melt;
     if (surface_reflects(surface) || surface->kind == SURFACE_STOP ||
         medium_is_air(&surface->medium)) {
@@ -111,7 +109,7 @@ static const char *no_glass(const struct tolerance_site *site, const struct tole
 static const char *perturbation_place_no_number(const struct tolerance_site *site,
                                                 const struct tolerance_place *place)
 {
-    const struct surface *surface = perturbation_place_surface_at(site, place->first);
+    const struct surface *surface = site_surface(site, place->first);
     const enum parameter_kind kind = tolerance_type(place->kind)->parameter;
     const struct figure *figure = parameter_figure(surface, kind, place->from->order);
     const bool is_nothing = figure == NULL || figure->value.hi == 0;
@@ -170,10 +168,9 @@ const char *tolerance_place_wrong(const struct tolerance_site *site,
 /* -------- by how much -------- */
 
 /* The number itself: of a glass its index at d, or Vd. */
-static double perturbation_place_number_at(const struct tolerance_site *site,
-                                           const struct tolerance_place *place)
+static double site_number(const struct tolerance_site *site, const struct tolerance_place *place)
 {
-    const struct surface *surface = perturbation_place_surface_at(site, place->first);
+    const struct surface *surface = site_surface(site, place->first);
     if (place->kind == TOLERANCE_INDEX) {
         struct pair n = {1, 0}; /* of what has none at d an index above that of air */
         struct error ignored;
@@ -203,7 +200,7 @@ static const char *no_diameter(const struct tolerance_site *site,
     struct arena *arena = site->arena;
     const char *all = arena_printf(arena, "%zu", surface + 1), *last = NULL;
     for (size_t i = surface + 1; i < site->lens->surface_count && place->from->is_range; i++) {
-        if (!perturbation_place_surface_at(site, i)->has_diameter &&
+        if (!site_surface(site, i)->has_diameter &&
             element_at(site->elements, site->element_count, i) != NULL) {
             all = last != NULL ? ARENA_JOIN(arena, all, ", ", last) : all;
             last = arena_printf(arena, "%zu", i + 1);
@@ -227,7 +224,7 @@ static double curvature_of_sag(double sag, double height, double conic)
 static const char *fringes(const struct tolerance_site *site, const struct tolerance_place *place,
                            struct perturbation *result)
 {
-    const struct surface *surface = perturbation_place_surface_at(site, place->first);
+    const struct surface *surface = site_surface(site, place->first);
     if (!surface->has_diameter) {
         return no_diameter(site, place, place->first, "fringes are counted over");
     }
@@ -249,11 +246,11 @@ static const char *number_amount(const struct tolerance_site *site,
     const struct lens_tolerance *from = place->from;
     const enum parameter_kind kind = tolerance_type(place->kind)->parameter;
     const bool is_share = from->unit == TOLERANCE_PERCENT;
-    const bool may_pass_0 =
-        place->kind == TOLERANCE_CONIC || place->kind == TOLERANCE_COEFFICIENT ||
-        (place->kind == TOLERANCE_AIR &&
-         (perturbation_place_surface_at(site, place->first)->kind == SURFACE_STOP ||
-          perturbation_place_surface_at(site, place->first + 1)->kind == SURFACE_STOP));
+    const bool may_pass_0 = place->kind == TOLERANCE_CONIC ||
+                            place->kind == TOLERANCE_COEFFICIENT ||
+                            (place->kind == TOLERANCE_AIR &&
+                             (site_surface(site, place->first)->kind == SURFACE_STOP ||
+                              site_surface(site, place->first + 1)->kind == SURFACE_STOP));
     result->what = (struct parameter){
         place->first, kind == PARAMETER_KINDS ? PARAMETER_THICKNESS : kind, from->order};
     if (from->unit == TOLERANCE_FRINGES) {
@@ -263,7 +260,7 @@ static const char *number_amount(const struct tolerance_site *site,
         result->what.kind == PARAMETER_THICKNESS) {
         return "a word of the positions has no one number to take a share of: give it in mm";
     }
-    const double number = fabs(perturbation_place_number_at(site, place));
+    const double number = fabs(site_number(site, place));
     const double amount = from->amount.value.hi;
     result->amount = is_share ? amount / 100 * number : amount;
     return may_pass_0 || result->amount < number
@@ -277,11 +274,11 @@ static double element_diameter(const struct tolerance_site *site,
 {
     double largest = 0;
     for (size_t i = place->first; i <= place->last; i++) {
-        if (!perturbation_place_surface_at(site, i)->has_diameter) {
+        if (!site_surface(site, i)->has_diameter) {
             *missing = i;
             return NAN;
         }
-        largest = fmax(largest, perturbation_place_surface_at(site, i)->diameter.value.hi);
+        largest = fmax(largest, site_surface(site, i)->diameter.value.hi);
     }
     return largest;
 }
@@ -311,14 +308,14 @@ static const char *wedge(const struct tolerance_site *site, const struct toleran
 }
 
 /* From the vertex of the first surface to that of another, mm along the axis. */
-static double perturbation_place_of(const struct tolerance_site *site, size_t first, size_t surface)
+static double site_distance(const struct tolerance_site *site, size_t first, size_t surface)
 {
     double sum = 0;
     for (size_t i = first; i < surface; i++) {
-        sum += surface_advance(perturbation_place_surface_at(site, i)).hi;
+        sum += surface_advance(site_surface(site, i)).hi;
     }
     for (size_t i = surface; i < first; i++) {
-        sum -= surface_advance(perturbation_place_surface_at(site, i)).hi;
+        sum -= surface_advance(site_surface(site, i)).hi;
     }
     return sum;
 }
@@ -332,12 +329,12 @@ static const char *motion(const struct tolerance_site *site, const struct tolera
     result->amount = place->from->amount.value.hi;
     result->kind = rolls ? TOLERANCE_ELEMENT_TILT : place->kind;
     result->pivot = pivot == LENS_NONE && !rolls
-                        ? perturbation_place_of(site, place->first, place->last) / 2
-                        : perturbation_place_of(site, place->first, seat);
+                        ? site_distance(site, place->first, place->last) / 2
+                        : site_distance(site, place->first, seat);
     if (!rolls) {
         return NULL;
     }
-    const double curvature = surface_base_curvature(perturbation_place_surface_at(site, seat)).hi;
+    const double curvature = surface_base_curvature(site_surface(site, seat)).hi;
     result->pivot += 1 / curvature;
     return curvature != 0 ? NULL
                           : arena_printf(site->arena,
@@ -368,7 +365,7 @@ const char *tolerance_place_amount(const struct tolerance_site *site,
         return NULL;
     case TOLERANCE_IRREGULARITY:
         result->amount = amount * TOLERANCE_FRINGE_MM / TOLERANCE_WAVE_MM;
-        return perturbation_place_surface_at(site, place->first)->has_diameter
+        return site_surface(site, place->first)->has_diameter
                    ? NULL
                    : no_diameter(site, place, place->first, "the irregularity is over");
     default:

@@ -20,7 +20,7 @@ static bool is_pose(enum parameter_kind kind)
     return kind >= PARAMETER_DECENTER_X && kind <= PARAMETER_TILT_Z;
 }
 
-static struct parameter perturbed_thickness_of(size_t surface)
+static struct parameter thickness_behind(size_t surface)
 {
     return (struct parameter){surface, PARAMETER_THICKNESS, 0};
 }
@@ -102,10 +102,10 @@ static bool perturbed_add(struct perturbed *perturbed, size_t at, struct error *
         perturbed->target[at] = motion_of(perturbed, at);
         for (size_t i = one->first; i <= one->last; i++) {
             perturbed->is_posed[i] = true;
-            perturbed_number_of(perturbed, perturbed_thickness_of(i));
+            perturbed_number_of(perturbed, thickness_behind(i));
         }
         if (one->first > 0) {
-            perturbed_number_of(perturbed, perturbed_thickness_of(one->first - 1));
+            perturbed_number_of(perturbed, thickness_behind(one->first - 1));
         }
         return true;
     }
@@ -113,7 +113,7 @@ static bool perturbed_add(struct perturbed *perturbed, size_t at, struct error *
         return add_medium(perturbed, at, error);
     }
     if (one->kind == TOLERANCE_FOCUS) {
-        const struct parameter last = perturbed_thickness_of(perturbed->lens->surface_count - 1);
+        const struct parameter last = thickness_behind(perturbed->lens->surface_count - 1);
         perturbed->target[at] = perturbed_number_of(perturbed, last);
     } else if (one->kind != TOLERANCE_IRREGULARITY) {
         perturbed->target[at] = perturbed_number_of(perturbed, one->what);
@@ -387,8 +387,8 @@ void perturbed_put(struct perturbed *perturbed, const double *errors)
             const double behind = i + 1 < count ? perturbed->poses[i + 1].z : 0;
             const double more = behind - perturbed->poses[i].z;
             if (more != 0) {
-                const double now = parameter_get(&lens->lens, perturbed_thickness_of(i));
-                lens_numbers_set(lens, perturbed_thickness_of(i), now + more);
+                const double now = parameter_get(&lens->lens, thickness_behind(i));
+                lens_numbers_set(lens, thickness_behind(i), now + more);
             }
         }
     }

@@ -12,16 +12,15 @@ struct writing_lens {
 };
 
 /* The values of the positions, those that did not change as they were typed; are they all alike? */
-static struct figure *perturbed_write_figures_of(const struct writing_lens *writing,
-                                                 struct parameter what, const struct figure *was,
-                                                 bool *alike)
+static struct figure *written_figures(const struct writing_lens *writing, struct parameter what,
+                                      const struct figure *was, bool *alike)
 {
     const struct perturbed *perturbed = writing->perturbed;
     struct figure *values = ARENA_ARRAY(writing->arena, perturbed->position_count, struct figure);
     *alike = true;
     for (size_t p = 0; p < perturbed->position_count; p++) {
         const double value = parameter_get(&perturbed->lenses[p].lens, what);
-        values[p] = (struct figure){.value = pair_of(value), .variable = LENS_NONE};
+        values[p] = figure_number(pair_of(value));
         if (was != NULL && was[p].value.hi == value) {
             values[p] = was[p];
         }
@@ -31,16 +30,15 @@ static struct figure *perturbed_write_figures_of(const struct writing_lens *writ
 }
 
 /* A word of its own for a cell whose numbers are no longer those of its word, or differ. */
-static void perturbed_write_put_word(const struct writing_lens *writing, size_t i)
+static void written_put_word(const struct writing_lens *writing, size_t i)
 {
     const struct perturbed *perturbed = writing->perturbed;
     struct lens *to = writing->to;
     const size_t word = perturbed->lens->surfaces[i].thickness.variable;
     const struct lens_variable *from = word != LENS_NONE ? &perturbed->lens->variables[word] : NULL;
     bool alike, is_same = from != NULL;
-    struct figure *values =
-        perturbed_write_figures_of(writing, (struct parameter){i, PARAMETER_THICKNESS, 0},
-                                   from != NULL ? from->values : NULL, &alike);
+    struct figure *values = written_figures(writing, (struct parameter){i, PARAMETER_THICKNESS, 0},
+                                            from != NULL ? from->values : NULL, &alike);
     for (size_t p = 0; p < perturbed->position_count; p++) {
         is_same = is_same && values[p].value.hi == from->values[p].value.hi;
     }
@@ -71,14 +69,13 @@ static struct medium written(const struct writing_lens *writing, size_t position
 }
 
 /* What the positions set, as it was made. */
-static void perturbed_write_put_setting(const struct writing_lens *writing,
-                                        struct lens_setting *setting)
+static void written_put_setting(const struct writing_lens *writing, struct lens_setting *setting)
 {
     const size_t positions = writing->perturbed->position_count;
     const struct parameter what = setting->parameter;
     bool alike;
     if (setting->media == NULL) {
-        setting->figures = perturbed_write_figures_of(writing, what, setting->figures, &alike);
+        setting->figures = written_figures(writing, what, setting->figures, &alike);
         return;
     }
     struct medium *media = ARENA_ARRAY(writing->arena, positions, struct medium);
@@ -95,7 +92,7 @@ static void set_pose(const struct writing_lens *writing, size_t i)
     for (int kind = PARAMETER_DECENTER_X; kind <= PARAMETER_TILT_Z; kind++) {
         const struct parameter what = {i, (enum parameter_kind)kind, 0};
         bool alike, is_set = false;
-        const struct figure *values = perturbed_write_figures_of(writing, what, NULL, &alike);
+        const struct figure *values = written_figures(writing, what, NULL, &alike);
         for (size_t k = 0; k < to->setting_count; k++) {
             is_set = is_set || parameter_is_same(to->settings[k].parameter, what);
         }
@@ -105,7 +102,7 @@ static void set_pose(const struct writing_lens *writing, size_t i)
     }
 }
 
-static void perturbed_write_put_settings(const struct writing_lens *writing)
+static void written_put_settings(const struct writing_lens *writing)
 {
     enum { POSES = PARAMETER_TILT_Z - PARAMETER_DECENTER_X + 1 };
     const struct lens *from = writing->perturbed->lens;
@@ -114,7 +111,7 @@ static void perturbed_write_put_settings(const struct writing_lens *writing)
                                struct lens_setting);
     for (size_t i = 0; i < from->setting_count; i++) {
         to->settings[i] = from->settings[i];
-        perturbed_write_put_setting(writing, &to->settings[i]);
+        written_put_setting(writing, &to->settings[i]);
     }
     for (size_t i = 0; i < from->surface_count && from->position_count > 0; i++) {
         if (writing->perturbed->is_posed[i]) {
@@ -147,12 +144,12 @@ struct lens *perturbed_lens(struct perturbed *perturbed, const double *wavelengt
         }
         surface->medium = written(&writing, 0, i + 1);
         if (from->position_count > 0) {
-            perturbed_write_put_word(&writing, i);
+            written_put_word(&writing, i);
         }
     }
     if (perturbed->is_melted[0]) {
         to->object_medium = written(&writing, 0, 0);
     }
-    perturbed_write_put_settings(&writing);
+    written_put_settings(&writing);
     return to;
 }

@@ -10,8 +10,8 @@
 /* -------- the image plane as a distance -------- */
 
 /* Where the file has it, in one position. */
-static bool tolerance_open_find_image(const struct merit_question *view, size_t position,
-                                      struct arena *arena, double *image, struct error *error)
+static bool image_find(const struct merit_question *view, size_t position, struct arena *arena,
+                       double *image, struct error *error)
 {
     const struct setup_question asked = {.lens = view->lens,
                                          .position = position,
@@ -36,8 +36,8 @@ static bool tolerance_open_find_image(const struct merit_question *view, size_t 
 }
 
 /* The last thickness of a lens with `focus paraxial` or `best`: a word where positions differ. */
-static bool tolerance_open_put_image(const struct merit_question *view, struct lens *lens,
-                                     struct arena *arena, struct error *error)
+static bool image_put(const struct merit_question *view, struct lens *lens, struct arena *arena,
+                      struct error *error)
 {
     static const char word[] = "image_distance";
     const size_t count = lens->position_count > 0 ? lens->position_count : 1;
@@ -45,10 +45,10 @@ static bool tolerance_open_put_image(const struct merit_question *view, struct l
     struct surface *last = &lens->surfaces[lens->surface_count - 1];
     for (size_t p = 0; p < count; p++) {
         double image;
-        if (!tolerance_open_find_image(view, p, arena, &image, error)) {
+        if (!image_find(view, p, arena, &image, error)) {
             return false;
         }
-        values[p] = (struct figure){.value = pair_of(image), .variable = LENS_NONE};
+        values[p] = figure_number(pair_of(image));
     }
     lens->focus = FOCUS_TABLE;
     last->has_thickness = true;
@@ -77,7 +77,7 @@ static bool fix_image(struct tolerance *tolerance, struct arena *arena, struct e
     }
     struct lens *lens = parameter_apply(view->lens, NULL, NULL, 0, arena);
     tolerance->lens = lens;
-    return tolerance_open_put_image(view, lens, arena, error);
+    return image_put(view, lens, arena, error);
 }
 
 /* -------- what is adjusted -------- */
@@ -257,7 +257,7 @@ static bool open_quality(struct tolerance *tolerance, struct arena *arena, struc
 }
 
 /* Those of a place, from its setup. */
-static bool tolerance_open_counts(enum criterion_kind kind, const struct setup_field *field)
+static bool field_counts(enum criterion_kind kind, const struct setup_field *field)
 {
     const bool is_axis = field->point.kind == FIELD_NONE ||
                          (field->point.value[0] == 0 && field->point.value[1] == 0);
@@ -265,7 +265,7 @@ static bool tolerance_open_counts(enum criterion_kind kind, const struct setup_f
            !(is_axis && criterion_type(kind)->operand != OPERAND_KINDS && kind != CRITERION_MTF);
 }
 
-static double tolerance_open_distance_of(const struct setup_field *field)
+static double field_distance(const struct setup_field *field)
 {
     return field->point.kind == FIELD_NONE ? 0
                                            : hypot(field->point.value[0], field->point.value[1]);
@@ -282,7 +282,7 @@ static bool add_figures(struct tolerance *tolerance, const struct setup *setup, 
     struct tolerance_figure *figures = tolerance->figures;
     if (criterion_type(kind)->of_fields) {
         for (size_t f = 0; f < count; f++) {
-            if (tolerance_open_counts(kind, &fields[f])) {
+            if (field_counts(kind, &fields[f])) {
                 struct tolerance_figure figure = {place, &fields[f], spot + f, ORIENTATION_BOTH};
                 if (kind == CRITERION_MTF) {
                     figure.orientation = ORIENTATION_TANGENTIAL;
@@ -296,10 +296,7 @@ static bool add_figures(struct tolerance *tolerance, const struct setup *setup, 
     }
     size_t nearest = 0;
     for (size_t f = 1; f < count; f++) {
-        nearest =
-            tolerance_open_distance_of(&fields[f]) < tolerance_open_distance_of(&fields[nearest])
-                ? f
-                : nearest;
+        nearest = field_distance(&fields[f]) < field_distance(&fields[nearest]) ? f : nearest;
     }
     figures[tolerance->figure_count++] =
         (struct tolerance_figure){place, NULL, spot + nearest, ORIENTATION_BOTH};

@@ -28,7 +28,7 @@ void trial_statistics_open(double nominal, uint64_t total, struct arena *arena,
     }
 }
 
-static uint64_t *trial_statistics_page_at(struct trial_statistics *tally, size_t page)
+static uint64_t *tally_page(struct trial_statistics *tally, size_t page)
 {
     if (tally->pages[page] == NULL) {
         tally->pages[page] = ARENA_ARRAY(tally->arena, PAGE_BINS, uint64_t);
@@ -49,8 +49,7 @@ void trial_statistics_add(struct trial_statistics *tally, double figure)
     } else {
         uint64_t bits;
         memcpy(&bits, &departure, sizeof bits);
-        trial_statistics_page_at(
-            tally, bits >> (BIN_SHIFT + PAGE_BITS))[bits >> BIN_SHIFT & (PAGE_BINS - 1)]++;
+        tally_page(tally, bits >> (BIN_SHIFT + PAGE_BITS))[bits >> BIN_SHIFT & (PAGE_BINS - 1)]++;
     }
     tally->lowest = fmin(tally->lowest, figure);
     tally->highest = fmax(tally->highest, figure);
@@ -70,7 +69,7 @@ void trial_statistics_join(struct trial_statistics *tally, const struct trial_st
         if (more->pages[page] == NULL) {
             continue;
         }
-        uint64_t *bins = trial_statistics_page_at(tally, page);
+        uint64_t *bins = tally_page(tally, page);
         for (size_t i = 0; i < PAGE_BINS; i++) {
             bins[i] += more->pages[page][i];
         }
@@ -113,7 +112,7 @@ static int trial_statistics_by_size(const void *a, const void *b)
 }
 
 /* The number that a bin begins with, nearer to 0; of the page of all that is negative too. */
-static double trial_statistics_edge_of(size_t page, size_t bin)
+static double tally_bin_edge(size_t page, size_t bin)
 {
     const uint64_t bits = (uint64_t)page << (BIN_SHIFT + PAGE_BITS) | (uint64_t)bin << BIN_SHIFT;
     double edge;
@@ -145,9 +144,9 @@ static bool next_bin(struct bin_walk *walk, double *low, double *high, uint64_t 
         if (bins[bin] == 0) {
             continue;
         }
-        const double near = trial_statistics_edge_of(page, bin);
-        const double far = bin + 1 < PAGE_BINS ? trial_statistics_edge_of(page, bin + 1)
-                                               : 2 * trial_statistics_edge_of(page, 0);
+        const double near = tally_bin_edge(page, bin);
+        const double far =
+            bin + 1 < PAGE_BINS ? tally_bin_edge(page, bin + 1) : 2 * tally_bin_edge(page, 0);
         *low = is_negative ? far : near;
         *high = is_negative ? near : far;
         *count = bins[bin];
@@ -200,8 +199,8 @@ double trial_statistics_quantile(struct trial_statistics *tally, double share, d
 
 /* -------- drawing -------- */
 
-static void trial_statistics_put_part(double departure, double count, const double range[2],
-                                      size_t bins, double *counts)
+static void tally_put_part(double departure, double count, const double range[2], size_t bins,
+                           double *counts)
 {
     const double at = (departure - range[0]) / (range[1] - range[0]) * (double)bins;
     if (at >= 0 && at <= (double)bins) {
@@ -215,13 +214,13 @@ void trial_statistics_histogram(struct trial_statistics *tally, double low, doub
     const double range[2] = {low - tally->nominal, high - tally->nominal};
     memset(counts, 0, bins * sizeof *counts);
     for (size_t i = 0; tally->keeps && i < tally->count; i++) {
-        trial_statistics_put_part(tally->kept[i], 1, range, bins, counts);
+        tally_put_part(tally->kept[i], 1, range, bins, counts);
     }
     struct bin_walk walk = {tally, 0};
     double from, to;
     uint64_t count;
     while (!tally->keeps && next_bin(&walk, &from, &to, &count)) {
-        trial_statistics_put_part((from + to) / 2, (double)count, range, bins, counts);
+        tally_put_part((from + to) / 2, (double)count, range, bins, counts);
     }
 }
 
@@ -315,8 +314,7 @@ static bool trial_statistics_read_figures(struct text line, struct trial_statist
             at >= (int64_t)PAGES * PAGE_BINS || count < 1) {
             return false;
         }
-        trial_statistics_page_at(more, (size_t)at / PAGE_BINS)[(size_t)at % PAGE_BINS] =
-            (uint64_t)count;
+        tally_page(more, (size_t)at / PAGE_BINS)[(size_t)at % PAGE_BINS] = (uint64_t)count;
         counted += (uint64_t)count;
     }
     return counted == more->count;
