@@ -392,19 +392,6 @@ static bool glass_choice_check_pickups(const struct lens *lens, const size_t *su
     return true;
 }
 
-static bool check_allowed(const struct glass_search_state *search, const struct glass_node *root,
-                          const size_t *surfaces, size_t count, struct error *error)
-{
-    struct trial trials[NEAREST];
-    for (size_t i = 0; i < count; i++) {
-        if (find_nearest_glasses(search, root, surfaces[i], trials) == 0) {
-            return fail(error, ERROR_DOMAIN, "no glass lies within the bounds of glass%zu",
-                        surfaces[i] + 1);
-        }
-    }
-    return true;
-}
-
 /* The last step once more, of which all is kept now: to its end, as it was; where the time is over
    it begins where that ended. */
 static bool glass_choice_keep(struct glass_search_state *search, const struct glass_node *found,
@@ -457,9 +444,15 @@ bool glass_choose(const struct glass_choice_task *task, struct arena *arena,
     for (size_t i = 0; i < variables->count; i++) {
         root->origin[i] = i;
     }
-    if (!glass_choice_check_pickups(task->lens, surfaces, count, arena, error) ||
-        !check_allowed(&search, root, surfaces, count, error)) {
+    if (!glass_choice_check_pickups(task->lens, surfaces, count, arena, error)) {
         return false;
+    }
+    struct trial trials[NEAREST];
+    for (size_t i = 0; i < count; i++) {
+        if (find_nearest_glasses(&search, root, surfaces[i], trials) == 0) {
+            return fail(error, ERROR_DOMAIN, "no glass lies within the bounds of glass%zu",
+                        surfaces[i] + 1);
+        }
     }
     glass_node_descend(&search, root);
     const struct glass_node *found = search.best != NULL ? search.best : search.deepest;

@@ -62,10 +62,23 @@ static bool eased_has_value(struct eased_merit *easing)
     return has_value(&easing->eased, easing->numbers, residuals);
 }
 
-/* Goals that have a value by themselves. */
-static bool open_some(struct eased_merit *easing, struct error *error)
+/* As much as has a value. */
+static bool open_most(struct eased_merit *easing, struct error *error)
 {
     const struct merit_question *question = &easing->task->merit->question;
+    easing->is_whole = true;
+    for (size_t i = 1; i < sizeof shares / sizeof shares[0]; i++) {
+        easing->share = shares[i];
+        easing->is_refused =
+            !open_eased(easing, question->operands, question->operand_count, error);
+        if (easing->is_refused) {
+            return false;
+        }
+        if (eased_has_value(easing)) {
+            return true;
+        }
+    }
+    /* Goals that have a value by themselves. */
     struct operand *some = ARENA_ARRAY(easing->arena, question->operand_count, struct operand);
     size_t count = 0;
     for (size_t i = 0; i < question->operand_count; i++) {
@@ -90,25 +103,6 @@ static bool open_some(struct eased_merit *easing, struct error *error)
     return (count > 0 || fail(error, ERROR_DOMAIN, "no goal has a value")) &&
            open_eased(easing, some, count, error) &&
            (eased_has_value(easing) || fail(error, ERROR_DOMAIN, "no goal has a value"));
-}
-
-/* As much as has a value. */
-static bool open_most(struct eased_merit *easing, struct error *error)
-{
-    const struct merit_question *question = &easing->task->merit->question;
-    easing->is_whole = true;
-    for (size_t i = 1; i < sizeof shares / sizeof shares[0]; i++) {
-        easing->share = shares[i];
-        easing->is_refused =
-            !open_eased(easing, question->operands, question->operand_count, error);
-        if (easing->is_refused) {
-            return false;
-        }
-        if (eased_has_value(easing)) {
-            return true;
-        }
-    }
-    return open_some(easing, error);
 }
 
 struct solver_problem optimize_problem(struct merit *merit)
@@ -170,23 +164,6 @@ static const char *optimize_start_say(const struct eased_merit *easing)
                : "not all goals have a value at the start: it was begun with those that have one";
 }
 
-/* Why it cannot be judged, and what was done. */
-static bool optimize_start_tell(const struct eased_merit *easing, bool is_untried,
-                                struct error *error)
-{
-    if (easing->is_stopped) {
-        return error_prefix(error, "stopped before the lens became one that can be judged: ");
-    }
-    if (is_untried || !easing->is_whole) {
-        return error_prefix(error, "the lens cannot be judged as it is: ");
-    }
-    if (error->hint[0] == '\0') {
-        error_hint(error, "begin with a larger f-number, smaller fields or other numbers");
-    }
-    return error_prefix(error, "the lens cannot be judged as it is, nor after it was made better "
-                               "with less aperture and field: ");
-}
-
 bool optimize_begin(const struct optimize_task *task, double *numbers, struct arena *arena,
                     const char **words, struct error *error)
 {
@@ -228,5 +205,17 @@ bool optimize_begin(const struct optimize_task *task, double *numbers, struct ar
                             why.message, 100 * easing.share);
     }
     *error = why;
-    return optimize_start_tell(&easing, last < 0, error);
+    /* Why it cannot be judged, and what was done. */
+    bool is_untried = last < 0;
+    if (easing.is_stopped) {
+        return error_prefix(error, "stopped before the lens became one that can be judged: ");
+    }
+    if (is_untried || !easing.is_whole) {
+        return error_prefix(error, "the lens cannot be judged as it is: ");
+    }
+    if (error->hint[0] == '\0') {
+        error_hint(error, "begin with a larger f-number, smaller fields or other numbers");
+    }
+    return error_prefix(error, "the lens cannot be judged as it is, nor after it was made better "
+                               "with less aperture and field: ");
 }

@@ -146,28 +146,6 @@ static void tally_plot_draw_mark(const struct tally_plot *plot, int which,
               plot->marks[which]);
 }
 
-static void tally_plot_draw_words(const struct tally_plot *plot, const struct tally_plot_page *page,
-                                  struct svg *svg)
-{
-    const struct svg_label labels[] = {
-        {.x = 20, .y = 30, .size = TITLE_SIZE, .width = WIDTH - 32, .bold = true},
-        {.x = 20, .y = 52, .size = LABEL_SIZE, .width = WIDTH - 32, .colour = "#555"},
-        {.x = (LEFT + WIDTH - RIGHT) / 2,
-         .y = page->bottom + 48,
-         .size = LABEL_SIZE,
-         .anchor = SVG_MIDDLE},
-        {.x = 22,
-         .y = (TOP + page->bottom) / 2,
-         .size = LABEL_SIZE,
-         .rotation = -90,
-         .anchor = SVG_MIDDLE},
-    };
-    const char *const words[] = {plot->title, plot->subtitle, plot->x_label, plot->y_label};
-    for (size_t i = 0; i < sizeof words / sizeof words[0]; i++) {
-        svg_text(svg, &labels[i], words[i] != NULL ? words[i] : "");
-    }
-}
-
 bool tally_plot_draw(const struct tally_plot *plot, struct svg *svg, struct error *error)
 {
     struct tally_plot_page page;
@@ -181,7 +159,23 @@ bool tally_plot_draw(const struct tally_plot *plot, struct svg *svg, struct erro
     for (int which = 0; which < 2; which++) {
         tally_plot_draw_mark(plot, which, &page, svg);
     }
-    tally_plot_draw_words(plot, &page, svg);
+    const struct svg_label labels[] = {
+        {.x = 20, .y = 30, .size = TITLE_SIZE, .width = WIDTH - 32, .bold = true},
+        {.x = 20, .y = 52, .size = LABEL_SIZE, .width = WIDTH - 32, .colour = "#555"},
+        {.x = (LEFT + WIDTH - RIGHT) / 2,
+         .y = page.bottom + 48,
+         .size = LABEL_SIZE,
+         .anchor = SVG_MIDDLE},
+        {.x = 22,
+         .y = (TOP + page.bottom) / 2,
+         .size = LABEL_SIZE,
+         .rotation = -90,
+         .anchor = SVG_MIDDLE},
+    };
+    const char *const words[] = {plot->title, plot->subtitle, plot->x_label, plot->y_label};
+    for (size_t i = 0; i < sizeof words / sizeof words[0]; i++) {
+        svg_text(svg, &labels[i], words[i] != NULL ? words[i] : "");
+    }
     svg_end(svg);
     return true;
 }

@@ -363,9 +363,17 @@ bool lens_is_round(const struct lens *lens)
     return true;
 }
 
-/* What its reader found doubtful. */
-static void warn_of_file(const struct lens *lens, struct lens_warnings *warnings)
+bool lens_check(const struct lens *lens, struct arena *arena, struct lens_warnings *warnings,
+                struct error *error)
 {
+    *warnings = (struct lens_warnings){ARENA_ARRAY(arena, MOST_WARNINGS, const char *), 0};
+    if (lens->surface_count == 0) {
+        return fail(error, ERROR_DATA, "the lens has no surface");
+    }
+    if (lens->surface_count > LENS_MOST_SURFACES) {
+        return fail(error, ERROR_DATA, "more than %d surfaces", LENS_MOST_SURFACES);
+    }
+    /* What its reader found doubtful. */
     if (lens->lost_power != NULL) {
         warnings->texts[warnings->count++] = lens->lost_power;
     }
@@ -377,19 +385,6 @@ static void warn_of_file(const struct lens *lens, struct lens_warnings *warnings
             warnings->texts[warnings->count++] = lens->pickups[i].warning;
         }
     }
-}
-
-bool lens_check(const struct lens *lens, struct arena *arena, struct lens_warnings *warnings,
-                struct error *error)
-{
-    *warnings = (struct lens_warnings){ARENA_ARRAY(arena, MOST_WARNINGS, const char *), 0};
-    if (lens->surface_count == 0) {
-        return fail(error, ERROR_DATA, "the lens has no surface");
-    }
-    if (lens->surface_count > LENS_MOST_SURFACES) {
-        return fail(error, ERROR_DATA, "more than %d surfaces", LENS_MOST_SURFACES);
-    }
-    warn_of_file(lens, warnings);
     size_t positions = lens->position_count > 0 ? lens->position_count : 1;
     for (size_t i = 0; i < positions; i++) {
         const double distance = lens->objects != NULL      ? lens->objects[i].value.hi

@@ -141,9 +141,9 @@ static size_t part_items(struct bvh_item *items, size_t count, const struct bvh_
 static struct bvh_range bvh_cut_range(const struct builder *builder, struct bvh_range *range)
 {
     struct bvh_item *items = builder->items + range->first;
-    struct bvh_cut cut = {.before = 0};
+    struct bvh_cut cut = {.before = 0, .cost = INFINITY};
     if (range->depth < BVH_UNEVEN) {
-        struct bvh_cut along[AXES], best = {.cost = INFINITY};
+        struct bvh_cut along[AXES];
         double low[AXES] = {INFINITY, INFINITY, INFINITY};
         double high[AXES] = {-INFINITY, -INFINITY, -INFINITY};
         for (size_t i = 0; i < range->count; i++) {
@@ -169,9 +169,8 @@ static struct bvh_range bvh_cut_range(const struct builder *builder, struct bvh_
             }
         }
         for (int k = 0; k < AXES; k++) {
-            cut_choose(bins[k], &along[k], &best);
+            cut_choose(bins[k], &along[k], &cut);
         }
-        cut = best;
     }
     const size_t before = cut.before > 0 ? part_items(items, range->count, &cut) : range->count / 2;
     struct bvh_range second = *range;
@@ -192,19 +191,18 @@ static size_t make_node(struct builder *builder, const struct bvh_range *range,
     struct bvh_range parts[BVH_WIDTH] = {*range};
     size_t count = 1, kept = 0;
     while (count < BVH_WIDTH) {
-        /* Which part is divided next; `count`: none, they are all leaves. */
-        bool by_number = range->depth >= BVH_UNEVEN;
-        size_t best = count;
+        /* which part is divided next; `count`: none, they are all leaves */
+        const bool by_number = range->depth >= BVH_UNEVEN;
+        size_t next = count;
         double largest = -1;
         for (size_t i = 0; i < count; i++) {
             const double size =
                 by_number ? (double)parts[i].count : box_half_surface(&parts[i].box);
             if (parts[i].count > builder->most && size > largest) {
-                best = i;
+                next = i;
                 largest = size;
             }
         }
-        const size_t next = best;
         if (next == count) {
             break;
         }

@@ -17,6 +17,13 @@ static inline double discrete_remainder(double at, double low, double high)
     return rest < most ? rest > 0 ? rest : 0 : most;
 }
 
+/* Which of so many equal steps a share lies in; one below 0 or above 1 in the first or the last. */
+static inline size_t discrete_step(double share, size_t steps)
+{
+    const size_t step = share > 0 ? (size_t)(share * (double)steps) : 0;
+    return step < steps ? step : steps - 1;
+}
+
 /*
  * Given     below  `count` + 1 sums: of the weights before each, from 0, and of all, above 0
  *           u      in 0..1, below 1

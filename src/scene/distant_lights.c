@@ -12,23 +12,16 @@
 
 enum { ROWS_MOST = 512 };
 
-static size_t clamped_step(double share, size_t steps)
-{
-    const double at = share * (double)steps;
-    const size_t step = at > 0 ? (size_t)at : 0;
-    return step < steps ? step : steps - 1;
-}
-
 static size_t cell_row(const struct distant_lights *discs, double y)
 {
-    return clamped_step((y + 1) / 2, discs->rows);
+    return discrete_step((y + 1) / 2, discs->rows);
 }
 
 /* Columns go round: longitudes beyond half a turn are another's. */
 static size_t cell_column(const struct distant_lights *discs, double longitude)
 {
     const double turns = longitude / (2 * PI) + 0.5;
-    return clamped_step(turns - floor(turns), discs->columns);
+    return discrete_step(turns - floor(turns), discs->columns);
 }
 
 static size_t cell_of_direction(const struct distant_lights *discs, struct vector direction)

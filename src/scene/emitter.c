@@ -362,8 +362,6 @@ struct emitter_bounds emitter_bounds(const struct scene *scene, const struct emi
     struct emitter_bounds bounds = {thing->where.at, thing->radius, 0};
     switch (thing->shape) {
     case SHAPE_SPHERE:
-        bounds.area = PI * thing->radius * thing->radius;
-        break;
     case SHAPE_DISC:
         bounds.area = PI * thing->radius * thing->radius;
         break;

@@ -194,19 +194,13 @@ struct vector environment_light_sample(const struct environment_light *around, d
                   top + row.remainder * (bottom - top));
 }
 
-static size_t row_or_column_of(double share, size_t steps)
-{
-    const size_t step = share > 0 ? (size_t)(share * (double)steps) : 0;
-    return step < steps ? step : steps - 1;
-}
-
 double environment_light_pdf(const struct environment_light *around, struct vector direction)
 {
     double place[2];
     environment_place(around, direction, place);
-    const size_t row = row_or_column_of(place[1], around->rows);
+    const size_t row = discrete_step(place[1], around->rows);
     const float *at =
-        around->across + row * (around->columns + 1) + row_or_column_of(place[0], around->columns);
+        around->across + row * (around->columns + 1) + discrete_step(place[0], around->columns);
     const float *down = around->down + row;
     return ((double)down[1] - (double)down[0]) * ((double)at[1] - (double)at[0]) /
            cell_solid_angle(around, row);

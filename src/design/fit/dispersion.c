@@ -141,28 +141,6 @@ static bool dispersion_evaluate(void *context, const double *c, double *residual
     return true;
 }
 
-static bool check_data(const struct dispersion_data *data, struct error *error)
-{
-    for (size_t i = 0; i < data->count; i++) {
-        double l = data->wavelength[i], n = data->index[i];
-        if (!(l > 0 && isfinite(l))) {
-            return fail(error, ERROR_DOMAIN, "the wavelength %.10g um is not above 0", l);
-        }
-        if (!(n > 0 && n < 100)) {
-            return fail(error, ERROR_DOMAIN, "the index %.10g at %.10g um is not between 0 and 100",
-                        n, l);
-        }
-        if (i > 0 && !(l > data->wavelength[i - 1])) {
-            return fail(error, ERROR_DOMAIN, "the wavelength %.10g um is there twice", l);
-        }
-        if (!(share(data, i) > 0 && isfinite(share(data, i)))) {
-            return fail(error, ERROR_DOMAIN,
-                        "the deviation of the index at %.10g um is not above 0", l);
-        }
-    }
-    return true;
-}
-
 /*
  * The linear parameters by least squares; of Sellmeier the strengths, with the resonances as they
  * are in c.
@@ -342,8 +320,22 @@ bool dispersion_fit(const struct dispersion_data *data, enum glass_formula formu
     fit->names = ARENA_ARRAY(arena, fitting.count, const char *);
     fit->residuals = ARENA_ARRAY(arena, data->count, double);
     memcpy(fit->names, curve->names, fitting.count * sizeof curve->names[0]);
-    if (!check_data(data, error)) {
-        return false;
+    for (size_t i = 0; i < data->count; i++) {
+        double l = data->wavelength[i], n = data->index[i];
+        if (!(l > 0 && isfinite(l))) {
+            return fail(error, ERROR_DOMAIN, "the wavelength %.10g um is not above 0", l);
+        }
+        if (!(n > 0 && n < 100)) {
+            return fail(error, ERROR_DOMAIN, "the index %.10g at %.10g um is not between 0 and 100",
+                        n, l);
+        }
+        if (i > 0 && !(l > data->wavelength[i - 1])) {
+            return fail(error, ERROR_DOMAIN, "the wavelength %.10g um is there twice", l);
+        }
+        if (!(share(data, i) > 0 && isfinite(share(data, i)))) {
+            return fail(error, ERROR_DOMAIN,
+                        "the deviation of the index at %.10g um is not above 0", l);
+        }
     }
     if (curve->is_linear) {
         dispersion_solve_linear(&fitting, fit->parameters, arena);

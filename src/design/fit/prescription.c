@@ -322,24 +322,6 @@ static double prescription_start_of(const struct prescription_problem *fitting, 
     return fabs(fitting->views[0].n[i + 1]);
 }
 
-static bool open_views(struct prescription_problem *fitting, struct arena *arena,
-                       struct error *error)
-{
-    fitting->views = ARENA_ARRAY(arena, fitting->goal_count, struct prescription_view);
-    for (size_t g = 0; g < fitting->goal_count; g++) {
-        struct paraxial_system system;
-        if (!paraxial_compile(fitting->lens, fitting->goals[g].wavelength, SECTION_Y, arena,
-                              &system, error)) {
-            return false;
-        }
-        fitting->views[g].n = ARENA_ARRAY(arena, fitting->count + 1, double);
-        for (size_t i = 0; i <= fitting->count; i++) {
-            fitting->views[g].n[i] = system.index[i].hi;
-        }
-    }
-    return true;
-}
-
 static bool prescription_open_parts(struct prescription_problem *fitting, double *low, double *high,
                                     struct error *error)
 {
@@ -492,8 +474,19 @@ bool prescription_fit(const struct lens *lens, const struct prescription_task *t
                                      .before = ARENA_ARRAY(arena, part_count, double),
                                      .reached = ARENA_ARRAY(arena, goal_count, double),
                                      .is_loose = fitting.is_loose};
-    if (!open_views(&fitting, arena, error) ||
-        !prescription_open_parts(&fitting, low, high, error)) {
+    fitting.views = ARENA_ARRAY(arena, fitting.goal_count, struct prescription_view);
+    for (size_t g = 0; g < fitting.goal_count; g++) {
+        struct paraxial_system system;
+        if (!paraxial_compile(fitting.lens, fitting.goals[g].wavelength, SECTION_Y, arena, &system,
+                              error)) {
+            return false;
+        }
+        fitting.views[g].n = ARENA_ARRAY(arena, fitting.count + 1, double);
+        for (size_t i = 0; i <= fitting.count; i++) {
+            fitting.views[g].n[i] = system.index[i].hi;
+        }
+    }
+    if (!prescription_open_parts(&fitting, low, high, error)) {
         return false;
     }
     memcpy(parameters, fitting.start, part_count * sizeof(double));

@@ -210,23 +210,6 @@ bool thick_residuals(void *context, const double *parameters, double *residuals,
     return true;
 }
 
-static bool thick_check_rays(const struct thick_task *task, struct error *error)
-{
-    const struct thick_sums *sums = task->sums;
-    if (sums->count == 0) {
-        return fail(error, ERROR_DOMAIN, "there are no rays to fit to");
-    }
-    if (!(sums->weight > 0)) {
-        return fail(error, ERROR_DOMAIN, "all rays have the weight 0");
-    }
-    if (task->focus_weight > 0 && !(thick_sums_cone(sums) > 1e-12)) {
-        return fail(error, ERROR_DOMAIN,
-                    "the rays of each field are one: they do not fix the focus; more rays, or a "
-                    "larger aperture");
-    }
-    return true;
-}
-
 static bool check_task(const struct thick_task *task, struct error *error)
 {
     const struct thick_lens *start = &task->start;
@@ -253,7 +236,19 @@ static bool check_task(const struct thick_task *task, struct error *error)
     if (isfinite(task->object) && !(fabs(task->object + start->front) > 0)) {
         return fail(error, ERROR_DOMAIN, "the object lies in the principal plane");
     }
-    return thick_check_rays(task, error);
+    const struct thick_sums *sums = task->sums;
+    if (sums->count == 0) {
+        return fail(error, ERROR_DOMAIN, "there are no rays to fit to");
+    }
+    if (!(sums->weight > 0)) {
+        return fail(error, ERROR_DOMAIN, "all rays have the weight 0");
+    }
+    if (task->focus_weight > 0 && !(thick_sums_cone(sums) > 1e-12)) {
+        return fail(error, ERROR_DOMAIN,
+                    "the rays of each field are one: they do not fix the focus; more rays, or a "
+                    "larger aperture");
+    }
+    return true;
 }
 
 static void name_parameters(const struct thick_task *task, struct arena *arena,
@@ -270,26 +265,6 @@ static void name_parameters(const struct thick_task *task, struct arena *arena,
             fit->names[i] = arena_printf(arena, "%s %zu", base[i % BASE], i / BASE + 1);
         }
     }
-}
-
-/* What the rays leave open is an error: its value would be a guess. */
-static bool check_determined(const struct thick_task *task, const struct thick_fit *fit,
-                             struct error *error)
-{
-    for (size_t i = 0; i < fit->parameter_count; i++) {
-        if (!fit->summary.undetermined[i]) {
-            continue;
-        }
-        if (task->sums->steepest < 1e-9) {
-            return fail(error, ERROR_DOMAIN,
-                        "all rays come along the axis: they do not fix %s; add a field off the "
-                        "axis",
-                        fit->names[i]);
-        }
-        return fail(error, ERROR_DOMAIN, "the rays do not fix %s: add fields or rays",
-                    fit->names[i]);
-    }
-    return true;
 }
 
 static struct slope_ray map_ray(const struct thick_rays *rays, const struct thick_lens *lenses,
@@ -405,9 +380,22 @@ bool thick_fit(const struct thick_task *task, struct arena *arena, struct thick_
                                            .residual_count = residual_count(task->sums),
                                            .evaluate = thick_residuals,
                                            .context = &fitted};
-    if (!solver_run(&problem, &options, fit->parameters, arena, &fit->summary, error) ||
-        !check_determined(task, fit, error)) {
+    if (!solver_run(&problem, &options, fit->parameters, arena, &fit->summary, error)) {
         return false;
+    }
+    /* What the rays leave open is an error: its value would be a guess. */
+    for (size_t i = 0; i < fit->parameter_count; i++) {
+        if (!fit->summary.undetermined[i]) {
+            continue;
+        }
+        if (task->sums->steepest < 1e-9) {
+            return fail(error, ERROR_DOMAIN,
+                        "all rays come along the axis: they do not fix %s; add a field off the "
+                        "axis",
+                        fit->names[i]);
+        }
+        return fail(error, ERROR_DOMAIN, "the rays do not fix %s: add fields or rays",
+                    fit->names[i]);
     }
     thick_set_errors(task, arena, fit);
     for (size_t g = 0; g < task->group_count; g++) {

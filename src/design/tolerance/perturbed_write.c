@@ -85,23 +85,6 @@ static void written_put_setting(const struct writing_lens *writing, struct lens_
     setting->media = media;
 }
 
-/* A displacement that has become another one in each position. */
-static void set_pose(const struct writing_lens *writing, size_t i)
-{
-    struct lens *to = writing->to;
-    for (int kind = PARAMETER_DECENTER_X; kind <= PARAMETER_TILT_Z; kind++) {
-        const struct parameter what = {i, (enum parameter_kind)kind, 0};
-        bool alike, is_set = false;
-        const struct figure *values = written_figures(writing, what, NULL, &alike);
-        for (size_t k = 0; k < to->setting_count; k++) {
-            is_set = is_set || parameter_is_same(to->settings[k].parameter, what);
-        }
-        if (!alike && !is_set) {
-            to->settings[to->setting_count++] = (struct lens_setting){what, values, NULL};
-        }
-    }
-}
-
 static void written_put_settings(const struct writing_lens *writing)
 {
     enum { POSES = PARAMETER_TILT_Z - PARAMETER_DECENTER_X + 1 };
@@ -115,7 +98,18 @@ static void written_put_settings(const struct writing_lens *writing)
     }
     for (size_t i = 0; i < from->surface_count && from->position_count > 0; i++) {
         if (writing->perturbed->is_posed[i]) {
-            set_pose(writing, i);
+            /* A displacement that has become another one in each position. */
+            for (int kind = PARAMETER_DECENTER_X; kind <= PARAMETER_TILT_Z; kind++) {
+                const struct parameter what = {i, (enum parameter_kind)kind, 0};
+                bool alike, is_set = false;
+                const struct figure *values = written_figures(writing, what, NULL, &alike);
+                for (size_t k = 0; k < to->setting_count; k++) {
+                    is_set = is_set || parameter_is_same(to->settings[k].parameter, what);
+                }
+                if (!alike && !is_set) {
+                    to->settings[to->setting_count++] = (struct lens_setting){what, values, NULL};
+                }
+            }
         }
     }
 }

@@ -419,31 +419,6 @@ static bool aim_nominal(struct tolerance *tolerance, struct arena *arena, struct
     return aim_judge(tolerance, error) && tolerance_check_movers(tolerance, arena, error);
 }
 
-static bool judge_nominal(struct tolerance *tolerance, struct arena *arena, struct error *error)
-{
-    const size_t count = tolerance->figure_count;
-    double *none = ARENA_ARRAY(arena, tolerance->question.perturbation_count + 1, double);
-    tolerance->rest = arena_array(arena, count, sizeof *tolerance->rest);
-    tolerance->nominal = ARENA_ARRAY(arena, count, double);
-    tolerance->nominal_moves = ARENA_ARRAY(arena, tolerance_moves(tolerance), double);
-    struct tolerance_trial trial = {.figures = tolerance->nominal,
-                                    .moves = tolerance->nominal_moves};
-    if (!tolerance_trial(tolerance, none, &trial)) {
-        *error = trial.why;
-        return error_prefix(error, "the nominal lens: ");
-    }
-    for (size_t i = 0; i < count && tolerance->question.criterion.kind == CRITERION_BORESIGHT;
-         i++) {
-        const struct merit_spot *spot = &tolerance->spots[tolerance->figures[i].spot];
-        const double s = tolerance->closed ? trial.moves[0] : 0;
-        for (int k = 0; k < 2; k++) {
-            tolerance->rest[i][k] = spot->centroid[k] + s * spot->drift[k];
-        }
-        tolerance->nominal[i] = 0;
-    }
-    return true;
-}
-
 bool tolerance_open(const struct tolerance_question *question, struct arena *arena,
                     struct tolerance *tolerance, struct error *error)
 {
@@ -466,7 +441,29 @@ bool tolerance_open(const struct tolerance_question *question, struct arena *are
         }
         view = &places;
     }
-    return list_figures(tolerance, view, arena, error) &&
-           open_judge(tolerance, view, arena, error) && aim_nominal(tolerance, arena, error) &&
-           judge_nominal(tolerance, arena, error);
+    if (!list_figures(tolerance, view, arena, error) ||
+        !open_judge(tolerance, view, arena, error) || !aim_nominal(tolerance, arena, error)) {
+        return false;
+    }
+    const size_t count = tolerance->figure_count;
+    double *none = ARENA_ARRAY(arena, tolerance->question.perturbation_count + 1, double);
+    tolerance->rest = arena_array(arena, count, sizeof *tolerance->rest);
+    tolerance->nominal = ARENA_ARRAY(arena, count, double);
+    tolerance->nominal_moves = ARENA_ARRAY(arena, tolerance_moves(tolerance), double);
+    struct tolerance_trial trial = {.figures = tolerance->nominal,
+                                    .moves = tolerance->nominal_moves};
+    if (!tolerance_trial(tolerance, none, &trial)) {
+        *error = trial.why;
+        return error_prefix(error, "the nominal lens: ");
+    }
+    for (size_t i = 0; i < count && tolerance->question.criterion.kind == CRITERION_BORESIGHT;
+         i++) {
+        const struct merit_spot *spot = &tolerance->spots[tolerance->figures[i].spot];
+        const double s = tolerance->closed ? trial.moves[0] : 0;
+        for (int k = 0; k < 2; k++) {
+            tolerance->rest[i][k] = spot->centroid[k] + s * spot->drift[k];
+        }
+        tolerance->nominal[i] = 0;
+    }
+    return true;
 }
