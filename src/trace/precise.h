@@ -156,13 +156,12 @@ static inline bool precise_newton(struct precise_ray *ray, const struct precise_
 static inline bool precise_search(struct precise_ray *ray, const struct precise_shape *shape,
                                   const struct step *step, REAL direction, REAL n2, REAL N[3])
 {
-    const struct search search = search_of(step);
     double point[3], along[3];
     for (int i = 0; i < 3; i++) {
         point[i] = (double)ray->x[i];
         along[i] = (double)ray->p[i];
     }
-    double d = search_meet(&search, point, along);
+    double d = search_meet(step, point, along);
     if (!isfinite(d)) {
         return false;
     }

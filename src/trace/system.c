@@ -1,6 +1,7 @@
 /* trace/system.c - from a lens to the steps of the kernels. */
 /* SPDX-License-Identifier: MIT */
 #include "trace/system.h"
+#include "trace/kernel/search.h"
 
 #include "optics/first_order.h"
 #include "optics/lens_indices.h"
@@ -132,7 +133,7 @@ static void step_set_start_conic(struct step *step, const struct surface *surfac
     double fourth = step->c * step->c * step->c * step->one_k + 8 * step->coefficient[1];
     double fit = c == 0 ? 0 : fourth / (c * c * c);
     double most = surface->has_diameter && r > 0 ? 0.5 / (c * c * r * r) : 1;
-    step->size = surface->has_diameter ? r : 0;
+    step->inner = surface->has_diameter ? r : 0;
     step->start_c = c;
     step->start_k = fmax(fmin(fit, most), -8 * most);
 }
@@ -286,6 +287,9 @@ static void writer_put_surface(struct step_writer *writing, size_t place)
         set_thick(step, system, i);
     } else if (system->options.paraxial && step->action != ACTION_PASS) {
         step_set_paraxial(step, system, i);
+    }
+    if (step->kind == STEP_ASPHERE || step->kind == STEP_TROUGH || step->kind == STEP_ODD) {
+        search_prepare(step);
     }
     step->hop = place == 0 || writing->count - before > 1 || !(fabs(step->c * t) <= 1);
     if (surface->decentre != NULL) {

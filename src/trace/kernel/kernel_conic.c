@@ -275,7 +275,6 @@ static __attribute__((noinline)) void search_lost(struct ray_block *block, const
                                                   bool path, int lanes, const struct origin *origin,
                                                   struct found *found)
 {
-    const struct search search = search_of(s);
     for (int i = 0; i < LANES_OF(lanes); i++) {
         size_t lost = (size_t)block->lost[i] % 8;
         if (kernel_conic_is_there(s, found, i) || (lost != RAY_OK && lost != RAY_CLIPPED)) {
@@ -283,7 +282,7 @@ static __attribute__((noinline)) void search_lost(struct ray_block *block, const
         }
         const double point[3] = {origin->x[i], origin->y[i], origin->z[i]};
         const double direction[3] = {block->p[i], block->q[i], block->r[i]};
-        double d = search_meet(&search, point, direction);
+        double d = isnan(point[0]) ? (double)NAN : search_meet(s, point, direction);
         block->x[i] = point[0] + d * direction[0];
         block->y[i] = point[1] + d * direction[1];
         block->z[i] = point[2] + d * direction[2];

@@ -43,28 +43,40 @@ static double most_slope(const struct step *s, double r)
     return fabs(s->c) * r + 2 * (even * r + (odd - fabs(s->odd_slope[0])));
 }
 
-struct search search_of(const struct step *step)
+/* Is the sag more than 100 times the radius there and beyond, as the highest even power rules? */
+static bool step_is_far_off(const struct step *s, double r)
+{
+    double highest = s->terms > 0 ? fabs(s->coefficient[s->terms - 1]) : 0;
+    for (int i = 0; i < s->terms; i++) {
+        highest *= r * r;
+    }
+    return s->kind != STEP_ODD && 2 * highest - most_departure(s, r) > 100 * r;
+}
+
+void search_prepare(struct step *step)
 {
     enum { HALVES = 200 };
-    double bend = step->one_k * step->c * step->c, inner = step->size;
-    double domain = bend > 0 ? 1 / bend : (double)INFINITY;
+    const double bend = step->one_k * step->c * step->c;
+    const double domain = bend > 0 ? 1 / bend : (double)INFINITY;
+    double inner = step->inner, rim;
     if (!(inner > 0)) { /* from 1e30 mm down to where the slope is 1 at most */
         inner = 0x1p100;
         for (int i = 0; i < HALVES && !(most_slope(step, inner) <= 1); i++) {
             inner /= 2;
         }
     }
-    struct search search = {.step = step, .inner = inner, .rim2 = 1e6 * inner * inner};
-    search.rim2 = step->clear2 < search.rim2 ? step->clear2 : search.rim2;
-    search.rim2 = domain < search.rim2 ? domain : search.rim2;
-    search.inner = inner * inner > search.rim2 ? sqrt(search.rim2) : inner;
-    search.depth = most_departure(step, sqrt(search.rim2)) * (1 + 1e-9);
-    return search;
+    rim = 1000 * inner;
+    while (rim > 2 * inner && step_is_far_off(step, rim / 1.25)) {
+        rim /= 1.25;
+    }
+    step->rim2 = fmin(fmin(step->clear2, rim * rim), domain);
+    step->inner = inner * inner > step->rim2 ? sqrt(step->rim2) : inner;
+    step->depth = most_departure(step, sqrt(step->rim2)) * (1 + 1e-9);
 }
 
 /* A ray that is looked at; d along it. */
 struct asphere_line {
-    const struct search *search;
+    const struct step *step;
     double point[3], direction[3];
     double low, high; /* of d: the part that is looked at */
     double middle;    /* nearest to the axis */
@@ -74,7 +86,7 @@ struct asphere_line {
 /* How far behind the surface, in the sense of the light. */
 static double distance_behind(const struct asphere_line *line, double d)
 {
-    const struct step *s = line->search->step;
+    const struct step *s = line->step;
     double x = line->point[0] + d * line->direction[0], y = line->point[1] + d * line->direction[1];
     double u = s->weight_x * x * x + s->weight_y * y * y;
     double inside = 1 - s->one_k * s->c * s->c * u;
@@ -91,12 +103,11 @@ static void line_cut(struct asphere_line *line, double low, double high)
 
 static bool set_part(struct asphere_line *line)
 {
-    const struct search *search = line->search;
-    const struct step *s = search->step;
+    const struct step *s = line->step;
     const double *x = line->point, *p = line->direction;
     double a = s->weight_x * p[0] * p[0] + s->weight_y * p[1] * p[1];
     double b = s->weight_x * x[0] * p[0] + s->weight_y * x[1] * p[1];
-    double beyond = s->weight_x * x[0] * x[0] + s->weight_y * x[1] * x[1] - search->rim2;
+    double beyond = s->weight_x * x[0] * x[0] + s->weight_y * x[1] * x[1] - s->rim2;
     double slow = fabs(p[2]);
     line->low = -DBL_MAX;
     line->high = DBL_MAX;
@@ -107,13 +118,13 @@ static bool set_part(struct asphere_line *line)
             return false;
         }
         line->middle = -b / a;
-        line->fine = search->inner / 24 / sqrt(a);
+        line->fine = s->inner / 24 / sqrt(a);
         line_cut(line, line->middle - sqrt(square) / a, line->middle + sqrt(square) / a);
     } else if (!(beyond < 0)) {
         return false;
     }
     if (slow > 0) {
-        double to_plane = -x[2] / p[2], way = search->depth / slow;
+        double to_plane = -x[2] / p[2], way = s->depth / slow;
         line_cut(line, to_plane - way, to_plane + way);
     }
     return line->low < line->high && line->high < DBL_MAX && line->low > -DBL_MAX;
@@ -207,7 +218,7 @@ static bool line_touches(const struct asphere_line *line, const double d[3], con
 static bool bracket_along_axis(const struct asphere_line *line, double *front, double *back)
 {
     enum { DOUBLINGS = 40 };
-    const double slow = line->search->step->direction * line->direction[2];
+    const double slow = line->step->direction * line->direction[2];
     if (!(slow > 0) || line->fine > 0) { /* it goes aside, or back */
         return false;
     }
@@ -225,12 +236,12 @@ static bool bracket_along_axis(const struct asphere_line *line, double *front, d
            distance_behind(line, *back) >= 0;
 }
 
-double search_meet(const struct search *search, const double point[3], const double direction[3])
+double search_meet(const struct step *step, const double point[3], const double direction[3])
 {
     /* from near the surface: far away steps are lost in the distance */
     double ahead = fabs(direction[2]) > 0 ? -point[2] / direction[2] : 0;
     ahead = isfinite(ahead) ? ahead : 0;
-    struct asphere_line line = {.search = search,
+    struct asphere_line line = {.step = step,
                                 .direction = {direction[0], direction[1], direction[2]}};
     for (int i = 0; i < 3; i++) {
         line.point[i] = point[i] + ahead * direction[i];

@@ -5,23 +5,17 @@
 
 #include "trace/kernel/step.h"
 
-/* What all rays that look for one surface share. */
-struct search {
-    const struct step *step;
-    double inner; /* mm: details of the shape are larger than a part of this radius */
-    double rim2;  /* not looked at beyond this r^2 */
-    double depth; /* |z| of the surface is less than this up to there */
-};
-
 /*
- * Make ready to search.
+ * Make a step ready to be searched: its `inner`, `rim2` and `depth`, which all rays share.
  *
- * Given     step  STEP_ASPHERE, STEP_TROUGH or STEP_ODD
- * Result    `inner` is half the diameter that the lens gives, or else the radius up to which no
- *           slope can be more than 45 degrees; the rim is where the conic ends, or the clear
- *           aperture, beyond which all is lost anyway, and never beyond 1000 times `inner`
+ * Given     step  STEP_ASPHERE, STEP_TROUGH or STEP_ODD, with `inner` half the diameter that the
+ *                 lens gives, or 0
+ * Result    `inner` is that, or else the radius up to which no slope can be more than 45 degrees;
+ *           the rim is where the conic ends, or the clear aperture, beyond which all is lost
+ *           anyway, and never beyond 1000 times `inner`; nor, from twice that on, where the highest
+ *           power of an even asphere has taken the sag to 100 times the radius
  */
-struct search search_of(const struct step *step);
+void search_prepare(struct step *step);
 
 /*
  * The first place within the rim where the ray goes through the surface from front to back.
@@ -38,6 +32,6 @@ struct search search_of(const struct step *step);
  *           distance shows it; 1e-15 of the size, at grazing incidence less. The same bits whatever
  *           instruction set calls it, for it is compiled once
  */
-double search_meet(const struct search *search, const double point[3], const double direction[3]);
+double search_meet(const struct step *step, const double point[3], const double direction[3]);
 
 #endif

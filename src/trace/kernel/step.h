@@ -43,7 +43,10 @@ struct step {
     double cn;               /* c n^2 */
     double dn;               /* (n' - n)(n' + n) */
     double start_c, start_k; /* of an asphere: c and 1 + k of the conic to start from */
-    double size; /* of an asphere: half the diameter that the lens gives it, mm; 0 = none */
+    double
+        inner;   /* of an asphere: details of the shape are larger than a part of this radius, mm */
+    double rim2; /* where a search ends that Newton's method has lost, mm^2 */
+    double depth; /* |z| of the surface is less than this up to there, mm */
     double direction;
     double clear2;             /* squared clear semi-diameter, mm^2; infinite = none */
     double weight_x, weight_y; /* of a cylinder: 1 in the curved section, else 0 */
