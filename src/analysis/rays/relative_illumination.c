@@ -170,8 +170,9 @@ relative_illumination_look(const struct relative_illumination *falloff, const do
         *field = falloff->no_field ? no_light : from_field(falloff, &beam, chief);
         found = behind.status == RAY_OK;
     }
-    point.light = from_film(falloff, falloff->film, &film, found ? inside : NULL,
-                            falloff->clip && is_row ? &point.islands : NULL);
+    point.light =
+        from_film(falloff, falloff->film, &film, found ? inside : NULL,
+                  falloff->clip && is_row && !falloff->no_islands ? &point.islands : NULL);
     point.vignetted = point.vignetted_error = falloff->no_vignetting ? (double)NAN : 0;
     if (falloff->clip && is_row && !falloff->no_vignetting) {
         const struct illumination stop =
@@ -293,6 +294,7 @@ bool relative_illumination_open(const struct relative_illumination_question *que
         .chief_end = INFINITY,
         .no_field = question->no_field,
         .no_vignetting = question->no_vignetting,
+        .no_islands = question->no_islands,
     };
     struct setup *own = &falloff->setup;
     if (!isnan(question->stop_diameter)) {

@@ -12,7 +12,7 @@ struct relative_illumination {
     struct setup setup;      /* with the stop that was asked for */
     struct setup_near *near; /* the height looked at last; internal */
     double error;
-    bool clip, no_field, no_vignetting;
+    bool clip, no_field, no_vignetting, no_islands;
     double chief_end; /* mm from the axis: chief rays of heights beyond are not searched */
     /* reversed: all apertures, none, the stop alone; forward: all, none */
     const struct system *film, *film_open, *film_stop, *field, *field_open;
@@ -28,6 +28,7 @@ struct relative_illumination_question {
     double error;                 /* relative, of each integral */
     bool clip;                    /* apertures take light; else the stop alone does */
     bool no_field, no_vignetting; /* relative_field and vignetted are not wanted: NaN */
+    bool no_islands;              /* light beyond gaps is not looked for */
 };
 
 /*

@@ -93,7 +93,10 @@ static const struct column columns[] = {
 
 /* -------- points of the image -------- */
 
-/* run: whose rows are all that is wanted; null: everything is. */
+/* Of the height of a drawing: what nobody sees in it. */
+static const double unseen = 5e-4;
+
+/* run: whose rows are all that is wanted; null: what a drawing shows. */
 static bool open_falloff(const struct analysis_case *one, const struct illumination_input *input,
                          const struct run *run, struct relative_illumination *falloff,
                          struct error *error)
@@ -104,12 +107,14 @@ static bool open_falloff(const struct analysis_case *one, const struct illuminat
     const bool no_vignetting = run != NULL &&
                                !run_shows(run, offsetof(struct illumination_row, vignetted)) &&
                                !run_shows(run, offsetof(struct illumination_row, vignetted_error));
-    const struct relative_illumination_question question = {.setup = one->setup,
-                                                            .no_field = no_field,
-                                                            .no_vignetting = no_vignetting,
-                                                            .stop_diameter = input->stop_diameter,
-                                                            .error = input->question.error,
-                                                            .clip = one->clip};
+    const struct relative_illumination_question question = {
+        .setup = one->setup,
+        .no_field = no_field,
+        .no_vignetting = no_vignetting,
+        .no_islands = run == NULL,
+        .stop_diameter = input->stop_diameter,
+        .error = run == NULL ? fmax(input->question.error, unseen) : input->question.error,
+        .clip = one->clip};
     return relative_illumination_open(&question, falloff, error);
 }
 
