@@ -60,7 +60,7 @@ struct image_way {
     int bits;                 /* PNG: 8 or 16 */
     enum image_values values; /* PNG: LIGHT is encoded as sRGB, CODES are written as they are */
     bool half, packed;        /* OpenEXR: 16-bit floats; ZIP */
-    bool stored;              /* PNG: not packed, which takes little time and much room */
+    bool stored;              /* in a hurry: PNG not packed at all, OpenEXR but for what is black */
     int threads;              /* that encode a stored PNG; 0 and 1: only this one */
 };
 

@@ -80,12 +80,12 @@ static void put_window(struct bytes *to, const char *name, const struct image *i
 }
 
 static void put_head(struct bytes *to, const struct image *image,
-                     const struct openexr_channel *channels, const struct image_way *way)
+                     const struct openexr_channel *channels, const struct image_way *way, bool zip)
 {
     bytes_put_little(to, OPENEXR_MAGIC, 4);
     bytes_put_little(to, 2, 4);
     put_channels(to, channels, image->channels, way->half ? OPENEXR_HALF : OPENEXR_FLOAT);
-    put_byte(to, "compression", "compression", way->packed ? OPENEXR_ZIP : OPENEXR_NONE);
+    put_byte(to, "compression", "compression", zip ? OPENEXR_ZIP : OPENEXR_NONE);
     put_window(to, "dataWindow", image);
     put_window(to, "displayWindow", image);
     put_byte(to, "lineOrder", "lineOrder", 0);
@@ -159,12 +159,58 @@ static bool check_values(const struct image *image, bool half, struct error *err
     return image_check(image, IMAGE_NUMBERS, error);
 }
 
+/* Rows without light; a NaN and -0 have bits. */
+static bool openexr_is_black(const struct image *image, const size_t rows[2])
+{
+    static const float none[64] = {0};
+    const float *value = image_row(image, rows[0]);
+    size_t left = (rows[1] - rows[0]) * image->width * image->channels;
+    while (left > 0) {
+        const size_t here = left < 64 ? left : 64;
+        if (memcmp(value, none, here * sizeof *value) != 0) {
+            return false;
+        }
+        value += here;
+        left -= here;
+    }
+    return true;
+}
+
+/* How the blocks of a file are made. */
+struct openexr_blocks {
+    const struct image *image;
+    const struct openexr_channel *channels;
+    const struct image_way *way;
+    size_t rows;       /* of each but the last */
+    struct text black; /* packed, of so many rows without light */
+};
+
+/* The bytes of rows: a block in a hurry is packed if it is black, and that once. */
+static struct text openexr_block(struct openexr_blocks *blocks, const size_t range[2],
+                                 struct arena *arena, struct arena *scratch)
+{
+    const bool is_black = blocks->way->stored && range[1] - range[0] == blocks->rows &&
+                          openexr_is_black(blocks->image, range);
+    struct bytes plain = {.arena = scratch};
+    if (is_black && blocks->black.length > 0) {
+        return blocks->black;
+    }
+    put_rows(&plain, blocks->image, blocks->channels, blocks->way->half, range);
+    if (is_black) {
+        blocks->black = openexr_pack(&plain, arena);
+        return blocks->black;
+    }
+    return blocks->way->packed ? openexr_pack(&plain, scratch) : bytes_text(&plain);
+}
+
 bool openexr_write(const struct image *image, const struct image_way *way, struct arena *arena,
                    struct text *file, struct error *error)
 {
-    const size_t rows = way->packed ? OPENEXR_ZIP_ROWS : 1;
+    const bool zip = way->packed || way->stored;
+    const size_t rows = zip ? OPENEXR_ZIP_ROWS : 1;
     const size_t blocks = (image->height + rows - 1) / rows;
     const struct openexr_channel *channels = sort_channels(image, arena);
+    struct openexr_blocks made = {image, channels, way, rows, {NULL, 0}};
     struct bytes to = {.arena = arena};
     struct arena scratch = {0};
     if (!check_values(image, way->half, error)) {
@@ -172,8 +218,8 @@ bool openexr_write(const struct image *image, const struct image_way *way, struc
     }
     /* what is not packed goes to its place at once */
     const size_t most = image->width * image->height * image->channels * (way->half ? 2 : 4);
-    bytes_room(&to, (way->packed ? 0 : most) + 16 * blocks);
-    put_head(&to, image, channels, way);
+    bytes_room(&to, (zip ? 0 : most) + 16 * blocks);
+    put_head(&to, image, channels, way, zip);
     const size_t table = to.used;
     bytes_room(&to, 8 * blocks);
     to.used += 8 * blocks;
@@ -181,10 +227,8 @@ bool openexr_write(const struct image *image, const struct image_way *way, struc
         const size_t last = (i + 1) * rows;
         const size_t range[2] = {i * rows, last < image->height ? last : image->height};
         struct bytes at = {.arena = arena, .data = to.data + table + 8 * i, .room = 8};
-        struct bytes plain = {.arena = &scratch};
         bytes_put_little(&at, to.used, 8);
-        put_rows(&plain, image, channels, way->half, range);
-        const struct text block = way->packed ? openexr_pack(&plain, &scratch) : bytes_text(&plain);
+        const struct text block = openexr_block(&made, range, arena, &scratch);
         bytes_put_little(&to, range[0], 4);
         bytes_put_little(&to, block.length, 4);
         bytes_put(&to, block.start, block.length);
