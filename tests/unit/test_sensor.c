@@ -197,6 +197,32 @@ static void test_places(void)
     CHECK(raw.sums.values == 3600 && reseeded.sums.values == 3600);
 }
 
+/* What is black of an unfinished picture has the mean of the dark, all else its own chance. */
+static void test_unfinished(void)
+{
+    struct image_sensor sensor = mono();
+    struct sensor_setting setting = by_gain(0.25);
+    struct sensor_model model;
+    struct sensor_raw whole_raw, part;
+    struct image light = even(8, 8, 0, 0, 0);
+    for (size_t i = 0; i < 3 * 24; i++) {
+        light.pixels[i] = 0.1F;
+    }
+    sensor.read_noise = 40;
+    CHECK(sensor_open(&sensor, &setting, &model, &error) &&
+          sensor_expose(&model, &light, &whole, arena, &whole_raw, &error));
+    setting.is_unfinished = true;
+    CHECK(sensor_open(&sensor, &setting, &model, &error) &&
+          sensor_expose(&model, &light, &whole, arena, &part, &error));
+    CHECK(memcmp(part.image.pixels, whole_raw.image.pixels, 24 * sizeof(float)) == 0);
+    size_t calm = 0, other = 0;
+    for (size_t i = 24; i < 64; i++) {
+        calm += part.image.pixels[i] == 200; /* the black level */
+        other += whole_raw.image.pixels[i] != 200;
+    }
+    CHECK(calm == 40 && other > 20 && part.sums.values == 64 && part.sums.darkest == 0);
+}
+
 /* Colours by mosaic, from an odd first pixel too, and the file of raw data. */
 static void test_mosaic(void)
 {
@@ -303,6 +329,7 @@ int main(void)
     test_numbers();
     test_noise();
     test_places();
+    test_unfinished();
     test_mosaic();
     test_demosaic();
     test_refused();

@@ -3,6 +3,7 @@
 #include "camera/sensor/develop.h"
 
 #include <math.h>
+#include <string.h>
 
 /* Channels whose matrix magnifies errors so much tell no colours apart. */
 #define ALIKE 1e4
@@ -153,9 +154,16 @@ bool develop_picture(const struct sensor_model *model, const struct image *raw,
         return false;
     }
     for (size_t i = 0; i < raw->width * raw->height; i++) {
-        const struct colour colour = srgb_of(&developing, raw->pixels + i * channels, channels);
+        const float *from = raw->pixels + i * channels;
+        float *to = picture->pixels + i * SENSOR_CHANNELS;
+        /* one like that before it, as in what is black or white throughout */
+        if (i > 0 && memcmp(from, from - channels, channels * sizeof *from) == 0) {
+            memcpy(to, to - SENSOR_CHANNELS, SENSOR_CHANNELS * sizeof *to);
+            continue;
+        }
+        const struct colour colour = srgb_of(&developing, from, channels);
         for (size_t k = 0; k < SENSOR_CHANNELS; k++) {
-            picture->pixels[i * SENSOR_CHANNELS + k] = (float)colour.part[k];
+            to[k] = (float)colour.part[k];
         }
     }
     return true;

@@ -10,6 +10,7 @@
 #include "photo/sensitometry.h"
 
 #include <math.h>
+#include <string.h>
 
 /* that a thread takes at once */
 enum { ROWS = 4 };
@@ -197,6 +198,15 @@ static double digital(const struct sensor_model *model, double mean, uint64_t pi
     return 0;
 }
 
+/* The digital number of the dark without chance. */
+static double dark_number(const struct sensor_model *model)
+{
+    struct sensor_model calm = *model;
+    bool saturated;
+    calm.setting.noiseless = true;
+    return digital(&calm, model->dark, 0, 0, &saturated);
+}
+
 /* Lux seconds of a channel, by what it sees. */
 static double seen_by(const double seen[SENSOR_CHANNELS], const float *pixel, size_t channels)
 {
@@ -226,9 +236,19 @@ struct sensor_job {
     const struct sensor_model *model;
     const struct image *light;
     const struct sensor_place *place;
-    const struct image *image; /* receives numbers */
-    struct sensor_sums *rows;  /* and what is counted of each row */
+    const struct image *image;      /* receives numbers */
+    struct sensor_sums *rows;       /* and what is counted of each row */
+    float untaken[SENSOR_CHANNELS]; /* numbers of a pixel that is not there yet */
 };
+
+static bool pixel_is_black(const float *pixel, size_t channels)
+{
+    bool black = true;
+    for (size_t k = 0; k < channels; k++) {
+        black = black && !(pixel[k] > 0);
+    }
+    return black;
+}
 
 static void expose_pixel(const struct sensor_job *exposing, size_t x, size_t y)
 {
@@ -242,6 +262,12 @@ static void expose_pixel(const struct sensor_job *exposing, size_t x, size_t y)
     float *to = image_row(exposing->image, y) + x * exposing->image->channels;
     const bool mosaic = model->sensor.mosaic != MOSAIC_NONE;
     const struct sensor_response_traits *response = sensor_traits(&model->sensor);
+    if (model->setting.is_unfinished && pixel_is_black(from, light->channels)) {
+        memcpy(to, exposing->untaken, exposing->image->channels * sizeof *to);
+        sums->values += exposing->image->channels;
+        sums->darkest = 0;
+        return;
+    }
     for (size_t k = 0; k < exposing->image->channels; k++) {
         const size_t channel =
             mosaic ? sensor_mosaics[model->sensor.mosaic].channel[row % 2][column % 2] : k;
@@ -298,6 +324,9 @@ bool sensor_expose(const struct sensor_model *model, const struct image *light,
                                   .place = place,
                                   .image = &raw->image,
                                   .rows = ARENA_ARRAY(arena, light->height, struct sensor_sums)};
+    for (size_t k = 0; k < SENSOR_CHANNELS; k++) {
+        exposing.untaken[k] = (float)dark_number(model);
+    }
     parallel_for(model->setting.threads, light->height, ROWS, sensor_expose_rows, &exposing);
     raw->sums = add_rows(exposing.rows, light->height);
     return true;

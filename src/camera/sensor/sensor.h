@@ -81,6 +81,7 @@ struct sensor_setting {
     double time;        /* of the exposure, s, >= 0 */
     double temperature; /* of the sensor, deg C */
     bool noiseless;     /* means in place of chance: quantisation stays */
+    bool is_unfinished; /* black is not taken yet: it has means, and none of its chance is drawn */
     uint64_t seed;
     int threads; /* that expose it; no number depends on them */
 };

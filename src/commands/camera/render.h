@@ -359,6 +359,18 @@ struct render_floor {
 bool render_check_dark(const struct image *image, double unit, const struct render_floor *floor,
                        const char *name, struct text_buffer *remarks, struct error *error);
 
+/* A picture before it is exposed. */
+struct render_shot {
+    struct render_frame frame;
+    struct photograph photograph; /* with notes of what is the same in all exposures */
+    struct text doubts;           /* lines about the lens */
+    const char *aside;            /* the file of a picture that was interrupted; null: none */
+    const char *enclosed;         /* what the camera of a scene stands within; null: nothing */
+    bool is_world;                /* of a scene, whose light is not that of a white card */
+    bool is_last;                 /* this exposure of it may use it up */
+    bool is_one_of_many;          /* what is true of all exposures stands in a line of its own */
+};
+
 /* -------- commands/camera/render_sensor.c -------- */
 
 extern const struct word render_mosaics[];
@@ -386,12 +398,12 @@ bool render_acceptance(const struct render_input *input, struct arena *arena,
  * Expose a sensor, and develop what it saw unless its numbers are wanted.
  *
  * Given     time   of the exposure, s
- *           frame  of the picture
+ *           shot   the picture; what is black of an unfinished one has no noise
  *           image  light of the pixels taken, lx s; receives linear sRGB with white 1, or numbers
  *                  over 65535
  * Errors    as sensor_open, sensor_expose, demosaic_bilinear and develop_picture
  */
-bool render_sense(const struct render_input *input, double time, const struct render_frame *frame,
+bool render_sense(const struct render_input *input, double time, const struct render_shot *shot,
                   struct image *image, struct text_buffer *remarks, struct error *error);
 
 /* -------- commands/camera/render_emulsion.c -------- */
@@ -487,18 +499,6 @@ void render_say_depths(const struct render_input *input, const struct photograph
 /* -------- commands/camera/render_expose.c -------- */
 
 extern const struct word render_packings[];
-
-/* A picture before it is exposed. */
-struct render_shot {
-    struct render_frame frame;
-    struct photograph photograph; /* with notes of what is the same in all exposures */
-    struct text doubts;           /* lines about the lens */
-    const char *aside;            /* the file of a picture that was interrupted; null: none */
-    const char *enclosed;         /* what the camera of a scene stands within; null: nothing */
-    bool is_world;                /* of a scene, whose light is not that of a white card */
-    bool is_last;                 /* this exposure of it may use it up */
-    bool is_one_of_many;          /* what is true of all exposures stands in a line of its own */
-};
 
 /* Errors: ERROR_USAGE: something that this kind of file cannot hold */
 bool render_check_file(const struct render_input *input, const struct file_type *type,

@@ -292,7 +292,7 @@ static bool receive_light(const struct render_input *input, const struct render_
         return true;
     }
     if (!(is_film ? render_develop(input, is_png, &shot->frame, image, remarks, error)
-                  : render_sense(input, exposure->time, &shot->frame, image, remarks, error))) {
+                  : render_sense(input, exposure->time, shot, image, remarks, error))) {
         return false;
     }
     image->aspect = light.aspect;

@@ -253,9 +253,10 @@ static void note_saturation(const struct colour_matrix *fill, struct image *imag
     image_note(image, arena, text_of(RENDER_NOTE_SATURATION), growing_done(&words));
 }
 
-bool render_sense(const struct render_input *input, double time, const struct render_frame *frame,
+bool render_sense(const struct render_input *input, double time, const struct render_shot *shot,
                   struct image *image, struct text_buffer *remarks, struct error *error)
 {
+    const struct render_frame *frame = &shot->frame;
     struct arena *arena = remarks->arena;
     const struct sensor_place place = {frame->taken.left, frame->taken.top, frame->columns};
     struct sensor_model model;
@@ -268,6 +269,7 @@ bool render_sense(const struct render_input *input, double time, const struct re
         return false;
     }
     model.setting.seed = render_frame_seed(input, frame);
+    model.setting.is_unfinished = shot->photograph.is_incomplete;
     if (!sensor_expose(&model, image, &place, arena, &raw, error)) {
         return false;
     }
