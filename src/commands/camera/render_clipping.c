@@ -3,6 +3,7 @@
 #include "commands/camera/render.h"
 
 #include <math.h>
+#include <string.h>
 
 /* Of the pixels: fewer are lights and their reflections in things. */
 #define SAID_FROM 0.01
@@ -12,16 +13,24 @@ struct clipping_share render_clipping_of(const struct image *image, double unit,
     double least = (double)INFINITY, most = 0;
     const size_t pixels = image->width * image->height, channels = image->channels;
     size_t above = 0; /* of which some channel is */
+    bool is_above = false;
     for (size_t i = 0; i < pixels; i++) {
+        const float *pixel = image->pixels + i * channels;
         double darkest = (double)INFINITY, brightest = 0;
+        /* one like that before it, as in what is black or white throughout */
+        if (i > 0 && memcmp(pixel, pixel - channels, channels * sizeof *pixel) == 0) {
+            above += is_above ? 1 : 0;
+            continue;
+        }
         for (size_t k = 0; k < channels; k++) {
-            const double share = unit * (double)image->pixels[i * channels + k];
+            const double share = unit * (double)pixel[k];
             darkest = share < darkest ? share : darkest;
             brightest = share > brightest ? share : brightest;
         }
         least = darkest < least ? darkest : least;
         most = brightest > most ? brightest : most;
-        above += brightest > limit ? 1 : 0;
+        is_above = brightest > limit;
+        above += is_above ? 1 : 0;
     }
     return (struct clipping_share){
         .share = pixels > 0 ? (double)above / (double)pixels : 0, .most = most, .least = least};
