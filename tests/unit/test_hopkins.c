@@ -62,10 +62,10 @@ static struct overlap contrast(struct fixture *fixture, double x, double y, doub
     exit_lines_find(&fixture->pupil, along, &fixture->arena, &lines);
     double range[2];
     exit_pupil_range(&fixture->pupil, along, range);
-    const struct overlap_question question = {share * (range[1] - range[0]), 1e-7, false};
     struct exit_front front;
-    exit_front_find(&fixture->pupil, &lines, question.error, &fixture->arena, &front);
-    struct overlap sum = overlap_find(&front, overlap_rules_new(&fixture->arena), &question);
+    exit_front_find(&fixture->pupil, &lines, 1e-7, &fixture->arena, &front);
+    struct overlap sum = overlap_find(&front, gauss_rules_new(&fixture->arena),
+                                      share * (range[1] - range[0]), 1e-7, false);
     sum.re /= fixture->pupil.energy;
     sum.im /= fixture->pupil.energy;
     sum.perfect /= fixture->pupil.energy;

@@ -138,7 +138,7 @@ static bool mtf_open_pupils(struct mtf_source *source, struct arena *arena, stru
 static void find_fronts(struct mtf_source *source, struct arena *arena)
 {
     const size_t count = source->pupils.lights.count;
-    source->rules = overlap_rules_new(arena);
+    source->rules = gauss_rules_new(arena);
     source->lines = ARENA_ARRAY(arena, count * MTF_DIRECTIONS, struct exit_lines);
     source->fronts = ARENA_ARRAY(arena, count * MTF_DIRECTIONS, struct exit_front);
     for (size_t i = 0; i < count * MTF_DIRECTIONS; i++) {
@@ -198,8 +198,7 @@ static void mtf_add_waves(const struct mtf_source *source, size_t g, double freq
                           struct mtf_sums *sums, struct mtf *mtf)
 {
     const struct exit_pupil *pupil = &source->pupils.list[g];
-    struct overlap_question question = {.shift = frequency / (pupil->waves * pupil->n),
-                                        .error = source->question->error};
+    const double shift = frequency / (pupil->waves * pupil->n);
     const double weight = exit_pupil_weight(pupil);
     sums->light += weight * pupil->energy;
     for (size_t k = 0; k < source->directions; k++) {
@@ -210,9 +209,10 @@ static void mtf_add_waves(const struct mtf_source *source, size_t g, double freq
             continue;
         }
         /* where a wavelength has none before, there is none of all together */
-        question.only_perfect = source->question->by_rays || isnan(sums->re[k]);
+        const bool only_perfect = source->question->by_rays || isnan(sums->re[k]);
         const struct overlap sum =
-            overlap_find(&source->fronts[g * MTF_DIRECTIONS + k], source->rules, &question);
+            overlap_find(&source->fronts[g * MTF_DIRECTIONS + k], source->rules, shift,
+                         source->question->error, only_perfect);
         sums->re[k] += weight * sum.re;
         sums->im[k] += weight * sum.im;
         sums->perfect[k] += weight * sum.perfect;

@@ -31,7 +31,7 @@ struct mtf_source {
     struct exit_lines *lines;   /* [wavelength][direction] */
     struct exit_front *fronts;  /* the same */
     double off[MTF_DIRECTIONS]; /* what series of wave fronts may make of contrast, at the worst */
-    struct overlap_rules *rules;
+    struct gauss_rules *rules;
     struct mtf_rays *rays;           /* internal; null: by waves */
     double along[MTF_DIRECTIONS][2]; /* in the image plane, of unit length */
     double cutoff[MTF_DIRECTIONS];   /* 1/mm: no wavelength has contrast beyond it; NaN: no paths */

@@ -9,9 +9,8 @@
 #include <math.h>
 
 enum {
-    LEAST = 14,  /* points along a line, and lines */
-    EIGHT = 8,   /* numbers of points are multiples of it, so that few rules serve all lines */
-    PANEL = 128, /* so many at once */
+    LEAST = 14, /* points along a line, and lines */
+    MORE = 128, /* that a rule has more points than are wanted, at most */
     TURNS_MOST = PSF_TURNS_MOST,
     SIZE_LEAST = 8 /* of an image that says something */
 };
@@ -19,40 +18,13 @@ enum {
 /* More for each turn of the phase: along a line, and lines. */
 static const double along_turn = 1.75, across_turn = 3.3;
 
-/* Gauss's points on 0..1; many of them are panels of a few, which are found sooner. */
-struct psf_points_rule {
-    size_t count;
-    double *x, *w;
-};
-
-/* Points at work: rules by their number of points over EIGHT. */
+/* Points at work. */
 struct point_placer {
     const struct psf_plane *plane;
     struct psf_points *points;
     double *weights, turns[2];
-    struct psf_points_rule *rules;
+    struct gauss_rules *rules;
 };
-
-static const struct psf_points_rule *psf_points_rule_of(const struct point_placer *putting,
-                                                        size_t wanted)
-{
-    struct psf_points_rule *rule = &putting->rules[(wanted + EIGHT - 1) / EIGHT];
-    const size_t count = (wanted + EIGHT - 1) / EIGHT * EIGHT;
-    const size_t panels = (count + PANEL - 1) / PANEL, each = (count + panels - 1) / panels;
-    double x[PANEL], w[PANEL];
-    if (rule->count > 0) {
-        return rule;
-    }
-    gauss_rule(each, x, w);
-    *rule = (struct psf_points_rule){panels * each,
-                                     ARENA_ARRAY(putting->plane->arena, panels * each, double),
-                                     ARENA_ARRAY(putting->plane->arena, panels * each, double)};
-    for (size_t i = 0; i < rule->count; i++) {
-        rule->x[i] = ((double)(i / each) + x[i % each]) / (double)panels;
-        rule->w[i] = w[i % each] / (double)panels;
-    }
-    return rule;
-}
 
 /* Turns of the phase across the pupil in one direction, at a distance from the reference, mm. */
 static double turns_across(const struct psf_plane *plane, int k, double far)
@@ -127,12 +99,13 @@ static void psf_points_put_line(const struct point_placer *putting, const struct
         if (!(length > 0)) {
             continue;
         }
-        const struct psf_points_rule *rule =
-            psf_points_rule_of(putting, points_along(putting, length));
-        for (size_t k = 0; k < rule->count; k++, points->count++) {
-            points->at[points->count][0] = low + length * rule->x[k];
+        const struct gauss_panels rule =
+            gauss_panels_of(putting->rules, (double)points_along(putting, length));
+        for (size_t k = 0; k < rule.each * rule.panels; k++, points->count++) {
+            points->at[points->count][0] = low + length * gauss_panels_at(&rule, k);
             points->at[points->count][1] = t;
-            putting->weights[points->count] = weight * slope * length * rule->w[k];
+            putting->weights[points->count] =
+                weight * slope * length * gauss_panels_weight(&rule, k);
         }
     }
     points->ends[points->lines++] = points->count;
@@ -141,10 +114,10 @@ static void psf_points_put_line(const struct point_placer *putting, const struct
 static void take_room(struct point_placer *putting, const struct exit_lines *lines)
 {
     struct arena *arena = putting->plane->arena;
-    const size_t along = points_along(putting, INFINITY) + EXIT_SPANS * (LEAST + PANEL + EIGHT);
+    const size_t along = points_along(putting, INFINITY) + EXIT_SPANS * (LEAST + MORE);
     size_t line_room = 0;
     for (size_t p = 0; p < lines->count; p++) {
-        line_room += lines_across(putting, &lines->pieces[p]) + EIGHT + PANEL;
+        line_room += lines_across(putting, &lines->pieces[p]) + MORE;
     }
     *putting->points =
         (struct psf_points){.at = arena_array(arena, line_room * along, sizeof(double[2])),
@@ -157,14 +130,11 @@ bool psf_points_put(const struct psf_plane *plane, struct psf_points *points, st
     static const double across_x[2] = {1, 0};
     struct arena *arena = plane->arena;
     struct exit_lines *lines = ARENA_NEW(arena, struct exit_lines);
-    struct point_placer putting = {
-        .plane = plane,
-        .points = points,
-        .turns = {turns_across(plane, 0, psf_points_farthest(plane)),
-                  turns_across(plane, 1, psf_points_farthest(plane))},
-        .rules =
-            ARENA_ARRAY(arena, ((size_t)(LEAST + across_turn * TURNS_MOST) + 2 * EIGHT) / EIGHT,
-                        struct psf_points_rule)};
+    struct point_placer putting = {.plane = plane,
+                                   .points = points,
+                                   .turns = {turns_across(plane, 0, psf_points_farthest(plane)),
+                                             turns_across(plane, 1, psf_points_farthest(plane))},
+                                   .rules = gauss_rules_new(arena)};
     if (!psf_points_fit(plane, error)) {
         return false;
     }
@@ -172,10 +142,11 @@ bool psf_points_put(const struct psf_plane *plane, struct psf_points *points, st
     take_room(&putting, lines);
     for (size_t p = 0; p < lines->count; p++) {
         const struct exit_piece *piece = &lines->pieces[p];
-        const struct psf_points_rule *rows =
-            psf_points_rule_of(&putting, lines_across(&putting, piece));
-        for (size_t i = 0; i < rows->count; i++) {
-            psf_points_put_line(&putting, piece, PI * (rows->x[i] - 0.5), PI * rows->w[i]);
+        const struct gauss_panels rows =
+            gauss_panels_of(putting.rules, (double)lines_across(&putting, piece));
+        for (size_t i = 0; i < rows.each * rows.panels; i++) {
+            psf_points_put_line(&putting, piece, PI * (gauss_panels_at(&rows, i) - 0.5),
+                                PI * gauss_panels_weight(&rows, i));
         }
     }
     points->waves = ARENA_ARRAY(arena, points->count, double);

@@ -4,19 +4,11 @@
 
 #include "base/constants.h"
 #include "base/instruction_set.h"
-#include "trace/aim/sample.h"
 
 #include <math.h>
 
 enum { LOOKS = 48, ROUNDS = 44, PARTS = EXIT_SPANS * EXIT_SPANS, BREAKS = 16 };
-enum {
-    RULE_STEP = 4,
-    PANEL = RULE_STEP * OVERLAP_RULES,
-    REFINED = 9,
-    LOOK_ALONG = 12,
-    LOOK_ACROSS = 12,
-    LANES = EXIT_SERIES_LANES
-};
+enum { REFINED = 9, LOOK_ALONG = 12, LOOK_ACROSS = 12, LANES = EXIT_SERIES_LANES };
 
 /* Points for each turn of the phase, were it as steep all along: Gauss's converge from pi/2 on. */
 static const double a_turn = 1.6;
@@ -38,18 +30,12 @@ struct hopkins_sums {
 /* An integral at work. */
 struct overlap_integral {
     const struct exit_front *front;
-    struct overlap_rules *rules;
+    struct gauss_rules *rules;
     double shift;
     double least, times; /* points without a turn of the phase; times what is thought enough */
     double more; /* and so many more: each round must have other rules than the one before */
     struct hopkins_range *ranges;
     size_t count;
-};
-
-/* Gauss's points, of many in equal panels. */
-struct hopkins_rule {
-    const double *x, *w;
-    size_t each, panels;
 };
 
 /*
@@ -133,27 +119,6 @@ static size_t hopkins_find_breaks(const struct exit_piece *piece, double shift, 
     return count;
 }
 
-static struct hopkins_rule hopkins_rule_of(struct overlap_rules *rules, double wanted)
-{
-    const size_t panels = (size_t)ceil(wanted / PANEL);
-    const size_t slot = (size_t)ceil(wanted / (double)(panels * RULE_STEP)) - 1;
-    if (!rules->is_ready[slot]) {
-        gauss_rule(RULE_STEP * (slot + 1), rules->x[slot], rules->w[slot]);
-        rules->is_ready[slot] = true;
-    }
-    return (struct hopkins_rule){rules->x[slot], rules->w[slot], RULE_STEP * (slot + 1), panels};
-}
-
-static double rule_at(const struct hopkins_rule *rule, size_t i)
-{
-    return ((double)(i / rule->each) + rule->x[i % rule->each]) / (double)rule->panels;
-}
-
-static double rule_weight(const struct hopkins_rule *rule, size_t i)
-{
-    return rule->w[i % rule->each] / (double)rule->panels;
-}
-
 /* Does the half of a part say all? In the other one the phase is the opposite. */
 static bool halves_part(const struct overlap_integral *summing, double low, double high)
 {
@@ -163,7 +128,7 @@ static bool halves_part(const struct overlap_integral *summing, double low, doub
 /* Add up a part of a line; phases: receives those of its points, or null. */
 static void hopkins_add_part(const struct overlap_integral *summing, const struct exit_line *line,
                              const struct hopkins_parts *parts, size_t p,
-                             const struct hopkins_rule *along, double weight,
+                             const struct gauss_panels *along, double weight,
                              struct hopkins_sums *sums, double *phases)
 {
     kernel_exit_values *find = KERNEL_FOR(SET_BEST, kernel_exit_values);
@@ -217,8 +182,8 @@ static void hopkins_add_part(const struct overlap_integral *summing, const struc
 }
 /* Add up the lines of a range; phases: receives those of all points, line by line, or null. */
 static void hopkins_add_lines(const struct overlap_integral *summing,
-                              const struct hopkins_range *range, const struct hopkins_rule *across,
-                              const struct hopkins_rule *along, struct hopkins_sums *sums,
+                              const struct hopkins_range *range, const struct gauss_panels *across,
+                              const struct gauss_panels *along, struct hopkins_sums *sums,
                               double *phases)
 {
     const size_t row = range->parts * along->each * along->panels;
@@ -228,10 +193,10 @@ static void hopkins_add_lines(const struct overlap_integral *summing,
     for (size_t i = 0; i < across->each * across->panels / (is_half ? 2 : 1); i++) {
         struct exit_line line;
         struct hopkins_parts parts;
-        exit_front_line(summing->front, range->piece, range->low + wide * rule_at(across, i),
-                        &line);
+        exit_front_line(summing->front, range->piece,
+                        range->low + wide * gauss_panels_at(across, i), &line);
         find_parts(&line.spans, summing->shift, &parts);
-        const double weight = times * wide * rule_weight(across, i) * line.slope;
+        const double weight = times * wide * gauss_panels_weight(across, i) * line.slope;
         /* rounding at an end of the range may lose a part, which is empty there */
         for (size_t p = 0; p < parts.count && p < range->parts; p++) {
             hopkins_add_part(summing, &line, &parts, p, along, weight, sums,
@@ -242,7 +207,7 @@ static void hopkins_add_lines(const struct overlap_integral *summing,
 }
 
 /* The most of what was seen and phases at Gauss's points say, which are `step` apart. */
-static void see_turns(const double *phases, const struct hopkins_rule *rule, size_t step,
+static void see_turns(const double *phases, const struct gauss_panels *rule, size_t step,
                       struct hopkins_turns *turns)
 {
     for (size_t i = 1; i < rule->each; i++) {
@@ -255,8 +220,8 @@ static void see_turns(const double *phases, const struct hopkins_rule *rule, siz
 static void hopkins_find_turns(const struct overlap_integral *summing, struct hopkins_range *range)
 {
     enum { ROW = PARTS * LOOK_ALONG };
-    const struct hopkins_rule across = hopkins_rule_of(summing->rules, LOOK_ACROSS);
-    const struct hopkins_rule along = hopkins_rule_of(summing->rules, LOOK_ALONG);
+    const struct gauss_panels across = gauss_panels_of(summing->rules, LOOK_ACROSS);
+    const struct gauss_panels along = gauss_panels_of(summing->rules, LOOK_ALONG);
     const size_t row = range->parts * LOOK_ALONG;
     struct hopkins_sums sums = {.re = {0}};
     double phases[LOOK_ACROSS * ROW] = {0};
@@ -318,7 +283,7 @@ static double points_for(const struct overlap_integral *summing, double least,
 {
     const double one = summing->times * (least + a_turn * turns->gauss) + summing->more;
     const double even = summing->times * (least + a_turn * turns->even) + summing->more;
-    return one <= PANEL ? one : even;
+    return one <= GAUSS_PANEL ? one : even;
 }
 
 /* Points of a range: across, and along each part. */
@@ -348,8 +313,8 @@ static struct overlap hopkins_sum_up(const struct overlap_integral *summing)
     for (size_t i = 0; i < summing->count; i++) {
         double across, along;
         find_points(summing, &summing->ranges[i], &across, &along);
-        const struct hopkins_rule rules[2] = {hopkins_rule_of(summing->rules, across),
-                                              hopkins_rule_of(summing->rules, along)};
+        const struct gauss_panels rules[2] = {gauss_panels_of(summing->rules, across),
+                                              gauss_panels_of(summing->rules, along)};
         hopkins_add_lines(summing, &summing->ranges[i], &rules[0], &rules[1], &sums, NULL);
     }
     for (size_t l = 0; l < LANES; l++) {
@@ -363,17 +328,6 @@ static struct overlap hopkins_sum_up(const struct overlap_integral *summing)
     return sum;
 }
 
-struct overlap_rules *overlap_rules_new(struct arena *arena)
-{
-    struct overlap_rules *rules = ARENA_NEW(arena, struct overlap_rules);
-    for (size_t i = 0; i < OVERLAP_RULES; i++) {
-        rules->x[i] = ARENA_ARRAY(arena, RULE_STEP * (i + 1), double);
-        rules->w[i] = ARENA_ARRAY(arena, RULE_STEP * (i + 1), double);
-        rules->is_ready[i] = false;
-    }
-    return rules;
-}
-
 /* Rounds of ever more points until the error is met, perhaps only that of a perfect wave front. */
 static struct overlap refine(struct overlap_integral *summing, double error, bool only_perfect)
 {
@@ -381,7 +335,7 @@ static struct overlap refine(struct overlap_integral *summing, double error, boo
     here.error = INFINITY;
     for (int i = 0; i < REFINED && here.error > error; i++) {
         summing->times *= finer;
-        summing->more += RULE_STEP;
+        summing->more += GAUSS_STEP;
         if (hopkins_points_of(summing) > most_points) {
             break;
         }
@@ -404,14 +358,14 @@ static double left_for_points(double error, double off)
     return fmax(error - off, fmax(error, off) / 4);
 }
 
-struct overlap overlap_find(const struct exit_front *front, struct overlap_rules *rules,
-                            const struct overlap_question *question)
+struct overlap overlap_find(const struct exit_front *front, struct gauss_rules *rules, double shift,
+                            double error, bool only_perfect)
 {
     struct hopkins_range ranges[EXIT_PIECES * BREAKS];
     struct overlap_integral summing = {.front = front,
                                        .rules = rules,
-                                       .shift = question->shift,
-                                       .least = 3 - 1.5 * log10(question->error),
+                                       .shift = shift,
+                                       .least = 3 - 1.5 * log10(error),
                                        .times = 1,
                                        .ranges = ranges};
     const double energy = front->pupil->energy;
@@ -421,16 +375,15 @@ struct overlap overlap_find(const struct exit_front *front, struct overlap_rules
     }
     find_ranges(&summing);
     const bool is_steep = 2 * hopkins_points_of(&summing) > most_points;
-    for (size_t i = 0; i < summing.count && (is_steep || question->only_perfect); i++) {
+    for (size_t i = 0; i < summing.count && (is_steep || only_perfect); i++) {
         ranges[i].across = ranges[i].along = (struct hopkins_turns){0, 0}; /* which turns nothing */
     }
-    sum = refine(&summing, left_for_points(question->error, front->off) * energy,
-                 is_steep || question->only_perfect);
+    sum = refine(&summing, left_for_points(error, front->off) * energy, is_steep || only_perfect);
     sum.error += front->off * energy;
-    sum.has_converged = !is_steep && sum.error <= question->error * energy;
-    if (is_steep || question->only_perfect) {
+    sum.has_converged = !is_steep && sum.error <= error * energy;
+    if (is_steep || only_perfect) {
         sum.re = sum.im = NAN;
-        sum.error = question->only_perfect ? sum.error : INFINITY;
+        sum.error = only_perfect ? sum.error : INFINITY;
     }
     return sum;
 }

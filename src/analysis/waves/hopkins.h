@@ -4,28 +4,13 @@
 #define LENSCALC_ANALYSIS_WAVES_HOPKINS_H
 
 #include "analysis/waves/exit_front.h"
+#include "trace/aim/sample.h"
 
 #include <stdbool.h>
 #include <stddef.h>
 
-enum { OVERLAP_RULES = 32 };
-
-/* Gauss's points on 0..1, found when they are first wanted: of 4, 8, 12 ... */
-struct overlap_rules {
-    double *x[OVERLAP_RULES], *w[OVERLAP_RULES];
-    bool is_ready[OVERLAP_RULES];
-};
-
-struct overlap_rules *overlap_rules_new(struct arena *arena);
-
 /* Is there an overlap to be found, where the front's series leave so much of it (`off`)? */
 bool overlap_is_known(double off);
-
-struct overlap_question {
-    double shift;      /* in a and b, 0 and more: wavelength times frequency over the index */
-    double error;      /* that is wanted, in shares of the pupil's energy */
-    bool only_perfect; /* the wave front is not asked for */
-};
 
 /*
  * Integrals over the overlap: with the wave front, complex, and with a perfect one. NaN: not known,
@@ -40,6 +25,9 @@ struct overlap {
 /*
  * The pupil, and the same moved along its lines.
  *
+ * Given     shift         in a and b, 0 and more: wavelength times frequency over the index
+ *           error         that is wanted, in shares of the pupil's energy
+ *           only_perfect  the wave front is not asked for
  * Formula   integral of A1 A2 exp(2 pi i (W1 - W2)) over what is clear at both, 1 at half the shift
  *           against the lines, 2 along them: so that its angle is that of the Fourier transform of
  *           the light over the image, which counts from the reference. Gauss's points along clear
@@ -50,7 +38,7 @@ struct overlap {
  * Limits    16 million points: where W1 - W2 turns the phase some thousands of times each way, or
  *           is so rough that its series fail, the integrals are not known
  */
-struct overlap overlap_find(const struct exit_front *front, struct overlap_rules *rules,
-                            const struct overlap_question *question);
+struct overlap overlap_find(const struct exit_front *front, struct gauss_rules *rules, double shift,
+                            double error, bool only_perfect);
 
 #endif

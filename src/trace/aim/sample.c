@@ -53,6 +53,28 @@ void gauss_rule(size_t count, double *x, double *w)
     }
 }
 
+struct gauss_rules *gauss_rules_new(struct arena *arena)
+{
+    struct gauss_rules *rules = ARENA_NEW(arena, struct gauss_rules);
+    for (size_t i = 0; i < GAUSS_RULES; i++) {
+        rules->x[i] = ARENA_ARRAY(arena, GAUSS_STEP * (i + 1), double);
+        rules->w[i] = ARENA_ARRAY(arena, GAUSS_STEP * (i + 1), double);
+        rules->is_ready[i] = false;
+    }
+    return rules;
+}
+
+struct gauss_panels gauss_panels_of(struct gauss_rules *rules, double wanted)
+{
+    const size_t panels = (size_t)ceil(wanted / GAUSS_PANEL);
+    const size_t slot = (size_t)ceil(wanted / (double)(panels * GAUSS_STEP)) - 1;
+    if (!rules->is_ready[slot]) {
+        gauss_rule(GAUSS_STEP * (slot + 1), rules->x[slot], rules->w[slot]);
+        rules->is_ready[slot] = true;
+    }
+    return (struct gauss_panels){rules->x[slot], rules->w[slot], GAUSS_STEP * (slot + 1), panels};
+}
+
 static struct pupil_point *sample_room(struct sample *sample, size_t count, struct arena *arena)
 {
     sample->points = ARENA_ARRAY(arena, count, struct pupil_point);

@@ -61,4 +61,31 @@ bool sample_make(enum pattern pattern, size_t rays, uint64_t seed, struct arena 
  */
 void gauss_rule(size_t count, double *x, double *w);
 
+/* Such rules of 4, 8, 12 .. 128 points, found when they are first wanted. */
+enum { GAUSS_STEP = 4, GAUSS_RULES = 32, GAUSS_PANEL = GAUSS_STEP * GAUSS_RULES };
+struct gauss_rules {
+    double *x[GAUSS_RULES], *w[GAUSS_RULES];
+    bool is_ready[GAUSS_RULES];
+};
+struct gauss_rules *gauss_rules_new(struct arena *arena);
+
+/* Many points of 0..1: one rule, in equal panels of which each is like the others. */
+struct gauss_panels {
+    const double *x, *w;
+    size_t each, panels;
+};
+
+/* As many points as are wanted, and some more. */
+struct gauss_panels gauss_panels_of(struct gauss_rules *rules, double wanted);
+
+static inline double gauss_panels_at(const struct gauss_panels *rule, size_t i)
+{
+    return ((double)(i / rule->each) + rule->x[i % rule->each]) / (double)rule->panels;
+}
+
+static inline double gauss_panels_weight(const struct gauss_panels *rule, size_t i)
+{
+    return rule->w[i % rule->each] / (double)rule->panels;
+}
+
 #endif
