@@ -96,7 +96,7 @@ FOR_TESTS = {
     "aim_ray": "one ray, against longer arithmetic",
     "thick_residuals": "the solver calls it by its pointer; its derivatives",
     # derivatives of everything by everything, which the optimiser stands on
-    "merit_bundle_start": "where 113 bits begin", "merit_rays_look": "which rays residuals are of",
+    "merit_bundle_start": "where 113 bits begin",
     "merit_mtf_look": "what contrasts are by rays",
     "derivative_layout": "", "derivative_sweep": "", "tangent_trace": "",
     # every set of instructions gives the same bits

@@ -86,8 +86,7 @@ struct truth {
 static bool open_truth(struct under_test *test, const struct merit_slot *slot, const double *v,
                        struct truth *truth)
 {
-    const struct merit_rays_look look = merit_rays_look(slot);
-    const struct bundle_wish *wish = &look.bundle->wish;
+    const struct bundle_wish *wish = &slot->beams->bundle.wish;
     const struct lens *lens =
         variables_put(&test->variables, v, test->merit.places[slot->place].position);
     struct system *systems = ARENA_ARRAY(&test->arena, wish->wavelength_count, struct system);
@@ -152,8 +151,8 @@ static void trace_group(const struct truth *truth, const struct merit_bundle *bu
 
 static void find_truth(struct truth *truth, real *residuals)
 {
-    const struct merit_rays_look look = merit_rays_look(truth->slot);
-    const struct merit_bundle *bundle = look.bundle;
+    const struct merit_bundle *bundle = &truth->slot->beams->bundle;
+    const bool is_joint = truth->slot->operand->kind == OPERAND_POLY;
     static real at[64][256][2];
     for (size_t g = 0; g < bundle->group_count; g++) {
         trace_group(truth, bundle, g, at[g]);
@@ -165,7 +164,7 @@ static void find_truth(struct truth *truth, real *residuals)
         real mean[2] = {0, 0}, sum = 0;
         for (size_t h = 0; h < bundle->group_count; h++) {
             const struct bundle_group *other = &bundle->groups[h];
-            const bool counts = look.is_joint ? other->field == group->field : h == g;
+            const bool counts = is_joint ? other->field == group->field : h == g;
             for (size_t i = 0; i < other->points.count && counts; i++) {
                 const real weight = (real)other->weight * (real)other->points.points[i].weight;
                 sum += weight;

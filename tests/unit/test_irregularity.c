@@ -77,7 +77,7 @@ static void look_at(const struct look *look, struct looked *looked)
         const bool has = look->amounts == NULL;
         CHECK(merit_evaluate(&merit, numbers, looked->residuals, has ? looked->jacobian : NULL));
         if (!has) {
-            CHECK(merit_rays_deform(&merit.slots[0], &error));
+            CHECK(merit_beams_deform(merit.slots[0].beams, &error));
             CHECK(merit_evaluate(&merit, numbers, looked->residuals, NULL));
         }
         looked->rows = merit.residual_count;

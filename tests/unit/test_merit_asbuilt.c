@@ -225,7 +225,7 @@ static void check_form(void)
     const size_t rays = formed.merit.residual_count;
     CHECK(merit_measure(&bench.merit, bench.numbers, got, NULL));
     CHECK(merit_measure(&formed.merit, formed.numbers, without, NULL));
-    CHECK(merit_rays_deform(&formed.merit.slots[0], &error));
+    CHECK(merit_beams_deform(formed.merit.slots[0].beams, &error));
     height = 0.5 * TOLERANCE_WAVE_MM;
     CHECK(merit_measure(&formed.merit, formed.numbers, with, NULL));
     for (size_t i = 0; i < rays; i++) {

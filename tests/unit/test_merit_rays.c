@@ -97,7 +97,7 @@ static void check_settled(enum operand_kind kind, bool from_entrance)
     if (opens) {
         double *residuals = ARENA_ARRAY(&test.arena, test.merit.residual_count, double);
         CHECK(merit_evaluate(&test.merit, test.v, residuals, NULL));
-        merit_rays_settle(&test.merit.slots[0], false);
+        merit_beams_settle(test.merit.slots[0].beams, false);
         test.v[0] *= 1.02;
         test.v[1] += 0.1;
         CHECK(check_all(&test));
@@ -121,7 +121,7 @@ static void check_held(enum operand_kind kind)
         double *jacobian = ARENA_ARRAY(&test.arena, rows, double);
         double *slopes = ARENA_ARRAY(&test.arena, rows, double), largest = 0;
         CHECK(merit_evaluate(&test.merit, test.v, residuals, NULL));
-        merit_rays_settle(&test.merit.slots[0], true);
+        merit_beams_settle(test.merit.slots[0].beams, true);
         for (int k = 0; k < SIDES; k++) {
             const double moved = test.v[0] + steps[k];
             CHECK(merit_evaluate(&test.merit, &moved, residuals, NULL));

@@ -164,7 +164,7 @@ static void check_linear(void)
     double *jacobian = ARENA_ARRAY(&arena, merit.residual_count * SEVERAL, double);
     variables_get(&variables, numbers);
     CHECK(merit_evaluate(&merit, numbers, residuals, jacobian));
-    const struct merit_bundle *bundle = merit_rays_look(&merit.slots[0]).bundle;
+    const struct merit_bundle *bundle = &merit.slots[0].beams->bundle;
     for (size_t j = 0; j < SEVERAL; j++) {
         double square[3] = {0}, slope[3] = {0}, scale = 0;
         const double radius = test.lens.surfaces[0].radius.value.hi;

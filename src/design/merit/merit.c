@@ -63,7 +63,7 @@ static bool add_slots(struct merit *merit, const struct operand *operand, struct
             continue;
         }
         struct merit_slot *slot = &merit->slots[merit->slot_count];
-        *slot = (struct merit_slot){operand, i, merit->residual_count, 1, NULL};
+        *slot = (struct merit_slot){operand, i, merit->residual_count, 1, NULL, NULL};
         if (kind->prepare != NULL) {
             slot->count = kind->prepare(merit, slot, arena, error);
         }

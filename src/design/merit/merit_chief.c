@@ -2,6 +2,7 @@
 /* SPDX-License-Identifier: MIT */
 #include "design/merit/merit_chief.h"
 
+#include "analysis/waves/wave_reference.h"
 #include "design/merit/merit_paraxial.h"
 #include "design/merit/merit_ray.h"
 
@@ -18,14 +19,11 @@ static double merit_chief_direction_of(const struct merit_place *place,
                                        const struct field_point *field, double towards[2])
 {
     const bool is_angle = field->kind == FIELD_ANGLE;
-    const double sign = is_angle && !place->setup.object.is_infinite ? -1 : 1;
-    const double x = sign * (is_angle ? tan(field->value[0]) : field->value[0]);
-    const double y = sign * (is_angle ? tan(field->value[1]) : field->value[1]);
-    const double size = hypot(x, y);
-    const double up = y < 0 || (y == 0 && x < 0) ? -1 : 1;
-    towards[0] = size > 0 ? up * x / size : 0;
-    towards[1] = size > 0 ? up * y / size : 1;
-    return up * size;
+    const double x = is_angle ? tan(field->value[0]) : field->value[0];
+    const double y = is_angle ? tan(field->value[1]) : field->value[1];
+    wave_section(field, towards);
+    return (is_angle && !place->setup.object.is_infinite ? -1 : 1) *
+           (x * towards[0] + y * towards[1]);
 }
 
 /* -------- one chief ray -------- */

@@ -21,16 +21,6 @@ static const struct field_point *merit_incidence_field_at(const struct merit_pla
     return operand->field != NULL ? &operand->field->point : &place->setup.fields[i].point;
 }
 
-static size_t merit_incidence_end_of(const struct operand *operand, const struct lens *lens)
-{
-    return operand->first == LENS_NONE ? lens->surface_count : operand->last + 1;
-}
-
-static size_t merit_incidence_first_of(const struct operand *operand)
-{
-    return operand->first == LENS_NONE ? 0 : operand->first;
-}
-
 /* A plane that only is the stop, or one within a medium, bends nothing. */
 static bool bends(const struct lens *lens, size_t i)
 {
@@ -157,13 +147,14 @@ static bool merit_incidence_fill(struct merit *merit, const struct merit_slot *s
     const size_t count = field_count(&merit->places[slot->place], slot->operand) * PUPILS;
     struct merit_front front;
     double largest;
-    size_t at = 0;
+    size_t at = 0, from, end;
+    merit_surfaces(slot->operand, lens, &from, &end);
     if (!merit_front_open(merit, &first, starts, count, &front)) {
         return false;
     }
-    for (size_t i = 0; i < merit_incidence_end_of(slot->operand, lens); i++) {
+    for (size_t i = 0; i < end; i++) {
         const size_t which = merit_incidence_pass(&front, i, merit->arena, &largest);
-        if (i < merit_incidence_first_of(slot->operand) || !bends(lens, i)) {
+        if (i < from || !bends(lens, i)) {
             continue;
         }
         if (which == front.count) {
@@ -194,7 +185,7 @@ size_t merit_prepare_incidence(struct merit *merit, struct merit_slot *slot, str
     const struct merit_place *place = &merit->places[slot->place];
     const struct operand *operand = slot->operand;
     const struct lens *lens = place->lens;
-    size_t count = 0;
+    size_t count = 0, from, end;
     if (!merit_needs_aperture(place, error)) {
         return 0;
     }
@@ -203,8 +194,8 @@ size_t merit_prepare_incidence(struct merit *merit, struct merit_slot *slot, str
             return 0;
         }
     }
-    for (size_t i = merit_incidence_first_of(operand);
-         i < merit_incidence_end_of(operand, lens) && i < lens->surface_count; i++) {
+    merit_surfaces(operand, lens, &from, &end);
+    for (size_t i = from; i < end && i < lens->surface_count; i++) {
         count += bends(lens, i);
         if (lens->surfaces[i].coordinate_break != NULL) {
             fail(error, ERROR_DOMAIN, "surface %zu stands behind a coordinate break", i + 1);

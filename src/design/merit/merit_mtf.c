@@ -6,7 +6,6 @@
 #include "analysis/waves/wave_reference.h"
 #include "base/constants.h"
 #include "base/turns.h"
-#include "design/merit/merit_beams.h"
 #include "design/merit/merit_graze.h"
 
 #include <math.h>
@@ -179,6 +178,7 @@ size_t merit_prepare_mtf(struct merit *merit, struct merit_slot *slot, struct ar
     const struct operand *operand = slot->operand;
     struct merit_mtf *mtf = ARENA_NEW(arena, struct merit_mtf);
     slot->own = mtf;
+    slot->beams = &mtf->beams;
     mtf->by_rays = operand->kind == OPERAND_GMTF;
     mtf->frequency = operand->frequency;
     mtf->wants[TANGENTIAL] = operand->orientation != ORIENTATION_SAGITTAL;
@@ -535,18 +535,6 @@ bool merit_fill_mtf(struct merit *merit, const struct merit_slot *slot, double *
         at++;
     }
     return true;
-}
-
-void merit_mtf_settle(const struct merit_slot *slot, bool holds)
-{
-    struct merit_mtf *mtf = slot->own;
-    merit_beams_settle(&mtf->beams, holds);
-}
-
-bool merit_mtf_deform(const struct merit_slot *slot, struct error *error)
-{
-    struct merit_mtf *mtf = slot->own;
-    return merit_beams_deform(&mtf->beams, error);
 }
 
 struct merit_mtf_look merit_mtf_look(const struct merit_slot *slot, size_t group, int direction)

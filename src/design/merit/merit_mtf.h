@@ -4,8 +4,7 @@
 #define LENSCALC_DESIGN_MERIT_MERIT_MTF_H
 
 #include "analysis/waves/pupil_wave.h"
-#include "design/merit/merit_bundle.h"
-#include "design/merit/merit_state.h"
+#include "design/merit/merit_beams.h"
 
 /*
  * mtf, gmtf: of the field of the operand or of each one, tangential, sagittal or both: what
@@ -27,10 +26,6 @@ merit_prepare merit_prepare_mtf;
 
 /* The contrast |S| itself, of what the operand makes of it. */
 double merit_mtf_contrast(double operand);
-
-/* merit_beams_settle and merit_beams_deform of its rays. */
-void merit_mtf_settle(const struct merit_slot *slot, bool holds);
-bool merit_mtf_deform(const struct merit_slot *slot, struct error *error);
 
 /*
  * What the contrast of a group's field in a direction is by its rays, for tests: of the last

@@ -28,12 +28,15 @@ static unsigned merit_ray_kinds_of(const struct merit *merit, const struct merit
     unsigned what = merit->question.irregularity_count > 0 ? DERIVE_DISPLACEMENT : 0;
     for (size_t i = 0; i < light->link_count; i++) {
         const struct parameter basis = light->links[i].basis;
-        what |= basis.kind >= PARAMETER_BREAK_DECENTER_X ? DERIVE_BREAK
-                : basis.kind >= PARAMETER_DECENTER_X     ? DERIVE_DISPLACEMENT
-                : basis.kind == PARAMETER_CONIC          ? DERIVE_CONIC
-                : basis.kind != PARAMETER_COEFFICIENT    ? 0
-                : basis.order % 2 == 1                   ? DERIVE_ODD
-                                                         : DERIVE_SERIES;
+        if (basis.kind >= PARAMETER_BREAK_DECENTER_X) {
+            what |= DERIVE_BREAK;
+        } else if (basis.kind >= PARAMETER_DECENTER_X) {
+            what |= DERIVE_DISPLACEMENT;
+        } else if (basis.kind == PARAMETER_CONIC) {
+            what |= DERIVE_CONIC;
+        } else if (basis.kind == PARAMETER_COEFFICIENT) {
+            what |= basis.order % 2 == 1 ? DERIVE_ODD : DERIVE_SERIES;
+        }
     }
     return what;
 }
@@ -79,17 +82,6 @@ static void derive_irregular(const struct merit *merit, const struct derivative_
     }
 }
 
-/* The end moves by them; the ray starts where it does without them. */
-static void bend(const struct merit *merit, struct merit_ray_sweep *sweep)
-{
-    for (size_t i = 0; i < merit->question.irregularity_count; i++) {
-        const double amount = merit->question.irregularity_amounts[i];
-        for (int k = 0; k < NUMBERS; k++) {
-            sweep->end[k] += amount * sweep->irregular[i][k];
-        }
-    }
-}
-
 /* Through a part of the lens, and back: `wanted` are the adjoints, one row a lane. */
 static bool sweep_part(struct merit *merit, const struct merit_light *light,
                        const struct lens *part, double image, const double start[NUMBERS],
@@ -128,8 +120,11 @@ static bool sweep_part(struct merit *merit, const struct merit_light *light,
                          sweep->gradient);
         derive_irregular(merit, &tape, arena, sweep);
     }
-    if (bends) {
-        bend(merit, sweep);
+    /* the end moves by them; the ray starts where it does without them */
+    for (size_t i = 0; i < merit->question.irregularity_count && bends; i++) {
+        for (int k = 0; k < NUMBERS; k++) {
+            sweep->end[k] += merit->question.irregularity_amounts[i] * sweep->irregular[i][k];
+        }
     }
     return true;
 }
@@ -335,13 +330,13 @@ static bool merit_ray_solve(double slope[2][2], const double miss[2], double cha
     return isfinite(change[0]) && isfinite(change[1]);
 }
 
-/* The start without derivatives. */
-static void set_start(const struct ray_start *aiming, size_t columns, struct merit_ray *start)
+/* The same ray in all columns, without derivatives. */
+static void merit_ray_set(const double numbers[NUMBERS], size_t columns, struct merit_ray *ray)
 {
     for (size_t j = 0; j < columns; j++) {
         for (int i = 0; i < 3; i++) {
-            start[j].at[i] = dual_of(aiming->ray.point[i]);
-            start[j].along[i] = dual_of(aiming->beam.n * aiming->ray.cosine[i]);
+            ray[j].at[i] = dual_of(numbers[i]);
+            ray[j].along[i] = dual_of(numbers[i + 3]);
         }
     }
 }
@@ -368,45 +363,29 @@ static void object_change(const struct merit *merit, const struct merit_ray_ques
     }
 }
 
-/* By a and b: of the start, and of the place in the stop. */
-struct by_beam {
-    double start[2][NUMBERS], stop[2][2];
-};
-
-static struct by_beam slopes_of(const struct ray_start *aiming, const struct merit_ray_sweep *sweep,
-                                double axes[2][3])
-{
-    struct by_beam by;
-    for (int k = 0; k < 2; k++) {
-        double end[NUMBERS] = {0}, place[2];
-        beam_slope(&aiming->beam, aiming->at, k, by.start[k], by.start[k] + 3);
-        merit_ray_add_start(sweep, by.start[k], end);
-        merit_ray_own(axes, end, place);
-        by.stop[0][k] = place[0];
-        by.stop[1][k] = place[1];
-    }
-    return by;
-}
-
 /* Derivatives of the start by all variables, from a sweep to the stop. */
 static bool derive_start(struct merit *merit, const struct merit_ray_question *question,
-                         const struct ray_start *aiming, const struct merit_figures *figures,
-                         struct arena *arena, struct merit_ray *start)
+                         const struct ray_start *aiming, const double first[NUMBERS],
+                         const struct merit_figures *figures, struct arena *arena,
+                         struct merit_ray *start)
 {
     const struct merit_place *place = &merit->places[question->slot->place];
     const struct merit_light *light = question->light;
     const struct lens *part = merit_ray_cut(place->lens, place->lens->stop + 1, arena);
-    const struct ray *ray = &aiming->ray;
-    const double n = aiming->beam.n;
-    const double first[NUMBERS] = {ray->point[0],      ray->point[1],      ray->point[2],
-                                   n * ray->cosine[0], n * ray->cosine[1], n * ray->cosine[2]};
     struct merit_ray_sweep sweep;
-    double axes[2][3];
+    double axes[2][3], by_start[2][NUMBERS], by_stop[2][2]; /* by a and b */
     if (!sweep_part(merit, light, part, NAN, first, arena, &sweep)) {
         return false;
     }
     own_axes(&sweep.system, axes);
-    struct by_beam by = slopes_of(aiming, &sweep, axes);
+    for (int k = 0; k < 2; k++) {
+        double end[NUMBERS] = {0}, at[2];
+        beam_slope(&aiming->beam, aiming->at, k, by_start[k], by_start[k] + 3);
+        merit_ray_add_start(&sweep, by_start[k], end);
+        merit_ray_own(axes, end, at);
+        by_stop[0][k] = at[0];
+        by_stop[1][k] = at[1];
+    }
     for (size_t j = 0; j < merit->variable_count; j++) {
         double change[NUMBERS], end[NUMBERS] = {0}, at[2], way[2];
         object_change(merit, question, aiming, &figures[j].first, j, change);
@@ -418,11 +397,11 @@ static bool derive_start(struct merit *merit, const struct merit_ray_question *q
         const bool is_chief = question->pupil[0] == 0 && question->pupil[1] == 0;
         const double miss[2] = {(is_chief ? 0 : radius * question->pupil[0]) - at[0],
                                 (is_chief ? 0 : radius * question->pupil[1]) - at[1]};
-        if (!merit_ray_solve(by.stop, miss, way)) {
+        if (!merit_ray_solve(by_stop, miss, way)) {
             return fail(&merit->why, ERROR_DOMAIN, "the rays about one meet in the stop");
         }
         for (int i = 0; i < NUMBERS; i++) {
-            change[i] += way[0] * by.start[0][i] + way[1] * by.start[1][i];
+            change[i] += way[0] * by_start[0][i] + way[1] * by_start[1][i];
         }
         put_change(change, &start[j]);
     }
@@ -440,12 +419,14 @@ bool merit_ray_start(struct merit *merit, const struct merit_ray_question *quest
         !merit_ray_aim(merit, question, arena, &aiming)) {
         return false;
     }
-    set_start(&aiming, merit_columns(merit), start);
+    const double n = aiming.beam.n, *at = aiming.ray.point, *e = aiming.ray.cosine;
+    const double first[NUMBERS] = {at[0], at[1], at[2], n * e[0], n * e[1], n * e[2]};
+    merit_ray_set(first, merit_columns(merit), start);
     if (!merit->derives) {
         return true;
     }
     if (!place->setup.first.is_telecentric) {
-        return derive_start(merit, question, &aiming, figures, arena, start);
+        return derive_start(merit, question, &aiming, first, figures, arena, start);
     }
     for (size_t j = 0; j < merit->variable_count; j++) {
         double change[NUMBERS];
@@ -456,17 +437,6 @@ bool merit_ray_start(struct merit *merit, const struct merit_ray_question *quest
 }
 
 /* -------- following -------- */
-
-static void merit_ray_set_end(const struct merit_ray_sweep *sweep, size_t columns,
-                              struct merit_ray *end)
-{
-    for (size_t j = 0; j < columns; j++) {
-        for (int i = 0; i < 3; i++) {
-            end[j].at[i] = dual_of(sweep->end[i]);
-            end[j].along[i] = dual_of(sweep->end[i + 3]);
-        }
-    }
-}
 
 /* In a plane that moves along the axis with the ray's own slope. */
 static void move_plane(struct merit_ray *end, double way)
@@ -499,7 +469,7 @@ bool merit_ray_follow(struct merit *merit, const struct merit_ray_question *ques
                     arena, &sweep)) {
         return false;
     }
-    merit_ray_set_end(&sweep, columns, end);
+    merit_ray_set(sweep.end, columns, end);
     for (size_t j = 0; j < merit->variable_count && merit->derives; j++) {
         double slopes[NUMBERS] = {0}, change[NUMBERS];
         for (int i = 0; i < 3; i++) {

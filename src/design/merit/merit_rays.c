@@ -2,7 +2,6 @@
 /* SPDX-License-Identifier: MIT */
 #include "design/merit/merit_rays.h"
 
-#include "design/merit/merit_beams.h"
 #include "design/merit/merit_graze.h"
 
 #include <math.h>
@@ -79,6 +78,7 @@ size_t merit_prepare_rays(struct merit *merit, struct merit_slot *slot, struct a
         return 0;
     }
     slot->own = rays;
+    slot->beams = &rays->beams;
     rays->is_joint = slot->operand->kind == OPERAND_POLY || slot->operand->kind == OPERAND_ASBUILT;
     rays->outputs = path ? 1 : 2;
     rays->variable_count = merit->variable_count;
@@ -185,27 +185,6 @@ static void merit_rays_add_means(struct merit_rays *rays, size_t which, size_t r
     }
 }
 
-/* One coordinate of the rays of one group in a block. */
-struct merit_rays_part {
-    const double *rows, *means;
-    double factors[RAYS_BLOCK];
-    int count;
-};
-
-static void merit_rays_put_part(const struct merit_rays_part *part, size_t variable_count,
-                                double *residuals, double *jacobian)
-{
-    for (int i = 0; i < part->count; i++) {
-        residuals[i] = part->factors[i] * (part->rows[i] - part->means[0]);
-    }
-    for (size_t j = 0; jacobian != NULL && j < variable_count; j++) {
-        const double *row = part->rows + (j + 1) * RAYS_BLOCK, mean = part->means[j + 1];
-        for (int i = 0; i < part->count; i++) {
-            jacobian[(size_t)i * variable_count + j] = part->factors[i] * (row[i] - mean);
-        }
-    }
-}
-
 static void put_block(const struct merit_rays *rays, size_t which, double deviation,
                       double *residuals, double *jacobian)
 {
@@ -217,26 +196,29 @@ static void put_block(const struct merit_rays *rays, size_t which, double deviat
         const struct bundle_lane *lane = &block->lanes[beam->first];
         const struct bundle_group *group = &rays->beams.bundle.groups[lane->group];
         const int begin = first_output(rays, group);
-        struct merit_rays_part part = {.count = beam->count};
-        for (int i = 0; i < part.count; i++) {
+        const size_t n = rays->variable_count;
+        double factors[RAYS_BLOCK];
+        for (int i = 0; i < beam->count; i++) {
             const double weight = group->points.points[lane->point + (size_t)i].weight;
-            part.factors[i] = sqrt(weight * group->weight) / unit;
+            factors[i] = sqrt(weight * group->weight) / unit;
         }
         for (int k = begin; k < rays->outputs; k++) {
             const size_t before = (size_t)(k - begin) * group->points.count;
             const size_t row = group->row + before + lane->point;
-            part.rows = rows_at(rays, which, k) + beam->first;
-            part.means = means_at(rays, lane->group, k);
-            merit_rays_put_part(&part, rays->variable_count, residuals + row,
-                                jacobian != NULL ? jacobian + row * rays->variable_count : NULL);
+            const double *rows = rows_at(rays, which, k) + beam->first;
+            const double *means = means_at(rays, lane->group, k);
+            for (int i = 0; i < beam->count; i++) {
+                residuals[row + (size_t)i] = factors[i] * (rows[i] - means[0]);
+            }
+            for (size_t j = 0; jacobian != NULL && j < n; j++) {
+                double *slopes = jacobian + row * n + j;
+                rows += RAYS_BLOCK;
+                for (int i = 0; i < beam->count; i++) {
+                    slopes[(size_t)i * n] = factors[i] * (rows[i] - means[j + 1]);
+                }
+            }
         }
     }
-}
-
-bool merit_rays_aim(struct merit *merit, const struct merit_slot *slot)
-{
-    struct merit_rays *rays = slot->own;
-    return merit_beams_aim(merit, slot, &rays->beams);
 }
 
 bool merit_fill_rays(struct merit *merit, const struct merit_slot *slot, double *residuals,
@@ -246,7 +228,7 @@ bool merit_fill_rays(struct merit *merit, const struct merit_slot *slot, double 
     struct merit_bundle *bundle = &rays->beams.bundle;
     const size_t rows = merit->derives ? merit_rays_rows_of(rays) : 1;
     bundle->keeps = merit->places[slot->place].graze != NULL;
-    if (!merit_rays_aim(merit, slot)) {
+    if (!merit_beams_aim(merit, slot, &rays->beams)) {
         return false;
     }
     memset(rays->means, 0,
@@ -262,22 +244,4 @@ bool merit_fill_rays(struct merit *merit, const struct merit_slot *slot, double 
     }
     memcpy(merit->values + slot->first, residuals, slot->count * sizeof *residuals);
     return true;
-}
-
-void merit_rays_settle(const struct merit_slot *slot, bool holds)
-{
-    struct merit_rays *rays = slot->own;
-    merit_beams_settle(&rays->beams, holds);
-}
-
-struct merit_rays_look merit_rays_look(const struct merit_slot *slot)
-{
-    struct merit_rays *rays = slot->own;
-    return (struct merit_rays_look){&rays->beams.bundle, rays->is_joint};
-}
-
-bool merit_rays_deform(const struct merit_slot *slot, struct error *error)
-{
-    struct merit_rays *rays = slot->own;
-    return merit_beams_deform(&rays->beams, error);
 }

@@ -3,7 +3,7 @@
 #ifndef LENSCALC_DESIGN_MERIT_MERIT_RAYS_H
 #define LENSCALC_DESIGN_MERIT_MERIT_RAYS_H
 
-#include "design/merit/merit_bundle.h"
+#include "design/merit/merit_beams.h"
 #include "design/merit/merit_state.h"
 
 /*
@@ -26,22 +26,5 @@
  */
 merit_fill merit_fill_rays;
 merit_prepare merit_prepare_rays;
-
-/* The rays of such a slot. */
-struct merit_rays_look {
-    struct merit_bundle *bundle; /* row: of a group's first residual, its x before its y; of
-                                    SYMMETRY_ROUND it has y only */
-    bool is_joint;
-};
-struct merit_rays_look merit_rays_look(const struct merit_slot *slot);
-
-/* The lens as it is now, compiled and aimed: the first half of merit_fill_rays. */
-bool merit_rays_aim(struct merit *merit, const struct merit_slot *slot);
-
-/* merit_bundle_settle of all its rays. */
-void merit_rays_settle(const struct merit_slot *slot, bool holds);
-
-/* What irregularities do to rays, of the lens that was evaluated last: merit_bundle_deform. */
-bool merit_rays_deform(const struct merit_slot *slot, struct error *error);
 
 #endif

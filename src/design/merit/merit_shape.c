@@ -2,6 +2,7 @@
 /* SPDX-License-Identifier: MIT */
 #include "design/merit/merit_shape.h"
 
+#include "analysis/waves/wave_reference.h"
 #include "design/merit/merit_paraxial.h"
 #include "design/merit/merit_ray.h"
 
@@ -19,24 +20,13 @@ struct merit_edge_rays {
     size_t count;
 };
 
-/* The plane of a field. */
-static void merit_reach_direction_of(const struct field_point *field, double towards[2])
-{
-    const bool is_angle = field->kind == FIELD_ANGLE;
-    const double x = is_angle ? tan(field->value[0]) : field->value[0];
-    const double y = is_angle ? tan(field->value[1]) : field->value[1];
-    const double size = hypot(x, y);
-    towards[0] = size > 0 ? x / size : 0;
-    towards[1] = size > 0 ? y / size : 1;
-}
-
 static struct merit_edge_rays *merit_reach_choose(const struct merit_place *place,
                                                   struct arena *arena)
 {
     struct merit_edge_rays *edges = ARENA_NEW(arena, struct merit_edge_rays);
     const struct field_point axis = {.kind = FIELD_NONE}, *edge = &place->setup.edge;
     double towards[2];
-    merit_reach_direction_of(edge, towards);
+    wave_section(edge, towards);
     edges->count = edge->kind == FIELD_NONE ? 1 : EDGE_RAYS;
     for (size_t i = 0; i < edges->count; i++) {
         const double side = i == LOWER ? -1 : 1;
@@ -225,15 +215,6 @@ static bool merit_shape_is_wanted(enum operand_kind kind, const struct space *sp
                                : !space->is_air && (kind == OPERAND_EDGE) == (place == SPACE_EDGE);
 }
 
-/* The surfaces behind which spaces are looked at. */
-static void surfaces_of(const struct operand *operand, const struct lens *lens, size_t *first,
-                        size_t *end)
-{
-    const bool all = operand->first == LENS_NONE;
-    *first = all ? 0 : operand->first;
-    *end = all ? lens->surface_count : operand->last + 1;
-}
-
 /* -------- the edge -------- */
 
 /* z of a surface at r, and its derivatives by c, k and r. */
@@ -350,7 +331,7 @@ size_t merit_prepare_shape(struct merit *merit, struct merit_slot *slot, struct 
     size_t count = 0, first, end;
     bool reaches = false;
     struct space space;
-    surfaces_of(slot->operand, lens, &first, &end);
+    merit_surfaces(slot->operand, lens, &first, &end);
     for (size_t i = first; i < end && i < lens->surface_count; i++) {
         if (space_behind(lens, i, &space)) {
             count += merit_shape_is_wanted(kind, &space, SPACE_AXIS) +
@@ -375,7 +356,7 @@ bool merit_fill_shape(struct merit *merit, const struct merit_slot *slot, double
     if (place->reach != NULL && !merit_reach(merit, slot)) {
         return false;
     }
-    surfaces_of(slot->operand, place->lens, &first, &end);
+    merit_surfaces(slot->operand, place->lens, &first, &end);
     for (size_t i = first; i < end && i < place->lens->surface_count; i++) {
         const bool is_there = space_behind(place->lens, i, &space);
         for (int where = 0; is_there && where < SPACE_PLACES; where++) {

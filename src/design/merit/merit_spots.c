@@ -34,7 +34,7 @@ static double *share_groups(const struct merit_bundle *bundle, struct arena *are
 struct merit_lines *merit_lines_open(const struct merit_slot *slot, struct arena *arena)
 {
     struct merit_lines *lines = ARENA_NEW(arena, struct merit_lines);
-    struct merit_bundle *bundle = merit_rays_look(slot).bundle;
+    struct merit_bundle *bundle = &slot->beams->bundle;
     const double *shares = share_groups(bundle, arena);
     lines->bundle = bundle;
     lines->blocks = arena_array(arena, bundle->block_count, sizeof *lines->blocks);
@@ -77,68 +77,52 @@ static bool merit_spots_is_centred(const struct bundle_group *group, int part)
            (symmetry == SYMMETRY_MIRROR && (part == AT_X || part == ALONG_X));
 }
 
-/* The lanes of one group in a block. */
-struct lane_range {
-    const double (*line)[RAYS_BLOCK];
-    const double *weights;
-    int count;
-    size_t field;
-    const struct bundle_group *group;
-};
-
-static struct lane_range merit_spots_range_of(const struct merit_lines *lines, size_t which,
-                                              size_t share)
+/* What the rays of a group in a block add to the means of their field. */
+static void merit_spots_add_means(const struct merit_lines *lines, size_t which,
+                                  const struct aimed_beam *beam)
 {
-    const struct bundle_block *block = &lines->bundle->blocks[which];
-    const struct aimed_beam *beam = &block->aimed.beams[share];
-    const struct bundle_group *group = &lines->bundle->groups[block->lanes[beam->first].group];
-    return (struct lane_range){.line = (const double(*)[RAYS_BLOCK]) &
-                                       lines->blocks[which][0][beam->first],
-                               .weights = lines->weights + which * RAYS_BLOCK + beam->first,
-                               .count = beam->count,
-                               .field = group->field,
-                               .group = group};
-}
-
-static void merit_spots_add_means(const struct lane_range *range, double *means)
-{
+    const struct bundle_lane *lane = &lines->bundle->blocks[which].lanes[beam->first];
+    const double *weights = lines->weights + which * RAYS_BLOCK;
     for (int part = 0; part < LINE_PARTS; part++) {
         double sum = 0;
-        if (merit_spots_is_centred(range->group, part)) {
+        if (merit_spots_is_centred(&lines->bundle->groups[lane->group], part)) {
             continue;
         }
-        for (int i = 0; i < range->count; i++) {
-            sum += range->weights[i] * range->line[part][i];
+        for (int i = beam->first; i < beam->first + beam->count; i++) {
+            sum += weights[i] * lines->blocks[which][part][i];
         }
-        means[part] += sum;
+        lines->means[lane->field][part] += sum;
     }
 }
 
 /* Squares about the means; of rays about the axis x is 0. */
-static void add_squares(const struct lane_range *range, const double *means,
-                        struct merit_spot *spot)
+static void add_squares(const struct merit_lines *lines, size_t which,
+                        const struct aimed_beam *beam, struct merit_spot *spots)
 {
+    const size_t field = lines->bundle->blocks[which].lanes[beam->first].field;
+    const double *weights = lines->weights + which * RAYS_BLOCK, *means = lines->means[field];
     double at = 0, by = 0, bend = 0;
     for (int k = 0; k < 2; k++) {
-        const double *x = range->line[AT_X + k], *slope = range->line[ALONG_X + k];
+        const double *x = lines->blocks[which][AT_X + k];
+        const double *slope = lines->blocks[which][ALONG_X + k];
         const double middle = means[AT_X + k], drift = means[ALONG_X + k];
-        for (int i = 0; i < range->count; i++) {
-            const double dx = x[i] - middle, ds = slope[i] - drift, w = range->weights[i];
+        for (int i = beam->first; i < beam->first + beam->count; i++) {
+            const double dx = x[i] - middle, ds = slope[i] - drift, w = weights[i];
             at += w * dx * dx;
             by += w * dx * ds;
             bend += w * ds * ds;
         }
     }
-    spot->at += at;
-    spot->by += by;
-    spot->bend += bend;
+    spots[field].at += at;
+    spots[field].by += by;
+    spots[field].bend += bend;
 }
 
 bool merit_spots_find(struct merit *merit, const struct merit_slot *slot, struct merit_lines *lines,
                       struct merit_spot *spots)
 {
     struct merit_bundle *bundle = lines->bundle;
-    if (!merit_rays_aim(merit, slot)) {
+    if (!merit_beams_aim(merit, slot, slot->beams)) {
         return false;
     }
     memset(lines->means, 0, bundle->wish.field_count * sizeof *lines->means);
@@ -148,14 +132,12 @@ bool merit_spots_find(struct merit *merit, const struct merit_slot *slot, struct
             return false;
         }
         for (size_t g = 0; g < bundle->blocks[k].aimed.beam_count; g++) {
-            const struct lane_range range = merit_spots_range_of(lines, k, g);
-            merit_spots_add_means(&range, lines->means[range.field]);
+            merit_spots_add_means(lines, k, &bundle->blocks[k].aimed.beams[g]);
         }
     }
     for (size_t k = 0; k < bundle->block_count; k++) {
         for (size_t g = 0; g < bundle->blocks[k].aimed.beam_count; g++) {
-            const struct lane_range range = merit_spots_range_of(lines, k, g);
-            add_squares(&range, lines->means[range.field], &spots[range.field]);
+            add_squares(lines, k, &bundle->blocks[k].aimed.beams[g], spots);
         }
     }
     for (size_t f = 0; f < bundle->wish.field_count; f++) {

@@ -127,6 +127,14 @@ void merit_put_lens(struct merit *merit, const double *parameters, bool derives)
     }
 }
 
+void merit_surfaces(const struct operand *operand, const struct lens *lens, size_t *first,
+                    size_t *end)
+{
+    const bool all = operand->first == LENS_NONE;
+    *first = all ? 0 : operand->first;
+    *end = all ? lens->surface_count : operand->last + 1;
+}
+
 size_t merit_columns(const struct merit *merit)
 {
     return merit->derives ? merit->variable_count : 1;

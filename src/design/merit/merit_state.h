@@ -96,6 +96,7 @@ struct merit_slot {
     size_t place;
     size_t first, count;
     void *own; /* what the kind keeps from one evaluation to the next, by its merit_prepare */
+    struct merit_beams *beams; /* its rays, of kinds that have many; else null */
 };
 
 /*
@@ -145,6 +146,10 @@ typedef size_t merit_prepare(struct merit *merit, struct merit_slot *slot, struc
 /* The light of a wavelength (um; NaN: the primary one) in the position of a slot; its links. */
 struct merit_light *merit_light(struct merit *merit, const struct merit_slot *slot,
                                 double wavelength);
+
+/* The surfaces that an operand is of, or behind which its spaces lie. */
+void merit_surfaces(const struct operand *operand, const struct lens *lens, size_t *first,
+                    size_t *end);
 
 /* Irregularities that have columns. */
 static inline size_t merit_irregular_columns(const struct merit_question *question)

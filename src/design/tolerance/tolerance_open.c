@@ -247,7 +247,7 @@ static bool open_quality(struct tolerance *tolerance, struct arena *arena, struc
         ARENA_ARRAY(arena, merit->residual_count * merit->variable_count + 1, double);
     tolerance->lines = ARENA_ARRAY(arena, merit->slot_count, struct merit_lines *);
     for (size_t i = 0; i < merit->slot_count; i++) {
-        spots += merit_rays_look(&merit->slots[i]).bundle->wish.field_count;
+        spots += merit->slots[i].beams->bundle.wish.field_count;
         if (!tolerance_looks_at_waves(asked)) {
             tolerance->lines[i] = merit_lines_open(&merit->slots[i], arena);
         }
@@ -390,8 +390,9 @@ static bool aim_judge(struct tolerance *tolerance, struct error *error)
         return false;
     }
     for (size_t i = 0; i < merit->slot_count; i++) {
-        merit_mtf_settle(&merit->slots[i], !tolerance->question.aims);
-        if (tolerance->irregularity_count > 0 && !merit_mtf_deform(&merit->slots[i], error)) {
+        merit_beams_settle(merit->slots[i].beams, !tolerance->question.aims);
+        if (tolerance->irregularity_count > 0 &&
+            !merit_beams_deform(merit->slots[i].beams, error)) {
             return false;
         }
     }
@@ -411,8 +412,9 @@ static bool aim_nominal(struct tolerance *tolerance, struct arena *arena, struct
         return false;
     }
     for (size_t i = 0; i < merit->slot_count; i++) {
-        merit_rays_settle(&merit->slots[i], !tolerance->question.aims);
-        if (tolerance->irregularity_count > 0 && !merit_rays_deform(&merit->slots[i], error)) {
+        merit_beams_settle(merit->slots[i].beams, !tolerance->question.aims);
+        if (tolerance->irregularity_count > 0 &&
+            !merit_beams_deform(merit->slots[i].beams, error)) {
             return false;
         }
     }

@@ -159,7 +159,7 @@ static bool find_spots(struct tolerance *tolerance, struct error *error)
             *error = merit->why;
             return false;
         }
-        spots += merit_rays_look(&merit->slots[i]).bundle->wish.field_count;
+        spots += merit->slots[i].beams->bundle.wish.field_count;
     }
     return true;
 }
@@ -171,7 +171,7 @@ static double best_shift(const struct tolerance *tolerance)
     const struct merit_spot *spot = tolerance->spots;
     double by = 0, bend = 0;
     for (size_t i = 0; i < merit->slot_count; i++) {
-        const struct bundle_wish *wish = &merit_rays_look(&merit->slots[i]).bundle->wish;
+        const struct bundle_wish *wish = &merit->slots[i].beams->bundle.wish;
         for (size_t f = 0; f < wish->field_count; f++, spot++) {
             by += wish->fields[f].weight * spot->by;
             bend += wish->fields[f].weight * spot->bend;
@@ -198,16 +198,16 @@ static void sum_waves(const struct tolerance *tolerance, double *figures)
 {
     const struct merit *merit = &tolerance->quality;
     for (size_t i = 0; i < merit->slot_count; i++) {
-        const struct merit_rays_look look = merit_rays_look(&merit->slots[i]);
-        const struct bundle_wish *wish = &look.bundle->wish;
+        const struct merit_bundle *bundle = &merit->slots[i].beams->bundle;
+        const struct bundle_wish *wish = &bundle->wish;
         const double *residuals = tolerance->residuals + merit->slots[i].first;
         double weights = 0;
         for (size_t k = 0; k < wish->wavelength_count; k++) {
             weights += wish->wavelengths[k].weight;
         }
         memset(figures, 0, wish->field_count * sizeof *figures);
-        for (size_t g = 0; g < look.bundle->group_count; g++) {
-            const struct bundle_group *group = &look.bundle->groups[g];
+        for (size_t g = 0; g < bundle->group_count; g++) {
+            const struct bundle_group *group = &bundle->groups[g];
             for (size_t k = 0; k < group->points.count; k++) {
                 const double r = residuals[group->row + k];
                 figures[group->field] += r * r;
