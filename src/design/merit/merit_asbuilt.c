@@ -157,19 +157,6 @@ static bool open_inner(const struct merit *merit, const struct merit_slot *slot,
     return true;
 }
 
-static void merit_asbuilt_make_room(struct merit_asbuilt *asbuilt, size_t variable_count,
-                                    struct arena *arena)
-{
-    const struct merit *inner = &asbuilt->inner;
-    const size_t errors = asbuilt->errors->count;
-    asbuilt->residuals = ARENA_ARRAY(arena, inner->residual_count, double);
-    asbuilt->jacobian = ARENA_ARRAY(arena, inner->residual_count * inner->variable_count, double);
-    asbuilt->numbers = ARENA_ARRAY(arena, variable_count + 1, double);
-    asbuilt->here = ARENA_ARRAY(arena, errors, double);
-    asbuilt->up = ARENA_ARRAY(arena, errors, double);
-    asbuilt->down = ARENA_ARRAY(arena, errors, double);
-}
-
 size_t merit_prepare_asbuilt(struct merit *merit, struct merit_slot *slot, struct arena *arena,
                              struct error *error)
 {
@@ -182,7 +169,14 @@ size_t merit_prepare_asbuilt(struct merit *merit, struct merit_slot *slot, struc
         !open_inner(merit, slot, asbuilt, arena, error)) {
         return 0;
     }
-    merit_asbuilt_make_room(asbuilt, merit->question.variable_count, arena);
+    const struct merit *inner = &asbuilt->inner;
+    const size_t errors = asbuilt->errors->count;
+    asbuilt->residuals = ARENA_ARRAY(arena, inner->residual_count, double);
+    asbuilt->jacobian = ARENA_ARRAY(arena, inner->residual_count * inner->variable_count, double);
+    asbuilt->numbers = ARENA_ARRAY(arena, merit->question.variable_count + 1, double);
+    asbuilt->here = ARENA_ARRAY(arena, errors, double);
+    asbuilt->up = ARENA_ARRAY(arena, errors, double);
+    asbuilt->down = ARENA_ARRAY(arena, errors, double);
     return asbuilt->ray_count + asbuilt->errors->count;
 }
 

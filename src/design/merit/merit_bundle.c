@@ -36,17 +36,26 @@ static bool merit_bundle_check(const struct bundle_wish *wish, struct error *err
     return true;
 }
 
-/* What a field lets through, from wavelength to wavelength as analysis/rays/spot.c has it. */
-struct bundle_guess {
-    struct bundle_source *before; /* null: this is the first */
-    struct aim_near near;
-};
-
-/* What the lens at the start lets through. */
-static bool merit_bundle_find_clear(const struct bundle_wish *wish, size_t field, size_t light,
-                                    struct bundle_guess *letting, struct arena *arena,
-                                    struct sample *sample, struct error *error)
+/*
+ * The points of the pupil of a field at a wavelength: a pattern, or what the lens at the start lets
+ * through.
+ *
+ * Given     before, near  of the wavelength before, as analysis/rays/spot.c has it; null, and
+ *                         nothing: this is the first. Receive those of this one
+ */
+static bool find_sample(const struct bundle_wish *wish, size_t field, size_t light,
+                        struct bundle_source **before, struct aim_near *near, struct arena *arena,
+                        struct sample *sample, struct error *error)
 {
+    if (wish->is_chief) {
+        sample->points = ARENA_NEW(arena, struct pupil_point);
+        sample->points->weight = 1;
+        sample->count = 1;
+        return true;
+    }
+    if (!wish->clip) {
+        return sample_make(wish->pattern, wish->rays, wish->seed, arena, sample, error);
+    }
     struct setup *setup = ARENA_NEW(arena, struct setup);
     struct bundle_question *question = ARENA_NEW(arena, struct bundle_question);
     struct bundle_source *source = ARENA_NEW(arena, struct bundle_source);
@@ -58,12 +67,12 @@ static bool merit_bundle_find_clear(const struct bundle_wish *wish, size_t field
                                          .from_entrance = wish->from_entrance,
                                          .pattern = wish->pattern,
                                          .seed = wish->seed,
-                                         .near = &letting->near};
-    if (!bundle_open_beside(question, letting->before, arena, source, error) ||
+                                         .near = near};
+    if (!bundle_open_beside(question, *before, arena, source, error) ||
         !bundle_trace(source, wish->rays, source->system->places, arena, &bundle, error)) {
         return false;
     }
-    letting->before = source;
+    *before = source;
     sample->points = ARENA_ARRAY(arena, bundle.count, struct pupil_point);
     sample->count = 0;
     for (size_t i = 0; i < bundle.count; i++) {
@@ -73,23 +82,6 @@ static bool merit_bundle_find_clear(const struct bundle_wish *wish, size_t field
         }
     }
     return true;
-}
-
-/* The points of the pupil of a field at a wavelength: a pattern, or what the lens lets through. */
-static bool find_sample(const struct bundle_wish *wish, size_t field, size_t light,
-                        struct bundle_guess *letting, struct arena *arena, struct sample *sample,
-                        struct error *error)
-{
-    if (wish->is_chief) {
-        sample->points = ARENA_NEW(arena, struct pupil_point);
-        sample->points->weight = 1;
-        sample->count = 1;
-        return true;
-    }
-    if (!wish->clip) {
-        return sample_make(wish->pattern, wish->rays, wish->seed, arena, sample, error);
-    }
-    return merit_bundle_find_clear(wish, field, light, letting, arena, sample, error);
 }
 
 static enum merit_symmetry symmetry_of(const struct bundle_wish *wish, size_t field)
@@ -113,7 +105,8 @@ static bool merit_bundle_open_field(struct merit_bundle *bundle, size_t field, s
                                     struct error *error)
 {
     const struct bundle_wish *wish = &bundle->wish;
-    struct bundle_guess letting = {.before = NULL};
+    struct bundle_source *before = NULL;
+    struct aim_near near = {.is_known = false};
     for (size_t light = 0; light < wish->wavelength_count; light++) {
         struct bundle_group *group = &bundle->groups[light * wish->field_count + field];
         struct sample sample;
@@ -126,7 +119,7 @@ static bool merit_bundle_open_field(struct merit_bundle *bundle, size_t field, s
             group->points = bundle->groups[field].points;
             continue;
         }
-        if (!find_sample(wish, field, light, &letting, room, &sample, error) ||
+        if (!find_sample(wish, field, light, &before, &near, room, &sample, error) ||
             !merit_bundle_goes_on(bundle, sample.count, error)) {
             return false;
         }

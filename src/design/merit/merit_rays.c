@@ -49,23 +49,12 @@ static size_t number(struct merit_rays *rays, struct arena *arena)
     }
     for (size_t i = 0; i < bundle->group_count; i++) {
         const struct bundle_group *group = &bundle->groups[i];
-        if (!rays->is_joint) {
-            rays->share[i] = 1;
-        } else if (sums[group->field] > 0) {
+        rays->share[i] = rays->is_joint ? 0 : 1; /* 0: none of it counts */
+        if (rays->is_joint && sums[group->field] > 0) {
             rays->share[i] = group->weight / sums[group->field];
-        } else {
-            rays->share[i] = 0;
-        } /* none of it counts */
+        }
     }
     return count;
-}
-
-static void merit_rays_make_room(struct merit_rays *rays, struct arena *arena)
-{
-    const struct merit_bundle *bundle = &rays->beams.bundle;
-    const size_t rows = (size_t)rays->outputs * merit_rays_rows_of(rays);
-    rays->values = ARENA_ARRAY(arena, bundle->block_count * rows * RAYS_BLOCK, double);
-    rays->means = ARENA_ARRAY(arena, bundle->group_count * rows, double);
 }
 
 size_t merit_prepare_rays(struct merit *merit, struct merit_slot *slot, struct arena *arena,
@@ -86,7 +75,10 @@ size_t merit_prepare_rays(struct merit *merit, struct merit_slot *slot, struct a
                           error)) {
         return 0;
     }
-    merit_rays_make_room(rays, arena);
+    const struct merit_bundle *bundle = &rays->beams.bundle;
+    const size_t rows = (size_t)rays->outputs * merit_rays_rows_of(rays);
+    rays->values = ARENA_ARRAY(arena, bundle->block_count * rows * RAYS_BLOCK, double);
+    rays->means = ARENA_ARRAY(arena, bundle->group_count * rows, double);
     return number(rays, arena);
 }
 
