@@ -7,6 +7,7 @@
 #include "analysis/image/psf_radius.h"
 
 #include <math.h>
+#include <string.h>
 
 enum { SLOPES = 33 };
 
@@ -294,32 +295,6 @@ struct psf_sums {
     double *values, perfect, total;
 };
 
-static bool psf_add_wavelength(enum psf_method method, struct psf_plane *plane,
-                               struct psf_sums *sums, struct error *error)
-{
-    static psf_way *const ways[] = {
-        [PSF_PLANE] = psf_by_plane, [PSF_FFT] = psf_by_fft, [PSF_HUYGENS] = psf_by_huygens};
-    const struct exit_pupil *pupil = plane->pupil;
-    const struct arena_mark mark = arena_mark(plane->arena);
-    const size_t count = plane->size * plane->size;
-    plane->re = ARENA_ARRAY(plane->arena, count, double);
-    plane->im = ARENA_ARRAY(plane->arena, count, double);
-    plane->perfect = 0;
-    for (size_t i = 0; i < count; i++) {
-        plane->re[i] = plane->im[i] = 0;
-    }
-    const bool done = ways[method](plane, error);
-    const double waves = pupil->n * pupil->waves;
-    const double weight = exit_pupil_weight(pupil) * waves * waves;
-    for (size_t i = 0; i < count && done; i++) {
-        sums->values[i] += weight * (plane->re[i] * plane->re[i] + plane->im[i] * plane->im[i]);
-    }
-    sums->perfect += weight * plane->perfect * plane->perfect;
-    sums->total += exit_pupil_weight(pupil) * pupil->energy;
-    arena_reset(plane->arena, mark);
-    return done;
-}
-
 /* The pixels of one wavelength. */
 static struct psf_plane psf_plane_of(const struct psf_question *question, const struct psf *psf,
                                      const struct exit_pupil *pupil, double spread,
@@ -343,11 +318,31 @@ static bool psf_add_waves(const struct psf_question *question, const struct exit
                           const double *spreads, const struct psf *psf, struct psf_sums *sums,
                           struct arena *arena, struct error *error)
 {
+    static psf_way *const ways[] = {
+        [PSF_PLANE] = psf_by_plane, [PSF_FFT] = psf_by_fft, [PSF_HUYGENS] = psf_by_huygens};
+    const size_t count = psf->size * psf->size;
     for (size_t g = 0; g < pupils->lights.count; g++) {
-        struct psf_plane plane = psf_plane_of(question, psf, &pupils->list[g], spreads[g], arena);
-        if (!psf_is_dark(pupils, g) && !psf_add_wavelength(psf->method, &plane, sums, error)) {
+        const struct exit_pupil *pupil = &pupils->list[g];
+        const double waves = pupil->n * pupil->waves;
+        const double weight = exit_pupil_weight(pupil) * waves * waves;
+        const struct arena_mark mark = arena_mark(arena);
+        struct psf_plane plane = psf_plane_of(question, psf, pupil, spreads[g], arena);
+        if (psf_is_dark(pupils, g)) {
+            continue;
+        }
+        plane.re = ARENA_ARRAY(arena, count, double);
+        plane.im = ARENA_ARRAY(arena, count, double);
+        memset(plane.re, 0, count * sizeof *plane.re);
+        memset(plane.im, 0, count * sizeof *plane.im);
+        if (!ways[psf->method](&plane, error)) {
             return false;
         }
+        for (size_t i = 0; i < count; i++) {
+            sums->values[i] += weight * (plane.re[i] * plane.re[i] + plane.im[i] * plane.im[i]);
+        }
+        sums->perfect += weight * plane.perfect * plane.perfect;
+        sums->total += exit_pupil_weight(pupil) * pupil->energy;
+        arena_reset(arena, mark);
     }
     return true;
 }
@@ -442,9 +437,7 @@ bool psf_find(const struct psf_question *question, struct arena *arena, struct p
     if (isnan(psf->pitch)) {
         psf->pitch = choose_pitch(psf->finest, spreads, pupils->lights.count, psf->size);
     }
-    for (size_t i = 0; i < count; i++) {
-        sums.values[i] = 0;
-    }
+    memset(sums.values, 0, count * sizeof *sums.values);
     choose_method(question, pupils, spreads, psf);
     if (!(psf->method == PSF_RAYS
               ? psf_add_rays(question, pupils, psf, &sums, arena, error)

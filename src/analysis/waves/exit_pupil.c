@@ -20,61 +20,51 @@ struct sphere_point {
     double path;     /* mm; NaN: lost */
 };
 
-/* Lane i of a block behind the lens, on the reference plane of an afocal image. */
-static struct sphere_point meet_plane(const struct exit_pupil *pupil, const struct ray_block *block,
-                                      size_t i)
-{
-    const struct opd_reference *plane = &pupil->reference->opd;
-    const double n = pupil->n, *d = plane->normal;
-    const double e[3] = {block->p[i] / n, block->q[i] / n, block->r[i] / n};
-    const double from[3] = {block->x[i] - plane->centre[0], block->y[i] - plane->centre[1],
-                            block->z[i] - plane->centre[2]};
-    double turn[3], ahead = 0, turned = 0, straight = 0;
-    for (int k = 0; k < 3; k++) {
-        turn[k] = e[k] - d[k];
-        ahead += from[k] * d[k];
-        turned += turn[k] * turn[k];
-        straight += d[k] * e[k];
-    }
-    const double way = (plane->plane_way * turned / 2 - ahead) / straight; /* less plane_way */
-    struct sphere_point meeting = {{0, 0}, {0, 0}, block->path[i] + n * way};
-    for (int axis = 0; axis < 2; axis++) {
-        for (int k = 0; k < 3; k++) {
-            const double across = pupil->reference->across[axis][k];
-            meeting.at[axis] -= across * (from[k] + way * e[k] + plane->plane_way * turn[k]);
-            meeting.slope[axis] += n * across * e[k];
-        }
-    }
-    return meeting;
-}
-
 /* Lane i of a block behind the lens. */
 static struct sphere_point exit_pupil_meet(const struct exit_pupil *pupil,
                                            const struct ray_block *block, size_t i)
 {
-    const struct opd_reference *sphere = &pupil->reference->opd;
-    const double n = pupil->n, *c = sphere->centre;
-    if (sphere->is_plane) {
-        return meet_plane(pupil, block, i);
-    }
+    const struct opd_reference *reference = &pupil->reference->opd;
+    const double n = pupil->n, *c = reference->centre;
     const double e[3] = {block->p[i] / n, block->q[i] / n, block->r[i] / n};
     const double from[3] = {block->x[i] - c[0], block->y[i] - c[1], block->z[i] - c[2]};
+    struct sphere_point meeting = {.path = block->path[i]};
+    if (reference->is_plane) { /* of an afocal image */
+        const double *d = reference->normal;
+        double turn[3], ahead = 0, turned = 0, straight = 0;
+        for (int k = 0; k < 3; k++) {
+            turn[k] = e[k] - d[k];
+            ahead += from[k] * d[k];
+            turned += turn[k] * turn[k];
+            straight += d[k] * e[k];
+        }
+        const double more = reference->plane_way; /* which is left out of the way */
+        const double way = (more * turned / 2 - ahead) / straight;
+        meeting.path += n * way;
+        for (int axis = 0; axis < 2; axis++) {
+            for (int k = 0; k < 3; k++) {
+                const double across = pupil->reference->across[axis][k];
+                meeting.at[axis] -= across * (from[k] + way * e[k] + more * turn[k]);
+                meeting.slope[axis] += n * across * e[k];
+            }
+        }
+        return meeting;
+    }
     const double along = from[0] * e[0] + from[1] * e[1] + from[2] * e[2];
-    double m[3], q = 0, d[3];
+    double m[3], q = 0;
     for (int k = 0; k < 3; k++) {
         m[k] = from[k] - along * e[k];
         q += m[k] * m[k];
     }
-    const double R = sphere->radius, over = sphere->side / R;
-    const double root = sqrt(1 - q / (R * R));
-    for (int k = 0; k < 3; k++) {
-        d[k] = root * e[k] - over * m[k];
-    }
+    const double R = reference->radius, over = reference->side / R;
+    const double root = sqrt(1 - q / (R * R)), third = root * e[2] - over * m[2];
     const double bulge = q / (R * (1 + root)); /* R - sqrt(R^2 - q); 0 of an infinite one */
-    return (struct sphere_point){
-        {d[0], d[1]},
-        {n * (e[2] * m[0] - e[0] * m[2]) / d[2], n * (e[2] * m[1] - e[1] * m[2]) / d[2]},
-        block->path[i] - n * (along - sphere->side * bulge)};
+    meeting.path -= n * (along - reference->side * bulge);
+    for (int k = 0; k < 2; k++) {
+        meeting.at[k] = root * e[k] - over * m[k];
+        meeting.slope[k] = n * (e[2] * m[k] - e[k] * m[2]) / third;
+    }
+    return meeting;
 }
 
 /* -------- polynomials -------- */

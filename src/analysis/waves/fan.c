@@ -311,17 +311,6 @@ size_t fan_line(const struct fan *fan, size_t wavelength, enum fan_section secti
     return count;
 }
 
-static void trace_light(const struct tracer *tracer, struct fan_ray *list, struct fan_ends *ends)
-{
-    const size_t count = FAN_SECTIONS * tracer->fan->points;
-    struct fan_place *places = ARENA_ARRAY(tracer->arena, count, struct fan_place);
-    for (size_t i = 0; i < count; i++) {
-        places[i] = fan_place_of(tracer->fan, i);
-    }
-    fan_trace_places(tracer, places, count, list);
-    fan_find_ends(tracer, list, ends);
-}
-
 /* Does one ray arrive? Else the error says where the chief ray ends. */
 static bool fan_check_light(const struct wave_lights *lights, const struct fan_ray *rays,
                             size_t count, struct arena *arena, struct error *error)
@@ -355,7 +344,11 @@ bool fan_trace(const struct fan_question *question, struct arena *arena, struct 
     memcpy(fan->reference, origin.centre, sizeof fan->reference);
     fan->radius = origin.opd.is_plane ? INFINITY : origin.opd.radius;
     fan->no_opd = origin.no_opd;
-    const size_t count = lights.count * FAN_SECTIONS * fan->points;
+    const size_t each = FAN_SECTIONS * fan->points, count = lights.count * each;
+    struct fan_place *places = ARENA_ARRAY(arena, each, struct fan_place);
+    for (size_t i = 0; i < each; i++) {
+        places[i] = fan_place_of(fan, i);
+    }
     struct fan_ray *rays = ARENA_ARRAY(arena, count, struct fan_ray);
     struct fan_ends *ends = ARENA_ARRAY(arena, lights.count * FAN_SECTIONS, struct fan_ends);
     for (size_t g = 0; g < lights.count; g++) {
@@ -365,7 +358,8 @@ bool fan_trace(const struct fan_question *question, struct arena *arena, struct 
         for (size_t s = 0; s < FAN_SECTIONS; s++) {
             ends[g * FAN_SECTIONS + s].count = 0;
         }
-        trace_light(&tracer, rays + g * FAN_SECTIONS * fan->points, ends + g * FAN_SECTIONS);
+        fan_trace_places(&tracer, places, each, rays + g * each);
+        fan_find_ends(&tracer, rays + g * each, ends + g * FAN_SECTIONS);
     }
     fan->rays = rays;
     fan->ends = ends;

@@ -100,31 +100,24 @@ void pupil_wave_open(const struct pupil_rule *rule, struct arena *arena, struct 
 
 /* -------- polynomials -------- */
 
-/* Points of the pupil: those of the rays, or the fine ones. */
-struct pupil_wave_points {
-    size_t count;
-    const double *x, *y;
-};
-
-static struct pupil_wave_points pupil_wave_points_of(const struct pupil_rule *rule)
+/* Two functions at points of the pupil: those of the rays, or the fine ones. */
+static struct pupil_look pupil_rule_look(const struct pupil_rule *rule, bool fine,
+                                         double *const value[2], double *slope[2][2])
 {
-    return (struct pupil_wave_points){rule->room, rule->x, rule->y};
+    return (struct pupil_look){fine ? rule->fine_room : rule->room,
+                               fine ? rule->fine_x : rule->x,
+                               fine ? rule->fine_y : rule->y,
+                               {value[0], value[1]},
+                               {{slope[0][0], slope[0][1]}, {slope[1][0], slope[1][1]}}};
 }
 
-/* Two functions of the rays at points, and their slopes. */
-static void pupil_wave_find_at(struct pupil_wave *wave, struct pupil_wave_points at,
-                               const double *const values[2], double *const value[2],
-                               double *slope[2][2])
+/* Two functions of the rays there. */
+static void pupil_wave_find_at(struct pupil_wave *wave, const double *const values[2],
+                               const struct pupil_look *look)
 {
     const struct pupil_fit fit = fit_of_points(wave->rule, NULL);
-    const struct pupil_look look = {
-        .count = at.count,
-        .x = at.x,
-        .y = at.y,
-        .value = {value[0], value[1]},
-        .slope = {{slope[0][0], slope[0][1]}, {slope[1][0], slope[1][1]}}};
     pupil_fit_find(&fit, values, wave->work, wave->sums);
-    pupil_look(&wave->rule->form, (const double *const *)wave->sums, &look);
+    pupil_look(&wave->rule->form, (const double *const *)wave->sums, look);
 }
 
 /* From coefficients in `sums` to what each ray is by: added to `back`. */
@@ -144,19 +137,6 @@ static void pupil_wave_rays_back(struct pupil_wave *wave, double *const back[2])
     }
 }
 
-/* Backwards through find_at. */
-static void gather_at(struct pupil_wave *wave, struct pupil_wave_points at,
-                      double *const by_value[2], double *by_slope[2][2])
-{
-    const struct pupil_look look = {
-        .count = at.count,
-        .x = at.x,
-        .y = at.y,
-        .value = {by_value[0], by_value[1]},
-        .slope = {{by_slope[0][0], by_slope[0][1]}, {by_slope[1][0], by_slope[1][1]}}};
-    pupil_gather(&wave->rule->form, &look, wave->sums);
-}
-
 /* The same through slopes at the rays alone, and where they are wanted the edge. */
 static void slopes_back(struct pupil_wave *wave, double *by_slope[2][2],
                         double (*by_rim)[2 * PUPIL_ORDERS], double *const back[2])
@@ -164,7 +144,8 @@ static void slopes_back(struct pupil_wave *wave, double *by_slope[2][2],
     const struct pupil_form *form = &wave->rule->form;
     memset(wave->work[0], 0, wave->rule->room * sizeof(double));
     memset(wave->work[1], 0, wave->rule->room * sizeof(double));
-    gather_at(wave, pupil_wave_points_of(wave->rule), wave->work, by_slope);
+    const struct pupil_look look = pupil_rule_look(wave->rule, false, wave->work, by_slope);
+    pupil_gather(form, &look, wave->sums);
     for (int k = 0; k < 2 && by_rim != NULL; k++) {
         size_t term = 0;
         for (size_t i = 0; i < 2 * form->orders; i++) {
@@ -232,7 +213,8 @@ static bool find_energy(struct pupil_wave *wave, struct error *error)
     const double *const from[2] = {wave->parts[PUPIL_FROM_X], wave->parts[PUPIL_FROM_Y]};
     double sum = 0;
     bool is_one = true;
-    pupil_wave_find_at(wave, pupil_wave_points_of(rule), from, wave->work, wave->slope + 2);
+    const struct pupil_look look = pupil_rule_look(rule, false, wave->work, wave->slope + 2);
+    pupil_wave_find_at(wave, from, &look);
     wave->sign = pupil_area(wave->slope + 2, 0) < 0 ? -1 : 1;
     for (size_t i = 0; i < rule->count; i++) {
         const double area = wave->sign * pupil_area(wave->slope + 2, i);
@@ -273,7 +255,8 @@ bool pupil_wave_find(struct pupil_wave *wave, struct error *error)
         return error->code != ERROR_NONE ||
                fail(error, ERROR_DOMAIN, "all light comes from one direction");
     }
-    pupil_wave_find_at(wave, pupil_wave_points_of(rule), places, wave->work, wave->slope);
+    const struct pupil_look slopes = pupil_rule_look(rule, false, wave->work, wave->slope);
+    pupil_wave_find_at(wave, places, &slopes);
     pupil_wave_find_rim(wave);
     if (!find_amplitudes(wave, error)) {
         return false;
@@ -417,11 +400,6 @@ void pupil_spot_open(const struct pupil_rule *rule, struct arena *arena, struct 
     }
 }
 
-static struct pupil_wave_points fine_points_of(const struct pupil_rule *rule)
-{
-    return (struct pupil_wave_points){rule->fine_room, rule->fine_x, rule->fine_y};
-}
-
 bool pupil_spot_find(struct pupil_spot *spot, struct error *error)
 {
     double *none[2][2] = {{NULL}};
@@ -430,8 +408,10 @@ bool pupil_spot_find(struct pupil_spot *spot, struct error *error)
     const double *const from[2] = {wave->parts[PUPIL_FROM_X], wave->parts[PUPIL_FROM_Y]};
     const double *const to[2] = {wave->parts[PUPIL_TO_X], wave->parts[PUPIL_TO_Y]};
     bool is_one = true;
-    pupil_wave_find_at(wave, fine_points_of(rule), to, spot->place, none);
-    pupil_wave_find_at(wave, fine_points_of(rule), from, spot->spare, spot->slope);
+    const struct pupil_look places = pupil_rule_look(rule, true, spot->place, none);
+    const struct pupil_look slopes = pupil_rule_look(rule, true, spot->spare, spot->slope);
+    pupil_wave_find_at(wave, to, &places);
+    pupil_wave_find_at(wave, from, &slopes);
     spot->sign = pupil_area(spot->slope, 0) < 0 ? -1 : 1;
     for (size_t i = 0; i < rule->fine_count; i++) {
         const double area = spot->sign * pupil_area(spot->slope, i);
@@ -458,8 +438,10 @@ void pupil_spot_back(struct pupil_spot *spot)
     for (int part = 0; part < PUPIL_PARTS; part++) {
         memset(wave->back[part], 0, rule->room * sizeof(double));
     }
-    gather_at(wave, fine_points_of(rule), spot->by_place, none);
+    const struct pupil_look places = pupil_rule_look(rule, true, spot->by_place, none);
+    const struct pupil_look slopes = pupil_rule_look(rule, true, spot->spare, spot->copy);
+    pupil_gather(&rule->form, &places, wave->sums);
     pupil_wave_rays_back(wave, wave->back + PUPIL_TO_X);
-    gather_at(wave, fine_points_of(rule), spot->spare, spot->copy);
+    pupil_gather(&rule->form, &slopes, wave->sums);
     pupil_wave_rays_back(wave, wave->back + PUPIL_FROM_X);
 }

@@ -258,18 +258,6 @@ static double wavefront_find_extremes(const struct wavefront_source *source, str
     return extremes[0].wave - extremes[1].wave;
 }
 
-/* Of patterns that fill no region: of their rays. */
-static bool wavefront_find_span(const struct wavefront_source *source, size_t rays,
-                                struct arena *arena, double *span, struct error *error)
-{
-    struct wavefront_values values;
-    if (!wavefront_find_values(source, rays, arena, &values, error)) {
-        return false;
-    }
-    *span = values_span(&values);
-    return true;
-}
-
 /* -------- the whole -------- */
 
 /*
@@ -338,24 +326,22 @@ bool wavefront_find(const struct wavefront_source *source, bool wants_pv, struct
                     struct wavefront *wavefront, struct error *error)
 {
     const struct wavefront_question *question = source->question;
-    const struct bundle_source *from = &source->lights.list[0].source;
-    const bool orderly = question->bundle.pattern == PATTERN_GAUSS;
-    double span = NAN;
+    struct wavefront_values values;
     *wavefront = (struct wavefront){.rms = NAN};
-    if (!wavefront_converge(source, arena, wavefront, error) ||
-        (wants_pv && !orderly &&
-         !wavefront_find_span(source, wavefront->rays, arena, &span, error))) {
+    if (!wavefront_converge(source, arena, wavefront, error)) {
         return false;
     }
-    if (!wants_pv) {
-        wavefront->pv = (double)NAN;
-    } else if (orderly) {
+    wavefront->pv = NAN;
+    if (wants_pv && question->bundle.pattern == PATTERN_GAUSS) {
         wavefront->pv = wavefront_find_extremes(source, arena);
-    } else {
-        wavefront->pv = span;
+    } else if (wants_pv) { /* of patterns that fill no region: of their rays */
+        if (!wavefront_find_values(source, wavefront->rays, arena, &values, error)) {
+            return false;
+        }
+        wavefront->pv = values_span(&values);
     }
     wavefront->radius = source->reference.opd.is_plane ? INFINITY : source->reference.opd.radius;
-    wavefront->islands = bundle_islands(from, arena);
+    wavefront->islands = bundle_islands(&source->lights.list[0].source, arena);
     return true;
 }
 
