@@ -204,9 +204,7 @@ static void psf_measure(struct psf *psf, double total, const double rays[2], str
     }
     psf->radius80 = psf->radius80_error = NAN;
     if (psf->inside > 0.8) {
-        const struct psf_radius found = psf_radius_find(psf, 0.8 * total, arena);
-        psf->radius80 = found.value;
-        psf->radius80_error = found.error;
+        psf_radius_find(psf, 0.8 * total, arena);
     }
     find_peak(psf);
 }

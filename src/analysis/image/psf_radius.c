@@ -177,7 +177,7 @@ static double change_about(const struct psf *psf, const struct field *pixels, do
     return most;
 }
 
-struct psf_radius psf_radius_find(const struct psf *psf, double light, struct arena *arena)
+void psf_radius_find(struct psf *psf, double light, struct arena *arena)
 {
     const struct arena_mark mark = arena_mark(arena);
     const double half = (double)(psf->size / 2);
@@ -189,7 +189,8 @@ struct psf_radius psf_radius_find(const struct psf *psf, double light, struct ar
     const double room = psf_radius_room_of(&pixels), by_pixels = field_radius(&pixels, arena);
     double radius = by_pixels, error = 2 / sqrt(2 * PI * radius);
     if (!(radius <= room)) {
-        return (struct psf_radius){NAN, NAN};
+        arena_reset(arena, mark);
+        return;
     }
     if (psf->pitch <= psf->finest / 2 && psf->size >= TAPS) {
         const double steps = fmin(ceil(STEPS / radius), MOST_FINE);
@@ -201,5 +202,6 @@ struct psf_radius psf_radius_find(const struct psf *psf, double light, struct ar
     }
     error += least * radius + change_about(psf, &pixels, by_pixels, arena);
     arena_reset(arena, mark);
-    return (struct psf_radius){radius * psf->pitch, error * psf->pitch};
+    psf->radius80 = radius * psf->pitch;
+    psf->radius80_error = error * psf->pitch;
 }

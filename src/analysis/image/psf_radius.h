@@ -5,15 +5,12 @@
 
 #include "analysis/image/psf.h"
 
-struct psf_radius {
-    double value, error; /* mm, or of angles; NaN: the circle is not within the pixels */
-};
-
 /*
  * The circle about the centroid that has so much light.
  *
  * Given     psf    with its values and its centroid
  *           light  in values of pixels, above 0
+ * Result    psf->radius80 and its error; they stay where the circle is not within the pixels
  * Formula   sum of values, those on the rim by their share within it. The light has no waves
  *           shorter than psf->finest: pixels of half of that and less hold it between them too, and
  *           small circles are filled with at least 64 steps a radius by polynomials through eight
@@ -22,6 +19,6 @@ struct psf_radius {
  *           which light beyond the pixels may move towards that of the rays
  * Source    derived here; a test has Airy's disc, whose light within x is 1 - J0^2 - J1^2
  */
-struct psf_radius psf_radius_find(const struct psf *psf, double light, struct arena *arena);
+void psf_radius_find(struct psf *psf, double light, struct arena *arena);
 
 #endif

@@ -344,46 +344,40 @@ static bool exit_pupil_is_mirrored(const struct exit_pupil *pupil,
 static bool find_map(struct exit_pupil *pupil, const struct exit_pupil_pairs *rim,
                      const struct quadrature *inside, size_t first, struct arena *arena)
 {
-    const size_t count = inside->sample.count;
+    enum { EACH = 4 }; /* of the rim */
+    const size_t inner = inside->sample.count;
+    const size_t count = inner + (rim->count + EACH - 1) / EACH;
     double(*from)[2] = arena_array(arena, count, sizeof *from);
     for (size_t i = 0; i < count; i++) {
-        from[i][0] = inside->sample.points[i].x;
-        from[i][1] = inside->sample.points[i].y;
-    }
-    struct exit_pupil_pairs all = trace_pairs(pupil, (const double(*)[2])from, count, arena);
-    struct exit_pupil_pairs both = {arena_array(arena, all.count + rim->count, sizeof *both.from),
-                                    arena_array(arena, all.count + rim->count, sizeof *both.to),
-                                    ARENA_ARRAY(arena, all.count + rim->count, double), 0};
-    for (size_t i = 0; i < all.count + rim->count; i += i < all.count ? 1 : 4, both.count++) {
-        const struct exit_pupil_pairs *of = i < all.count ? &all : rim;
-        const size_t at = i < all.count ? i : i - all.count;
-        for (int k = 0; k < 2; k++) {
-            both.from[both.count][k] = of->from[at][k];
-            both.to[both.count][k] = of->to[at][k];
+        if (i < inner) {
+            from[i][0] = inside->sample.points[i].x;
+            from[i][1] = inside->sample.points[i].y;
+        } else {
+            memcpy(from[i], rim->from[EACH * (i - inner)], sizeof from[i]);
         }
-        both.waves[both.count] = of->waves[at];
     }
+    const struct exit_pupil_pairs all = trace_pairs(pupil, (const double(*)[2])from, count, arena);
     for (int k = 0; k < 2; k++) {
         pupil->map[k] = ARENA_ARRAY(arena, TERMS_MOST, double);
         pupil->form[k] = ARENA_ARRAY(arena, TERMS_MOST, double);
     }
     for (int k = 0; k < 2; k++) {
-        pupil->is_mirrored[k] = exit_pupil_is_mirrored(pupil, &both, k, arena);
+        pupil->is_mirrored[k] = exit_pupil_is_mirrored(pupil, &all, k, arena);
     }
     /* as many rays again as terms */
     size_t degree = first;
-    while (degree > 1 && ((degree + 1) * (degree + 2) > both.count ||
-                          !exit_pupil_fit(pupil, &both, degree, arena))) {
+    while (degree > 1 && ((degree + 1) * (degree + 2) > all.count ||
+                          !exit_pupil_fit(pupil, &all, degree, arena))) {
         degree--;
     }
     if (degree == 1) {
-        return exit_pupil_fit(pupil, &both, degree, arena);
+        return exit_pupil_fit(pupil, &all, degree, arena);
     }
     while ((pupil->off > fine || pupil->off_waves > fine_waves) && degree + 3 <= ORDER_MOST &&
-           (degree + 4) * (degree + 5) <= both.count) {
+           (degree + 4) * (degree + 5) <= all.count) {
         const double before = pupil->off;
-        if (!exit_pupil_fit(pupil, &both, degree + 3, arena) || pupil->off > before) {
-            return exit_pupil_fit(pupil, &both, degree, arena);
+        if (!exit_pupil_fit(pupil, &all, degree + 3, arena) || pupil->off > before) {
+            return exit_pupil_fit(pupil, &all, degree, arena);
         }
         degree += 3;
     }

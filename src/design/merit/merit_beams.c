@@ -50,15 +50,14 @@ static void merit_beams_find_links(struct merit *merit, const struct merit_slot 
     }
 }
 
-bool merit_beams_open(struct merit *merit, const struct merit_slot *slot,
-                      struct merit_beams_wish wanted, struct arena *arena,
-                      struct merit_beams *beams, struct error *error)
+bool merit_beams_open(struct merit *merit, const struct merit_slot *slot, bool path, bool whole,
+                      struct arena *arena, struct merit_beams *beams, struct error *error)
 {
     const struct merit_question *question = &merit->question;
     struct bundle_wish wish = {.setup = &merit->places[slot->place].setup,
                                .from_entrance = question->from_entrance,
                                .clip = question->clip,
-                               .path = wanted.path,
+                               .path = path,
                                .pattern = question->pattern,
                                .rays = question->rays,
                                .seed = question->seed,
@@ -67,7 +66,7 @@ bool merit_beams_open(struct merit *merit, const struct merit_slot *slot,
                                .irregularities = question->irregularities,
                                .irregularity_count = question->irregularity_count,
                                .irregularity_amounts = question->irregularity_amounts,
-                               .whole = wanted.whole};
+                               .whole = whole};
     wish.from_entrance = wish.from_entrance || wish.setup->first.is_telecentric;
     merit_beams_choose(slot, arena, &wish);
     *beams = (struct merit_beams){.bundle = {.wish = wish}};

@@ -13,20 +13,15 @@ struct merit_beams {
     struct bundle_links *links;    /* one a light */
 };
 
-/* Which of them: what lies between is that of the merit and its operand. */
-struct merit_beams_wish {
-    bool path;
-    bool whole; /* all points of the pupil, whatever is alike by symmetry */
-};
-
 /*
  * Choose them: of the fields and wavelengths of the operand, or of the position.
  *
+ * Given     path   paths to reference spheres are wanted
+ *           whole  all points of the pupil, whatever is alike by symmetry
  * Errors    as merit_bundle_open
  */
-bool merit_beams_open(struct merit *merit, const struct merit_slot *slot,
-                      struct merit_beams_wish wanted, struct arena *arena,
-                      struct merit_beams *beams, struct error *error);
+bool merit_beams_open(struct merit *merit, const struct merit_slot *slot, bool path, bool whole,
+                      struct arena *arena, struct merit_beams *beams, struct error *error);
 
 /*
  * The lens as it is now: aim, unless rays are held, with what moves them besides, and find the

@@ -183,9 +183,8 @@ size_t merit_prepare_mtf(struct merit *merit, struct merit_slot *slot, struct ar
     mtf->frequency = operand->frequency;
     mtf->wants[TANGENTIAL] = operand->orientation != ORIENTATION_SAGITTAL;
     mtf->wants[SAGITTAL] = operand->orientation != ORIENTATION_TANGENTIAL;
-    const struct merit_beams_wish wish = {.path = !mtf->by_rays, .whole = true};
     if (!merit_mtf_check(merit, operand, error) ||
-        !merit_beams_open(merit, slot, wish, arena, &mtf->beams, error)) {
+        !merit_beams_open(merit, slot, !mtf->by_rays, true, arena, &mtf->beams, error)) {
         return 0;
     }
     const struct merit_points *points = &mtf->beams.bundle.groups[0].points;
@@ -361,44 +360,18 @@ static bool find_contrasts(struct merit *merit, const struct merit_slot *slot)
 
 /* -------- derivatives -------- */
 
-/* Of a field's contrast, by the transfer function and the light of one wavelength. */
-struct by_sums {
-    double sum[2], light;
-};
-
-static struct by_sums by_sums_of(const struct mtf_field *field, int d, double weight)
+/* What a spot's contrast along a direction is by its rays. */
+static void merit_mtf_spot_back(const struct merit_mtf *mtf, struct pupil_spot *spot,
+                                const double along[2], const double by_sum[2], double by_light)
 {
-    const double size =
-        sqrt(field->re[d] * field->re[d] + field->im[d] * field->im[d]) / field->light;
-    /* |S|/E, or (|S|/E)^2/(2 least) */
-    const double steep = weight / (fmax(size, least) * field->light * field->light);
-    return (struct by_sums){{steep * field->re[d], steep * field->im[d]},
-                            -steep * size * size * field->light};
-}
-
-static void waves_back(struct mtf_pupil *pupil, int d, const struct by_sums *by)
-{
-    struct pupil_wave *wave = pupil->wave;
-    memcpy(wave->back, pupil->back[d], sizeof wave->back);
-    pupil_wave_begin_back(wave);
-    wave->by_energy = by->light;
-    pupil_overlap_back(&pupil->overlaps[d], by->sum);
-    pupil_wave_back(wave);
-}
-
-static void merit_mtf_rays_back(const struct merit_mtf *mtf, struct mtf_pupil *pupil, int d,
-                                const double along[2], const struct by_sums *by)
-{
-    struct pupil_spot *spot = &pupil->spot;
-    memcpy(pupil->wave->back, pupil->back[d], sizeof pupil->wave->back);
     for (size_t i = 0; i < mtf->rule.fine_count; i++) {
         double at[2];
         wave_at(mtf, spot, i, along, at);
         const double by_place =
-            2 * PI * mtf->frequency * spot->area[i] * (by->sum[1] * at[0] - by->sum[0] * at[1]);
+            2 * PI * mtf->frequency * spot->area[i] * (by_sum[1] * at[0] - by_sum[0] * at[1]);
         spot->by_place[0][i] = by_place * along[0];
         spot->by_place[1][i] = by_place * along[1];
-        spot->by_area[i] = by->sum[0] * at[0] + by->sum[1] * at[1] + by->light;
+        spot->by_area[i] = by_sum[0] * at[0] + by_sum[1] * at[1] + by_light;
     }
     pupil_spot_back(spot);
 }
@@ -412,17 +385,31 @@ static void find_back(struct merit_mtf *mtf)
         const struct mtf_field *field = &mtf->fields[group->field];
         struct mtf_pupil *pupil = &mtf->pupils[i / DIRECTIONS];
         const int d = (int)(i % DIRECTIONS);
-        const struct by_sums by =
-            by_sums_of(field, d, bundle->wish.wavelengths[group->light].weight);
         if (is_other(mtf, i / DIRECTIONS, d) && !mtf->by_rays) {
             for (int part = 0; part < PUPIL_PARTS; part++) {
                 memcpy(pupil->back[d][part], pupil->back[TANGENTIAL][part],
                        mtf->rule.room * sizeof(double));
             }
-        } else if (mtf->wants[d] && mtf->by_rays) {
-            merit_mtf_rays_back(mtf, pupil, d, field->along[d], &by);
-        } else if (mtf->wants[d]) {
-            waves_back(pupil, d, &by);
+            continue;
+        }
+        if (!mtf->wants[d]) {
+            continue;
+        }
+        /* of |S|/E, or (|S|/E)^2/(2 least), of all wavelengths, by S and E of this one */
+        const double weight = bundle->wish.wavelengths[group->light].weight;
+        const double size =
+            sqrt(field->re[d] * field->re[d] + field->im[d] * field->im[d]) / field->light;
+        const double steep = weight / (fmax(size, least) * field->light * field->light);
+        const double by_sum[2] = {steep * field->re[d], steep * field->im[d]};
+        const double by_light = -steep * size * size * field->light;
+        memcpy(pupil->wave->back, pupil->back[d], sizeof pupil->wave->back);
+        if (mtf->by_rays) {
+            merit_mtf_spot_back(mtf, &pupil->spot, field->along[d], by_sum, by_light);
+        } else {
+            pupil_wave_begin_back(pupil->wave);
+            pupil->wave->by_energy = by_light;
+            pupil_overlap_back(&pupil->overlaps[d], by_sum);
+            pupil_wave_back(pupil->wave);
         }
     }
 }

@@ -71,8 +71,7 @@ size_t merit_prepare_rays(struct merit *merit, struct merit_slot *slot, struct a
     rays->is_joint = slot->operand->kind == OPERAND_POLY || slot->operand->kind == OPERAND_ASBUILT;
     rays->outputs = path ? 1 : 2;
     rays->variable_count = merit->variable_count;
-    if (!merit_beams_open(merit, slot, (struct merit_beams_wish){.path = path}, arena, &rays->beams,
-                          error)) {
+    if (!merit_beams_open(merit, slot, path, false, arena, &rays->beams, error)) {
         return 0;
     }
     const struct merit_bundle *bundle = &rays->beams.bundle;
