@@ -197,19 +197,24 @@ bool commands_fail(const struct commands *commands, const struct command_word *w
     return file_words_fail(&place, word->text, error, "%s", message);
 }
 
-bool commands_lose(const struct commands *commands, struct error *error, const char *format, ...)
+bool commands_loss(const struct commands *commands, const struct command_word *word,
+                   enum loss_effect effect, const char *instead, const char *format, ...)
 {
-    enum { MOST_SHOWN = 20 };
-    char message[sizeof error->message];
-    const struct command_word *word = &commands->words[0];
-    const struct file_words place = commands_place(commands, word);
-    const size_t length = word->text.length;
+    char message[sizeof((struct error *)NULL)->message];
     va_list arguments;
     va_start(arguments, format);
     vsnprintf(message, sizeof message, format, arguments);
     va_end(arguments);
-    return foreign_loss(commands->job, &place, word->text, error, "%.*s: %s",
-                        length < MOST_SHOWN ? (int)length : MOST_SHOWN, word->text.start, message);
+    const struct file_words place = commands_place(commands, word);
+    return foreign_loss(commands->job, &place, word->text, effect, instead, "%s", message);
+}
+
+bool commands_lose(const struct commands *commands, enum loss_effect effect, const char *instead,
+                   const char *what)
+{
+    const struct command_word *name = &commands->words[0];
+    return commands_loss(commands, name, effect, instead, "%.*s: %s",
+                         text_shown_up_to(name->text, 20), name->text.start, what);
 }
 
 bool commands_figure(const struct commands *commands, size_t word, struct number_scale scale,

@@ -69,9 +69,14 @@ bool commands_fail(const struct commands *commands, const struct command_word *w
                    struct error *error, const char *format, ...)
     __attribute__((format(printf, 4, 5)));
 
-/* Leave out the present command, as a loss: "NAME: ..."; see foreign_loss. */
-bool commands_lose(const struct commands *commands, struct error *error, const char *format, ...)
-    __attribute__((format(printf, 3, 4)));
+/* A loss at a word: see foreign_loss. Returns true. */
+bool commands_loss(const struct commands *commands, const struct command_word *word,
+                   enum loss_effect effect, const char *instead, const char *format, ...)
+    __attribute__((format(printf, 5, 6)));
+
+/* Leave out the present command, as a loss: "NAME: WHAT". Returns true. */
+bool commands_lose(const struct commands *commands, enum loss_effect effect, const char *instead,
+                   const char *what);
 
 /* A number that stands in a word of the command, as lens_words_figure reads it. */
 bool commands_figure(const struct commands *commands, size_t word, struct number_scale scale,

@@ -116,11 +116,9 @@ bool environment_apply(const struct environment *environment, const struct file_
     struct error why = {.code = ERROR_NONE};
     const char *written = environment_table_of(environment, glass, job->arena, &why);
     if (written == NULL) {
-        return foreign_loss(
-            job, words, word, error,
-            "the index at %.6g C and %.6g atmospheres (%s)" LOSS_OF_POWER LOSS_INSTEAD
-            "that of the catalogue is kept",
-            temperature, pressure, why.message);
+        return foreign_loss(job, words, word, LOSS_OF_POWER, "that of the catalogue is kept",
+                            "the index at %.6g C and %.6g atmospheres (%s)", temperature, pressure,
+                            why.message);
     }
     const char *warning = medium->warning;
     lens_build_note(environment->build,

@@ -11,16 +11,6 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* Take a mark out of a text. */
-static bool take_mark(char *text, const char *mark)
-{
-    char *at = strchr(text, mark[0]);
-    if (at != NULL) {
-        memmove(at, at + 1, strlen(at));
-    }
-    return at != NULL;
-}
-
 const char *foreign_unit_named(const struct foreign_unit *units, struct text word)
 {
     while (units->word != NULL && !text_same(word, units->word)) {
@@ -38,34 +28,24 @@ const char *foreign_unit_word(const struct foreign_unit *units, const char *unit
 }
 
 bool foreign_loss(struct foreign_job *job, const struct file_words *words, struct text word,
-                  struct error *error, const char *format, ...)
+                  enum loss_effect effect, const char *instead, const char *format, ...)
 {
-    char message[sizeof error->message];
+    char message[sizeof((struct error *)NULL)->message];
     va_list arguments;
     va_start(arguments, format);
     vsnprintf(message, sizeof message, format, arguments);
     va_end(arguments);
-    bool of_power = take_mark(message, LOSS_OF_POWER);
-    bool fatal = take_mark(message, LOSS_IS_FATAL), mute = take_mark(message, LOSS_IS_MUTE);
-    bool vignettes = take_mark(message, LOSS_VIGNETTES);
-    char *instead = strrchr(message, LOSS_INSTEAD[0]);
-    if (instead != NULL) {
-        *instead++ = '\0';
-    }
-    if (of_power && job->lost_power == NULL) {
-        job->lost_power = arena_string(job->arena, message, strlen(message));
-    }
     job->losses = arena_grow(job->arena, job->losses, job->loss_count, &job->loss_room,
                              sizeof job->losses[0]);
     struct foreign_loss *loss = &job->losses[job->loss_count++];
-    *loss = (struct foreign_loss){.effect = fatal       ? LOSS_OF_LENS
-                                            : vignettes ? LOSS_OF_VIGNETTING
-                                            : mute      ? LOSS_OF_NOTHING
-                                                        : LOSS_OF_RAYS,
+    *loss = (struct foreign_loss){.effect = effect == LOSS_OF_POWER ? LOSS_OF_RAYS : effect,
                                   .message = arena_string(job->arena, message, strlen(message)),
                                   .word = word};
     loss->what =
         instead != NULL ? arena_printf(job->arena, "%s; %s", message, instead) : loss->message;
+    if (effect == LOSS_OF_POWER && job->lost_power == NULL) {
+        job->lost_power = loss->message;
+    }
     if (words != NULL) {
         loss->line = words->number;
         loss->line_of = *words;
@@ -301,11 +281,10 @@ bool foreign_settle(const struct foreign_job *job, bool done, struct error *erro
 bool foreign_lack(struct foreign_job *job, const struct file_words *words, struct text word,
                   struct medium *medium, const char *message)
 {
-    struct error unused;
     *medium =
         (struct medium){.kind = MEDIUM_CONSTANT, .written = text_of("1.5"), .index = {1.5, 0}};
     job->lacks_glass = true;
-    return foreign_loss(job, words, word, &unused, "%s" LOSS_IS_FATAL, message);
+    return foreign_loss(job, words, word, LOSS_OF_LENS, NULL, "%s", message);
 }
 
 void foreign_losses(const struct foreign_job *job, struct text_buffer *list)

@@ -22,7 +22,12 @@ enum { FOREIGN_MOST_SURFACES = LENS_MOST_SURFACES + 2 };
 
 /* What is not as the file means it where a loss is left out, the worst first. */
 enum loss_effect {
-    LOSS_OF_LENS,       /* all: there is no lens without it, whatever is allowed */
+    LOSS_OF_LENS, /* all: there is no lens without it, whatever is allowed */
+    /*
+     * Where rays go, and how strongly they are bent: the focal length may not be that of the file,
+     * and no solve follows rays; the numbers that the file has for them stand.
+     */
+    LOSS_OF_POWER,
     LOSS_OF_RAYS,       /* where rays go */
     LOSS_OF_VIGNETTING, /* which of them pass, and their weights */
     LOSS_OF_NOTHING,    /* no number */
@@ -97,40 +102,25 @@ struct foreign_format {
 };
 
 /*
- * In the text of a loss: what stands before it cannot be kept, what stands behind is done then. An
- * error says the first only, a list both.
- */
-#define LOSS_INSTEAD "\v"
-
-/* Anywhere in the text: there is no lens without it; it moves no ray; it changes no number. */
-#define LOSS_IS_FATAL  "\x01"
-#define LOSS_VIGNETTES "\f"
-#define LOSS_IS_MUTE   "\b"
-
-/*
- * Anywhere in the text: what is lost bends light. Then the focal length may not be that of the
- * file, and no solve follows rays: the numbers that the file has for them stand.
- */
-#define LOSS_OF_POWER "\a"
-
-/*
  * Record that something is lost; never drop or replace anything without it.
  *
  * Given     words, word  where it stands (a line's words, and the word); words null: nowhere
- *           format       what is lost; LOSS_INSTEAD and what stands for it, if anything does
- * Result    true: the loss is in the list, and reading goes on so that all are found.
- *           foreign_settle says what becomes of them
+ *           effect       what is not as the file means it then
+ *           instead      what is done instead, which lists say and errors do not; null = nothing
+ *           format       what is lost
+ * Result    true, for readers to return: the loss is in the list, and reading goes on so that all
+ *           are found. foreign_settle says what becomes of them
  */
 bool foreign_loss(struct foreign_job *job, const struct file_words *words, struct text word,
-                  struct error *error, const char *format, ...)
-    __attribute__((format(printf, 5, 6)));
+                  enum loss_effect effect, const char *instead, const char *format, ...)
+    __attribute__((format(printf, 6, 7)));
 
 /* Take those losses from number `from` on out of the list that stand before it already. */
 void foreign_forget_repeated(struct foreign_job *job, size_t from);
 
 /* The same of a file that is being written: it cannot hold something of the lens. */
-#define foreign_lose(job, error, ...)                                                              \
-    foreign_loss((job), NULL, (struct text){NULL, 0}, (error), __VA_ARGS__)
+#define foreign_lose(job, effect, instead, ...)                                                    \
+    ((void)foreign_loss((job), NULL, (struct text){NULL, 0}, (effect), (instead), __VA_ARGS__))
 
 /* Where what is lost bends light: a warning of the lens, and a note that files keep. */
 void foreign_mark_power(const struct foreign_job *job, struct lens_build *build);

@@ -228,8 +228,8 @@ static const char *endings_with_thick(struct arena *arena)
 }
 
 /* What the positions set anew, where the file has no words for it. */
-static bool lose_settings(struct foreign_job *job, const struct foreign_format *format,
-                          const struct lens *lens, struct error *error)
+static void lose_settings(struct foreign_job *job, const struct foreign_format *format,
+                          const struct lens *lens)
 {
     struct arena *arena = job->arena;
     const char *all = lens->stops != NULL ? " stop" : "";
@@ -239,32 +239,31 @@ static bool lose_settings(struct foreign_job *job, const struct foreign_format *
         all =
             arena_printf(arena, "%s %s", all, parameter_write(lens->settings[i].parameter, arena));
     }
-    return all[0] == '\0' || foreign_loss(job, NULL, (struct text){NULL, 0}, error,
-                                          "what the positions set anew in a %s file:%s" LOSS_INSTEAD
-                                          "the first position's is kept",
-                                          format->type.ending, all);
+    if (all[0] != '\0') {
+        foreign_lose(job, LOSS_OF_RAYS, "the first position's is kept",
+                     "what the positions set anew in a %s file:%s", format->type.ending, all);
+    }
 }
 
 /* What is wanted, allowed, and varies in a position, where the file has no words for it. */
-static bool lose_design(struct foreign_job *job, const struct foreign_format *format,
-                        const struct lens *lens, struct error *error)
+static void lose_design(struct foreign_job *job, const struct foreign_format *format,
+                        const struct lens *lens)
 {
     const char *ending = format->type.ending;
     bool is_marked = false;
     for (size_t i = 0; i < lens->variable_count; i++) {
         is_marked = is_marked || lens->variables[i].varies != NULL;
     }
-    return (lens->goal_count == 0 ||
-            foreign_lose(job, error, "goals in a %s file" LOSS_IS_MUTE LOSS_INSTEAD "left out",
-                         ending)) &&
-           (lens->tolerance_count == 0 ||
-            foreign_lose(job, error, "tolerances in a %s file" LOSS_IS_MUTE LOSS_INSTEAD "left out",
-                         ending)) &&
-           (!is_marked ||
-            foreign_lose(job, error,
-                         "marks of what varies in a position in a %s file" LOSS_IS_MUTE LOSS_INSTEAD
-                         "left out",
-                         ending));
+    if (lens->goal_count > 0) {
+        foreign_lose(job, LOSS_OF_NOTHING, "left out", "goals in a %s file", ending);
+    }
+    if (lens->tolerance_count > 0) {
+        foreign_lose(job, LOSS_OF_NOTHING, "left out", "tolerances in a %s file", ending);
+    }
+    if (is_marked) {
+        foreign_lose(job, LOSS_OF_NOTHING, "left out",
+                     "marks of what varies in a position in a %s file", ending);
+    }
 }
 
 bool foreign_write(struct foreign_job *job, const struct foreign_format *format,
@@ -278,16 +277,16 @@ bool foreign_write(struct foreign_job *job, const struct foreign_format *format,
         }
     }
     for (size_t i = 0; i < lens->surface_count && !format->has_apertures; i++) {
-        if (lens->surfaces[i].aperture_count > 0 &&
-            !foreign_loss(
-                job, NULL, (struct text){NULL, 0}, error,
-                "surface %zu: what passes or is blocked beside its diameter" LOSS_VIGNETTES,
-                i + 1)) {
-            return false;
+        if (lens->surfaces[i].aperture_count > 0) {
+            foreign_lose(job, LOSS_OF_VIGNETTING, NULL,
+                         "surface %zu: what passes or is blocked beside its diameter", i + 1);
         }
     }
-    bool done = (format->has_settings || lose_settings(job, format, lens, error)) &&
-                (format->has_design || lose_design(job, format, lens, error)) &&
-                format->write(job, lens, text, error);
-    return foreign_settle(job, done, error);
+    if (!format->has_settings) {
+        lose_settings(job, format, lens);
+    }
+    if (!format->has_design) {
+        lose_design(job, format, lens);
+    }
+    return foreign_settle(job, format->write(job, lens, text, error), error);
 }

@@ -539,7 +539,7 @@ static bool write_json(struct foreign_job *job, const struct lens *lens, struct 
     if (!check_words(lens, error)) {
         return false;
     }
-    writing_begin(&writer.out, lens, true, job->arena);
+    writing_begin(&writer.out, job, lens, true);
     lens_json_put_header(&writer);
     if (lens->setting_count > 0 || lens->stops != NULL || lens->lights != NULL ||
         lens->points != NULL) {

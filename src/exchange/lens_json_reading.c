@@ -64,11 +64,10 @@ bool json_check_keys(struct json_reader *reading, const struct json_value *objec
         }
         seen[i] = keys[i] != NULL ? item : NULL;
         const struct file_words words = json_place(reading, item);
-        if (keys[i] == NULL &&
-            !foreign_loss(reading->job, &words,
-                          (struct text){reading->content.start + item->at - 1, 0}, error,
-                          "unknown key '%.*s'", text_shown(item->key), item->key.start)) {
-            return false;
+        if (keys[i] == NULL) {
+            foreign_loss(reading->job, &words,
+                         (struct text){reading->content.start + item->at - 1, 0}, LOSS_OF_RAYS,
+                         NULL, "unknown key '%.*s'", text_shown(item->key), item->key.start);
         }
     }
     return true;

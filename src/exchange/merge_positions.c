@@ -90,7 +90,7 @@ static struct figure variable(struct merge *merge, const char *prefix, size_t nu
 }
 
 /* Thickness and diameter. */
-static bool merge_cells(struct merge *merge, size_t index, struct error *error)
+static void merge_cells(struct merge *merge, size_t index)
 {
     struct surface *to = &merge->build->lens->surfaces[index];
     struct figure *gaps = ARENA_ARRAY(merge->arena, merge->count, struct figure);
@@ -110,11 +110,10 @@ static bool merge_cells(struct merge *merge, size_t index, struct error *error)
         to->diameter = variable(merge, "D", index + 1, diameters);
     }
     to->has_diameter = clear == merge->count;
-    return clear == 0 || clear == merge->count ||
-           foreign_loss(merge->job, NULL, (struct text){NULL, 0}, error,
-                        LOSS_VIGNETTES "the clear aperture that surface %zu has in some "
-                                       "configurations" LOSS_INSTEAD "it gets none",
-                        index + 1);
+    if (clear != 0 && clear != merge->count) {
+        foreign_lose(merge->job, LOSS_OF_VIGNETTING, "it gets none",
+                     "the clear aperture that surface %zu has in some configurations", index + 1);
+    }
 }
 
 static void add_setting(struct merge *merge, struct lens_setting setting)
@@ -187,8 +186,7 @@ static void merge_number(struct merge *merge, size_t index, struct parameter eac
 }
 
 /* What no position can set: the first alone is kept. */
-static void merge_positions_keep_first(const struct merge *merge, const char *in,
-                                       struct error *error)
+static void merge_positions_keep_first(const struct merge *merge, const char *in)
 {
     struct lens *to = merge->build->lens;
     *to = merge->lenses[0];
@@ -199,34 +197,27 @@ static void merge_positions_keep_first(const struct merge *merge, const char *in
     merge->build->field_room = to->field_count;
     merge->build->surface_room = to->surface_count;
     merge->build->variable_room = 0;
-    (void)foreign_loss(merge->job, NULL, (struct text){NULL, 0}, error,
-                       "the configurations differ in %s, which the positions of a lens "
-                       "cannot" LOSS_INSTEAD "only the first is kept",
-                       in);
+    foreign_lose(merge->job, LOSS_OF_RAYS, "only the first is kept",
+                 "the configurations differ in %s, which the positions of a lens cannot", in);
 }
 
 /* False where only the first is kept. */
-static bool merge_surface(struct merge *merge, size_t index, struct error *error)
+static bool merge_surface(struct merge *merge, size_t index)
 {
     const struct surface *first = merge_positions_surface_at(merge, 0, index);
     for (size_t p = 1; p < merge->count; p++) {
         if (!merge_positions_is_alike(first, merge_positions_surface_at(merge, p, index))) {
             merge_positions_keep_first(
-                merge, arena_printf(merge->arena, "the kind of surface %zu", index + 1), error);
+                merge, arena_printf(merge->arena, "the kind of surface %zu", index + 1));
             return false;
         }
-        if (!are_same_apertures(first, merge_positions_surface_at(merge, p, index)) &&
-            !foreign_loss(merge->job, NULL, (struct text){NULL, 0}, error,
-                          LOSS_VIGNETTES "the apertures of surface %zu differ between the "
-                                         "configurations" LOSS_INSTEAD
-                                         "those of the first are kept",
-                          index + 1)) {
-            return false;
+        if (!are_same_apertures(first, merge_positions_surface_at(merge, p, index))) {
+            foreign_lose(merge->job, LOSS_OF_VIGNETTING, "those of the first are kept",
+                         "the apertures of surface %zu differ between the configurations",
+                         index + 1);
         }
     }
-    if (!merge_cells(merge, index, error)) {
-        return false;
-    }
+    merge_cells(merge, index);
     if (surface_has(first, SURFACE_HAS_CURVE)) {
         merge_curve(merge, index);
     }
@@ -297,7 +288,7 @@ static bool are_same_fields(const struct lens *a, const struct lens *b)
 }
 
 /* The fields, of one kind in all positions. */
-static bool merge_fields(struct merge *merge, struct error *error)
+static void merge_fields(struct merge *merge)
 {
     struct lens *lens = merge->build->lens;
     struct lens_points *points = ARENA_ARRAY(merge->arena, merge->count, struct lens_points);
@@ -310,9 +301,10 @@ static bool merge_fields(struct merge *merge, struct error *error)
         same = same && are_same_fields(&merge->lenses[0], one);
     }
     lens->points = same_kind && !same ? points : NULL;
-    return same_kind || foreign_loss(merge->job, NULL, (struct text){NULL, 0}, error,
-                                     "the kind of the fields differs between the "
-                                     "configurations" LOSS_INSTEAD "those of the first are kept");
+    if (!same_kind) {
+        foreign_lose(merge->job, LOSS_OF_RAYS, "those of the first are kept",
+                     "the kind of the fields differs between the configurations");
+    }
 }
 
 /* What has no values of its own in the positions. */
@@ -342,8 +334,7 @@ static const char *against(const struct lens *a, const struct lens *b)
     return NULL;
 }
 
-bool merge_positions(struct lens_build *build, const struct lens *lenses, struct foreign_job *job,
-                     struct error *error)
+void merge_positions(struct lens_build *build, const struct lens *lenses, struct foreign_job *job)
 {
     struct lens *to = build->lens;
     const struct lens *first = &lenses[0];
@@ -356,8 +347,8 @@ bool merge_positions(struct lens_build *build, const struct lens *lenses, struct
     for (size_t p = 1; p < merge.count; p++) {
         const char *why = against(first, &lenses[p]);
         if (why != NULL) {
-            merge_positions_keep_first(&merge, why, error);
-            return true;
+            merge_positions_keep_first(&merge, why);
+            return;
         }
     }
     *to = *first;
@@ -370,15 +361,15 @@ bool merge_positions(struct lens_build *build, const struct lens *lenses, struct
     to->surfaces = ARENA_ARRAY(merge.arena, first->surface_count, struct surface);
     memcpy(to->surfaces, first->surfaces, first->surface_count * sizeof to->surfaces[0]);
     for (size_t i = 0; i < first->surface_count; i++) {
-        if (!merge_surface(&merge, i, error)) {
-            return true;
+        if (!merge_surface(&merge, i)) {
+            return;
         }
     }
     to->settings = merge.settings;
     to->setting_count = merge.setting_count;
     merge_system(&merge);
     merge_light_and_stop(&merge);
-    return merge_fields(&merge, error);
+    merge_fields(&merge);
 }
 
 /* Position 0: the file has none. */
@@ -408,5 +399,6 @@ bool merge_read(struct lens_build *build, struct foreign_job *job, const struct 
     }
     build->lens->positions = file->names != NULL ? file->names : numbers;
     build->lens->position_count = file->count;
-    return merge_positions(build, lenses, job, error);
+    merge_positions(build, lenses, job);
+    return true;
 }

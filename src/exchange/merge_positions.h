@@ -17,8 +17,7 @@
  *           fields and apertures of surfaces that differ; a clear aperture that a surface has in
  *           some positions only
  */
-bool merge_positions(struct lens_build *build, const struct lens *lenses, struct foreign_job *job,
-                     struct error *error);
+void merge_positions(struct lens_build *build, const struct lens *lenses, struct foreign_job *job);
 
 /* A file that is read once for each of its positions. */
 struct merge_file {

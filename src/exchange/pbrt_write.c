@@ -9,240 +9,193 @@
 #include <string.h>
 
 /* What stands for a plane that refracts, mm; see pbrt.h. */
-static const char LONG_RADIUS[] = "100000";
+#define LONG_RADIUS "100000"
 
-struct pbrt_write_writer {
-    struct lens_writer out;
-    struct foreign_job *job;
-    const struct lens *lens; /* in one position */
-    struct error *error;
-};
-
-static void pbrt_write_put(struct pbrt_write_writer *writer, const char *string)
+static bool pbrt_refuse(const struct foreign_job *job, size_t number, const char *what,
+                        struct error *error)
 {
-    growing_text(&writer->out.text, text_of(string));
+    fail(error, ERROR_DATA, "surface %zu %s: a .dat file cannot hold it", number, what);
+    return error_locate(error, job->source, 0, 0);
 }
 
-/* As typed, or the digits that read back to its pair. */
-static struct text pbrt_write_digits_of(const struct pbrt_write_writer *writer,
-                                        const struct figure *figure)
+static bool pbrt_lose_header(struct foreign_job *job, const struct lens *lens, struct error *error)
 {
-    return figure->typed.start != NULL
-               ? figure->typed
-               : figure_computed(figure->value, NUMBER_UNSCALED, writer->job->arena).typed;
-}
-
-static bool pbrt_write_refuse(const struct pbrt_write_writer *writer, size_t number,
-                              const char *what)
-{
-    fail(writer->error, ERROR_DATA, "surface %zu %s: a .dat file cannot hold it", number, what);
-    return error_locate(writer->error, writer->job->source, 0, 0);
-}
-
-static bool lose_header(struct pbrt_write_writer *writer)
-{
-    const struct lens *lens = writer->lens;
     bool only_d = lens->wavelength_count == 0 ||
                   (lens->wavelength_count == 1 &&
                    !(fabs(lens->wavelengths[0].wavelength - WAVELENGTH_D) > 0));
     if (!medium_is_air(&lens->object_medium)) {
-        fail(writer->error, ERROR_DATA, "a .dat file has air before the lens");
-        return error_locate(writer->error, writer->job->source, 0, 0);
+        fail(error, ERROR_DATA, "a .dat file has air before the lens");
+        return error_locate(error, job->source, 0, 0);
     }
-    return (only_d || foreign_lose(writer->job, writer->error,
-                                   "a .dat file has no wavelengths" LOSS_INSTEAD "%.10g nm counts",
-                                   1000 * lens_primary_wavelength(lens))) &&
-           (lens->object_is_infinite ||
-            foreign_lose(writer->job, writer->error, "a .dat file has no object distance")) &&
-           (lens->field_count == 0 ||
-            foreign_lose(writer->job, writer->error, "a .dat file has no fields")) &&
-           (lens->aperture_kind == APERTURE_NONE || lens->aperture_kind == APERTURE_STOP ||
-            foreign_lose(writer->job, writer->error,
-                         "a .dat file has no aperture but the stop's diameter")) &&
-           (lens->focus == FOCUS_PARAXIAL ||
-            foreign_lose(writer->job, writer->error, "a .dat file has no choice of focus"));
+    if (!only_d) {
+        foreign_lose(
+            job, LOSS_OF_RAYS,
+            arena_printf(job->arena, "%.10g nm counts", 1000 * lens_primary_wavelength(lens)),
+            "a .dat file has no wavelengths");
+    }
+    const struct {
+        bool has;
+        const char *what;
+    } all[] = {{!lens->object_is_infinite, "object distance"},
+               {lens->field_count > 0, "fields"},
+               {lens->aperture_kind > APERTURE_STOP, "aperture but the stop's diameter"},
+               {lens->focus != FOCUS_PARAXIAL, "choice of focus"}};
+    for (size_t i = 0; i < sizeof all / sizeof all[0]; i++) {
+        if (all[i].has) {
+            foreign_lose(job, LOSS_OF_RAYS, NULL, "a .dat file has no %s", all[i].what);
+        }
+    }
+    return true;
 }
 
-static bool lose_shape(struct pbrt_write_writer *writer, const struct surface *surface,
-                       size_t number)
+static bool pbrt_lose_shape(struct foreign_job *job, const struct surface *surface, size_t number,
+                            struct error *error)
 {
     if (surface_reflects(surface)) {
-        return pbrt_write_refuse(writer, number, "is a mirror");
+        return pbrt_refuse(job, number, "is a mirror", error);
     }
     if (!surface_is_round(surface)) {
-        return pbrt_write_refuse(writer, number, "is a cylinder");
+        return pbrt_refuse(job, number, "is a cylinder", error);
     }
     if (!surface->has_diameter) {
-        return pbrt_write_refuse(writer, number, "has no diameter");
+        return pbrt_refuse(job, number, "has no diameter", error);
     }
-    bool is_displaced = surface->decentre != NULL || surface->coordinate_break != NULL;
-    bool aspheric = fabs(surface->conic.value.hi) > 0 || surface->coefficients != 0;
-    return (!is_displaced ||
-            foreign_lose(writer->job, writer->error,
-                         "surface %zu: its decentre or tilt" LOSS_INSTEAD "left out", number)) &&
-           (!aspheric ||
-            foreign_lose(writer->job, writer->error,
-                         "surface %zu: an asphere" LOSS_INSTEAD "a sphere is used instead",
-                         number)) &&
-           (surface->vary_count == 0 ||
-            foreign_lose(writer->job, writer->error,
-                         "surface %zu: its marks for the designer" LOSS_INSTEAD "left out",
-                         number)) &&
-           (surface->name == NULL ||
-            foreign_lose(writer->job, writer->error,
-                         "surface %zu: its name" LOSS_INSTEAD "left out", number));
+    if (surface->decentre != NULL || surface->coordinate_break != NULL) {
+        foreign_lose(job, LOSS_OF_RAYS, "left out", "surface %zu: its decentre or tilt", number);
+    }
+    if (fabs(surface->conic.value.hi) > 0 || surface->coefficients != 0) {
+        foreign_lose(job, LOSS_OF_RAYS, "a sphere is used instead", "surface %zu: an asphere",
+                     number);
+    }
+    if (surface->vary_count > 0) {
+        foreign_lose(job, LOSS_OF_RAYS, "left out", "surface %zu: its marks for the designer",
+                     number);
+    }
+    if (surface->name != NULL) {
+        foreign_lose(job, LOSS_OF_RAYS, "left out", "surface %zu: its name", number);
+    }
+    return true;
 }
 
 /* Digits of a length in mm. */
-static void pbrt_write_put_length(struct pbrt_write_writer *writer, const struct figure *figure)
+static const char *pbrt_length(const struct lens_writer *writing, const struct figure *figure)
 {
     struct figure in_mm = *figure;
-    if (strcmp(writer->lens->unit, "mm") != 0) {
-        in_mm.typed = (struct text){NULL, 0};
+    in_mm.variable = LENS_NONE;
+    if (strcmp(writing->lens->unit, "mm") != 0) {
+        in_mm = figure_computed(figure->value, NUMBER_UNSCALED, writing->arena);
     }
-    growing_text(&writer->out.text, pbrt_write_digits_of(writer, &in_mm));
+    return writing_length(writing, &in_mm, 0);
 }
 
-static bool pbrt_write_put_radius(struct pbrt_write_writer *writer, const struct surface *surface,
-                                  size_t number)
+static const char *pbrt_radius(struct lens_writer *writing, const struct surface *surface,
+                               size_t number)
 {
     if (surface->kind == SURFACE_STOP) {
-        if (!surface->is_stop && !foreign_lose(writer->job, writer->error,
-                                               "surface %zu: pbrt takes it for a stop", number)) {
-            return false;
+        if (!surface->is_stop) {
+            foreign_lose(writing->job, LOSS_OF_RAYS, NULL, "surface %zu: pbrt takes it for a stop",
+                         number);
         }
-        pbrt_write_put(writer, "0");
-        return true;
+        return "0";
     }
-    if (surface->is_stop &&
-        !foreign_lose(writer->job, writer->error,
-                      "surface %zu: a .dat file has no stop on a surface", number)) {
-        return false;
+    if (surface->is_stop) {
+        foreign_lose(writing->job, LOSS_OF_RAYS, NULL,
+                     "surface %zu: a .dat file has no stop on a surface", number);
     }
     const struct figure reciprocal = {.value = pair_divide(pair_of(1), surface->curvature.value),
                                       .variable = LENS_NONE};
     if (surface->has_curvature && fabs(reciprocal.value.hi) < 1e100) {
-        pbrt_write_put_length(writer, &reciprocal);
-        return true;
+        return pbrt_length(writing, &reciprocal);
     }
     if (!surface->is_plane && !surface->has_curvature) {
-        pbrt_write_put_length(writer, &surface->radius);
-        return true;
+        return pbrt_length(writing, &surface->radius);
     }
-    pbrt_write_put(writer, LONG_RADIUS);
-    return foreign_lose(writer->job, writer->error,
-                        "surface %zu: a plane is pbrt's stop" LOSS_INSTEAD
-                        "a radius of %s mm is used instead",
-                        number, LONG_RADIUS);
+    foreign_lose(writing->job, LOSS_OF_RAYS, "a radius of " LONG_RADIUS " mm is used instead",
+                 "surface %zu: a plane is pbrt's stop", number);
+    return LONG_RADIUS;
 }
 
-/* The index behind a surface, at the primary wavelength. */
-static bool find_index(struct pbrt_write_writer *writer, const struct surface *surface,
-                       size_t number, struct text *digits)
+/* The index behind a surface, at the primary wavelength; null with an error where there is none. */
+static const char *pbrt_index(struct lens_writer *writing, const struct surface *surface,
+                              size_t number, struct error *error)
 {
     const struct medium *medium = &surface->medium;
+    const double wavelength = lens_primary_wavelength(writing->lens);
     struct figure index = {.variable = LENS_NONE};
     if (medium_is_air(medium)) {
-        *digits = text_of("1");
-        return true;
+        return "1";
     }
-    double wavelength = lens_primary_wavelength(writer->lens);
-    if (!medium_index(medium, wavelength, &index.value, writer->error)) {
-        return error_prefix(writer->error, "surface %zu: ", number);
+    if (!medium_index(medium, wavelength, &index.value, error)) {
+        error_prefix(error, "surface %zu: ", number);
+        return NULL;
     }
     if (medium->kind == MEDIUM_CONSTANT) {
         index.typed = medium->written;
-    } else if (!foreign_lose(writer->job, writer->error,
-                             "surface %zu: of %.*s the index at %.10g nm is kept, no dispersion",
-                             number,
-                             (int)(medium->written.length < 60 ? medium->written.length : 60),
-                             medium->written.start, 1000 * wavelength)) {
-        return false;
+    } else {
+        foreign_lose(writing->job, LOSS_OF_RAYS, NULL,
+                     "surface %zu: of %.*s the index at %.10g nm is kept, no dispersion", number,
+                     text_shown(medium->written), medium->written.start, 1000 * wavelength);
     }
-    *digits = pbrt_write_digits_of(writer, &index);
-    return true;
+    return writing_length(writing, &index, 0);
 }
 
-/* The plane of a stop that refracts, which stands before it then. */
-static bool put_plane(struct pbrt_write_writer *writer, const struct surface *surface,
-                      size_t number, struct text index)
+static bool pbrt_put_surface(struct lens_writer *writing, size_t i, struct error *error)
 {
-    pbrt_write_put(writer, LONG_RADIUS);
-    pbrt_write_put(writer, "\t0\t");
-    growing_text(&writer->out.text, index);
-    pbrt_write_put(writer, "\t");
-    pbrt_write_put_length(writer, &surface->diameter);
-    pbrt_write_put(writer, "\n");
-    return foreign_lose(writer->job, writer->error,
-                        "surface %zu: a stop that refracts" LOSS_INSTEAD
-                        "a radius of %s mm stands before the stop",
-                        number, LONG_RADIUS);
-}
-
-static bool pbrt_write_put_surface(struct pbrt_write_writer *writer, size_t i)
-{
-    const struct lens *lens = writer->lens;
+    const struct lens *lens = writing->lens;
     const struct surface *surface = &lens->surfaces[i];
     const struct medium *before = i > 0 ? &surface[-1].medium : &lens->object_medium;
     const bool is_stop = surface->kind == SURFACE_STOP;
-    struct text index;
-    if (!lose_shape(writer, surface, i + 1) || !find_index(writer, surface, i + 1, &index) ||
-        (is_stop && !medium_is_same(before, &surface->medium) &&
-         !put_plane(writer, surface, i + 1, index)) ||
-        !pbrt_write_put_radius(writer, surface, i + 1)) {
+    if (!pbrt_lose_shape(writing->job, surface, i + 1, error)) {
         return false;
     }
-    pbrt_write_put(writer, "\t");
-    if (surface->has_thickness) {
-        pbrt_write_put_length(writer, &surface->thickness);
-    } else {
-        pbrt_write_put(writer, "0");
+    const char *index = pbrt_index(writing, surface, i + 1, error);
+    if (index == NULL) {
+        return false;
     }
-    pbrt_write_put(writer, "\t");
-    growing_text(&writer->out.text,
-                 is_stop && medium_is_air(&surface->medium) ? text_of("0") : index);
-    pbrt_write_put(writer, "\t");
-    pbrt_write_put_length(writer, &surface->diameter);
-    pbrt_write_put(writer, "\n");
+    const char *diameter = pbrt_length(writing, &surface->diameter);
+    if (is_stop && !medium_is_same(before, &surface->medium)) { /* it stands before the plane */
+        writing_put(writing, LONG_RADIUS "\t0\t%s\t%s\n", index, diameter);
+        foreign_lose(writing->job, LOSS_OF_RAYS,
+                     "a radius of " LONG_RADIUS " mm stands before the stop",
+                     "surface %zu: a stop that refracts", i + 1);
+    }
+    writing_put(writing, "%s\t%s\t%s\t%s\n", pbrt_radius(writing, surface, i + 1),
+                surface->has_thickness ? pbrt_length(writing, &surface->thickness) : "0",
+                is_stop && medium_is_air(&surface->medium) ? "0" : index, diameter);
     return true;
 }
 
-static void put_comment(struct pbrt_write_writer *writer, const char *word, const char *text)
+static void pbrt_put_comment(struct lens_writer *writing, const char *word, const char *text)
 {
     if (text != NULL) {
-        pbrt_write_put(writer, "# ");
-        pbrt_write_put(writer, word);
-        pbrt_write_put(writer, text);
-        pbrt_write_put(writer, "\n");
+        writing_put(writing, "# %s%s\n", word, text);
     }
 }
 
 bool pbrt_write(struct foreign_job *job, const struct lens *lens, struct text *text,
                 struct error *error)
 {
-    struct pbrt_write_writer writer = {
-        .job = job, .lens = lens_at_position(lens, 0, job->arena), .error = error};
-    writing_begin(&writer.out, writer.lens, false, job->arena);
-    if (lens->position_count > 1 &&
-        !foreign_lose(writer.job, writer.error, "a .dat file has one position: the first, '%s'",
-                      lens->positions[0])) {
+    struct lens_writer writing;
+    writing_begin(&writing, job, lens_at_position(lens, 0, job->arena), false);
+    if (lens->position_count > 1) {
+        foreign_lose(job, LOSS_OF_RAYS, NULL, "a .dat file has one position: the first, '%s'",
+                     lens->positions[0]);
+    }
+    if (!pbrt_lose_header(job, writing.lens, error)) {
         return false;
     }
-    if (!lose_header(&writer)) {
-        return false;
-    }
-    put_comment(&writer, "", lens->title != NULL ? lens->title : "lens");
-    put_comment(&writer, "source ", lens->source);
-    put_comment(&writer, "kind ", lens->kind);
+    pbrt_put_comment(&writing, "", lens->title != NULL ? lens->title : "lens");
+    pbrt_put_comment(&writing, "source ", lens->source);
+    pbrt_put_comment(&writing, "kind ", lens->kind);
     for (size_t i = 0; i < lens->note_count; i++) {
-        put_comment(&writer, "", lens->notes[i]);
+        pbrt_put_comment(&writing, "", lens->notes[i]);
     }
-    pbrt_write_put(&writer, "# radius\tthickness\tindex\tdiameter\n");
+    writing_put(&writing, "# radius\tthickness\tindex\tdiameter\n");
     for (size_t i = 0; i < lens->surface_count; i++) {
-        if (!pbrt_write_put_surface(&writer, i)) {
+        if (!pbrt_put_surface(&writing, i, error)) {
             return false;
         }
     }
-    *text = growing_done(&writer.out.text);
+    *text = growing_done(&writing.text);
     return true;
 }

@@ -72,8 +72,8 @@ static bool has_circle(const struct sequence_surface *from)
 }
 
 /* One that passes as a circle about the vertex is the diameter, and another takes it along. */
-static bool sequence_put_aperture(const struct sequence *sequence, struct sequence_aperture *one,
-                                  struct surface *surface, struct aperture *to, struct error *error)
+static void sequence_put_aperture(const struct sequence *sequence, struct sequence_aperture *one,
+                                  struct surface *surface, struct aperture *to)
 {
     struct error wrong;
     *to = one->aperture;
@@ -83,41 +83,34 @@ static bool sequence_put_aperture(const struct sequence *sequence, struct sequen
     }
     if (aperture_check(to, &wrong)) {
         surface->aperture_count++;
-        return true;
+        return;
     }
-    const struct file_words place = commands_place(sequence->commands, &one->at);
-    return foreign_loss(sequence->job, &place, one->at.text, error,
-                        "%.*s: an aperture that is not stated whole" LOSS_VIGNETTES LOSS_INSTEAD
-                        "left out",
-                        text_shown(one->at.text), one->at.text.start);
+    commands_loss(sequence->commands, &one->at, LOSS_OF_VIGNETTING, "left out",
+                  "%.*s: an aperture that is not stated whole", text_shown(one->at.text),
+                  one->at.text.start);
 }
 
-static bool sequence_put_apertures(const struct sequence *sequence,
-                                   const struct sequence_surface *from, struct surface *surface,
-                                   struct error *error)
+static void sequence_put_apertures(const struct sequence *sequence,
+                                   const struct sequence_surface *from, struct surface *surface)
 {
     struct arena *arena = sequence->job->arena;
     struct aperture *all = ARENA_ARRAY(arena, from->aperture_count, struct aperture);
     surface->apertures = all;
     for (size_t i = 0; i < from->aperture_count; i++) {
-        if (!sequence_put_aperture(sequence, &from->apertures[i], surface,
-                                   &all[surface->aperture_count], error)) {
-            return false;
-        }
+        sequence_put_aperture(sequence, &from->apertures[i], surface,
+                              &all[surface->aperture_count]);
     }
-    return true;
 }
 
 /* The surface, and behind a bend a plane that turns the axis. */
-static bool sequence_put_surface(const struct sequence *sequence, size_t index, size_t *lens_index,
-                                 struct error *error)
+static void sequence_put_surface(const struct sequence *sequence, size_t index, size_t *lens_index)
 {
     struct sequence_surface *from = &sequence->surfaces[index];
     struct lens_build *build = sequence->build;
     struct arena *arena = sequence->job->arena;
     struct lens *lens = build->lens;
-    if (sequence_is_decentred(from) && !sequence_check_move(sequence, from, error)) {
-        return false;
+    if (sequence_is_decentred(from)) {
+        sequence_check_move(sequence, from);
     }
     sequence_turn_first(sequence, from);
     struct surface *surface = lens_build_surface(build);
@@ -140,15 +133,12 @@ static bool sequence_put_surface(const struct sequence *sequence, size_t index, 
     if (surface->has_diameter) {
         surface->diameter = from->diameter;
     }
-    if (!sequence_put_apertures(sequence, from, surface, error)) {
-        return false;
-    }
+    sequence_put_apertures(sequence, from, surface);
     if (from->is_stop) {
         lens_build_stop(build, *lens_index);
     }
     surface = sequence_move_surface(sequence, from, surface);
     surface->thickness = thickness;
-    return true;
 }
 
 /* Is the object so far away that its program takes it as infinitely far? */
@@ -164,16 +154,14 @@ bool sequence_is_near(const struct sequence *sequence)
     return sequence->count > 0 && !is_infinite(sequence, &sequence->surfaces[0].thickness);
 }
 
-static bool sequence_put_object(const struct sequence *sequence, struct error *error)
+static void sequence_put_object(const struct sequence *sequence)
 {
     struct lens *lens = sequence->build->lens;
     struct sequence_surface *object = &sequence->surfaces[0];
-    const struct file_words place = commands_place(sequence->commands, &object->at);
     bool along = sequence_is_some(&object->shift[2]);
-    if ((sequence_is_some(&object->curve) || sequence_is_decentred(object) || along) &&
-        !foreign_loss(sequence->job, &place, object->at.text, error,
-                      "a curved or tilted object" LOSS_INSTEAD "taken as a plane")) {
-        return false;
+    if (sequence_is_some(&object->curve) || sequence_is_decentred(object) || along) {
+        commands_loss(sequence->commands, &object->at, LOSS_OF_RAYS, "taken as a plane",
+                      "a curved or tilted object");
     }
     lens->object_medium = object->medium;
     const struct figure infinite = {{INFINITY, 0}, text_of("inf"), LENS_NONE};
@@ -184,29 +172,23 @@ static bool sequence_put_object(const struct sequence *sequence, struct error *e
     if (!lens->object_is_infinite && !(lens->object.value.hi > 0)) {
         virtual_object_put(sequence->build, lens->object.value);
     }
-    return true;
 }
 
 /* The files say it of an object at infinity too, which has no such space. */
-static bool check_telecentric(const struct sequence *sequence, struct error *error)
+static void check_telecentric(const struct sequence *sequence)
 {
     struct lens *lens = sequence->build->lens;
-    const struct command_word *at = &sequence->surfaces[0].at;
-    const struct file_words place = commands_place(sequence->commands, at);
-    if (!lens->is_telecentric || !lens->object_is_infinite) {
-        return true;
+    if (lens->is_telecentric && lens->object_is_infinite) {
+        lens->is_telecentric = false;
+        commands_loss(sequence->commands, &sequence->surfaces[0].at, LOSS_OF_RAYS,
+                      "an ordinary one", "a telecentric object space of an object at infinity");
     }
-    lens->is_telecentric = false;
-    return foreign_loss(sequence->job, &place, at->text, error,
-                        "a telecentric object space of an object at infinity" LOSS_INSTEAD
-                        "an ordinary one");
 }
 
 /* The image plane: its distance is the last thickness; a tilted or bent one stays as a surface. */
-static bool sequence_put_image(const struct sequence *sequence, bool is_solved, struct error *error)
+static void sequence_put_image(const struct sequence *sequence, bool is_solved)
 {
     struct sequence_surface *image = &sequence->surfaces[sequence->count - 1];
-    const struct file_words place = commands_place(sequence->commands, &image->at);
     struct lens *lens = sequence->build->lens;
     size_t last = lens->surface_count;
     if (sequence->is_afocal) {
@@ -216,19 +198,17 @@ static bool sequence_put_image(const struct sequence *sequence, bool is_solved, 
     } else {
         lens->focus = FOCUS_TABLE;
     }
-    if (sequence_is_some(&image->curve) &&
-        !foreign_loss(sequence->job, &place, image->at.text, error,
-                      "a curved image" LOSS_INSTEAD "taken as a plane")) {
-        return false;
+    if (sequence_is_some(&image->curve)) {
+        commands_loss(sequence->commands, &image->at, LOSS_OF_RAYS, "taken as a plane",
+                      "a curved image");
     }
     if (sequence_is_decentred(image) && image->move != SEQUENCE_RETURN) {
         image->thickness = sequence_nothing;
         image->extra = pair_of(0);
         image->medium = lens->surfaces[last - 1].medium;
         lens->focus = FOCUS_TABLE;
-        return sequence_put_surface(sequence, sequence->count - 1, &last, error);
+        sequence_put_surface(sequence, sequence->count - 1, &last);
     }
-    return true;
 }
 
 /* Does the last solve bring the marginal ray to the axis, with no light lost on its way? */
@@ -238,6 +218,49 @@ static bool is_focus(const struct sequence *sequence, const struct sequence_surf
     bool is_kept = sequence->job->lost_power != NULL && last->thickness.typed.start != NULL;
     return !is_kept && solve->is_set && !solve->is_unknown && !solve->of_angle &&
            solve->ray == SOLVE_MARGINAL && solve->target.value.hi == 0 && last->extra.hi == 0;
+}
+
+bool sequence_environment(struct sequence *sequence, bool is_temperature, double per_atmosphere,
+                          struct error *error)
+{
+    const struct commands *commands = sequence->commands;
+    struct figure figure;
+    if (!commands_figure(commands, 1, NUMBER_UNSCALED, is_temperature ? "temperature" : "pressure",
+                         &figure, error) ||
+        !commands_end(commands, 2, error)) {
+        return false;
+    }
+    if (is_temperature) {
+        sequence->environment.temperature = figure.value.hi;
+        return figure.value.hi > -273.15 || commands_fail(commands, &commands->words[1], error,
+                                                          "a temperature is above -273.15 C");
+    }
+    sequence->environment.pressure = figure.value.hi / per_atmosphere;
+    return figure.value.hi >= 0 ||
+           commands_fail(commands, &commands->words[1], error, "a pressure is not below 0");
+}
+
+/* The glasses in the air of the file. */
+static bool sequence_to_environment(struct sequence *sequence, struct error *error)
+{
+    struct environment *environment = &sequence->environment;
+    const struct lens *lens = sequence->build->lens;
+    environment->job = sequence->job;
+    environment->build = sequence->build;
+    environment->wave_count = 0;
+    for (size_t i = 0; i < lens->wavelength_count && i < ENVIRONMENT_WAVES; i++) {
+        environment->waves[environment->wave_count++] = lens->wavelengths[i].wavelength;
+    }
+    for (size_t i = 0; i < sequence->count; i++) {
+        struct sequence_surface *surface = &sequence->surfaces[i];
+        const struct command_word *at =
+            surface->glass.text.length > 0 ? &surface->glass : &surface->at;
+        const struct file_words place = commands_place(sequence->commands, at);
+        if (!environment_apply(environment, &place, at->text, &surface->medium, error)) {
+            return false;
+        }
+    }
+    return true;
 }
 
 bool sequence_finish(struct sequence *sequence, struct error *error)
@@ -256,13 +279,10 @@ bool sequence_finish(struct sequence *sequence, struct error *error)
     }
     sequence_spread_z(sequence);
     size_t *indices = ARENA_ARRAY(sequence->job->arena, sequence->count, size_t);
-    if (!sequence_put_object(sequence, error) || !check_telecentric(sequence, error)) {
-        return false;
-    }
+    sequence_put_object(sequence);
+    check_telecentric(sequence);
     for (size_t i = 1; i + 1 < sequence->count; i++) {
-        if (!sequence_put_surface(sequence, i, &indices[i], error)) {
-            return false;
-        }
+        sequence_put_surface(sequence, i, &indices[i]);
     }
     struct sequence_solve *solve = &last->thickness_solve;
     bool is_solved = is_focus(sequence, last);
@@ -270,8 +290,8 @@ bool sequence_finish(struct sequence *sequence, struct error *error)
         solve->is_set = false; /* 'focus paraxial' solves it whenever it is asked for */
     }
     foreign_mark_power(sequence->job, sequence->build);
-    if (!sequence_put_image(sequence, is_solved, error) ||
-        !sequence_solve_all(sequence, indices, error)) {
+    sequence_put_image(sequence, is_solved);
+    if (!sequence_solve_all(sequence, indices, error)) {
         return false;
     }
     sequence_keep_pickups(sequence);

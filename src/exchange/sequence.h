@@ -125,9 +125,6 @@ bool sequence_is_some(const struct figure *figure);
 bool sequence_environment(struct sequence *sequence, bool is_temperature, double per_atmosphere,
                           struct error *error);
 
-/* The glasses in the air of the file. A part of sequence_finish. */
-bool sequence_to_environment(struct sequence *sequence, struct error *error);
-
 /* A figure of 1/length^power that was read as a plain number. */
 static inline void sequence_per_length(const struct commands *commands, int power,
                                        struct figure *figure)

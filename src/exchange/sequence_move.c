@@ -53,37 +53,26 @@ void sequence_spread_z(const struct sequence *sequence)
     }
 }
 
-bool sequence_check_move(const struct sequence *sequence, const struct sequence_surface *from,
-                         struct error *error)
+void sequence_check_move(const struct sequence *sequence, const struct sequence_surface *from)
 {
-    const struct file_words place = commands_place(sequence->commands, &from->decentred_at);
-    const struct text word = from->decentred_at.text;
+    const struct commands *commands = sequence->commands;
+    const struct command_word *at = &from->decentred_at;
     int turns = sequence_is_some(&from->turn[0]) + sequence_is_some(&from->turn[1]);
     bool about_z = sequence_is_some(&from->turn[2]);
-    if (is_turned_first(from) && (from->move == SEQUENCE_BEND || from->move == SEQUENCE_RETURN)) {
-        return foreign_loss(
-            sequence->job, &place, word, error,
-            "a bend or return of a surface that is turned before it is shifted" LOSS_INSTEAD
-            "without the bend or return");
-    }
     if (is_turned_first(from)) {
-        return true;
+        if (from->move == SEQUENCE_BEND || from->move == SEQUENCE_RETURN) {
+            commands_loss(commands, at, LOSS_OF_RAYS, "without the bend or return",
+                          "a bend or return of a surface that is turned before it is shifted");
+        }
+    } else if (from->move == SEQUENCE_BEND && (turns > 1 || about_z)) {
+        commands_loss(commands, at, LOSS_OF_RAYS, "only the first is kept",
+                      "a bend with turns about more than one axis");
+    } else if (from->move == SEQUENCE_RETURN && turns + about_z > 1) {
+        commands_loss(commands, at, LOSS_OF_RAYS, "they are undone in another order",
+                      "a return with turns about more than one axis");
+    } else if (from->move == SEQUENCE_BACK && about_z && from->curved != CURVED_BOTH) {
+        commands_loss(commands, at, LOSS_OF_RAYS, "left unturned", "a cylinder turned about z");
     }
-    if (from->move == SEQUENCE_BEND && (turns > 1 || about_z)) {
-        return foreign_loss(sequence->job, &place, word, error,
-                            "a bend with turns about more than one axis" LOSS_INSTEAD
-                            "only the first is kept");
-    }
-    if (from->move == SEQUENCE_RETURN && turns + about_z > 1) {
-        return foreign_loss(sequence->job, &place, word, error,
-                            "a return with turns about more than one axis" LOSS_INSTEAD
-                            "they are undone in another order");
-    }
-    if (from->move == SEQUENCE_BACK && about_z && from->curved != CURVED_BOTH) {
-        return foreign_loss(sequence->job, &place, word, error,
-                            "a cylinder turned about z" LOSS_INSTEAD "left unturned");
-    }
-    return true;
 }
 
 /* A plane behind a surface; the surface's distance is to be the plane's. */

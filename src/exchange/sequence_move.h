@@ -12,8 +12,7 @@ bool sequence_is_decentred(const struct sequence_surface *surface);
 void sequence_spread_z(const struct sequence *sequence);
 
 /* Errors    losses: turns whose order a lens does not have */
-bool sequence_check_move(const struct sequence *sequence, const struct sequence_surface *from,
-                         struct error *error);
+void sequence_check_move(const struct sequence *sequence, const struct sequence_surface *from);
 
 /* Planes before a surface that is turned about z, y and x before it is shifted. */
 void sequence_turn_first(const struct sequence *sequence, const struct sequence_surface *from);

@@ -116,8 +116,8 @@ static bool sequence_solve_keep(const struct solve_application *solving, const c
         lens_build_note(sequence->build, text_of(note));
         return false;
     }
-    return foreign_loss(sequence->job, &place, solving->solve->at.text, error,
-                        "a solve: %s" LOSS_INSTEAD "the number in the file is kept", why) &&
+    return foreign_loss(sequence->job, &place, solving->solve->at.text, LOSS_OF_RAYS,
+                        "the number in the file is kept", "a solve: %s", why) &&
            (error->code = ERROR_NONE, false);
 }
 

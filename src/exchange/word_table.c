@@ -2,9 +2,8 @@
 /* SPDX-License-Identifier: MIT */
 #include "exchange/word_table.h"
 
-#include "exchange/foreign.h"
-
 #include <string.h>
+#include <strings.h>
 
 const char *word_fate_name(enum word_fate fate)
 {
@@ -15,28 +14,16 @@ const char *word_fate_name(enum word_fate fate)
     return names[fate];
 }
 
-static bool word_table_is_same(const char *word, struct text typed)
-{
-    for (size_t i = 0; i < typed.length; i++) {
-        char c = typed.start[i];
-        if (word[i] != (c >= 'a' && c <= 'z' ? (char)(c - 'a' + 'A') : c)) {
-            return false;
-        }
-    }
-    return true;
-}
-
-/* Words of a table are in capitals. */
-static bool word_table_has_word(const char *words, struct text word)
+const char *word_list_find(const char *words, struct text word)
 {
     for (const char *at = words; *at != '\0';) {
         size_t length = strcspn(at, " ");
-        if (length == word.length && word_table_is_same(at, word)) {
-            return true;
+        if (length == word.length && strncasecmp(at, word.start, length) == 0) {
+            return at;
         }
         at += length + (at[length] == ' ');
     }
-    return false;
+    return NULL;
 }
 
 const struct word_group *word_group_of(const struct word_group *table, const char *place,
@@ -44,22 +31,19 @@ const struct word_group *word_group_of(const struct word_group *table, const cha
 {
     for (; table->words != NULL; table++) {
         if ((place == NULL || strcmp(place, table->place) == 0) &&
-            word_table_has_word(table->words, word)) {
+            word_list_find(table->words, word) != NULL) {
             return table;
         }
     }
     return NULL;
 }
 
-const char *word_group_marks(const struct word_group *group)
+enum loss_effect word_group_effect(const struct word_group *group)
 {
     if ((group->flags & WORD_VIGNETTES) != 0) {
-        return LOSS_VIGNETTES;
+        return LOSS_OF_VIGNETTING;
     }
-    if ((group->flags & WORD_HAS_POWER) != 0) {
-        return LOSS_OF_POWER;
-    }
-    return "";
+    return (group->flags & WORD_HAS_POWER) != 0 ? LOSS_OF_POWER : LOSS_OF_RAYS;
 }
 
 bool word_table_next(struct word_entry *entry)

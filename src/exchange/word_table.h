@@ -4,6 +4,7 @@
 #define LENSCALC_EXCHANGE_WORD_TABLE_H
 
 #include "base/text.h"
+#include "exchange/foreign.h"
 
 #include <stdbool.h>
 #include <stddef.h>
@@ -33,6 +34,9 @@ struct word_group {
 /* "kept", "harmless", "lost", "refused" */
 const char *word_fate_name(enum word_fate fate);
 
+/* Where a word stands in a list of them with blanks between, without regard to case; or null. */
+const char *word_list_find(const char *words, struct text word);
+
 /*
  * The group that a word is of, without regard to case; null where none has it.
  *
@@ -41,8 +45,8 @@ const char *word_fate_name(enum word_fate fate);
 const struct word_group *word_group_of(const struct word_group *table, const char *place,
                                        struct text word);
 
-/* The marks of foreign_loss that its flags ask for, to stand in the text of a loss. */
-const char *word_group_marks(const struct word_group *group);
+/* What is not as the file means it where a word of the group is left out, by its flags. */
+enum loss_effect word_group_effect(const struct word_group *group);
 
 /* One word of a table. */
 struct word_entry {

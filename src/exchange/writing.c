@@ -8,82 +8,123 @@
 #include "file/lens_glass.h"
 #include "file/lens_unit.h"
 #include "file/lens_words.h"
+#include "optics/aperture.h"
 #include "optics/first_order.h"
 
 #include <math.h>
 #include <string.h>
 
-void writing_begin(struct lens_writer *writing, const struct lens *lens, bool has_metres,
-                   struct arena *arena)
+void writing_begin(struct lens_writer *writing, struct foreign_job *job, const struct lens *lens,
+                   bool has_metres)
 {
     bool is_metre = strcmp(lens->unit, "m") == 0 && !has_metres;
-    *writing = (struct lens_writer){
-        .arena = arena, .lens = lens, .text = {.arena = arena}, .shift = is_metre ? 3 : 0};
-    writing->unit = is_metre ? "mm" : lens->unit;
-    writing->scale = lens_unit_scale(writing->unit);
+    const char *unit = is_metre ? "mm" : lens->unit;
+    *writing = (struct lens_writer){.job = job,
+                                    .arena = job->arena,
+                                    .lens = lens,
+                                    .unit = unit,
+                                    .scale = lens_unit_scale(unit),
+                                    .shift = is_metre ? 3 : 0,
+                                    .text = {.arena = job->arena}};
 }
 
-/* The figure in the first position, where a variable stands for it. */
-static struct figure writing_first_of(const struct lens_writer *writing,
-                                      const struct figure *figure)
+static struct text writing_length_text(const struct lens_writer *writing,
+                                       const struct figure *figure, int power)
 {
-    return figure->variable != LENS_NONE ? writing->lens->variables[figure->variable].values[0]
-                                         : *figure;
-}
-
-struct text writing_length(const struct lens_writer *writing, const struct figure *figure,
-                           int power)
-{
-    const struct figure first = writing_first_of(writing, figure);
-    struct arena *arena = writing->arena;
-    if (first.typed.start != NULL) {
+    if (figure->variable != LENS_NONE) {
+        figure = &writing->lens->variables[figure->variable].values[0];
+    }
+    if (figure->typed.start != NULL) {
         return writing->shift == 0 || power == 0
-                   ? first.typed
-                   : decimal_shift(first.typed, writing->shift * power, arena);
+                   ? figure->typed
+                   : decimal_shift(figure->typed, writing->shift * power, writing->arena);
     }
     if (power > 0) {
-        return figure_computed(first.value, writing->scale, arena).typed;
+        return figure_computed(figure->value, writing->scale, writing->arena).typed;
     }
-    struct pair plain = first.value;
-    plain = pair_divide(plain, lens_words_per_length(pair_of(1), writing->scale, -power));
-    return figure_computed(plain, (struct number_scale){1, 0}, arena).typed;
+    struct pair unit = lens_words_per_length(pair_of(1), writing->scale, -power);
+    return figure_computed(pair_divide(figure->value, unit), NUMBER_UNSCALED, writing->arena).typed;
 }
 
-struct text writing_degrees(const struct lens_writer *writing, const struct figure *figure)
+static struct text writing_degrees_text(const struct lens_writer *writing,
+                                        const struct figure *figure)
 {
     return figure->typed.start != NULL
                ? figure->typed
                : figure_computed(pair_divide(figure->value, pair_of(RADIANS_PER_DEGREE)),
-                                 (struct number_scale){1, 0}, writing->arena)
+                                 NUMBER_UNSCALED, writing->arena)
                      .typed;
 }
 
-struct text writing_wave(const struct lens_writer *writing, double micrometres, struct text typed,
+static const char *writing_string(const struct lens_writer *writing, struct text text)
+{
+    return arena_string(writing->arena, text.start, text.length);
+}
+
+const char *writing_length(const struct lens_writer *writing, const struct figure *figure,
+                           int power)
+{
+    return writing_string(writing, writing_length_text(writing, figure, power));
+}
+
+const char *writing_half(const struct lens_writer *writing, const struct figure *figure)
+{
+    const struct text whole = writing_length_text(writing, figure, 1);
+    return writing_string(writing, decimal_half(whole, writing->arena));
+}
+
+const char *writing_degrees(const struct lens_writer *writing, const struct figure *figure)
+{
+    return writing_string(writing, writing_degrees_text(writing, figure));
+}
+
+const char *writing_turned(const struct lens_writer *writing, const struct figure *figure)
+{
+    const struct text degrees = writing_degrees_text(writing, figure);
+    return writing_string(writing, decimal_negate(degrees, writing->arena));
+}
+
+const char *writing_wave(const struct lens_writer *writing, double micrometres, struct text typed,
                          int power)
 {
     const char *unit = typed.length > 2 ? typed.start + typed.length - 2 : "";
     bool has_unit = typed.length > 2 && unit[1] == 'm' && (unit[0] == 'n' || unit[0] == 'u') &&
-                    (typed.start[0] == '.' || (typed.start[0] >= '0' && typed.start[0] <= '9'));
-    if (has_unit) {
-        const struct text number = {typed.start, typed.length - 2};
-        int by = power - (unit[0] == 'n' ? 3 : 0);
-        return by == 0 ? number : decimal_shift(number, by, writing->arena);
-    }
-    char number[NUMBER_LENGTH];
-    const struct text shortest = text_between(number, number_write_shortest(number, micrometres));
-    return decimal_shift(shortest, power, writing->arena);
+                    (typed.start[0] == '.' || char_is_digit(typed.start[0]));
+    char shortest[NUMBER_LENGTH];
+    const struct text number =
+        has_unit ? text_between(typed.start, unit)
+                 : text_between(shortest, number_write_shortest(shortest, micrometres));
+    int by = has_unit && unit[0] == 'n' ? power - 3 : power;
+    bool is_as_typed = has_unit && by == 0;
+    return writing_string(writing,
+                          is_as_typed ? number : decimal_shift(number, by, writing->arena));
 }
 
-struct text writing_quotable(const struct lens_writer *writing, const char *string, const char *bad,
+const char *writing_weight(const struct lens_writer *writing, struct text typed, const char *one)
+{
+    return typed.start != NULL ? writing_string(writing, typed) : one;
+}
+
+const char *writing_quotable(const struct lens_writer *writing, const char *string, const char *bad,
                              bool *has_lost)
 {
     char *copy = arena_string(writing->arena, string, strlen(string));
     for (char *at = copy; *at != '\0'; at++) {
-        bool out = strchr(bad, *at) != NULL || (unsigned char)*at < ' ';
-        *has_lost = *has_lost || out;
-        *at = out ? ' ' : *at;
+        if (strchr(bad, *at) != NULL || (unsigned char)*at < ' ') {
+            *has_lost = true;
+            *at = ' ';
+        }
     }
-    return text_of(copy);
+    return copy;
+}
+
+void writing_lose_aperture(const struct lens_writer *writing, const struct surface *surface,
+                           const struct aperture *aperture, const char *why)
+{
+    foreign_lose(writing->job, LOSS_OF_VIGNETTING, "left out", "surface %zu: a %s that %s: %s",
+                 (size_t)(surface - writing->lens->surfaces) + 1,
+                 aperture_shapes[aperture->shape].word, aperture->blocks ? "blocks" : "passes",
+                 why);
 }
 
 bool writing_pupil(const struct lens_writer *writing, size_t position, struct figure *pupil)
@@ -127,8 +168,8 @@ static const char *bare_name(struct text name, struct arena *arena)
     return bare;
 }
 
-void writing_glass(const struct lens_writer *writing, const struct foreign_job *job,
-                   const struct medium *medium, struct text *name, struct text *catalog)
+void writing_glass(const struct lens_writer *writing, const struct medium *medium,
+                   struct text *name, struct text *catalog)
 {
     const struct glass *glass = lens_glass_of(medium);
     *name = medium->written;
@@ -143,8 +184,9 @@ void writing_glass(const struct lens_writer *writing, const struct foreign_job *
     *name = glass->name;
     *catalog = glass->catalog;
     const char *bare = bare_name(*name, writing->arena);
-    const struct glass *found = meaning(
-        job, arena_printf(writing->arena, "%.*s:%s", (int)catalog->length, catalog->start, bare));
+    const struct glass *found =
+        meaning(writing->job, arena_printf(writing->arena, "%.*s:%s", (int)catalog->length,
+                                           catalog->start, bare));
     if (found != NULL && text_identical(found->name, glass->name) &&
         text_identical(found->catalog, glass->catalog)) {
         *name = text_of(bare);

@@ -14,7 +14,8 @@
 
 /* A file being written. */
 struct lens_writer {
-    struct arena *arena;
+    struct foreign_job *job;
+    struct arena *arena; /* the job's */
     const struct lens *lens;
     const char *unit;          /* of the file's lengths, as lens.unit has it */
     struct number_scale scale; /* of that unit, in mm */
@@ -23,27 +24,41 @@ struct lens_writer {
 };
 
 /* Begin; a lens in metres is written in millimetres where the program has no metres. */
-void writing_begin(struct lens_writer *writing, const struct lens *lens, bool has_metres,
-                   struct arena *arena);
+void writing_begin(struct lens_writer *writing, struct foreign_job *job, const struct lens *lens,
+                   bool has_metres);
+
+/* Write as printf does. */
+#define writing_put(writing, ...) growing_format(&(writing)->text, __VA_ARGS__)
 
 /*
  * The digits of a figure: those typed, or, of a computed number, as many as it needs.
  *
  * Given     power  of the length in it: 1 of a thickness, -1 of a curvature, 0 of a plain number
  */
-struct text writing_length(const struct lens_writer *writing, const struct figure *figure,
+const char *writing_length(const struct lens_writer *writing, const struct figure *figure,
                            int power);
 
-/* The digits of an angle, in degrees. */
-struct text writing_degrees(const struct lens_writer *writing, const struct figure *figure);
+/* The digits of half a length. */
+const char *writing_half(const struct lens_writer *writing, const struct figure *figure);
+
+/* The digits of an angle in degrees, and of one that turns the other way. */
+const char *writing_degrees(const struct lens_writer *writing, const struct figure *figure);
+const char *writing_turned(const struct lens_writer *writing, const struct figure *figure);
 
 /* The digits of a wavelength, in nm (power 3) or um (power 0). */
-struct text writing_wave(const struct lens_writer *writing, double micrometres, struct text typed,
+const char *writing_wave(const struct lens_writer *writing, double micrometres, struct text typed,
                          int power);
 
+/* The digits of a weight; `one` where it was not typed. */
+const char *writing_weight(const struct lens_writer *writing, struct text typed, const char *one);
+
 /* A text without the characters that would end it; `has_lost` tells that some had to go. */
-struct text writing_quotable(const struct lens_writer *writing, const char *string, const char *bad,
+const char *writing_quotable(const struct lens_writer *writing, const char *string, const char *bad,
                              bool *has_lost);
+
+/* The loss of one of a surface's apertures: "surface 3: a circle that blocks: WHY". */
+void writing_lose_aperture(const struct lens_writer *writing, const struct surface *surface,
+                           const struct aperture *aperture, const char *why);
 
 /*
  * The diameter of the entrance pupil in one position, with digits in the file's unit.
@@ -58,7 +73,7 @@ bool writing_pupil(const struct lens_writer *writing, size_t position, struct fi
  * Given     medium  of a glass
  * Result    without '-', '_' and blanks, where no other glass of the catalogue has that name
  */
-void writing_glass(const struct lens_writer *writing, const struct foreign_job *job,
-                   const struct medium *medium, struct text *name, struct text *catalog);
+void writing_glass(const struct lens_writer *writing, const struct medium *medium,
+                   struct text *name, struct text *catalog);
 
 #endif

@@ -150,8 +150,4 @@ bool codev_check_mode(struct codev *codev, struct error *error);
 bool codev_write(struct foreign_job *job, const struct lens *lens, struct text *text,
                  struct error *error);
 
-/* What passes or blocks light beside the diameter; the shapes that are not written are losses. */
-bool codev_put_apertures(struct lens_writer *writing, struct foreign_job *job,
-                         const struct surface *surface, struct error *error);
-
 #endif

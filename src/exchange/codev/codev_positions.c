@@ -104,7 +104,9 @@ bool codev_place(struct codev *codev, bool *is_here, struct error *error)
     *is_here = zoom == (codev->positions > 0 ? codev->position : 1);
     if (zoom > last) {
         return codev_is_harmless(commands->words[0].text) ||
-               commands_lose(commands, error, "it is of position %zu of %zu", zoom, last);
+               commands_lose(
+                   commands, LOSS_OF_RAYS, NULL,
+                   arena_printf(commands->job->arena, "it is of position %zu of %zu", zoom, last));
     }
     commands->count--;
     memmove(commands->words + at, commands->words + at + 1,

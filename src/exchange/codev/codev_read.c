@@ -62,7 +62,7 @@ static bool codev_read_lose(struct codev *codev, const struct word_group *group,
     if ((group->flags & WORD_COUNTS_AT_0) == 0 && codev_is_zero(codev, qualifiers.next)) {
         return true;
     }
-    return commands_lose(&codev->commands, error, "%s%s", group->what, word_group_marks(group));
+    return commands_lose(&codev->commands, word_group_effect(group), NULL, group->what);
 }
 
 /* VUX, VLX, VUY, VLY: the first that is not 0 is kept until the diameters are known. */
@@ -80,12 +80,12 @@ static bool codev_read_vignetting(struct codev *codev, int what, struct error *e
 }
 
 /* The factors narrow the beams as rims do; where all surfaces have diameters these do it here. */
-static bool codev_read_check_vignetting(struct codev *codev, struct error *error)
+static void codev_read_check_vignetting(struct codev *codev)
 {
     const struct lens *lens = codev->build.lens;
     bool all = true;
     if (codev->vignetting.text.length == 0) {
-        return true;
+        return;
     }
     for (size_t i = 0; i < lens->surface_count; i++) {
         const struct surface *one = &lens->surfaces[i];
@@ -97,12 +97,10 @@ static bool codev_read_check_vignetting(struct codev *codev, struct error *error
     if (all) {
         lens_build_note(&codev->build, text_of("vignetting factors of the fields: the clear "
                                                "diameters limit the beams"));
-        return true;
+        return;
     }
-    const struct file_words place = commands_place(&codev->commands, &codev->vignetting);
-    return foreign_loss(codev->job, &place, codev->vignetting.text, error,
-                        "%.3s: vignetting factors of the fields" LOSS_VIGNETTES,
-                        codev->vignetting.text.start);
+    commands_loss(&codev->commands, &codev->vignetting, LOSS_OF_VIGNETTING, NULL,
+                  "%.3s: vignetting factors of the fields", codev->vignetting.text.start);
 }
 
 /* TEM in C, PRE in mm of mercury. */
@@ -239,7 +237,7 @@ static bool run_group(struct codev *codev, struct text word, struct error *error
     if (word.start[0] == '^' || (group != NULL && group->fate == WORD_REFUSED)) {
         return refuse_macro(codev, error);
     }
-    return group == NULL ? commands_lose(&codev->commands, error, "an unknown command")
+    return group == NULL ? commands_lose(&codev->commands, LOSS_OF_RAYS, NULL, "an unknown command")
                          : group->fate == WORD_HARMLESS || codev_read_lose(codev, group, error);
 }
 
@@ -302,7 +300,6 @@ static bool finish_lens(struct codev *codev, struct error *error)
     struct sequence *sequence = &codev->sequence;
     struct lens *lens = codev->build.lens;
     const struct command_word *at = &sequence->surfaces[0].at;
-    const struct file_words place = commands_place(&codev->commands, at);
     const double working = lens->aperture.value.hi;
     if (lens->aperture_kind != APERTURE_FNUMBER || !sequence_is_near(sequence)) {
         return sequence_finish(sequence, error);
@@ -311,9 +308,8 @@ static bool finish_lens(struct codev *codev, struct error *error)
     sequence->is_open = true;
     return sequence_finish(sequence, error) &&
            (entrance_pupil_set(lens, PUPIL_WORKING_FNUMBER, working, codev->job->arena) ||
-            foreign_loss(codev->job, &place, at->text, error,
-                         "a working f-number that no entrance pupil gives" LOSS_INSTEAD
-                         "the lens gets no aperture"));
+            commands_loss(&codev->commands, at, LOSS_OF_RAYS, "the lens gets no aperture",
+                          "a working f-number that no entrance pupil gives"));
 }
 
 static bool codev_read_finish(struct codev *codev, struct error *error)
@@ -335,8 +331,11 @@ static bool codev_read_finish(struct codev *codev, struct error *error)
         struct sequence_solve *solve = &sequence->surfaces[sequence->count - 2].thickness_solve;
         *solve = (struct sequence_solve){.is_set = true, .at = codev->image_solve};
     }
-    return codev_finish_system(codev, error) && finish_lens(codev, error) &&
-           codev_read_check_vignetting(codev, error) && codev_check_mode(codev, error);
+    if (!codev_finish_system(codev, error) || !finish_lens(codev, error)) {
+        return false;
+    }
+    codev_read_check_vignetting(codev);
+    return codev_check_mode(codev, error);
 }
 
 /* What lenscalc itself has written as comments. */

@@ -141,22 +141,24 @@ static bool codev_surface_read_solve(struct codev *codev, const struct codev_qua
 }
 
 /* A curvature in x: that of a cylinder, the other way. */
-static bool set_curve_x(struct codev *codev, struct sequence_surface *surface, struct figure figure,
-                        bool is_radius, struct error *error)
+static void set_curve_x(struct codev *codev, struct sequence_surface *surface, struct figure figure,
+                        bool is_radius)
 {
     if (surface->curved == CURVED_BOTH) {
-        return commands_lose(&codev->commands, error,
-                             "a curvature in x of a surface that is no cylinder");
+        commands_lose(&codev->commands, LOSS_OF_RAYS, NULL,
+                      "a curvature in x of a surface that is no cylinder");
+        return;
     }
     if (figure.value.hi == 0) {
-        return true;
+        return;
     }
     if (surface->curved == CURVED_Y && sequence_is_some(&surface->curve)) {
-        return commands_lose(&codev->commands, error, "a surface that is curved in x and in y");
+        commands_lose(&codev->commands, LOSS_OF_RAYS, NULL,
+                      "a surface that is curved in x and in y");
+        return;
     }
     surface->curved = CURVED_X;
     set_curve(codev, surface, figure, is_radius);
-    return true;
 }
 
 bool codev_curve(struct codev *codev, int what, struct error *error)
@@ -180,7 +182,8 @@ bool codev_curve(struct codev *codev, int what, struct error *error)
     }
     struct sequence_surface *surface = codev_surface_of(codev, &qualifiers);
     if (is_x) {
-        return set_curve_x(codev, surface, figure, is_radius, error);
+        set_curve_x(codev, surface, figure, is_radius);
+        return true;
     }
     set_curve(codev, surface, figure, is_radius);
     return true;
@@ -277,15 +280,15 @@ bool codev_special(struct codev *codev, int what, struct error *error)
     struct sequence_surface *surface = codev_surface_of(codev, &qualifiers);
     surface->is_special = text_same(kind.text, "ODD");
     if (!surface->is_special) {
-        return commands_lose(&codev->commands, error,
-                             "a surface of a shape that lenscalc has not" LOSS_OF_POWER);
+        return commands_lose(&codev->commands, LOSS_OF_POWER, NULL,
+                             "a surface of a shape that lenscalc has not");
     }
     if (qualifiers.next + 1 < codev->commands.count &&
         !commands_figure(&codev->commands, qualifiers.next + 1, plain, "radius", &radius, error)) {
         return false;
     }
     return radius.value.hi == 0 || radius.value.hi == 1 ||
-           commands_lose(&codev->commands, error, "a radius that r is divided by");
+           commands_lose(&codev->commands, LOSS_OF_RAYS, NULL, "a radius that r is divided by");
 }
 
 /* The order that ARn, or C(n + 1), of SPS ODD is of; 0 is the conic, -1 is neither. */
@@ -329,7 +332,7 @@ bool codev_special_constant(struct codev *codev, int what, struct error *error)
     }
     bool is_known = surface->is_special && (order == 0 || surface_term(order) >= 0);
     if (!is_known) {
-        return figure.value.hi == 0 || commands_lose(&codev->commands, error,
+        return figure.value.hi == 0 || commands_lose(&codev->commands, LOSS_OF_RAYS, NULL,
                                                      "a constant of a shape that lenscalc has not");
     }
     set_constant(codev, surface, order, figure);

@@ -367,9 +367,8 @@ bool codev_pickup(struct codev *codev, int what, struct error *error)
     const struct pickup_name *name = pickup_named(commands_word(commands, 1).text);
     struct codev_qualifiers to, from;
     if (name == NULL) {
-        return commands_lose(&codev->commands, error,
-                             "a pick-up that is not known" LOSS_INSTEAD
-                             "the number in the file is kept");
+        return commands_lose(&codev->commands, LOSS_OF_RAYS, "the number in the file is kept",
+                             "a pick-up that is not known");
     }
     if (!codev_qualifiers(codev, 2, &to, error) ||
         !codev_qualifiers(codev, to.next + 1, &from, error)) {
@@ -382,7 +381,7 @@ bool codev_pickup(struct codev *codev, int what, struct error *error)
     if (!text_same(commands_word(commands, to.next).text, name->name) || to.surface != to.end ||
         from.surface != from.end || (to.zoom > 0 && to.zoom != here) ||
         (from.zoom > 0 && from.zoom != here)) {
-        return commands_lose(&codev->commands, error,
+        return commands_lose(&codev->commands, LOSS_OF_RAYS, NULL,
                              "a pick-up between unlike numbers, ranges or positions");
     }
     struct sequence_pickup pickup = {

@@ -4,61 +4,139 @@
 #include "exchange/codev/codev_writer.h"
 
 #include "exchange/keep_notes.h"
-#include "exchange/writing.h"
 #include "file/decimal.h"
 
 #include <math.h>
 #include <string.h>
 
-static void codev_write_put(struct codev_output *output, struct text text)
+enum { CODEV_LINE = 72 };
+
+const char *const codev_aperture_words[] = {
+    [APERTURE_FNUMBER] = "FNO", [APERTURE_EPD] = "EPD", [APERTURE_NA] = "NAO"};
+
+const char *const codev_field_words[][2] = {[FIELD_ANGLE] = {"XAN", "YAN"},
+                                            [FIELD_HEIGHT] = {"XOB", "YOB"},
+                                            [FIELD_IMAGE] = {"XIM", "YIM"},
+                                            [FIELD_REAL] = {"XRI", "YRI"}};
+
+void codev_put_number(struct lens_writer *writing, size_t *column, const char *number)
 {
-    growing_text(&output->writing.text, text);
+    const size_t length = strlen(number);
+    if (*column + length + 2 > CODEV_LINE) {
+        writing_put(writing, "&\n  ");
+        *column = 2;
+    }
+    writing_put(writing, " %s", number);
+    *column += length + 1;
 }
 
-static void codev_write_put_string(struct codev_output *output, const char *string)
+const char *codev_coordinate(const struct lens_writer *writing, const struct figure *field)
 {
-    codev_write_put(output, text_of(string));
+    if (field->value.hi == 0 && field->typed.start == NULL) {
+        return "0.0";
+    }
+    return writing->lens->field_kind == FIELD_ANGLE ? writing_degrees(writing, field)
+                                                    : writing_length(writing, field, 1);
 }
 
-static void codev_write_put_command(struct codev_output *output, const char *name,
-                                    struct text value)
+void codev_put_text(struct lens_writer *writing, const char *name, const char *string)
 {
-    codev_write_put_string(output, name);
-    codev_write_put_string(output, " ");
-    codev_write_put(output, value);
-    codev_write_put_string(output, "\n");
+    bool has_lost = false;
+    const char *quote = strchr(string, '\'') == NULL ? "'" : "\"";
+    const char *text = writing_quotable(writing, string, quote, &has_lost);
+    writing_put(writing, "%s %s%s%s\n", name, quote, text, quote);
+    if (has_lost) {
+        foreign_lose(writing->job, LOSS_OF_RAYS, "the double ones are left out",
+                     "a text with both kinds of quotes");
+    }
+}
+
+/* -------- media -------- */
+
+/* nd = 1.ddd and Vd = vv.v as ddd.vvv; null where nd or Vd do not fit. */
+static const char *codev_glass_code(const struct medium *medium, struct arena *arena)
+{
+    struct text abbe = medium->written, index = text_cut(&abbe, '/');
+    bool fits = index.length > 2 && index.start[0] == '1' && index.start[1] == '.' &&
+                medium->abbe.hi > 0 && medium->abbe.hi < 100 && abbe.length < 40 &&
+                index.length < 40;
+    for (size_t i = 2; fits && i < index.length; i++) {
+        fits = char_is_digit(index.start[i]);
+    }
+    for (size_t i = 0; fits && i < abbe.length; i++) {
+        fits = abbe.start[i] == '.' || char_is_digit(abbe.start[i]);
+    }
+    if (!fits) {
+        return NULL;
+    }
+    struct text hundredth = decimal_shift(abbe, -2, arena);
+    const char *point = memchr(hundredth.start, '.', hundredth.length);
+    const int digits = (int)index.length - 2, zeros = digits < 3 ? 3 - digits : 0;
+    return arena_printf(arena, "%.*s%.*s%.*s", digits, index.start + 2, zeros, "00",
+                        (int)(hundredth.start + hundredth.length - point), point);
+}
+
+void codev_put_medium(struct codev_output *output, const struct medium *medium)
+{
+    struct lens_writer *writing = &output->writing;
+    if (medium_is_air(medium)) {
+        return;
+    }
+    if (medium->kind == MEDIUM_GLASS) {
+        struct text name, catalog;
+        writing_glass(writing, medium, &name, &catalog);
+        const char *quote = memchr(name.start, ' ', name.length) != NULL ? "'" : "";
+        writing_put(writing, " %s%.*s%s%.*s%s", quote, (int)name.length, name.start,
+                    catalog.length > 0 ? "_" : "", (int)catalog.length, catalog.start, quote);
+        return;
+    }
+    for (size_t i = 0; i < output->own_count; i++) {
+        if (medium_is_same(output->own[i], medium)) {
+            writing_put(writing, " 'N%zu'", i + 1);
+            return;
+        }
+    }
+    const char *code = codev_glass_code(medium, writing->arena);
+    if (code != NULL) {
+        writing_put(writing, " %s", code);
+        return;
+    }
+    struct text abbe = medium->written, index = text_cut(&abbe, '/');
+    writing_put(writing, " %.*s:%.*s", (int)index.length, index.start, (int)abbe.length,
+                abbe.start);
+    foreign_lose(writing->job, LOSS_OF_RAYS, "it is written nd:Vd",
+                 "a glass whose nd is not from 1 to 2 or whose Vd is not from 0 to 100 has no "
+                 "code");
 }
 
 /* A table of indices or one index for all light, as a glass of the file's own catalogue. */
-static void put_own(struct codev_output *output, size_t index)
+static void codev_put_own(struct codev_output *output, size_t index)
 {
     const struct medium *medium = output->own[index];
-    const struct lens *lens = output->lens;
     struct lens_writer *writing = &output->writing;
+    const struct lens *lens = writing->lens;
     bool is_table = medium->kind == MEDIUM_TABLE;
     size_t count = is_table ? medium->point_count : lens->wavelength_count;
     size_t column = 5;
-    codev_write_put_string(output, "  PWL");
+    writing_put(writing, "  PWL%s", count == 0 ? " 587.5618" : "");
     for (size_t i = 0; i < count; i++) {
         double wave = is_table ? medium->points[i].wavelength : lens->wavelengths[i].wavelength;
-        const struct text typed = is_table ? (struct text){"", 0} : lens->wavelengths[i].typed;
-        codev_put_number(output, &column, writing_wave(writing, wave, typed, 3));
+        const struct text typed = is_table ? text_of("") : lens->wavelengths[i].typed;
+        codev_put_number(writing, &column, writing_wave(writing, wave, typed, 3));
     }
-    if (count == 0) {
-        codev_write_put_string(output, " 587.5618");
-    }
-    growing_format(&writing->text, "\n  'N%zu'", index + 1);
+    writing_put(writing, "\n  'N%zu'", index + 1);
     column = 8;
     for (size_t i = 0; i < count || i == 0; i++) {
-        const struct figure figure = {.value = is_table ? medium->points[i].index : medium->index,
-                                      .variable = LENS_NONE};
-        codev_put_number(output, &column,
-                         is_table ? writing_length(writing, &figure, 0) : medium->written);
+        struct figure figure = {.typed = medium->written, .variable = LENS_NONE};
+        if (is_table) {
+            figure = (struct figure){.value = medium->points[i].index, .variable = LENS_NONE};
+        }
+        codev_put_number(writing, &column, writing_length(writing, &figure, 0));
     }
-    codev_write_put_string(output, "\n");
+    writing_put(writing, "\n");
 }
 
-static void add_own(struct codev_output *output, const struct medium *medium)
+static void codev_add_own(struct codev_output *output, const struct medium *medium)
 {
     bool own =
         (medium->kind == MEDIUM_CONSTANT && !medium_is_air(medium)) || medium->kind == MEDIUM_TABLE;
@@ -70,312 +148,322 @@ static void add_own(struct codev_output *output, const struct medium *medium)
     }
 }
 
-static void put_catalog(struct codev_output *output)
+static void codev_put_catalog(struct codev_output *output)
 {
-    const struct lens *lens = output->lens;
+    const struct lens *lens = output->writing.lens;
     const size_t most = lens->surface_count + 1 + lens->setting_count * lens->position_count;
-    output->own = ARENA_ARRAY(output->job->arena, most, const struct medium *);
-    add_own(output, &lens->object_medium);
+    output->own = ARENA_ARRAY(output->writing.arena, most, const struct medium *);
+    codev_add_own(output, &lens->object_medium);
     for (size_t i = 0; i < lens->surface_count; i++) {
-        add_own(output, &lens->surfaces[i].medium);
+        codev_add_own(output, &lens->surfaces[i].medium);
     }
     for (size_t i = 0; i < lens->setting_count; i++) {
         for (size_t p = 0; p < lens->position_count && lens->settings[i].media != NULL; p++) {
-            add_own(output, &lens->settings[i].media[p]);
+            codev_add_own(output, &lens->settings[i].media[p]);
         }
     }
-    codev_write_put_string(output, output->own_count > 0 ? "PRV\n" : "");
     for (size_t i = 0; i < output->own_count; i++) {
-        put_own(output, i);
+        growing_string(&output->writing.text, i == 0 ? "PRV\n" : "");
+        codev_put_own(output, i);
     }
-    codev_write_put_string(output, output->own_count > 0 ? "END\n" : "");
+    growing_string(&output->writing.text, output->own_count > 0 ? "END\n" : "");
 }
 
-/* The pupil that the stop's diameter gives, and a comment by which it is read as that stop. */
-static bool put_pupil(struct codev_output *output, struct error *error)
-{
-    struct figure pupil = {.variable = LENS_NONE};
-    codev_write_put_string(output, CODEV_KEEP_NOTE CODEV_STOP_RULES "\n");
-    if (!writing_pupil(&output->writing, 0, &pupil)) {
-        return foreign_lose(output->job, error,
-                            "an aperture that is ruled by a stop without a pupil");
-    }
-    codev_write_put_command(output, "EPD", pupil.typed);
-    return true;
-}
+/* -------- the whole lens -------- */
 
-static bool codev_write_put_aperture(struct codev_output *output, struct error *error)
+static void codev_put_system_aperture(struct lens_writer *writing)
 {
-    const struct lens *lens = output->lens;
+    const struct lens *lens = writing->lens;
     enum aperture_kind kind = lens->aperture_kind;
+    struct figure figure = lens->apertures != NULL ? lens->apertures[0] : lens->aperture;
     if (kind == APERTURE_STOP) {
-        return put_pupil(output, error);
+        /* the pupil that the stop's diameter gives, and a comment by which it is read as that */
+        writing_put(writing, CODEV_KEEP_NOTE CODEV_STOP_RULES "\n");
+        figure = (struct figure){.variable = LENS_NONE};
+        if (!writing_pupil(writing, 0, &figure)) {
+            foreign_lose(writing->job, LOSS_OF_RAYS, NULL,
+                         "an aperture that is ruled by a stop without a pupil");
+            return;
+        }
+        writing_put(writing, "EPD %.*s\n", (int)figure.typed.length, figure.typed.start);
+        return;
     }
     if (kind == APERTURE_NONE) {
-        return true;
+        return;
     }
-    if (kind == APERTURE_FNUMBER && !lens->object_is_infinite &&
-        !foreign_lose(output->job, error,
-                      "the f-number of a lens with a near object" LOSS_INSTEAD
-                      "CODE V takes it as the "
-                      "working one")) {
-        return false;
+    if (kind == APERTURE_FNUMBER && !lens->object_is_infinite) {
+        foreign_lose(writing->job, LOSS_OF_RAYS, "CODE V takes it as the working one",
+                     "the f-number of a lens with a near object");
     }
-    const struct figure figure = lens->apertures != NULL ? lens->apertures[0] : lens->aperture;
-    codev_write_put_command(output, codev_aperture_words[kind],
-                            writing_length(&output->writing, &figure, kind == APERTURE_EPD));
-    return true;
+    writing_put(writing, "%s %s\n", codev_aperture_words[kind],
+                writing_length(writing, &figure, kind == APERTURE_EPD));
 }
 
-static void codev_write_put_waves(struct codev_output *output)
+static void codev_put_waves(struct lens_writer *writing)
 {
-    const struct lens *lens = output->lens;
-    struct lens_writer *writing = &output->writing;
+    const struct lens *lens = writing->lens;
     size_t column = 2;
-    codev_write_put_string(output, "WL");
+    writing_put(writing, lens->wavelength_count == 0 ? "WL 587.5618" : "WL");
     for (size_t i = 0; i < lens->wavelength_count; i++) {
         const struct lens_wavelength *one = &lens->wavelengths[i];
-        codev_put_number(output, &column, writing_wave(writing, one->wavelength, one->typed, 3));
+        codev_put_number(writing, &column, writing_wave(writing, one->wavelength, one->typed, 3));
     }
-    codev_write_put_string(output,
-                           lens->wavelength_count == 0 ? " 587.5618\nREF 1\nWTW" : "\nREF 1\nWTW");
+    writing_put(writing, lens->wavelength_count == 0 ? "\nREF 1\nWTW 1" : "\nREF 1\nWTW");
     column = 3;
-    for (size_t i = 0; i < lens->wavelength_count || i == 0; i++) {
-        const struct text weight =
-            i < lens->wavelength_count ? lens->wavelengths[i].weight_typed : (struct text){NULL, 0};
-        codev_put_number(output, &column, weight.start != NULL ? weight : text_of("1"));
+    for (size_t i = 0; i < lens->wavelength_count; i++) {
+        codev_put_number(writing, &column,
+                         writing_weight(writing, lens->wavelengths[i].weight_typed, "1"));
     }
-    codev_write_put_string(output, "\n");
+    writing_put(writing, "\n");
 }
 
-static void put_coordinates(struct codev_output *output, int axis)
+static void codev_put_fields(struct lens_writer *writing)
 {
-    const struct lens *lens = output->lens;
-    size_t column = 3;
-    for (size_t i = 0; i < lens->field_count; i++) {
-        codev_put_number(output, &column, codev_coordinate(output, &lens->fields[i].at[axis]));
-    }
-    codev_write_put_string(output, "\n");
-}
-
-static void codev_write_put_fields(struct codev_output *output)
-{
-    const struct lens *lens = output->lens;
+    const struct lens *lens = writing->lens;
     bool weighted = false;
-    size_t column = 3;
     for (int axis = 0; axis < 2 && lens->field_kind != FIELD_NONE; axis++) {
-        codev_write_put_string(output, codev_field_words[lens->field_kind][axis]);
-        put_coordinates(output, axis);
+        size_t column = 3;
+        writing_put(writing, "%s", codev_field_words[lens->field_kind][axis]);
+        for (size_t i = 0; i < lens->field_count; i++) {
+            codev_put_number(writing, &column,
+                             codev_coordinate(writing, &lens->fields[i].at[axis]));
+        }
+        writing_put(writing, "\n");
     }
     for (size_t i = 0; i < lens->field_count; i++) {
         weighted = weighted || lens->fields[i].weight != 1;
     }
-    codev_write_put_string(output, weighted ? "WTF" : "");
-    for (size_t i = 0; i < lens->field_count && weighted; i++) {
-        const struct text typed = lens->fields[i].weight_typed;
-        codev_put_number(output, &column, typed.start != NULL ? typed : text_of("1"));
+    if (weighted) {
+        size_t column = 3;
+        writing_put(writing, "WTF");
+        for (size_t i = 0; i < lens->field_count; i++) {
+            codev_put_number(writing, &column,
+                             writing_weight(writing, lens->fields[i].weight_typed, "1"));
+        }
+        writing_put(writing, "\n");
     }
-    codev_write_put_string(output, weighted ? "\n" : "");
 }
 
-static bool codev_write_put_header(struct codev_output *output, struct error *error)
-{
-    const struct lens *lens = output->lens;
-    codev_write_put_string(output, "RDM;LEN\n");
-    if (lens->title != NULL && !codev_put_text(output, "TITLE", lens->title, error)) {
-        return false;
-    }
-    keep_notes_write(&output->writing.text, lens, output->writing.scale, CODEV_KEEP_NOTE, "\n");
-    for (size_t i = 0; i < lens->note_count; i++) {
-        codev_write_put_string(output, CODEV_KEEP_NOTE CODEV_NOTE);
-        codev_write_put_string(output, lens->notes[i]);
-        codev_write_put_string(output, "\n");
-    }
-    if (!codev_write_put_aperture(output, error)) {
-        return false;
-    }
-    growing_format(&output->writing.text, "DIM %s\n",
-                   foreign_unit_word(codev_units, output->writing.unit));
-    codev_write_put_waves(output);
-    codev_write_put_fields(output);
-    codev_write_put_string(output, lens->is_telecentric ? "TEL Y\n" : "");
-    codev_write_put_string(output, lens->focus == FOCUS_AFOCAL ? "AFC Y\n" : "");
-    put_catalog(output);
-    return true;
-}
-
-static void codev_write_put_displacement(struct codev_output *output,
-                                         const struct displacement *all, bool back)
+static void codev_put_header(struct codev_output *output)
 {
     struct lens_writer *writing = &output->writing;
-    struct arena *arena = output->job->arena;
-    codev_write_put_string(output, "  XDE ");
-    codev_write_put(output, writing_length(writing, &all->decenter[0], 1));
-    codev_write_put_string(output, "; YDE ");
-    codev_write_put(output, writing_length(writing, &all->decenter[1], 1));
-    codev_write_put_string(output, "; ZDE 0.0\n  ADE ");
-    codev_write_put(output, decimal_negate(writing_degrees(writing, &all->tilt[0]), arena));
-    codev_write_put_string(output, "; BDE ");
-    codev_write_put(output, decimal_negate(writing_degrees(writing, &all->tilt[1]), arena));
-    codev_write_put_string(output, "; CDE ");
-    codev_write_put(output, writing_degrees(writing, &all->tilt[2]));
-    codev_write_put_string(output, back ? "\n  DAR\n" : "\n");
+    const struct lens *lens = writing->lens;
+    writing_put(writing, "RDM;LEN\n");
+    if (lens->title != NULL) {
+        codev_put_text(writing, "TITLE", lens->title);
+    }
+    keep_notes_write(&writing->text, lens, writing->scale, CODEV_KEEP_NOTE, "\n");
+    for (size_t i = 0; i < lens->note_count; i++) {
+        writing_put(writing, CODEV_KEEP_NOTE CODEV_NOTE "%s\n", lens->notes[i]);
+    }
+    codev_put_system_aperture(writing);
+    writing_put(writing, "DIM %s\n", foreign_unit_word(codev_units, writing->unit));
+    codev_put_waves(writing);
+    codev_put_fields(writing);
+    growing_string(&writing->text, lens->is_telecentric ? "TEL Y\n" : "");
+    growing_string(&writing->text, lens->focus == FOCUS_AFOCAL ? "AFC Y\n" : "");
+    codev_put_catalog(output);
+}
+
+/* -------- surfaces -------- */
+
+static void codev_put_displacement(struct lens_writer *writing, const struct displacement *all,
+                                   bool back)
+{
+    writing_put(writing, "  XDE %s; YDE %s; ZDE 0.0\n  ADE %s; BDE %s; CDE %s\n%s",
+                writing_length(writing, &all->decenter[0], 1),
+                writing_length(writing, &all->decenter[1], 1),
+                writing_turned(writing, &all->tilt[0]), writing_turned(writing, &all->tilt[1]),
+                writing_degrees(writing, &all->tilt[2]), back ? "  DAR\n" : "");
+}
+
+/* Is it a term of ASP, an even power from r^4 on? Has the surface it, be it 0? */
+static bool codev_is_of_asp(int term)
+{
+    return term > 0 && term < LENS_EVEN;
+}
+
+static bool codev_is_term_given(const struct surface *surface, int term)
+{
+    return (surface->coefficients >> term & 1) != 0;
+}
+
+bool codev_is_odd(const struct surface *surface)
+{
+    bool is_odd = false;
+    for (int i = 0; i < LENS_COEFFICIENTS; i++) {
+        is_odd = is_odd || (codev_is_term_given(surface, i) && !codev_is_of_asp(i) &&
+                            surface->coefficient[i].value.hi != 0);
+    }
+    return is_odd;
+}
+
+const char *codev_coefficient_word(int order, bool is_odd, struct arena *arena)
+{
+    static const char letters[] = "  ABCDEFGHJ";
+    return is_odd ? arena_printf(arena, "AR%d", order)
+                  : arena_printf(arena, "%c", letters[order / 2]);
 }
 
 /* ASP has the even powers from r^4 on, SPS ODD all; of a cylinder there is only ASP. */
-static const struct codev_write_asphere {
-    const char *head, *conic;
-} conic_shape = {"  CON\n", "  K"}, even_shape = {"  ASP\n", "  K"},
-  odd_shape = {"  SPS ODD 0.0\n", "  SCO K"};
-
-/* The simplest shape that has all the surface's terms; null for a sphere. */
-static const struct codev_write_asphere *codev_write_shape_of(const struct surface *surface)
+static void codev_put_asphere(struct lens_writer *writing, const struct surface *surface)
 {
+    bool is_odd = codev_is_odd(surface), is_even = false;
     bool conic = surface->conic.value.hi != 0 || surface->conic.typed.start != NULL;
-    const struct codev_write_asphere *shape = conic ? &conic_shape : NULL;
     for (int i = 0; i < LENS_COEFFICIENTS; i++) {
-        shape = codev_is_term_given(surface, i) && codev_is_of_asp(i) ? &even_shape : shape;
+        is_even = is_even || (codev_is_term_given(surface, i) && codev_is_of_asp(i));
     }
-    shape = codev_is_odd(surface) ? &odd_shape : shape;
-    return shape;
-}
-
-static bool put_asphere(struct codev_output *output, const struct surface *surface,
-                        struct error *error)
-{
-    struct lens_writer *writing = &output->writing;
-    struct arena *arena = output->job->arena;
-    const struct codev_write_asphere *shape = codev_write_shape_of(surface);
-    bool is_odd = shape == &odd_shape;
-    bool conic = surface->conic.value.hi != 0 || surface->conic.typed.start != NULL;
     if (is_odd && !surface_is_round(surface)) {
-        return foreign_lose(output->job, error,
-                            "CODE V has no cylinder with the coefficient A2 or odd ones");
+        foreign_lose(writing->job, LOSS_OF_RAYS, NULL,
+                     "CODE V has no cylinder with the coefficient A2 or odd ones");
+        return;
     }
-    if (shape != NULL) {
-        codev_write_put_string(output, shape->head);
-        codev_write_put_command(output, shape->conic,
-                                conic ? writing_length(writing, &surface->conic, 0)
-                                      : text_of("0.0"));
+    if (is_odd) {
+        writing_put(writing, "  SPS ODD 0.0\n  SCO K ");
+    } else if (is_even) {
+        writing_put(writing, "  ASP\n  K ");
+    } else if (conic) {
+        writing_put(writing, "  CON\n  K ");
+    } else {
+        return;
     }
+    writing_put(writing, "%s\n", conic ? writing_length(writing, &surface->conic, 0) : "0.0");
     for (int order = 1; order <= LENS_COEFFICIENTS; order++) {
         int i = surface_term(order);
         if (codev_is_term_given(surface, i) && (is_odd || codev_is_of_asp(i))) {
-            codev_write_put_command(output,
-                                    arena_printf(arena, "  %s%s", is_odd ? "SCO " : "",
-                                                 codev_coefficient_word(order, is_odd, arena)),
-                                    writing_length(writing, &surface->coefficient[i], 1 - order));
+            writing_put(writing, "  %s%s %s\n", is_odd ? "SCO " : "",
+                        codev_coefficient_word(order, is_odd, writing->arena),
+                        writing_length(writing, &surface->coefficient[i], 1 - order));
         }
     }
-    return true;
 }
 
-static bool put_clear(struct codev_output *output, const struct surface *surface,
-                      struct error *error)
+/* Why there are no words for an aperture; null: there are. */
+static const char *codev_aperture_refusal(const struct surface *surface,
+                                          const struct aperture *aperture)
 {
-    if (surface->has_diameter) {
-        const struct text diameter = writing_length(&output->writing, &surface->diameter, 1);
-        codev_write_put_command(output, "  CIR", decimal_half(diameter, output->job->arena));
+    const struct aperture_traits *traits = &aperture_shapes[aperture->shape];
+    bool circle = aperture->shape == SHAPE_CIRCLE;
+    size_t circles = 0;
+    for (size_t i = 0; i < surface->aperture_count; i++) {
+        const struct aperture *other = &surface->apertures[i];
+        circles += !other->blocks && other->shape == SHAPE_CIRCLE ? 1 : 0;
     }
-    return codev_put_apertures(&output->writing, output->job, surface, error);
+    if (traits->has_points || traits->has_arms || aperture->shape == SHAPE_RING) {
+        return "no such shape is written";
+    }
+    if (!circle && aperture->turn.value.hi != 0) {
+        return "none is written that is turned";
+    }
+    return circle && !aperture->blocks && (surface->has_diameter || circles > 1)
+               ? "a surface has one clear circle"
+               : NULL;
 }
 
-static bool put_details(struct codev_output *output, const struct surface *surface,
-                        struct error *error)
+/* What passes or blocks light beside the diameter; the shapes that are not written are losses. */
+static void codev_put_apertures(struct lens_writer *writing, const struct surface *surface)
 {
-    struct lens_writer *writing = &output->writing;
+    static const char *const sizes[][2] = {[SHAPE_CIRCLE] = {"CIR", NULL},
+                                           [SHAPE_RECTANGLE] = {"REX", "REY"},
+                                           [SHAPE_ELLIPSE] = {"ELX", "ELY"}};
+    static const char *const shifts[] = {"ADX", "ADY"};
+    for (size_t i = 0; i < surface->aperture_count; i++) {
+        const struct aperture *one = &surface->apertures[i];
+        const char *refusal = codev_aperture_refusal(surface, one), *label = "";
+        if (refusal != NULL) {
+            writing_lose_aperture(writing, surface, one, refusal);
+            continue;
+        }
+        if (one->shape != SHAPE_CIRCLE || one->blocks) {
+            label = arena_printf(writing->arena, "%s L'a%zu'", one->blocks ? " OBS" : "", i + 1);
+        }
+        for (int k = 0; k < 2 && sizes[one->shape][k] != NULL; k++) {
+            writing_put(writing, "  %s%s %s\n", sizes[one->shape][k], label,
+                        writing_half(writing, &one->size[k]));
+        }
+        for (int k = 0; k < 2; k++) {
+            if (one->decenter[k].value.hi != 0) {
+                writing_put(writing, "  %s%s %s\n", shifts[k], label,
+                            writing_length(writing, &one->decenter[k], 1));
+            }
+        }
+    }
+}
+
+static void codev_put_details(struct lens_writer *writing, const struct surface *surface)
+{
     bool along_x = surface->curved == CURVED_X;
-    if (!surface_is_round(surface)) {
-        codev_write_put_string(output, "  CYL\n");
-    }
+    const struct displacement *moved =
+        surface->decentre != NULL ? surface->decentre : surface->coordinate_break;
+    growing_string(&writing->text, surface_is_round(surface) ? "" : "  CYL\n");
     if (surface->has_curvature) {
-        codev_write_put_command(output, along_x ? "  CUX" : "  CUY",
-                                writing_length(writing, &surface->curvature, -1));
+        writing_put(writing, "  %s %s\n", along_x ? "CUX" : "CUY",
+                    writing_length(writing, &surface->curvature, -1));
     } else if (along_x && !surface->is_plane) {
-        codev_write_put_command(output, "  RDX", writing_length(writing, &surface->radius, 1));
+        writing_put(writing, "  RDX %s\n", writing_length(writing, &surface->radius, 1));
     }
-    if (surface->is_stop) {
-        codev_write_put_string(output, "  STO\n");
+    growing_string(&writing->text, surface->is_stop ? "  STO\n" : "");
+    if (surface->has_diameter) {
+        writing_put(writing, "  CIR %s\n", writing_half(writing, &surface->diameter));
     }
-    if (!put_clear(output, surface, error)) {
-        return false;
+    codev_put_apertures(writing, surface);
+    if (surface->name != NULL) {
+        codev_put_text(writing, "  SLB", surface->name);
     }
-    if (surface->name != NULL && !codev_put_text(output, "  SLB", surface->name, error)) {
-        return false;
+    if (moved != NULL) {
+        codev_put_displacement(writing, moved, surface->decentre != NULL);
     }
-    if (surface->decentre != NULL || surface->coordinate_break != NULL) {
-        codev_write_put_displacement(
-            output, surface->decentre != NULL ? surface->decentre : surface->coordinate_break,
-            surface->decentre != NULL);
+    if (surface->vary_count > 0) {
+        foreign_lose(writing->job, LOSS_OF_NOTHING, "left out", "marks for the designer (R~, t~)");
     }
-    if (surface->vary_count > 0 &&
-        !foreign_lose(output->job, error,
-                      "marks for the designer (R~, t~)" LOSS_IS_MUTE LOSS_INSTEAD "left out")) {
-        return false;
-    }
-    return put_asphere(output, surface, error);
+    codev_put_asphere(writing, surface);
 }
 
-static bool codev_write_put_surface(struct codev_output *output, size_t index, struct error *error)
+static void codev_put_surface(struct codev_output *output, size_t index)
 {
-    const struct surface *surface = &output->lens->surfaces[index];
     struct lens_writer *writing = &output->writing;
-    const struct medium *before = index > 0 ? &surface[-1].medium : &output->lens->object_medium;
-    if (surface->decentre != NULL &&
-        surface->coordinate_break != NULL) { /* the break on a plane of its own */
-        codev_write_put_string(output, "S 0.0 0.0");
-        if (!codev_put_medium(output, before, error)) {
-            return false;
-        }
-        codev_write_put_string(output, "\n");
-        codev_write_put_displacement(output, surface->coordinate_break, false);
-    }
+    const struct surface *surface = &writing->lens->surfaces[index];
+    const struct medium *before = index > 0 ? &surface[-1].medium : &writing->lens->object_medium;
     bool has_radius = !surface->is_plane && !surface->has_curvature && surface->curved != CURVED_X;
-    codev_write_put_string(output, "S ");
-    codev_write_put(output,
-                    has_radius ? writing_length(writing, &surface->radius, 1) : text_of("0.0"));
-    codev_write_put_string(output, " ");
-    codev_write_put(output, surface->has_thickness ? writing_length(writing, &surface->thickness, 1)
-                                                   : text_of("0.0"));
-    if (surface_reflects(surface)) {
-        codev_write_put_string(output, " REFL");
-    } else if (!codev_put_medium(output, &surface->medium, error)) {
-        return false;
+    if (surface->decentre != NULL && surface->coordinate_break != NULL) {
+        writing_put(writing, "S 0.0 0.0"); /* the break on a plane of its own */
+        codev_put_medium(output, before);
+        writing_put(writing, "\n");
+        codev_put_displacement(writing, surface->coordinate_break, false);
     }
-    codev_write_put_string(output, "\n");
-    return put_details(output, surface, error);
+    writing_put(writing, "S %s %s",
+                has_radius ? writing_length(writing, &surface->radius, 1) : "0.0",
+                surface->has_thickness ? writing_length(writing, &surface->thickness, 1) : "0.0");
+    if (surface_reflects(surface)) {
+        writing_put(writing, " REFL");
+    } else {
+        codev_put_medium(output, &surface->medium);
+    }
+    writing_put(writing, "\n");
+    codev_put_details(writing, surface);
 }
 
 bool codev_write(struct foreign_job *job, const struct lens *lens, struct text *text,
                  struct error *error)
 {
-    struct codev_output output = {.job = job, .lens = lens};
-    writing_begin(&output.writing, lens, false, job->arena);
-    if (!codev_write_put_header(&output, error)) {
-        return false;
-    }
-    codev_write_put_string(&output, "SO 0.0 ");
-    codev_write_put(&output, lens->object_is_infinite
-                                 ? text_of("0.1e14")
-                                 : writing_length(&output.writing, &lens->object, 1));
-    if (!codev_put_medium(&output, &lens->object_medium, error)) {
-        return false;
-    }
-    codev_write_put_string(&output, "\n");
+    struct codev_output output = {0};
+    struct lens_writer *writing = &output.writing;
+    (void)error;
+    writing_begin(writing, job, lens, false);
+    codev_put_header(&output);
+    writing_put(writing, "SO 0.0 %s",
+                lens->object_is_infinite ? "0.1e14" : writing_length(writing, &lens->object, 1));
+    codev_put_medium(&output, &lens->object_medium);
+    writing_put(writing, "\n");
     for (size_t i = 0; i < lens->surface_count; i++) {
-        if (!codev_write_put_surface(&output, i, error)) {
-            return false;
-        }
+        codev_put_surface(&output, i);
     }
-    codev_write_put_string(&output,
-                           lens->focus == FOCUS_PARAXIAL ? "  PIM\nSI 0.0 0.0\n" : "SI 0.0 0.0\n");
-    if ((lens->focus == FOCUS_BEST &&
-         !foreign_lose(output.job, error,
-                       "the best focus" LOSS_INSTEAD "the image lies at the last thickness")) ||
-        !codev_put_positions(&output, error)) {
-        return false;
+    writing_put(writing, lens->focus == FOCUS_PARAXIAL ? "  PIM\nSI 0.0 0.0\n" : "SI 0.0 0.0\n");
+    if (lens->focus == FOCUS_BEST) {
+        foreign_lose(job, LOSS_OF_RAYS, "the image lies at the last thickness", "the best focus");
     }
-    codev_write_put_string(&output, "GO\n");
-    *text = growing_done(&output.writing.text);
+    codev_put_positions(&output);
+    writing_put(writing, "GO\n");
+    *text = growing_done(&writing->text);
     return true;
 }

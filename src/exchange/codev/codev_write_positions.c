@@ -2,47 +2,41 @@
 /* SPDX-License-Identifier: MIT */
 #include "exchange/codev/codev_writer.h"
 
-#include "file/decimal.h"
-
 #include <math.h>
 #include <string.h>
 
-static void codev_write_positions_put_string(struct codev_output *output, const char *string)
-{
-    growing_string(&output->writing.text, string);
-}
-
-static void codev_write_positions_put_values(struct codev_output *output, const char *name,
-                                             const struct figure *values, int power, bool halve)
+static void codev_put_values(struct lens_writer *writing, const char *name,
+                             const struct figure *values, int power, bool halve)
 {
     size_t column = strlen(name);
-    codev_write_positions_put_string(output, name);
-    for (size_t i = 0; i < output->lens->position_count; i++) {
-        struct text number = isinf(values[i].value.hi)
-                                 ? text_of("0.1e14")
-                                 : writing_length(&output->writing, &values[i], power);
-        codev_put_number(output, &column,
-                         halve ? decimal_half(number, output->job->arena) : number);
+    writing_put(writing, "%s", name);
+    for (size_t i = 0; i < writing->lens->position_count; i++) {
+        const char *number = "0.1e14";
+        if (!isinf(values[i].value.hi)) {
+            number = halve ? writing_half(writing, &values[i])
+                           : writing_length(writing, &values[i], power);
+        }
+        codev_put_number(writing, &column, number);
     }
-    codev_write_positions_put_string(output, "\n");
+    writing_put(writing, "\n");
 }
 
 /* The same in every position. */
-static void put_pupils(struct codev_output *output)
+static void codev_put_pupils(struct lens_writer *writing)
 {
-    const struct lens *lens = output->lens;
-    struct figure *pupils = ARENA_ARRAY(output->job->arena, lens->position_count, struct figure);
-    for (size_t i = 0; i < lens->position_count; i++) {
+    const size_t count = writing->lens->position_count;
+    struct figure *pupils = ARENA_ARRAY(writing->arena, count, struct figure);
+    for (size_t i = 0; i < count; i++) {
         pupils[i].variable = LENS_NONE;
-        if (!writing_pupil(&output->writing, i, &pupils[i])) {
+        if (!writing_pupil(writing, i, &pupils[i])) {
             return;
         }
     }
-    codev_write_positions_put_values(output, "ZOO EPD", pupils, 1, false);
+    codev_put_values(writing, "ZOO EPD", pupils, 1, false);
 }
 
 /* CODE V counts the planes that were put in for coordinate breaks. */
-static size_t codev_write_positions_number_of(const struct lens *lens, size_t index)
+static size_t codev_surface_number(const struct lens *lens, size_t index)
 {
     size_t number = 1;
     for (size_t i = 0; i <= index; i++) {
@@ -53,9 +47,8 @@ static size_t codev_write_positions_number_of(const struct lens *lens, size_t in
 }
 
 /* What a parameter is called, and what stands behind the surface's number; null: by no word. */
-static const char *codev_write_positions_word_of(const struct surface *surface,
-                                                 struct parameter parameter, struct arena *arena,
-                                                 const char **rest)
+static const char *codev_setting_word(const struct surface *surface, struct parameter parameter,
+                                      struct arena *arena, const char **rest)
 {
     static const char *const moves[] = {
         [PARAMETER_DECENTER_X] = "XDE", [PARAMETER_BREAK_DECENTER_X] = "XDE",
@@ -85,168 +78,156 @@ static const char *codev_write_positions_word_of(const struct surface *surface,
 }
 
 /* ADE and BDE turn left-handed; a plane has the radius 0. */
-static struct text codev_write_positions_value_of(struct codev_output *output,
-                                                  struct parameter parameter,
-                                                  const struct figure *figure)
+static const char *codev_setting_value(const struct lens_writer *writing,
+                                       struct parameter parameter, const struct figure *figure)
 {
-    const struct parameter_type *type = parameter_type(parameter.kind);
-    const bool is_left = parameter.kind == PARAMETER_TILT_X || parameter.kind == PARAMETER_TILT_Y ||
-                         parameter.kind == PARAMETER_BREAK_TILT_X ||
-                         parameter.kind == PARAMETER_BREAK_TILT_Y;
     if (isinf(figure->value.hi)) {
-        return text_of("0.0");
+        return "0.0";
     }
-    if ((type->is & PARAMETER_IS_ANGLE) == 0) {
-        return writing_length(&output->writing, figure,
-                              parameter_length(parameter.kind, parameter.order));
+    switch (parameter.kind) {
+    case PARAMETER_TILT_X:
+    case PARAMETER_TILT_Y:
+    case PARAMETER_BREAK_TILT_X:
+    case PARAMETER_BREAK_TILT_Y:
+        return writing_turned(writing, figure);
+    case PARAMETER_TILT_Z:
+    case PARAMETER_BREAK_TILT_Z:
+        return writing_degrees(writing, figure);
+    default:
+        return writing_length(writing, figure, parameter_length(parameter.kind, parameter.order));
     }
-    const struct text degrees = writing_degrees(&output->writing, figure);
-    return is_left ? decimal_negate(degrees, output->job->arena) : degrees;
 }
 
-static bool codev_write_positions_put_setting(struct codev_output *output,
-                                              const struct lens_setting *one, struct error *error)
+static void codev_put_setting(struct codev_output *output, const struct lens_setting *one)
 {
-    struct arena *arena = output->job->arena;
+    struct lens_writer *writing = &output->writing;
     const struct parameter parameter = one->parameter;
-    const struct surface *surface = &output->lens->surfaces[parameter.surface];
+    const struct surface *surface = &writing->lens->surfaces[parameter.surface];
     const bool on_plane = parameter.kind >= PARAMETER_BREAK_DECENTER_X &&
                           surface->decentre != NULL && surface->coordinate_break != NULL;
-    const size_t number =
-        codev_write_positions_number_of(output->lens, parameter.surface) - on_plane;
-    const char *rest = "",
-               *word = one->media != NULL
-                           ? "GLA"
-                           : codev_write_positions_word_of(surface, parameter, arena, &rest);
-    if (word == NULL) {
-        return foreign_lose(output->job, error,
-                            "what the positions set %s to" LOSS_INSTEAD
-                            "the first position's is kept",
-                            parameter_write(parameter, arena));
+    const size_t number = codev_surface_number(writing->lens, parameter.surface) - on_plane;
+    const char *rest = "", *word = "GLA";
+    if (one->media == NULL) {
+        word = codev_setting_word(surface, parameter, writing->arena, &rest);
     }
-    const char *command = arena_printf(arena, "ZOO %s S%zu%s", word, number, rest);
+    if (word == NULL) {
+        foreign_lose(writing->job, LOSS_OF_RAYS, "the first position's is kept",
+                     "what the positions set %s to", parameter_write(parameter, writing->arena));
+        return;
+    }
+    const char *command = arena_printf(writing->arena, "ZOO %s S%zu%s", word, number, rest);
     size_t column = strlen(command);
-    codev_write_positions_put_string(output, command);
-    for (size_t p = 0; p < output->lens->position_count; p++) {
+    writing_put(writing, "%s", command);
+    for (size_t p = 0; p < writing->lens->position_count; p++) {
         if (one->media == NULL) {
-            codev_put_number(output, &column,
-                             codev_write_positions_value_of(output, parameter, &one->figures[p]));
+            codev_put_number(writing, &column,
+                             codev_setting_value(writing, parameter, &one->figures[p]));
         } else if (medium_is_air(&one->media[p])) {
-            codev_write_positions_put_string(output, " AIR");
-        } else if (!codev_put_medium(output, &one->media[p], error)) {
-            return false;
+            writing_put(writing, " AIR");
+        } else {
+            codev_put_medium(output, &one->media[p]);
         }
     }
-    codev_write_positions_put_string(output, "\n");
-    return true;
+    writing_put(writing, "\n");
 }
 
-static bool codev_write_positions_put_settings(struct codev_output *output, struct error *error)
+/* "XAN Z2", "WTW Z2" */
+static size_t codev_begin_zoom(struct lens_writer *writing, const char *word, size_t position)
 {
-    for (size_t i = 0; i < output->lens->setting_count; i++) {
-        if (!codev_write_positions_put_setting(output, &output->lens->settings[i], error)) {
-            return false;
-        }
-    }
-    return true;
+    const char *command = arena_printf(writing->arena, "%s Z%zu", word, position + 1);
+    writing_put(writing, "%s", command);
+    return strlen(command);
 }
 
 /* XAN Z2 .., YAN Z2 .., WTF Z2 .. */
-static void codev_write_positions_put_points(struct codev_output *output,
-                                             const struct lens_points *points, size_t position)
+static void codev_put_points(struct lens_writer *writing, const struct lens_points *points,
+                             size_t position)
 {
     for (int what = 0; what < 3; what++) {
-        const char *word = what < 2 ? codev_field_words[output->lens->field_kind][what] : "WTF";
-        const char *command = arena_printf(output->job->arena, "%s Z%zu", word, position + 1);
-        size_t column = strlen(command);
-        codev_write_positions_put_string(output, command);
+        const char *word = what < 2 ? codev_field_words[writing->lens->field_kind][what] : "WTF";
+        size_t column = codev_begin_zoom(writing, word, position);
         for (size_t i = 0; i < points->count; i++) {
             const struct lens_field *field = &points->fields[i];
-            const struct text weight =
-                field->weight_typed.start != NULL ? field->weight_typed : text_of("1");
-            codev_put_number(output, &column,
-                             what < 2 ? codev_coordinate(output, &field->at[what]) : weight);
+            codev_put_number(writing, &column,
+                             what < 2 ? codev_coordinate(writing, &field->at[what])
+                                      : writing_weight(writing, field->weight_typed, "1"));
         }
-        codev_write_positions_put_string(output, "\n");
+        writing_put(writing, "\n");
     }
 }
 
 /* WL Z2 .. and WTW Z2 .. */
-static void put_light(struct codev_output *output, const struct lens_light *light, size_t position)
+static void codev_put_light(struct lens_writer *writing, const struct lens_light *light,
+                            size_t position)
 {
     for (int weights = 0; weights < 2; weights++) {
-        const char *command =
-            arena_printf(output->job->arena, "%s Z%zu", weights ? "WTW" : "WL", position + 1);
-        size_t column = strlen(command);
-        codev_write_positions_put_string(output, command);
+        size_t column = codev_begin_zoom(writing, weights ? "WTW" : "WL", position);
         for (size_t i = 0; i < light->count; i++) {
             const struct lens_wavelength *one = &light->wavelengths[i];
-            const struct text weight =
-                one->weight_typed.start != NULL ? one->weight_typed : text_of("1");
-            codev_put_number(
-                output, &column,
-                weights ? weight : writing_wave(&output->writing, one->wavelength, one->typed, 3));
+            codev_put_number(writing, &column,
+                             weights ? writing_weight(writing, one->weight_typed, "1")
+                                     : writing_wave(writing, one->wavelength, one->typed, 3));
         }
-        codev_write_positions_put_string(output, "\n");
+        writing_put(writing, "\n");
     }
 }
 
-static void codev_write_positions_put_stops_and_waves(struct codev_output *output)
+/* ZOO THI S4 .. of a figure that a variable stands for. */
+static void codev_put_variable(struct lens_writer *writing, const char *word, size_t number,
+                               const struct figure *figure, bool halve)
 {
-    const struct lens *lens = output->lens;
-    for (size_t p = 0; p < lens->position_count; p++) {
-        if (lens->stops != NULL) {
-            growing_format(&output->writing.text, "STO S%zu Z%zu\n",
-                           codev_write_positions_number_of(lens, lens->stops[p]), p + 1);
-        }
-        if (lens->lights != NULL) {
-            put_light(output, &lens->lights[p], p);
-        }
-        if (lens->points != NULL) {
-            codev_write_positions_put_points(output, &lens->points[p], p);
-        }
+    if (figure->variable != LENS_NONE) {
+        codev_put_values(writing, arena_printf(writing->arena, "ZOO %s S%zu", word, number),
+                         writing->lens->variables[figure->variable].values, 1, halve);
     }
 }
 
-bool codev_put_positions(struct codev_output *output, struct error *error)
+void codev_put_positions(struct codev_output *output)
 {
-    const struct lens *lens = output->lens;
-    struct arena *arena = output->job->arena;
+    struct lens_writer *writing = &output->writing;
+    const struct lens *lens = writing->lens;
+    struct arena *arena = writing->arena;
     if (lens->position_count == 0) {
-        return true;
+        return;
     }
-    growing_format(&output->writing.text, "ZOO %zu\nZOO TIT\n", lens->position_count);
+    writing_put(writing, "ZOO %zu\nZOO TIT\n", lens->position_count);
     for (size_t i = 0; i < lens->position_count; i++) {
-        if (!codev_put_text(output, arena_printf(arena, "TIT Z%zu", i + 1), lens->positions[i],
-                            error)) {
-            return false;
-        }
+        codev_put_text(writing, arena_printf(arena, "TIT Z%zu", i + 1), lens->positions[i]);
     }
     if (lens->apertures != NULL && lens->aperture_kind > APERTURE_STOP) {
-        codev_write_positions_put_values(
-            output, arena_printf(arena, "ZOO %s", codev_aperture_words[lens->aperture_kind]),
-            lens->apertures, lens->aperture_kind == APERTURE_EPD, false);
+        codev_put_values(writing,
+                         arena_printf(arena, "ZOO %s", codev_aperture_words[lens->aperture_kind]),
+                         lens->apertures, lens->aperture_kind == APERTURE_EPD, false);
     }
     if (lens->aperture_kind == APERTURE_STOP) {
-        put_pupils(output);
+        codev_put_pupils(writing);
     }
     if (lens->objects != NULL) {
-        codev_write_positions_put_values(output, "ZOO THI SO", lens->objects, 1, false);
+        codev_put_values(writing, "ZOO THI SO", lens->objects, 1, false);
     }
     for (size_t i = 0; i < lens->surface_count; i++) {
         const struct surface *surface = &lens->surfaces[i];
-        size_t number = codev_write_positions_number_of(lens, i);
-        if (surface->has_thickness && surface->thickness.variable != LENS_NONE) {
-            codev_write_positions_put_values(output, arena_printf(arena, "ZOO THI S%zu", number),
-                                             lens->variables[surface->thickness.variable].values, 1,
-                                             false);
+        const size_t number = codev_surface_number(lens, i);
+        if (surface->has_thickness) {
+            codev_put_variable(writing, "THI", number, &surface->thickness, false);
         }
-        if (surface->has_diameter && surface->diameter.variable != LENS_NONE) {
-            codev_write_positions_put_values(output, arena_printf(arena, "ZOO CIR S%zu", number),
-                                             lens->variables[surface->diameter.variable].values, 1,
-                                             true);
+        if (surface->has_diameter) {
+            codev_put_variable(writing, "CIR", number, &surface->diameter, true);
         }
     }
-    codev_write_positions_put_stops_and_waves(output);
-    return codev_write_positions_put_settings(output, error);
+    for (size_t p = 0; p < lens->position_count; p++) {
+        if (lens->stops != NULL) {
+            writing_put(writing, "STO S%zu Z%zu\n", codev_surface_number(lens, lens->stops[p]),
+                        p + 1);
+        }
+        if (lens->lights != NULL) {
+            codev_put_light(writing, &lens->lights[p], p);
+        }
+        if (lens->points != NULL) {
+            codev_put_points(writing, &lens->points[p], p);
+        }
+    }
+    for (size_t i = 0; i < lens->setting_count; i++) {
+        codev_put_setting(output, &lens->settings[i]);
+    }
 }

@@ -9,8 +9,6 @@
 /* A lens being written; what is no glass of CODE V goes into a catalogue of the file. */
 struct codev_output {
     struct lens_writer writing;
-    struct foreign_job *job;
-    const struct lens *lens;
     const struct medium **own; /* media of the file's catalogue */
     size_t own_count;
 };
@@ -22,21 +20,19 @@ extern const char *const codev_aperture_words[];
 extern const char *const codev_field_words[][2];
 
 /* The digits of a coordinate of such a point. */
-struct text codev_coordinate(const struct codev_output *output, const struct figure *field);
+const char *codev_coordinate(const struct lens_writer *writing, const struct figure *field);
 
-/* Numbers of one command; long commands go on in the next line. */
-void codev_put_number(struct codev_output *output, size_t *column, struct text number);
+/*
+ * Numbers of one command; long commands go on in the next line.
+ *
+ * Given     column  of what stands in the line before the number; afterwards with it
+ */
+void codev_put_number(struct lens_writer *writing, size_t *column, const char *number);
 
-bool codev_put_text(struct codev_output *output, const char *name, const char *string,
-                    struct error *error);
+void codev_put_text(struct lens_writer *writing, const char *name, const char *string);
 
 /* The word for a medium behind a surface, with a blank before it; nothing for air. */
-bool codev_put_medium(struct codev_output *output, const struct medium *medium,
-                      struct error *error);
-
-/* Is it a term of ASP, an even power from r^4 on? Has the surface it, be it 0? */
-bool codev_is_of_asp(int term);
-bool codev_is_term_given(const struct surface *surface, int term);
+void codev_put_medium(struct codev_output *output, const struct medium *medium);
 
 /* Is the surface one of SPS ODD, whose numbers are those of SCO? */
 bool codev_is_odd(const struct surface *surface);
@@ -45,6 +41,6 @@ bool codev_is_odd(const struct surface *surface);
 const char *codev_coefficient_word(int order, bool is_odd, struct arena *arena);
 
 /* ZOO, and commands of a position: Zk. */
-bool codev_put_positions(struct codev_output *output, struct error *error);
+void codev_put_positions(struct codev_output *output);
 
 #endif

@@ -4,7 +4,6 @@
 #define LENSCALC_EXCHANGE_OSLO_OSLO_H
 
 #include "exchange/foreign.h"
-#include "exchange/writing.h"
 
 /*
  * .len as OSLO writes it, text of commands.
@@ -29,9 +28,5 @@ extern const struct foreign_format oslo_format;
 
 bool oslo_write(struct foreign_job *job, const struct lens *lens, struct text *text,
                 struct error *error);
-
-/* Ellipses, rectangles, triangles and quadrangles that are not turned; the others are losses. */
-bool oslo_write_apertures(struct lens_writer *writing, struct foreign_job *job,
-                          const struct surface *surface, struct error *error);
 
 #endif

@@ -200,7 +200,7 @@ static bool is_of_several(const struct oslo *oslo, const struct oslo_special *on
     return several;
 }
 
-bool oslo_put_apertures(struct oslo *oslo, struct error *error)
+void oslo_put_apertures(struct oslo *oslo)
 {
     for (size_t i = 0; i < oslo->special_count; i++) {
         const struct oslo_special *one = &oslo->specials[i];
@@ -211,10 +211,8 @@ bool oslo_put_apertures(struct oslo *oslo, struct error *error)
                                 : oslo_aperture_shape_of(oslo, one, &to.aperture);
         const struct file_words place = commands_place(&oslo->commands, &one->at);
         if (wrong != NULL) {
-            if (!foreign_loss(oslo->job, &place, one->at.text, error,
-                              "%s" LOSS_VIGNETTES LOSS_INSTEAD "left out", wrong)) {
-                return false;
-            }
+            foreign_loss(oslo->job, &place, one->at.text, LOSS_OF_VIGNETTING, "left out", "%s",
+                         wrong);
             continue;
         }
         surface->apertures =
@@ -222,5 +220,4 @@ bool oslo_put_apertures(struct oslo *oslo, struct error *error)
                        &surface->aperture_room, sizeof *surface->apertures);
         surface->apertures[surface->aperture_count++] = to;
     }
-    return true;
 }

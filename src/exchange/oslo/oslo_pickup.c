@@ -48,9 +48,8 @@ bool oslo_pickup(struct oslo *oslo, int what, struct error *error)
         found++;
     }
     if (found == sizeof pickups / sizeof pickups[0]) {
-        return commands_lose(&oslo->commands, error,
-                             "a pick-up that is not known" LOSS_INSTEAD
-                             "the number in the file is kept");
+        return commands_lose(&oslo->commands, LOSS_OF_RAYS, "the number in the file is kept",
+                             "a pick-up that is not known");
     }
     if (!oslo_reference(oslo, 2, &pickup.source, error)) {
         return false;

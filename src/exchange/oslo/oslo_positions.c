@@ -113,7 +113,8 @@ bool oslo_place(struct oslo *oslo, bool *is_here, struct error *error)
     size_t surface = 0, position = 0;
     *is_here = false;
     if (at == sizeof settings / sizeof settings[0]) {
-        return commands_lose(commands, error, "a setting of a configuration that is not known");
+        return commands_lose(commands, LOSS_OF_RAYS, NULL,
+                             "a setting of a configuration that is not known");
     }
     const size_t gone = settings[at].of_surface ? 2 : 1;
     if (!oslo_positions_read_number(oslo, gone, "number of the configuration", 1, &position,
@@ -127,7 +128,7 @@ bool oslo_place(struct oslo *oslo, bool *is_here, struct error *error)
                              oslo->sequence.count - 1);
     }
     if (gone == 2 && oslo_positions_is_followed(oslo, surface)) {
-        return commands_lose(commands, error,
+        return commands_lose(commands, LOSS_OF_RAYS, NULL,
                              "a setting of a configuration, of a surface that follows another");
     }
     *is_here = position == (oslo->positions > 0 ? oslo->position : 1);
@@ -138,7 +139,7 @@ bool oslo_place(struct oslo *oslo, bool *is_here, struct error *error)
     return true;
 }
 
-bool oslo_check_solves(const struct oslo *oslo, struct error *error)
+void oslo_check_solves(const struct oslo *oslo)
 {
     const struct sequence *sequence = &oslo->sequence;
     for (size_t i = 0; i < sequence->count && oslo->positions > 0; i++) {
@@ -146,13 +147,10 @@ bool oslo_check_solves(const struct oslo *oslo, struct error *error)
                                                  &sequence->surfaces[i].thickness_solve};
         for (int k = 0; k < 2; k++) {
             const struct file_words place = commands_place(&oslo->commands, &solves[k]->at);
-            if (solves[k]->is_set &&
-                !foreign_loss(oslo->job, &place, solves[k]->at.text, error,
-                              "a solve in a file with configurations" LOSS_INSTEAD
-                              "each is solved by itself")) {
-                return false;
+            if (solves[k]->is_set) {
+                foreign_loss(oslo->job, &place, solves[k]->at.text, LOSS_OF_RAYS,
+                             "each is solved by itself", "a solve in a file with configurations");
             }
         }
     }
-    return true;
 }

@@ -191,7 +191,7 @@ static bool oslo_read_put_coefficient(struct oslo *oslo, int order, struct error
 
 static bool read_general(struct oslo *oslo, int what, struct error *error)
 {
-    (void)what;
+    (void)what, (void)error;
     const struct command_word word = commands_word(&oslo->commands, 1);
     if (text_same(word.text, "ASR")) {
         oslo->asphere_step = 2;
@@ -201,7 +201,8 @@ static bool read_general(struct oslo *oslo, int what, struct error *error)
         oslo->asphere_step = 0;
     }
     return oslo->asphere_step > 0 || text_same(word.text, "ADO") ||
-           commands_lose(&oslo->commands, error, "an asphere that is not a polynomial of r");
+           commands_lose(&oslo->commands, LOSS_OF_RAYS, NULL,
+                         "an asphere that is not a polynomial of r");
 }
 
 /* AS1 is the coefficient of r^2, AS2 of r^4 .. of ASP ASR; of r, r^2 .. of ASP ARA. */
@@ -222,9 +223,9 @@ static bool read_general_coefficient(struct oslo *oslo, struct error *error)
     }
     int order = index <= LENS_COEFFICIENTS ? oslo->asphere_step * (int)index : 0;
     if (surface_term(order) < 0) {
-        return commands_lose(&oslo->commands, error,
-                             "a coefficient of another asphere than ASP ASR and ASP ARA, of order "
-                             "1 to 20");
+        return commands_lose(
+            &oslo->commands, LOSS_OF_RAYS, NULL,
+            "a coefficient of another asphere than ASP ASR and ASP ARA, of order 1 to 20");
     }
     return oslo_read_put_coefficient(oslo, order, error);
 }
@@ -276,7 +277,7 @@ static bool read_move(struct oslo *oslo, int what, struct error *error)
     surface->decentred_at = oslo->commands.words[0];
     bool is_own = to == oslo->surface || to == 0; /* RCO 0: its own */
     return is_own || what != SEQUENCE_BACK ||
-           commands_lose(&oslo->commands, error, "coordinates of another surface");
+           commands_lose(&oslo->commands, LOSS_OF_RAYS, NULL, "coordinates of another surface");
 }
 
 static const struct {
@@ -333,7 +334,7 @@ static bool oslo_read_lose(struct oslo *oslo, const struct word_group *group, st
         return false;
     }
     return (checked && figure.value.hi == 0) ||
-           commands_lose(&oslo->commands, error, "%s%s", group->what, word_group_marks(group));
+           commands_lose(&oslo->commands, word_group_effect(group), NULL, group->what);
 }
 
 /* TEM in C, PRE in atmospheres. */
@@ -447,7 +448,7 @@ static bool run_keyword(struct oslo *oslo, struct error *error)
         return true;
     }
     const struct word_group *group = word_group_of(oslo_words, NULL, word->text);
-    return group == NULL ? commands_lose(&oslo->commands, error, "an unknown command")
+    return group == NULL ? commands_lose(&oslo->commands, LOSS_OF_RAYS, NULL, "an unknown command")
                          : group->fate == WORD_HARMLESS || oslo_read_lose(oslo, group, error);
 }
 
@@ -470,7 +471,8 @@ static bool run_behind(struct oslo *oslo, struct error *error)
     if (oslo->block == OSLO_CONFIGURATIONS) {
         return oslo_place(oslo, &is_here, error) && (!is_here || run_keyword(oslo, error));
     }
-    return commands_lose(&oslo->commands, error, "a command behind END: further data of the lens");
+    return commands_lose(&oslo->commands, LOSS_OF_RAYS, NULL,
+                         "a command behind END: further data of the lens");
 }
 
 /* END, or that of a block, is the last command; before it the image has no glass. */
@@ -554,9 +556,14 @@ static bool oslo_read_position(void *state, size_t position, struct text content
     if (!oslo->has_stop && oslo->sequence.count > 2) { /* OSLO's stop, where none is named */
         oslo->sequence.surfaces[1].is_stop = true;
     }
-    return oslo_check_solves(oslo, error) && oslo_put_apertures(oslo, error) &&
-           oslo_finish_system(oslo, error) && oslo_keep_notes(oslo, content, error) &&
-           sequence_finish(&oslo->sequence, error) && oslo_finish_aperture(oslo, error);
+    oslo_check_solves(oslo);
+    oslo_put_apertures(oslo);
+    oslo_finish_system(oslo);
+    if (!oslo_keep_notes(oslo, content, error) || !sequence_finish(&oslo->sequence, error)) {
+        return false;
+    }
+    oslo_finish_aperture(oslo);
+    return true;
 }
 
 /* A file with configurations is read once for each of them. */

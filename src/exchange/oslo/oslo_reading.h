@@ -91,7 +91,7 @@ bool oslo_reference(struct oslo *oslo, size_t word, size_t *surface, struct erro
 bool oslo_special(struct oslo *oslo, bool *known, struct error *error);
 
 /* The special apertures go to their surfaces, when all of the file is read. */
-bool oslo_put_apertures(struct oslo *oslo, struct error *error);
+void oslo_put_apertures(struct oslo *oslo);
 
 /* F n y x ..: a point of the field */
 bool oslo_point(struct oslo *oslo, int what, struct error *error);
@@ -125,12 +125,12 @@ bool oslo_count_positions(struct oslo *oslo, struct error *error);
 bool oslo_place(struct oslo *oslo, bool *is_here, struct error *error);
 
 /* Solves of several configurations, which may be solved in the first alone, are lost. */
-bool oslo_check_solves(const struct oslo *oslo, struct error *error);
+void oslo_check_solves(const struct oslo *oslo);
 
 /* Wavelengths, aperture and fields, when all of the file is read. */
-bool oslo_finish_system(struct oslo *oslo, struct error *error);
+void oslo_finish_system(struct oslo *oslo);
 
 /* EBR and FNO of a near object, when the surfaces are there. */
-bool oslo_finish_aperture(struct oslo *oslo, struct error *error);
+void oslo_finish_aperture(struct oslo *oslo);
 
 #endif

@@ -359,10 +359,9 @@ bool oslo_point(struct oslo *oslo, int what, struct error *error)
         }
         point.at[0] = i == 3 ? figure : point.at[0];
         point.weight = i == 11 ? figure : point.weight;
-        if (i > 3 && i < 11 && figure.value.hi != usual[i - 2] &&
-            !commands_lose(&oslo->commands, error,
-                           "a point of the field with a place or a pupil of its own")) {
-            return false;
+        if (i > 3 && i < 11 && figure.value.hi != usual[i - 2]) {
+            commands_lose(&oslo->commands, LOSS_OF_RAYS, NULL,
+                          "a point of the field with a place or a pupil of its own");
         }
     }
     oslo->points[oslo->point_count++] = point;
@@ -384,10 +383,11 @@ bool oslo_telecentric(struct oslo *oslo, int what, struct error *error)
 bool oslo_mode(struct oslo *oslo, int what, struct error *error)
 {
     const struct command_word word = commands_word(&oslo->commands, 1);
-    (void)what;
+    (void)what, (void)error;
     oslo->sequence.is_afocal = text_same(word.text, "AFO");
     return oslo->sequence.is_afocal || text_same(word.text, "FOC") || text_same(word.text, "TRA") ||
-           commands_lose(&oslo->commands, error, "a mode of aberrations that is not known");
+           commands_lose(&oslo->commands, LOSS_OF_RAYS, NULL,
+                         "a mode of aberrations that is not known");
 }
 
 bool oslo_fields(struct oslo *oslo, struct text line, struct error *error)
@@ -466,14 +466,13 @@ static void oslo_system_finish_field(struct oslo *oslo, bool is_infinite)
     }
 }
 
-bool oslo_finish_system(struct oslo *oslo, struct error *error)
+void oslo_finish_system(struct oslo *oslo)
 {
     struct lens *lens = oslo->build.lens;
     const struct figure *distance = &oslo->sequence.surfaces[0].thickness;
     struct pair units =
         pair_multiply(distance->value, lens_words_per_length(pair_of(1), oslo->commands.scale, 1));
     bool is_infinite = fabs(units.hi) >= oslo->commands.grammar->infinity;
-    const struct file_words place = commands_place(&oslo->commands, &oslo->aperture);
     const bool is_beam = lens->aperture_kind == APERTURE_EPD;
     oslo_system_finish_waves(oslo);
     oslo_system_finish_field(oslo, is_infinite);
@@ -482,23 +481,20 @@ bool oslo_finish_system(struct oslo *oslo, struct error *error)
         oslo->near_value = is_beam ? lens->aperture.value.hi / 2 : lens->aperture.value.hi;
         lens->aperture_kind = APERTURE_NONE;
         oslo->sequence.is_open = true;
-        return true;
-    }
-    if (lens->aperture_kind == APERTURE_NA && is_infinite) {
+    } else if (lens->aperture_kind == APERTURE_NA && is_infinite) {
         lens->aperture_kind = APERTURE_NONE;
-        return foreign_loss(oslo->job, &place, oslo->aperture.text, error,
-                            "NAO: a numerical aperture of an object at infinity");
+        commands_loss(&oslo->commands, &oslo->aperture, LOSS_OF_RAYS, NULL,
+                      "NAO: a numerical aperture of an object at infinity");
     }
-    return true;
 }
 
-bool oslo_finish_aperture(struct oslo *oslo, struct error *error)
+void oslo_finish_aperture(struct oslo *oslo)
 {
-    const struct file_words place = commands_place(&oslo->commands, &oslo->aperture);
     struct lens *lens = oslo->build.lens;
-    return !(oslo->near_value > 0) || lens->aperture_kind == APERTURE_STOP ||
-           entrance_pupil_set(lens, oslo->near_aperture, oslo->near_value, oslo->job->arena) ||
-           foreign_loss(oslo->job, &place, oslo->aperture.text, error,
-                        "%.*s: an aperture that no entrance pupil gives",
-                        text_shown(oslo->aperture.text), oslo->aperture.text.start);
+    if (oslo->near_value > 0 && lens->aperture_kind != APERTURE_STOP &&
+        !entrance_pupil_set(lens, oslo->near_aperture, oslo->near_value, oslo->job->arena)) {
+        commands_loss(&oslo->commands, &oslo->aperture, LOSS_OF_RAYS, NULL,
+                      "%.*s: an aperture that no entrance pupil gives",
+                      text_shown(oslo->aperture.text), oslo->aperture.text.start);
+    }
 }

@@ -3,94 +3,70 @@
 #include "exchange/keep_notes.h"
 #include "exchange/oslo/oslo.h"
 #include "exchange/writing.h"
-#include "file/decimal.h"
 #include "file/lens_unit.h"
+#include "optics/aperture.h"
 
 #include <math.h>
 #include <string.h>
 
 /* A lens being written. */
-struct oslo_write_output {
+struct oslo_output {
     struct lens_writer writing;
-    struct foreign_job *job;
-    const struct lens *lens;
     size_t models; /* glasses that were named so far */
     size_t number; /* of the present surface; the object is 0 */
 };
 
-static void oslo_write_put_string(struct oslo_write_output *output, const char *string)
-{
-    growing_text(&output->writing.text, text_of(string));
-}
-
-static void oslo_write_put_command(struct oslo_write_output *output, const char *name,
-                                   struct text value)
-{
-    oslo_write_put_string(output, name);
-    oslo_write_put_string(output, " ");
-    growing_text(&output->writing.text, value);
-    oslo_write_put_string(output, "\n");
-}
-
-static struct text oslo_write_length_of(struct oslo_write_output *output,
-                                        const struct figure *figure)
-{
-    return writing_length(&output->writing, figure, 1);
-}
-
-static bool put_text(struct oslo_write_output *output, const char *name, const char *string,
-                     struct error *error)
+static void oslo_put_text(struct lens_writer *writing, const char *name, const char *string)
 {
     bool has_lost = false;
-    const struct text text = writing_quotable(&output->writing, string, "\"", &has_lost);
-    oslo_write_put_string(output, name);
-    oslo_write_put_string(output, " \"");
-    growing_text(&output->writing.text, text);
-    oslo_write_put_string(output, "\"");
-    return !has_lost || foreign_lose(output->job, error,
-                                     "double quotes inside of a text" LOSS_INSTEAD "left out");
+    const char *text = writing_quotable(writing, string, "\"", &has_lost);
+    writing_put(writing, "%s \"%s\"", name, text);
+    if (has_lost) {
+        foreign_lose(writing->job, LOSS_OF_RAYS, "left out", "double quotes inside of a text");
+    }
 }
 
-static bool oslo_write_put_aperture(struct oslo_write_output *output, struct error *error)
+static void oslo_put_system_aperture(struct lens_writer *writing)
 {
-    const struct lens *lens = output->lens;
-    struct arena *arena = output->job->arena;
+    const struct lens *lens = writing->lens;
+    const enum aperture_kind kind = lens->aperture_kind;
     struct figure figure = lens->apertures != NULL ? lens->apertures[0] : lens->aperture;
-    if (lens->aperture_kind == APERTURE_NONE) {
-        return true;
+    if (kind == APERTURE_NONE) {
+        return;
     }
-    if (lens->aperture_kind == APERTURE_NA && !lens->object_is_infinite) {
-        oslo_write_put_command(output, "NAO", writing_length(&output->writing, &figure, 0));
-        return true;
+    if (kind == APERTURE_NA && !lens->object_is_infinite) {
+        writing_put(writing, "NAO %s\n", writing_length(writing, &figure, 0));
+        return;
     }
-    if (lens->aperture_kind == APERTURE_FNUMBER) {
-        oslo_write_put_command(output, "FNO", writing_length(&output->writing, &figure, 0));
-        return lens->object_is_infinite ||
-               foreign_lose(output->job, error,
-                            "the f-number of a lens with a near object" LOSS_INSTEAD
-                            "OSLO takes it as "
-                            "the working one");
+    if (kind == APERTURE_FNUMBER) {
+        writing_put(writing, "FNO %s\n", writing_length(writing, &figure, 0));
+        if (!lens->object_is_infinite) {
+            foreign_lose(writing->job, LOSS_OF_RAYS, "OSLO takes it as the working one",
+                         "the f-number of a lens with a near object");
+        }
+        return;
     }
     if (!lens->object_is_infinite) {
-        return foreign_lose(output->job, error,
-                            "the aperture of a lens with a finite object: OSLO needs its "
-                            "NA, write 'aperture na'");
+        foreign_lose(writing->job, LOSS_OF_RAYS, NULL,
+                     "the aperture of a lens with a finite object: OSLO needs its NA, write "
+                     "'aperture na'");
+        return;
     }
-    if (lens->aperture_kind == APERTURE_STOP) {
-        oslo_write_put_string(output, OSLO_KEEP_NOTE OSLO_STOP_RULES "\n");
+    if (kind == APERTURE_STOP) {
+        writing_put(writing, OSLO_KEEP_NOTE OSLO_STOP_RULES "\n");
         figure = (struct figure){.variable = LENS_NONE};
-        if (!writing_pupil(&output->writing, 0, &figure)) {
-            return foreign_lose(output->job, error,
-                                "an aperture that is ruled by a stop without a pupil");
+        if (!writing_pupil(writing, 0, &figure)) {
+            foreign_lose(writing->job, LOSS_OF_RAYS, NULL,
+                         "an aperture that is ruled by a stop without a pupil");
+            return;
         }
     }
-    oslo_write_put_command(output, "EBR",
-                           decimal_half(oslo_write_length_of(output, &figure), arena));
-    return true;
+    writing_put(writing, "EBR %s\n", writing_half(writing, &figure));
 }
 
 /* How far out a field is, as OSLO's fractions count: of angles their tangents. */
-static double extent_of(const struct lens *lens, const struct lens_field *field, double out[2])
+static double oslo_field_extent(const struct lens *lens, const struct lens_field *field,
+                                double out[2])
 {
     for (int i = 0; i < 2; i++) {
         double value = field->at[i].value.hi;
@@ -100,12 +76,12 @@ static double extent_of(const struct lens *lens, const struct lens_field *field,
 }
 
 /* The field that is farthest out, and how far; false without fields. */
-static bool oslo_write_find_edge(const struct lens *lens, struct figure *edge, double *extent)
+static bool oslo_find_edge(const struct lens *lens, struct figure *edge, double *extent)
 {
     double out[2], largest = -1;
     for (size_t i = 0; i < lens->field_count; i++) {
         const struct lens_field *field = &lens->fields[i];
-        const double here = extent_of(lens, field, out);
+        const double here = oslo_field_extent(lens, field, out);
         if (!(fabs(here) > largest)) {
             continue;
         }
@@ -121,348 +97,357 @@ static bool oslo_write_find_edge(const struct lens *lens, struct figure *edge, d
     return lens->field_count > 0;
 }
 
-static struct text field_text(struct oslo_write_output *output, const struct figure *field)
+static const char *oslo_coordinate(const struct lens_writer *writing, const struct figure *field)
 {
-    return output->lens->field_kind == FIELD_ANGLE ? writing_degrees(&output->writing, field)
-                                                   : oslo_write_length_of(output, field);
+    return writing->lens->field_kind == FIELD_ANGLE ? writing_degrees(writing, field)
+                                                    : writing_length(writing, field, 1);
 }
 
-/* As a .lens file has it: x,y:weight */
-static void oslo_write_put_point(struct oslo_write_output *output, const struct lens_field *field)
-{
-    struct text_buffer *text = &output->writing.text;
-    if (field->at[0].value.hi != 0) {
-        growing_text(text, field_text(output, &field->at[0]));
-        oslo_write_put_string(output, ",");
-    }
-    growing_text(text, field_text(output, &field->at[1]));
-    if (field->weight_typed.start != NULL) {
-        oslo_write_put_string(output, ":");
-        growing_text(text, field->weight_typed);
-    }
-}
-
-static bool oslo_write_put_field(struct oslo_write_output *output, struct error *error)
+static void oslo_put_field(struct lens_writer *writing)
 {
     static const char *const words[] = {
         [FIELD_ANGLE] = "ANG", [FIELD_HEIGHT] = "OBH", [FIELD_IMAGE] = "GIH", [FIELD_REAL] = "GIH"};
-    const struct lens *lens = output->lens;
+    const struct lens *lens = writing->lens;
     struct figure edge;
     double extent;
-    if (!oslo_write_find_edge(lens, &edge, &extent)) {
-        return true;
+    if (!oslo_find_edge(lens, &edge, &extent)) {
+        return;
     }
-    if (lens->field_kind == FIELD_REAL &&
-        !foreign_lose(output->job, error,
-                      "fields as heights of the real image" LOSS_INSTEAD
-                      "taken for those of the paraxial one")) {
-        return false;
+    if (lens->field_kind == FIELD_REAL) {
+        foreign_lose(writing->job, LOSS_OF_RAYS, "taken for those of the paraxial one",
+                     "fields as heights of the real image");
     }
-    oslo_write_put_command(output, words[lens->field_kind], field_text(output, &edge));
-    oslo_write_put_string(output, OSLO_KEEP_NOTE OSLO_FIELDS);
-    for (size_t i = 0; i < lens->field_count; i++) {
-        oslo_write_put_string(output, i > 0 ? " " : "");
-        oslo_write_put_point(output, &lens->fields[i]);
+    writing_put(writing, "%s %s\n" OSLO_KEEP_NOTE OSLO_FIELDS, words[lens->field_kind],
+                oslo_coordinate(writing, &edge));
+    for (size_t i = 0; i < lens->field_count; i++) { /* as a .lens file has it: x,y:weight */
+        const struct lens_field *field = &lens->fields[i];
+        growing_string(&writing->text, i > 0 ? " " : "");
+        if (field->at[0].value.hi != 0) {
+            writing_put(writing, "%s,", oslo_coordinate(writing, &field->at[0]));
+        }
+        writing_put(writing, "%s", oslo_coordinate(writing, &field->at[1]));
+        if (field->weight_typed.start != NULL) {
+            writing_put(writing, ":%s", writing_weight(writing, field->weight_typed, "1"));
+        }
     }
-    oslo_write_put_string(output, "\n");
-    return true;
+    writing_put(writing, "\n");
 }
 
 /* OSLO's field points: fractions of the edge, of angles those of their tangents. */
-static void oslo_write_put_points(struct oslo_write_output *output)
+static void oslo_put_points(struct lens_writer *writing)
 {
-    const struct lens *lens = output->lens;
+    const struct lens *lens = writing->lens;
     struct figure edge;
     double whole, out[2];
-    if (!oslo_write_find_edge(lens, &edge, &whole) || whole == 0) {
+    if (!oslo_find_edge(lens, &edge, &whole) || whole == 0) {
         return;
     }
-    oslo_write_put_string(output, "RST NEW\n");
+    writing_put(writing, "RST NEW\n");
     for (size_t i = 0; i < lens->field_count; i++) {
-        extent_of(lens, &lens->fields[i], out);
-        growing_format(&output->writing.text, "F %zu %.12g ", i + 1, out[1] / whole);
+        oslo_field_extent(lens, &lens->fields[i], out);
+        writing_put(writing, "F %zu %.12g ", i + 1, out[1] / whole);
         if (out[0] != 0) {
-            growing_format(&output->writing.text, "%.12g", out[0] / whole);
+            writing_put(writing, "%.12g", out[0] / whole);
         } else {
-            oslo_write_put_string(output, "0.0");
+            writing_put(writing, "0.0");
         }
-        oslo_write_put_string(output, " 0.0 0.0 0.0 -1.0 1.0 -1.0 1.0 ");
-        const struct text weight = lens->fields[i].weight_typed;
-        growing_text(&output->writing.text, weight.start != NULL ? weight : text_of("1.0"));
-        oslo_write_put_string(output, "\n");
+        writing_put(writing, " 0.0 0.0 0.0 -1.0 1.0 -1.0 1.0 %s\n",
+                    writing_weight(writing, lens->fields[i].weight_typed, "1.0"));
     }
-    growing_format(&output->writing.text, "END %zu\n", lens->field_count);
+    writing_put(writing, "END %zu\n", lens->field_count);
 }
 
-static bool oslo_write_put_header(struct oslo_write_output *output, struct error *error)
+static void oslo_put_header(struct lens_writer *writing)
 {
-    const struct lens *lens = output->lens;
-    oslo_write_put_string(output, "// OSLO 6.6 0 0 0\n");
-    keep_notes_write(&output->writing.text, lens, output->writing.scale, OSLO_KEEP_NOTE, "\n");
-    if (!put_text(output, "LEN NEW", lens->title != NULL ? lens->title : "", error)) {
-        return false;
-    }
-    growing_format(&output->writing.text, " 100 %zu\n", lens->surface_count + 1);
-    if (!oslo_write_put_aperture(output, error)) {
-        return false;
-    }
-    if (!oslo_write_put_field(output, error)) {
-        return false;
-    }
-    oslo_write_put_string(output, lens->is_telecentric ? "TELE ON\n" : "");
-    oslo_write_put_string(output, lens->focus == FOCUS_AFOCAL ? "AMO AFO\n" : "");
-    oslo_write_put_string(output, "DES \"\"\n");
-    growing_format(&output->writing.text, "UNI %.1f\n", lens_unit_mm(output->writing.unit));
+    const struct lens *lens = writing->lens;
+    writing_put(writing, "// OSLO 6.6 0 0 0\n");
+    keep_notes_write(&writing->text, lens, writing->scale, OSLO_KEEP_NOTE, "\n");
+    oslo_put_text(writing, "LEN NEW", lens->title != NULL ? lens->title : "");
+    writing_put(writing, " 100 %zu\n", lens->surface_count + 1);
+    oslo_put_system_aperture(writing);
+    oslo_put_field(writing);
+    growing_string(&writing->text, lens->is_telecentric ? "TELE ON\n" : "");
+    growing_string(&writing->text, lens->focus == FOCUS_AFOCAL ? "AMO AFO\n" : "");
+    writing_put(writing, "DES \"\"\nUNI %.1f\n", lens_unit_mm(writing->unit));
     for (size_t i = 0; i < lens->note_count && i < 10; i++) {
-        const char *name = arena_printf(output->job->arena, "SNO%zu", i + 1);
-        if (!put_text(output, name, lens->notes[i], error)) {
-            return false;
-        }
-        oslo_write_put_string(output, "\n");
+        oslo_put_text(writing, arena_printf(writing->arena, "SNO%zu", i + 1), lens->notes[i]);
+        writing_put(writing, "\n");
     }
-    return lens->note_count <= 10 || foreign_lose(output->job, error, "more than ten notes");
+    if (lens->note_count > 10) {
+        foreign_lose(writing->job, LOSS_OF_RAYS, NULL, "more than ten notes");
+    }
 }
 
-/* Indices at the wavelengths of a table, or of the lens. */
-static void put_indices(struct oslo_write_output *output, const struct medium *medium)
+/* -------- media -------- */
+
+/* Indices at the wavelengths of a table. */
+static void oslo_put_indices(struct oslo_output *output, const struct medium *medium)
 {
     struct lens_writer *writing = &output->writing;
-    oslo_write_put_string(output, "WV");
+    writing_put(writing, "WV");
     for (size_t i = 0; i < medium->point_count; i++) {
-        oslo_write_put_string(output, " ");
-        growing_text(&writing->text,
-                     writing_wave(writing, medium->points[i].wavelength, (struct text){"", 0}, 0));
+        writing_put(writing, " %s",
+                    writing_wave(writing, medium->points[i].wavelength, text_of(""), 0));
     }
-    growing_format(&writing->text, "\nGLA MOD MODEL%zu", ++output->models);
+    writing_put(writing, "\nGLA MOD MODEL%zu", ++output->models);
     for (size_t i = 0; i < medium->point_count; i++) {
         const struct figure figure = {.value = medium->points[i].index, .variable = LENS_NONE};
-        oslo_write_put_string(output, " ");
-        growing_text(&writing->text, writing_length(writing, &figure, 0));
+        writing_put(writing, " %s", writing_length(writing, &figure, 0));
     }
-    oslo_write_put_string(output, "\n");
+    writing_put(writing, "\n");
 }
 
 /* The letter of its maker before a name; of a maker that has none the catalogue is kept. */
-static void oslo_write_put_glass(struct oslo_write_output *output, const struct medium *medium)
+static void oslo_put_glass(struct oslo_output *output, const struct medium *medium)
 {
     struct lens_writer *writing = &output->writing;
     struct text name, catalog;
     double number;
-    writing_glass(writing, output->job, medium, &name, &catalog);
+    writing_glass(writing, medium, &name, &catalog);
     bool is_ohara = text_equal(catalog, "OHARA"), is_hoya = text_equal(catalog, "HOYA");
     bool is_number = number_read(name.start, name.start + name.length, NUMBER_UNSCALED, &number) ==
                      name.start + name.length;
-    bool is_quoted = memchr(name.start, ' ', name.length) != NULL;
-    if (catalog.length > 0 && !is_ohara && !is_hoya && !text_equal(catalog, "SCHOTT")) {
-        growing_format(&writing->text, OSLO_KEEP_NOTE OSLO_GLASS "%zu %.*s:%.*s\n", output->number,
-                       (int)catalog.length, catalog.start, (int)name.length, name.start);
+    const char *quote = memchr(name.start, ' ', name.length) != NULL ? "\"" : "", *maker = "";
+    if (is_ohara || is_hoya) {
+        maker = is_ohara ? "O_" : "H_";
     }
-    oslo_write_put_string(output, is_quoted ? "GLA \"" : "GLA ");
-    oslo_write_put_string(output, is_ohara ? "O_" : is_hoya ? "H_" : "");
-    growing_text(&writing->text, is_number ? catalog : (struct text){"", 0});
-    oslo_write_put_string(output, is_number ? "_" : "");
-    growing_text(&writing->text, name);
-    oslo_write_put_string(output, is_quoted ? "\"\n" : "\n");
+    if (catalog.length > 0 && !is_ohara && !is_hoya && !text_equal(catalog, "SCHOTT")) {
+        writing_put(writing, OSLO_KEEP_NOTE OSLO_GLASS "%zu %.*s:%.*s\n", output->number,
+                    (int)catalog.length, catalog.start, (int)name.length, name.start);
+    }
+    writing_put(writing, "GLA %s%s%.*s%s%.*s%s\n", quote, maker,
+                is_number ? (int)catalog.length : 0, catalog.start, is_number ? "_" : "",
+                (int)name.length, name.start, quote);
 }
 
-static void oslo_write_put_medium(struct oslo_write_output *output, const struct medium *medium)
+static void oslo_put_medium(struct oslo_output *output, const struct medium *medium)
 {
     struct lens_writer *writing = &output->writing;
+    struct text abbe = medium->written, index = text_cut(&abbe, '/');
     if (medium_is_air(medium)) {
-        oslo_write_put_string(output, "AIR\n");
-    } else if (medium->kind == MEDIUM_TABLE && medium->point_count > 2) {
-        put_indices(output, medium);
+        writing_put(writing, "AIR\n");
     } else if (medium->kind == MEDIUM_TABLE) {
-        put_indices(output, medium);
+        oslo_put_indices(output, medium);
     } else if (medium->kind == MEDIUM_MODEL) {
-        struct text abbe = medium->written, index = text_cut(&abbe, '/');
-        oslo_write_put_string(output, "WV 0.58756 0.48613 0.65627\nGLA MOD ");
-        growing_text(&writing->text, index);
-        oslo_write_put_command(output, "", abbe);
+        writing_put(writing, "WV 0.58756 0.48613 0.65627\nGLA MOD %.*s %.*s\n", (int)index.length,
+                    index.start, (int)abbe.length, abbe.start);
     } else if (medium->kind == MEDIUM_CONSTANT) {
-        oslo_write_put_command(output, "GLA", medium->written);
+        writing_put(writing, "GLA %.*s\n", (int)medium->written.length, medium->written.start);
     } else {
-        oslo_write_put_glass(output, medium);
+        oslo_put_glass(output, medium);
     }
 }
 
-static void oslo_write_put_coefficients(struct oslo_write_output *output,
-                                        const struct surface *surface)
+/* -------- surfaces -------- */
+
+static void oslo_put_coefficients(struct lens_writer *writing, const struct surface *surface)
 {
     static const char *const words[] = {NULL, "AD", "AE", "AF", "AG"};
     bool odd = surface_odd(surface) != 0, general = (surface->coefficients & ~0x1eu) != 0;
     int step = odd ? 1 : 2;
     if (general) {
-        growing_format(&output->writing.text, odd ? "ASP ARA %d\n" : "ASP ASR %d\n",
-                       LENS_COEFFICIENTS / step);
+        writing_put(writing, "ASP %s %d\n", odd ? "ARA" : "ASR", LENS_COEFFICIENTS / step);
     }
     for (int order = 1; order <= LENS_COEFFICIENTS; order++) {
         int i = surface_term(order);
         if ((surface->coefficients >> i & 1) != 0) {
-            oslo_write_put_command(
-                output, general ? arena_printf(output->job->arena, "AS%d", order / step) : words[i],
-                writing_length(&output->writing, &surface->coefficient[i], 1 - order));
+            writing_put(writing, "%s %s\n",
+                        general ? arena_printf(writing->arena, "AS%d", order / step) : words[i],
+                        writing_length(writing, &surface->coefficient[i], 1 - order));
         }
     }
 }
 
-static void oslo_write_put_displacement(struct oslo_write_output *output,
-                                        const struct displacement *all, bool back)
+static void oslo_put_displacement(struct lens_writer *writing, const struct displacement *all,
+                                  bool back)
 {
-    struct lens_writer *writing = &output->writing;
-    struct arena *arena = output->job->arena;
-    oslo_write_put_string(output, "DT 1\n");
-    oslo_write_put_command(output, "DCX", writing_length(writing, &all->decenter[0], 1));
-    oslo_write_put_command(output, "DCY", writing_length(writing, &all->decenter[1], 1));
-    oslo_write_put_command(output, "TLA",
-                           decimal_negate(writing_degrees(writing, &all->tilt[0]), arena));
-    oslo_write_put_command(output, "TLB",
-                           decimal_negate(writing_degrees(writing, &all->tilt[1]), arena));
-    oslo_write_put_command(output, "TLC", writing_degrees(writing, &all->tilt[2]));
-    oslo_write_put_string(output, back ? "RCO\n" : "");
+    writing_put(writing, "DT 1\nDCX %s\nDCY %s\nTLA %s\nTLB %s\nTLC %s\n%s",
+                writing_length(writing, &all->decenter[0], 1),
+                writing_length(writing, &all->decenter[1], 1),
+                writing_turned(writing, &all->tilt[0]), writing_turned(writing, &all->tilt[1]),
+                writing_degrees(writing, &all->tilt[2]), back ? "RCO\n" : "");
 }
 
-static bool oslo_write_put_shape(struct oslo_write_output *output, const struct surface *surface,
-                                 struct error *error)
+static void oslo_put_shape(struct lens_writer *writing, const struct surface *surface)
 {
-    struct lens_writer *writing = &output->writing;
     if (surface->has_curvature) {
-        oslo_write_put_command(output, "CV", writing_length(writing, &surface->curvature, -1));
+        writing_put(writing, "CV %s\n", writing_length(writing, &surface->curvature, -1));
     } else if (!surface->is_plane) {
-        oslo_write_put_command(output, "RD", oslo_write_length_of(output, &surface->radius));
+        writing_put(writing, "RD %s\n", writing_length(writing, &surface->radius, 1));
     }
     if (surface->conic.typed.start != NULL || surface->conic.value.hi != 0) {
-        oslo_write_put_command(output, "CC", writing_length(writing, &surface->conic, 0));
+        writing_put(writing, "CC %s\n", writing_length(writing, &surface->conic, 0));
     }
-    oslo_write_put_coefficients(output, surface);
-    return surface_is_round(surface) ||
-           foreign_lose(output->job, error,
-                        "a cylinder" LOSS_INSTEAD "written as curved in both sections");
+    oslo_put_coefficients(writing, surface);
+    if (!surface_is_round(surface)) {
+        foreign_lose(writing->job, LOSS_OF_RAYS, "written as curved in both sections",
+                     "a cylinder");
+    }
 }
 
-static void put_next(struct oslo_write_output *output)
+/* ATP; 0: there is no such type. */
+static int oslo_aperture_type(const struct aperture *aperture)
 {
-    oslo_write_put_string(output, "NXT\n");
+    static const int types[APERTURE_SHAPES] = {
+        [SHAPE_CIRCLE] = 1, [SHAPE_ELLIPSE] = 1, [SHAPE_RECTANGLE] = 2};
+    bool turned = aperture->turn.value.hi != 0 && aperture->shape != SHAPE_CIRCLE;
+    bool corners = aperture->shape == SHAPE_POLYGON &&
+                   (aperture->point_count == 3 || aperture->point_count == 4);
+    if (turned) {
+        return 0;
+    }
+    return corners ? (int)aperture->point_count : types[aperture->shape];
+}
+
+/* "AX1 A ..": a coordinate of a special aperture. */
+static void oslo_put_place(struct lens_writer *writing, const char *name, char letter,
+                           struct pair value)
+{
+    const struct figure figure = {.value = value, .variable = LENS_NONE};
+    writing_put(writing, "%s %c %s\n", name, letter, writing_length(writing, &figure, 1));
+}
+
+static void oslo_put_aperture(struct lens_writer *writing, const struct aperture *aperture,
+                              char letter)
+{
+    static const char *const edges[2][2] = {{"AX1", "AX2"}, {"AY1", "AY2"}};
+    const struct pair *centres[] = {&aperture->decenter[0].value, &aperture->decenter[1].value};
+    writing_put(writing, "ATP %c %d\nAAC %c %d\n", letter, oslo_aperture_type(aperture), letter,
+                aperture->blocks ? 2 : 4);
+    for (size_t i = 0; i < aperture->point_count; i++) {
+        for (int k = 0; k < 2; k++) {
+            const char *name = arena_printf(writing->arena, "AV%c%zu", "XY"[k], i + 1);
+            oslo_put_place(writing, name, letter,
+                           pair_add(*centres[k], aperture->points[i][k].value));
+        }
+    }
+    for (int k = 0; k < 2 && aperture->point_count == 0; k++) {
+        const int of = aperture->shape == SHAPE_CIRCLE ? 0 : k;
+        const struct pair half = {aperture->size[of].value.hi / 2, aperture->size[of].value.lo / 2};
+        oslo_put_place(writing, edges[k][0], letter, pair_subtract(*centres[k], half));
+        oslo_put_place(writing, edges[k][1], letter, pair_add(*centres[k], half));
+    }
+}
+
+/* What passes or blocks light, as special apertures. */
+static void oslo_put_apertures(struct lens_writer *writing, const struct surface *surface)
+{
+    enum { MOST = 26 }; /* letters */
+    int count = 0, put = 0;
+    for (size_t i = 0; i < surface->aperture_count; i++) {
+        count += oslo_aperture_type(&surface->apertures[i]) != 0;
+    }
+    if (count > 0) {
+        writing_put(writing, "APN %d\n", count < MOST ? count : MOST);
+    }
+    for (size_t i = 0; i < surface->aperture_count; i++) {
+        const struct aperture *one = &surface->apertures[i];
+        if (oslo_aperture_type(one) != 0 && put < MOST) {
+            oslo_put_aperture(writing, one, (char)('A' + put++));
+        } else {
+            writing_lose_aperture(writing, surface, one, "no such aperture is written");
+        }
+    }
+}
+
+static void oslo_put_next(struct oslo_output *output)
+{
+    writing_put(&output->writing, "NXT\n");
     output->number++;
 }
 
-static bool is_displaced_twice(const struct surface *surface)
+static void oslo_put_surface(struct oslo_output *output, size_t index)
 {
-    return surface->decentre != NULL && surface->coordinate_break != NULL;
-}
-
-/* What goes before the surface: its name, and a coordinate break that needs a plane of its own. */
-static void oslo_write_put_before(struct oslo_write_output *output, const struct surface *surface,
-                                  const struct medium *before)
-{
-    if (surface->name != NULL) {
-        growing_format(&output->writing.text, OSLO_KEEP_NOTE OSLO_NAME "%zu %s\n",
-                       output->number + is_displaced_twice(surface), surface->name);
-    }
-    if (is_displaced_twice(surface)) {
-        oslo_write_put_medium(output, before);
-        oslo_write_put_displacement(output, surface->coordinate_break, false);
-        put_next(output);
-    }
-}
-
-static bool oslo_write_put_surface(struct oslo_write_output *output, size_t index,
-                                   struct error *error)
-{
-    const struct lens *lens = output->lens;
+    struct lens_writer *writing = &output->writing;
+    const struct lens *lens = writing->lens;
     const struct surface *surface = &lens->surfaces[index];
     const struct medium *before = index > 0 ? &surface[-1].medium : &lens->object_medium;
-    bool is_last = index + 1 == lens->surface_count;
-    bool solved = is_last && lens->focus == FOCUS_PARAXIAL;
-    put_next(output);
-    oslo_write_put_before(output, surface, before);
+    const struct displacement *moved =
+        surface->decentre != NULL ? surface->decentre : surface->coordinate_break;
+    bool is_moved_twice = surface->decentre != NULL && surface->coordinate_break != NULL;
+    bool solved = index + 1 == lens->surface_count && lens->focus == FOCUS_PARAXIAL;
+    oslo_put_next(output);
+    if (surface->name != NULL) {
+        writing_put(writing, OSLO_KEEP_NOTE OSLO_NAME "%zu %s\n", output->number + is_moved_twice,
+                    surface->name);
+    }
+    if (is_moved_twice) { /* the coordinate break needs a plane of its own */
+        oslo_put_medium(output, before);
+        oslo_put_displacement(writing, surface->coordinate_break, false);
+        oslo_put_next(output);
+    }
     if (surface_reflects(surface)) {
-        oslo_write_put_string(output, "RFL\n");
+        writing_put(writing, "RFL\n");
     } else {
-        oslo_write_put_medium(output, &surface->medium);
+        oslo_put_medium(output, &surface->medium);
     }
-    if (!oslo_write_put_shape(output, surface, error)) {
-        return false;
-    }
+    oslo_put_shape(writing, surface);
     if (surface->has_thickness) {
-        oslo_write_put_command(output, "TH", oslo_write_length_of(output, &surface->thickness));
+        writing_put(writing, "TH %s\n", writing_length(writing, &surface->thickness, 1));
     }
-    oslo_write_put_string(output, solved ? "PY 0.0\n" : "");
+    growing_string(&writing->text, solved ? "PY 0.0\n" : "");
     if (surface->has_diameter) {
-        oslo_write_put_command(
-            output, "AP CHK",
-            decimal_half(oslo_write_length_of(output, &surface->diameter), output->job->arena));
+        writing_put(writing, "AP CHK %s\n", writing_half(writing, &surface->diameter));
     }
-    oslo_write_put_string(output, surface->is_stop ? "AST\n" : "");
-    if (!oslo_write_apertures(&output->writing, output->job, surface, error)) {
-        return false;
+    growing_string(&writing->text, surface->is_stop ? "AST\n" : "");
+    oslo_put_apertures(writing, surface);
+    if (moved != NULL) {
+        oslo_put_displacement(writing, moved, surface->decentre != NULL);
     }
-    if (surface->decentre != NULL || surface->coordinate_break != NULL) {
-        oslo_write_put_displacement(
-            output, surface->decentre != NULL ? surface->decentre : surface->coordinate_break,
-            surface->decentre != NULL);
+    if (surface->vary_count > 0) {
+        foreign_lose(writing->job, LOSS_OF_NOTHING, "left out", "marks for the designer (R~, t~)");
     }
-    return surface->vary_count == 0 ||
-           foreign_lose(output->job, error,
-                        "marks for the designer (R~, t~)" LOSS_IS_MUTE LOSS_INSTEAD "left out");
 }
 
-static void oslo_write_put_waves(struct oslo_write_output *output)
+static void oslo_put_waves(struct lens_writer *writing)
 {
-    const struct lens *lens = output->lens;
-    struct lens_writer *writing = &output->writing;
-    oslo_write_put_string(output, "WV");
+    const struct lens *lens = writing->lens;
+    writing_put(writing, "WV");
     for (size_t i = 0; i < lens->wavelength_count; i++) {
-        oslo_write_put_string(output, " ");
-        growing_text(&writing->text, writing_wave(writing, lens->wavelengths[i].wavelength,
-                                                  lens->wavelengths[i].typed, 0));
+        const struct lens_wavelength *one = &lens->wavelengths[i];
+        writing_put(writing, " %s", writing_wave(writing, one->wavelength, one->typed, 0));
     }
-    oslo_write_put_string(output, lens->wavelength_count == 0 ? " 0.5875618\nWW" : "\nWW");
-    for (size_t i = 0; i < lens->wavelength_count || i == 0; i++) {
-        const struct text weight =
-            i < lens->wavelength_count ? lens->wavelengths[i].weight_typed : (struct text){NULL, 0};
-        oslo_write_put_string(output, " ");
-        growing_text(&writing->text, weight.start != NULL ? weight : text_of("1.0"));
+    growing_string(&writing->text, lens->wavelength_count == 0 ? " 0.5875618\nWW 1.0" : "\nWW");
+    for (size_t i = 0; i < lens->wavelength_count; i++) {
+        writing_put(writing, " %s",
+                    writing_weight(writing, lens->wavelengths[i].weight_typed, "1.0"));
     }
-    oslo_write_put_string(output, "\n");
+    writing_put(writing, "\n");
 }
 
 /* OSLO takes surface 1 where no stop is named. */
-static bool check_losses(struct oslo_write_output *output, struct error *error)
+static void oslo_check_losses(struct foreign_job *job, const struct lens *lens)
 {
-    const struct lens *lens = output->lens;
-    return (lens->stop != LENS_NONE ||
-            foreign_lose(output->job, error,
-                         "the lens has no stop" LOSS_INSTEAD "OSLO takes its first surface")) &&
-           (lens->position_count == 0 ||
-            foreign_lose(output->job, error,
-                         "the positions but the first: write them one by one")) &&
-           (lens->focus != FOCUS_BEST ||
-            foreign_lose(output->job, error,
-                         "the best focus" LOSS_INSTEAD "the image lies at the last thickness"));
+    if (lens->stop == LENS_NONE) {
+        foreign_lose(job, LOSS_OF_RAYS, "OSLO takes its first surface", "the lens has no stop");
+    }
+    if (lens->position_count > 0) {
+        foreign_lose(job, LOSS_OF_RAYS, NULL, "the positions but the first: write them one by one");
+    }
+    if (lens->focus == FOCUS_BEST) {
+        foreign_lose(job, LOSS_OF_RAYS, "the image lies at the last thickness", "the best focus");
+    }
 }
 
 bool oslo_write(struct foreign_job *job, const struct lens *lens, struct text *text,
                 struct error *error)
 {
-    struct oslo_write_output output = {.job = job, .lens = lens};
-    writing_begin(&output.writing, lens, true, job->arena);
-    if (!check_losses(&output, error) || !oslo_write_put_header(&output, error)) {
-        return false;
-    }
-    oslo_write_put_medium(&output, &lens->object_medium);
-    oslo_write_put_command(&output, "TH",
-                           lens->object_is_infinite ? text_of("1.0e+20")
-                                                    : oslo_write_length_of(&output, &lens->object));
+    struct oslo_output output = {0};
+    struct lens_writer *writing = &output.writing;
+    (void)error;
+    writing_begin(writing, job, lens, true);
+    oslo_check_losses(job, lens);
+    oslo_put_header(writing);
+    oslo_put_medium(&output, &lens->object_medium);
+    writing_put(writing, "TH %s\n",
+                lens->object_is_infinite ? "1.0e+20" : writing_length(writing, &lens->object, 1));
     for (size_t i = 0; i < lens->surface_count; i++) {
-        if (!oslo_write_put_surface(&output, i, error)) {
-            return false;
-        }
+        oslo_put_surface(&output, i);
     }
-    oslo_write_put_string(&output, "NXT\nAIR\n");
-    oslo_write_put_waves(&output);
-    growing_format(&output.writing.text, "END %zu\n", lens->surface_count + 1);
-    oslo_write_put_points(&output);
-    *text = growing_done(&output.writing.text);
+    writing_put(writing, "NXT\nAIR\n");
+    oslo_put_waves(writing);
+    writing_put(writing, "END %zu\n", lens->surface_count + 1);
+    oslo_put_points(writing);
+    *text = growing_done(&writing->text);
     return true;
 }

@@ -17,6 +17,18 @@ enum { ZEMAX_TERMS = 8 }; /* of an asphere, among its parameters */
  */
 extern const struct foreign_format zemax_format;
 
+/*
+ * The types that hold aspheric terms: term i is the coefficient of r^(step i), in PARM i, or as
+ * extra data behind the number of terms and the radius that r is a part of.
+ */
+struct zemax_asphere {
+    const char *name;
+    int step, terms;
+    bool extra;
+};
+enum { ZEMAX_ASPHERES = 4 };
+extern const struct zemax_asphere zemax_aspheres[ZEMAX_ASPHERES];
+
 /* The words of UNIT. */
 extern const struct foreign_unit zemax_units[];
 

@@ -113,10 +113,8 @@ bool zemax_set_aperture(struct zemax_file *file, const struct zemax_surface *fro
         return set_user_apertures(file, from, to, error);
     }
     if (word == WORDS) {
-        return shift == NULL ||
-               zemax_loss(file, shift, error,
-                          "a decentre of an aperture that is not stated" LOSS_VIGNETTES LOSS_INSTEAD
-                          "left out");
+        return shift == NULL || zemax_loss(file, shift, LOSS_OF_VIGNETTING, "left out",
+                                           "a decentre of an aperture that is not stated");
     }
     struct aperture *aperture = ARENA_NEW(file->job->arena, struct aperture);
     *aperture = aperture_of(words[word].shape, words[word].blocks);
@@ -127,9 +125,8 @@ bool zemax_set_aperture(struct zemax_file *file, const struct zemax_surface *fro
     }
     shift_aperture(file, shift, aperture);
     if (!sound || !aperture_check(aperture, &wrong)) {
-        return zemax_loss(file, line, error,
-                          "%.4s: an aperture that is none" LOSS_VIGNETTES LOSS_INSTEAD "left out",
-                          line->keyword.start);
+        return zemax_loss(file, line, LOSS_OF_VIGNETTING, "left out",
+                          "%.4s: an aperture that is none", line->keyword.start);
     }
     /* a centred circle is the diameter */
     if (!aperture->blocks && aperture->shape == SHAPE_CIRCLE && aperture_is_round(aperture)) {
@@ -154,15 +151,17 @@ static const char *zemax_aperture_refusal_of(const struct aperture *aperture)
     return NULL;
 }
 
-void zemax_put_half(struct zemax_writer *writer, const struct figure *figure)
+const char *zemax_half(const struct lens_writer *writing, const struct figure *figure)
 {
-    char text[PAIR_LENGTH];
-    const struct pair half = {figure->value.hi / 2, figure->value.lo / 2};
-    char *end = pair_write_shortest(text, half, writer->unit);
-    growing_put(&writer->out, text, (size_t)(end - text));
+    if (figure->variable != LENS_NONE) {
+        figure = &writing->lens->variables[figure->variable].values[0];
+    }
+    const struct figure half = {.value = {figure->value.hi / 2, figure->value.lo / 2},
+                                .variable = LENS_NONE};
+    return writing_length(writing, &half, 1);
 }
 
-static void zemax_aperture_put_one(struct zemax_writer *writer, const struct aperture *aperture)
+static void zemax_aperture_put_one(struct lens_writer *writing, const struct aperture *aperture)
 {
     bool circle = aperture->shape == SHAPE_CIRCLE;
     size_t i = 0;
@@ -170,31 +169,21 @@ static void zemax_aperture_put_one(struct zemax_writer *writer, const struct ape
            words[i].blocks != aperture->blocks) {
         i++;
     }
-    growing_format(&writer->out, "  %s ", words[i].word);
     if (aperture->shape == SHAPE_SPIDER) {
-        growing_figure(&writer->out, &aperture->size[0], writer->unit);
-        growing_format(&writer->out, " %u 0\r\n", aperture->arms);
+        writing_put(writing, "  %s %s %u 0\r\n", words[i].word,
+                    writing_length(writing, &aperture->size[0], 1), aperture->arms);
     } else {
-        if (circle) {
-            growing_string(&writer->out, "0");
-        } else {
-            zemax_put_half(writer, &aperture->size[0]);
-        }
-        growing_string(&writer->out, " ");
-        zemax_put_half(writer, &aperture->size[circle ? 0 : 1]);
-        growing_string(&writer->out, " 0\r\n");
+        writing_put(writing, "  %s %s %s 0\r\n", words[i].word,
+                    circle ? "0" : zemax_half(writing, &aperture->size[0]),
+                    zemax_half(writing, &aperture->size[circle ? 0 : 1]));
     }
     if (aperture->decenter[0].value.hi != 0 || aperture->decenter[1].value.hi != 0) {
-        growing_string(&writer->out, "  OBDC ");
-        growing_figure(&writer->out, &aperture->decenter[0], writer->unit);
-        growing_string(&writer->out, " ");
-        growing_figure(&writer->out, &aperture->decenter[1], writer->unit);
-        growing_string(&writer->out, "\r\n");
+        writing_put(writing, "  OBDC %s %s\r\n", writing_length(writing, &aperture->decenter[0], 1),
+                    writing_length(writing, &aperture->decenter[1], 1));
     }
 }
 
-bool zemax_put_aperture(struct zemax_writer *writer, const struct surface *surface, size_t number,
-                        struct error *error)
+void zemax_put_aperture(struct lens_writer *writing, const struct surface *surface, size_t number)
 {
     const struct aperture *kept = NULL;
     for (size_t i = 0; i < surface->aperture_count; i++) {
@@ -202,21 +191,17 @@ bool zemax_put_aperture(struct zemax_writer *writer, const struct surface *surfa
         const char *refusal =
             kept != NULL ? "a surface has one aperture there" : zemax_aperture_refusal_of(aperture);
         if (refusal == NULL) {
-            zemax_aperture_put_one(writer, aperture);
+            zemax_aperture_put_one(writing, aperture);
             kept = aperture;
-        } else if (!foreign_lose(writer->job, error,
-                                 "surface %zu: a %s that %s: %s" LOSS_VIGNETTES LOSS_INSTEAD
-                                 "left out",
-                                 number, aperture_shapes[aperture->shape].word,
-                                 aperture->blocks ? "blocks" : "passes", refusal)) {
-            return false;
+        } else {
+            writing_lose_aperture(writing, surface, aperture, refusal);
         }
     }
     struct surface alone = {.apertures = kept, .aperture_count = 1};
-    bool cuts = kept != NULL && !kept->blocks && surface->has_diameter && !surface->is_stop &&
-                surface->diameter.value.hi / 2 < aperture_reach(&alone);
-    return !cuts || foreign_lose(writer->job, error,
-                                 "surface %zu: its diameter beside a %s" LOSS_VIGNETTES LOSS_INSTEAD
-                                 "left out",
-                                 number, aperture_shapes[kept->shape].word);
+    if (kept != NULL && !kept->blocks && surface->has_diameter && !surface->is_stop &&
+        surface->diameter.value.hi / 2 < aperture_reach(&alone)) {
+        foreign_lose(writing->job, LOSS_OF_VIGNETTING, "left out",
+                     "surface %zu: its diameter beside a %s", number,
+                     aperture_shapes[kept->shape].word);
+    }
 }

@@ -17,11 +17,10 @@
 bool zemax_set_aperture(struct zemax_file *file, const struct zemax_surface *from,
                         struct surface *to, struct error *error);
 
-/* Half of a diameter. */
-void zemax_put_half(struct zemax_writer *writer, const struct figure *figure);
+/* The digits of half of a diameter. */
+const char *zemax_half(const struct lens_writer *writing, const struct figure *figure);
 
 /* The first one of a surface that the format has; the others are losses. */
-bool zemax_put_aperture(struct zemax_writer *writer, const struct surface *surface, size_t number,
-                        struct error *error);
+void zemax_put_aperture(struct lens_writer *writing, const struct surface *surface, size_t number);
 
 #endif

@@ -118,7 +118,7 @@ static struct break_motion zemax_break_undone(struct break_motion turning, struc
     return turning;
 }
 
-bool zemax_add_shift(struct zemax_file *file, size_t at, bool behind, struct error *error)
+void zemax_add_shift(struct zemax_file *file, size_t at, bool behind)
 {
     enum { OWN, AS_BEFORE, AS_BEFORE_UNDONE };
     struct zemax_surface *surface = &file->surfaces[at];
@@ -126,18 +126,19 @@ bool zemax_add_shift(struct zemax_file *file, size_t at, bool behind, struct err
     if (!behind) {
         struct break_motion turning = turning_of(before);
         add_turning(file, &turning);
-        return true;
+        return;
     }
     const double status = zemax_number(line, 2);
-    struct break_motion turning = status == OWN         ? turning_of(line)
-                                  : status == AS_BEFORE ? turning_of(before)
-                                  : status == AS_BEFORE_UNDONE
-                                      ? zemax_break_undone(turning_of(before), file->job->arena)
-                                      : turning_of(NULL);
-    if (!(status == OWN || status == AS_BEFORE || status == AS_BEFORE_UNDONE) &&
-        !zemax_loss(file, line, error,
-                    "SCBD: a shift or turn behind a surface that follows another surface")) {
-        return false;
+    struct break_motion turning = turning_of(NULL);
+    if (status == OWN) {
+        turning = turning_of(line);
+    } else if (status == AS_BEFORE) {
+        turning = turning_of(before);
+    } else if (status == AS_BEFORE_UNDONE) {
+        turning = zemax_break_undone(turning_of(before), file->job->arena);
+    } else {
+        zemax_loss(file, line, LOSS_OF_RAYS, NULL,
+                   "SCBD: a shift or turn behind a surface that follows another surface");
     }
     const size_t count = file->build.lens->surface_count;
     if (!is_null(&turning) || (line != NULL && file->configurations > 1)) {
@@ -145,5 +146,4 @@ bool zemax_add_shift(struct zemax_file *file, size_t at, bool behind, struct err
         zemax_add_plane(file);
     }
     surface->planes_behind = file->build.lens->surface_count - count;
-    return true;
 }

@@ -29,6 +29,6 @@ bool zemax_is_bare(const struct zemax_file *file, size_t at);
  *           the surface 0 its own numbers, 1 those before it, 2 those before it undone
  * Errors    a loss: numbers that follow another surface
  */
-bool zemax_add_shift(struct zemax_file *file, size_t at, bool behind, struct error *error);
+void zemax_add_shift(struct zemax_file *file, size_t at, bool behind);
 
 #endif

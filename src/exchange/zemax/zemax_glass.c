@@ -1,7 +1,7 @@
 /* exchange/zemax/zemax_glass.c - the materials of a .zmx file: names of glasses, and numbers. */
 /* SPDX-License-Identifier: MIT */
 #include "exchange/zemax/zemax_glass.h"
-#include "exchange/zemax/zemax_environment.h"
+#include "exchange/environment.h"
 
 #include <math.h>
 #include <string.h>
@@ -66,8 +66,8 @@ static bool model_medium(struct zemax_file *file, const struct zemax_line *line,
                                "the Abbe number is below 0");
     }
     return zemax_number(line, 4) == 0 ||
-           zemax_loss(file, line, error, "the deviation %g of the partial dispersion PgF",
-                      zemax_number(line, 4));
+           zemax_loss(file, line, LOSS_OF_RAYS, NULL,
+                      "the deviation %g of the partial dispersion PgF", zemax_number(line, 4));
 }
 
 /* Catalogues as the file names them: "SCHOTT, OHARA"; "none" where it names none. */
@@ -103,37 +103,36 @@ static bool is_visible(const struct zemax_file *file)
 }
 
 /* nd and Vd instead of the glass, of which `what` tells; behind visible light they are a loss. */
-static bool numbers_instead(struct zemax_file *file, const struct zemax_line *line,
-                            struct medium *medium, const char *what, struct error *error)
+static void numbers_instead(struct zemax_file *file, const struct zemax_line *line,
+                            struct medium *medium, const char *what)
 {
     *medium = model_of(file, line->numbers[2], line->numbers[3]);
     if (is_visible(file)) {
         medium->warning = arena_printf(file->job->arena, "%s: nd and Vd are used instead", what);
         lens_build_note(&file->build, text_of(medium->warning));
-        return true;
+        return;
     }
     file->job->lacks_glass = true;
-    return zemax_loss(file, line, error,
-                      "%s" LOSS_OF_POWER LOSS_INSTEAD "nd and Vd are used instead", what);
+    zemax_loss(file, line, LOSS_OF_POWER, "nd and Vd are used instead", "%s", what);
 }
 
 /* No catalogue has it so: the indices beside its name. */
-static bool unknown_glass(struct zemax_file *file, const struct zemax_line *line,
-                          struct medium *medium, struct error *error)
+static void unknown_glass(struct zemax_file *file, const struct zemax_line *line,
+                          struct medium *medium)
 {
     int length = (int)(line->keyword.length < 40 ? line->keyword.length : 40);
     if (!has_index(line)) {
-        return foreign_lack(
-            file->job, &line->words, line->keyword, medium,
-            arena_printf(file->job->arena,
-                         "the glass '%.*s' is in %s, and the file has no index of it", length,
-                         line->keyword.start, catalog_list(file)));
+        foreign_lack(file->job, &line->words, line->keyword, medium,
+                     arena_printf(file->job->arena,
+                                  "the glass '%.*s' is in %s, and the file has no index of it",
+                                  length, line->keyword.start, catalog_list(file)));
+        return;
     }
     char *what = arena_printf(file->job->arena, "the glass '%.*s' of nd %g and Vd %g is in %s",
                               length, line->keyword.start, zemax_number(line, 2),
                               zemax_number(line, 3), catalog_list(file));
     text_make_printable(what, "");
-    return numbers_instead(file, line, medium, what, error);
+    numbers_instead(file, line, medium, what);
 }
 
 /* Programs that write a line VERS of their own, and which numbers they put beside names. */
@@ -167,9 +166,8 @@ static enum glass_numbers zemax_glass_numbers_of(const struct zemax_file *file,
 }
 
 /* A glass of a catalogue beside which the line has other numbers: the one or the others. */
-static bool settle_glass(struct zemax_file *file, const struct zemax_line *line,
-                         const struct foreign_name *named, struct medium *medium,
-                         struct error *error)
+static void settle_glass(struct zemax_file *file, const struct zemax_line *line,
+                         const struct foreign_name *named, struct medium *medium)
 {
     const bool model = zemax_number(line, 0) == GLASS_MODEL;
     const bool of_line = zemax_glass_numbers_of(file, line) == GLASS_NUMBERS_LINE;
@@ -182,14 +180,14 @@ static bool settle_glass(struct zemax_file *file, const struct zemax_line *line,
                             converter_of(file));
     }
     if (of_line) {
-        return numbers_instead(file, line, medium, what, error);
+        numbers_instead(file, line, medium, what);
+        return;
     }
     const char *warning = arena_printf(file->job->arena, "%s: the catalogue's glass is used", what);
     lens_build_note(&file->build, text_of(warning));
     medium->warning = medium->warning == NULL
                           ? warning
                           : arena_printf(file->job->arena, "%s; %s", medium->warning, warning);
-    return true;
 }
 
 /* The name of a line, and what it says of the glass. */
@@ -219,9 +217,15 @@ static bool named_glass(struct zemax_file *file, const struct zemax_line *line,
 {
     const struct foreign_name named = zemax_glass_name_of(file, line);
     if (!foreign_glass(file->job, &line->words, &named, medium, error)) {
-        return error->code == ERROR_NONE && unknown_glass(file, line, medium, error);
+        if (error->code == ERROR_NONE) {
+            unknown_glass(file, line, medium);
+        }
+        return error->code == ERROR_NONE;
     }
-    return foreign_is_rounded(medium, &named) || settle_glass(file, line, &named, medium, error);
+    if (!foreign_is_rounded(medium, &named)) {
+        settle_glass(file, line, &named, medium);
+    }
+    return true;
 }
 
 /* A model glass that has a name: of a catalogue's it is said where that one is another. */
@@ -240,16 +244,49 @@ static bool named_model(struct zemax_file *file, const struct zemax_line *line,
     }
     if (zemax_glass_numbers_of(file, line) == GLASS_NUMBERS_CATALOG) {
         *medium = found;
-        return foreign_is_rounded(medium, &named) ||
-               settle_glass(file, line, &named, medium, error);
-    }
-    if (!foreign_is_rounded(&found, &named)) {
+        if (!foreign_is_rounded(medium, &named)) {
+            settle_glass(file, line, &named, medium);
+        }
+    } else if (!foreign_is_rounded(&found, &named)) {
         medium->warning =
             arena_printf(file->job->arena, "%s: it is a model glass, whose numbers are used",
                          foreign_difference(file->job, &named, &found));
         lens_build_note(&file->build, text_of(medium->warning));
     }
     return true;
+}
+
+/*
+ * A glass of a catalogue as it is in the file's air, where ENVD says that indices follow it; else,
+ * and at 20 C and 1 atmosphere, as it is. Radii and distances of a file are those at its
+ * temperature already.
+ *
+ * Given     line    GLAS
+ *           medium  of a catalogue; receives a table at the file's wavelengths, at
+ *                   spectral lines, and at steps between them, in the range of the glass
+ * Formula   the wavelength l of the file is one in its air, of T and p: the catalogue's is
+ *           l n_air(T, p)/n_air(T0, 1 atmosphere); then glass_in_air, with AIR_KOHLRAUSCH
+ * Source    [OpticStudio25], temperature and pressure
+ * Errors    ERROR_DATA: a glass without the data for it, unless lossy
+ */
+static bool zemax_to_environment(struct zemax_file *file, const struct zemax_line *line,
+                                 struct medium *medium, struct error *error)
+{
+    /* ENVD temperature pressure adjust */
+    const struct zemax_line *stated = file->environment;
+    struct environment environment = {.job = file->job,
+                                      .build = &file->build,
+                                      .temperature = zemax_number(stated, 0),
+                                      .pressure = zemax_number(stated, 1)};
+    if (zemax_number(stated, 2) == 0) {
+        return true;
+    }
+    const size_t count = zemax_wave_count(file);
+    while (environment.wave_count < count) {
+        environment.waves[environment.wave_count] = file->waves[environment.wave_count].value.hi;
+        environment.wave_count++;
+    }
+    return environment_apply(&environment, &line->words, line->keyword, medium, error);
 }
 
 bool zemax_glass(struct zemax_file *file, const struct zemax_line *line, struct medium *medium,
@@ -259,17 +296,14 @@ bool zemax_glass(struct zemax_file *file, const struct zemax_line *line, struct 
     if (text_same(line->keyword, "___BLANK")) {
         return model_medium(file, line, medium, error);
     }
-    if (!(type >= GLASS_NAMED && type <= GLASS_OFFSET && type == rint(type)) &&
-        !zemax_loss(file, line, error,
-                    "a glass of the type %g" LOSS_OF_POWER LOSS_INSTEAD "its name is looked up",
-                    type)) {
-        return false;
+    if (!(type >= GLASS_NAMED && type <= GLASS_OFFSET && type == rint(type))) {
+        zemax_loss(file, line, LOSS_OF_POWER, "its name is looked up", "a glass of the type %g",
+                   type);
     }
     for (size_t i = 8; type == GLASS_OFFSET && i < line->count; i++) {
-        if (line->numbers[i].value.hi != 0 &&
-            !zemax_loss(file, line, error,
-                        "a glass with an offset of its index or dispersion" LOSS_OF_POWER)) {
-            return false;
+        if (line->numbers[i].value.hi != 0) {
+            zemax_loss(file, line, LOSS_OF_POWER, NULL,
+                       "a glass with an offset of its index or dispersion");
         }
     }
     if (type == GLASS_MODEL && zemax_number(line, 2) > 0) {

@@ -6,13 +6,22 @@
 #include "exchange/word_table.h"
 #include "exchange/zemax/zemax_parse.h"
 
-/* Reads the present line of the file; `keyword` is the word itself. */
-typedef bool zemax_read_function(struct zemax_file *file, struct text keyword, struct error *error);
+/* What stands behind a keyword: text in quotes may follow numbers. */
+enum zemax_wants { ZEMAX_ANY_WORDS, ZEMAX_ALL_NUMBERS, ZEMAX_A_NUMBER };
+
+/* Reads a line; what the keyword wants is there. The file stands behind the keyword. */
+typedef bool zemax_read_function(struct zemax_file *file, const struct zemax_line *line,
+                                 struct error *error);
 
 struct zemax_keyword {
-    const char *word; /* null ends a table */
-    zemax_read_function *read;
+    const char *words; /* separated by blanks; null ends a table */
+    enum zemax_wants wants;
+    bool is_length;            /* its numbers are in the file's unit */
+    size_t kept;               /* where the file, or its surface, keeps the line; 0: nowhere */
+    zemax_read_function *read; /* null: it is only kept */
 };
+
+#define ZEMAX_KEPT(owner, member) offsetof(struct owner, member)
 
 /* Where words stand, as the table of them has it. */
 #define ZEMAX_IN_SYSTEM         "system"

@@ -1,28 +1,118 @@
 /* exchange/zemax/zemax_parse.c - a .zmx file as it stands, line by line, before it is a lens. */
 /* SPDX-License-Identifier: MIT */
 #include "exchange/zemax/zemax_keyword.h"
+#include "file/lens_words.h"
 
 #include <math.h>
+#include <stdarg.h>
+#include <stdio.h>
 #include <string.h>
+
+double zemax_number(const struct zemax_line *line, size_t at)
+{
+    return line != NULL && at < line->count ? line->numbers[at].value.hi : 0;
+}
+
+size_t zemax_wave_count(const struct zemax_file *file)
+{
+    const double stated = fabs(zemax_number(file->fields, 3));
+    size_t count = file->wave_count;
+    if (stated >= 1 && stated < (double)count) {
+        count = (size_t)stated;
+    }
+    while (!(stated >= 1) && count > 1 &&
+           file->waves[count - 1].value.hi == file->waves[count - 2].value.hi) {
+        count--;
+    }
+    return count;
+}
+
+void zemax_remark(struct zemax_file *file, const char *format, ...)
+{
+    char text[200];
+    va_list arguments;
+    va_start(arguments, format);
+    vsnprintf(text, sizeof text, format, arguments);
+    va_end(arguments);
+    lens_build_note(&file->build, text_of(text));
+}
+
+bool zemax_stands(struct zemax_file *file, const struct zemax_line *line, const char *what)
+{
+    if (file->configurations < 2) {
+        zemax_remark(file, "line %ld: %s; the file's number is kept", line->words.number, what);
+        return true;
+    }
+    return zemax_loss(file, line, LOSS_OF_NOTHING, "the file's number is kept", "%s", what);
+}
+
+struct zemax_line *zemax_line_of(struct zemax_file *file, struct text keyword,
+                                 struct number_scale scale)
+{
+    struct zemax_line *line = ARENA_NEW(file->job->arena, struct zemax_line);
+    struct file_words words = file->words, counting = words;
+    size_t room = 0;
+    while (file_words_next(&counting).length > 0) {
+        room++;
+    }
+    line->words = words;
+    line->keyword = line->begin = keyword;
+    line->numbers = ARENA_ARRAY(file->job->arena, room, struct figure);
+    for (struct text word = file_words_next(&words); word.length > 0;
+         word = file_words_next(&words)) {
+        struct figure figure = {.typed = word, .variable = LENS_NONE};
+        const char *end = word.start + word.length;
+        if (line->first.start == NULL) {
+            line->first = word;
+            line->infinite = text_same(word, "INFINITY");
+        }
+        bool number = pair_read(word.start, end, scale, &figure.value) == end &&
+                      fabs(figure.value.hi) < 1e100;
+        if (!number) {
+            line->stray = word.start[0] != '"' ? word : line->stray;
+            break;
+        }
+        line->numbers[line->count++] = figure;
+    }
+    return line;
+}
+
+bool zemax_all_numbers(const struct zemax_line *line, struct error *error)
+{
+    char what[100];
+    struct figure figure;
+    snprintf(what, sizeof what, "value behind %.*s", text_shown(line->begin), line->begin.start);
+    return line->stray.start == NULL ||
+           lens_words_figure(&line->words, line->stray, NUMBER_UNSCALED, what, &figure, error);
+}
+
+bool zemax_has_number(const struct zemax_line *line, struct error *error)
+{
+    if (line->count > 0) {
+        return zemax_all_numbers(line, error);
+    }
+    struct text word = line->first.start != NULL ? line->first : line->keyword;
+    return file_words_fail(&line->words, word, error, "%.4s needs a number", line->keyword.start);
+}
 
 static struct zemax_surface *parse_surface_of(struct zemax_file *file)
 {
     return &file->surfaces[file->surface_count - 1];
 }
 
-static bool read_surf(struct zemax_file *file, struct text keyword, struct error *error)
+static bool read_surf(struct zemax_file *file, const struct zemax_line *line, struct error *error)
 {
-    const struct zemax_line *line = zemax_line_of(file, keyword, NUMBER_UNSCALED);
     size_t expected = file->surface_count > 0 ? parse_surface_of(file)->number + 1 : 0;
     double number = zemax_number(line, 0);
     bool is_next = number == (double)expected;
     bool is_later =
         expected > 0 && number > (double)expected && number < 1e6 && number == floor(number);
     if (!(is_next || is_later) || line->count == 0) {
-        return file_words_fail(&line->words, keyword, error, "SURF %zu is expected here", expected);
+        return file_words_fail(&line->words, line->keyword, error, "SURF %zu is expected here",
+                               expected);
     }
     if (file->surface_count == FOREIGN_MOST_SURFACES) {
-        return file_words_fail(&line->words, keyword, error, "more than %d surfaces",
+        return file_words_fail(&line->words, line->keyword, error, "more than %d surfaces",
                                LENS_MOST_SURFACES);
     }
     file->surfaces = arena_grow(file->job->arena, file->surfaces, file->surface_count,
@@ -34,10 +124,9 @@ static bool read_surf(struct zemax_file *file, struct text keyword, struct error
 }
 
 /* What no lens of lenscalc can be is said before all else. */
-static bool read_type(struct zemax_file *file, struct text keyword, struct error *error)
+static bool read_type(struct zemax_file *file, const struct zemax_line *line, struct error *error)
 {
-    const struct zemax_line *line = zemax_line_of(file, keyword, NUMBER_UNSCALED);
-    parse_surface_of(file)->type = line;
+    (void)file;
     if (text_same(line->first, "NONSEQCO")) {
         return file_words_fail(&line->words, line->first, error,
                                "a non-sequential group: lenscalc has lenses whose surfaces follow "
@@ -49,44 +138,23 @@ static bool read_type(struct zemax_file *file, struct text keyword, struct error
                            "does not hold");
 }
 
-static bool parse_read_curvature(struct zemax_file *file, struct text keyword, struct error *error)
+static bool parse_read_thickness(struct zemax_file *file, const struct zemax_line *line,
+                                 struct error *error)
 {
-    parse_surface_of(file)->curvature = zemax_line_of(file, keyword, NUMBER_UNSCALED);
-    return zemax_has_number(parse_surface_of(file)->curvature, error);
-}
-
-static bool parse_read_thickness(struct zemax_file *file, struct text keyword, struct error *error)
-{
-    const struct zemax_line *line = zemax_line_of(file, keyword, file->words.scale);
-    parse_surface_of(file)->thickness = line;
+    (void)file;
     return line->infinite || zemax_has_number(line, error);
 }
 
-static bool parse_read_conic(struct zemax_file *file, struct text keyword, struct error *error)
-{
-    parse_surface_of(file)->conic = zemax_line_of(file, keyword, NUMBER_UNSCALED);
-    return zemax_has_number(parse_surface_of(file)->conic, error);
-}
-
-static bool parse_read_diameter(struct zemax_file *file, struct text keyword, struct error *error)
-{
-    parse_surface_of(file)->diameter = zemax_line_of(file, keyword, file->words.scale);
-    return zemax_has_number(parse_surface_of(file)->diameter, error);
-}
-
 /* CLAP, SQAP ..: two numbers, of which zemax_aperture.c knows the meaning. */
-static bool parse_read_aperture(struct zemax_file *file, struct text keyword, struct error *error)
+static bool parse_read_aperture(struct zemax_file *file, const struct zemax_line *line,
+                                struct error *error)
 {
-    const struct zemax_line *line = zemax_line_of(file, keyword, file->words.scale);
-    if (!zemax_has_number(line, error)) {
-        return false;
-    }
+    (void)error;
     if (line->count < 2) {
-        return zemax_loss(file, line, error,
-                          "%.4s with one number" LOSS_VIGNETTES LOSS_INSTEAD "left out",
-                          keyword.start);
+        return zemax_loss(file, line, LOSS_OF_VIGNETTING, "left out", "%.4s with one number",
+                          line->keyword.start);
     }
-    if (text_same(keyword, "CLAP")) {
+    if (text_same(line->keyword, "CLAP")) {
         parse_surface_of(file)->clear = line;
     }
     parse_surface_of(file)->aperture = line;
@@ -94,23 +162,23 @@ static bool parse_read_aperture(struct zemax_file *file, struct text keyword, st
 }
 
 /* A floating aperture is as large as the semi-diameter. */
-static bool read_floating(struct zemax_file *file, struct text keyword, struct error *error)
+static bool read_floating(struct zemax_file *file, const struct zemax_line *line,
+                          struct error *error)
 {
-    const struct zemax_line *line = zemax_line_of(file, keyword, file->words.scale);
-    return zemax_has_number(line, error) &&
-           (line->count < 2 || line->numbers[0].value.hi == 0 ||
-            zemax_loss(file, line, error,
-                       "a floating aperture with a hole" LOSS_VIGNETTES LOSS_INSTEAD
-                       "the hole is left out"));
+    (void)error;
+    return line->count < 2 || line->numbers[0].value.hi == 0 ||
+           zemax_loss(file, line, LOSS_OF_VIGNETTING, "the hole is left out",
+                      "a floating aperture with a hole");
 }
 
-static bool read_aperture_shift(struct zemax_file *file, struct text keyword, struct error *error)
+static bool read_aperture_shift(struct zemax_file *file, const struct zemax_line *line,
+                                struct error *error)
 {
-    const struct zemax_line *line = zemax_line_of(file, keyword, file->words.scale);
+    (void)error;
     if (zemax_number(line, 0) != 0 || zemax_number(line, 1) != 0) {
         parse_surface_of(file)->aperture_shift = line;
     }
-    return zemax_all_numbers(line, error);
+    return true;
 }
 
 /* UDAD 1 x y 0: the file that UDAD 0 names, row by row, as it was when the lens was saved. */
@@ -132,25 +200,27 @@ static void add_user_row(struct zemax_file *file, const struct zemax_line *line)
  * USAP passes, USOB blocks; they or UDAD have the name of the file, among numbers of which one may
  * be a scale: others than 0 and 1 are not known.
  */
-static bool read_user_aperture(struct zemax_file *file, struct text keyword, struct error *error)
+static bool read_user_aperture(struct zemax_file *file, const struct zemax_line *line,
+                               struct error *error)
 {
     struct zemax_surface *surface = parse_surface_of(file);
-    const struct zemax_line *line = zemax_line_of(file, keyword, file->words.scale);
-    if (text_same(keyword, "UDAD") && zemax_number(line, 0) != 0) {
+    (void)error;
+    if (text_same(line->keyword, "UDAD") && zemax_number(line, 0) != 0) {
         add_user_row(file, line);
         return true;
     }
     bool known = true;
     surface->user_aperture = line;
-    surface->user_blocks = surface->user_blocks || text_same(keyword, "USOB");
+    surface->user_blocks = surface->user_blocks || text_same(line->keyword, "USOB");
     for (struct text word = file_words_next(&file->words); word.length > 0;
          word = file_words_next(&file->words)) {
         double value;
-        bool number = number_read(word.start, word.start + word.length, NUMBER_UNSCALED, &value) ==
-                      word.start + word.length;
-        bool named = !number && !text_equal(word, "\"\"");
-        known = known && (!number || value == 0 || value == 1);
-        surface->user_file = named ? word : surface->user_file;
+        const char *end = word.start + word.length;
+        if (number_read(word.start, end, NUMBER_UNSCALED, &value) == end) {
+            known = known && (value == 0 || value == 1);
+        } else if (!text_equal(word, "\"\"")) {
+            surface->user_file = word;
+        }
     }
     if (known) {
         return true;
@@ -158,14 +228,13 @@ static bool read_user_aperture(struct zemax_file *file, struct text keyword, str
     surface->user_aperture = NULL;
     surface->user_row_count = 0;
     surface->has_lost_aperture = true;
-    return zemax_loss(
-        file, line, error,
-        "%.4s: an aperture of a file with numbers beside its name" LOSS_VIGNETTES LOSS_INSTEAD
-        "left out",
-        keyword.start);
+    return zemax_loss(file, line, LOSS_OF_VIGNETTING, "left out",
+                      "%.4s: an aperture of a file with numbers beside its name",
+                      line->keyword.start);
 }
 
-static bool parse_read_glass(struct zemax_file *file, struct text keyword, struct error *error)
+static bool parse_read_glass(struct zemax_file *file, const struct zemax_line *whole,
+                             struct error *error)
 {
     struct file_words words = file->words;
     struct text name = file_words_next(&file->words);
@@ -174,33 +243,33 @@ static bool parse_read_glass(struct zemax_file *file, struct text keyword, struc
     }
     struct zemax_line *line = zemax_line_of(file, name, NUMBER_UNSCALED);
     line->words = words;
-    line->begin = keyword;
+    line->begin = whole->keyword;
     parse_surface_of(file)->glass = line;
     return zemax_all_numbers(line, error);
 }
 
-static bool parse_read_stop(struct zemax_file *file, struct text keyword, struct error *error)
+static bool parse_read_stop(struct zemax_file *file, const struct zemax_line *line,
+                            struct error *error)
 {
-    (void)keyword;
-    (void)error;
+    (void)line, (void)error;
     parse_surface_of(file)->is_stop = true;
     return true;
 }
 
-static bool read_comment(struct zemax_file *file, struct text keyword, struct error *error)
+static bool read_comment(struct zemax_file *file, const struct zemax_line *line,
+                         struct error *error)
 {
-    (void)keyword;
-    (void)error;
+    (void)line, (void)error;
     parse_surface_of(file)->comment = file_words_rest(&file->words);
     return true;
 }
 
 /* A coating is kept as a note. */
-static bool read_coating(struct zemax_file *file, struct text keyword, struct error *error)
+static bool read_coating(struct zemax_file *file, const struct zemax_line *line,
+                         struct error *error)
 {
     struct text rest = file_words_rest(&file->words);
-    (void)keyword;
-    (void)error;
+    (void)line, (void)error;
     lens_build_note(
         &file->build,
         text_of(arena_printf(file->job->arena, "coating of surface %zu: %.*s",
@@ -208,125 +277,114 @@ static bool read_coating(struct zemax_file *file, struct text keyword, struct er
     return true;
 }
 
-/* The place of a numbered line: 1 .. most - 1. */
-static const struct zemax_line **parse_place_of(struct zemax_file *file,
-                                                const struct zemax_line *line,
-                                                const struct zemax_line **places, size_t most,
-                                                struct error *error)
-{
-    double number = zemax_number(line, 0);
-    if (!zemax_all_numbers(line, error)) {
-        return NULL;
-    }
-    if (line->count < 2 || !(number >= 0 && number < 1e6)) {
-        file_words_fail(&file->words, line->keyword, error, "%.4s needs a number and a value",
-                        line->keyword.start);
-        return NULL;
-    }
-    return number < (double)most ? &places[(size_t)number] : &places[0];
-}
-
-static bool read_numbered(struct zemax_file *file, struct text keyword, struct error *error)
+/* PARM 1 .., XDAT 1 .., PPAR 1 ..: those beyond the last matter only where they are not 0. */
+static bool read_numbered(struct zemax_file *file, const struct zemax_line *line,
+                          struct error *error)
 {
     struct zemax_surface *surface = parse_surface_of(file);
-    bool extra = text_same(keyword, "XDAT"), pickup = text_same(keyword, "PPAR");
-    const struct zemax_line *line = zemax_line_of(file, keyword, NUMBER_UNSCALED);
-    const struct zemax_line **place =
-        parse_place_of(file, line,
-                       extra    ? surface->extras
-                       : pickup ? surface->pickups
-                                : surface->parameters,
-                       extra ? ZEMAX_EXTRAS : ZEMAX_PARAMETERS, error);
-    if (place == NULL) {
-        return false;
+    const struct zemax_line **places = surface->parameters;
+    double number = zemax_number(line, 0), most = ZEMAX_PARAMETERS;
+    if (text_same(line->keyword, "XDAT")) {
+        places = surface->extras;
+        most = ZEMAX_EXTRAS;
+    } else if (text_same(line->keyword, "PPAR")) {
+        places = surface->pickups;
     }
-    bool beyond = zemax_number(line, 0) >= (extra ? ZEMAX_EXTRAS : ZEMAX_PARAMETERS);
-    if (beyond && zemax_number(line, 1) != 0) {
-        return zemax_loss(file, line, error, "a parameter that no surface of lenscalc has");
+    if (line->count < 2 || !(number >= 0 && number < 1e6)) {
+        return file_words_fail(&file->words, line->keyword, error,
+                               "%.4s needs a number and a value", line->keyword.start);
     }
-    *place = line;
+    if (number >= most && zemax_number(line, 1) != 0) {
+        return zemax_loss(file, line, LOSS_OF_RAYS, NULL,
+                          "a parameter that no surface of lenscalc has");
+    }
+    places[number < most ? (size_t)number : 0] = line;
     return true;
 }
 
-static bool parse_read_solve(struct zemax_file *file, struct text keyword, struct error *error)
-{
-    parse_surface_of(file)->solve = zemax_line_of(file, keyword, NUMBER_UNSCALED);
-    return zemax_all_numbers(parse_surface_of(file)->solve, error);
-}
-
 /* SCBD which .. : what is shifted and turned before the surface (1) or behind it (2). */
-static bool parse_read_shift(struct zemax_file *file, struct text keyword, struct error *error)
+static bool parse_read_shift(struct zemax_file *file, const struct zemax_line *line,
+                             struct error *error)
 {
-    const struct zemax_line *line = zemax_line_of(file, keyword, NUMBER_UNSCALED);
+    struct zemax_surface *surface = parse_surface_of(file);
     const double which = zemax_number(line, 0);
-    if (!zemax_all_numbers(line, error)) {
-        return false;
+    (void)error;
+    if (which == 1) {
+        surface->shift_before = line;
+    } else if (which == 2) {
+        surface->shift_behind = line;
+    } else {
+        zemax_loss(file, line, LOSS_OF_RAYS, NULL,
+                   "SCBD is of 1, before the surface, or of 2, behind it");
     }
-    if (which == 1 || which == 2) {
-        *(which == 1 ? &parse_surface_of(file)->shift_before
-                     : &parse_surface_of(file)->shift_behind) = line;
-        return true;
-    }
-    return zemax_loss(file, line, error, "SCBD is of 1, before the surface, or of 2, behind it");
+    return true;
 }
 
+#define KEPT(member) ZEMAX_KEPT(zemax_surface, member)
 static const struct zemax_keyword surface_keywords[] = {
-    {"TYPE", read_type},
-    {"CURV", parse_read_curvature},
-    {"DISZ", parse_read_thickness},
-    {"CONI", parse_read_conic},
-    {"DIAM", parse_read_diameter},
-    {"GLAS", parse_read_glass},
-    {"STOP", parse_read_stop},
-    {"COMM", read_comment},
-    {"COAT", read_coating},
-    {"PARM", read_numbered},
-    {"XDAT", read_numbered},
-    {"PPAR", read_numbered},
-    {"MAZH", parse_read_solve},
-    {"CHZH", parse_read_solve},
-    {"PZUP", parse_read_solve},
-    {"TCOM", parse_read_solve},
-    {"TOLE", parse_read_solve},
-    {"EDGE", parse_read_solve},
-    {"CLAP", parse_read_aperture},
-    {"FLAP", read_floating},
-    {"SQAP", parse_read_aperture},
-    {"ELAP", parse_read_aperture},
-    {"OBSC", parse_read_aperture},
-    {"SQOB", parse_read_aperture},
-    {"ELOB", parse_read_aperture},
-    {"SPID", parse_read_aperture},
-    {"USAP", read_user_aperture},
-    {"USOB", read_user_aperture},
-    {"UDAD", read_user_aperture},
-    {"OBDC", read_aperture_shift},
-    {"SCBD", parse_read_shift},
-    {NULL, NULL},
+    {"TYPE", ZEMAX_ANY_WORDS, false, KEPT(type), read_type},
+    {"CURV", ZEMAX_A_NUMBER, false, KEPT(curvature), NULL},
+    {"DISZ", ZEMAX_ANY_WORDS, true, KEPT(thickness), parse_read_thickness},
+    {"CONI", ZEMAX_A_NUMBER, false, KEPT(conic), NULL},
+    {"DIAM", ZEMAX_A_NUMBER, true, KEPT(diameter), NULL},
+    {"GLAS", ZEMAX_ANY_WORDS, false, 0, parse_read_glass},
+    {"STOP", ZEMAX_ANY_WORDS, false, 0, parse_read_stop},
+    {"COMM", ZEMAX_ANY_WORDS, false, 0, read_comment},
+    {"COAT", ZEMAX_ANY_WORDS, false, 0, read_coating},
+    {"PARM XDAT PPAR", ZEMAX_ALL_NUMBERS, false, 0, read_numbered},
+    {"MAZH CHZH PZUP TCOM TOLE EDGE", ZEMAX_ALL_NUMBERS, false, KEPT(solve), NULL},
+    {"CLAP SQAP ELAP OBSC SQOB ELOB SPID", ZEMAX_A_NUMBER, true, 0, parse_read_aperture},
+    {"FLAP", ZEMAX_A_NUMBER, true, 0, read_floating},
+    {"USAP USOB UDAD", ZEMAX_ANY_WORDS, true, 0, read_user_aperture},
+    {"OBDC", ZEMAX_ALL_NUMBERS, true, 0, read_aperture_shift},
+    {"SCBD", ZEMAX_ALL_NUMBERS, false, 0, parse_read_shift},
+    {NULL, ZEMAX_ANY_WORDS, false, 0, NULL},
 };
 
 static const struct zemax_keyword *parse_find(const struct zemax_keyword *table, struct text word)
 {
-    for (; table->word != NULL; table++) {
-        if (text_same(word, table->word)) {
+    for (; table->words != NULL; table++) {
+        if (word_list_find(table->words, word) != NULL) {
             return table;
         }
     }
     return NULL;
 }
 
-/* Lines of the system and those behind the surfaces begin the line, those of a surface do not. */
+/*
+ * The reader of the present line, of one of `in_surface` where it is of a surface. Lines of the
+ * system and those behind the surfaces begin the line, those of a surface do not.
+ */
 static const struct zemax_keyword *find_keyword(const struct zemax_file *file, struct text word,
-                                                bool indented)
+                                                bool indented, bool *in_surface)
 {
     const struct zemax_keyword *keyword = parse_find(zemax_system_keywords, word);
+    *in_surface = false;
     if (keyword == NULL && file->surface_count > 0 && !indented) {
         keyword = parse_find(zemax_tail_keywords, word);
     }
     if (keyword == NULL && (!file->in_tail || indented)) {
         keyword = parse_find(surface_keywords, word);
+        *in_surface = keyword != NULL;
     }
     return keyword;
+}
+
+/* Read the present line; `owner`, the file or a surface, keeps it where the keyword says. */
+static bool parse_read_known(struct zemax_file *file, const struct zemax_keyword *keyword,
+                             struct text word, void *owner, struct error *error)
+{
+    const struct zemax_line *line =
+        zemax_line_of(file, word, keyword->is_length ? file->words.scale : NUMBER_UNSCALED);
+    if (keyword->kept > 0) {
+        *(const struct zemax_line **)((char *)owner + keyword->kept) = line;
+    }
+    if (keyword->wants != ZEMAX_ANY_WORDS &&
+        !(keyword->wants == ZEMAX_A_NUMBER ? zemax_has_number(line, error)
+                                           : zemax_all_numbers(line, error))) {
+        return false;
+    }
+    return keyword->read == NULL || keyword->read(file, line, error);
 }
 
 /* Are there numbers on the line, and all of them 0? `first` receives the first that is not. */
@@ -343,15 +401,16 @@ static bool parse_is_zero(const struct zemax_line *line, struct text *first)
 }
 
 /* A word of the table that has no reader. */
-static bool parse_pass_over(struct zemax_file *file, const struct word_group *group,
-                            struct text word, struct error *error)
+static void parse_pass_over(struct zemax_file *file, const struct word_group *group,
+                            struct text word)
 {
     const struct zemax_line *line = zemax_line_of(file, word, NUMBER_UNSCALED);
     struct text at;
-    return group->fate == WORD_HARMLESS ||
-           (parse_is_zero(line, &at) && (group->flags & WORD_COUNTS_AT_0) == 0) ||
-           foreign_loss(file->job, &line->words, at, error, "%.4s: %s%s", word.start, group->what,
-                        (group->flags & WORD_VIGNETTES) != 0 ? LOSS_VIGNETTES : "");
+    bool is_off = parse_is_zero(line, &at) && (group->flags & WORD_COUNTS_AT_0) == 0;
+    if (group->fate != WORD_HARMLESS && !is_off) {
+        foreign_loss(file->job, &line->words, at, word_group_effect(group), NULL, "%.4s: %s",
+                     word.start, group->what);
+    }
 }
 
 /* Every line of the merit function has the same form: a word, two integers and six numbers. */
@@ -388,28 +447,26 @@ static bool read_unknown(struct zemax_file *file, struct text word, bool behind,
         file->zeros[file->zero_count++] = line;
         return true;
     }
-    return zemax_loss(file, line, error, "unknown word '%.*s'", length, word.start);
+    return zemax_loss(file, line, LOSS_OF_RAYS, NULL, "unknown word '%.*s'", length, word.start);
 }
 
 /*
  * Unknown words whose numbers are all 0: flags that are off. If it were a solve, the file has its
  * answer as a number, but for one configuration only.
  */
-static bool pass_zeros(struct zemax_file *file, struct error *error)
+static void pass_zeros(struct zemax_file *file)
 {
-    bool done = true;
-    for (size_t i = 0; i < file->zero_count && done; i++) {
+    for (size_t i = 0; i < file->zero_count; i++) {
         const struct zemax_line *line = file->zeros[i];
         struct text word = line->keyword;
         int length = text_shown_up_to(word, 40);
         if (file->configurations > 1) {
-            done = zemax_loss(file, line, error, "unknown word '%.*s'", length, word.start);
+            zemax_loss(file, line, LOSS_OF_RAYS, NULL, "unknown word '%.*s'", length, word.start);
         } else {
             zemax_remark(file, "line %ld: %.*s is unknown; its numbers are 0, it was passed over",
                          line->words.number, length, word.start);
         }
     }
-    return done;
 }
 
 /* What stands behind the surfaces and has no reader. */
@@ -424,66 +481,69 @@ static bool parse_read_line(struct zemax_file *file, struct error *error)
     struct text word = file_words_next(&file->words);
     bool indented = word.start > file->words.line.start, in_surface = file->surface_count > 0;
     bool behind = in_surface && !indented;
-    const struct zemax_keyword *keyword = find_keyword(file, word, indented);
+    bool is_of_surface;
+    const struct zemax_keyword *keyword = find_keyword(file, word, indented, &is_of_surface);
     const struct word_group *group = behind ? group_behind(word) : NULL;
     file->last_word = word;
     if (text_same(word, "SURF")) {
-        return read_surf(file, word, error);
+        return read_surf(file, zemax_line_of(file, word, NUMBER_UNSCALED), error);
     }
-    if (keyword != NULL && !in_surface && parse_find(surface_keywords, word) != NULL) {
-        return file_words_fail(&file->words, word, error, "'%s' stands before any surface",
-                               keyword->word);
+    if (is_of_surface && !in_surface) {
+        return file_words_fail(&file->words, word, error, "'%.4s' stands before any surface",
+                               word_list_find(keyword->words, word));
     }
     file->has_tail =
         file->has_tail || (behind && word_group_of(zemax_words, ZEMAX_IN_SURFACE, word) == NULL);
     if (keyword != NULL) {
-        return keyword->read(file, word, error);
+        void *owner = is_of_surface ? (void *)parse_surface_of(file) : (void *)file;
+        return parse_read_known(file, keyword, word, owner, error);
     }
     if (group != NULL) {
         file->in_tail = true;
         return group->fate == WORD_HARMLESS || zemax_read_setting(file, word, error);
     }
     group = word_group_of(zemax_words, NULL, word);
-    return group != NULL ? parse_pass_over(file, group, word, error)
-                         : read_unknown(file, word, behind, error);
+    if (group != NULL) {
+        parse_pass_over(file, group, word);
+        return true;
+    }
+    return read_unknown(file, word, behind, error);
 }
 
 /* What follows another surface, by its number in the file. */
-static bool lose_reference(struct zemax_file *file, const struct zemax_line **line,
-                           struct error *error)
+static void lose_reference(struct zemax_file *file, const struct zemax_line **line)
 {
     const struct zemax_line *lost = *line;
     *line = NULL;
-    return zemax_stands(file, lost, error,
-                        "what follows another surface, in a file whose surface numbers have gaps");
+    zemax_stands(file, lost,
+                 "what follows another surface, in a file whose surface numbers have gaps");
 }
 
 /* Solves and pick-ups of a surface, in a file whose surface numbers have gaps. */
-static bool lose_references(struct zemax_file *file, struct zemax_surface *surface,
-                            struct error *error)
+static void lose_references(struct zemax_file *file, struct zemax_surface *surface)
 {
     bool follows = surface->solve != NULL && !text_same(surface->solve->keyword, "MAZH") &&
                    !text_same(surface->solve->keyword, "EDGE");
-    if (follows && !lose_reference(file, &surface->solve, error)) {
-        return false;
+    if (follows) {
+        lose_reference(file, &surface->solve);
     }
     for (size_t i = 0; i < ZEMAX_PARAMETERS; i++) {
-        if (surface->pickups[i] != NULL && !lose_reference(file, &surface->pickups[i], error)) {
-            return false;
+        if (surface->pickups[i] != NULL) {
+            lose_reference(file, &surface->pickups[i]);
         }
     }
     const struct zemax_line *curvature = surface->curvature;
     surface->has_free_curvature = zemax_number(curvature, 1) >= 2;
-    return !surface->has_free_curvature || lose_reference(file, &curvature, error);
+    if (surface->has_free_curvature) {
+        lose_reference(file, &curvature);
+    }
 }
 
 /* Numbers of surfaces where some are left out: the places of the surfaces, or a loss. */
-static bool parse_close_gaps(struct zemax_file *file, struct error *error)
+static void parse_close_gaps(struct zemax_file *file)
 {
     for (size_t i = 0; i < file->surface_count; i++) {
-        if (!lose_references(file, &file->surfaces[i], error)) {
-            return false;
-        }
+        lose_references(file, &file->surfaces[i]);
     }
     for (struct zemax_setting *one = file->settings; one != NULL; one = one->next) {
         size_t at = 0;
@@ -492,11 +552,10 @@ static bool parse_close_gaps(struct zemax_file *file, struct error *error)
         }
         one->surface = (long)at;
     }
-    return true;
 }
 
 /* A picked-up glass is that of an earlier surface: GLAS name 2 surface .. */
-static bool pick_up_glasses(struct zemax_file *file, struct error *error)
+static void pick_up_glasses(struct zemax_file *file)
 {
     for (size_t i = 0; i < file->surface_count; i++) {
         const struct zemax_line *line = file->surfaces[i].glass;
@@ -505,11 +564,8 @@ static bool pick_up_glasses(struct zemax_file *file, struct error *error)
             continue;
         }
         if (!(from >= 0 && from < (double)i)) {
-            if (!zemax_loss(file, line, error,
-                            "a glass that follows no earlier surface" LOSS_IS_MUTE LOSS_INSTEAD
-                            "the file's glass is kept")) {
-                return false;
-            }
+            zemax_loss(file, line, LOSS_OF_NOTHING, "the file's glass is kept",
+                       "a glass that follows no earlier surface");
             continue;
         }
         const struct zemax_line *source = file->surfaces[(size_t)from].glass;
@@ -521,7 +577,6 @@ static bool pick_up_glasses(struct zemax_file *file, struct error *error)
         }
         file->surfaces[i].glass = source;
     }
-    return true;
 }
 
 /*
@@ -563,8 +618,15 @@ bool zemax_parse(struct zemax_file *file, struct text content, struct error *err
         fail(error, ERROR_DATA, "the file has no surface between object and image");
         return error_locate(error, file->job->source, 0, 0);
     }
-    return parse_check_end(file, error) && pass_zeros(file, error) &&
-           (!file->has_gaps || parse_close_gaps(file, error)) && pick_up_glasses(file, error);
+    if (!parse_check_end(file, error)) {
+        return false;
+    }
+    pass_zeros(file);
+    if (file->has_gaps) {
+        parse_close_gaps(file);
+    }
+    pick_up_glasses(file);
+    return true;
 }
 
 bool zemax_is_tilted(const struct zemax_file *file, size_t at)

@@ -142,11 +142,10 @@ void zemax_remark(struct zemax_file *file, const char *format, ...)
  * What a number follows is not evaluated: the number of the file stands. Of one configuration it is
  * what the program solved, and a note says so; of several it is that of one of them: a loss.
  */
-bool zemax_stands(struct zemax_file *file, const struct zemax_line *line, struct error *error,
-                  const char *what);
+bool zemax_stands(struct zemax_file *file, const struct zemax_line *line, const char *what);
 
 /* Record a loss at a line. */
-#define zemax_loss(file, line, error, ...)                                                         \
-    foreign_loss((file)->job, &(line)->words, (line)->keyword, (error), __VA_ARGS__)
+#define zemax_loss(file, line, effect, instead, ...)                                               \
+    foreign_loss((file)->job, &(line)->words, (line)->keyword, (effect), (instead), __VA_ARGS__)
 
 #endif

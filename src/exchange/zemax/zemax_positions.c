@@ -122,7 +122,7 @@ static bool place_numbered(const struct setting_target *placing, struct zemax_su
     }
     if (number >= (double)most) {
         return own->numbers[2].value.hi == 0 ||
-               zemax_loss(placing->file, own, placing->error,
+               zemax_loss(placing->file, own, LOSS_OF_RAYS, NULL,
                           "a parameter that no surface of lenscalc has");
     }
     const struct zemax_line **place =
@@ -141,10 +141,8 @@ static bool place_size(const struct setting_target *placing, struct zemax_surfac
     const struct zemax_line *old = *place;
     if (surface->aperture == NULL) {
         return own->numbers[2].value.hi == 0 ||
-               zemax_loss(placing->file, own, placing->error,
-                          "%.4s of an aperture that is not stated" LOSS_VIGNETTES LOSS_INSTEAD
-                          "left out",
-                          own->keyword.start);
+               zemax_loss(placing->file, own, LOSS_OF_VIGNETTING, "left out",
+                          "%.4s of an aperture that is not stated", own->keyword.start);
     }
     struct zemax_line *line = line_with(placing, old, second);
     if (!shifts) {
@@ -159,19 +157,17 @@ static bool place_size(const struct setting_target *placing, struct zemax_surfac
 
 /* Operands that belong to a surface; the others are of the system. */
 static const struct {
-    const char *word;
+    const char *words;
     bool (*place)(const struct setting_target *placing, struct zemax_surface *surface);
-} places_of[] = {{"THIC", place_thickness}, {"CRVT", place_curvature}, {"CONN", place_conic},
-                 {"SDIA", place_diameter},  {"APMN", place_size},      {"APMX", place_size},
-                 {"APDX", place_size},      {"APDY", place_size},      {"GLSS", place_glass},
-                 {"PRAM", place_numbered},  {"EDVA", place_numbered},  {"PAR1", place_parameter},
-                 {"PAR2", place_parameter}, {"PAR3", place_parameter}, {"PAR4", place_parameter},
-                 {"PAR5", place_parameter}, {"PAR6", place_parameter}, {"PAR7", place_parameter},
-                 {"PAR8", place_parameter}, {"CBOR", place_shift},     {"CBDX", place_shift},
-                 {"CBDY", place_shift},     {"CBTX", place_shift},     {"CBTY", place_shift},
-                 {"CBTZ", place_shift},     {"CAOR", place_shift},     {"CADX", place_shift},
-                 {"CADY", place_shift},     {"CATX", place_shift},     {"CATY", place_shift},
-                 {"CATZ", place_shift}};
+} places_of[] = {{"THIC", place_thickness},
+                 {"CRVT", place_curvature},
+                 {"CONN", place_conic},
+                 {"SDIA", place_diameter},
+                 {"APMN APMX APDX APDY", place_size},
+                 {"GLSS", place_glass},
+                 {"PRAM EDVA", place_numbered},
+                 {"PAR1 PAR2 PAR3 PAR4 PAR5 PAR6 PAR7 PAR8", place_parameter},
+                 {"CBOR CBDX CBDY CBTX CBTY CBTZ CAOR CADX CADY CATX CATY CATZ", place_shift}};
 
 /* STPS: the number of the surface that is the stop is the value. */
 static bool place_stop(const struct setting_target *placing)
@@ -239,9 +235,10 @@ static bool place_field(const struct setting_target *placing)
 {
     struct zemax_file *file = placing->file;
     const struct zemax_line *own = placing->setting->line;
-    const struct zemax_line **place = text_same(own->keyword, "XFIE")   ? &file->x
-                                      : text_same(own->keyword, "YFIE") ? &file->y
-                                                                        : &file->field_weights;
+    const struct zemax_line **place = &file->field_weights;
+    if (!text_same(own->keyword, "FLWT")) {
+        place = text_same(own->keyword, "XFIE") ? &file->x : &file->y;
+    }
     const struct zemax_line *old = *place;
     const long number = placing->setting->surface;
     if (!(number >= 1 && number <= ZEMAX_WAVES)) {
@@ -261,7 +258,10 @@ static bool place_field_kind(const struct setting_target *placing)
 {
     struct zemax_file *file = placing->file;
     const struct text word = placing->setting->line->keyword;
-    const size_t at = text_same(word, "FLTP") ? 0 : text_same(word, "TELE") ? 1 : 6;
+    size_t at = 6;
+    if (!text_same(word, "AFOC")) {
+        at = text_same(word, "TELE");
+    }
     file->fields = line_with(placing, file->fields, at);
     return true;
 }
@@ -280,24 +280,25 @@ static bool place_environment(const struct setting_target *placing)
 }
 
 static const struct {
-    const char *word;
+    const char *words;
     bool (*place)(const struct setting_target *placing);
-} places_in_system[] = {
-    {"STPS", place_stop},       {"WAVE", place_wave},       {"WLWT", place_wave},
-    {"PRWV", place_primary},    {"APER", place_aperture},   {"XFIE", place_field},
-    {"YFIE", place_field},      {"FLWT", place_field},      {"FLTP", place_field_kind},
-    {"TELE", place_field_kind}, {"AFOC", place_field_kind}, {"TEMP", place_environment},
-    {"PRES", place_environment}};
+} places_in_system[] = {{"STPS", place_stop},
+                        {"WAVE WLWT", place_wave},
+                        {"PRWV", place_primary},
+                        {"APER", place_aperture},
+                        {"XFIE YFIE FLWT", place_field},
+                        {"FLTP TELE AFOC", place_field_kind},
+                        {"TEMP PRES", place_environment}};
 
 /* Is it one of those that may differ between the configurations? */
 static bool is_placed(struct text keyword)
 {
     bool found = false;
     for (size_t i = 0; i < sizeof places_of / sizeof places_of[0]; i++) {
-        found = found || text_same(keyword, places_of[i].word);
+        found = found || word_list_find(places_of[i].words, keyword) != NULL;
     }
     for (size_t i = 0; i < sizeof places_in_system / sizeof places_in_system[0]; i++) {
-        found = found || text_same(keyword, places_in_system[i].word);
+        found = found || word_list_find(places_in_system[i].words, keyword) != NULL;
     }
     return found;
 }
@@ -309,7 +310,7 @@ static bool place_setting(const struct setting_target *placing)
     const struct zemax_line *line = placing->setting->line;
     size_t surface = (size_t)placing->setting->surface;
     for (size_t i = 0; i < sizeof places_of / sizeof places_of[0]; i++) {
-        if (!text_same(line->keyword, places_of[i].word)) {
+        if (word_list_find(places_of[i].words, line->keyword) == NULL) {
             continue;
         }
         if (surface >= file->surface_count) {
@@ -320,7 +321,7 @@ static bool place_setting(const struct setting_target *placing)
                places_of[i].place(placing, &file->surfaces[surface]);
     }
     for (size_t i = 0; i < sizeof places_in_system / sizeof places_in_system[0]; i++) {
-        if (text_same(line->keyword, places_in_system[i].word)) {
+        if (word_list_find(places_in_system[i].words, line->keyword) != NULL) {
             return zemax_all_numbers(line, placing->error) && line->count > 2 &&
                    places_in_system[i].place(placing);
         }
@@ -329,8 +330,8 @@ static bool place_setting(const struct setting_target *placing)
 }
 
 /* An operand that lenscalc has no positions of: its words must be the same in all of them. */
-static bool check_constant(struct zemax_file *file, const struct zemax_setting *before,
-                           const struct zemax_setting *one, struct error *error)
+static void check_constant(struct zemax_file *file, const struct zemax_setting *before,
+                           const struct zemax_setting *one)
 {
     struct file_words a = one->line->words, b = before != NULL ? before->line->words : a;
     bool same_operand = before != NULL && before->surface == one->surface &&
@@ -340,11 +341,12 @@ static bool check_constant(struct zemax_file *file, const struct zemax_setting *
         left = file_words_next(&a);
         right = file_words_next(&b);
     }
-    return !same_operand || text_identical(left, right) ||
-           zemax_loss(file, one->line, error,
-                      "%.4s %ld changes between the configurations" LOSS_INSTEAD
-                      "what the surfaces and the system of the file say is kept",
-                      one->line->keyword.start, one->surface);
+    if (same_operand && !text_identical(left, right)) {
+        zemax_loss(file, one->line, LOSS_OF_RAYS,
+                   "what the surfaces and the system of the file say is kept",
+                   "%.4s %ld changes between the configurations", one->line->keyword.start,
+                   one->surface);
+    }
 }
 
 /* The file as it is in one configuration. */
@@ -359,9 +361,8 @@ static bool place_settings(struct zemax_file *file, size_t configuration, struct
                                    "%.4s needs a surface, a configuration and its value",
                                    one->line->keyword.start);
         }
-        bool checks = configuration == 0 && !is_placed(one->line->keyword);
-        if (checks && !check_constant(file, before, one, error)) {
-            return false;
+        if (configuration == 0 && !is_placed(one->line->keyword)) {
+            check_constant(file, before, one);
         }
         before = one;
     }
@@ -388,5 +389,6 @@ bool zemax_read_positions(struct zemax_file *file, zemax_build_function *build, 
         }
         foreign_forget_repeated(file->job, p > 0 ? losses : file->job->loss_count);
     }
-    return merge_positions(&file->build, lenses, file->job, error);
+    merge_positions(&file->build, lenses, file->job);
+    return true;
 }

@@ -37,9 +37,8 @@ static bool zemax_read_set_cone(struct zemax_file *file, const struct zemax_line
     if (!medium_index(&lens->object_medium, primary > 0 ? primary : WAVELENGTH_D, &index, error)) {
         error->code = ERROR_NONE;
         lens->aperture_kind = APERTURE_NONE;
-        return zemax_loss(file, line, error,
-                          "the angle of a cone in a medium of unknown index" LOSS_INSTEAD
-                          "the lens gets no aperture");
+        return zemax_loss(file, line, LOSS_OF_RAYS, "the lens gets no aperture",
+                          "the angle of a cone in a medium of unknown index");
     }
     lens->aperture = figure_of(index.hi * sin(angle * RADIANS_PER_DEGREE), file->job->arena);
     return true;
@@ -117,8 +116,8 @@ static bool set_fields(struct zemax_file *file, struct error *error)
     }
     size_t count = stated >= 1 && stated < (double)listed ? (size_t)stated : listed;
     if (!(type >= 0 && type <= 3)) {
-        return zemax_loss(file, file->fields, error,
-                          "fields of the kind %g" LOSS_INSTEAD "left out", type);
+        return zemax_loss(file, file->fields, LOSS_OF_RAYS, "left out", "fields of the kind %g",
+                          type);
     }
     file->build.lens->field_kind = kinds[(int)type];
     for (size_t i = 0; i < count; i++) {
@@ -128,10 +127,8 @@ static bool set_fields(struct zemax_file *file, struct error *error)
     }
     /* some versions list twelve, and have the others in lines of another form */
     return !(stated > (double)listed && stated > 12) ||
-           zemax_loss(file, file->fields, error,
-                      "FTYP counts %g fields, XFLN and YFLN have %zu" LOSS_INSTEAD
-                      "the others are left out",
-                      stated, listed);
+           zemax_loss(file, file->fields, LOSS_OF_RAYS, "the others are left out",
+                      "FTYP counts %g fields, XFLN and YFLN have %zu", stated, listed);
 }
 
 static struct text after_um(struct zemax_file *file, struct text number)
@@ -219,19 +216,19 @@ static bool is_shaped(const struct zemax_surface *surface)
 }
 
 /* Object and image are planes across the axis; what the file says of them beyond that is lost. */
-static bool zemax_read_check_flat(struct zemax_file *file, const struct zemax_surface *surface,
-                                  const char *curved, const char *tilted, struct error *error)
+static void zemax_read_check_flat(struct zemax_file *file, const struct zemax_surface *surface,
+                                  const char *curved, const char *tilted)
 {
-    if (zemax_number(surface->curvature, 0) != 0 &&
-        !zemax_loss(file, surface->curvature, error, "%s" LOSS_INSTEAD "taken for a plane",
-                    curved)) {
-        return false;
+    if (zemax_number(surface->curvature, 0) != 0) {
+        zemax_loss(file, surface->curvature, LOSS_OF_RAYS, "taken for a plane", "%s", curved);
     }
-    return !is_shaped(surface) ||
-           zemax_loss(file, surface->type, error, "%s" LOSS_INSTEAD "%s",
-                      text_same(surface->type->first, "TILTSURF") ? tilted : curved,
-                      text_same(surface->type->first, "TILTSURF") ? "taken across the axis"
-                                                                  : "taken for a plane");
+    if (is_shaped(surface)) {
+        bool tilt = text_same(surface->type->first, "TILTSURF");
+        zemax_loss(file, surface->type, LOSS_OF_RAYS,
+                   tilt ? "taken across the axis" : "taken for a plane", "%s",
+                   tilt ? tilted : curved);
+        return;
+    }
 }
 
 /* Does the object lie in or behind the first surface, in any of the configurations? */
@@ -271,17 +268,14 @@ static bool set_object(struct zemax_file *file, struct error *error)
     struct zemax_surface *object = &file->surfaces[0];
     const struct zemax_line *line = object->thickness;
     bool finite = line != NULL && !line->infinite && fabs(line->numbers[0].value.hi) < far;
-    if (!zemax_read_check_flat(file, object, "a curved object", "a tilted object", error)) {
-        return false;
-    }
+    zemax_read_check_flat(file, object, "a curved object", "a tilted object");
     bool shifts = zemax_is_tilted(file, 0) || zemax_number(object->shift_behind, 2) != 0;
     for (size_t i = 3; i < 8; i++) {
         shifts = shifts || zemax_number(object->shift_behind, i) != 0;
     }
-    if (shifts && !is_shaped(object) &&
-        !zemax_loss(file, object->surf, error,
-                    "SCBD: a shifted or tilted object" LOSS_INSTEAD "taken across the axis")) {
-        return false;
+    if (shifts && !is_shaped(object)) {
+        zemax_loss(file, object->surf, LOSS_OF_RAYS, "taken across the axis",
+                   "SCBD: a shifted or tilted object");
     }
     if (object->is_stop) {
         return file_words_fail(&object->surf->words, object->surf->keyword, error,
@@ -356,8 +350,8 @@ static bool check_image(struct zemax_file *file, struct error *error)
     const struct zemax_surface *image = &file->surfaces[file->surface_count - 1];
     bool turns = image->type != NULL && text_same(image->type->first, "TILTSURF") &&
                  zemax_is_tilted(file, file->surface_count - 1);
-    if (!turns && !zemax_read_check_flat(file, image, "a curved image", "", error)) {
-        return false;
+    if (!turns) {
+        zemax_read_check_flat(file, image, "a curved image", "");
     }
     if (image->is_stop) {
         return file_words_fail(&image->surf->words, image->surf->keyword, error,
@@ -381,54 +375,52 @@ static void set_focus(struct zemax_file *file)
 }
 
 /* FTYP says it of an object at infinity too, which has no such space. */
-static bool set_telecentric(struct zemax_file *file, struct error *error)
+static void set_telecentric(struct zemax_file *file)
 {
     struct lens *lens = file->build.lens;
     const bool stated = zemax_number(file->fields, 1) != 0;
     lens->is_telecentric = stated && !lens->object_is_infinite;
-    return lens->is_telecentric == stated ||
-           zemax_loss(file, file->fields, error,
-                      "a telecentric object space of an object at infinity" LOSS_INSTEAD
-                      "an ordinary one");
+    if (lens->is_telecentric != stated) {
+        zemax_loss(file, file->fields, LOSS_OF_RAYS, "an ordinary one",
+                   "a telecentric object space of an object at infinity");
+    }
 }
 
 /* An aperture at a stop wants the stop's diameter. */
-static bool check_floating(struct zemax_file *file, struct error *error)
+static void check_floating(struct zemax_file *file)
 {
     struct lens *lens = file->build.lens;
     if (lens->aperture_kind != APERTURE_STOP ||
         (lens->stop != LENS_NONE && lens->surfaces[lens->stop].has_diameter)) {
-        return true;
+        return;
     }
     lens->aperture_kind = APERTURE_NONE;
-    return zemax_loss(file, file->aperture, error,
-                      "the aperture is that of the stop, which has no diameter" LOSS_INSTEAD
-                      "the lens gets none");
+    zemax_loss(file, file->aperture, LOSS_OF_RAYS, "the lens gets none",
+               "the aperture is that of the stop, which has no diameter");
 }
 
 /* FNUM N 1 of a near object. */
-static bool set_working_aperture(struct zemax_file *file, struct error *error)
+static void set_working_aperture(struct zemax_file *file)
 {
     const struct zemax_line *line = file->aperture;
     struct lens *lens = file->build.lens;
-    return line == NULL || !text_same(line->keyword, "FNUM") || zemax_number(line, 1) == 0 ||
-           lens->object_is_infinite ||
-           entrance_pupil_set(lens, PUPIL_WORKING_FNUMBER, zemax_number(line, 0),
-                              file->job->arena) ||
-           zemax_loss(file, line, error,
-                      "a working f-number that no entrance pupil gives" LOSS_INSTEAD
-                      "the lens gets no aperture");
+    if (line != NULL && text_same(line->keyword, "FNUM") && zemax_number(line, 1) != 0 &&
+        !lens->object_is_infinite &&
+        !entrance_pupil_set(lens, PUPIL_WORKING_FNUMBER, zemax_number(line, 0), file->job->arena)) {
+        zemax_loss(file, line, LOSS_OF_RAYS, "the lens gets no aperture",
+                   "a working f-number that no entrance pupil gives");
+    }
 }
 
 /*
  * Vignetting factors narrow the beams of the fields as the rims of the surfaces do. Here the clear
  * diameters do it, if all surfaces that bend light have one; else the factors are lost.
  */
-static bool zemax_read_check_vignetting(struct zemax_file *file, struct error *error)
+static void zemax_read_check_vignetting(struct zemax_file *file)
 {
     bool all = true;
     if (file->vignetting == NULL) {
-        return true;
+        return;
     }
     for (size_t i = 1; i + 1 < file->surface_count; i++) {
         const struct zemax_surface *one = &file->surfaces[i];
@@ -437,27 +429,30 @@ static bool zemax_read_check_vignetting(struct zemax_file *file, struct error *e
     }
     if (all) {
         zemax_remark(file, "vignetting factors of the fields: the clear diameters limit the beams");
-        return true;
+        return;
     }
     const struct zemax_line *line = file->vignetting;
     size_t first = 0;
     while (line->numbers[first].value.hi == 0) {
         first++;
     }
-    return foreign_loss(file->job, &line->words, line->numbers[first].typed, error,
-                        "%.4s: vignetting factors of the fields" LOSS_VIGNETTES,
-                        line->keyword.start);
+    foreign_loss(file->job, &line->words, line->numbers[first].typed, LOSS_OF_VIGNETTING, NULL,
+                 "%.4s: vignetting factors of the fields", line->keyword.start);
 }
 
 /* The lens of a file, or of one of its configurations. */
 static bool build_lens(struct zemax_file *file, struct error *error)
 {
-    if (!set_object(file, error) || !set_telecentric(file, error) || !check_image(file, error) ||
-        !zemax_read_set_aperture(file, error) || !set_fields(file, error) ||
-        !set_waves(file, error) || !zemax_surfaces(file, error) ||
-        !set_working_aperture(file, error) || !check_floating(file, error)) {
+    if (!set_object(file, error)) {
         return false;
     }
+    set_telecentric(file);
+    if (!check_image(file, error) || !zemax_read_set_aperture(file, error) ||
+        !set_fields(file, error) || !set_waves(file, error) || !zemax_surfaces(file, error)) {
+        return false;
+    }
+    set_working_aperture(file);
+    check_floating(file);
     set_focus(file);
     return true;
 }
@@ -469,8 +464,11 @@ static bool read_as(struct foreign_job *job, struct text content, bool takes_num
     struct zemax_file file = {.job = job, .takes_numbers = takes_numbers, .doubts = doubts};
     *doubts = (struct zemax_doubts){0, 0};
     lens_build_begin(&file.build, lens, job->arena);
-    if (!zemax_parse(&file, content, error) || !zemax_read_check_vignetting(&file, error) ||
-        (!file.has_gaps && !zemax_check_circles(&file, error))) {
+    if (!zemax_parse(&file, content, error)) {
+        return false;
+    }
+    zemax_read_check_vignetting(&file);
+    if ((!file.has_gaps && !zemax_check_circles(&file, error))) {
         return false;
     }
     set_positions(&file);

@@ -4,8 +4,12 @@
 
 #include "exchange/keep_pickup.h"
 #include "file/lens_solve.h"
+#include "file/lens_unit.h"
 
 #include <math.h>
+#include <string.h>
+
+enum { MOST_PASSES = 20 };
 
 void zemax_set_curvature(struct zemax_file *file, struct figure curvature, struct surface *to)
 {
@@ -54,10 +58,11 @@ static struct figure zemax_solve_rounded(const struct solver_state *solving, str
 }
 
 static const char through_loss[] = "follows rays through what is lost";
+static const char open_aperture[] = "follows a ray whose height follows from the lens";
 
 /* The number that stands in the file is kept, which is said once. */
-static bool zemax_solve_keep(struct solver_state *solving, size_t at, const struct zemax_line *line,
-                             const char *why, struct error *error)
+static void zemax_solve_keep(struct solver_state *solving, size_t at, const struct zemax_line *line,
+                             const char *why)
 {
     struct zemax_surface *surface = &solving->file->surfaces[at];
     const struct zemax_line *number = line;
@@ -68,32 +73,26 @@ static bool zemax_solve_keep(struct solver_state *solving, size_t at, const stru
         surface->solve = NULL;
     }
     const char *what = arena_printf(solving->file->job->arena, "a solve that %s", why);
-    return number != NULL && number->count > 0 && why != through_loss
-               ? zemax_stands(solving->file, line, error, what)
-               : zemax_loss(solving->file, line, error,
-                            "%s" LOSS_IS_MUTE LOSS_INSTEAD "the file's number is kept", what);
+    if (number != NULL && number->count > 0 && why != through_loss) {
+        zemax_stands(solving->file, line, what);
+    } else {
+        zemax_loss(solving->file, line, LOSS_OF_NOTHING, "the file's number is kept", "%s", what);
+    }
 }
 
-/* The ray at a surface; false where the solve is kept, with an error if that is refused. */
+/* The ray at a surface; false where there is none, and the file's number is kept. */
 static bool zemax_solve_follow(struct solver_state *solving, size_t at,
                                const struct zemax_line *line, enum solve_ray ray,
-                               struct solve_state *state, bool *done, struct error *error)
+                               struct solve_state *state)
 {
-    if (solve_follow(&solving->lens, solving->places[at], ray, solving->file->job->arena, state,
-                     error)) {
-        return true;
+    struct arena *arena = solving->file->job->arena;
+    struct error why;
+    if (!solve_follow(&solving->lens, solving->places[at], ray, arena, state, &why)) {
+        zemax_solve_keep(solving, at, line, arena_printf(arena, "has no answer (%s)", why.message));
+        return false;
     }
-    const struct error found = *error;
-    *done = zemax_solve_keep(
-        solving, at, line,
-        arena_printf(solving->file->job->arena, "has no answer (%s)", found.message), error);
-    if (*done) {
-        error->code = ERROR_NONE;
-    }
-    return false;
+    return true;
 }
-
-static const char open_aperture[] = "follows a ray whose height follows from the lens";
 
 /* Is the size of the marginal ray one that only the whole lens gives? */
 static bool zemax_solve_is_open(const struct solver_state *solving)
@@ -104,71 +103,73 @@ static bool zemax_solve_is_open(const struct solver_state *solving)
 }
 
 /* MAZH height zone, CHZH height: the paraxial ray has the height at the next surface. */
-static bool ray_height(struct solver_state *solving, size_t at, const struct zemax_line *line,
-                       struct figure *figure, struct error *error)
+static void ray_height(struct solver_state *solving, size_t at, const struct zemax_line *line,
+                       struct figure *figure)
 {
     struct solve_state state;
     bool chief = text_same(line->keyword, "CHZH");
+    const char *why = NULL;
     if (!chief && zemax_number(line, 1) != 0) {
-        return zemax_solve_keep(solving, at, line, "follows a real ray", error);
+        why = "follows a real ray";
+    } else if (solving->file->job->lost_power != NULL) {
+        why = through_loss;
+    } else if (!chief && zemax_number(line, 0) != 0 && zemax_solve_is_open(solving)) {
+        why = open_aperture;
     }
-    if (solving->file->job->lost_power != NULL) {
-        return zemax_solve_keep(solving, at, line, through_loss, error);
+    if (why != NULL) {
+        zemax_solve_keep(solving, at, line, why);
+        return;
     }
-    if (!chief && zemax_number(line, 0) != 0 && zemax_solve_is_open(solving)) {
-        return zemax_solve_keep(solving, at, line, open_aperture, error);
-    }
-    bool done = false;
-    if (!zemax_solve_follow(solving, at, line, chief ? SOLVE_CHIEF : SOLVE_MARGINAL, &state, &done,
-                            error)) {
-        return done;
+    if (!zemax_solve_follow(solving, at, line, chief ? SOLVE_CHIEF : SOLVE_MARGINAL, &state)) {
+        return;
     }
     struct pair value = solve_thickness(&state, zemax_solve_length_of(solving, line, 0));
-    if (!(fabs(value.hi) < 1e12)) {
-        return zemax_solve_keep(solving, at, line, "has its answer at infinity", error);
+    if (fabs(value.hi) < 1e12) {
+        *figure = zemax_solve_rounded(solving, value);
+    } else {
+        zemax_solve_keep(solving, at, line, "has its answer at infinity");
     }
-    *figure = zemax_solve_rounded(solving, value);
-    return true;
 }
 
 /* PZUP surface scale offset */
-static bool pick_up(struct solver_state *solving, size_t at, const struct zemax_line *line,
-                    struct figure *figure, struct error *error)
+static void pick_up(struct solver_state *solving, size_t at, const struct zemax_line *line,
+                    struct figure *figure)
 {
     double from = zemax_number(line, 0);
     if (line->count < 2 || !(from >= 0 && from < (double)at)) {
-        return zemax_solve_keep(solving, at, line, "follows no earlier surface", error);
+        zemax_solve_keep(solving, at, line, "follows no earlier surface");
+        return;
     }
     if (zemax_number(line, 3) != 0) {
-        return zemax_solve_keep(solving, at, line, "follows another column", error);
+        zemax_solve_keep(solving, at, line, "follows another column");
+        return;
     }
     struct pair value =
         pair_multiply(solving->thickness[(size_t)from].value, line->numbers[1].value);
     *figure = figure_computed(pair_add(value, zemax_solve_length_of(solving, line, 2)),
                               solving->unit, solving->file->job->arena);
-    return true;
 }
 
 /* TCOM i sum: t_i and this one; TOLE i sum: all from t_i to this one. */
-static bool compensate(struct solver_state *solving, size_t at, const struct zemax_line *line,
-                       struct figure *figure, struct error *error)
+static void compensate(struct solver_state *solving, size_t at, const struct zemax_line *line,
+                       struct figure *figure)
 {
     double from = zemax_number(line, 0);
     bool all = text_same(line->keyword, "TOLE");
     if (line->count < 2 || !(from >= 1 && from < (double)at)) {
-        return zemax_solve_keep(solving, at, line, "follows no earlier surface", error);
+        zemax_solve_keep(solving, at, line, "follows no earlier surface");
+        return;
     }
     struct pair value = zemax_solve_length_of(solving, line, 1);
     for (size_t i = (size_t)from; i < (all ? at : (size_t)from + 1); i++) {
         value = pair_subtract(value, solving->thickness[i].value);
     }
     *figure = figure_computed(value, solving->unit, solving->file->job->arena);
-    return true;
 }
 
 /* EDGE thickness height: 0 is the height of the surface's own clear aperture */
-static bool zemax_solve_edge(struct solver_state *solving, size_t at, const struct zemax_line *line,
-                             struct figure *figure, struct error *error)
+static void zemax_solve_edge(struct solver_state *solving, size_t at, const struct zemax_line *line,
+                             struct figure *figure)
 {
     size_t place = solving->places[at];
     const struct surface *surface = &solving->lens.surfaces[place];
@@ -180,18 +181,18 @@ static bool zemax_solve_edge(struct solver_state *solving, size_t at, const stru
     bool last = next >= solving->lens.surface_count;
     double sags = surface_sag(surface, height) -
                   (last ? 0 : surface_sag(&solving->lens.surfaces[next], height));
-    if (!(height > 0) || !isfinite(sags)) {
-        return zemax_solve_keep(solving, at, line, "has no clear aperture", error);
+    if (height > 0 && isfinite(sags)) {
+        const struct pair edge = zemax_solve_length_of(solving, line, 0);
+        *figure = zemax_solve_rounded(solving, pair_add(edge, pair_of(sags)));
+    } else {
+        zemax_solve_keep(solving, at, line, "has no clear aperture");
     }
-    *figure = zemax_solve_rounded(solving,
-                                  pair_add(zemax_solve_length_of(solving, line, 0), pair_of(sags)));
-    return true;
 }
 
 static const struct {
     const char *word;
-    bool (*solve)(struct solver_state *solving, size_t at, const struct zemax_line *line,
-                  struct figure *figure, struct error *error);
+    void (*solve)(struct solver_state *solving, size_t at, const struct zemax_line *line,
+                  struct figure *figure);
 } solves[] = {{"MAZH", ray_height}, {"CHZH", ray_height}, {"PZUP", pick_up},
               {"TCOM", compensate}, {"TOLE", compensate}, {"EDGE", zemax_solve_edge}};
 
@@ -207,23 +208,21 @@ bool zemax_focuses(const struct zemax_file *file)
 }
 
 /* The last solve only says where the image is: the file's number stays beside it. */
-static bool solve_thickness_of(struct solver_state *solving, size_t at, struct error *error)
+static void solve_thickness_of(struct solver_state *solving, size_t at)
 {
     const struct zemax_file *file = solving->file;
     bool focus = at + 2 == file->surface_count && zemax_focuses(file);
     const struct zemax_line *line = focus ? NULL : file->surfaces[at].solve;
     struct figure *figure = &solving->thickness[at];
     for (size_t i = 0; line != NULL && i < sizeof solves / sizeof solves[0]; i++) {
-        if (text_same(line->keyword, solves[i].word) &&
-            !solves[i].solve(solving, at, line, figure, error)) {
-            return false;
+        if (text_same(line->keyword, solves[i].word)) {
+            solves[i].solve(solving, at, line, figure);
         }
     }
     if (solving->places[at] != LENS_NONE) {
         solving->lens.surfaces[zemax_gap_place(solving->file, solving->places, at)].thickness =
             *figure;
     }
-    return true;
 }
 
 /* The distance from an earlier surface's vertex to that of this one. */
@@ -317,40 +316,35 @@ static bool is_of_ray(int code)
            (code >= MARGINAL_NORMAL && code <= APLANATIC);
 }
 
-/* What the solve gives; false where the file's number is kept, with `kept` as the answer. */
-static bool solved_curvature(struct solver_state *solving, size_t at, int code, struct pair *value,
-                             bool *kept, struct error *error)
+/* What the solve gives; false where the file's number is kept. */
+static bool solved_curvature(struct solver_state *solving, size_t at, int code, struct pair *value)
 {
     const struct zemax_line *line = solving->file->surfaces[at].curvature;
-    *kept = false;
+    const bool chief = code == CHIEF_ANGLE || code == CHIEF_NORMAL;
+    const bool is_sized = code == MARGINAL_ANGLE || code == F_NUMBER;
+    struct solve_state state;
+    const char *why = NULL;
     if (is_of_ray(code) && solving->file->job->lost_power != NULL) {
-        *kept = zemax_solve_keep(solving, at, line, through_loss, error);
-        return false;
-    }
-    if (is_of_ray(code)) {
-        struct solve_state state;
-        bool chief = code == CHIEF_ANGLE || code == CHIEF_NORMAL;
-        if ((code == MARGINAL_ANGLE || code == F_NUMBER) && zemax_solve_is_open(solving)) {
-            *kept = zemax_solve_keep(solving, at, line, open_aperture, error);
-            return false;
-        }
-        if (!zemax_solve_follow(solving, at, line, chief ? SOLVE_CHIEF : SOLVE_MARGINAL, &state,
-                                kept, error)) {
+        why = through_loss;
+    } else if (is_sized && zemax_solve_is_open(solving)) {
+        why = open_aperture;
+    } else if (is_of_ray(code)) {
+        if (!zemax_solve_follow(solving, at, line, chief ? SOLVE_CHIEF : SOLVE_MARGINAL, &state)) {
             return false;
         }
         *value = curvature_of_ray(solving, at, code, &state);
     } else if (code > F_NUMBER || code == ELEMENT_POWER) {
-        *kept = zemax_solve_keep(solving, at, line, "lenscalc does not know", error);
-        return false;
+        why = "lenscalc does not know";
     } else if (!curvature_of_surface(solving, at, code, value)) {
-        *kept = zemax_solve_keep(solving, at, line, "follows no earlier surface", error);
-        return false;
+        why = "follows no earlier surface";
     }
-    if (!(fabs(value->hi) < 1e12)) {
-        *kept = zemax_solve_keep(solving, at, line, "has no answer", error);
-        return false;
+    if (why == NULL && !(fabs(value->hi) < 1e12)) {
+        why = "has no answer";
     }
-    return true;
+    if (why != NULL) {
+        zemax_solve_keep(solving, at, line, why);
+    }
+    return why == NULL;
 }
 
 /* Which solve a curvature has; those beyond the last are all unknown. */
@@ -360,19 +354,16 @@ static int zemax_solve_code_of(const struct zemax_line *line)
 }
 
 /* The curvature of a surface by its solve; the file's digits where they are the same number. */
-static bool solve_curve(struct solver_state *solving, size_t at, struct error *error)
+static void solve_curve(struct solver_state *solving, size_t at)
 {
     struct zemax_surface *from = &solving->file->surfaces[at];
     const struct zemax_line *line = from->curvature;
     int code = line != NULL && !from->has_free_curvature ? zemax_solve_code_of(line) : 0;
     struct pair value = {0, 0};
-    bool kept;
     if (code < MARGINAL_ANGLE || solving->places[at] == LENS_NONE ||
-        !surface_has(&solving->lens.surfaces[solving->places[at]], SURFACE_HAS_CURVE)) {
-        return true;
-    }
-    if (!solved_curvature(solving, at, code, &value, &kept, error)) {
-        return kept;
+        !surface_has(&solving->lens.surfaces[solving->places[at]], SURFACE_HAS_CURVE) ||
+        !solved_curvature(solving, at, code, &value)) {
+        return;
     }
     struct figure figure = figure_per_length(line->numbers[0], solving->file->build.lens->unit, -1);
     if (!zemax_solve_is_near(value, figure.value, 4e-15, 0)) {
@@ -380,12 +371,6 @@ static bool solve_curve(struct solver_state *solving, size_t at, struct error *e
     }
     solving->curvature[at] = figure;
     zemax_set_curvature(solving->file, figure, &solving->lens.surfaces[solving->places[at]]);
-    return true;
-}
-
-bool zemax_solve_surface(struct solver_state *solving, size_t at, struct error *error)
-{
-    return solve_curve(solving, at, error) && solve_thickness_of(solving, at, error);
 }
 
 bool zemax_solve_in(const struct solver_state *solving, size_t at, bool is_curvature,
@@ -441,11 +426,125 @@ static void keep_gap(const struct solver_state *solving, size_t at)
     }
 }
 
-void zemax_keep_pickups(const struct solver_state *solving)
+static void zemax_keep_pickups(const struct solver_state *solving)
 {
     const struct zemax_file *file = solving->file;
     for (size_t i = 1; i + 1 < file->surface_count && file->configurations < 2; i++) {
         keep_curve(solving, i);
         keep_gap(solving, i);
     }
+}
+
+/* What stands in the file, before the solves. */
+static bool read_thicknesses(struct zemax_file *file, struct figure *thickness, struct error *error)
+{
+    for (size_t i = 0; i < file->surface_count; i++) {
+        const struct zemax_line *line = file->surfaces[i].thickness;
+        bool inside = i > 0 && i + 1 < file->surface_count;
+        if (inside && line != NULL && line->infinite && file->surfaces[i].solve == NULL) {
+            return file_words_fail(&line->words, line->first, error,
+                                   "an infinite distance behind surface %zu", i);
+        }
+        thickness[i] = line != NULL && line->count > 0 ? line->numbers[0] : figure_zero();
+    }
+    return true;
+}
+
+static bool zemax_solve_is_same(const struct figure *a, const struct figure *b)
+{
+    return fabs(pair_subtract(a->value, b->value).hi) <= 4e-16 * (fabs(a->value.hi) + 1e-9);
+}
+
+/* With an f-number or a chief ray what is solved first depends on what is solved last: again. */
+static bool solve_all(struct solver_state *solving, struct error *error)
+{
+    size_t count = solving->file->surface_count;
+    struct figure *before = ARENA_ARRAY(solving->file->job->arena, 2 * count, struct figure);
+    bool settled = false;
+    for (int pass = 0; pass < MOST_PASSES && !settled; pass++) {
+        memcpy(before, solving->thickness, count * sizeof before[0]);
+        memcpy(before + count, solving->curvature, count * sizeof before[0]);
+        for (size_t i = 1; i + 1 < count; i++) {
+            solve_curve(solving, i);
+            solve_thickness_of(solving, i);
+        }
+        settled = true;
+        for (size_t i = 0; i < count; i++) {
+            settled = settled && zemax_solve_is_same(&before[i], &solving->thickness[i]) &&
+                      zemax_solve_is_same(&before[count + i], &solving->curvature[i]);
+        }
+    }
+    if (!settled) {
+        fail(error, ERROR_DATA, "the solves of the file do not settle");
+        return error_locate(error, solving->file->job->source, 0, 0);
+    }
+    return true;
+}
+
+/* Solves that follow a ray through many surfaces take their time. */
+static bool check_work(struct zemax_file *file, struct error *error)
+{
+    const double most = 1e6; /* about a second */
+    double work = 0;
+    for (size_t i = 0; i < file->surface_count; i++) {
+        work +=
+            (file->surfaces[i].solve != NULL) + (zemax_number(file->surfaces[i].curvature, 1) >= 2);
+    }
+    work *= (double)file->surface_count * (double)file->configurations;
+    if (work > most) {
+        fail(error, ERROR_DATA, "too many solves");
+        return error_locate(error, file->job->source, 0, 0);
+    }
+    return true;
+}
+
+/* Gaps and curvatures, solved, go to the surfaces of the lens. */
+static void zemax_solve_put_numbers(struct solver_state *solving)
+{
+    struct zemax_file *file = solving->file;
+    struct lens *lens = file->build.lens;
+    for (size_t i = 1; i + 1 < file->surface_count; i++) {
+        if (solving->places[i] == LENS_NONE) {
+            continue;
+        }
+        struct surface *to = &lens->surfaces[solving->places[i]];
+        lens->surfaces[zemax_gap_place(file, solving->places, i)].thickness = solving->thickness[i];
+        if (solving->curvature[i].typed.start != NULL && !file->surfaces[i].has_free_curvature) {
+            zemax_set_curvature(file, solving->curvature[i], to);
+        }
+    }
+    struct surface *last = &lens->surfaces[lens->surface_count - 1];
+    last->has_thickness = !zemax_focuses(file) || last->thickness.value.hi != 0;
+}
+
+bool zemax_thicknesses(struct zemax_file *file, const size_t *places, struct error *error)
+{
+    struct arena *arena = file->job->arena;
+    struct solver_state solving = {.file = file, .places = places};
+    if (!check_work(file, error)) {
+        return false;
+    }
+    solving.thickness = ARENA_ARRAY(arena, file->surface_count, struct figure);
+    solving.curvature = ARENA_ARRAY(arena, file->surface_count, struct figure);
+    solving.unit = lens_unit_scale(file->build.lens->unit);
+    if (!read_thicknesses(file, solving.thickness, error)) {
+        return false;
+    }
+    solving.lens = *file->build.lens;
+    solving.lens.surfaces = ARENA_ARRAY(arena, solving.lens.surface_count, struct surface);
+    memcpy(solving.lens.surfaces, file->build.lens->surfaces,
+           solving.lens.surface_count * sizeof solving.lens.surfaces[0]);
+    for (size_t i = 1; i + 1 < file->surface_count; i++) {
+        if (places[i] != LENS_NONE) {
+            solving.lens.surfaces[zemax_gap_place(file, places, i)].thickness =
+                solving.thickness[i];
+        }
+    }
+    if (!solve_all(&solving, error)) {
+        return false;
+    }
+    zemax_check_solves(&solving);
+    zemax_solve_put_numbers(&solving);
+    zemax_keep_pickups(&solving);
+    return true;
 }

@@ -16,14 +16,6 @@ struct solver_state {
 };
 
 /*
- * Solve the curvature and the thickness of a surface.
- *
- * Result    in solving->thickness, curvature and lens. Of a solve that lenscalc does not know, or
- *           that has no answer, the file's number stands: zemax_stands
- */
-bool zemax_solve_surface(struct solver_state *solving, size_t at, struct error *error);
-
-/*
  * What a solve that follows a ray gives in some lens.
  *
  * Given     is_curvature  the curvature's, else that of the thickness
@@ -34,13 +26,10 @@ bool zemax_solve_in(const struct solver_state *solving, size_t at, bool is_curva
 
 /*
  * What the solves give against the numbers that the program has stored beside them. Within what
- * rounding and editions of catalogues may do (exchange/solve_doubt.h) a note says both. Beyond that
+ * rounding and editions of catalogues may do a note says both. Beyond that
  * the lens is not the one that the program had: a loss, and the file's number is kept.
  */
-bool zemax_check_solves(struct solver_state *solving, struct error *error);
-
-/* Pick-ups of curvatures and thicknesses become those of the lens, whose numbers are all set. */
-void zemax_keep_pickups(const struct solver_state *solving);
+void zemax_check_solves(struct solver_state *solving);
 
 /* A curvature of a surface, 1/mm: as a radius where a short one has it as its reciprocal. */
 void zemax_set_curvature(struct zemax_file *file, struct figure curvature, struct surface *to);

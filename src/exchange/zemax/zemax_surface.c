@@ -6,12 +6,17 @@
 
 #include "base/constants.h"
 #include "exchange/zemax/zemax_glass.h"
-#include "exchange/zemax/zemax_paraxial.h"
 #include "exchange/zemax/zemax_solve.h"
 #include "file/lens_unit.h"
 
 #include <math.h>
 #include <string.h>
+
+const struct zemax_asphere zemax_aspheres[ZEMAX_ASPHERES] = {
+    {"EVENASPH", 2, ZEMAX_TERMS, false},
+    {"XASPHERE", 2, LENS_COEFFICIENTS / 2, true},
+    {"ODDASPHE", 1, ZEMAX_TERMS, false},
+    {"XOSPHERE", 1, LENS_COEFFICIENTS, true}};
 
 static bool is_type(const struct zemax_surface *surface, const char *type)
 {
@@ -52,27 +57,8 @@ static void set_coefficient(struct zemax_file *file, struct surface *to, int ord
     }
 }
 
-static bool set_even(struct zemax_file *file, size_t at, struct surface *to, struct error *error)
-{
-    for (int i = 1; i <= ZEMAX_TERMS; i++) {
-        set_coefficient(file, to, 2 * i, zemax_parameter(file, at, (size_t)i));
-    }
-    (void)error;
-    return true;
-}
-
-static bool set_odd(struct zemax_file *file, size_t at, struct surface *to, struct error *error)
-{
-    for (int i = 1; i <= ZEMAX_TERMS; i++) {
-        set_coefficient(file, to, i, zemax_parameter(file, at, (size_t)i));
-    }
-    (void)error;
-    return true;
-}
-
 /* XDAT 1 N, XDAT 2 r0, XDAT i+2 alpha_i: alpha (r/r0)^(i step) */
-static bool read_extended(struct zemax_file *file, size_t at, int step, struct surface *to,
-                          struct error *error)
+static void read_extended(struct zemax_file *file, size_t at, int step, struct surface *to)
 {
     const struct zemax_surface *from = &file->surfaces[at];
     double terms = zemax_number(from->extras[1], 1), norm = zemax_number(from->extras[2], 1);
@@ -90,8 +76,9 @@ static bool read_extended(struct zemax_file *file, size_t at, int step, struct s
             continue;
         }
         if (order > LENS_COEFFICIENTS) {
-            return zemax_loss(file, line, error, "the coefficient A%d: lenscalc goes up to A20",
-                              order);
+            zemax_loss(file, line, LOSS_OF_RAYS, NULL,
+                       "the coefficient A%d: lenscalc goes up to A20", order);
+            return;
         }
         struct figure figure = line->numbers[1];
         if (r0.hi != 1 || r0.lo != 0) {
@@ -100,19 +87,6 @@ static bool read_extended(struct zemax_file *file, size_t at, int step, struct s
         }
         set_coefficient(file, to, order, figure);
     }
-    return true;
-}
-
-static bool set_extended(struct zemax_file *file, size_t at, struct surface *to,
-                         struct error *error)
-{
-    return read_extended(file, at, 2, to, error);
-}
-
-static bool set_extended_odd(struct zemax_file *file, size_t at, struct surface *to,
-                             struct error *error)
-{
-    return read_extended(file, at, 1, to, error);
 }
 
 /* The tangents of a plane z = x tan a + y tan b as turns about its vertex. */
@@ -130,16 +104,8 @@ static const struct displacement *zemax_surface_tilt_of(struct zemax_file *file,
     return decentre;
 }
 
-static bool set_tilted(struct zemax_file *file, size_t at, struct surface *to, struct error *error)
-{
-    (void)error;
-    to->decentre = zemax_surface_tilt_of(file, at);
-    return true;
-}
-
 /* CURV is that of the y-z section, PARM 1 the radius of the other one, 0 a plane. */
-static bool set_toroidal(struct zemax_file *file, size_t at, struct surface *to,
-                         struct error *error)
+static void set_toroidal(struct zemax_file *file, size_t at, struct surface *to)
 {
     struct figure radius = zemax_parameter(file, at, 1);
     bool other = false;
@@ -147,10 +113,9 @@ static bool set_toroidal(struct zemax_file *file, size_t at, struct surface *to,
         other = other || zemax_parameter(file, at, i).value.hi != 0;
     }
     bool both = radius.value.hi != 0 && (!to->is_plane || to->has_curvature);
-    if ((both || other) && !zemax_loss(file, file->surfaces[at].type, error,
-                                       "a toroid" LOSS_OF_POWER LOSS_INSTEAD
-                                       "its y-z section is used instead, as a cylinder")) {
-        return false;
+    if (both || other) {
+        zemax_loss(file, file->surfaces[at].type, LOSS_OF_POWER,
+                   "its y-z section is used instead, as a cylinder", "a toroid");
     }
     to->curved = CURVED_Y;
     if (radius.value.hi != 0 && !both) {
@@ -158,30 +123,49 @@ static bool set_toroidal(struct zemax_file *file, size_t at, struct surface *to,
         to->is_plane = false;
         to->radius = zemax_surface_in_unit(file, radius, 1);
     }
+}
+
+/*
+ * A surface of the type PARAXIAL: a thick lens whose principal planes fall together, of the focal
+ * length PARM 1, 1/power in any media. PARM 2 says how paths are counted, and moves no ray.
+ *
+ * Formula   n' u' = n u - h/f with u the tangents, as thick_lens_slope
+ * Errors    no focal length, or 0; a mirror; further parameters are losses
+ */
+static bool set_paraxial(struct zemax_file *file, size_t at, struct surface *to,
+                         struct error *error)
+{
+    const struct zemax_surface *from = &file->surfaces[at];
+    const struct figure focal = zemax_surface_in_unit(file, zemax_parameter(file, at, 1), 1);
+    const struct zemax_line *given = from->parameters[1];
+    const struct zemax_line *place = given != NULL ? given : from->type;
+    if (from->glass != NULL && text_same(from->glass->keyword, "MIRROR")) {
+        return zemax_loss(file, from->glass, LOSS_OF_LENS, NULL, "an ideal lens that is a mirror");
+    }
+    if (focal.value.hi == 0) {
+        return file_words_fail(&place->words, given != NULL ? place->keyword : place->first, error,
+                               given != NULL ? "an ideal lens of the focal length 0"
+                                             : "an ideal lens without a focal length");
+    }
+    for (size_t i = 3; i < ZEMAX_PARAMETERS; i++) {
+        if (zemax_number(from->parameters[i], 1) != 0) {
+            zemax_loss(file, from->parameters[i], LOSS_OF_RAYS, "left out",
+                       "parameter %zu of an ideal lens", i);
+        }
+    }
+    if (zemax_number(from->curvature, 0) != 0 || zemax_number(from->conic, 0) != 0) {
+        zemax_remark(file, "surface %zu is an ideal lens: its curvature and conic do nothing",
+                     from->number);
+    }
+    const struct figure none = {.variable = LENS_NONE};
+    to->kind = SURFACE_THICK;
+    to->is_plane = true;
+    to->has_curvature = false;
+    to->radius = to->curvature = to->conic = none;
+    to->focal = focal;
+    to->hiatus = figure_zero();
     return true;
 }
-
-static bool zemax_surface_set_paraxial(struct zemax_file *file, size_t at, struct surface *to,
-                                       struct error *error)
-{
-    struct figure focal = zemax_surface_in_unit(file, zemax_parameter(file, at, 1), 1);
-    return zemax_set_paraxial(file, &file->surfaces[at], focal, to, error);
-}
-
-static bool set_nothing(struct zemax_file *file, size_t at, struct surface *to, struct error *error)
-{
-    (void)file, (void)at, (void)to, (void)error;
-    return true;
-}
-
-static const struct {
-    const char *type;
-    bool (*set)(struct zemax_file *file, size_t at, struct surface *to, struct error *error);
-} types[] = {{"STANDARD", set_nothing},      {"EVENASPH", set_even},
-             {"XASPHERE", set_extended},     {"ODDASPHE", set_odd},
-             {"XOSPHERE", set_extended_odd}, {"TILTSURF", set_tilted},
-             {"TOROIDAL", set_toroidal},     {"PARAXIAL", zemax_surface_set_paraxial},
-             {"COORDBRK", set_nothing}};
 
 /* Are all numbers of the type 0, that stand behind the first two of XDAT: a count and a length? */
 static bool is_of_zeros(struct zemax_file *file, size_t at)
@@ -221,10 +205,32 @@ static bool is_standard_there(struct zemax_file *file, size_t at)
 static bool set_type(struct zemax_file *file, size_t at, struct surface *to, struct error *error)
 {
     const struct zemax_surface *from = &file->surfaces[at];
-    for (size_t i = 0; i < sizeof types / sizeof types[0]; i++) {
-        if (is_type(from, types[i].type)) {
-            return types[i].set(file, at, to, error);
+    for (size_t k = 0; k < ZEMAX_ASPHERES; k++) {
+        const struct zemax_asphere *type = &zemax_aspheres[k];
+        if (is_type(from, type->name) && type->extra) {
+            read_extended(file, at, type->step, to);
+            return true;
         }
+        if (is_type(from, type->name)) {
+            for (int i = 1; i <= type->terms; i++) {
+                set_coefficient(file, to, type->step * i, zemax_parameter(file, at, (size_t)i));
+            }
+            return true;
+        }
+    }
+    if (is_type(from, "STANDARD") || is_type(from, "COORDBRK")) {
+        return true;
+    }
+    if (is_type(from, "TILTSURF")) {
+        to->decentre = zemax_surface_tilt_of(file, at);
+        return true;
+    }
+    if (is_type(from, "TOROIDAL")) {
+        set_toroidal(file, at, to);
+        return true;
+    }
+    if (is_type(from, "PARAXIAL")) {
+        return set_paraxial(file, at, to, error);
     }
     struct text type = from->type->first;
     if (is_standard_there(file, at)) {
@@ -232,10 +238,9 @@ static bool set_type(struct zemax_file *file, size_t at, struct surface *to, str
                      text_shown(type), type.start);
         return true;
     }
-    return foreign_loss(file->job, &from->type->words, type, error,
-                        "a surface of the type %.*s" LOSS_OF_POWER LOSS_INSTEAD
+    return foreign_loss(file->job, &from->type->words, type, LOSS_OF_POWER,
                         "its standard form with curvature and conic is used instead",
-                        text_shown_up_to(type, 20), type.start);
+                        "a surface of the type %.*s", text_shown_up_to(type, 20), type.start);
 }
 
 /* Is a pick-up's number a surface before this one, in the same configuration? */
@@ -268,25 +273,20 @@ static bool is_parameter_astray(const struct zemax_line *line, size_t at)
  * The numbers of other pick-ups stand as the program stored them; where that is not what the
  * pick-up gives, it is said. CONI has no place for a scale.
  */
-static bool zemax_surface_check_pickups(struct zemax_file *file, size_t at, struct error *error)
+static void zemax_surface_check_pickups(struct zemax_file *file, size_t at)
 {
     const struct zemax_surface *from = &file->surfaces[at];
-    if (is_diameter_astray(file, at) &&
-        !zemax_stands(file, from->diameter, error, "a semi-diameter that follows another number")) {
-        return false;
+    if (is_diameter_astray(file, at)) {
+        zemax_stands(file, from->diameter, "a semi-diameter that follows another number");
     }
-    if (zemax_number(from->conic, 1) > 1 &&
-        !zemax_stands(file, from->conic, error, "a conic that follows another number")) {
-        return false;
+    if (zemax_number(from->conic, 1) > 1) {
+        zemax_stands(file, from->conic, "a conic that follows another number");
     }
     for (size_t i = 0; i < ZEMAX_PARAMETERS; i++) {
-        if (is_parameter_astray(from->pickups[i], at) &&
-            !zemax_stands(file, from->pickups[i], error,
-                          "a parameter that follows no earlier surface")) {
-            return false;
+        if (is_parameter_astray(from->pickups[i], at)) {
+            zemax_stands(file, from->pickups[i], "a parameter that follows no earlier surface");
         }
     }
-    return true;
 }
 
 /*
@@ -364,9 +364,7 @@ static bool add_next(struct zemax_file *file, size_t at, size_t *place, struct e
     struct lens *lens = file->build.lens;
     const struct zemax_surface *surface = &file->surfaces[at];
     *place = LENS_NONE;
-    if (!zemax_add_shift(file, at, false, error)) {
-        return false;
-    }
+    zemax_add_shift(file, at, false);
     if (is_type(surface, "COORDBRK")) {
         zemax_add_break(file, at);
         if (zemax_is_bare(file, at)) {
@@ -385,24 +383,22 @@ static bool add_next(struct zemax_file *file, size_t at, size_t *place, struct e
     if (surface->is_stop) {
         lens_build_stop(&file->build, *place);
     }
-    return zemax_add_shift(file, at, true, error);
+    zemax_add_shift(file, at, true);
+    return true;
 }
 
 /* A plane that turns the axis at the image. */
-static bool zemax_surface_add_image(struct zemax_file *file, struct error *error)
+static void zemax_surface_add_image(struct zemax_file *file)
 {
     const size_t at = file->surface_count - 1;
     if (!zemax_is_tilted(file, at)) {
-        return true;
+        return;
     }
-    if (!zemax_add_shift(file, at, false, error)) {
-        return false;
-    }
+    zemax_add_shift(file, at, false);
     if (is_type(&file->surfaces[at], "TILTSURF")) {
         zemax_hold_break(file, zemax_surface_tilt_of(file, at));
     }
     zemax_add_plane(file);
-    return true;
 }
 
 bool zemax_surfaces(struct zemax_file *file, struct error *error)
@@ -411,10 +407,14 @@ bool zemax_surfaces(struct zemax_file *file, struct error *error)
     places[0] = places[file->surface_count - 1] = LENS_NONE;
     for (size_t i = 1; i + 1 < file->surface_count; i++) {
         places[i] = LENS_NONE;
-        if (!zemax_surface_check_pickups(file, i, error) ||
-            (i > file->passed && !add_next(file, i, &places[i], error))) {
+        zemax_surface_check_pickups(file, i);
+        if (i > file->passed && !add_next(file, i, &places[i], error)) {
             return false;
         }
     }
-    return zemax_thicknesses(file, places, error) && zemax_surface_add_image(file, error);
+    if (!zemax_thicknesses(file, places, error)) {
+        return false;
+    }
+    zemax_surface_add_image(file);
+    return true;
 }

@@ -1,22 +1,22 @@
-/* exchange/zemax/zemax_system.c - the system of a .zmx file: units, aperture, light. */
+/* exchange/zemax/zemax_system.c - what a .zmx file says of the whole lens, before and behind the surfaces. */
 /* SPDX-License-Identifier: MIT */
 #include "exchange/zemax/zemax_keyword.h"
 #include "file/lens_unit.h"
-
 #include "optics/wavelength.h"
 
 #include <math.h>
+#include <string.h>
 
 const struct foreign_unit zemax_units[] = {
     {"MM", "mm"}, {"CM", "cm"}, {"IN", "in"}, {"METER", "m"}, {"M", "m"}, {NULL, NULL},
 };
 
-static bool zemax_system_read_unit(struct zemax_file *file, struct text keyword,
+static bool zemax_system_read_unit(struct zemax_file *file, const struct zemax_line *line,
                                    struct error *error)
 {
     struct text word = file_words_next(&file->words);
     const char *unit = foreign_unit_named(zemax_units, word);
-    (void)keyword;
+    (void)line;
     if (unit == NULL) {
         return file_words_fail(&file->words, word, error, "the unit is one of MM, CM, IN, METER");
     }
@@ -25,22 +25,21 @@ static bool zemax_system_read_unit(struct zemax_file *file, struct text keyword,
     return true;
 }
 
-static bool read_mode(struct zemax_file *file, struct text keyword, struct error *error)
+static bool read_mode(struct zemax_file *file, const struct zemax_line *line, struct error *error)
 {
     struct text word = file_words_next(&file->words);
-    (void)keyword;
+    (void)line;
     return text_same(word, "SEQ") ||
            file_words_fail(&file->words, word, error,
                            "a non-sequential system: lenscalc has lenses whose surfaces follow "
                            "each other");
 }
 
-static bool zemax_system_read_name(struct zemax_file *file, struct text keyword,
+static bool zemax_system_read_name(struct zemax_file *file, const struct zemax_line *line,
                                    struct error *error)
 {
     struct text rest = file_words_rest(&file->words);
-    (void)keyword;
-    (void)error;
+    (void)line, (void)error;
     if (rest.length > 0) {
         file->build.lens->title = lens_build_string(&file->build, rest);
     }
@@ -48,45 +47,38 @@ static bool zemax_system_read_name(struct zemax_file *file, struct text keyword,
 }
 
 /* NOTE 0 has the text; other numbers are breaks of its lines. */
-static bool zemax_system_read_note(struct zemax_file *file, struct text keyword,
+static bool zemax_system_read_note(struct zemax_file *file, const struct zemax_line *line,
                                    struct error *error)
 {
     struct text number = file_words_next(&file->words), rest = file_words_rest(&file->words);
-    (void)keyword;
-    (void)error;
+    struct text note = text_behind(rest, ZEMAX_KEEP_NOTE),
+                names = text_behind(note, ZEMAX_POSITIONS);
+    (void)line, (void)error;
     if (!text_equal(number, "0") || rest.length == 0) {
         return true;
     }
-    struct text note = text_behind(rest, ZEMAX_KEEP_NOTE),
-                names = text_behind(note, ZEMAX_POSITIONS);
     if (text_equal(note, ZEMAX_OTHER_DISTANCE)) {
         file->has_other_distance = true;
-        return true;
-    }
-    if (names.start != NULL) {
+    } else if (names.start != NULL) {
         file->position_names = names;
-        return true;
+    } else if (note.start == NULL || !keep_notes_take(&file->notes, note)) {
+        lens_build_note(&file->build, rest);
     }
-    if (note.start != NULL && keep_notes_take(&file->notes, note)) {
-        return true;
-    }
-    lens_build_note(&file->build, rest);
     return true;
 }
 
-static bool read_version(struct zemax_file *file, struct text keyword, struct error *error)
+static bool read_version(struct zemax_file *file, const struct zemax_line *line,
+                         struct error *error)
 {
-    (void)keyword;
-    (void)error;
+    (void)line, (void)error;
     file->version = file_words_rest(&file->words);
     return true;
 }
 
-static bool zemax_system_read_catalogs(struct zemax_file *file, struct text keyword,
+static bool zemax_system_read_catalogs(struct zemax_file *file, const struct zemax_line *line,
                                        struct error *error)
 {
-    (void)keyword;
-    (void)error;
+    (void)line, (void)error;
     for (struct text word = file_words_next(&file->words);
          word.length > 0 && file->catalog_count < ZEMAX_CATALOGS;
          word = file_words_next(&file->words)) {
@@ -95,56 +87,25 @@ static bool zemax_system_read_catalogs(struct zemax_file *file, struct text keyw
     return true;
 }
 
-static bool zemax_system_read_aperture(struct zemax_file *file, struct text keyword,
-                                       struct error *error)
+static bool zemax_check_wave(const struct zemax_line *line, size_t at, struct error *error)
 {
-    bool length = text_same(keyword, "ENPD"), none = text_same(keyword, "FLOA");
-    file->aperture = zemax_line_of(file, keyword, length ? file->words.scale : NUMBER_UNSCALED);
-    return none ? zemax_all_numbers(file->aperture, error)
-                : zemax_has_number(file->aperture, error);
-}
-
-static bool zemax_system_read_fields(struct zemax_file *file, struct text keyword,
-                                     struct error *error)
-{
-    file->fields = zemax_line_of(file, keyword, NUMBER_UNSCALED);
-    return zemax_has_number(file->fields, error);
-}
-
-static bool read_x(struct zemax_file *file, struct text keyword, struct error *error)
-{
-    file->x = zemax_line_of(file, keyword, NUMBER_UNSCALED);
-    return zemax_all_numbers(file->x, error);
-}
-
-static bool read_y(struct zemax_file *file, struct text keyword, struct error *error)
-{
-    file->y = zemax_line_of(file, keyword, NUMBER_UNSCALED);
-    return zemax_all_numbers(file->y, error);
-}
-
-static bool read_field_weights(struct zemax_file *file, struct text keyword, struct error *error)
-{
-    file->field_weights = zemax_line_of(file, keyword, NUMBER_UNSCALED);
-    return zemax_all_numbers(file->field_weights, error);
+    double wavelength = zemax_number(line, at);
+    return (wavelength >= WAVELENGTH_SHORTEST && wavelength <= WAVELENGTH_LONGEST) ||
+           file_words_fail(&line->words, line->numbers[at].typed, error,
+                           "the wavelength is not within 0.001 to 100000 um");
 }
 
 /* WAVM number wavelength weight */
-static bool zemax_system_read_wave(struct zemax_file *file, struct text keyword,
+static bool zemax_system_read_wave(struct zemax_file *file, const struct zemax_line *line,
                                    struct error *error)
 {
-    const struct zemax_line *line = zemax_line_of(file, keyword, NUMBER_UNSCALED);
-    double number = zemax_number(line, 0), wavelength = zemax_number(line, 1);
-    if (!zemax_all_numbers(line, error)) {
-        return false;
-    }
+    double number = zemax_number(line, 0);
     if (!(number >= 1 && number < ZEMAX_WAVES) || line->count < 2) {
         return file_words_fail(&line->words, line->keyword, error,
                                "WAVM needs the number, the wavelength and its weight");
     }
-    if (!(wavelength >= WAVELENGTH_SHORTEST && wavelength <= WAVELENGTH_LONGEST)) {
-        return file_words_fail(&line->words, line->numbers[1].typed, error,
-                               "the wavelength is not within 0.001 to 100000 um");
+    if (!zemax_check_wave(line, 1, error)) {
+        return false;
     }
     size_t at = (size_t)number - 1;
     const struct figure one = {.value = {1, 0}, .variable = LENS_NONE};
@@ -154,67 +115,76 @@ static bool zemax_system_read_wave(struct zemax_file *file, struct text keyword,
     return true;
 }
 
-/* WAVL and WAVN have all wavelengths in a row, WWGT and WWGN their weights. */
-static bool zemax_system_read_waves(struct zemax_file *file, struct text keyword,
+static bool zemax_check_wave_count(const struct zemax_line *line, struct error *error)
+{
+    return line->count <= ZEMAX_WAVES ||
+           file_words_fail(&line->words, line->numbers[ZEMAX_WAVES].typed, error,
+                           "more than %d wavelengths", ZEMAX_WAVES);
+}
+
+/* WAVL and WAVN have all wavelengths in a row. */
+static bool zemax_system_read_waves(struct zemax_file *file, const struct zemax_line *line,
                                     struct error *error)
 {
-    const struct zemax_line *line = zemax_line_of(file, keyword, NUMBER_UNSCALED);
-    bool weights = text_same(keyword, "WWGT") || text_same(keyword, "WWGN");
-    if (!zemax_all_numbers(line, error)) {
+    if (!zemax_check_wave_count(line, error)) {
         return false;
     }
-    if (line->count > ZEMAX_WAVES) {
-        return file_words_fail(&line->words, line->numbers[ZEMAX_WAVES].typed, error,
-                               "more than %d wavelengths", ZEMAX_WAVES);
-    }
     for (size_t i = 0; i < line->count; i++) {
-        double value = line->numbers[i].value.hi;
-        if (!weights && !(value >= WAVELENGTH_SHORTEST && value <= WAVELENGTH_LONGEST)) {
-            return file_words_fail(&line->words, line->numbers[i].typed, error,
-                                   "the wavelength is not within 0.001 to 100000 um");
+        if (!zemax_check_wave(line, i, error)) {
+            return false;
         }
-        *(weights ? &file->weights[i] : &file->waves[i]) = line->numbers[i];
-        if (!weights && file->weights[i].typed.start == NULL) {
+        file->waves[i] = line->numbers[i];
+        if (file->weights[i].typed.start == NULL) {
             file->weights[i].value = pair_of(1);
         }
     }
-    file->wave_count = !weights && line->count > file->wave_count ? line->count : file->wave_count;
+    file->wave_count = line->count > file->wave_count ? line->count : file->wave_count;
     return true;
 }
 
-static bool read_primary(struct zemax_file *file, struct text keyword, struct error *error)
+/* WWGT and WWGN have their weights. */
+static bool zemax_system_read_weights(struct zemax_file *file, const struct zemax_line *line,
+                                      struct error *error)
 {
-    file->primary_line = zemax_line_of(file, keyword, NUMBER_UNSCALED);
-    double number = zemax_number(file->primary_line, 0);
+    if (!zemax_check_wave_count(line, error)) {
+        return false;
+    }
+    memcpy(file->weights, line->numbers, line->count * sizeof line->numbers[0]);
+    return true;
+}
+
+static bool read_primary(struct zemax_file *file, const struct zemax_line *line,
+                         struct error *error)
+{
+    double number = zemax_number(line, 0);
     if (!(number >= 1 && number < ZEMAX_WAVES)) {
-        return file_words_fail(&file->words, keyword, error, "PWAV needs a wavelength's number");
+        return file_words_fail(&file->words, line->keyword, error,
+                               "PWAV needs a wavelength's number");
     }
     file->primary = (size_t)number - 1;
-    return zemax_all_numbers(file->primary_line, error);
+    return zemax_all_numbers(line, error);
 }
 
 /* VDYN 0 0.1 0.2: how the pupil of each field is shifted, scaled and turned. */
-static bool zemax_system_read_vignetting(struct zemax_file *file, struct text keyword,
+static bool zemax_system_read_vignetting(struct zemax_file *file, const struct zemax_line *line,
                                          struct error *error)
 {
-    const struct zemax_line *line = zemax_line_of(file, keyword, NUMBER_UNSCALED);
+    (void)error;
     for (size_t i = 0; i < line->count && file->vignetting == NULL; i++) {
         file->vignetting = line->numbers[i].value.hi != 0 ? line : NULL;
     }
-    return zemax_all_numbers(line, error);
+    return true;
 }
 
 /*
  * GFAC type factor: 0 is an even pupil, as is a Gaussian, 1, of the factor 0. Another one moves no
  * ray and stops none: a note keeps the weights that the rays have there.
  */
-static bool read_apodisation(struct zemax_file *file, struct text keyword, struct error *error)
+static bool read_apodisation(struct zemax_file *file, const struct zemax_line *line,
+                             struct error *error)
 {
-    const struct zemax_line *line = zemax_line_of(file, keyword, NUMBER_UNSCALED);
     double type = zemax_number(line, 0);
-    if (!zemax_all_numbers(line, error)) {
-        return false;
-    }
+    (void)error;
     if (type != 0 && !(type == 1 && zemax_number(line, 1) == 0)) {
         zemax_remark(file, "apodisation of the pupil, GFAC %g %g: here its rays weigh the same",
                      type, zemax_number(line, 1));
@@ -223,74 +193,96 @@ static bool read_apodisation(struct zemax_file *file, struct text keyword, struc
 }
 
 /* ENVD temperature pressure adjust */
-static bool zemax_system_read_environment(struct zemax_file *file, struct text keyword,
+static bool zemax_system_read_environment(struct zemax_file *file, const struct zemax_line *line,
                                           struct error *error)
 {
-    const struct zemax_line *line = zemax_line_of(file, keyword, NUMBER_UNSCALED);
-    file->environment = line;
-    if (!zemax_all_numbers(line, error)) {
-        return false;
-    }
+    (void)file;
     return zemax_number(line, 2) == 0 ||
            (zemax_number(line, 0) > -273.15 && zemax_number(line, 1) >= 0) ||
-           file_words_fail(&line->words, keyword, error,
+           file_words_fail(&line->words, line->keyword, error,
                            "ENVD needs a temperature above -273.15 C and a pressure of 0 or more "
                            "atmospheres");
 }
 
+#define KEPT(member) ZEMAX_KEPT(zemax_file, member)
 const struct zemax_keyword zemax_system_keywords[] = {
-    {"MODE", read_mode},
-    {"UNIT", zemax_system_read_unit},
-    {"NAME", zemax_system_read_name},
-    {"NOTE", zemax_system_read_note},
-    {"GCAT", zemax_system_read_catalogs},
-    {"ENPD", zemax_system_read_aperture},
-    {"FNUM", zemax_system_read_aperture},
-    {"OBNA", zemax_system_read_aperture},
-    {"FLOA", zemax_system_read_aperture},
-    {"FTYP", zemax_system_read_fields},
-    {"XFLN", read_x},
-    {"XFLD", read_x},
-    {"YFLN", read_y},
-    {"YFLD", read_y},
-    {"WAVM", zemax_system_read_wave},
-    {"WAVL", zemax_system_read_waves},
-    {"WAVN", zemax_system_read_waves},
-    {"WWGT", zemax_system_read_waves},
-    {"WWGN", zemax_system_read_waves},
-    {"PWAV", read_primary},
-    {"FWGN", read_field_weights},
-    {"GFAC", read_apodisation},
-    {"ENVD", zemax_system_read_environment},
-    {"VDXN", zemax_system_read_vignetting},
-    {"VDYN", zemax_system_read_vignetting},
-    {"VCXN", zemax_system_read_vignetting},
-    {"VCYN", zemax_system_read_vignetting},
-    {"VANN", zemax_system_read_vignetting},
-    {"VDSX", zemax_system_read_vignetting},
-    {"VDSY", zemax_system_read_vignetting},
-    {"VCSX", zemax_system_read_vignetting},
-    {"VCSY", zemax_system_read_vignetting},
-    {"VANS", zemax_system_read_vignetting},
-    {"ZVDX", zemax_system_read_vignetting},
-    {"ZVDY", zemax_system_read_vignetting},
-    {"ZVCX", zemax_system_read_vignetting},
-    {"ZVCY", zemax_system_read_vignetting},
-    {"ZVAN", zemax_system_read_vignetting},
-    {"VERS", read_version},
-    {"VDYN", zemax_system_read_vignetting},
-    {"VCXN", zemax_system_read_vignetting},
-    {"VCYN", zemax_system_read_vignetting},
-    {"VANN", zemax_system_read_vignetting},
-    {"VDSX", zemax_system_read_vignetting},
-    {"VDSY", zemax_system_read_vignetting},
-    {"VCSX", zemax_system_read_vignetting},
-    {"VCSY", zemax_system_read_vignetting},
-    {"VANS", zemax_system_read_vignetting},
-    {"ZVDX", zemax_system_read_vignetting},
-    {"ZVDY", zemax_system_read_vignetting},
-    {"ZVCX", zemax_system_read_vignetting},
-    {"ZVCY", zemax_system_read_vignetting},
-    {"ZVAN", zemax_system_read_vignetting},
-    {NULL, NULL},
+    {"MODE", ZEMAX_ANY_WORDS, false, 0, read_mode},
+    {"UNIT", ZEMAX_ANY_WORDS, false, 0, zemax_system_read_unit},
+    {"NAME", ZEMAX_ANY_WORDS, false, 0, zemax_system_read_name},
+    {"NOTE", ZEMAX_ANY_WORDS, false, 0, zemax_system_read_note},
+    {"GCAT", ZEMAX_ANY_WORDS, false, 0, zemax_system_read_catalogs},
+    {"ENPD", ZEMAX_A_NUMBER, true, KEPT(aperture), NULL},
+    {"FNUM OBNA", ZEMAX_A_NUMBER, false, KEPT(aperture), NULL},
+    {"FLOA", ZEMAX_ALL_NUMBERS, false, KEPT(aperture), NULL},
+    {"FTYP", ZEMAX_A_NUMBER, false, KEPT(fields), NULL},
+    {"XFLN XFLD", ZEMAX_ALL_NUMBERS, false, KEPT(x), NULL},
+    {"YFLN YFLD", ZEMAX_ALL_NUMBERS, false, KEPT(y), NULL},
+    {"WAVM", ZEMAX_ALL_NUMBERS, false, 0, zemax_system_read_wave},
+    {"WAVL WAVN", ZEMAX_ALL_NUMBERS, false, 0, zemax_system_read_waves},
+    {"WWGT WWGN", ZEMAX_ALL_NUMBERS, false, 0, zemax_system_read_weights},
+    {"PWAV", ZEMAX_ANY_WORDS, false, KEPT(primary_line), read_primary},
+    {"FWGN", ZEMAX_ALL_NUMBERS, false, KEPT(field_weights), NULL},
+    {"GFAC", ZEMAX_ALL_NUMBERS, false, 0, read_apodisation},
+    {"ENVD", ZEMAX_ALL_NUMBERS, false, KEPT(environment), zemax_system_read_environment},
+    {"VDXN VDYN VCXN VCYN VANN VDSX VDSY VCSX VCSY VANS ZVDX ZVDY ZVCX ZVCY ZVAN",
+     ZEMAX_ALL_NUMBERS, false, 0, zemax_system_read_vignetting},
+    {"VERS", ZEMAX_ANY_WORDS, false, 0, read_version},
+    {NULL, ZEMAX_ANY_WORDS, false, 0, NULL},
+};
+
+/* -------- behind the surfaces -------- */
+
+static bool read_configurations(struct zemax_file *file, const struct zemax_line *line,
+                                struct error *error)
+{
+    double count = zemax_number(line, 0);
+    if (!(count >= 1 && count <= ZEMAX_CONFIGURATIONS)) {
+        return file_words_fail(&file->words, line->keyword, error,
+                               "MNUM needs the number of configurations, 1 to %d",
+                               ZEMAX_CONFIGURATIONS);
+    }
+    file->configurations = (size_t)count;
+    file->shown = (size_t)fmax(0, fmin(zemax_number(line, 1), ZEMAX_CONFIGURATIONS));
+    file->in_tail = file->has_configurations = true;
+    return true;
+}
+
+bool zemax_read_setting(struct zemax_file *file, struct text keyword, struct error *error)
+{
+    const bool is_length = word_list_find("THIC SDIA APMN APMX APDX APDY", keyword) != NULL;
+    const struct zemax_line *line = zemax_line_of(file, keyword, NUMBER_UNSCALED);
+    if (text_same(keyword, "IGNR") && zemax_number(line, 2) != 0) {
+        return zemax_loss(file, line, LOSS_OF_POWER, NULL, "IGNR: a surface that is left out");
+    }
+    if (text_behind(keyword, "FV").start != NULL) { /* a vignetting factor */
+        bool is_some = zemax_number(line, 2) != 0 && file->vignetting == NULL;
+        file->vignetting = is_some ? line : file->vignetting;
+        return true;
+    }
+    if (file->configurations < 2) {
+        return true; /* the only configuration has these values already */
+    }
+    double surface = zemax_number(line, 0), configuration = zemax_number(line, 1);
+    if (line->count < 2 || !(surface >= 0 && surface < FOREIGN_MOST_SURFACES) ||
+        !(configuration >= 1 && configuration <= (double)file->configurations)) {
+        return file_words_fail(&file->words, keyword, error,
+                               "%.4s needs a surface, a configuration and its value",
+                               keyword.start);
+    }
+    struct zemax_line *own =
+        zemax_line_of(file, keyword, is_length ? file->words.scale : NUMBER_UNSCALED);
+    struct zemax_setting *setting = ARENA_NEW(file->job->arena, struct zemax_setting);
+    *setting = (struct zemax_setting){own, (long)surface, (long)configuration, NULL};
+    if (file->last_setting != NULL) {
+        file->last_setting->next = setting;
+    } else {
+        file->settings = setting;
+    }
+    file->last_setting = setting;
+    return true;
+}
+
+const struct zemax_keyword zemax_tail_keywords[] = {
+    {"MNUM", ZEMAX_ALL_NUMBERS, false, 0, read_configurations},
+    {NULL, ZEMAX_ANY_WORDS, false, 0, NULL},
 };

@@ -181,9 +181,9 @@ static bool zemax_user_aperture_read_beside(const struct foreign_job *job, struc
         char *file = arena_string(job->arena, name.start, name.length);
         for (char *c = file; *c != '\0' && attempt > 0; c++) {
             bool small = *c >= 'a' && *c <= 'z', large = *c >= 'A' && *c <= 'Z';
-            *c = (char)(attempt == 1 && large   ? *c + ('a' - 'A')
-                        : attempt == 2 && small ? *c - ('a' - 'A')
-                                                : *c);
+            if (attempt == 1 ? large : small) {
+                *c = (char)(*c ^ ('a' - 'A'));
+            }
         }
         if (whole_file(arena_printf(job->arena, "%.*s%s", folder, job->source, file), job->arena,
                        content, error)) {
@@ -348,10 +348,8 @@ bool zemax_user_apertures(struct zemax_file *file, const struct zemax_surface *f
     if (is_inline) {
         read_rows(&shapes, from);
     } else if (name.length == 0) {
-        return !zemax_loss(
-            file, line, error,
-            "%.4s: an aperture of a file that is not named" LOSS_VIGNETTES LOSS_INSTEAD "left out",
-            line->keyword.start);
+        return !zemax_loss(file, line, LOSS_OF_VIGNETTING, "left out",
+                           "%.4s: an aperture of a file that is not named", line->keyword.start);
     } else if (!zemax_user_aperture_read_beside(file->job, name, &content, &why)) {
         if (why.code != ERROR_NONE) {
             shapes.wrong = why.message;
@@ -375,13 +373,10 @@ bool zemax_user_apertures(struct zemax_file *file, const struct zemax_surface *f
     }
     error->code = ERROR_NONE;
     if (is_inline) {
-        return !zemax_loss(file, line, error,
-                           "%.4s: a user-defined aperture (%s)" LOSS_VIGNETTES LOSS_INSTEAD
-                           "left out",
-                           line->keyword.start, shapes.wrong);
+        return !zemax_loss(file, line, LOSS_OF_VIGNETTING, "left out",
+                           "%.4s: a user-defined aperture (%s)", line->keyword.start, shapes.wrong);
     }
-    return !zemax_loss(file, line, error,
-                       "%.4s: the aperture of the file '%.*s' (%s)" LOSS_VIGNETTES LOSS_INSTEAD
-                       "left out",
-                       line->keyword.start, text_shown(name), name.start, shapes.wrong);
+    return !zemax_loss(file, line, LOSS_OF_VIGNETTING, "left out",
+                       "%.4s: the aperture of the file '%.*s' (%s)", line->keyword.start,
+                       text_shown(name), name.start, shapes.wrong);
 }

@@ -1,211 +1,192 @@
 /* exchange/zemax/zemax_write_positions.c - the operands of the configurations of a .zmx file. */
 /* SPDX-License-Identifier: MIT */
-#include "base/constants.h"
 #include "exchange/zemax/zemax_aperture.h"
 #include "exchange/zemax/zemax_writer.h"
-#include "file/lens_unit.h"
 
 #include <math.h>
 
 /* What stands behind the value of an operand. */
-static void end_operand(struct zemax_writer *writer)
+#define END_OPERAND " 0 0 0 1 1 1 0 0 \"\" 0\r\n"
+
+/* "THIC 4 2 1.5": an operand of a surface, or of another thing that is numbered. */
+static void zemax_put_operand(struct lens_writer *writing, const char *word, size_t number,
+                              size_t position, const char *value)
 {
-    growing_string(&writer->out, " 0 0 0 1 1 1 0 0 \"\" 0\r\n");
+    writing_put(writing, "%s %zu %zu %s" END_OPERAND, word, number, position + 1, value);
 }
 
-/* THIC, SDIA and PAR1 of the surfaces whose distance, diameter or focal length changes. */
-static void put_variables(struct zemax_writer *writer)
+/* One that a variable stands for, in each position. */
+static void zemax_put_variable(struct lens_writer *writing, const char *word, size_t number,
+                               const struct figure *figure, bool halve)
 {
-    const struct lens *lens = writer->lens;
-    size_t count = lens->position_count;
-    for (size_t i = 0; i < lens->surface_count; i++) {
-        size_t variable = lens->surfaces[i].thickness.variable;
-        for (size_t p = 0; p < count && variable != LENS_NONE; p++) {
-            growing_format(&writer->out, "THIC %zu %zu ", writer->places[i], p + 1);
-            growing_figure(&writer->out, &lens->variables[variable].values[p], writer->unit);
-            end_operand(writer);
-        }
-        variable = lens->surfaces[i].has_diameter ? lens->surfaces[i].diameter.variable : LENS_NONE;
-        for (size_t p = 0; p < count && variable != LENS_NONE; p++) {
-            growing_format(&writer->out, "SDIA %zu %zu ", writer->own_places[i], p + 1);
-            zemax_put_half(writer, &lens->variables[variable].values[p]);
-            end_operand(writer);
-        }
-        variable = surface_has(&lens->surfaces[i], SURFACE_HAS_FOCAL)
-                       ? lens->surfaces[i].focal.variable
-                       : LENS_NONE;
-        for (size_t p = 0; p < count && variable != LENS_NONE; p++) {
-            growing_format(&writer->out, "PAR1 %zu %zu ", writer->own_places[i], p + 1);
-            growing_figure(&writer->out, &lens->variables[variable].values[p], writer->unit);
-            end_operand(writer);
-        }
+    const struct lens *lens = writing->lens;
+    for (size_t p = 0; p < lens->position_count && figure->variable != LENS_NONE; p++) {
+        const struct figure *value = &lens->variables[figure->variable].values[p];
+        zemax_put_operand(writing, word, number, p,
+                          halve ? zemax_half(writing, value) : writing_length(writing, value, 1));
     }
 }
 
-static bool lose_setting(struct zemax_writer *writer, struct parameter parameter,
-                         struct error *error)
+static void zemax_lose_setting(struct lens_writer *writing, struct parameter parameter)
 {
-    return foreign_lose(writer->job, error,
-                        "what the positions set %s to" LOSS_INSTEAD "the first position's is kept",
-                        parameter_write(parameter, writer->job->arena));
+    foreign_lose(writing->job, LOSS_OF_RAYS, "the first position's is kept",
+                 "what the positions set %s to", parameter_write(parameter, writing->arena));
 }
 
 /* GLSS names a glass of a catalogue; nothing stands for air. */
-static bool put_glasses(struct zemax_writer *writer, const struct lens_setting *one,
-                        struct error *error)
+static bool zemax_put_glasses(struct zemax_writer *writer, const struct lens_setting *one,
+                              struct error *error)
 {
-    const size_t count = writer->lens->position_count, surface = one->parameter.surface;
+    struct lens_writer *writing = &writer->writing;
+    const size_t count = writing->lens->position_count, surface = one->parameter.surface;
     for (size_t p = 0; p < count; p++) {
         if (one->media[p].kind != MEDIUM_GLASS && !medium_is_air(&one->media[p])) {
-            return lose_setting(writer, one->parameter, error);
+            zemax_lose_setting(writing, one->parameter);
+            return true;
         }
     }
     for (size_t p = 0; p < count; p++) {
-        growing_format(&writer->out, "GLSS %zu %zu ", writer->own_places[surface], p + 1);
+        writing_put(writing, "GLSS %zu %zu ", writer->own_places[surface], p + 1);
         if (!zemax_put_glass_name(writer, &one->media[p], error)) {
             return false;
         }
-        end_operand(writer);
+        writing_put(writing, END_OPERAND);
     }
     return true;
 }
 
 /* CRVT, CONN, PAR1 .. PAR8 */
-static bool zemax_write_positions_put_numbers(struct zemax_writer *writer,
-                                              const struct lens_setting *one, struct error *error)
+static void zemax_put_numbers(struct zemax_writer *writer, const struct lens_setting *one)
 {
-    const struct parameter parameter = one->parameter;
+    struct lens_writer *writing = &writer->writing;
+    const size_t surface = one->parameter.surface;
     const char *word =
-        zemax_operand_of(&writer->lens->surfaces[parameter.surface], parameter, writer->job->arena);
+        zemax_operand_of(&writing->lens->surfaces[surface], one->parameter, writing->arena);
     if (word == NULL) {
-        return lose_setting(writer, parameter, error);
+        zemax_lose_setting(writing, one->parameter);
+        return;
     }
-    for (size_t p = 0; p < writer->lens->position_count; p++) {
-        growing_format(&writer->out, "%s %zu %zu ", word, writer->own_places[parameter.surface],
-                       p + 1);
-        zemax_put_number(writer, parameter, &one->figures[p]);
-        end_operand(writer);
+    for (size_t p = 0; p < writing->lens->position_count; p++) {
+        zemax_put_operand(writing, word, writer->own_places[surface], p,
+                          zemax_number_of(writing, one->parameter, &one->figures[p]));
     }
-    return true;
 }
 
-static bool zemax_write_positions_put_settings(struct zemax_writer *writer, struct error *error)
+/* The digits of a double. */
+static const char *zemax_double(const struct lens_writer *writing, double value)
 {
-    const struct lens *lens = writer->lens;
+    char number[NUMBER_LENGTH];
+    return arena_string(writing->arena, number,
+                        (size_t)(number_write_shortest(number, value) - number));
+}
+
+/* WAVE, WLWT */
+static void zemax_put_lights(struct lens_writer *writing)
+{
+    const struct lens *lens = writing->lens;
+    for (size_t p = 0; p < lens->position_count; p++) {
+        if (lens->lights[p].count != lens->wavelength_count) {
+            foreign_lose(writing->job, LOSS_OF_RAYS, "those of the first are kept",
+                         "positions with more or fewer wavelengths");
+            return;
+        }
+    }
+    for (size_t i = 0; i < 2 * lens->wavelength_count; i++) {
+        for (size_t p = 0; p < lens->position_count; p++) {
+            const struct lens_wavelength *wave = &lens->lights[p].wavelengths[i / 2];
+            zemax_put_operand(writing, i % 2 ? "WLWT" : "WAVE", i / 2 + 1, p,
+                              zemax_double(writing, i % 2 ? wave->weight : wave->wavelength));
+        }
+    }
+}
+
+/* XFIE, YFIE, FLWT */
+static void zemax_put_points(struct lens_writer *writing)
+{
+    static const char *const words[] = {"XFIE", "YFIE", "FLWT"};
+    const struct lens *lens = writing->lens;
+    for (size_t p = 0; p < lens->position_count; p++) {
+        if (lens->points[p].count != lens->field_count) {
+            foreign_lose(writing->job, LOSS_OF_RAYS, "those of the first are kept",
+                         "positions with more or fewer points of the field");
+            return;
+        }
+    }
+    for (size_t i = 0; i < 3 * lens->field_count; i++) {
+        for (size_t p = 0; p < lens->position_count; p++) {
+            const struct lens_field *field = &lens->points[p].fields[i / 3];
+            zemax_put_operand(writing, words[i % 3], i / 3 + 1, p,
+                              i % 3 == 2 ? zemax_double(writing, field->weight)
+                                         : zemax_coordinate(writing, &field->at[i % 3]));
+        }
+    }
+}
+
+const char *zemax_coordinate(const struct lens_writer *writing, const struct figure *coordinate)
+{
+    if (coordinate->typed.start == NULL && coordinate->value.hi == 0) {
+        return "0";
+    }
+    return writing->lens->field_kind == FIELD_ANGLE ? writing_degrees(writing, coordinate)
+                                                    : writing_length(writing, coordinate, 1);
+}
+
+static bool zemax_put_settings(struct zemax_writer *writer, struct error *error)
+{
+    const struct lens *lens = writer->writing.lens;
     for (size_t i = 0; i < lens->setting_count; i++) {
         const struct lens_setting *one = &lens->settings[i];
-        if (!(one->media != NULL ? put_glasses(writer, one, error)
-                                 : zemax_write_positions_put_numbers(writer, one, error))) {
+        if (one->media == NULL) {
+            zemax_put_numbers(writer, one);
+        } else if (!zemax_put_glasses(writer, one, error)) {
             return false;
         }
     }
     return true;
 }
 
-static bool put_waves_of_positions(struct zemax_writer *writer, struct error *error)
-{
-    const struct lens *lens = writer->lens;
-    for (size_t p = 0; p < lens->position_count; p++) {
-        if (lens->lights[p].count != lens->wavelength_count) {
-            return foreign_lose(writer->job, error,
-                                "positions with more or fewer wavelengths" LOSS_INSTEAD
-                                "those of the first are kept");
-        }
-    }
-    for (size_t i = 0; i < lens->wavelength_count; i++) {
-        for (int weight = 0; weight < 2; weight++) {
-            for (size_t p = 0; p < lens->position_count; p++) {
-                const struct lens_wavelength *wave = &lens->lights[p].wavelengths[i];
-                growing_format(&writer->out, "%s %zu %zu ", weight ? "WLWT" : "WAVE", i + 1, p + 1);
-                growing_number(&writer->out, weight ? wave->weight : wave->wavelength);
-                end_operand(writer);
-            }
-        }
-    }
-    return true;
-}
-
-void zemax_put_field(struct zemax_writer *writer, const struct figure *coordinate)
-{
-    const bool angle = writer->lens->field_kind == FIELD_ANGLE;
-    struct figure figure = *coordinate;
-    if (figure.typed.start == NULL && angle) {
-        figure.value = pair_divide(figure.value, pair_of(RADIANS_PER_DEGREE));
-    }
-    growing_string(&writer->out, " ");
-    if (figure.typed.start == NULL && figure.value.hi == 0) {
-        growing_string(&writer->out, "0");
-        return;
-    }
-    growing_figure(&writer->out, &figure, angle ? NUMBER_UNSCALED : writer->unit);
-}
-
-/* XFIE, YFIE, FLWT */
-static bool put_fields_of_positions(struct zemax_writer *writer, struct error *error)
-{
-    static const char *const words[] = {"XFIE", "YFIE", "FLWT"};
-    const struct lens *lens = writer->lens;
-    for (size_t p = 0; p < lens->position_count; p++) {
-        if (lens->points[p].count != lens->field_count) {
-            return foreign_lose(writer->job, error,
-                                "positions with more or fewer points of the field" LOSS_INSTEAD
-                                "those of the first are kept");
-        }
-    }
-    for (size_t i = 0; i < 3 * lens->field_count; i++) {
-        for (size_t p = 0; p < lens->position_count; p++) {
-            const struct lens_field *field = &lens->points[p].fields[i / 3];
-            growing_format(&writer->out, "%s %zu %zu", words[i % 3], i / 3 + 1, p + 1);
-            if (i % 3 == 2) {
-                growing_string(&writer->out, " ");
-                growing_number(&writer->out, field->weight);
-            } else {
-                zemax_put_field(writer, &field->at[i % 3]);
-            }
-            end_operand(writer);
-        }
-    }
-    return true;
-}
-
-static bool zemax_write_positions_put_stops_and_waves(struct zemax_writer *writer,
-                                                      struct error *error)
-{
-    const struct lens *lens = writer->lens;
-    for (size_t p = 0; p < lens->position_count && lens->stops != NULL; p++) {
-        growing_format(&writer->out, "STPS 0 %zu %zu", p + 1, writer->own_places[lens->stops[p]]);
-        end_operand(writer);
-    }
-    return (lens->lights == NULL || put_waves_of_positions(writer, error)) &&
-           (lens->points == NULL || put_fields_of_positions(writer, error));
-}
-
 /* The object's distance, distances, diameters and apertures of each position. */
 bool zemax_put_positions(struct zemax_writer *writer, struct error *error)
 {
-    const struct lens *lens = writer->lens;
-    size_t count = lens->position_count;
-    growing_format(&writer->out, "MNUM %zu 1\r\n", count > 0 ? count : 1);
+    struct lens_writer *writing = &writer->writing;
+    const struct lens *lens = writing->lens;
+    const size_t count = lens->position_count;
+    writing_put(writing, "MNUM %zu 1\r\n", count > 0 ? count : 1);
     for (size_t p = 0; p < count && lens->objects != NULL; p++) {
-        growing_format(&writer->out, "THIC 0 %zu ", p + 1);
-        if (isinf(lens->objects[p].value.hi)) {
-            growing_string(&writer->out, "1e10");
-        } else {
-            growing_figure(&writer->out, &lens->objects[p], writer->unit);
+        bool far = isinf(lens->objects[p].value.hi);
+        zemax_put_operand(writing, "THIC", 0, p,
+                          far ? "1e10" : writing_length(writing, &lens->objects[p], 1));
+    }
+    for (size_t i = 0; i < lens->surface_count; i++) {
+        const struct surface *surface = &lens->surfaces[i];
+        zemax_put_variable(writing, "THIC", writer->places[i], &surface->thickness, false);
+        if (surface->has_diameter) {
+            zemax_put_variable(writing, "SDIA", writer->own_places[i], &surface->diameter, true);
         }
-        end_operand(writer);
+        if (surface_has(surface, SURFACE_HAS_FOCAL)) {
+            zemax_put_variable(writing, "PAR1", writer->own_places[i], &surface->focal, false);
+        }
     }
-    put_variables(writer);
     for (size_t p = 0; p < count && lens->apertures != NULL; p++) {
-        growing_format(&writer->out, "APER 0 %zu ", p + 1);
-        growing_figure(&writer->out, &lens->apertures[p],
-                       lens->aperture_kind == APERTURE_EPD ? writer->unit : NUMBER_UNSCALED);
-        end_operand(writer);
+        zemax_put_operand(
+            writing, "APER", 0, p,
+            writing_length(writing, &lens->apertures[p], lens->aperture_kind == APERTURE_EPD));
     }
-    const bool done = zemax_write_positions_put_settings(writer, error) &&
-                      zemax_write_positions_put_stops_and_waves(writer, error);
+    if (!zemax_put_settings(writer, error)) {
+        return false;
+    }
+    for (size_t p = 0; p < count && lens->stops != NULL; p++) {
+        writing_put(writing, "STPS 0 %zu %zu" END_OPERAND, p + 1,
+                    writer->own_places[lens->stops[p]]);
+    }
+    if (lens->lights != NULL) {
+        zemax_put_lights(writing);
+    }
+    if (lens->points != NULL) {
+        zemax_put_points(writing);
+    }
     if (count > 1) { /* a free line, behind which nothing is missing */
-        growing_string(&writer->out, "MOFF 0 1 \"\" 0 0 0 1 1 0 0.0 \"\"\r\n");
+        writing_put(writing, "MOFF 0 1 \"\" 0 0 0 1 1 0 0.0 \"\"\r\n");
     }
-    return done;
+    return true;
 }

@@ -4,17 +4,14 @@
 #define LENSCALC_EXCHANGE_ZEMAX_ZEMAX_WRITER_H
 
 #include "exchange/foreign.h"
-#include "optics/growing.h"
+#include "exchange/writing.h"
 #include "optics/lens.h"
 
 enum { ZEMAX_MOST_CATALOGS = 32 };
 
 /* A file being written. */
 struct zemax_writer {
-    struct text_buffer out;
-    struct foreign_job *job;
-    const struct lens *lens;
-    struct number_scale unit;
+    struct lens_writer writing;
     struct text catalogs[ZEMAX_MOST_CATALOGS];
     size_t catalog_count;
     size_t number;      /* of the surface to write next */
@@ -25,14 +22,18 @@ struct zemax_writer {
 /* Keep the catalogue of a medium for the list of them. */
 void zemax_note_catalog(struct zemax_writer *writer, const struct medium *medium);
 
-/* GLAS; nothing for air. */
+/*
+ * GLAS; nothing for air.
+ *
+ * Errors    an index that a table does not give; the glass of a user's AGF file is damaged
+ */
 bool zemax_put_medium(struct zemax_writer *writer, const struct medium *medium,
                       struct error *error);
 
 /* "SURF n" and its type. */
 void zemax_put_surf(struct zemax_writer *writer, const char *type);
 
-/* The name of a glass as its catalogue spells it; "" of air. */
+/* The name of a glass as its catalogue spells it; "" of air. Errors as zemax_put_medium */
 bool zemax_put_glass_name(struct zemax_writer *writer, const struct medium *medium,
                           struct error *error);
 
@@ -40,17 +41,17 @@ bool zemax_put_glass_name(struct zemax_writer *writer, const struct medium *medi
 const char *zemax_operand_of(const struct surface *surface, struct parameter parameter,
                              struct arena *arena);
 
-/* A number as that operand has it. */
-void zemax_put_number(struct zemax_writer *writer, struct parameter parameter,
-                      const struct figure *figure);
+/* The digits of a number as that operand has it. */
+const char *zemax_number_of(const struct lens_writer *writing, struct parameter parameter,
+                            const struct figure *figure);
 
-/* A coordinate of a point of the field, behind a blank. */
-void zemax_put_field(struct zemax_writer *writer, const struct figure *figure);
+/* The digits of a coordinate of a point of the field. */
+const char *zemax_coordinate(const struct lens_writer *writing, const struct figure *figure);
 
 /* The configurations, as many as the lens has positions. The surfaces were put. */
 bool zemax_put_positions(struct zemax_writer *writer, struct error *error);
 
-/* A surface of the lens, with the breaks of the axis around it. */
+/* A surface of the lens, with the breaks of the axis around it. Errors as zemax_put_medium */
 bool zemax_put_surface(struct zemax_writer *writer, size_t index, struct error *error);
 
 #endif
