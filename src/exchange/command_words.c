@@ -248,19 +248,19 @@ bool commands_end(const struct commands *commands, size_t word, struct error *er
 }
 
 bool commands_count(const struct commands *commands, const struct command_word *word,
-                    const struct command_count *count, size_t *value, struct error *error)
+                    struct text digits, const char *what, size_t least, size_t *value,
+                    struct error *error)
 {
-    struct text text = count->digits;
     *value = 0;
-    for (size_t i = 0; i < text.length && *value < 1000000; i++) {
-        if (text.start[i] < '0' || text.start[i] > '9') {
-            text.length = 0;
+    for (size_t i = 0; i < digits.length && *value < 1000000; i++) {
+        if (!char_is_digit(digits.start[i])) {
+            digits.length = 0;
         } else {
-            *value = 10 * *value + (size_t)(text.start[i] - '0');
+            *value = 10 * *value + (size_t)(digits.start[i] - '0');
         }
     }
-    const struct command_word shown = {text, word->line, word->number, false};
-    return (text.length > 0 && *value >= count->least && *value < 1000000) ||
-           commands_fail(commands, text.length > 0 ? &shown : word, error,
-                         "the %s is a whole number from %zu on", count->what, count->least);
+    const struct command_word shown = {digits, word->line, word->number, false};
+    return (digits.length > 0 && *value >= least && *value < 1000000) ||
+           commands_fail(commands, digits.length > 0 ? &shown : word, error,
+                         "the %s is a whole number from %zu on", what, least);
 }

@@ -92,13 +92,13 @@ bool commands_object(const struct commands *commands, size_t word, struct figure
 /* Nothing may follow from this word on. */
 bool commands_end(const struct commands *commands, size_t word, struct error *error);
 
-/* A whole number in a word, or in the part of it that is no letter. */
-struct command_count {
-    struct text digits;
-    const char *what; /* "number of the surface" */
-    size_t least;
-};
+/*
+ * A whole number in a word, or in the part of it that is no letter.
+ *
+ * Given     digits  that part; what  "number of the surface"; least  the smallest that is one
+ */
 bool commands_count(const struct commands *commands, const struct command_word *word,
-                    const struct command_count *count, size_t *value, struct error *error);
+                    struct text digits, const char *what, size_t least, size_t *value,
+                    struct error *error);
 
 #endif

@@ -1,6 +1,8 @@
 /* exchange/sequence.c - a lens as CODE V and OSLO have it: surfaces, pick-ups, tilts, solves. */
 /* SPDX-License-Identifier: MIT */
 #include "exchange/sequence.h"
+
+#include "base/constants.h"
 #include "exchange/sequence_move.h"
 #include "exchange/virtual_object.h"
 #include "file/lens_words.h"
@@ -35,6 +37,47 @@ bool sequence_medium(const struct commands *commands, const struct command_word 
     struct file_words words = commands_place(commands, at);
     words.line = text_of(written);
     return lens_words_medium(&words, words.line, medium, error);
+}
+
+void sequence_set_constant(const struct sequence *sequence, struct sequence_surface *surface,
+                           int order, struct figure figure)
+{
+    if (order == 0) {
+        surface->conic = figure;
+        return;
+    }
+    const int at = surface_term(order);
+    const unsigned is_some = figure.value.hi != 0;
+    sequence_per_length(sequence->commands, order - 1, &figure);
+    surface->coefficient[at] = figure;
+    surface->coefficients = (surface->coefficients & ~(1u << at)) | (is_some << at);
+}
+
+void sequence_set_shift(const struct sequence *sequence, struct sequence_surface *surface, int what,
+                        struct figure figure)
+{
+    surface->decentred_at = sequence->commands->words[0];
+    if (what >= 'X') {
+        surface->shift[what - 'X'] = figure;
+        return;
+    }
+    figure.value = pair_multiply(figure.value, pair_of(RADIANS_PER_DEGREE));
+    surface->turn[what - 'A'] = what == 'C' ? figure : figure_negate(figure, sequence->job->arena);
+}
+
+void sequence_add_wave(const struct sequence *sequence, struct text wave, const char *unit,
+                       struct text weight)
+{
+    const struct number_scale scale = {1, strcmp(unit, "nm") == 0 ? -3 : 0};
+    double micrometres = 0, counts = 1;
+    number_read(wave.start, wave.start + wave.length, scale, &micrometres);
+    number_read(weight.start, weight.start + weight.length, NUMBER_UNSCALED, &counts);
+    struct lens_wavelength *one = lens_build_wavelength(sequence->build, micrometres, counts);
+    one->typed =
+        text_of(arena_printf(sequence->job->arena, "%.*s%s", (int)wave.length, wave.start, unit));
+    if (counts != 1) {
+        one->weight_typed = weight;
+    }
 }
 
 /* A thickness with what shifts along z add to it. */

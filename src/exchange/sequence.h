@@ -135,6 +135,21 @@ static inline void sequence_per_length(const struct commands *commands, int powe
 /* A full diameter from the radius that was read. */
 struct figure sequence_diameter(const struct figure *radius, struct arena *arena);
 
+/* The conic (order 0) or the coefficient of r^order, from a number in the file's unit. */
+void sequence_set_constant(const struct sequence *sequence, struct sequence_surface *surface,
+                           int order, struct figure figure);
+
+/*
+ * A shift in mm or a turn in degrees of a surface, as the present command has it: 'X' 'Y' 'Z',
+ * 'A' 'B' 'C' about them, of which both programs have those about x and y left-handed.
+ */
+void sequence_set_shift(const struct sequence *sequence, struct sequence_surface *surface, int what,
+                        struct figure figure);
+
+/* A wavelength, in the words of the file and its `unit`, "nm" or "um", with its weight. */
+void sequence_add_wave(const struct sequence *sequence, struct text wave, const char *unit,
+                       struct text weight);
+
 /* A medium from what a .lens file would have for it. */
 bool sequence_medium(const struct commands *commands, const struct command_word *at,
                      const char *written, struct medium *medium, struct error *error);

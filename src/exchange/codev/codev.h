@@ -30,10 +30,18 @@ struct codev_private {
 /* What XAN, YAN and WTF list of the fields. */
 enum { CODEV_FIELD_WEIGHTS = 2, CODEV_FIELD_ROWS };
 
+/* What stands between the name of a command and its values. */
+struct codev_qualifiers {
+    size_t surface, end;      /* Sk or Sk..m; the present surface if there is none */
+    size_t zoom, field, wave; /* Zk, Fk, Wk; 0 = none */
+    size_t next;              /* the first word behind them */
+};
+
 /* A .seq file being read. */
 struct codev {
     struct foreign_job *job;
     struct commands commands;
+    struct codev_qualifiers here; /* of the present command */
     struct sequence sequence;
     struct lens_build build;
     size_t positions;   /* of ZOO; 0 = the file has no positions */
@@ -55,14 +63,6 @@ struct codev {
     size_t catalog_wave_count;
     struct codev_private *privates;
     size_t private_count, private_room;
-};
-
-/* What stands between the name of a command and its values. */
-struct codev_qualifiers {
-    size_t surface, end; /* Sk or Sk..m; the present surface if there is none */
-    bool has_surface;
-    size_t zoom, field, wave; /* Zk, Fk, Wk; 0 = none */
-    size_t next;              /* the first word behind them */
 };
 
 /* Read the qualifiers from word `first` on; before it stands the name that they narrow. */

@@ -90,13 +90,14 @@ static struct sequence_aperture *find_aperture(struct codev *codev,
 }
 
 /* Half a size along x or y of what is no clear circle. */
-static void put_half(struct codev *codev, const struct codev_qualifiers *qualifiers,
-                     const struct aperture_words *words, int what, const struct figure *half)
+static void put_half(struct codev *codev, const struct aperture_words *words, int what,
+                     const struct figure *half)
 {
-    const enum aperture_shape shape = what == 'C'                  ? SHAPE_CIRCLE
-                                      : what == 'X' || what == 'Y' ? SHAPE_ELLIPSE
-                                                                   : SHAPE_RECTANGLE;
-    struct sequence_surface *surface = &codev->sequence.surfaces[qualifiers->surface];
+    enum aperture_shape shape = SHAPE_CIRCLE;
+    if (what != 'C') {
+        shape = what == 'X' || what == 'Y' ? SHAPE_ELLIPSE : SHAPE_RECTANGLE;
+    }
+    struct sequence_surface *surface = &codev->sequence.surfaces[codev->here.surface];
     struct sequence_aperture *one = find_aperture(codev, surface, words, shape);
     one->aperture.size[what == 'Y' || what == 'y'] = sequence_diameter(half, codev->job->arena);
 }
@@ -104,12 +105,8 @@ static void put_half(struct codev *codev, const struct codev_qualifiers *qualifi
 bool codev_aperture(struct codev *codev, int what, struct error *error)
 {
     struct commands *commands = &codev->commands;
-    struct codev_qualifiers qualifiers;
     struct figure half;
-    if (!codev_qualifiers(codev, 1, &qualifiers, error)) {
-        return false;
-    }
-    const struct aperture_words words = codev_aperture_read_words(commands, qualifiers.next);
+    const struct aperture_words words = codev_aperture_read_words(commands, codev->here.next);
     const bool is_clear_circle = what == 'C' && !words.blocks;
     if (!commands_figure(commands, words.next, commands->scale, "radius of the aperture", &half,
                          error) ||
@@ -124,10 +121,10 @@ bool codev_aperture(struct codev *codev, int what, struct error *error)
         return true; /* the rim of the glass, for drawings; none */
     }
     if (is_clear_circle) {
-        codev->sequence.surfaces[qualifiers.surface].diameter =
+        codev->sequence.surfaces[codev->here.surface].diameter =
             sequence_diameter(&half, codev->job->arena);
     } else {
-        put_half(codev, &qualifiers, &words, what, &half);
+        put_half(codev, &words, what, &half);
     }
     return true;
 }
@@ -135,12 +132,8 @@ bool codev_aperture(struct codev *codev, int what, struct error *error)
 bool codev_aperture_shift(struct codev *codev, int what, struct error *error)
 {
     struct commands *commands = &codev->commands;
-    struct codev_qualifiers qualifiers;
     struct figure shift;
-    if (!codev_qualifiers(codev, 1, &qualifiers, error)) {
-        return false;
-    }
-    const struct aperture_words words = codev_aperture_read_words(commands, qualifiers.next);
+    const struct aperture_words words = codev_aperture_read_words(commands, codev->here.next);
     if (!commands_figure(commands, words.next, commands->scale, "decentre of the aperture", &shift,
                          error) ||
         !commands_end(commands, words.next + 1, error)) {
@@ -149,7 +142,7 @@ bool codev_aperture_shift(struct codev *codev, int what, struct error *error)
     if (shift.value.hi == 0 || words.is_edge) {
         return true;
     }
-    struct sequence_surface *surface = &codev->sequence.surfaces[qualifiers.surface];
+    struct sequence_surface *surface = &codev->sequence.surfaces[codev->here.surface];
     find_aperture(codev, surface, &words, APERTURE_SHAPES)->aperture.decenter[what == 'Y'] = shift;
     return true;
 }

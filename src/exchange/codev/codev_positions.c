@@ -18,8 +18,7 @@ bool codev_set_positions(struct codev *codev, struct error *error)
     if (word.is_quoted || word.text.length == 0 || !char_is_digit(word.text.start[0])) {
         return true;
     }
-    if (!commands_count(&codev->commands, &word,
-                        &(struct command_count){word.text, "number of positions", 1}, &count,
+    if (!commands_count(&codev->commands, &word, word.text, "number of positions", 1, &count,
                         error) ||
         !commands_end(&codev->commands, 2, error)) {
         return false;
@@ -97,8 +96,7 @@ bool codev_place(struct codev *codev, bool *is_here, struct error *error)
     const struct command_word word = commands->words[at];
     const struct text digits = {word.text.start + 1, word.text.length - 1};
     const size_t last = codev->positions > 0 ? codev->positions : 1;
-    if (!commands_count(commands, &word, &(struct command_count){digits, "number", 1}, &zoom,
-                        error)) {
+    if (!commands_count(commands, &word, digits, "number", 1, &zoom, error)) {
         return false;
     }
     *is_here = zoom == (codev->positions > 0 ? codev->position : 1);

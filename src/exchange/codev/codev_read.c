@@ -55,25 +55,18 @@ static bool refuse_macro(struct codev *codev, struct error *error)
 static bool codev_read_lose(struct codev *codev, const struct word_group *group,
                             struct error *error)
 {
-    struct codev_qualifiers qualifiers;
-    if (!codev_qualifiers(codev, 1, &qualifiers, error)) {
+    if (!codev_qualifiers(codev, 1, &codev->here, error)) {
         return false;
     }
-    if ((group->flags & WORD_COUNTS_AT_0) == 0 && codev_is_zero(codev, qualifiers.next)) {
-        return true;
-    }
-    return commands_lose(&codev->commands, word_group_effect(group), NULL, group->what);
+    return ((group->flags & WORD_COUNTS_AT_0) == 0 && codev_is_zero(codev, codev->here.next)) ||
+           commands_lose(&codev->commands, word_group_effect(group), NULL, group->what);
 }
 
 /* VUX, VLX, VUY, VLY: the first that is not 0 is kept until the diameters are known. */
 static bool codev_read_vignetting(struct codev *codev, int what, struct error *error)
 {
-    struct codev_qualifiers qualifiers;
-    (void)what;
-    if (!codev_qualifiers(codev, 1, &qualifiers, error)) {
-        return false;
-    }
-    if (!codev_is_zero(codev, qualifiers.next) && codev->vignetting.text.length == 0) {
+    (void)what, (void)error;
+    if (!codev_is_zero(codev, codev->here.next) && codev->vignetting.text.length == 0) {
         codev->vignetting = codev->commands.words[0];
     }
     return true;
@@ -109,117 +102,111 @@ static bool codev_read_environment(struct codev *codev, int what, struct error *
     return sequence_environment(&codev->sequence, what == 'T', 760, error);
 }
 
+/* What a command is of. Qualifiers, Sk Zk Fk Wk, are read into codev->here. */
+enum codev_scope {
+    CODEV_LENS,   /* of the lens, without qualifiers */
+    CODEV_PART,   /* of what qualifiers narrow it to */
+    CODEV_EACH,   /* of each surface of a range */
+    CODEV_ONE,    /* of one surface */
+    CODEV_PICK_UP /* of surfaces that it names itself */
+};
+
 /* Commands and what tells relatives apart; the first three letters count. */
 static const struct {
     char key[4];
     codev_command *run;
     int what;
-    bool of_surface;
+    enum codev_scope scope;
 } keywords[] = {
-    {"RDM", codev_radius_mode, 0, false},
-    {"LEN", codev_read_nothing, 0, false},
-    {"TIT", codev_title, 0, false},
-    {"DIM", codev_read_nothing, 0, false}, /* read before all others */
-    {"WL", codev_waves, 'L', false},
-    {"WTW", codev_waves, 'W', false},
-    {"REF", codev_reference, 0, false},
-    {"EPD", codev_aperture_of_lens, 'E', false},
-    {"FNO", codev_aperture_of_lens, 'F', false},
-    {"NAO", codev_aperture_of_lens, 'O', false},
-    {"NA", codev_aperture_of_lens, 'N', false},
-    {"XAN", codev_fields, 'A', false},
-    {"YAN", codev_fields, 'a', false},
-    {"XOB", codev_fields, 'O', false},
-    {"YOB", codev_fields, 'o', false},
-    {"XIM", codev_fields, 'I', false},
-    {"YIM", codev_fields, 'i', false},
-    {"XRI", codev_fields, 'R', false},
-    {"YRI", codev_fields, 'r', false},
-    {"WTF", codev_fields, 'w', false},
-    {"RDY", codev_curve, 'R', true},
-    {"CUY", codev_curve, 'C', true},
-    {"RDX", codev_curve, 'r', true},
-    {"CUX", codev_curve, 'c', true},
-    {"THI", codev_thickness, 0, true},
-    {"GLA", codev_glass, 0, true},
-    {"RMD", codev_glass, 0, true},
-    {"CYL", codev_shape, 0, true},
-    {"SPH", codev_read_nothing, 0, false},
-    {"CON", codev_read_nothing, 0, false},
-    {"ASP", codev_read_nothing, 0, false},
-    {"K", codev_constant, 0, true},
-    {"A", codev_constant, 4, true},
-    {"B", codev_constant, 6, true},
-    {"C", codev_constant, 8, true},
-    {"D", codev_constant, 10, true},
-    {"E", codev_constant, 12, true},
-    {"F", codev_constant, 14, true},
-    {"G", codev_constant, 16, true},
-    {"H", codev_constant, 18, true},
-    {"J", codev_constant, 20, true},
-    {"SPS", codev_special, 0, true},
-    {"SCO", codev_special_constant, 0, true},
-    {"STO", codev_stop, 0, true},
-    {"SLB", codev_label, 0, true},
-    {"CIR", codev_aperture, 'C', true},
-    {"REX", codev_aperture, 'x', true},
-    {"REY", codev_aperture, 'y', true},
-    {"ELX", codev_aperture, 'X', true},
-    {"ELY", codev_aperture, 'Y', true},
-    {"ADX", codev_aperture_shift, 'X', true},
-    {"ADY", codev_aperture_shift, 'Y', true},
-    {"XDE", codev_shift, 'X', true},
-    {"YDE", codev_shift, 'Y', true},
-    {"ZDE", codev_shift, 'Z', true},
-    {"ADE", codev_shift, 'A', true},
-    {"BDE", codev_shift, 'B', true},
-    {"CDE", codev_shift, 'C', true},
-    {"DAR", codev_move, SEQUENCE_BACK, true},
-    {"BEN", codev_move, SEQUENCE_BEND, true},
-    {"REV", codev_move, SEQUENCE_RETURN, true},
-    {"PIM", read_pim, 0, false},
-    {"TEL", read_space, 'T', false},
-    {"AFC", read_space, 'A', false},
-    {"PIK", codev_pickup, 0, true},
-    {"ZOO", codev_read_nothing, 0, false}, /* what it has not become */
-    {"PRV", codev_catalog, 'P', false},
-    {"PWL", codev_catalog, 'W', false},
-    {"END", codev_catalog, 'P', false},
-    {"TEM", codev_read_environment, 'T', false},
-    {"PRE", codev_read_environment, 'P', false},
-    {"GO", read_go, 0, false},
-    {"VUX", codev_read_vignetting, 0, false},
-    {"VLX", codev_read_vignetting, 0, false},
-    {"VUY", codev_read_vignetting, 0, false},
-    {"VLY", codev_read_vignetting, 0, false},
+    {"RDM", codev_radius_mode, 0, CODEV_LENS},
+    {"LEN", codev_read_nothing, 0, CODEV_LENS},
+    {"TIT", codev_title, 0, CODEV_PART},
+    {"DIM", codev_read_nothing, 0, CODEV_LENS}, /* read before all others */
+    {"WL", codev_waves, 'L', CODEV_PART},
+    {"WTW", codev_waves, 'W', CODEV_PART},
+    {"REF", codev_reference, 0, CODEV_LENS},
+    {"EPD", codev_aperture_of_lens, 'E', CODEV_PART},
+    {"FNO", codev_aperture_of_lens, 'F', CODEV_PART},
+    {"NAO", codev_aperture_of_lens, 'O', CODEV_PART},
+    {"NA", codev_aperture_of_lens, 'N', CODEV_PART},
+    {"XAN", codev_fields, 'A', CODEV_PART},
+    {"YAN", codev_fields, 'a', CODEV_PART},
+    {"XOB", codev_fields, 'O', CODEV_PART},
+    {"YOB", codev_fields, 'o', CODEV_PART},
+    {"XIM", codev_fields, 'I', CODEV_PART},
+    {"YIM", codev_fields, 'i', CODEV_PART},
+    {"XRI", codev_fields, 'R', CODEV_PART},
+    {"YRI", codev_fields, 'r', CODEV_PART},
+    {"WTF", codev_fields, 'w', CODEV_PART},
+    {"RDY", codev_curve, 'R', CODEV_EACH},
+    {"CUY", codev_curve, 'C', CODEV_EACH},
+    {"RDX", codev_curve, 'r', CODEV_EACH},
+    {"CUX", codev_curve, 'c', CODEV_EACH},
+    {"THI", codev_thickness, 0, CODEV_EACH},
+    {"GLA", codev_glass, 0, CODEV_EACH},
+    {"RMD", codev_glass, 0, CODEV_EACH},
+    {"CYL", codev_shape, 0, CODEV_EACH},
+    {"SPH", codev_read_nothing, 0, CODEV_LENS},
+    {"CON", codev_read_nothing, 0, CODEV_LENS},
+    {"ASP", codev_read_nothing, 0, CODEV_LENS},
+    {"K", codev_constant, 0, CODEV_EACH},
+    {"A", codev_constant, 4, CODEV_EACH},
+    {"B", codev_constant, 6, CODEV_EACH},
+    {"C", codev_constant, 8, CODEV_EACH},
+    {"D", codev_constant, 10, CODEV_EACH},
+    {"E", codev_constant, 12, CODEV_EACH},
+    {"F", codev_constant, 14, CODEV_EACH},
+    {"G", codev_constant, 16, CODEV_EACH},
+    {"H", codev_constant, 18, CODEV_EACH},
+    {"J", codev_constant, 20, CODEV_EACH},
+    {"SPS", codev_special, 0, CODEV_EACH},
+    {"SCO", codev_special_constant, 0, CODEV_EACH},
+    {"STO", codev_stop, 0, CODEV_ONE},
+    {"SLB", codev_label, 0, CODEV_EACH},
+    {"CIR", codev_aperture, 'C', CODEV_EACH},
+    {"REX", codev_aperture, 'x', CODEV_EACH},
+    {"REY", codev_aperture, 'y', CODEV_EACH},
+    {"ELX", codev_aperture, 'X', CODEV_EACH},
+    {"ELY", codev_aperture, 'Y', CODEV_EACH},
+    {"ADX", codev_aperture_shift, 'X', CODEV_EACH},
+    {"ADY", codev_aperture_shift, 'Y', CODEV_EACH},
+    {"XDE", codev_shift, 'X', CODEV_EACH},
+    {"YDE", codev_shift, 'Y', CODEV_EACH},
+    {"ZDE", codev_shift, 'Z', CODEV_EACH},
+    {"ADE", codev_shift, 'A', CODEV_EACH},
+    {"BDE", codev_shift, 'B', CODEV_EACH},
+    {"CDE", codev_shift, 'C', CODEV_EACH},
+    {"DAR", codev_move, SEQUENCE_BACK, CODEV_EACH},
+    {"BEN", codev_move, SEQUENCE_BEND, CODEV_EACH},
+    {"REV", codev_move, SEQUENCE_RETURN, CODEV_EACH},
+    {"PIM", read_pim, 0, CODEV_LENS},
+    {"TEL", read_space, 'T', CODEV_LENS},
+    {"AFC", read_space, 'A', CODEV_LENS},
+    {"PIK", codev_pickup, 0, CODEV_PICK_UP},
+    {"ZOO", codev_read_nothing, 0, CODEV_LENS}, /* what it has not become */
+    {"PRV", codev_catalog, 'P', CODEV_LENS},
+    {"PWL", codev_catalog, 'W', CODEV_LENS},
+    {"END", codev_catalog, 'P', CODEV_LENS},
+    {"TEM", codev_read_environment, 'T', CODEV_LENS},
+    {"PRE", codev_read_environment, 'P', CODEV_LENS},
+    {"GO", read_go, 0, CODEV_LENS},
+    {"VUX", codev_read_vignetting, 0, CODEV_PART},
+    {"VLX", codev_read_vignetting, 0, CODEV_PART},
+    {"VUY", codev_read_vignetting, 0, CODEV_PART},
+    {"VLY", codev_read_vignetting, 0, CODEV_PART},
 };
 
-/* Of a range of surfaces, S3..5, each gets what the command says; a stop or pick-up has one. */
+/* Of a range of surfaces, S3..5, each gets what the command says. */
 static bool run_on_surfaces(struct codev *codev, codev_command *run, int what, struct error *error)
 {
-    struct commands *commands = &codev->commands;
-    struct codev_qualifiers qualifiers;
-    if (run == codev_pickup || run == codev_stop) {
-        return run(codev, what, error);
-    }
-    if (!codev_qualifiers(codev, 1, &qualifiers, error)) {
-        return false;
-    }
-    struct command_word *range = NULL;
-    for (size_t i = 1; i < qualifiers.next && qualifiers.surface != qualifiers.end; i++) {
-        const char kind = codev_qualifier_kind(&commands->words[0], &commands->words[i]);
-        range = kind == 's' ? &commands->words[i] : range;
-    }
-    for (size_t i = qualifiers.surface; range != NULL && i < qualifiers.end; i++) {
-        range->text = text_of(arena_printf(codev->job->arena, "S%zu", i));
+    const size_t end = codev->here.end;
+    for (size_t i = codev->here.surface; i <= end; i++) {
+        codev->here.surface = i;
         if (!run(codev, what, error)) {
             return false;
         }
     }
-    if (range != NULL) {
-        range->text = text_of(arena_printf(codev->job->arena, "S%zu", qualifiers.end));
-    }
-    return run(codev, what, error);
+    return true;
 }
 
 static bool is_surface_line(struct text word)
@@ -266,11 +253,16 @@ static bool codev_read_run_command(struct codev *codev, struct error *error)
         if (strcmp(keywords[i].key, key.letters) != 0) {
             continue;
         }
-        if (keywords[i].of_surface && codev->sequence.count == 0) {
+        const enum codev_scope scope = keywords[i].scope;
+        if (scope >= CODEV_EACH && codev->sequence.count == 0) {
             return commands_fail(&codev->commands, word, error, "'%s' before the first surface",
                                  keywords[i].key);
         }
-        return keywords[i].of_surface
+        if (scope != CODEV_LENS && scope != CODEV_PICK_UP &&
+            !codev_qualifiers(codev, 1, &codev->here, error)) {
+            return false;
+        }
+        return scope == CODEV_EACH
                    ? run_on_surfaces(codev, keywords[i].run, keywords[i].what, error)
                    : keywords[i].run(codev, keywords[i].what, error);
     }

@@ -9,20 +9,17 @@
 static const struct number_scale plain = {1, 0};
 
 /* The surface a command is about. */
-static struct sequence_surface *codev_surface_of(struct codev *codev,
-                                                 const struct codev_qualifiers *qualifiers)
+static struct sequence_surface *codev_surface_of(struct codev *codev)
 {
-    return &codev->sequence.surfaces[qualifiers->surface];
+    return &codev->sequence.surfaces[codev->here.surface];
 }
 
 /* One value behind the qualifiers, and nothing more. */
 static bool codev_surface_read_value(struct codev *codev, struct number_scale scale,
-                                     const char *what, struct codev_qualifiers *qualifiers,
-                                     struct figure *figure, struct error *error)
+                                     const char *what, struct figure *figure, struct error *error)
 {
-    return codev_qualifiers(codev, 1, qualifiers, error) &&
-           commands_figure(&codev->commands, qualifiers->next, scale, what, figure, error) &&
-           commands_end(&codev->commands, qualifiers->next + 1, error);
+    return commands_figure(&codev->commands, codev->here.next, scale, what, figure, error) &&
+           commands_end(&codev->commands, codev->here.next + 1, error);
 }
 
 static void set_curve(struct codev *codev, struct sequence_surface *surface, struct figure figure,
@@ -72,9 +69,7 @@ static bool codev_surface_check_place(struct codev *codev, struct error *error)
         return true;
     }
     const struct text digits = {text.start + 1, text.length - 1};
-    return commands_count(commands, word,
-                          &(struct command_count){digits, "number of the surface", 1}, &number,
-                          error) &&
+    return commands_count(commands, word, digits, "number of the surface", 1, &number, error) &&
            (number == next ||
             commands_fail(commands, word, error, "surface %zu, where surface %zu is expected",
                           number, next));
@@ -104,8 +99,8 @@ bool codev_surface(struct codev *codev, int what, struct error *error)
 }
 
 /* A solve behind the qualifiers: CUY UMY u, THI HMY h. */
-static bool codev_surface_read_solve(struct codev *codev, const struct codev_qualifiers *qualifiers,
-                                     bool is_thickness, bool *is_solve, struct error *error)
+static bool codev_surface_read_solve(struct codev *codev, bool is_thickness, bool *is_solve,
+                                     struct error *error)
 {
     static const struct {
         const char *name;
@@ -116,8 +111,8 @@ static bool codev_surface_read_solve(struct codev *codev, const struct codev_qua
                   {"UMY", true, SOLVE_MARGINAL},
                   {"UCY", true, SOLVE_CHIEF}};
     struct commands *commands = &codev->commands;
-    const struct command_word word = commands_word(commands, qualifiers->next);
-    struct sequence_surface *surface = codev_surface_of(codev, qualifiers);
+    const struct command_word word = commands_word(commands, codev->here.next);
+    struct sequence_surface *surface = codev_surface_of(codev);
     char c = word.text.length > 0 ? word.text.start[0] : '0';
     *is_solve = (c >= 'A' && c <= 'Z') || (c >= 'a' && c <= 'z');
     if (!*is_solve) {
@@ -131,10 +126,10 @@ static bool codev_surface_read_solve(struct codev *codev, const struct codev_qua
         }
         *solve = (struct sequence_solve){
             .is_set = true, .of_angle = solves[i].of_angle, .ray = solves[i].ray, .at = word};
-        return commands_figure(commands, qualifiers->next + 1,
+        return commands_figure(commands, codev->here.next + 1,
                                is_thickness ? commands->scale : plain, "target of the solve",
                                &solve->target, error) &&
-               commands_end(commands, qualifiers->next + 2, error);
+               commands_end(commands, codev->here.next + 2, error);
     }
     *solve = (struct sequence_solve){.is_set = true, .is_unknown = true, .at = word};
     return true;
@@ -165,105 +160,66 @@ bool codev_curve(struct codev *codev, int what, struct error *error)
 {
     bool is_radius = what == 'R' || what == 'r', is_x = what == 'r' || what == 'c';
     bool is_solve = false;
-    struct commands *commands = &codev->commands;
-    struct codev_qualifiers qualifiers;
     struct figure figure;
-    if (!codev_qualifiers(codev, 1, &qualifiers, error) ||
-        (!is_x && !codev_surface_read_solve(codev, &qualifiers, false, &is_solve, error))) {
+    if ((!is_x && !codev_surface_read_solve(codev, false, &is_solve, error))) {
         return false;
     }
     if (is_solve) {
         return true;
     }
-    if (!commands_figure(commands, qualifiers.next, is_radius ? commands->scale : plain,
-                         is_radius ? "radius" : "curvature", &figure, error) ||
-        !commands_end(commands, qualifiers.next + 1, error)) {
+    if (!codev_surface_read_value(codev, is_radius ? codev->commands.scale : plain,
+                                  is_radius ? "radius" : "curvature", &figure, error)) {
         return false;
     }
-    struct sequence_surface *surface = codev_surface_of(codev, &qualifiers);
+    struct sequence_surface *surface = codev_surface_of(codev);
     if (is_x) {
         set_curve_x(codev, surface, figure, is_radius);
-        return true;
+    } else {
+        set_curve(codev, surface, figure, is_radius);
     }
-    set_curve(codev, surface, figure, is_radius);
     return true;
 }
 
 bool codev_thickness(struct codev *codev, int what, struct error *error)
 {
     (void)what;
-    struct codev_qualifiers qualifiers;
+    struct sequence_surface *surface = codev_surface_of(codev);
     bool is_solve;
-    if (!codev_qualifiers(codev, 1, &qualifiers, error)) {
-        return false;
+    if (surface == &codev->sequence.surfaces[0]) {
+        return commands_object(&codev->commands, codev->here.next, &surface->thickness, error) &&
+               commands_end(&codev->commands, codev->here.next + 1, error);
     }
-    struct sequence_surface *surface = codev_surface_of(codev, &qualifiers);
-    bool of_object = surface == &codev->sequence.surfaces[0];
-    if (!of_object && !codev_surface_read_solve(codev, &qualifiers, true, &is_solve, error)) {
-        return false;
-    }
-    if (!of_object && is_solve) {
-        return true;
-    }
-    if (of_object) {
-        return commands_object(&codev->commands, qualifiers.next, &surface->thickness, error) &&
-               commands_end(&codev->commands, qualifiers.next + 1, error);
-    }
-    return codev_surface_read_value(codev, codev->commands.scale, "thickness", &qualifiers,
-                                    &surface->thickness, error);
+    return codev_surface_read_solve(codev, true, &is_solve, error) &&
+           (is_solve || codev_surface_read_value(codev, codev->commands.scale, "thickness",
+                                                 &surface->thickness, error));
 }
 
 bool codev_glass(struct codev *codev, int what, struct error *error)
 {
     (void)what;
-    struct codev_qualifiers qualifiers;
-    if (!codev_qualifiers(codev, 1, &qualifiers, error)) {
-        return false;
-    }
-    if (qualifiers.next >= codev->commands.count) {
-        const struct command_word word = commands_word(&codev->commands, qualifiers.next);
+    if (codev->here.next >= codev->commands.count) {
+        const struct command_word word = commands_word(&codev->commands, codev->here.next);
         return commands_fail(&codev->commands, &word, error, "the glass is missing");
     }
-    codev_surface_set_glass(codev, codev_surface_of(codev, &qualifiers), qualifiers.next);
-    return commands_end(&codev->commands, qualifiers.next + 1, error);
+    codev_surface_set_glass(codev, codev_surface_of(codev), codev->here.next);
+    return commands_end(&codev->commands, codev->here.next + 1, error);
 }
 
 bool codev_shape(struct codev *codev, int what, struct error *error)
 {
     (void)what;
-    struct codev_qualifiers qualifiers;
-    if (!codev_qualifiers(codev, 1, &qualifiers, error)) {
-        return false;
-    }
-    codev_surface_of(codev, &qualifiers)->curved = CURVED_Y;
-    return commands_end(&codev->commands, qualifiers.next, error);
-}
-
-/* The conic, or the coefficient of r^order. */
-static void set_constant(struct codev *codev, struct sequence_surface *surface, int order,
-                         struct figure figure)
-{
-    int at = surface_term(order);
-    if (order == 0) {
-        surface->conic = figure;
-        return;
-    }
-    bool is_some = figure.value.hi != 0;
-    sequence_per_length(&codev->commands, order - 1, &figure);
-    surface->coefficient[at] = figure;
-    surface->coefficients = (surface->coefficients & ~(1u << at)) | ((unsigned)is_some << at);
+    codev_surface_of(codev)->curved = CURVED_Y;
+    return commands_end(&codev->commands, codev->here.next, error);
 }
 
 bool codev_constant(struct codev *codev, int what, struct error *error)
 {
-    struct codev_qualifiers qualifiers;
     struct figure figure;
-    if (!codev_surface_read_value(codev, plain, what == 0 ? "conic" : "coefficient", &qualifiers,
-                                  &figure, error)) {
+    if (!codev_surface_read_value(codev, plain, what == 0 ? "conic" : "coefficient", &figure,
+                                  error)) {
         return false;
     }
-    struct sequence_surface *surface = codev_surface_of(codev, &qualifiers);
-    set_constant(codev, surface, what, figure);
+    sequence_set_constant(&codev->sequence, codev_surface_of(codev), what, figure);
     return true;
 }
 
@@ -271,20 +227,16 @@ bool codev_constant(struct codev *codev, int what, struct error *error)
 bool codev_special(struct codev *codev, int what, struct error *error)
 {
     (void)what;
-    struct codev_qualifiers qualifiers;
-    if (!codev_qualifiers(codev, 1, &qualifiers, error)) {
-        return false;
-    }
-    const struct command_word kind = commands_word(&codev->commands, qualifiers.next);
+    const struct command_word kind = commands_word(&codev->commands, codev->here.next);
     struct figure radius = sequence_nothing;
-    struct sequence_surface *surface = codev_surface_of(codev, &qualifiers);
+    struct sequence_surface *surface = codev_surface_of(codev);
     surface->is_special = text_same(kind.text, "ODD");
     if (!surface->is_special) {
         return commands_lose(&codev->commands, LOSS_OF_POWER, NULL,
                              "a surface of a shape that lenscalc has not");
     }
-    if (qualifiers.next + 1 < codev->commands.count &&
-        !commands_figure(&codev->commands, qualifiers.next + 1, plain, "radius", &radius, error)) {
+    if (codev->here.next + 1 < codev->commands.count &&
+        !commands_figure(&codev->commands, codev->here.next + 1, plain, "radius", &radius, error)) {
         return false;
     }
     return radius.value.hi == 0 || radius.value.hi == 1 ||
@@ -317,17 +269,13 @@ static int special_order(struct text name)
 bool codev_special_constant(struct codev *codev, int what, struct error *error)
 {
     (void)what;
-    struct codev_qualifiers qualifiers;
     struct figure figure;
-    if (!codev_qualifiers(codev, 1, &qualifiers, error)) {
-        return false;
-    }
     struct commands *commands = &codev->commands;
-    struct sequence_surface *surface = codev_surface_of(codev, &qualifiers);
-    const struct command_word name = commands_word(commands, qualifiers.next);
+    struct sequence_surface *surface = codev_surface_of(codev);
+    const struct command_word name = commands_word(commands, codev->here.next);
     int order = name.text.length > 0 ? special_order(name.text) : -1;
-    if (!commands_figure(commands, qualifiers.next + 1, plain, "coefficient", &figure, error) ||
-        !commands_end(commands, qualifiers.next + 2, error)) {
+    if (!commands_figure(commands, codev->here.next + 1, plain, "coefficient", &figure, error) ||
+        !commands_end(commands, codev->here.next + 2, error)) {
         return false;
     }
     bool is_known = surface->is_special && (order == 0 || surface_term(order) >= 0);
@@ -335,74 +283,53 @@ bool codev_special_constant(struct codev *codev, int what, struct error *error)
         return figure.value.hi == 0 || commands_lose(&codev->commands, LOSS_OF_RAYS, NULL,
                                                      "a constant of a shape that lenscalc has not");
     }
-    set_constant(codev, surface, order, figure);
+    sequence_set_constant(&codev->sequence, surface, order, figure);
     return true;
 }
 
 bool codev_stop(struct codev *codev, int what, struct error *error)
 {
     (void)what;
-    struct codev_qualifiers qualifiers;
-    if (!codev_qualifiers(codev, 1, &qualifiers, error)) {
-        return false;
-    }
-    if (qualifiers.surface == 0) {
+    if (codev->here.surface == 0) {
         return commands_fail(&codev->commands, &codev->commands.words[0], error,
                              "the object cannot be the stop");
     }
-    if (qualifiers.surface != qualifiers.end) {
+    if (codev->here.surface != codev->here.end) {
         return commands_fail(&codev->commands, &codev->commands.words[0], error,
                              "one surface is the stop, not a range");
     }
     for (size_t i = 0; i < codev->sequence.count; i++) {
-        codev->sequence.surfaces[i].is_stop = i == qualifiers.surface;
+        codev->sequence.surfaces[i].is_stop = i == codev->here.surface;
     }
-    return commands_end(&codev->commands, qualifiers.next, error);
+    return commands_end(&codev->commands, codev->here.next, error);
 }
 
 bool codev_label(struct codev *codev, int what, struct error *error)
 {
     (void)what;
-    struct codev_qualifiers qualifiers;
-    if (!codev_qualifiers(codev, 1, &qualifiers, error)) {
-        return false;
-    }
-    const struct text label = commands_word(&codev->commands, qualifiers.next).text;
+    const struct text label = commands_word(&codev->commands, codev->here.next).text;
     if (label.length > 0 && memchr(label.start, '"', label.length) == NULL) {
-        codev_surface_of(codev, &qualifiers)->name = lens_build_string(&codev->build, label);
+        codev_surface_of(codev)->name = lens_build_string(&codev->build, label);
     }
-    return commands_end(&codev->commands, qualifiers.next + 1, error);
+    return commands_end(&codev->commands, codev->here.next + 1, error);
 }
 
-/* X, Y, Z: decentres; A, B, C: tilts, of which alpha and beta are left-handed in CODE V. */
 bool codev_shift(struct codev *codev, int what, struct error *error)
 {
     bool is_turn = what >= 'A' && what <= 'C';
-    struct codev_qualifiers qualifiers;
     struct figure figure;
     if (!codev_surface_read_value(codev, is_turn ? plain : codev->commands.scale,
-                                  is_turn ? "tilt" : "decentre", &qualifiers, &figure, error)) {
+                                  is_turn ? "tilt" : "decentre", &figure, error)) {
         return false;
     }
-    struct sequence_surface *surface = codev_surface_of(codev, &qualifiers);
-    surface->decentred_at = codev->commands.words[0];
-    if (!is_turn) {
-        surface->shift[what - 'X'] = figure;
-        return true;
-    }
-    figure.value = pair_multiply(figure.value, pair_of(RADIANS_PER_DEGREE));
-    surface->turn[what - 'A'] = what == 'C' ? figure : figure_negate(figure, codev->job->arena);
+    sequence_set_shift(&codev->sequence, codev_surface_of(codev), what, figure);
     return true;
 }
 
 bool codev_move(struct codev *codev, int what, struct error *error)
 {
-    struct codev_qualifiers qualifiers;
-    if (!codev_qualifiers(codev, 1, &qualifiers, error)) {
-        return false;
-    }
-    struct sequence_surface *surface = codev_surface_of(codev, &qualifiers);
+    struct sequence_surface *surface = codev_surface_of(codev);
     surface->move = (enum sequence_move)what;
     surface->decentred_at = codev->commands.words[0];
-    return commands_end(&codev->commands, qualifiers.next, error);
+    return commands_end(&codev->commands, codev->here.next, error);
 }

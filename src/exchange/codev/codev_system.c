@@ -38,21 +38,17 @@ static void name_position(struct codev *codev, size_t position, struct text titl
 bool codev_title(struct codev *codev, int what, struct error *error)
 {
     (void)what;
-    struct codev_qualifiers qualifiers;
     struct lens *lens = codev->build.lens;
-    if (!codev_qualifiers(codev, 1, &qualifiers, error)) {
-        return false;
-    }
-    struct text title = without_quotes(commands_word(&codev->commands, qualifiers.next).text);
-    if (qualifiers.zoom == 0 || (qualifiers.zoom == 1 && codev->positions == 0)) {
+    struct text title = without_quotes(commands_word(&codev->commands, codev->here.next).text);
+    if (codev->here.zoom == 0 || (codev->here.zoom == 1 && codev->positions == 0)) {
         lens->title = title.length > 0 ? lens_build_string(&codev->build, title) : lens->title;
         return true;
     }
-    if (qualifiers.zoom > codev->positions) {
+    if (codev->here.zoom > codev->positions) {
         return commands_fail(&codev->commands, &codev->commands.words[0], error,
-                             "position %zu of %zu", qualifiers.zoom, codev->positions);
+                             "position %zu of %zu", codev->here.zoom, codev->positions);
     }
-    name_position(codev, qualifiers.zoom - 1, title);
+    name_position(codev, codev->here.zoom - 1, title);
     return true;
 }
 
@@ -106,16 +102,12 @@ static bool put_wave(struct codev *codev, bool is_length, size_t number, struct 
 bool codev_waves(struct codev *codev, int what, struct error *error)
 {
     struct commands *commands = &codev->commands;
-    struct codev_qualifiers qualifiers;
-    if (!codev_qualifiers(codev, 1, &qualifiers, error)) {
-        return false;
-    }
-    size_t count = commands->count - qualifiers.next;
+    size_t count = commands->count - codev->here.next;
     struct command_word *words = ARENA_ARRAY(commands->job->arena, count + 1, struct command_word);
     for (size_t i = 0; i < count; i++) {
         struct figure figure;
-        words[i] = commands->words[qualifiers.next + i];
-        if (!commands_figure(commands, qualifiers.next + i, plain,
+        words[i] = commands->words[codev->here.next + i];
+        if (!commands_figure(commands, codev->here.next + i, plain,
                              what == 'L' ? "wavelength" : "weight", &figure, error)) {
             return false;
         }
@@ -126,8 +118,8 @@ bool codev_waves(struct codev *codev, int what, struct error *error)
                                              : "a weight is not below 0");
         }
     }
-    if (qualifiers.wave > 0) {
-        return put_wave(codev, what == 'L', qualifiers.wave, words[0], error);
+    if (codev->here.wave > 0) {
+        return put_wave(codev, what == 'L', codev->here.wave, words[0], error);
     }
     *(what == 'L' ? &codev->wavelengths : &codev->weights) = words;
     *(what == 'L' ? &codev->wavelength_count : &codev->weight_count) = count;
@@ -139,26 +131,15 @@ bool codev_reference(struct codev *codev, int what, struct error *error)
 {
     (void)what;
     const struct command_word word = commands_word(&codev->commands, 1);
-    return commands_count(&codev->commands, &word,
-                          &(struct command_count){word.text, "number of the wavelength", 1},
+    return commands_count(&codev->commands, &word, word.text, "number of the wavelength", 1,
                           &codev->primary, error) &&
            commands_end(&codev->commands, 2, error);
 }
 
 static void codev_system_put_wavelength(struct codev *codev, size_t index)
 {
-    const struct text nm = codev->wavelengths[index].text;
-    struct arena *arena = codev->job->arena;
-    double wavelength = 0, weight = 1;
-    number_read(nm.start, nm.start + nm.length, (struct number_scale){1, -3}, &wavelength);
-    const struct text heavy =
-        index < codev->weight_count ? codev->weights[index].text : text_of("1");
-    number_read(heavy.start, heavy.start + heavy.length, plain, &weight);
-    struct lens_wavelength *one = lens_build_wavelength(&codev->build, wavelength, weight);
-    one->typed = text_of(arena_printf(arena, "%.*snm", (int)nm.length, nm.start));
-    if (weight != 1) {
-        one->weight_typed = heavy;
-    }
+    sequence_add_wave(&codev->sequence, codev->wavelengths[index].text, "nm",
+                      index < codev->weight_count ? codev->weights[index].text : text_of("1"));
 }
 
 static bool codev_system_finish_waves(struct codev *codev, struct error *error)
@@ -209,11 +190,9 @@ static bool codev_system_read_aperture(struct codev *codev, int what, size_t wor
 bool codev_aperture_of_lens(struct codev *codev, int what, struct error *error)
 {
     struct lens *lens = codev->build.lens;
-    struct codev_qualifiers qualifiers;
     struct figure figure;
-    if (!codev_qualifiers(codev, 1, &qualifiers, error) ||
-        !codev_system_read_aperture(codev, what, qualifiers.next, &figure, error) ||
-        !commands_end(&codev->commands, qualifiers.next + 1, error)) {
+    if (!codev_system_read_aperture(codev, what, codev->here.next, &figure, error) ||
+        !commands_end(&codev->commands, codev->here.next + 1, error)) {
         return false;
     }
     lens->aperture = figure;
@@ -250,24 +229,20 @@ bool codev_fields(struct codev *codev, int what, struct error *error)
 {
     struct commands *commands = &codev->commands;
     struct lens *lens = codev->build.lens;
-    struct codev_qualifiers qualifiers;
     char kind = (char)(what | 32);
     int row = kind == 'w' ? CODEV_FIELD_WEIGHTS : what >= 'a';
-    if (!codev_qualifiers(codev, 1, &qualifiers, error)) {
-        return false;
-    }
-    size_t count = commands->count - qualifiers.next;
+    size_t count = commands->count - codev->here.next;
     struct figure *fields = ARENA_ARRAY(commands->job->arena, count + 1, struct figure);
     const struct number_scale scale = kind == 'a' || kind == 'w' ? plain : commands->scale;
     for (size_t i = 0; i < count || i == 0; i++) {
-        if (!commands_figure(commands, qualifiers.next + i, scale,
+        if (!commands_figure(commands, codev->here.next + i, scale,
                              kind == 'w' ? "field's weight" : "field", &fields[i], error)) {
             return false;
         }
     }
-    if (qualifiers.field > 0) {
-        return codev_system_put_field(codev, row, qualifiers.field, &fields[0], error) &&
-               commands_end(commands, qualifiers.next + 1, error);
+    if (codev->here.field > 0) {
+        return codev_system_put_field(codev, row, codev->here.field, &fields[0], error) &&
+               commands_end(commands, codev->here.next + 1, error);
     }
     if (kind != 'w') {
         if (kind == 'a') {

@@ -145,7 +145,6 @@ static bool codev_words_read_surfaces(struct codev *codev, const struct command_
 {
     const struct text name = {word->text.start + 1, word->text.length - 1};
     struct text last, first = codev_words_cut_range(name, &last);
-    qualifiers->has_surface = true;
     return (surface_named(codev, first, &qualifiers->surface) &&
             surface_named(codev, last, &qualifiers->end) &&
             qualifiers->surface <= qualifiers->end) ||
@@ -228,8 +227,7 @@ bool codev_qualifiers(struct codev *codev, size_t first, struct codev_qualifiers
             continue;
         }
         struct text number = {word.text.start + 1, word.text.length - 1};
-        if (!commands_count(commands, &word, &(struct command_count){number, "number", 1}, &value,
-                            error)) {
+        if (!commands_count(commands, &word, number, "number", 1, &value, error)) {
             return false;
         }
         qualifiers->zoom = kind == 'z' ? value : qualifiers->zoom;

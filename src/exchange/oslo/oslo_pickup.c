@@ -22,8 +22,7 @@ bool oslo_reference(struct oslo *oslo, size_t word, size_t *surface, struct erro
     const struct command_word found = commands_word(&oslo->commands, word);
     bool is_relative = found.text.length > 0 && found.text.start[0] == '-';
     struct text digits = {found.text.start + is_relative, found.text.length - is_relative};
-    if (!commands_count(&oslo->commands, &found,
-                        &(struct command_count){digits, "number of the surface", 0}, surface,
+    if (!commands_count(&oslo->commands, &found, digits, "number of the surface", 0, surface,
                         error)) {
         return false;
     }
@@ -60,8 +59,7 @@ bool oslo_pickup(struct oslo *oslo, int what, struct error *error)
     if (pickup.what == SEQUENCE_LENGTH) {
         const struct command_word end = commands_word(&oslo->commands, 3);
         next = 4;
-        if (!commands_count(&oslo->commands, &end,
-                            &(struct command_count){end.text, "number of the surface", 0},
+        if (!commands_count(&oslo->commands, &end, end.text, "number of the surface", 0,
                             &pickup.end, error)) {
             return false;
         }

@@ -61,8 +61,7 @@ static bool oslo_positions_read_number(const struct oslo *oslo, size_t word, con
                                        size_t least, size_t *number, struct error *error)
 {
     const struct command_word found = commands_word(&oslo->commands, word);
-    return commands_count(&oslo->commands, &found, &(struct command_count){found.text, what, least},
-                          number, error);
+    return commands_count(&oslo->commands, &found, found.text, what, least, number, error);
 }
 
 bool oslo_count_positions(struct oslo *oslo, struct error *error)

@@ -5,8 +5,6 @@
 #include "exchange/oslo/oslo_reading.h"
 #include "exchange/sequence.h"
 
-#include "base/constants.h"
-
 #include <math.h>
 #include <string.h>
 
@@ -170,22 +168,14 @@ static bool oslo_read_stop(struct oslo *oslo, int what, struct error *error)
     return commands_end(&oslo->commands, 1, error);
 }
 
-static bool oslo_read_conic(struct oslo *oslo, int what, struct error *error)
+/* The conic, of order 0, or the coefficient of r^order. */
+static bool oslo_read_constant(struct oslo *oslo, int order, struct error *error)
 {
-    (void)what;
-    return oslo_read_one(oslo, plain, "conic", &present(oslo)->conic, error);
-}
-
-static bool oslo_read_put_coefficient(struct oslo *oslo, int order, struct error *error)
-{
-    struct sequence_surface *surface = present(oslo);
-    int at = surface_term(order);
-    if (!oslo_read_one(oslo, plain, "coefficient", &surface->coefficient[at], error)) {
+    struct figure figure;
+    if (!oslo_read_one(oslo, plain, order == 0 ? "conic" : "coefficient", &figure, error)) {
         return false;
     }
-    bool is_some = surface->coefficient[at].value.hi != 0;
-    sequence_per_length(&oslo->commands, order - 1, &surface->coefficient[at]);
-    surface->coefficients = (surface->coefficients & ~(1u << at)) | ((unsigned)is_some << at);
+    sequence_set_constant(&oslo->sequence, present(oslo), order, figure);
     return true;
 }
 
@@ -212,8 +202,7 @@ static bool read_general_coefficient(struct oslo *oslo, struct error *error)
     const struct text digits = {word->text.start + 2, word->text.length - 2};
     struct figure figure;
     size_t index;
-    if (!commands_count(&oslo->commands, word,
-                        &(struct command_count){digits, "number of the coefficient", 0}, &index,
+    if (!commands_count(&oslo->commands, word, digits, "number of the coefficient", 0, &index,
                         error) ||
         !oslo_read_one(oslo, plain, "coefficient", &figure, error)) {
         return false;
@@ -227,26 +216,18 @@ static bool read_general_coefficient(struct oslo *oslo, struct error *error)
             &oslo->commands, LOSS_OF_RAYS, NULL,
             "a coefficient of another asphere than ASP ASR and ASP ARA, of order 1 to 20");
     }
-    return oslo_read_put_coefficient(oslo, order, error);
+    return oslo_read_constant(oslo, order, error);
 }
 
-/* X Y Z: decentres; A B C: tilts, of which those about x and y are left-handed in OSLO. */
 static bool oslo_read_shift(struct oslo *oslo, int what, struct error *error)
 {
     bool is_turn = what >= 'A' && what <= 'C';
-    struct sequence_surface *surface = present(oslo);
     struct figure figure;
     if (!oslo_read_one(oslo, is_turn ? plain : oslo->commands.scale, is_turn ? "tilt" : "decentre",
                        &figure, error)) {
         return false;
     }
-    surface->decentred_at = oslo->commands.words[0];
-    if (!is_turn) {
-        surface->shift[what - 'X'] = figure;
-        return true;
-    }
-    figure.value = pair_multiply(figure.value, pair_of(RADIANS_PER_DEGREE));
-    surface->turn[what - 'A'] = what == 'C' ? figure : figure_negate(figure, oslo->job->arena);
+    sequence_set_shift(&oslo->sequence, present(oslo), what, figure);
     return true;
 }
 
@@ -267,10 +248,8 @@ static bool read_move(struct oslo *oslo, int what, struct error *error)
     struct sequence_surface *surface = present(oslo);
     const struct command_word word = commands_word(&oslo->commands, 1);
     size_t to = oslo->surface;
-    if (word.text.length > 0 &&
-        !commands_count(&oslo->commands, &word,
-                        &(struct command_count){word.text, "number of the surface", 0}, &to,
-                        error)) {
+    if (word.text.length > 0 && !commands_count(&oslo->commands, &word, word.text,
+                                                "number of the surface", 0, &to, error)) {
         return false;
     }
     surface->move = (enum sequence_move)what;
@@ -374,11 +353,11 @@ static const struct {
     {"AP", oslo_read_diameter, 0},
     {"APF", oslo_read_diameter, 0},
     {"AST", oslo_read_stop, 0},
-    {"CC", oslo_read_conic, 0},
-    {"AD", oslo_read_put_coefficient, 4},
-    {"AE", oslo_read_put_coefficient, 6},
-    {"AF", oslo_read_put_coefficient, 8},
-    {"AG", oslo_read_put_coefficient, 10},
+    {"CC", oslo_read_constant, 0},
+    {"AD", oslo_read_constant, 4},
+    {"AE", oslo_read_constant, 6},
+    {"AF", oslo_read_constant, 8},
+    {"AG", oslo_read_constant, 10},
     {"ASP", read_general, 0},
     {"DCX", oslo_read_shift, 'X'},
     {"DCY", oslo_read_shift, 'Y'},

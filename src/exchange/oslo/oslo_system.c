@@ -89,8 +89,7 @@ static bool oslo_system_read_entry(struct oslo *oslo, bool is_weight, struct err
     const struct command_word *word = &oslo->commands.words[0];
     const struct text digits = {word->text.start + 2, word->text.length - 2};
     size_t *count = is_weight ? &oslo->weight_count : &oslo->wave_count, number;
-    if (!commands_count(&oslo->commands, word,
-                        &(struct command_count){digits, "number of the wavelength", 1}, &number,
+    if (!commands_count(&oslo->commands, word, digits, "number of the wavelength", 1, &number,
                         error) ||
         !check_wave(oslo, 1, is_weight, error) || !commands_end(&oslo->commands, 2, error)) {
         return false;
@@ -326,16 +325,8 @@ bool oslo_glass(struct oslo *oslo, int what, struct error *error)
 static void oslo_system_finish_waves(struct oslo *oslo)
 {
     for (size_t i = 0; i < oslo->wave_count; i++) {
-        const struct text um = oslo->waves[i];
-        const struct text heavy = i < oslo->weight_count ? oslo->weights[i] : text_of("1");
-        double wavelength = 0, weight = 1;
-        number_read(um.start, um.start + um.length, plain, &wavelength);
-        number_read(heavy.start, heavy.start + heavy.length, plain, &weight);
-        struct lens_wavelength *one = lens_build_wavelength(&oslo->build, wavelength, weight);
-        one->typed = text_of(arena_printf(oslo->job->arena, "%.*sum", (int)um.length, um.start));
-        if (weight != 1) {
-            one->weight_typed = heavy;
-        }
+        sequence_add_wave(&oslo->sequence, oslo->waves[i], "um",
+                          i < oslo->weight_count ? oslo->weights[i] : text_of("1"));
     }
 }
 
