@@ -3,6 +3,8 @@
 #ifndef LENSCALC_BASE_NUMBER_H
 #define LENSCALC_BASE_NUMBER_H
 
+#include "base/text.h"
+
 #include <stdbool.h>
 
 /* The longest text a number_write function writes (no NUL is written). */
@@ -35,6 +37,9 @@ struct number_scale {
  *           Lemire, Number Parsing at a Gigabyte per Second, 2021 (the 128-bit case).
  */
 const char *number_read(const char *at, const char *end, struct number_scale scale, double *value);
+
+/* The same of a whole text. Result: false where it is none, or more than a number. */
+bool text_number(struct text text, struct number_scale scale, double *value);
 
 /*
  * Write x with `digits` significant digits, 1 to 17, byte for byte what printf("%.*g") writes in

@@ -320,3 +320,9 @@ const char *number_read(const char *at, const char *end, struct number_scale sca
     *value = (double)(int64_t)whole * multipliers[power + 22] / divisors[power + 22];
     return after;
 }
+
+bool text_number(struct text text, struct number_scale scale, double *value)
+{
+    const char *end = text.start + text.length;
+    return text.length > 0 && number_read(text.start, end, scale, value) == end;
+}

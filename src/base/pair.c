@@ -168,3 +168,9 @@ const char *pair_read(const char *at, const char *end, struct number_scale scale
     value->lo = negative ? -lo : lo;
     return behind;
 }
+
+bool text_pair(struct text text, struct number_scale scale, struct pair *value)
+{
+    const char *end = text.start + text.length;
+    return text.length > 0 && pair_read(text.start, end, scale, value) == end;
+}

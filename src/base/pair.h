@@ -107,6 +107,9 @@ static inline struct pair pair_root(struct pair a)
 const char *pair_read(const char *at, const char *end, struct number_scale scale,
                       struct pair *value);
 
+/* The same of a whole text. Result: false where it is none, or more than a number. */
+bool text_pair(struct text text, struct number_scale scale, struct pair *value);
+
 /* The longest text that pair_write writes (no NUL is written). */
 #define PAIR_LENGTH 48
 

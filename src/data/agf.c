@@ -37,11 +37,15 @@ struct agf_reader {
     size_t warnings; /* of the glass */
 };
 
+static bool agf_is_number(struct text word, struct pair *value)
+{
+    return text_pair(word, NUMBER_UNSCALED, value) && isfinite(value->hi);
+}
+
 static bool read_pair(const struct agf_reader *reader, struct text word, struct pair *value,
                       struct error *error)
 {
-    const char *end = word.start + word.length;
-    return (pair_read(word.start, end, NUMBER_UNSCALED, value) == end && isfinite(value->hi)) ||
+    return agf_is_number(word, value) ||
            agf_words_fail(&reader->words, word, error, "is not a number");
 }
 
@@ -246,13 +250,6 @@ static bool agf_read_name(struct agf_reader *reader, struct error *error)
     glass->Vd = fabs(glass->Vd) > 0 ? glass->Vd : NAN;
     glass->status = agf_status_of(status);
     return true;
-}
-
-static bool agf_is_number(struct text word, struct pair *value)
-{
-    const char *end = word.start + word.length;
-    return word.length > 0 && pair_read(word.start, end, NUMBER_UNSCALED, value) == end &&
-           isfinite(value->hi);
 }
 
 /*

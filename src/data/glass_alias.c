@@ -41,13 +41,13 @@ static void glass_alias_consider(struct glass_alias_search *search, struct text 
 static bool glass_alias_look_through(struct glass_alias_search *search, struct tsv *tsv,
                                      struct error *error)
 {
-    size_t alias, material;
-    if (!tsv_column(tsv, "alias", &alias, error) ||
-        !tsv_column(tsv, "material", &material, error)) {
+    static const char *const names[] = {"alias", "material"};
+    size_t columns[2];
+    if (!tsv_columns(tsv, names, 2, 2, columns, error)) {
         return false;
     }
     while (tsv_next(tsv, error)) {
-        glass_alias_consider(search, tsv->cells[alias], tsv->cells[material]);
+        glass_alias_consider(search, tsv->cells[columns[0]], tsv->cells[columns[1]]);
     }
     return error->code == ERROR_NONE;
 }

@@ -68,7 +68,7 @@ static bool next_row(struct glass_catalogs *catalogs, struct error *error)
 {
     for (;;) {
         if (catalogs->is_open) {
-            if (tsv_next(&catalogs->table.tsv, error)) {
+            if (tsv_next(&catalogs->table.rows.tsv, error)) {
                 return true;
             }
             if (error->code != ERROR_NONE) {
@@ -77,8 +77,8 @@ static bool next_row(struct glass_catalogs *catalogs, struct error *error)
             catalogs->is_open = false;
             catalogs->names++;
         } else if (*catalogs->names != NULL) {
-            if (!lensdb_open(catalogs->db, catalogs->place, *catalogs->names, &catalogs->table.tsv,
-                             error)) {
+            if (!lensdb_open(catalogs->db, catalogs->place, *catalogs->names,
+                             &catalogs->table.rows.tsv, error)) {
                 return error->code == ERROR_NONE &&
                        fail(error, ERROR_IO, "cannot read %s", *catalogs->names);
             }
@@ -223,13 +223,13 @@ static bool open_row(const struct embedded_glass *entry, struct glass_table *tab
                      struct error *error)
 {
     const struct embedded_file *file = &embedded_files[entry->file];
-    if (!tsv_open(&table->tsv, file->name, (struct text){file->data, file->rows}, error) ||
+    if (!tsv_open(&table->rows.tsv, file->name, (struct text){file->data, file->rows}, error) ||
         !glass_table_open(table, catalog_of(file->name), LENSDB_EMBEDDED, error)) {
         return false;
     }
-    table->tsv.rest = (struct text){file->data + entry->offset, file->length - entry->offset};
-    table->tsv.line = (long)entry->line - 1;
-    return tsv_next(&table->tsv, error);
+    table->rows.tsv.rest = (struct text){file->data + entry->offset, file->length - entry->offset};
+    table->rows.tsv.line = (long)entry->line - 1;
+    return tsv_next(&table->rows.tsv, error);
 }
 
 static bool search_embedded(struct glass_catalog_search *search, struct error *error)
@@ -519,12 +519,6 @@ static struct glass_record made(struct glass glass, struct text name)
                                  .expansion_hot = NAN};
 }
 
-static bool glass_catalog_read_all(struct text text, struct pair *value)
-{
-    const char *end = text.start + text.length;
-    return text.length > 0 && pair_read(text.start, end, NUMBER_UNSCALED, value) == end;
-}
-
 bool glass_find_medium(struct lensdb *db, struct text text, enum glass_naming naming,
                        struct arena *arena, struct glass_record *record, struct error *error)
 {
@@ -532,8 +526,8 @@ bool glass_find_medium(struct lensdb *db, struct text text, enum glass_naming na
     struct text first = text_cut(&rest, '/');
     struct pair nd, Vd;
     const double highest = 100; /* above that a number is the name of a glass, as 4786 */
-    if (!glass_catalog_read_all(first, &nd) ||
-        (rest.start != NULL && !glass_catalog_read_all(rest, &Vd)) || nd.hi > highest) {
+    if (!text_pair(first, NUMBER_UNSCALED, &nd) ||
+        (rest.start != NULL && !text_pair(rest, NUMBER_UNSCALED, &Vd)) || nd.hi > highest) {
         return glass_find(db, text, naming, arena, record, error);
     }
     if (!(nd.hi > 0)) {

@@ -20,14 +20,10 @@ struct glass_record {
     const char *warning;  /* what is doubtful in its data, and where; null = nothing */
 };
 
-enum { GLASS_CATALOG_COLUMNS = 22 };
-
 /* A catalogue being read. */
 struct glass_table {
-    struct tsv tsv;
+    struct lensdb_table rows;
     struct text catalog;
-    enum lensdb_place place;
-    size_t columns[GLASS_CATALOG_COLUMNS]; /* TSV_MOST_COLUMNS where a user's table has none */
 };
 
 struct agf_catalog;

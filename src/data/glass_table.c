@@ -8,9 +8,10 @@
 
 enum glass_table_column {
     NAME,
-    STATUS,
     FORMULA,
     COEFFICIENTS,
+    NEEDED,
+    STATUS = NEEDED,
     FROM,
     TO,
     ND,
@@ -31,78 +32,54 @@ enum glass_table_column {
     WARNING,
     COLUMNS
 };
-
-static const size_t NO_COLUMN = TSV_MOST_COLUMNS;
-
-static const char *const names[COLUMNS] = {
-    [NAME] = "name",
-    [STATUS] = "status",
-    [FORMULA] = "formula",
-    [COEFFICIENTS] = "coefficients",
-    [FROM] = "from_um",
-    [TO] = "to_um",
-    [ND] = "nd",
-    [VD] = "vd",
-    [DENSITY] = "density_g_cm3",
-    [EXPANSION] = "cte_m30_70",
-    [EXPANSION_HOT] = "cte_20_300",
-    [REFERENCE] = "t_ref_c",
-    [D0] = "d0",
-    [D1] = "d1",
-    [D2] = "d2",
-    [E0] = "e0",
-    [E1] = "e1",
-    [RESONANCE] = "l_tk_um",
-    [TRANSMITTANCE] = "transmittance_10mm",
-    [SOURCE] = "source",
-    [LICENCE] = "licence",
-    [WARNING] = "warning",
-};
-
-_Static_assert((int)COLUMNS <= (int)GLASS_CATALOG_COLUMNS, "room for all columns");
+_Static_assert((int)COLUMNS <= (int)LENSDB_MOST_COLUMNS, "room for all columns");
 
 bool glass_table_open(struct glass_table *table, struct text catalog, enum lensdb_place place,
                       struct error *error)
 {
+    static const char *const names[COLUMNS] = {"name",
+                                               "formula",
+                                               "coefficients",
+                                               "status",
+                                               "from_um",
+                                               "to_um",
+                                               "nd",
+                                               "vd",
+                                               "density_g_cm3",
+                                               "cte_m30_70",
+                                               "cte_20_300",
+                                               "t_ref_c",
+                                               "d0",
+                                               "d1",
+                                               "d2",
+                                               "e0",
+                                               "e1",
+                                               "l_tk_um",
+                                               "transmittance_10mm",
+                                               "source",
+                                               "licence",
+                                               "warning"};
     table->catalog = catalog;
-    table->place = place;
-    for (int i = 0; i < COLUMNS; i++) {
-        struct error missing;
-        bool needed = i == NAME || i == FORMULA || i == COEFFICIENTS;
-        if (!tsv_column(&table->tsv, names[i], &table->columns[i], &missing)) {
-            if (needed) {
-                *error = missing;
-                return false;
-            }
-            table->columns[i] = NO_COLUMN;
-        }
-    }
-    return true;
+    table->rows.place = place;
+    return tsv_columns(&table->rows.tsv, names, COLUMNS, NEEDED, table->rows.columns, error);
 }
 
 static struct text glass_table_cell(const struct glass_table *table, enum glass_table_column column)
 {
-    size_t i = table->columns[column];
-    return i != NO_COLUMN ? table->tsv.cells[i] : (struct text){"", 0};
-}
-
-static bool glass_table_read_number(const struct glass_table *table, enum glass_table_column column,
-                                    double *value, struct error *error)
-{
-    *value = NAN;
-    if (table->columns[column] == NO_COLUMN) {
-        return true;
-    }
-    if (!tsv_number(&table->tsv, table->columns[column], value, error)) {
-        return false;
-    }
-    return !isinf(*value) || tsv_fail(&table->tsv, table->columns[column], error, "must be finite");
+    return lensdb_table_cell(&table->rows, (int)column);
 }
 
 static bool bad(const struct glass_table *table, enum glass_table_column column, const char *what,
                 struct error *error)
 {
-    return tsv_fail(&table->tsv, table->columns[column], error, what);
+    return tsv_fail(&table->rows.tsv, table->rows.columns[column], error, what);
+}
+
+static bool glass_table_read_number(const struct glass_table *table, enum glass_table_column column,
+                                    double *value, struct error *error)
+{
+    return tsv_number(&table->rows.tsv, table->rows.columns[column], value, error) &&
+           (!isinf(*value) || bad(table, column, "must be finite", error));
 }
 
 static bool glass_table_read_coefficients(const struct glass_table *table, struct glass *glass,
@@ -111,7 +88,6 @@ static bool glass_table_read_coefficients(const struct glass_table *table, struc
     struct text rest = glass_table_cell(table, COEFFICIENTS);
     while (rest.start != NULL && rest.length > 0) {
         struct text word = text_cut(&rest, ' ');
-        const char *end = word.start + word.length;
         if (word.length == 0) {
             continue;
         }
@@ -119,7 +95,7 @@ static bool glass_table_read_coefficients(const struct glass_table *table, struc
             return bad(table, COEFFICIENTS, "are more than 17 numbers", error);
         }
         struct pair *c = &glass->coefficients[glass->count++];
-        if (pair_read(word.start, end, NUMBER_UNSCALED, c) != end || isinf(c->hi)) {
+        if (!text_pair(word, NUMBER_UNSCALED, c) || isinf(c->hi)) {
             return bad(table, COEFFICIENTS, "are not numbers separated by blanks", error);
         }
     }
@@ -139,12 +115,9 @@ static bool glass_table_read_point(struct text pair, struct glass_point *point)
 {
     struct text value = pair;
     struct text at = text_cut(&value, ':');
-    return value.start != NULL &&
-           pair_read(at.start, at.start + at.length, NUMBER_UNSCALED, &point->wavelength) ==
-               at.start + at.length &&
-           pair_read(value.start, value.start + value.length, NUMBER_UNSCALED, &point->value) ==
-               value.start + value.length &&
-           point->wavelength.hi > 0 && !isinf(point->wavelength.hi);
+    return value.start != NULL && text_pair(at, NUMBER_UNSCALED, &point->wavelength) &&
+           text_pair(value, NUMBER_UNSCALED, &point->value) && point->wavelength.hi > 0 &&
+           !isinf(point->wavelength.hi);
 }
 
 /* "um:value" pairs by rising wavelength, values from 0 to `highest`. */
@@ -207,7 +180,7 @@ static bool glass_table_read_range(const struct glass_table *table, struct glass
     if (absent || (glass->shortest > 0 && glass->longest >= glass->shortest)) {
         return true;
     }
-    if (table->columns[FROM] == NO_COLUMN) {
+    if (table->rows.columns[FROM] == TSV_MOST_COLUMNS) {
         return bad(table, TO, "is the end of a range without a beginning, the column from_um",
                    error);
     }
@@ -266,7 +239,7 @@ bool glass_table_read(const struct glass_table *table, bool complete, struct are
         .status = glass_table_cell(table, STATUS),
         .source = glass_table_cell(table, SOURCE),
         .licence = glass_table_cell(table, LICENCE),
-        .place = table->place,
+        .place = table->rows.place,
     };
     const struct text warning = glass_table_cell(table, WARNING);
     if (record->glass.name.length == 0) {

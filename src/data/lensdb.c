@@ -212,6 +212,30 @@ bool lensdb_open(struct lensdb *db, enum lensdb_place place, const char *file, s
     return false;
 }
 
+bool lensdb_table_open(struct lensdb_table *table, struct lensdb *db, enum lensdb_place place,
+                       const char *file, const char *const *names, size_t count, size_t needed,
+                       struct error *error)
+{
+    table->place = place;
+    return lensdb_open(db, place, file, &table->tsv, error) &&
+           tsv_columns(&table->tsv, names, count, needed, table->columns, error);
+}
+
+struct text lensdb_table_cell(const struct lensdb_table *table, int column)
+{
+    return tsv_cell(&table->tsv, table->columns[column]);
+}
+
+bool lensdb_table_number(const struct lensdb_table *table, int column, double low, double high,
+                         double *value, struct error *error)
+{
+    const size_t at = table->columns[column];
+    if (!tsv_number(&table->tsv, at, value, error)) {
+        return false;
+    }
+    return !(*value < low || *value > high) || tsv_fail(&table->tsv, at, error, "is out of range");
+}
+
 /* "1/125" or "0.3" or "5.6". */
 static bool lensdb_label_value(struct text label, double *value)
 {
@@ -277,10 +301,8 @@ static bool lensdb_add_stops(struct lensdb *db, enum lensdb_place place, const c
     if (!lensdb_open(db, place, file, &tsv, error)) {
         return error->code == ERROR_NONE;
     }
-    for (size_t i = 0; i < 4; i++) {
-        if (!tsv_column(&tsv, names[i], &columns[i], error)) {
-            return false;
-        }
+    if (!tsv_columns(&tsv, names, 4, 4, columns, error)) {
+        return false;
     }
     while (*count < most && tsv_next(&tsv, error)) {
         struct lensdb_stop *stop = &stops[*count];

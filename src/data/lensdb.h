@@ -70,6 +70,27 @@ bool lensdb_find(struct lensdb *db, const char *folder, const char *ending, stru
 bool lensdb_open(struct lensdb *db, enum lensdb_place place, const char *file, struct tsv *tsv,
                  struct error *error);
 
+enum { LENSDB_MOST_COLUMNS = 22 };
+
+/* Such a table being read, whose columns have known names. */
+struct lensdb_table {
+    struct tsv tsv;
+    enum lensdb_place place;
+    size_t columns[LENSDB_MOST_COLUMNS]; /* TSV_MOST_COLUMNS where a user's table has none */
+};
+
+/* Begin to read one, as lensdb_open and tsv_columns do; rows are read by tsv_next. */
+bool lensdb_table_open(struct lensdb_table *table, struct lensdb *db, enum lensdb_place place,
+                       const char *file, const char *const *names, size_t count, size_t needed,
+                       struct error *error);
+
+/* A cell of the present row; empty where the table has no such column. */
+struct text lensdb_table_cell(const struct lensdb_table *table, int column);
+
+/* A number from `low` to `high`; NaN where there is none. ERROR_DATA with its place: another. */
+bool lensdb_table_number(const struct lensdb_table *table, int column, double low, double high,
+                         double *value, struct error *error);
+
 /* A format or camera. Texts point into the database. */
 struct lensdb_sensor {
     struct text maker; /* empty for a format */
@@ -81,20 +102,12 @@ struct lensdb_sensor {
     enum lensdb_place place;
 };
 
-/* A row of formats.tsv or cameras.tsv; the reader is opened by lensdb_sensors_open. */
-struct lensdb_sensors {
-    struct tsv tsv;
-    enum lensdb_place place;
-    bool cameras;
-    size_t maker, name, aliases, width, height, class, pixels_wide, pixels_high, pitch, pitch_from,
-        confidence, source;
-};
-
-bool lensdb_sensors_open(struct lensdb_sensors *sensors, struct lensdb *db, enum lensdb_place place,
+/* Begin to read formats.tsv or cameras.tsv. */
+bool lensdb_sensors_open(struct lensdb_table *sensors, struct lensdb *db, enum lensdb_place place,
                          bool cameras, struct error *error);
 
 /* The next one; false at the end with error->code ERROR_NONE, or for a bad row. */
-bool lensdb_sensors_next(struct lensdb_sensors *sensors, struct lensdb_sensor *sensor,
+bool lensdb_sensors_next(struct lensdb_table *sensors, struct lensdb_sensor *sensor,
                          struct error *error);
 
 /*

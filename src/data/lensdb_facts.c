@@ -9,176 +9,134 @@
 #include <stdio.h>
 #include <string.h>
 
-/* A table's file and columns; the first `required` of them must be there. */
-struct lensdb_facts_layout {
-    const char *file;
-    size_t required, count;
-    const char *columns[LENSDB_FACT_COLUMNS];
-};
-
 enum {
     FILM_NAME,
     FILM_MODEL,
     FILM_PARAMETERS,
     FILM_ONSET,
-    FILM_VALID_TO,
+    FILM_NEEDED,
+    FILM_VALID_TO = FILM_NEEDED,
     FILM_MAKER,
     FILM_STATUS,
     FILM_SOURCE,
     FILM_NOTE,
     FILM_ISO,
     FILM_ALIASES,
-    FILM_TYPE
+    FILM_TYPE,
+    FILM_COLUMNS
 };
-static const struct lensdb_facts_layout films = {"films.tsv",
-                                                 4,
-                                                 12,
-                                                 {"film", "model", "parameters", "onset_s",
-                                                  "valid_to_s", "maker", "status", "source", "note",
-                                                  "iso", "aliases", "type"}};
+static const char *const films[FILM_COLUMNS] = {"film",       "model", "parameters", "onset_s",
+                                                "valid_to_s", "maker", "status",     "source",
+                                                "note",       "iso",   "aliases",    "type"};
 
-enum { SCENE_NAME, SCENE_EV100, SCENE_SCENE, SCENE_CONFIDENCE, SCENE_SOURCE, SCENE_ALIASES };
-static const struct lensdb_facts_layout scenes = {
-    "scenes.tsv", 2, 6, {"name", "ev100", "scene", "confidence", "source", "aliases"}};
+enum {
+    SCENE_NAME,
+    SCENE_EV100,
+    SCENE_NEEDED,
+    SCENE_SCENE = SCENE_NEEDED,
+    SCENE_CONFIDENCE,
+    SCENE_SOURCE,
+    SCENE_ALIASES,
+    SCENE_COLUMNS
+};
+static const char *const scenes[SCENE_COLUMNS] = {"name",       "ev100",  "scene",
+                                                  "confidence", "source", "aliases"};
 
 enum {
     FILTER_NAME,
-    FILTER_FACTOR,
+    FILTER_NEEDED,
+    FILTER_FACTOR = FILTER_NEEDED,
     FILTER_STOPS,
     FILTER_KIND,
     FILTER_CONFIDENCE,
     FILTER_SOURCE,
     FILTER_ALIASES,
-    FILTER_MIRED
+    FILTER_MIRED,
+    FILTER_COLUMNS
 };
-static const struct lensdb_facts_layout filters = {
-    "filters.tsv",
-    1,
-    8,
-    {"name", "factor", "stops", "kind", "confidence", "source", "aliases", "mired"}};
+static const char *const filters[FILTER_COLUMNS] = {"name",       "factor", "stops",   "kind",
+                                                    "confidence", "source", "aliases", "mired"};
 
-static bool lensdb_facts_open_table(struct lensdb_facts *facts, struct lensdb *db,
-                                    enum lensdb_place place,
-                                    const struct lensdb_facts_layout *layout, struct error *error)
-{
-    facts->place = place;
-    if (!lensdb_open(db, place, layout->file, &facts->tsv, error)) {
-        return false;
-    }
-    for (size_t i = 0; i < layout->count; i++) {
-        struct error missing;
-        if (!tsv_column(&facts->tsv, layout->columns[i], &facts->columns[i], &missing)) {
-            facts->columns[i] = TSV_MOST_COLUMNS;
-            if (i < layout->required) {
-                *error = missing;
-                return false;
-            }
-        }
-    }
-    return true;
-}
-
-static struct text lensdb_facts_cell_of(const struct lensdb_facts *facts, size_t column)
-{
-    size_t at = facts->columns[column];
-    return at < TSV_MOST_COLUMNS ? facts->tsv.cells[at] : (struct text){"", 0};
-}
-
-/* A number within a range; NaN where the table has none. */
-static bool lensdb_facts_number_of(const struct lensdb_facts *facts, size_t column, double low,
-                                   double high, double *value, struct error *error)
-{
-    size_t at = facts->columns[column];
-    *value = NAN;
-    if (at >= TSV_MOST_COLUMNS) {
-        return true;
-    }
-    if (!tsv_number(&facts->tsv, at, value, error)) {
-        return false;
-    }
-    if (*value < low || *value > high) {
-        return tsv_fail(&facts->tsv, at, error, "is out of range");
-    }
-    return true;
-}
-
-bool lensdb_films_open(struct lensdb_facts *facts, struct lensdb *db, enum lensdb_place place,
+bool lensdb_films_open(struct lensdb_table *facts, struct lensdb *db, enum lensdb_place place,
                        struct error *error)
 {
-    return lensdb_facts_open_table(facts, db, place, &films, error);
+    return lensdb_table_open(facts, db, place, "films.tsv", films, FILM_COLUMNS, FILM_NEEDED,
+                             error);
 }
 
-bool lensdb_films_next(struct lensdb_facts *facts, struct lensdb_film *film, struct error *error)
+bool lensdb_films_next(struct lensdb_table *facts, struct lensdb_film *film, struct error *error)
 {
     if (!tsv_next(&facts->tsv, error)) {
         return false;
     }
-    *film = (struct lensdb_film){.maker = lensdb_facts_cell_of(facts, FILM_MAKER),
-                                 .name = lensdb_facts_cell_of(facts, FILM_NAME),
-                                 .aliases = lensdb_facts_cell_of(facts, FILM_ALIASES),
-                                 .model = lensdb_facts_cell_of(facts, FILM_MODEL),
-                                 .parameters = lensdb_facts_cell_of(facts, FILM_PARAMETERS),
-                                 .status = lensdb_facts_cell_of(facts, FILM_STATUS),
-                                 .source = lensdb_facts_cell_of(facts, FILM_SOURCE),
-                                 .note = lensdb_facts_cell_of(facts, FILM_NOTE),
-                                 .speeds = lensdb_facts_cell_of(facts, FILM_ISO),
-                                 .type = lensdb_facts_cell_of(facts, FILM_TYPE),
+    *film = (struct lensdb_film){.maker = lensdb_table_cell(facts, FILM_MAKER),
+                                 .name = lensdb_table_cell(facts, FILM_NAME),
+                                 .aliases = lensdb_table_cell(facts, FILM_ALIASES),
+                                 .model = lensdb_table_cell(facts, FILM_MODEL),
+                                 .parameters = lensdb_table_cell(facts, FILM_PARAMETERS),
+                                 .status = lensdb_table_cell(facts, FILM_STATUS),
+                                 .source = lensdb_table_cell(facts, FILM_SOURCE),
+                                 .note = lensdb_table_cell(facts, FILM_NOTE),
+                                 .speeds = lensdb_table_cell(facts, FILM_ISO),
+                                 .type = lensdb_table_cell(facts, FILM_TYPE),
                                  .place = facts->place,
                                  .file = facts->tsv.source,
                                  .line = facts->tsv.line};
-    if (!lensdb_facts_number_of(facts, FILM_ONSET, 0, 1e9, &film->onset, error) ||
-        !lensdb_facts_number_of(facts, FILM_VALID_TO, 0, 1e9, &film->valid_to, error)) {
+    if (!lensdb_table_number(facts, FILM_ONSET, 0, 1e9, &film->onset, error) ||
+        !lensdb_table_number(facts, FILM_VALID_TO, 0, 1e9, &film->valid_to, error)) {
         return false;
     }
     film->onset = isnan(film->onset) ? 0 : film->onset;
     return true;
 }
 
-bool lensdb_scenes_open(struct lensdb_facts *facts, struct lensdb *db, enum lensdb_place place,
+bool lensdb_scenes_open(struct lensdb_table *facts, struct lensdb *db, enum lensdb_place place,
                         struct error *error)
 {
-    return lensdb_facts_open_table(facts, db, place, &scenes, error);
+    return lensdb_table_open(facts, db, place, "scenes.tsv", scenes, SCENE_COLUMNS, SCENE_NEEDED,
+                             error);
 }
 
-bool lensdb_scenes_next(struct lensdb_facts *facts, struct lensdb_scene *scene, struct error *error)
+bool lensdb_scenes_next(struct lensdb_table *facts, struct lensdb_scene *scene, struct error *error)
 {
     if (!tsv_next(&facts->tsv, error)) {
         return false;
     }
-    *scene = (struct lensdb_scene){.name = lensdb_facts_cell_of(facts, SCENE_NAME),
-                                   .aliases = lensdb_facts_cell_of(facts, SCENE_ALIASES),
-                                   .scene = lensdb_facts_cell_of(facts, SCENE_SCENE),
-                                   .confidence = lensdb_facts_cell_of(facts, SCENE_CONFIDENCE),
-                                   .source = lensdb_facts_cell_of(facts, SCENE_SOURCE),
+    *scene = (struct lensdb_scene){.name = lensdb_table_cell(facts, SCENE_NAME),
+                                   .aliases = lensdb_table_cell(facts, SCENE_ALIASES),
+                                   .scene = lensdb_table_cell(facts, SCENE_SCENE),
+                                   .confidence = lensdb_table_cell(facts, SCENE_CONFIDENCE),
+                                   .source = lensdb_table_cell(facts, SCENE_SOURCE),
                                    .place = facts->place};
-    if (!lensdb_facts_number_of(facts, SCENE_EV100, -100, 100, &scene->ev100, error)) {
+    if (!lensdb_table_number(facts, SCENE_EV100, -100, 100, &scene->ev100, error)) {
         return false;
     }
     return !isnan(scene->ev100) ||
            tsv_fail(&facts->tsv, facts->columns[SCENE_EV100], error, "is missing");
 }
 
-bool lensdb_filters_open(struct lensdb_facts *facts, struct lensdb *db, enum lensdb_place place,
+bool lensdb_filters_open(struct lensdb_table *facts, struct lensdb *db, enum lensdb_place place,
                          struct error *error)
 {
-    return lensdb_facts_open_table(facts, db, place, &filters, error);
+    return lensdb_table_open(facts, db, place, "filters.tsv", filters, FILTER_COLUMNS,
+                             FILTER_NEEDED, error);
 }
 
-bool lensdb_filters_next(struct lensdb_facts *facts, struct lensdb_filter *filter,
+bool lensdb_filters_next(struct lensdb_table *facts, struct lensdb_filter *filter,
                          struct error *error)
 {
     if (!tsv_next(&facts->tsv, error)) {
         return false;
     }
-    *filter = (struct lensdb_filter){.name = lensdb_facts_cell_of(facts, FILTER_NAME),
-                                     .aliases = lensdb_facts_cell_of(facts, FILTER_ALIASES),
-                                     .kind = lensdb_facts_cell_of(facts, FILTER_KIND),
-                                     .confidence = lensdb_facts_cell_of(facts, FILTER_CONFIDENCE),
-                                     .source = lensdb_facts_cell_of(facts, FILTER_SOURCE),
+    *filter = (struct lensdb_filter){.name = lensdb_table_cell(facts, FILTER_NAME),
+                                     .aliases = lensdb_table_cell(facts, FILTER_ALIASES),
+                                     .kind = lensdb_table_cell(facts, FILTER_KIND),
+                                     .confidence = lensdb_table_cell(facts, FILTER_CONFIDENCE),
+                                     .source = lensdb_table_cell(facts, FILTER_SOURCE),
                                      .place = facts->place};
-    if (!lensdb_facts_number_of(facts, FILTER_FACTOR, 1, 1e30, &filter->factor, error) ||
-        !lensdb_facts_number_of(facts, FILTER_STOPS, 0, 100, &filter->stops, error) ||
-        !lensdb_facts_number_of(facts, FILTER_MIRED, -1000, 1000, &filter->mired, error)) {
+    if (!lensdb_table_number(facts, FILTER_FACTOR, 1, 1e30, &filter->factor, error) ||
+        !lensdb_table_number(facts, FILTER_STOPS, 0, 100, &filter->stops, error) ||
+        !lensdb_table_number(facts, FILTER_MIRED, -1000, 1000, &filter->mired, error)) {
         return false;
     }
     return !isnan(filter->factor) || !isnan(filter->stops) ||
@@ -197,7 +155,7 @@ bool lensdb_nearest_conversion(struct lensdb *db, double mired, struct arena *ar
     *name = NULL;
     *shift = NAN;
     for (int place = 0; place < LENSDB_PLACES; place++) {
-        struct lensdb_facts facts;
+        struct lensdb_table facts;
         struct lensdb_filter filter;
         bool open = lensdb_filters_open(&facts, db, (enum lensdb_place)place, error);
         while (open && lensdb_filters_next(&facts, &filter, error)) {
@@ -310,9 +268,7 @@ double lensdb_film_speed(const struct lensdb_film *film, struct text typed)
     size_t count = 0, named = 0;
     while (rest.start != NULL) {
         struct text word = text_cut(&rest, ' ');
-        const char *end = word.start + word.length;
-        if (word.length > 0 && number_read(word.start, end, NUMBER_UNSCALED, &value) == end &&
-            value > 0 && value < INFINITY) {
+        if (text_number(word, NUMBER_UNSCALED, &value) && value > 0 && value < INFINITY) {
             count++;
             only = value;
             if (has_number(typed, word)) {
@@ -324,10 +280,7 @@ double lensdb_film_speed(const struct lensdb_film *film, struct text typed)
     if (count == 1) {
         return only;
     }
-    if (named == 1) {
-        return speed;
-    }
-    return (double)NAN;
+    return named == 1 ? speed : (double)NAN;
 }
 
 static bool lensdb_facts_is_called(const struct lensdb_film *film, struct text typed)
@@ -375,7 +328,7 @@ static bool search_films(struct lensdb *db, enum lensdb_place place,
                          bool (*answers)(const struct lensdb_film *film, struct text typed),
                          struct candidates *found, struct error *error)
 {
-    struct lensdb_facts facts;
+    struct lensdb_table facts;
     struct lensdb_film film;
     if (!lensdb_films_open(&facts, db, place, error)) {
         return error->code == ERROR_NONE;
@@ -481,7 +434,7 @@ bool lensdb_find_scene(struct lensdb *db, struct text name, struct lensdb_scene 
 {
     struct nearest nearest = {.typed = text_trim(name)};
     for (int place = 0; place < LENSDB_PLACES; place++) {
-        struct lensdb_facts facts;
+        struct lensdb_table facts;
         bool open = lensdb_scenes_open(&facts, db, (enum lensdb_place)place, error);
         while (open && lensdb_scenes_next(&facts, scene, error)) {
             if (lensdb_facts_answers_to(scene->name, scene->aliases, nearest.typed)) {
@@ -501,7 +454,7 @@ bool lensdb_find_filter(struct lensdb *db, struct text name, struct lensdb_filte
 {
     struct nearest nearest = {.typed = text_trim(name)};
     for (int place = 0; place < LENSDB_PLACES; place++) {
-        struct lensdb_facts facts;
+        struct lensdb_table facts;
         bool open = lensdb_filters_open(&facts, db, (enum lensdb_place)place, error);
         while (open && lensdb_filters_next(&facts, filter, error)) {
             if (lensdb_facts_answers_to(filter->name, filter->aliases, nearest.typed)) {

@@ -6,15 +6,6 @@
 #include "data/lensdb.h"
 #include "photo/reciprocity.h"
 
-enum { LENSDB_FACT_COLUMNS = 12 };
-
-/* A table of facts being read. */
-struct lensdb_facts {
-    struct tsv tsv;
-    enum lensdb_place place;
-    size_t columns[LENSDB_FACT_COLUMNS]; /* TSV_MOST_COLUMNS where a user's table has none */
-};
-
 /* One source on the reciprocity failure of a film. Texts point into the database. */
 struct lensdb_film {
     struct text maker, name;
@@ -51,16 +42,16 @@ struct lensdb_filter {
  *           with ERROR_NONE
  * Errors    ERROR_DATA with line and column: a bad row; as lensdb_open
  */
-bool lensdb_films_open(struct lensdb_facts *facts, struct lensdb *db, enum lensdb_place place,
+bool lensdb_films_open(struct lensdb_table *facts, struct lensdb *db, enum lensdb_place place,
                        struct error *error);
-bool lensdb_films_next(struct lensdb_facts *facts, struct lensdb_film *film, struct error *error);
-bool lensdb_scenes_open(struct lensdb_facts *facts, struct lensdb *db, enum lensdb_place place,
+bool lensdb_films_next(struct lensdb_table *facts, struct lensdb_film *film, struct error *error);
+bool lensdb_scenes_open(struct lensdb_table *facts, struct lensdb *db, enum lensdb_place place,
                         struct error *error);
-bool lensdb_scenes_next(struct lensdb_facts *facts, struct lensdb_scene *scene,
+bool lensdb_scenes_next(struct lensdb_table *facts, struct lensdb_scene *scene,
                         struct error *error);
-bool lensdb_filters_open(struct lensdb_facts *facts, struct lensdb *db, enum lensdb_place place,
+bool lensdb_filters_open(struct lensdb_table *facts, struct lensdb *db, enum lensdb_place place,
                          struct error *error);
-bool lensdb_filters_next(struct lensdb_facts *facts, struct lensdb_filter *filter,
+bool lensdb_filters_next(struct lensdb_table *facts, struct lensdb_filter *filter,
                          struct error *error);
 
 /*

@@ -18,13 +18,6 @@ struct lensdb_tolerance {
     long line;
 };
 
-/* The table being read. */
-struct lensdb_grades {
-    struct tsv tsv;
-    enum lensdb_place place;
-    size_t columns[7];
-};
-
 /*
  * Begin to read it, and read its rows one by one.
  *
@@ -32,9 +25,9 @@ struct lensdb_grades {
  *           with ERROR_NONE
  * Errors    ERROR_DATA with line and column: a bad row; as lensdb_open
  */
-bool lensdb_grades_open(struct lensdb_grades *grades, struct lensdb *db, enum lensdb_place place,
+bool lensdb_grades_open(struct lensdb_table *grades, struct lensdb *db, enum lensdb_place place,
                         struct error *error);
-bool lensdb_grades_next(struct lensdb_grades *grades, struct lensdb_tolerance *row,
+bool lensdb_grades_next(struct lensdb_table *grades, struct lensdb_tolerance *row,
                         struct error *error);
 
 #endif

@@ -6,102 +6,94 @@
 #include <stdio.h>
 #include <string.h>
 
-/* A column that a user's table may leave out. */
-static size_t column_or_none(const struct tsv *tsv, const char *name)
-{
-    struct error ignored;
-    size_t column;
-    return tsv_column(tsv, name, &column, &ignored) ? column : TSV_MOST_COLUMNS;
-}
+enum {
+    NAME,
+    WIDTH,
+    HEIGHT,
+    NEEDED,
+    MAKER = NEEDED,
+    ALIASES,
+    CLASS,
+    PIXELS_WIDE,
+    PIXELS_HIGH,
+    PITCH,
+    PITCH_FROM,
+    CONFIDENCE,
+    SOURCE,
+    COLUMNS
+};
 
-bool lensdb_sensors_open(struct lensdb_sensors *sensors, struct lensdb *db, enum lensdb_place place,
+bool lensdb_sensors_open(struct lensdb_table *sensors, struct lensdb *db, enum lensdb_place place,
                          bool cameras, struct error *error)
 {
-    const char *file = cameras ? "cameras.tsv" : "formats.tsv";
-    sensors->place = place;
-    sensors->cameras = cameras;
-    struct tsv *tsv = &sensors->tsv;
-    if (!lensdb_open(db, place, file, tsv, error) ||
-        !tsv_column(tsv, cameras ? "model" : "name", &sensors->name, error) ||
-        !tsv_column(tsv, "width_mm", &sensors->width, error) ||
-        !tsv_column(tsv, "height_mm", &sensors->height, error)) {
-        return false;
-    }
-    sensors->maker = column_or_none(tsv, "maker");
-    sensors->aliases = column_or_none(tsv, "aliases");
-    sensors->class = column_or_none(tsv, "class");
-    sensors->pixels_wide = column_or_none(tsv, "px_w");
-    sensors->pixels_high = column_or_none(tsv, "px_h");
-    sensors->pitch = column_or_none(tsv, "pitch_um");
-    sensors->pitch_from = column_or_none(tsv, "pitch_from");
-    sensors->confidence = column_or_none(tsv, "confidence");
-    sensors->source = column_or_none(tsv, "source");
-    return true;
-}
-
-static struct text lensdb_sensors_cell_of(const struct tsv *tsv, size_t column)
-{
-    return column < TSV_MOST_COLUMNS ? tsv->cells[column] : (struct text){"", 0};
+    const char *const names[COLUMNS] = {cameras ? "model" : "name",
+                                        "width_mm",
+                                        "height_mm",
+                                        "maker",
+                                        "aliases",
+                                        "class",
+                                        "px_w",
+                                        "px_h",
+                                        "pitch_um",
+                                        "pitch_from",
+                                        "confidence",
+                                        "source"};
+    return lensdb_table_open(sensors, db, place, cameras ? "cameras.tsv" : "formats.tsv", names,
+                             COLUMNS, NEEDED, error);
 }
 
 /* A number of the present row that must be positive if it is there; absent columns give NaN. */
-static bool read_positive(const struct tsv *tsv, size_t column, double *value, struct error *error)
+static bool read_positive(const struct lensdb_table *sensors, int column, double *value,
+                          struct error *error)
 {
-    *value = NAN;
-    if (column >= TSV_MOST_COLUMNS) {
-        return true;
-    }
-    if (!tsv_number(tsv, column, value, error)) {
+    const size_t at = sensors->columns[column];
+    if (!tsv_number(&sensors->tsv, at, value, error)) {
         return false;
     }
-    if (!isnan(*value) && (!(*value > 0) || isinf(*value))) {
-        return tsv_fail(tsv, column, error, "must be a number above 0");
-    }
-    return true;
+    return isnan(*value) || (*value > 0 && !isinf(*value)) ||
+           tsv_fail(&sensors->tsv, at, error, "must be a number above 0");
 }
 
-static bool lensdb_sensors_read_sensor(struct lensdb_sensors *sensors, struct lensdb_sensor *sensor,
+static bool lensdb_sensors_read_sensor(struct lensdb_table *sensors, struct lensdb_sensor *sensor,
                                        struct error *error)
 {
-    const struct tsv *tsv = &sensors->tsv;
     double pitch_um;
-    if (!read_positive(tsv, sensors->width, &sensor->size.width, error) ||
-        !read_positive(tsv, sensors->height, &sensor->size.height, error) ||
-        !read_positive(tsv, sensors->pixels_wide, &sensor->pixels_wide, error) ||
-        !read_positive(tsv, sensors->pixels_high, &sensor->pixels_high, error) ||
-        !read_positive(tsv, sensors->pitch, &pitch_um, error)) {
+    if (!read_positive(sensors, WIDTH, &sensor->size.width, error) ||
+        !read_positive(sensors, HEIGHT, &sensor->size.height, error) ||
+        !read_positive(sensors, PIXELS_WIDE, &sensor->pixels_wide, error) ||
+        !read_positive(sensors, PIXELS_HIGH, &sensor->pixels_high, error) ||
+        !read_positive(sensors, PITCH, &pitch_um, error)) {
         return false;
     }
-    if (isnan(sensor->size.width) || isnan(sensor->size.height)) {
-        return tsv_fail(tsv, isnan(sensor->size.width) ? sensors->width : sensors->height, error,
-                        "is missing");
-    }
     sensor->size.pitch = pitch_um / 1000;
+    if (isnan(sensor->size.width) || isnan(sensor->size.height)) {
+        const int missing = isnan(sensor->size.width) ? WIDTH : HEIGHT;
+        return tsv_fail(&sensors->tsv, sensors->columns[missing], error, "is missing");
+    }
     return true;
 }
 
 /* The next row's words, without its numbers. */
-static bool next_words(struct lensdb_sensors *sensors, struct lensdb_sensor *sensor,
+static bool next_words(struct lensdb_table *sensors, struct lensdb_sensor *sensor,
                        struct error *error)
 {
-    const struct tsv *tsv = &sensors->tsv;
     if (!tsv_next(&sensors->tsv, error)) {
         return false;
     }
     *sensor = (struct lensdb_sensor){
-        .maker = lensdb_sensors_cell_of(tsv, sensors->maker),
-        .name = lensdb_sensors_cell_of(tsv, sensors->name),
-        .aliases = lensdb_sensors_cell_of(tsv, sensors->aliases),
-        .class = lensdb_sensors_cell_of(tsv, sensors->class),
-        .pitch_from = lensdb_sensors_cell_of(tsv, sensors->pitch_from),
-        .confidence = lensdb_sensors_cell_of(tsv, sensors->confidence),
-        .source = lensdb_sensors_cell_of(tsv, sensors->source),
+        .maker = lensdb_table_cell(sensors, MAKER),
+        .name = lensdb_table_cell(sensors, NAME),
+        .aliases = lensdb_table_cell(sensors, ALIASES),
+        .class = lensdb_table_cell(sensors, CLASS),
+        .pitch_from = lensdb_table_cell(sensors, PITCH_FROM),
+        .confidence = lensdb_table_cell(sensors, CONFIDENCE),
+        .source = lensdb_table_cell(sensors, SOURCE),
         .place = sensors->place,
     };
     return true;
 }
 
-bool lensdb_sensors_next(struct lensdb_sensors *sensors, struct lensdb_sensor *sensor,
+bool lensdb_sensors_next(struct lensdb_table *sensors, struct lensdb_sensor *sensor,
                          struct error *error)
 {
     return next_words(sensors, sensor, error) && lensdb_sensors_read_sensor(sensors, sensor, error);
@@ -186,7 +178,7 @@ static int lensdb_sensors_answers_to(const struct lensdb_sensor *sensor,
 static bool search_table(struct lensdb *db, enum lensdb_place place, bool cameras,
                          struct lensdb_sensors_search *search, struct error *error)
 {
-    struct lensdb_sensors sensors;
+    struct lensdb_table sensors;
     struct lensdb_sensor sensor;
     if (!lensdb_sensors_open(&sensors, db, place, cameras, error)) {
         return error->code == ERROR_NONE;
@@ -270,7 +262,7 @@ static void offer_full_name(struct lensdb_sensors_family *family,
 static void lensdb_sensors_offer_names(struct lensdb *db, enum lensdb_place place, bool cameras,
                                        struct lensdb_sensors_family *family)
 {
-    struct lensdb_sensors sensors;
+    struct lensdb_table sensors;
     struct lensdb_sensor sensor;
     struct error ignored;
     if (!lensdb_sensors_open(&sensors, db, place, cameras, &ignored)) {

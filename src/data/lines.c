@@ -19,12 +19,8 @@ static bool lines_read_line(const struct tsv *tsv, size_t nm, struct number_scal
                             double *wavelength, struct error *error)
 {
     struct text cell = tsv->cells[nm];
-    const char *end = cell.start + cell.length;
-    if (number_read(cell.start, end, from_nm, wavelength) != end || !(*wavelength > 0) ||
-        isinf(*wavelength)) {
-        return tsv_fail(tsv, nm, error, "is not a wavelength");
-    }
-    return true;
+    return (text_number(cell, from_nm, wavelength) && *wavelength > 0 && !isinf(*wavelength)) ||
+           tsv_fail(tsv, nm, error, "is not a wavelength");
 }
 
 /* Look from one place on. */

@@ -96,6 +96,21 @@ bool tsv_column(const struct tsv *tsv, const char *name, size_t *column, struct 
     return error_locate(error, tsv->source, tsv->line, 0);
 }
 
+bool tsv_columns(const struct tsv *tsv, const char *const *names, size_t count, size_t needed,
+                 size_t *columns, struct error *error)
+{
+    struct error missing;
+    for (size_t i = 0; i < count; i++) {
+        if (!tsv_column(tsv, names[i], &columns[i], i < needed ? error : &missing)) {
+            columns[i] = TSV_MOST_COLUMNS;
+            if (i < needed) {
+                return false;
+            }
+        }
+    }
+    return true;
+}
+
 bool tsv_next(struct tsv *tsv, struct error *error)
 {
     struct text line;
@@ -125,16 +140,15 @@ bool tsv_fail(const struct tsv *tsv, size_t column, struct error *error, const c
                         (size_t)(cell.start - tsv->cells[0].start) + 1);
 }
 
+struct text tsv_cell(const struct tsv *tsv, size_t column)
+{
+    return column < TSV_MOST_COLUMNS ? tsv->cells[column] : text_of("");
+}
+
 bool tsv_number(const struct tsv *tsv, size_t column, double *value, struct error *error)
 {
-    struct text cell = tsv->cells[column];
-    const char *end = cell.start + cell.length;
+    const struct text cell = tsv_cell(tsv, column);
     *value = NAN;
-    if (cell.length == 0) {
-        return true;
-    }
-    if (number_read(cell.start, end, NUMBER_UNSCALED, value) != end) {
-        return tsv_fail(tsv, column, error, "is not a number");
-    }
-    return true;
+    return cell.length == 0 || text_number(cell, NUMBER_UNSCALED, value) ||
+           tsv_fail(tsv, column, error, "is not a number");
 }

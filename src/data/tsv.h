@@ -44,6 +44,10 @@ bool tsv_open_foreign(struct tsv *tsv, const char *source, struct text content,
  */
 bool tsv_column(const struct tsv *tsv, const char *name, size_t *column, struct error *error);
 
+/* Those of these names; TSV_MOST_COLUMNS where there is none, which the first `needed` must have. */
+bool tsv_columns(const struct tsv *tsv, const char *const *names, size_t count, size_t needed,
+                 size_t *columns, struct error *error);
+
 /*
  * Read the next row into cells; a cell "-" is empty (length 0).
  *
@@ -52,7 +56,13 @@ bool tsv_column(const struct tsv *tsv, const char *name, size_t *column, struct 
  */
 bool tsv_next(struct tsv *tsv, struct error *error);
 
-/* A cell as a number; NaN where it is empty. ERROR_DATA with line and column if it is none. */
+/* A cell of the present row; empty of the column TSV_MOST_COLUMNS. */
+struct text tsv_cell(const struct tsv *tsv, size_t column);
+
+/*
+ * A cell as a number; NaN where it is empty, or the column TSV_MOST_COLUMNS. ERROR_DATA with line
+ * and column if it is none.
+ */
 bool tsv_number(const struct tsv *tsv, size_t column, double *value, struct error *error);
 
 /* Report something wrong with a cell of the present row. Returns false. */

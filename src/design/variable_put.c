@@ -182,8 +182,7 @@ static struct figure variable_put_rounded(double value, struct number_scale unit
         }
         end -= end[-1] == '.' ? 1 : 0;
         figure.typed = text_of(arena_string(arena, text, (size_t)(end - text)));
-        pair_read(figure.typed.start, figure.typed.start + figure.typed.length, unit,
-                  &figure.value);
+        text_pair(figure.typed, unit, &figure.value);
     }
     return figure;
 }

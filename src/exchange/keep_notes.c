@@ -67,8 +67,7 @@ static void set_stated(struct text rest, struct lens_build *build, int what)
     while (rest.start != NULL && rest.length > 0 && count < most) {
         struct text word = text_cut(&rest, ' ');
         figures[count] = (struct figure){.typed = word, .variable = LENS_NONE};
-        if (pair_read(word.start, word.start + word.length, unit, &figures[count].value) !=
-                word.start + word.length ||
+        if (!text_pair(word, unit, &figures[count].value) ||
             !(fabs(figures[count].value.hi) < 1e100)) {
             return;
         }

@@ -29,8 +29,7 @@ static void put_value(struct lens_json_writer *writer, const struct figure *figu
 {
     struct pair value = figure->value;
     if (unit != 1 && figure->typed.start != NULL) {
-        pair_read(figure->typed.start, figure->typed.start + figure->typed.length, NUMBER_UNSCALED,
-                  &value);
+        text_pair(figure->typed, NUMBER_UNSCALED, &value);
     } else if (unit != 1) {
         value = pair_divide(value, pair_of(unit));
     }

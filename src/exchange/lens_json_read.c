@@ -27,8 +27,7 @@ static bool lens_json_read_wave(struct json_reader *reading, const struct json_v
         return false;
     }
     double micrometres = 0;
-    number_read(wave->text.start, wave->text.start + wave->text.length,
-                (struct number_scale){1, -3}, &micrometres);
+    text_number(wave->text, (struct number_scale){1, -3}, &micrometres);
     if (!(micrometres >= 0.001 && micrometres <= 1000) || !(figure.value.hi >= 0)) {
         return json_wrong(reading, item, error,
                           "a wavelength is within 1 to 1e6 nm, a weight is not below 0");

@@ -70,8 +70,8 @@ void sequence_add_wave(const struct sequence *sequence, struct text wave, const 
 {
     const struct number_scale scale = {1, strcmp(unit, "nm") == 0 ? -3 : 0};
     double micrometres = 0, counts = 1;
-    number_read(wave.start, wave.start + wave.length, scale, &micrometres);
-    number_read(weight.start, weight.start + weight.length, NUMBER_UNSCALED, &counts);
+    text_number(wave, scale, &micrometres);
+    text_number(weight, NUMBER_UNSCALED, &counts);
     struct lens_wavelength *one = lens_build_wavelength(sequence->build, micrometres, counts);
     one->typed =
         text_of(arena_printf(sequence->job->arena, "%.*s%s", (int)wave.length, wave.start, unit));

@@ -9,7 +9,7 @@ void virtual_object_put(struct lens_build *build, struct pair distance)
     struct lens *lens = build->lens;
     struct figure one = {.typed = text_of("1"), .variable = LENS_NONE};
     const struct number_scale unit = lens_unit_scale(lens->unit);
-    pair_read(one.typed.start, one.typed.start + one.typed.length, unit, &one.value);
+    text_pair(one.typed, unit, &one.value);
     lens->object = one;
     lens->object_is_infinite = false;
     struct surface *plane = lens_build_surface(build);

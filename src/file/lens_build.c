@@ -160,7 +160,7 @@ static struct figure figure_typed(const char *start, const char *end, struct num
 {
     struct figure figure = no_figure;
     figure.typed = text_of(arena_string(arena, start, (size_t)(end - start)));
-    pair_read(figure.typed.start, figure.typed.start + figure.typed.length, unit, &figure.value);
+    text_pair(figure.typed, unit, &figure.value);
     return figure;
 }
 
@@ -234,8 +234,8 @@ static int count_digits(struct text typed)
 static bool is_reciprocal(struct text curvature, struct text radius)
 {
     double c = 0, r = 0;
-    number_read(curvature.start, curvature.start + curvature.length, NUMBER_UNSCALED, &c);
-    number_read(radius.start, radius.start + radius.length, NUMBER_UNSCALED, &r);
+    text_number(curvature, NUMBER_UNSCALED, &c);
+    text_number(radius, NUMBER_UNSCALED, &r);
     return c == 1 / r;
 }
 

@@ -35,7 +35,7 @@ static bool lens_grade_read_place(struct lensdb *db, enum lensdb_place place,
                                   struct nearest *nearest, struct lens *lens, struct arena *arena,
                                   struct error *error)
 {
-    struct lensdb_grades grades;
+    struct lensdb_table grades;
     struct lensdb_tolerance row;
     bool open = lensdb_grades_open(&grades, db, place, error);
     while (open && lensdb_grades_next(&grades, &row, error)) {

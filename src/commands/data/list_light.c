@@ -99,7 +99,7 @@ static bool list_film(struct list *list, const struct lensdb_film *film, struct 
 
 static bool list_films(struct list *list, struct error *error)
 {
-    struct lensdb_facts facts;
+    struct lensdb_table facts;
     struct lensdb_film film;
     bool open = lensdb_films_open(&facts, list->run->db, list->place, error);
     while (open && lensdb_films_next(&facts, &film, error)) {
@@ -129,7 +129,7 @@ static const struct column scene_columns[] = {
 
 static bool list_scenes(struct list *list, struct error *error)
 {
-    struct lensdb_facts facts;
+    struct lensdb_table facts;
     struct lensdb_scene scene;
     bool open = lensdb_scenes_open(&facts, list->run->db, list->place, error);
     while (open && lensdb_scenes_next(&facts, &scene, error)) {
@@ -175,7 +175,7 @@ static const struct column filter_columns[] = {
 
 static bool list_filters(struct list *list, struct error *error)
 {
-    struct lensdb_facts facts;
+    struct lensdb_table facts;
     struct lensdb_filter filter;
     bool open = lensdb_filters_open(&facts, list->run->db, list->place, error);
     while (open && lensdb_filters_next(&facts, &filter, error)) {

@@ -57,7 +57,7 @@ static const struct column camera_columns[] = {
 
 static bool list_sensors(struct list *list, bool cameras, struct error *error)
 {
-    struct lensdb_sensors sensors;
+    struct lensdb_table sensors;
     struct lensdb_sensor sensor;
     if (!lensdb_sensors_open(&sensors, list->run->db, list->place, cameras, error)) {
         return error->code == ERROR_NONE;

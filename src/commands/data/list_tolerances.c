@@ -27,7 +27,7 @@ static const struct column columns[] = {
 
 static bool list_tolerances(struct list *list, struct error *error)
 {
-    struct lensdb_grades grades;
+    struct lensdb_table grades;
     struct lensdb_tolerance one;
     bool open = lensdb_grades_open(&grades, list->run->db, list->place, error);
     while (open && lensdb_grades_next(&grades, &one, error)) {

@@ -28,41 +28,21 @@ bool codev_catalog(struct codev *codev, int what, struct error *error)
     return true;
 }
 
-/* Text that a table of indices is put together in. */
-static void codev_glass_append(char **at, const char *start, size_t length)
-{
-    memcpy(*at, start, length);
-    *at += length;
-}
-
 /* {486.1nm 1.5224, 587.6nm 1.5168}, or one number where all are the same. */
 static const char *codev_glass_table_of(struct codev *codev, size_t count)
 {
-    struct commands *commands = &codev->commands;
-    size_t room = 8;
+    const struct command_word *indices = &codev->commands.words[1];
+    struct text_buffer table = {.arena = codev->job->arena};
     bool same = true;
     for (size_t i = 0; i < count; i++) {
-        const struct text index = commands->words[i + 1].text, first = commands->words[1].text;
-        room += codev->catalog_waves[i].text.length + index.length + 8;
-        same = same && index.length == first.length &&
-               memcmp(index.start, first.start, first.length) == 0;
+        const struct text wave = codev->catalog_waves[i].text, index = indices[i].text;
+        same = same && text_identical(index, indices[0].text);
+        growing_format(&table, "%s%.*snm %.*s", i == 0 ? "{" : ", ", (int)wave.length, wave.start,
+                       (int)index.length, index.start);
     }
-    if (same) {
-        const struct text first = commands->words[1].text;
-        return arena_string(commands->job->arena, first.start, first.length);
-    }
-    char *table = arena_array(commands->job->arena, room, 1), *at = table;
-    codev_glass_append(&at, "{", 1);
-    for (size_t i = 0; i < count; i++) {
-        const struct text wave = codev->catalog_waves[i].text;
-        codev_glass_append(&at, ", ", i > 0 ? 2 : 0);
-        codev_glass_append(&at, wave.start, wave.length);
-        codev_glass_append(&at, "nm ", 3);
-        codev_glass_append(&at, commands->words[i + 1].text.start,
-                           commands->words[i + 1].text.length);
-    }
-    codev_glass_append(&at, "}", 1);
-    return table;
+    growing_put(&table, "}", sizeof "}");
+    return same ? arena_string(table.arena, indices[0].text.start, indices[0].text.length)
+                : table.data;
 }
 
 bool codev_private_glass(struct codev *codev, struct error *error)
@@ -91,8 +71,7 @@ bool codev_private_glass(struct codev *codev, struct error *error)
         if (!commands_figure(commands, i, (struct number_scale){1, 0}, "index", &index, error)) {
             return false;
         }
-        number_read(nm.start, nm.start + nm.length, (struct number_scale){1, -3},
-                    &wavelengths[i - 1]);
+        text_number(nm, (struct number_scale){1, -3}, &wavelengths[i - 1]);
         one->rounding = fmax(one->rounding, own_glass_rounding(&index));
     }
     one->wavelengths = wavelengths;
@@ -141,18 +120,15 @@ static const char *medium_of_code(struct text code, struct arena *arena)
 /* 1.5168:64.17, 1.5 */
 static const char *medium_of_numbers(struct text text, struct arena *arena)
 {
-    const char *end = text.start + text.length;
-    double number;
+    double number, Vd;
     struct text abbe = text, index = text_cut(&abbe, ':');
-    const struct number_scale plain = {1, 0};
-    if (index.length == 0 || number_read(index.start, index.start + index.length, plain, &number) !=
-                                 index.start + index.length) {
+    if (!text_number(index, NUMBER_UNSCALED, &number)) {
         return NULL;
     }
     if (abbe.start == NULL) {
         return number < 10 ? arena_string(arena, text.start, text.length) : NULL;
     }
-    return number_read(abbe.start, end, plain, &number) == end
+    return text_number(abbe, NUMBER_UNSCALED, &Vd)
                ? arena_printf(arena, "%.*s/%.*s", (int)index.length, index.start, (int)abbe.length,
                               abbe.start)
                : NULL;

@@ -113,13 +113,6 @@ bool oslo_weight(struct oslo *oslo, struct error *error)
     return oslo_system_read_entry(oslo, true, error);
 }
 
-static bool oslo_system_is_number(struct text text)
-{
-    double value;
-    return text.length > 0 && number_read(text.start, text.start + text.length, plain, &value) ==
-                                  text.start + text.length;
-}
-
 /* May it be the name of a glass before its indices, rather than a number gone wrong? */
 static bool oslo_system_is_name(const struct command_word *word)
 {
@@ -151,7 +144,7 @@ static const char *oslo_system_table_of(const struct oslo *oslo, size_t first, s
 static bool is_abbe(struct text text)
 {
     double value = 0;
-    number_read(text.start, text.start + text.length, plain, &value);
+    text_number(text, plain, &value);
     return value >= 10;
 }
 
@@ -279,7 +272,7 @@ static bool compare_named(struct oslo *oslo, const struct command_word *word, st
         wavelengths[i] = usual[i < 3 ? i : 0];
         if (oslo->wave_count > 0) {
             const struct text um = oslo->waves[i];
-            number_read(um.start, um.start + um.length, plain, &wavelengths[i]);
+            text_number(um, plain, &wavelengths[i]);
         }
     }
     for (const struct command_word *one = word + 1;
@@ -312,7 +305,8 @@ bool oslo_glass(struct oslo *oslo, int what, struct error *error)
         return commands_fail(&oslo->commands, &word, error, "the glass is missing");
     }
     const bool has_indices = first + 1 < oslo->commands.count;
-    if (oslo_system_is_number(word.text) || (has_indices && !oslo_system_is_name(&word))) {
+    double number;
+    if (text_number(word.text, plain, &number) || (has_indices && !oslo_system_is_name(&word))) {
         return oslo_system_read_indices(oslo, first, is_model, error);
     }
     if (has_indices) {

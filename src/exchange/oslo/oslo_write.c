@@ -205,8 +205,7 @@ static void oslo_put_glass(struct oslo_output *output, const struct medium *medi
     double number;
     writing_glass(writing, medium, &name, &catalog);
     bool is_ohara = text_equal(catalog, "OHARA"), is_hoya = text_equal(catalog, "HOYA");
-    bool is_number = number_read(name.start, name.start + name.length, NUMBER_UNSCALED, &number) ==
-                     name.start + name.length;
+    bool is_number = text_number(name, NUMBER_UNSCALED, &number);
     const char *quote = memchr(name.start, ' ', name.length) != NULL ? "\"" : "", *maker = "";
     if (is_ohara || is_hoya) {
         maker = is_ohara ? "O_" : "H_";

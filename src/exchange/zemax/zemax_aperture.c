@@ -30,7 +30,7 @@ static bool set_spider(const struct zemax_line *line, struct aperture *aperture)
 {
     double count = 0;
     const struct figure *arms = &line->numbers[1];
-    number_read(arms->typed.start, arms->typed.start + arms->typed.length, NUMBER_UNSCALED, &count);
+    text_number(arms->typed, NUMBER_UNSCALED, &count);
     aperture->size[0] = line->numbers[0];
     aperture->arms = count >= 1 && count <= APERTURE_MOST_ARMS ? (unsigned)count : 0;
     return aperture->arms == count;

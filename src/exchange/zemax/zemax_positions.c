@@ -223,8 +223,7 @@ static bool place_aperture(const struct setting_target *placing)
     struct figure *value = &line->numbers[0];
     line->keyword = file->aperture->keyword;
     if (text_same(line->keyword, "ENPD")) {
-        pair_read(value->typed.start, value->typed.start + value->typed.length,
-                  lens_unit_scale(file->build.lens->unit), &value->value);
+        text_pair(value->typed, lens_unit_scale(file->build.lens->unit), &value->value);
     }
     file->aperture = line;
     return true;

@@ -18,7 +18,7 @@
 /* A figure of a line again, in another unit. */
 static struct figure zemax_read_in_unit(struct figure figure, struct number_scale scale)
 {
-    pair_read(figure.typed.start, figure.typed.start + figure.typed.length, scale, &figure.value);
+    text_pair(figure.typed, scale, &figure.value);
     return figure;
 }
 

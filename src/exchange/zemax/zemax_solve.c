@@ -47,7 +47,7 @@ static struct pair zemax_solve_length_of(const struct solver_state *solving,
     struct pair value = {0, 0};
     if (at < line->count) {
         struct text typed = line->numbers[at].typed;
-        pair_read(typed.start, typed.start + typed.length, solving->unit, &value);
+        text_pair(typed, solving->unit, &value);
     }
     return value;
 }

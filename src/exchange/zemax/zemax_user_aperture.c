@@ -215,7 +215,7 @@ static void read_rows(struct shapes *shapes, const struct zemax_surface *from)
         const struct zemax_line *row = from->user_rows[i];
         const struct text number = row->first;
         double value = 0;
-        number_read(number.start, number.start + number.length, NUMBER_UNSCALED, &value);
+        text_number(number, NUMBER_UNSCALED, &value);
         if (value != (double)(i + 1)) {
             shapes->wrong = arena_printf(shapes->arena, "row %zu of it is missing", i + 1);
         } else if (row->count != 4 || row->stray.start != NULL || row->numbers[3].value.hi != 0) {

@@ -31,8 +31,7 @@ static const char *zemax_reciprocal(const struct lens_writer *writing, const str
     double plain_radius = 0;
     const char *unit = writing->lens->unit;
     struct figure typed = figure_computed(radius->value, writing->scale, writing->arena), again;
-    number_read(typed.typed.start, typed.typed.start + typed.typed.length, NUMBER_UNSCALED,
-                &plain_radius);
+    text_number(typed.typed, NUMBER_UNSCALED, &plain_radius);
     char *end = number_write_digits(text, 1 / plain_radius, 17);
     struct figure curvature = {.typed = text_between(text, end), .variable = LENS_NONE};
     curvature = figure_per_length(curvature, unit, -1);
@@ -59,8 +58,7 @@ static const char *zemax_curvature(const struct lens_writer *writing,
     if (figure_radius_of(&figure, writing->lens->unit, writing->arena, &radius)) {
         char text[PAIR_LENGTH];
         struct pair value = {0, 0};
-        pair_read(figure.typed.start, figure.typed.start + figure.typed.length, NUMBER_UNSCALED,
-                  &value);
+        text_pair(figure.typed, NUMBER_UNSCALED, &value);
         return zemax_digits(writing, text, pair_write_digits(text, value, NUMBER_UNSCALED, 31));
     }
     return arena_string(writing->arena, figure.typed.start, figure.typed.length);
