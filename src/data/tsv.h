@@ -44,7 +44,7 @@ bool tsv_open_foreign(struct tsv *tsv, const char *source, struct text content,
  */
 bool tsv_column(const struct tsv *tsv, const char *name, size_t *column, struct error *error);
 
-/* Those of these names; TSV_MOST_COLUMNS where there is none, which the first `needed` must have. */
+/* Those of these names, of which the first `needed` must be there; else TSV_MOST_COLUMNS. */
 bool tsv_columns(const struct tsv *tsv, const char *const *names, size_t count, size_t needed,
                  size_t *columns, struct error *error);
 

@@ -34,6 +34,10 @@ void codev_put_text(struct lens_writer *writing, const char *name, const char *s
 /* The word for a medium behind a surface, with a blank before it; nothing for air. */
 void codev_put_medium(struct codev_output *output, const struct medium *medium);
 
+/* Is it a term of ASP, an even power from r^4 on? Has the surface it, be it 0? */
+bool codev_is_of_asp(int term);
+bool codev_is_term_given(const struct surface *surface, int term);
+
 /* Is the surface one of SPS ODD, whose numbers are those of SCO? */
 bool codev_is_odd(const struct surface *surface);
 

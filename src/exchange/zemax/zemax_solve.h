@@ -16,6 +16,14 @@ struct solver_state {
 };
 
 /*
+ * Solve the curvature and the thickness of a surface.
+ *
+ * Result    in solving->thickness, curvature and lens. Of a solve that lenscalc does not know, or
+ *           that has no answer, the file's number stands: zemax_stands
+ */
+void zemax_solve_surface(struct solver_state *solving, size_t at);
+
+/*
  * What a solve that follows a ray gives in some lens.
  *
  * Given     is_curvature  the curvature's, else that of the thickness
@@ -24,12 +32,8 @@ struct solver_state {
 bool zemax_solve_in(const struct solver_state *solving, size_t at, bool is_curvature,
                     const struct lens *lens, struct arena *arena, struct pair *value);
 
-/*
- * What the solves give against the numbers that the program has stored beside them. Within what
- * rounding and editions of catalogues may do a note says both. Beyond that
- * the lens is not the one that the program had: a loss, and the file's number is kept.
- */
-void zemax_check_solves(struct solver_state *solving);
+/* Pick-ups of curvatures and thicknesses become those of the lens, whose numbers are all set. */
+void zemax_keep_pickups(const struct solver_state *solving);
 
 /* A curvature of a surface, 1/mm: as a radius where a short one has it as its reciprocal. */
 void zemax_set_curvature(struct zemax_file *file, struct figure curvature, struct surface *to);
