@@ -15,26 +15,24 @@
 
 const struct file_type lens_file_type = {{"lens", "lenscalc's own"}, ".lens"};
 
-/* Lines that are read when all surfaces are there, in this order, by their first words. */
+/* Lines that are read when all surfaces are there, in this order. */
 enum lens_file_kept { KEPT_SETTING, KEPT_PICKUP, KEPT_TOLERANCE, KEPT_KINDS };
-static const char *const kept_words[KEPT_KINDS] = {"set", "pickup", "tolerance"};
 
 /* A file being read. Arrays grow by doubling in the arena. */
 struct parser {
     struct file_words words;
     struct lens *lens;
     const struct glass_source *glasses;
-    size_t surface_room, note_room, variable_room, aperture_room;
+    size_t surface_room, note_room, aperture_room;
+    struct lens_variables variables;
     const struct displacement *coordinate_break; /* of the next surface */
     struct text aperture_word;                   /* where it was named, and in which line */
     struct file_words aperture_line;
-    struct file_words *variable_lines; /* where each variable was first used */
     struct lines {
         struct file_words *all;
         size_t count, room;
-    } kept[KEPT_KINDS];  /* lines, from behind their first word on */
-    struct text keyword; /* of the present line */
-    unsigned given;      /* keywords that may stand once */
+    } kept[KEPT_KINDS]; /* lines, from behind their first word on */
+    unsigned given;     /* keywords that may stand once */
 };
 
 static const char *rest_string(struct parser *parser)
@@ -43,39 +41,31 @@ static const char *rest_string(struct parser *parser)
     return arena_string(parser->words.arena, rest.start, rest.length);
 }
 
-static bool lens_file_read_title(struct parser *parser, struct error *error)
+enum lens_file_text { TEXT_TITLE, TEXT_SOURCE, TEXT_KIND };
+
+static bool lens_file_read_text(struct parser *parser, int what, struct error *error)
 {
+    const char **const texts[] = {[TEXT_TITLE] = &parser->lens->title,
+                                  [TEXT_SOURCE] = &parser->lens->source,
+                                  [TEXT_KIND] = &parser->lens->kind};
     (void)error;
-    parser->lens->title = rest_string(parser);
+    *texts[what] = rest_string(parser);
     return true;
 }
 
-static bool lens_file_read_source(struct parser *parser, struct error *error)
-{
-    (void)error;
-    parser->lens->source = rest_string(parser);
-    return true;
-}
-
-static bool lens_file_read_kind(struct parser *parser, struct error *error)
-{
-    (void)error;
-    parser->lens->kind = rest_string(parser);
-    return true;
-}
-
-static bool lens_file_read_note(struct parser *parser, struct error *error)
+static bool lens_file_read_note(struct parser *parser, int what, struct error *error)
 {
     struct lens *lens = parser->lens;
-    (void)error;
+    (void)what, (void)error;
     lens->notes = arena_grow(parser->words.arena, lens->notes, lens->note_count, &parser->note_room,
                              sizeof lens->notes[0]);
     lens->notes[lens->note_count++] = rest_string(parser);
     return true;
 }
 
-static bool lens_file_read_unit(struct parser *parser, struct error *error)
+static bool lens_file_read_unit(struct parser *parser, int what, struct error *error)
 {
+    (void)what;
     struct text word = file_words_next(&parser->words);
     const char *unit = lens_unit_named(word);
     if (parser->lens->surface_count > 0 || parser->given > 1) {
@@ -90,8 +80,9 @@ static bool lens_file_read_unit(struct parser *parser, struct error *error)
     return file_words_end(&parser->words, error);
 }
 
-static bool read_wavelengths(struct parser *parser, struct error *error)
+static bool read_wavelengths(struct parser *parser, int what, struct error *error)
 {
+    (void)what;
     struct lens *lens = parser->lens;
     struct file_words *words = &parser->words;
     size_t room = 0;
@@ -134,8 +125,9 @@ static void take_telecentric(struct parser *parser)
     }
 }
 
-static bool lens_file_read_object(struct parser *parser, struct error *error)
+static bool lens_file_read_object(struct parser *parser, int what, struct error *error)
 {
+    (void)what;
     struct lens *lens = parser->lens;
     if (!lens_file_read_distance(parser, file_words_next(&parser->words), &lens->object, error)) {
         return false;
@@ -145,8 +137,9 @@ static bool lens_file_read_object(struct parser *parser, struct error *error)
     return file_words_end(&parser->words, error);
 }
 
-static bool lens_file_read_medium(struct parser *parser, struct error *error)
+static bool lens_file_read_medium(struct parser *parser, int what, struct error *error)
 {
+    (void)what;
     if (parser->lens->surface_count > 0) {
         return file_words_fail(&parser->words, parser->words.line, error,
                                "the object's medium must come before the surfaces");
@@ -157,8 +150,9 @@ static bool lens_file_read_medium(struct parser *parser, struct error *error)
            file_words_end(&parser->words, error);
 }
 
-static bool lens_file_read_field(struct parser *parser, struct error *error)
+static bool lens_file_read_field(struct parser *parser, int what, struct error *error)
 {
+    (void)what;
     static const struct {
         const char *name;
         enum field_kind kind;
@@ -217,8 +211,9 @@ static bool read_aperture_value(struct parser *parser, struct text word, struct 
            file_words_fail(words, word, error, "the aperture must be above 0");
 }
 
-static bool lens_file_read_aperture(struct parser *parser, struct error *error)
+static bool lens_file_read_aperture(struct parser *parser, int what, struct error *error)
 {
+    (void)what;
     parser->aperture_word = file_words_next(&parser->words);
     parser->aperture_line = parser->words;
     return read_aperture_value(parser, parser->aperture_word, &parser->lens->aperture,
@@ -226,8 +221,9 @@ static bool lens_file_read_aperture(struct parser *parser, struct error *error)
            file_words_end(&parser->words, error);
 }
 
-static bool lens_file_read_focus(struct parser *parser, struct error *error)
+static bool lens_file_read_focus(struct parser *parser, int what, struct error *error)
 {
+    (void)what;
     static const char *const names[] = {"paraxial", "table", "best", "afocal"};
     struct text word = file_words_next(&parser->words);
     for (int i = 0; i < FOCUS_KINDS; i++) {
@@ -240,28 +236,9 @@ static bool lens_file_read_focus(struct parser *parser, struct error *error)
                            "the focus is paraxial, table, best or afocal");
 }
 
-static size_t find_variable(void *context, struct text name)
+static bool lens_file_read_positions(struct parser *parser, int what, struct error *error)
 {
-    struct parser *parser = context;
-    struct lens *lens = parser->lens;
-    struct arena *arena = parser->words.arena;
-    for (size_t i = 0; i < lens->variable_count; i++) {
-        if (text_identical(lens->variables[i].name, name)) {
-            return i;
-        }
-    }
-    size_t room = parser->variable_room;
-    lens->variables = arena_grow(arena, lens->variables, lens->variable_count,
-                                 &parser->variable_room, sizeof lens->variables[0]);
-    parser->variable_lines = arena_grow(arena, parser->variable_lines, lens->variable_count, &room,
-                                        sizeof parser->variable_lines[0]);
-    lens->variables[lens->variable_count] = (struct lens_variable){.name = name};
-    parser->variable_lines[lens->variable_count] = parser->words;
-    return lens->variable_count++;
-}
-
-static bool lens_file_read_positions(struct parser *parser, struct error *error)
-{
+    (void)what;
     struct lens *lens = parser->lens;
     struct file_words *words = &parser->words;
     size_t room = 0;
@@ -329,8 +306,9 @@ static bool let_apertures(struct parser *parser, struct text name, struct error 
     return line_count_check(parser, name, count + (word.length > 0), error);
 }
 
-static bool read_let(struct parser *parser, struct error *error)
+static bool read_let(struct parser *parser, int what, struct error *error)
 {
+    (void)what;
     struct lens *lens = parser->lens;
     struct text name = file_words_next(&parser->words);
     if (lens->position_count == 0) {
@@ -346,7 +324,7 @@ static bool read_let(struct parser *parser, struct error *error)
     if (name.length == 0 || (name.start[0] | 32) < 'a' || (name.start[0] | 32) > 'z') {
         return file_words_fail(&parser->words, name, error, "the name of a variable is missing");
     }
-    size_t index = find_variable(parser, name), count;
+    size_t index = lens_variable_find(&parser->variables, &parser->words, name), count;
     struct lens_variable *variable = &lens->variables[index];
     if (variable->values != NULL) {
         return file_words_fail(&parser->words, name, error, "'%.*s' has its numbers already",
@@ -356,27 +334,25 @@ static bool read_let(struct parser *parser, struct error *error)
            line_count_check(parser, name, count, error);
 }
 
-static bool keep_line(struct parser *parser, struct error *error)
+static bool keep_line(struct parser *parser, int what, struct error *error)
 {
-    int kind = 0;
+    struct lines *lines = &parser->kept[what];
     (void)error;
-    while (kind < KEPT_KINDS - 1 && !text_equal(parser->keyword, kept_words[kind])) {
-        kind++;
-    }
-    struct lines *lines = &parser->kept[kind];
     lines->all = arena_grow(parser->words.arena, lines->all, lines->count, &lines->room,
                             sizeof lines->all[0]);
     lines->all[lines->count++] = parser->words;
     return true;
 }
 
-static bool lens_file_read_goal(struct parser *parser, struct error *error)
+static bool lens_file_read_goal(struct parser *parser, int what, struct error *error)
 {
+    (void)what;
     return lens_goal_read(&parser->words, parser->lens, error);
 }
 
-static bool lens_file_read_stated(struct parser *parser, struct error *error)
+static bool lens_file_read_stated(struct parser *parser, int what, struct error *error)
 {
+    (void)what;
     static const char *const names[STATED_COUNT] = {"efl", "bfl", "fnumber", "tstop"};
     struct lens *lens = parser->lens;
     struct file_words *words = &parser->words;
@@ -398,7 +374,7 @@ static bool lens_file_read_stated(struct parser *parser, struct error *error)
 }
 
 /* One surface more, with the coordinate break before it. */
-static bool surface_line_add(struct parser *parser, enum surface_kind kind, struct error *error)
+static bool lens_file_read_surface(struct parser *parser, int kind, struct error *error)
 {
     struct lens *lens = parser->lens;
     struct text word = {parser->words.line.start, 0};
@@ -414,12 +390,9 @@ static bool surface_line_add(struct parser *parser, enum surface_kind kind, stru
     lens->surfaces = arena_grow(parser->words.arena, lens->surfaces, last, &parser->surface_room,
                                 sizeof lens->surfaces[0]);
     struct surface *surface = &lens->surfaces[last];
-    const struct lens_surface_line line = {.kind = kind,
-                                           .before = last > 0 ? &lens->surfaces[last - 1].medium
-                                                              : &lens->object_medium,
-                                           .variable = find_variable,
-                                           .context = parser};
-    if (!lens_surface_read(&parser->words, &line, surface, error) ||
+    const struct medium *before = last > 0 ? &surface[-1].medium : &lens->object_medium;
+    if (!lens_surface_read(&parser->words, (enum surface_kind)kind, before, &parser->variables,
+                           surface, error) ||
         !lens_words_glass(&parser->words, parser->glasses, &surface->medium, error)) {
         return false;
     }
@@ -437,41 +410,18 @@ static bool surface_line_add(struct parser *parser, enum surface_kind kind, stru
     return true;
 }
 
-static bool lens_file_read_surface(struct parser *parser, struct error *error)
-{
-    return surface_line_add(parser, SURFACE_REFRACT, error);
-}
-
-static bool lens_file_read_stop(struct parser *parser, struct error *error)
-{
-    return surface_line_add(parser, SURFACE_STOP, error);
-}
-
-static bool lens_file_read_thick(struct parser *parser, struct error *error)
-{
-    return surface_line_add(parser, SURFACE_THICK, error);
-}
-
-static bool add_aperture(struct parser *parser, bool blocks, struct error *error)
+/* `pass` and `block` */
+static bool read_aperture_line(struct parser *parser, int blocks, struct error *error)
 {
     struct lens *lens = parser->lens;
     bool is_below = lens->surface_count > 0 && parser->coordinate_break == NULL;
     struct surface *above = is_below ? &lens->surfaces[lens->surface_count - 1] : NULL;
-    return lens_aperture_read(&parser->words, blocks, above, &parser->aperture_room, error);
+    return lens_aperture_read(&parser->words, blocks != 0, above, &parser->aperture_room, error);
 }
 
-static bool read_pass(struct parser *parser, struct error *error)
+static bool read_coordinate_break(struct parser *parser, int what, struct error *error)
 {
-    return add_aperture(parser, false, error);
-}
-
-static bool lens_file_read_block(struct parser *parser, struct error *error)
-{
-    return add_aperture(parser, true, error);
-}
-
-static bool read_coordinate_break(struct parser *parser, struct error *error)
-{
+    (void)what;
     if (parser->coordinate_break != NULL) {
         return file_words_fail(&parser->words, parser->words.line, error,
                                "two coordinate breaks before one surface");
@@ -483,32 +433,33 @@ static bool read_coordinate_break(struct parser *parser, struct error *error)
 static const struct {
     const char *word;
     unsigned once;
-    bool (*read)(struct parser *parser, struct error *error);
+    bool (*read)(struct parser *parser, int what, struct error *error);
+    int what; /* tells relatives apart */
 } keywords[] = {
-    {"unit", 1, lens_file_read_unit},
-    {"object", 2, lens_file_read_object},
-    {"field", 4, lens_file_read_field},
-    {"aperture", 8, lens_file_read_aperture},
-    {"lens", 0, lens_file_read_title},
-    {"source", 0, lens_file_read_source},
-    {"kind", 0, lens_file_read_kind},
-    {"note", 0, lens_file_read_note},
-    {"wavelength", 0, read_wavelengths},
-    {"focus", 0, lens_file_read_focus},
-    {"medium", 0, lens_file_read_medium},
-    {"position", 0, lens_file_read_positions},
-    {"let", 0, read_let},
-    {"set", 0, keep_line},
-    {"pickup", 0, keep_line},
-    {"goal", 0, lens_file_read_goal},
-    {"tolerance", 0, keep_line},
-    {"stated", 16, lens_file_read_stated},
-    {"surface", 0, lens_file_read_surface},
-    {"stop", 0, lens_file_read_stop},
-    {"thick", 0, lens_file_read_thick},
-    {"bend", 0, read_coordinate_break},
-    {"pass", 0, read_pass},
-    {"block", 0, lens_file_read_block},
+    {"unit", 1, lens_file_read_unit, 0},
+    {"object", 2, lens_file_read_object, 0},
+    {"field", 4, lens_file_read_field, 0},
+    {"aperture", 8, lens_file_read_aperture, 0},
+    {"lens", 0, lens_file_read_text, TEXT_TITLE},
+    {"source", 0, lens_file_read_text, TEXT_SOURCE},
+    {"kind", 0, lens_file_read_text, TEXT_KIND},
+    {"note", 0, lens_file_read_note, 0},
+    {"wavelength", 0, read_wavelengths, 0},
+    {"focus", 0, lens_file_read_focus, 0},
+    {"medium", 0, lens_file_read_medium, 0},
+    {"position", 0, lens_file_read_positions, 0},
+    {"let", 0, read_let, 0},
+    {"set", 0, keep_line, KEPT_SETTING},
+    {"pickup", 0, keep_line, KEPT_PICKUP},
+    {"goal", 0, lens_file_read_goal, 0},
+    {"tolerance", 0, keep_line, KEPT_TOLERANCE},
+    {"stated", 16, lens_file_read_stated, 0},
+    {"surface", 0, lens_file_read_surface, SURFACE_REFRACT},
+    {"stop", 0, lens_file_read_surface, SURFACE_STOP},
+    {"thick", 0, lens_file_read_surface, SURFACE_THICK},
+    {"bend", 0, read_coordinate_break, 0},
+    {"pass", 0, read_aperture_line, false},
+    {"block", 0, read_aperture_line, true},
 };
 
 /* Not the beginning of a line: one of the table may have been meant. */
@@ -535,7 +486,7 @@ static bool lens_file_read_line(struct parser *parser, struct error *error)
         return refuse_keyword(parser, word, error);
     }
     bool twice = (keywords[i].once & parser->given) != 0 && keywords[i].once != 16;
-    twice = twice || (keywords[i].read == lens_file_read_title && parser->lens->title != NULL) ||
+    twice = twice || (text_equal(word, "lens") && parser->lens->title != NULL) ||
             (keywords[i].read == read_wavelengths && parser->lens->wavelength_count > 0) ||
             (keywords[i].read == lens_file_read_positions && parser->lens->position_count > 0);
     if (twice) {
@@ -543,8 +494,7 @@ static bool lens_file_read_line(struct parser *parser, struct error *error)
                                keywords[i].word);
     }
     parser->given |= keywords[i].once;
-    parser->keyword = word;
-    return keywords[i].read(parser, error);
+    return keywords[i].read(parser, keywords[i].what, error);
 }
 
 /* What only the whole file shows. */
@@ -556,7 +506,7 @@ static bool lens_file_finish(struct parser *parser, struct error *error)
         return error_locate(error, parser->words.source, 0, 0);
     }
     for (size_t i = 0; i < lens->variable_count; i++) {
-        if (!lens_let_check(&parser->variable_lines[i], lens, i, error)) {
+        if (!lens_let_check(&parser->variables.lines[i], lens, i, error)) {
             return false;
         }
     }
@@ -567,9 +517,19 @@ static bool lens_file_finish(struct parser *parser, struct error *error)
     for (int kind = 0; kind < KEPT_KINDS; kind++) {
         for (size_t i = 0; i < parser->kept[kind].count; i++) {
             struct file_words *line = &parser->kept[kind].all[i];
-            if (kind == KEPT_SETTING  ? !lens_setting_read(line, parser->glasses, lens, error)
-                : kind == KEPT_PICKUP ? !lens_pickup_read(line, lens, error)
-                                      : !lens_tolerance_read(line, lens, error)) {
+            bool read = false;
+            switch (kind) {
+            case KEPT_SETTING:
+                read = lens_setting_read(line, parser->glasses, lens, error);
+                break;
+            case KEPT_PICKUP:
+                read = lens_pickup_read(line, lens, error);
+                break;
+            default:
+                read = lens_tolerance_read(line, lens, error);
+                break;
+            }
+            if (!read) {
                 return false;
             }
         }
@@ -581,7 +541,7 @@ static bool lens_file_finish(struct parser *parser, struct error *error)
 bool lens_read(const char *source, struct text content, const struct glass_source *glasses,
                struct arena *arena, struct lens *lens, struct error *error)
 {
-    struct parser parser = {.lens = lens, .glasses = glasses};
+    struct parser parser = {.lens = lens, .glasses = glasses, .variables.lens = lens};
     *lens = (struct lens){.unit = lens_units[0].word,
                           .object_is_infinite = true,
                           .object = {{INFINITY, 0}, {NULL, 0}, LENS_NONE},

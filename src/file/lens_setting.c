@@ -138,13 +138,6 @@ const char *lens_setting_lights(struct lens *lens, const struct lens_light *ligh
     return NULL;
 }
 
-/* Says what lens_setting_ functions answered. */
-static bool lens_setting_report(const struct file_words *words, struct text name, const char *why,
-                                struct error *error)
-{
-    return why == NULL || file_words_fail(words, name, error, "%s", why);
-}
-
 /* The next value of the line: there is one for each position and no more. */
 static bool lens_setting_next_value(struct file_words *words, const struct lens *lens, size_t at,
                                     struct text *word, struct error *error)
@@ -175,64 +168,21 @@ static bool lens_setting_read_number(struct file_words *words, struct text word,
            figure->value.hi != 0 || file_words_fail(words, word, error, "the %s is 0", type->words);
 }
 
-static bool lens_setting_read_figures(struct file_words *words, struct text name,
-                                      struct lens_setting setting, struct lens *lens,
-                                      struct error *error)
+/* The number of a surface, which is kept from 0. */
+static bool lens_setting_read_stop(struct file_words *words, struct text word,
+                                   const struct lens *lens, size_t *stop, struct error *error)
 {
-    struct figure *figures = ARENA_ARRAY(words->arena, lens->position_count, struct figure);
-    struct text word;
-    for (size_t i = 0; i <= lens->position_count; i++) {
-        if (!lens_setting_next_value(words, lens, i, &word, error) ||
-            (i < lens->position_count &&
-             !lens_setting_read_number(words, word, setting.parameter, &figures[i], error))) {
-            return false;
-        }
+    struct figure number = {.variable = LENS_NONE};
+    if (!lens_words_figure(words, word, NUMBER_UNSCALED, "surface", &number, error)) {
+        return false;
     }
-    setting.figures = figures;
-    return lens_setting_report(words, name, lens_setting_add(lens, setting, words->arena), error);
-}
-
-static bool lens_setting_read_media(struct file_words *words, struct text name,
-                                    struct lens_setting setting, const struct glass_source *glasses,
-                                    struct lens *lens, struct error *error)
-{
-    struct medium *media = ARENA_ARRAY(words->arena, lens->position_count, struct medium);
-    struct text word;
-    for (size_t i = 0; i <= lens->position_count; i++) {
-        if (!lens_setting_next_value(words, lens, i, &word, error) ||
-            (i < lens->position_count && !(lens_words_medium(words, word, &media[i], error) &&
-                                           lens_words_glass(words, glasses, &media[i], error)))) {
-            return false;
-        }
+    double value = number.value.hi;
+    if (!(value >= 1 && value <= (double)lens->surface_count && value == floor(value))) {
+        return file_words_fail(words, word, error, "surfaces have the numbers 1 to %zu",
+                               lens->surface_count);
     }
-    setting.media = media;
-    return lens_setting_report(words, name, lens_setting_add(lens, setting, words->arena), error);
-}
-
-static bool lens_setting_read_stops(struct file_words *words, struct text name, struct lens *lens,
-                                    struct error *error)
-{
-    size_t *stops = ARENA_ARRAY(words->arena, lens->position_count, size_t);
-    struct text word;
-    for (size_t i = 0; i <= lens->position_count; i++) {
-        struct figure number = {.variable = LENS_NONE};
-        if (!lens_setting_next_value(words, lens, i, &word, error)) {
-            return false;
-        }
-        if (i == lens->position_count) {
-            break;
-        }
-        if (!lens_words_figure(words, word, NUMBER_UNSCALED, "surface", &number, error)) {
-            return false;
-        }
-        double value = number.value.hi;
-        if (!(value >= 1 && value <= (double)lens->surface_count && value == floor(value))) {
-            return file_words_fail(words, word, error, "surfaces have the numbers 1 to %zu",
-                                   lens->surface_count);
-        }
-        stops[i] = (size_t)value - 1;
-    }
-    return lens_setting_report(words, name, lens_setting_stops(lens, stops, words->arena), error);
+    *stop = (size_t)value - 1;
+    return true;
 }
 
 const char *lens_light_write(const struct lens_light *light, struct arena *arena)
@@ -264,38 +214,67 @@ bool lens_light_read(const struct file_words *words, struct text list, struct le
     return true;
 }
 
-static bool lens_setting_read_lights(struct file_words *words, struct text name, struct lens *lens,
-                                     struct error *error)
-{
-    struct lens_light *lights = ARENA_ARRAY(words->arena, lens->position_count, struct lens_light);
-    struct text word;
-    for (size_t i = 0; i <= lens->position_count; i++) {
-        if (!lens_setting_next_value(words, lens, i, &word, error)) {
-            return false;
-        }
-        if (i < lens->position_count && !lens_light_read(words, word, &lights[i], error)) {
-            return false;
-        }
-    }
-    return lens_setting_report(words, name, lens_setting_lights(lens, lights), error);
-}
+/* What a line sets anew. */
+enum set_what { SET_FIGURES, SET_MEDIA, SET_STOPS, SET_LIGHTS, SET_POINTS };
 
-static bool lens_setting_read_points(struct file_words *words, struct text name, struct lens *lens,
+/* The values of all positions, and what speaks against them. */
+static bool lens_setting_read_values(struct file_words *words, struct text name, enum set_what what,
+                                     struct lens_setting setting,
+                                     const struct glass_source *glasses, struct lens *lens,
                                      struct error *error)
 {
-    struct lens_points *points =
-        ARENA_ARRAY(words->arena, lens->position_count, struct lens_points);
+    const size_t count = lens->position_count;
+    struct figure *figures = ARENA_ARRAY(words->arena, count, struct figure);
+    struct medium *media = ARENA_ARRAY(words->arena, count, struct medium);
+    size_t *stops = ARENA_ARRAY(words->arena, count, size_t);
+    struct lens_light *lights = ARENA_ARRAY(words->arena, count, struct lens_light);
+    struct lens_points *points = ARENA_ARRAY(words->arena, count, struct lens_points);
     struct text word;
-    for (size_t i = 0; i <= lens->position_count; i++) {
+    const char *why = NULL;
+    bool read = true;
+    for (size_t i = 0; i < count && read; i++) {
         if (!lens_setting_next_value(words, lens, i, &word, error)) {
             return false;
         }
-        if (i < lens->position_count &&
-            !lens_words_points(words, word, lens->field_kind, &points[i], error)) {
-            return false;
+        switch (what) {
+        case SET_FIGURES:
+            read = lens_setting_read_number(words, word, setting.parameter, &figures[i], error);
+            break;
+        case SET_MEDIA:
+            read = lens_words_medium(words, word, &media[i], error) &&
+                   lens_words_glass(words, glasses, &media[i], error);
+            break;
+        case SET_STOPS:
+            read = lens_setting_read_stop(words, word, lens, &stops[i], error);
+            break;
+        case SET_LIGHTS:
+            read = lens_light_read(words, word, &lights[i], error);
+            break;
+        case SET_POINTS:
+            read = lens_words_points(words, word, lens->field_kind, &points[i], error);
+            break;
         }
     }
-    return lens_setting_report(words, name, lens_setting_points(lens, points), error);
+    if (!read || !lens_setting_next_value(words, lens, count, &word, error)) {
+        return false;
+    }
+    switch (what) {
+    case SET_STOPS:
+        why = lens_setting_stops(lens, stops, words->arena);
+        break;
+    case SET_LIGHTS:
+        why = lens_setting_lights(lens, lights);
+        break;
+    case SET_POINTS:
+        why = lens_setting_points(lens, points);
+        break;
+    default:
+        setting.figures = what == SET_FIGURES ? figures : NULL;
+        setting.media = what == SET_MEDIA ? media : NULL;
+        why = lens_setting_add(lens, setting, words->arena);
+        break;
+    }
+    return why == NULL || file_words_fail(words, name, error, "%s", why);
 }
 
 bool lens_setting_takes(enum parameter_kind kind)
@@ -311,14 +290,15 @@ bool lens_setting_read(struct file_words *words, const struct glass_source *glas
     if (lens->position_count == 0) {
         return file_words_fail(words, name, error, "'set' needs a line with 'position' before it");
     }
-    if (text_equal(name, "stop")) {
-        return lens_setting_read_stops(words, name, lens, error);
-    }
-    if (text_equal(name, "wavelength")) {
-        return lens_setting_read_lights(words, name, lens, error);
-    }
-    if (text_equal(name, "field")) {
-        return lens_setting_read_points(words, name, lens, error);
+    static const struct {
+        const char *name;
+        enum set_what what;
+    } others[] = {{"stop", SET_STOPS}, {"wavelength", SET_LIGHTS}, {"field", SET_POINTS}};
+    for (size_t i = 0; i < sizeof others / sizeof others[0]; i++) {
+        if (text_equal(name, others[i].name)) {
+            return lens_setting_read_values(words, name, others[i].what, setting, glasses, lens,
+                                            error);
+        }
     }
     if (!parameter_read(name, lens_setting_takes, &setting.parameter, error)) {
         const struct error found = *error;
@@ -330,7 +310,7 @@ bool lens_setting_read(struct file_words *words, const struct glass_source *glas
                                "the positions set a medium as a whole: glass%zu 1.5/60 1.6/40",
                                setting.parameter.surface + 1);
     }
-    return setting.parameter.kind == PARAMETER_GLASS
-               ? lens_setting_read_media(words, name, setting, glasses, lens, error)
-               : lens_setting_read_figures(words, name, setting, lens, error);
+    return lens_setting_read_values(
+        words, name, setting.parameter.kind == PARAMETER_GLASS ? SET_MEDIA : SET_FIGURES, setting,
+        glasses, lens, error);
 }

@@ -14,10 +14,29 @@ struct surface_reader {
     struct surface *surface;
     struct displacement *decentre;
     struct vary *varies;
-    const struct lens_surface_line *line;
+    struct lens_variables *variables;
     bool stops;    /* the word stop stands there already */
     unsigned seen; /* bit i: extras[i] stands there already */
 };
+
+size_t lens_variable_find(struct lens_variables *variables, const struct file_words *words,
+                          struct text name)
+{
+    struct lens *lens = variables->lens;
+    for (size_t i = 0; i < lens->variable_count; i++) {
+        if (text_identical(lens->variables[i].name, name)) {
+            return i;
+        }
+    }
+    size_t room = variables->room;
+    lens->variables = arena_grow(words->arena, lens->variables, lens->variable_count,
+                                 &variables->room, sizeof lens->variables[0]);
+    variables->lines = arena_grow(words->arena, variables->lines, lens->variable_count, &room,
+                                  sizeof variables->lines[0]);
+    lens->variables[lens->variable_count] = (struct lens_variable){.name = name};
+    variables->lines[lens->variable_count] = *words;
+    return lens->variable_count++;
+}
 
 static bool lens_surface_is_name(struct text text)
 {
@@ -49,7 +68,7 @@ static bool read_radius(struct file_words *words, struct surface *surface, struc
 
 /* A length, or the name of a variable, or '-' for none. */
 static bool lens_surface_read_cell(struct file_words *words, const char *what,
-                                   const struct lens_surface_line *line, struct figure *figure,
+                                   struct lens_variables *variables, struct figure *figure,
                                    bool *is_given, struct error *error)
 {
     struct text word = file_words_next(words);
@@ -59,7 +78,7 @@ static bool lens_surface_read_cell(struct file_words *words, const char *what,
         return true;
     }
     if (lens_surface_is_name(word) && !text_equal(word, "inf")) {
-        figure->variable = line->variable(line->context, word);
+        figure->variable = lens_variable_find(variables, words, word);
         return true;
     }
     return lens_words_figure(words, word, words->scale, what, figure, error) ||
@@ -150,7 +169,8 @@ static bool read_hiatus(struct surface_reader *reading, struct text value, struc
     struct surface *surface = reading->surface;
     if (lens_surface_is_name(value)) {
         surface->hiatus = (struct figure){
-            .typed = value, .variable = reading->line->variable(reading->line->context, value)};
+            .typed = value,
+            .variable = lens_variable_find(reading->variables, reading->words, value)};
         return true;
     }
     return lens_words_figure(reading->words, value, reading->words->scale, "hiatus",
@@ -311,13 +331,14 @@ static bool lens_surface_read_medium(struct file_words *words, const struct medi
 }
 
 /* The cell in place of the radius: a number or a variable, not 0. */
-static bool read_focal(struct file_words *words, const struct lens_surface_line *line,
+static bool read_focal(struct file_words *words, struct lens_variables *variables,
                        struct surface *surface, struct error *error)
 {
     bool is_given;
     surface->is_plane = true;
     surface->radius = (struct figure){.variable = LENS_NONE};
-    if (!lens_surface_read_cell(words, "focal length", line, &surface->focal, &is_given, error)) {
+    if (!lens_surface_read_cell(words, "focal length", variables, &surface->focal, &is_given,
+                                error)) {
         return false;
     }
     bool is_number = surface->focal.variable == LENS_NONE;
@@ -326,18 +347,19 @@ static bool read_focal(struct file_words *words, const struct lens_surface_line 
                            "a thick lens has a focal length other than 0");
 }
 
-bool lens_surface_read(struct file_words *words, const struct lens_surface_line *line,
+bool lens_surface_read(struct file_words *words, enum surface_kind kind,
+                       const struct medium *before, struct lens_variables *variables,
                        struct surface *surface, struct error *error)
 {
-    struct surface_reader reading = {.words = words, .surface = surface, .line = line};
-    bool is_stop = line->kind == SURFACE_STOP;
-    *surface = (struct surface){.kind = line->kind, .is_stop = is_stop};
+    struct surface_reader reading = {.words = words, .surface = surface, .variables = variables};
+    bool is_stop = kind == SURFACE_STOP;
+    *surface = (struct surface){.kind = kind, .is_stop = is_stop};
     surface->curvature.variable = surface->conic.variable = LENS_NONE;
     surface->focal.variable = surface->hiatus.variable = LENS_NONE;
     for (int i = 0; i < LENS_COEFFICIENTS; i++) {
         surface->coefficient[i].variable = LENS_NONE;
     }
-    if (surface_has(surface, SURFACE_HAS_FOCAL) ? !read_focal(words, line, surface, error)
+    if (surface_has(surface, SURFACE_HAS_FOCAL) ? !read_focal(words, variables, surface, error)
                                                 : !read_radius(words, surface, error)) {
         return false;
     }
@@ -346,11 +368,11 @@ bool lens_surface_read(struct file_words *words, const struct lens_surface_line 
                                "a stop is a plane: for a stop on glass put the word stop behind "
                                "the diameter of its surface");
     }
-    if (!lens_surface_read_cell(words, "thickness", line, &surface->thickness,
+    if (!lens_surface_read_cell(words, "thickness", variables, &surface->thickness,
                                 &surface->has_thickness, error) ||
-        !lens_surface_read_medium(words, line->before, surface, error) ||
-        !lens_surface_read_cell(words, "diameter", line, &surface->diameter, &surface->has_diameter,
-                                error)) {
+        !lens_surface_read_medium(words, before, surface, error) ||
+        !lens_surface_read_cell(words, "diameter", variables, &surface->diameter,
+                                &surface->has_diameter, error)) {
         return false;
     }
     if (surface->has_diameter && surface->diameter.variable == LENS_NONE &&

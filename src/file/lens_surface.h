@@ -6,19 +6,25 @@
 #include "file/file_words.h"
 #include "optics/lens.h"
 
-/* Finds or makes the variable of this name and gives its index. */
-typedef size_t lens_variable_function(void *context, struct text name);
-
-/* What the line stands in. */
-struct lens_surface_line {
-    enum surface_kind kind;      /* SURFACE_REFRACT for `surface`, SURFACE_STOP, SURFACE_THICK */
-    const struct medium *before; /* the surface; what a mirror leaves it in */
-    lens_variable_function *variable; /* for cells that are names */
-    void *context;                    /* of variable */
+/* The variables of a lens being read, and where each was first used. */
+struct lens_variables {
+    struct lens *lens;
+    struct file_words *lines;
+    size_t room;
 };
 
-/* Read what follows the word `surface`, `stop` or `thick`. */
-bool lens_surface_read(struct file_words *words, const struct lens_surface_line *line,
+/* The index of the variable of this name, made if there is none. */
+size_t lens_variable_find(struct lens_variables *variables, const struct file_words *words,
+                          struct text name);
+
+/*
+ * Read what follows the word `surface`, `stop` or `thick`.
+ *
+ * Given     kind    SURFACE_REFRACT for `surface`, SURFACE_STOP, SURFACE_THICK
+ *           before  the medium before the surface; what a mirror leaves it in
+ */
+bool lens_surface_read(struct file_words *words, enum surface_kind kind,
+                       const struct medium *before, struct lens_variables *variables,
                        struct surface *surface, struct error *error);
 
 /* Read what follows `bend`, a coordinate break. */

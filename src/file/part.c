@@ -194,6 +194,16 @@ static uint64_t items_of(const struct part_head *head)
     return range.end - range.begin;
 }
 
+/* The first line of a head that is not as it should be; LINES: none. */
+static enum part_line first_wrong(const bool sound[LINES])
+{
+    int line = 0;
+    while (line < LINES && sound[line]) {
+        line++;
+    }
+    return (enum part_line)line;
+}
+
 /* The values of the head's lines, made what they are. Result: the line that is wrong, or LINES. */
 static enum part_line understand(const struct text values[LINES], struct part_head *head,
                                  uint64_t *length, struct digest_name *body)
@@ -202,37 +212,22 @@ static enum part_line understand(const struct text values[LINES], struct part_he
     head->command = values[COMMAND];
     head->words = values[WORDS];
     head->version = values[VERSION];
-    if (!part_is_plain(values[COMMAND])) {
-        return COMMAND;
+    bool sound[LINES] = {
+        [COMMAND] = part_is_plain(head->command),
+        [WORDS] = part_is_plain(head->words),
+        [VERSION] = part_is_plain(head->version),
+        [INPUT] = digest_of_line(values[INPUT], &head->input),
+        [SEED] = whole_of(values[SEED], &head->seed),
+        [PART] = part_take_part(&at, at + values[PART].length, &head->part),
+        [ITEMS] = whole_of(values[ITEMS], &head->total),
+        [DONE] = whole_of(values[DONE], &head->done),
+        [LENGTH] = whole_of(values[LENGTH], length),
+        [BODY] = digest_of_line(values[BODY], body),
+    };
+    if (first_wrong(sound) > DONE) {
+        sound[DONE] = head->done <= items_of(head);
     }
-    if (!part_is_plain(values[WORDS])) {
-        return WORDS;
-    }
-    if (!part_is_plain(values[VERSION])) {
-        return VERSION;
-    }
-    if (!digest_of_line(values[INPUT], &head->input)) {
-        return INPUT;
-    }
-    if (!whole_of(values[SEED], &head->seed)) {
-        return SEED;
-    }
-    if (!part_take_part(&at, at + values[PART].length, &head->part)) {
-        return PART;
-    }
-    if (!whole_of(values[ITEMS], &head->total)) {
-        return ITEMS;
-    }
-    if (!whole_of(values[DONE], &head->done) || head->done > items_of(head)) {
-        return DONE;
-    }
-    if (!whole_of(values[LENGTH], length)) {
-        return LENGTH;
-    }
-    if (!digest_of_line(values[BODY], body)) {
-        return BODY;
-    }
-    return LINES;
+    return first_wrong(sound);
 }
 
 bool part_is(struct text first)
@@ -282,28 +277,19 @@ bool part_read(const char *path, struct text content, struct part_file *file, st
 /* Which line of a head is not that of its run's; LINES: none. */
 static enum part_line different(const struct part_head *run, const struct part_head *head)
 {
-    if (!text_identical(run->command, head->command)) {
-        return COMMAND;
-    }
-    if (!text_identical(run->words, head->words)) {
-        return WORDS;
-    }
-    if (!text_identical(run->version, head->version)) {
-        return VERSION;
-    }
-    if (strcmp(run->input.text, head->input.text) != 0) {
-        return INPUT;
-    }
-    if (run->seed != head->seed) {
-        return SEED;
-    }
-    if (run->part.count != head->part.count) {
-        return PART;
-    }
-    if (run->total != head->total) {
-        return ITEMS;
-    }
-    return LINES;
+    const bool same[LINES] = {
+        [COMMAND] = text_identical(run->command, head->command),
+        [WORDS] = text_identical(run->words, head->words),
+        [VERSION] = text_identical(run->version, head->version),
+        [INPUT] = strcmp(run->input.text, head->input.text) == 0,
+        [SEED] = run->seed == head->seed,
+        [PART] = run->part.count == head->part.count,
+        [ITEMS] = run->total == head->total,
+        [DONE] = true,
+        [LENGTH] = true,
+        [BODY] = true,
+    };
+    return first_wrong(same);
 }
 
 /* An option without its value: "--size" of "--size=60x40". */
