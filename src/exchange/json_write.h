@@ -6,11 +6,11 @@
 #include "optics/growing.h"
 
 /* In quotes, escaped; what is no UTF-8 becomes the replacement character. A null one is null. */
-void json_put_text(struct text_buffer *to, struct text text);
-void json_put_string(struct text_buffer *to, const char *string);
+const char *json_of_text(struct arena *arena, struct text text);
+const char *json_of_string(struct arena *arena, const char *string);
 
 /* With the shortest digits that read back to the same bits; null where it is not finite. */
-void json_put_number(struct text_buffer *to, double value);
-void json_put_pair(struct text_buffer *to, struct pair value);
+const char *json_of_number(struct arena *arena, double value);
+const char *json_of_pair(struct arena *arena, struct pair value);
 
 #endif

@@ -16,7 +16,7 @@ static void lens_json_design_put_line(struct text_buffer *text, const char *key,
                                       struct text line)
 {
     growing_string(text, i == 0 ? key : ",");
-    json_put_text(text, line);
+    growing_string(text, json_of_text(text->arena, line));
 }
 
 void json_put_design(struct text_buffer *text, const struct lens *lens, struct arena *arena)
