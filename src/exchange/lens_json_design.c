@@ -49,8 +49,7 @@ static bool lens_json_design_read_lines(struct json_reader *reading, const struc
     if (!json_check_array(reading, value, "texts", error)) {
         return false;
     }
-    for (const struct json_value *item = json_is_null(value) ? NULL : value->first; item != NULL;
-         item = item->next) {
+    for (const struct json_value *item = json_first(value); item != NULL; item = item->next) {
         if (item->kind != JSON_STRING ||
             memchr(item->text.start, '\n', item->text.length) != NULL) {
             return json_wrong(reading, item, error, "expected a line of text here");

@@ -50,8 +50,7 @@ static bool lens_json_read_waves(struct json_reader *reading, const struct json_
     if (!json_check_array(reading, value, "wavelengths", error)) {
         return false;
     }
-    for (const struct json_value *item = json_is_null(value) ? NULL : value->first; item != NULL;
-         item = item->next) {
+    for (const struct json_value *item = json_first(value); item != NULL; item = item->next) {
         if (!lens_json_read_wave(reading, item, error)) {
             return false;
         }
@@ -173,8 +172,7 @@ static bool lens_json_read_fields(struct json_reader *reading, const struct json
     struct figure *figures;
     int choice = 0;
     if (!json_check_array(reading, fields, "numbers", error) ||
-        (!json_is_null(kind) &&
-         !json_read_choice(reading, kind, kinds, FIELD_KINDS, &choice, error))) {
+        !json_read_choice(reading, kind, kinds, FIELD_KINDS, &choice, error)) {
         return false;
     }
     if (json_is_null(fields) || fields->count == 0) {
@@ -211,7 +209,7 @@ static bool lens_json_read_aperture(struct json_reader *reading, const struct js
     const struct json_value *kind = json_item(root, "aperture_kind"),
                             *value = json_item(root, "aperture");
     int choice = 0;
-    if (!json_is_null(kind) && !json_read_choice(reading, kind, kinds, 5, &choice, error)) {
+    if (!json_read_choice(reading, kind, kinds, 5, &choice, error)) {
         return false;
     }
     lens->aperture_kind = (enum aperture_kind)choice;
@@ -281,8 +279,7 @@ static bool read_notes(struct json_reader *reading, const struct json_value *val
     if (!json_check_array(reading, value, "texts", error)) {
         return false;
     }
-    for (const struct json_value *item = json_is_null(value) ? NULL : value->first; item != NULL;
-         item = item->next) {
+    for (const struct json_value *item = json_first(value); item != NULL; item = item->next) {
         if (item->kind != JSON_STRING) {
             return json_wrong(reading, item, error, "a note is a text");
         }
@@ -337,8 +334,7 @@ static bool lens_json_read_unit(struct json_reader *reading, const struct json_v
     for (size_t i = 0; i < LENS_UNITS; i++) {
         units[i] = lens_units[i].word;
     }
-    if (!json_is_null(value) &&
-        !json_read_choice(reading, value, units, LENS_UNITS, &choice, error)) {
+    if (!json_read_choice(reading, value, units, LENS_UNITS, &choice, error)) {
         return false;
     }
     reading->build.lens->unit = units[choice];
@@ -350,8 +346,7 @@ static bool lens_json_read_focus(struct json_reader *reading, const struct json_
 {
     static const char *const words[] = {"paraxial", "table", "best", "afocal"};
     int choice = 0;
-    bool done =
-        json_is_null(value) || json_read_choice(reading, value, words, FOCUS_KINDS, &choice, error);
+    bool done = json_read_choice(reading, value, words, FOCUS_KINDS, &choice, error);
     reading->build.lens->focus = (enum focus_kind)choice;
     return done;
 }

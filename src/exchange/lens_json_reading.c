@@ -97,6 +97,9 @@ bool json_read_text(struct json_reader *reading, const struct json_value *value,
 bool json_read_choice(struct json_reader *reading, const struct json_value *value,
                       const char *const *words, size_t count, int *choice, struct error *error)
 {
+    if (json_is_null(value)) {
+        return true;
+    }
     for (size_t i = 0; value->kind == JSON_STRING && i < count; i++) {
         if (text_equal(value->text, words[i])) {
             *choice = (int)i;
@@ -135,8 +138,7 @@ bool json_read_figure(struct json_reader *reading, const struct json_value *valu
 {
     struct pair number = {0, 0};
     struct text text = value->text;
-    const char *end = text.start + text.length;
-    if (value->kind != JSON_BARE || pair_read(text.start, end, NUMBER_UNSCALED, &number) != end ||
+    if (value->kind != JSON_BARE || !text_pair(text, NUMBER_UNSCALED, &number) ||
         !(fabs(number.hi) < 1e100)) {
         return json_wrong(reading, value, error, "expected a number below 1e100 here");
     }

@@ -30,11 +30,17 @@ bool json_check_keys(struct json_reader *reading, const struct json_value *objec
 /* Absent, or null. */
 bool json_is_null(const struct json_value *value);
 
+/* The first item of what is there; null of what is not. */
+static inline const struct json_value *json_first(const struct json_value *value)
+{
+    return json_is_null(value) ? NULL : value->first;
+}
+
 /* A text as a .lens file can hold it, in the arena; null where there is none. */
 bool json_read_text(struct json_reader *reading, const struct json_value *value, const char **text,
                     struct error *error);
 
-/* Which of the words a text is. */
+/* Which of the words a text is; of what is absent *choice stays. */
 bool json_read_choice(struct json_reader *reading, const struct json_value *value,
                       const char *const *words, size_t count, int *choice, struct error *error);
 

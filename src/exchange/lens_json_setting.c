@@ -8,118 +8,105 @@
 #include <math.h>
 #include <string.h>
 
-static bool lens_json_setting_report(struct json_reader *reading, const struct json_value *value,
-                                     const char *why, struct error *error)
+/* A number; a radius that is null is that of a plane. */
+static bool json_set_figure(struct json_reader *reading, const struct json_value *item,
+                            struct parameter parameter, struct figure *figure, struct error *error)
 {
-    return why == NULL || json_wrong(reading, value, error, "%s", why);
-}
-
-/* Numbers; a radius that is null is that of a plane. */
-static bool lens_json_setting_read_figures(struct json_reader *reading,
-                                           const struct json_value *values,
-                                           struct lens_setting setting, struct error *error)
-{
-    struct lens *lens = reading->build.lens;
-    struct arena *arena = reading->job->arena;
-    const enum parameter_kind kind = setting.parameter.kind;
+    const enum parameter_kind kind = parameter.kind;
     bool angle = (parameter_type(kind)->is & PARAMETER_IS_ANGLE) != 0;
-    int power = angle ? JSON_ANGLE : parameter_length(kind, setting.parameter.order);
-    struct figure *figures = ARENA_ARRAY(arena, lens->position_count, struct figure);
-    size_t i = 0;
-    for (const struct json_value *item = values->first; item != NULL; item = item->next, i++) {
-        if (kind == PARAMETER_RADIUS && item->kind == JSON_NULL) {
-            figures[i] = (struct figure){{INFINITY, 0}, text_of("inf"), LENS_NONE};
-        } else if (!json_read_figure(reading, item, power, &figures[i], error)) {
-            return false;
-        } else if ((kind == PARAMETER_RADIUS || kind == PARAMETER_FOCAL) &&
-                   figures[i].value.hi == 0) {
-            return json_wrong(reading, item, error, "the %s is 0", parameter_type(kind)->words);
-        }
+    int power = angle ? JSON_ANGLE : parameter_length(kind, parameter.order);
+    if (kind == PARAMETER_RADIUS && item->kind == JSON_NULL) {
+        *figure = (struct figure){{INFINITY, 0}, text_of("inf"), LENS_NONE};
+        return true;
     }
-    setting.figures = figures;
-    return lens_json_setting_report(reading, values, lens_setting_add(lens, setting, arena), error);
+    if (!json_read_figure(reading, item, power, figure, error)) {
+        return false;
+    }
+    return (kind != PARAMETER_RADIUS && kind != PARAMETER_FOCAL) || figure->value.hi != 0 ||
+           json_wrong(reading, item, error, "the %s is 0", parameter_type(kind)->words);
 }
 
-static bool lens_json_setting_read_media(struct json_reader *reading,
-                                         const struct json_value *values,
-                                         struct lens_setting setting, struct error *error)
+static bool json_set_stop(struct json_reader *reading, const struct json_value *item, size_t *stop,
+                          struct error *error)
+{
+    const size_t count = reading->build.lens->surface_count;
+    struct figure number = {.variable = LENS_NONE};
+    if (!json_read_figure(reading, item, JSON_PLAIN, &number, error)) {
+        return false;
+    }
+    double value = number.value.hi;
+    if (!(value >= 1 && value <= (double)count && value == floor(value))) {
+        return json_wrong(reading, item, error, "surfaces have the numbers 1 to %zu", count);
+    }
+    *stop = (size_t)value - 1;
+    return true;
+}
+
+/* What a setting sets anew, and what is wrong where that is no text. */
+enum json_set { SET_FIGURES, SET_MEDIA, SET_STOPS, SET_LIGHTS, SET_POINTS };
+static const char *const no_text[] = {[SET_MEDIA] = "a medium is a text, as in a .lens file",
+                                      [SET_LIGHTS] = "wavelengths of a position are a text: d,F,C",
+                                      [SET_POINTS] = "fields of a position are a text: 0;5;7"};
+
+/* The values of all positions. */
+static bool json_set_values(struct json_reader *reading, const struct json_value *values,
+                            enum json_set what, struct lens_setting setting, struct error *error)
 {
     struct lens *lens = reading->build.lens;
     struct arena *arena = reading->job->arena;
-    struct medium *media = ARENA_ARRAY(arena, lens->position_count, struct medium);
-    size_t i = 0;
+    const size_t count = lens->position_count;
+    struct figure *figures = ARENA_ARRAY(arena, count, struct figure);
+    struct medium *media = ARENA_ARRAY(arena, count, struct medium);
+    size_t *stops = ARENA_ARRAY(arena, count, size_t), i = 0;
+    struct lens_light *lights = ARENA_ARRAY(arena, count, struct lens_light);
+    struct lens_points *points = ARENA_ARRAY(arena, count, struct lens_points);
     for (const struct json_value *item = values->first; item != NULL; item = item->next, i++) {
-        if (item->kind != JSON_STRING) {
-            return json_wrong(reading, item, error, "a medium is a text, as in a .lens file");
-        }
-        if (!json_read_medium(reading, item, &media[i], error)) {
-            return false;
-        }
-    }
-    setting.media = media;
-    return lens_json_setting_report(reading, values, lens_setting_add(lens, setting, arena), error);
-}
-
-static bool lens_json_setting_read_stops(struct json_reader *reading,
-                                         const struct json_value *values, struct error *error)
-{
-    struct lens *lens = reading->build.lens;
-    size_t *stops = ARENA_ARRAY(reading->job->arena, lens->position_count, size_t), i = 0;
-    for (const struct json_value *item = values->first; item != NULL; item = item->next, i++) {
-        struct figure number = {.variable = LENS_NONE};
-        if (!json_read_figure(reading, item, JSON_PLAIN, &number, error)) {
-            return false;
-        }
-        double value = number.value.hi;
-        if (!(value >= 1 && value <= (double)lens->surface_count && value == floor(value))) {
-            return json_wrong(reading, item, error, "surfaces have the numbers 1 to %zu",
-                              lens->surface_count);
-        }
-        stops[i] = (size_t)value - 1;
-    }
-    return lens_json_setting_report(reading, values,
-                                    lens_setting_stops(lens, stops, reading->job->arena), error);
-}
-
-static bool lens_json_setting_read_lights(struct json_reader *reading,
-                                          const struct json_value *values, struct error *error)
-{
-    struct lens *lens = reading->build.lens;
-    struct lens_light *lights =
-        ARENA_ARRAY(reading->job->arena, lens->position_count, struct lens_light);
-    size_t i = 0;
-    for (const struct json_value *item = values->first; item != NULL; item = item->next, i++) {
-        if (item->kind != JSON_STRING) {
-            return json_wrong(reading, item, error, "wavelengths of a position are a text: d,F,C");
-        }
-        struct file_words words = json_place(reading, item);
-        words.line = item->text;
-        if (!lens_light_read(&words, item->text, &lights[i], error)) {
-            return false;
-        }
-    }
-    return lens_json_setting_report(reading, values, lens_setting_lights(lens, lights), error);
-}
-
-static bool lens_json_setting_read_points(struct json_reader *reading,
-                                          const struct json_value *values, struct error *error)
-{
-    struct lens *lens = reading->build.lens;
-    struct lens_points *points =
-        ARENA_ARRAY(reading->job->arena, lens->position_count, struct lens_points);
-    size_t i = 0;
-    for (const struct json_value *item = values->first; item != NULL; item = item->next, i++) {
-        if (item->kind != JSON_STRING) {
-            return json_wrong(reading, item, error, "fields of a position are a text: 0;5;7");
+        bool of_text = what != SET_FIGURES && what != SET_STOPS, read = false;
+        if (of_text && item->kind != JSON_STRING) {
+            return json_wrong(reading, item, error, "%s", no_text[what]);
         }
         struct file_words words = json_place(reading, item);
         words.line = item->text;
         words.scale = lens_unit_scale("mm");
-        if (!lens_words_points(&words, item->text, lens->field_kind, &points[i], error)) {
+        switch (what) {
+        case SET_FIGURES:
+            read = json_set_figure(reading, item, setting.parameter, &figures[i], error);
+            break;
+        case SET_MEDIA:
+            read = json_read_medium(reading, item, &media[i], error);
+            break;
+        case SET_STOPS:
+            read = json_set_stop(reading, item, &stops[i], error);
+            break;
+        case SET_LIGHTS:
+            read = lens_light_read(&words, item->text, &lights[i], error);
+            break;
+        case SET_POINTS:
+            read = lens_words_points(&words, item->text, lens->field_kind, &points[i], error);
+            break;
+        }
+        if (!read) {
             return false;
         }
     }
-    return lens_json_setting_report(reading, values, lens_setting_points(lens, points), error);
+    const char *why = NULL;
+    switch (what) {
+    case SET_STOPS:
+        why = lens_setting_stops(lens, stops, arena);
+        break;
+    case SET_LIGHTS:
+        why = lens_setting_lights(lens, lights);
+        break;
+    case SET_POINTS:
+        why = lens_setting_points(lens, points);
+        break;
+    default:
+        setting.figures = what == SET_FIGURES ? figures : NULL;
+        setting.media = what == SET_MEDIA ? media : NULL;
+        why = lens_setting_add(lens, setting, arena);
+        break;
+    }
+    return why == NULL || json_wrong(reading, values, error, "%s", why);
 }
 
 static bool read_setting(struct json_reader *reading, const struct json_value *object,
@@ -137,22 +124,22 @@ static bool read_setting(struct json_reader *reading, const struct json_value *o
         !json_check_count(reading, values, error)) {
         return false;
     }
-    if (text_equal(name->text, "stop")) {
-        return lens_json_setting_read_stops(reading, values, error);
-    }
-    if (text_equal(name->text, "wavelength")) {
-        return lens_json_setting_read_lights(reading, values, error);
-    }
-    if (text_equal(name->text, "field")) {
-        return lens_json_setting_read_points(reading, values, error);
+    static const struct {
+        const char *name;
+        enum json_set what;
+    } others[] = {{"stop", SET_STOPS}, {"wavelength", SET_LIGHTS}, {"field", SET_POINTS}};
+    for (size_t i = 0; i < sizeof others / sizeof others[0]; i++) {
+        if (text_equal(name->text, others[i].name)) {
+            return json_set_values(reading, values, others[i].what, setting, error);
+        }
     }
     if (!parameter_read(name->text, lens_setting_takes, &setting.parameter, error) ||
         !lens_setting_takes(setting.parameter.kind)) {
         return json_wrong(reading, name, error, "nothing that a position sets: R3, k2, glass1");
     }
-    return setting.parameter.kind == PARAMETER_GLASS
-               ? lens_json_setting_read_media(reading, values, setting, error)
-               : lens_json_setting_read_figures(reading, values, setting, error);
+    return json_set_values(reading, values,
+                           setting.parameter.kind == PARAMETER_GLASS ? SET_MEDIA : SET_FIGURES,
+                           setting, error);
 }
 
 bool json_read_settings(struct json_reader *reading, const struct json_value *value,
@@ -161,8 +148,7 @@ bool json_read_settings(struct json_reader *reading, const struct json_value *va
     if (!json_check_array(reading, value, "settings", error)) {
         return false;
     }
-    for (const struct json_value *item = json_is_null(value) ? NULL : value->first; item != NULL;
-         item = item->next) {
+    for (const struct json_value *item = json_first(value); item != NULL; item = item->next) {
         if (!read_setting(reading, item, error)) {
             return false;
         }

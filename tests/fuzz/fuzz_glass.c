@@ -30,7 +30,7 @@ static void require_glass(const struct glass *glass)
 static void read_rows(struct glass_table *table, struct error *error)
 {
     struct arena arena = {0};
-    while (tsv_next(&table->tsv, error)) {
+    while (tsv_next(&table->rows.tsv, error)) {
         const struct arena_mark mark = arena_mark(&arena);
         for (int complete = 0; complete < 2; complete++) {
             struct glass_record record;
@@ -39,7 +39,8 @@ static void read_rows(struct glass_table *table, struct error *error)
                 require_glass(&record.glass);
             } else {
                 fuzz_require_error(&bad);
-                REQUIRE(bad.code == ERROR_DATA && bad.line == table->tsv.line && bad.column >= 1);
+                REQUIRE(bad.code == ERROR_DATA && bad.line == table->rows.tsv.line &&
+                        bad.column >= 1);
             }
         }
         arena_reset(&arena, mark);
@@ -56,7 +57,7 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
     char *content = fuzz_copy(data, size);
     struct glass_table table = {0};
     struct error error = {0};
-    if (tsv_open(&table.tsv, "fuzz.tsv", (struct text){content, size}, &error) &&
+    if (tsv_open(&table.rows.tsv, "fuzz.tsv", (struct text){content, size}, &error) &&
         glass_table_open(&table, text_of("FUZZ"), LENSDB_USER, &error)) {
         read_rows(&table, &error);
     } else {
