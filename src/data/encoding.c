@@ -75,7 +75,7 @@ static char *put_utf8(char *to, unsigned code)
         *to++ = (char)code;
         return to;
     }
-    int rest = code < 0x800 ? 1 : code < 0x10000 ? 2 : 3;
+    int rest = 1 + (code >= 0x800) + (code >= 0x10000);
     unsigned head = 0xf80u >> rest & 0xff;
     *to++ = (char)(head | code >> 6 * rest);
     while (rest-- > 0) {

@@ -276,7 +276,8 @@ static bool lens_json_surface_read_thick(struct json_reader *reading,
     struct figure *terms = NULL;
     bool is_given;
     if (!surface_has(surface, SURFACE_HAS_FOCAL)) {
-        const struct json_value *odd = focal != NULL ? focal : hiatus != NULL ? hiatus : distortion;
+        const struct json_value *odd = focal != NULL ? focal : hiatus;
+        odd = odd != NULL ? odd : distortion;
         return odd == NULL || json_wrong(reading, odd, error, "only a thick lens has this");
     }
     if (json_is_null(focal) || !surface->is_plane || surface->has_curvature) {

@@ -103,9 +103,10 @@ static const struct displacement *sequence_move_undone(const struct sequence *se
     }
     for (int i = 0; i < (turn ? 3 : 2); i++) {
         const struct figure *one = turn ? &from->turn[i] : &from->shift[i];
+        struct figure *back = turn ? &all->tilt[i] : &all->decenter[i];
         if (sequence_is_some(one)) {
             some = true;
-            *(turn ? &all->tilt[i] : &all->decenter[i]) = figure_negate(*one, sequence->job->arena);
+            *back = figure_negate(*one, sequence->job->arena);
         }
     }
     return some ? all : NULL;

@@ -21,9 +21,9 @@ static bool lens_mark_read_bound(const struct file_words *words, struct text tex
                                  const struct vary *mark, struct figure *figure,
                                  struct error *error)
 {
-    double sign = text_equal(text, "inf") ? 1 : text_equal(text, "-inf") ? -1 : 0;
-    if (sign != 0) {
-        *figure = (struct figure){{sign * (double)INFINITY, 0}, text, LENS_NONE};
+    const bool below = text_equal(text, "-inf");
+    if (below || text_equal(text, "inf")) {
+        *figure = (struct figure){{below ? -INFINITY : INFINITY, 0}, text, LENS_NONE};
         return true;
     }
     return lens_words_number(words, text, mark->kind, mark->order, figure, error);

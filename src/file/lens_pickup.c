@@ -190,9 +190,12 @@ static const char *lens_pickup_warning_of(const struct lens_pickup *pickup,
     }
     bool in_medium = was->figure.typed.start == NULL &&
                      (pickup->what.kind == PARAMETER_INDEX || pickup->what.kind == PARAMETER_ABBE);
-    double rounding = in_medium                         ? 1e-6 * fabs(was->number)
-                      : was->figure.typed.start != NULL ? figure_rounding(&was->figure)
-                                                        : (double)INFINITY;
+    double rounding = INFINITY;
+    if (in_medium) {
+        rounding = 1e-6 * fabs(was->number);
+    } else if (was->figure.typed.start != NULL) {
+        rounding = figure_rounding(&was->figure);
+    }
     return fabs(is->number - was->number) <= rounding + 1e-12 * fabs(was->number)
                ? NULL
                : arena_printf(arena, "%s is %.10g by its pick-up, not the %.10g of the file", name,

@@ -273,18 +273,18 @@ static bool lens_tolerance_read_number(const struct tolerance_line_reader *readi
     if (one->kind == TOLERANCE_COEFFICIENT && one->unit == TOLERANCE_NUMBER) {
         return lens_words_number(words, digits, PARAMETER_COEFFICIENT, one->order, amount, error);
     }
-    const struct number_scale scale = named != NULL ? named->scale
-                                      : is_length   ? words->scale
-                                                    : NUMBER_UNSCALED;
+    struct number_scale scale = is_length ? words->scale : NUMBER_UNSCALED;
+    double factor = one->unit == TOLERANCE_ANGLE ? RADIANS_PER_DEGREE : 1;
+    if (named != NULL) {
+        scale = named->scale;
+        factor = named->factor;
+    }
     if (!lens_words_figure(words, digits, scale, "tolerance", amount, error)) {
         const bool is_huge = !(fabs(amount->value.hi) < 1e100);
         return is_huge && one->kind <= TOLERANCE_ABBE &&
                error_hint(error, "a tolerance is less than the radius, thickness or index that "
                                  "it is of");
     }
-    const double factor = named != NULL                  ? named->factor
-                          : one->unit == TOLERANCE_ANGLE ? RADIANS_PER_DEGREE
-                                                         : 1;
     if (factor != 1) {
         amount->value = pair_multiply(amount->value, pair_of(factor));
     }

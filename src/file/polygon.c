@@ -73,15 +73,15 @@ static struct vector normal_of(const struct vector *corners, size_t count)
 static void drop(const struct vector *corners, size_t count, struct vector normal,
                  struct polygon_point *at)
 {
-    const double x = fabs(normal.x), y = fabs(normal.y), z = fabs(normal.z);
-    const int axis = x > y && x > z ? 0 : y > z ? 1 : 2;
-    const double along = axis == 0 ? normal.x : axis == 1 ? normal.y : normal.z;
+    const double along[] = {normal.x, normal.y, normal.z};
+    int axis = fabs(normal.y) > fabs(normal.z) ? 1 : 2;
+    if (fabs(normal.x) > fabs(normal.y) && fabs(normal.x) > fabs(normal.z)) {
+        axis = 0;
+    }
     for (size_t i = 0; i < count; i++) {
-        const struct vector c = corners[i];
-        const struct polygon_point point = axis == 0   ? (struct polygon_point){c.y, c.z}
-                                           : axis == 1 ? (struct polygon_point){c.z, c.x}
-                                                       : (struct polygon_point){c.x, c.y};
-        at[i] = along > 0 ? point : (struct polygon_point){point.y, point.x};
+        const double c[] = {corners[i].x, corners[i].y, corners[i].z};
+        const double x = c[(axis + 1) % 3], y = c[(axis + 2) % 3];
+        at[i] = along[axis] > 0 ? (struct polygon_point){x, y} : (struct polygon_point){y, x};
     }
 }
 

@@ -155,10 +155,14 @@ bool scene_colour_of(const struct scene_reader *reader, const struct scene_line 
     const struct file_words *words = line->words;
     struct scene_colour colour = {.spectrum = {.kind = SPECTRUM_RGB, .rgb = {1, 1, 1}}};
     if (scene_line_has(line, key)) {
-        const bool is_read = text.start[0] == '#' ? read_code(words, text, &colour.spectrum, error)
-                             : scene_colour_is_number(text)
-                                 ? scene_colour_read_parts(words, text, &colour.spectrum, error)
-                                 : scene_colour_find_named(reader, text, use, &colour, error);
+        bool is_read;
+        if (text.start[0] == '#') {
+            is_read = read_code(words, text, &colour.spectrum, error);
+        } else if (scene_colour_is_number(text)) {
+            is_read = scene_colour_read_parts(words, text, &colour.spectrum, error);
+        } else {
+            is_read = scene_colour_find_named(reader, text, use, &colour, error);
+        }
         if (!is_read || !scene_colour_check_use(words, text, use, &colour, error) ||
             (use == COLOUR_OF_LIGHT && scene_colour_is_number(text) &&
              !scene_colour_check_grey(words, text, &colour.spectrum, error))) {

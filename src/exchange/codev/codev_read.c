@@ -27,7 +27,11 @@ static bool read_space(struct codev *codev, int what, struct error *error)
     if (!yes && !text_same(word.text, "N") && !text_same(word.text, "NO")) {
         return commands_fail(&codev->commands, &word, error, "expected Y or N here");
     }
-    *(what == 'T' ? &codev->build.lens->is_telecentric : &codev->sequence.is_afocal) = yes;
+    if (what == 'T') {
+        codev->build.lens->is_telecentric = yes;
+    } else {
+        codev->sequence.is_afocal = yes;
+    }
     return commands_end(&codev->commands, 2, error);
 }
 

@@ -121,9 +121,14 @@ bool codev_waves(struct codev *codev, int what, struct error *error)
     if (codev->here.wave > 0) {
         return put_wave(codev, what == 'L', codev->here.wave, words[0], error);
     }
-    *(what == 'L' ? &codev->wavelengths : &codev->weights) = words;
-    *(what == 'L' ? &codev->wavelength_count : &codev->weight_count) = count;
-    codev->weight_room = what == 'L' ? codev->weight_room : 0;
+    if (what == 'L') {
+        codev->wavelengths = words;
+        codev->wavelength_count = count;
+    } else {
+        codev->weights = words;
+        codev->weight_count = count;
+        codev->weight_room = 0;
+    }
     return true;
 }
 

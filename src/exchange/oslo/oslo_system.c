@@ -61,13 +61,15 @@ static bool oslo_system_read_list(struct oslo *oslo, bool is_weight, struct erro
         return commands_fail(commands, &commands->words[0], error, "more than %d wavelengths",
                              OSLO_MOST_WAVES);
     }
+    struct text *all = is_weight ? oslo->weights : oslo->waves;
     for (size_t i = 0; i < count; i++) {
-        (is_weight ? oslo->weights : oslo->waves)[i] = commands->words[i + 1].text;
+        all[i] = commands->words[i + 1].text;
         if (!check_wave(oslo, i + 1, is_weight, error)) {
             return false;
         }
     }
-    *(is_weight ? &oslo->weight_count : &oslo->wave_count) = count;
+    size_t *known = is_weight ? &oslo->weight_count : &oslo->wave_count;
+    *known = count;
     return true;
 }
 
@@ -98,7 +100,8 @@ static bool oslo_system_read_entry(struct oslo *oslo, bool is_weight, struct err
         return commands_fail(&oslo->commands, word, error, "number %zu behind %zu wavelengths",
                              number, *count);
     }
-    (is_weight ? oslo->weights : oslo->waves)[number - 1] = oslo->commands.words[1].text;
+    struct text *all = is_weight ? oslo->weights : oslo->waves;
+    all[number - 1] = oslo->commands.words[1].text;
     *count = number > *count ? number : *count;
     return true;
 }

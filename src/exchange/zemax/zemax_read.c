@@ -158,7 +158,7 @@ static bool set_waves(struct zemax_file *file, struct error *error)
                                        file->primary + 1, count));
     }
     for (size_t i = 0; i < count; i++) {
-        size_t at = i == 0 ? file->primary : i <= file->primary ? i - 1 : i;
+        size_t at = i == 0 ? file->primary : i - (i <= file->primary);
         double wavelength = file->waves[at].value.hi, weight = file->weights[at].value.hi;
         if (!(wavelength > 0) || !(weight >= 0)) {
             return fail_waves(file, error,
