@@ -2,13 +2,330 @@
 /* SPDX-License-Identifier: MIT */
 #include "light/bands.h"
 
-#include "light/bands_many.h"
-#include "light/bands_match.h"
-#include "light/colour.h"
+#include "base/cholesky.h"
 #include "light/illuminant.h"
 #include "light/observer.h"
 
 #include <math.h>
+#include <string.h>
+
+/* -------- many bands -------- */
+
+/*
+ * Shares that surfaces of red and green reflect, row by row of the observer's wavelengths; blue is
+ * what they leave of 1: the smoothest that look so under D65, of our own programme, which
+ * tests/truth/check_basis.py solves. [Mallett19] 3
+ */
+/* clang-format off */
+static const double primaries[OBSERVER_ROWS][2] = {
+    {0.025135, 0}, {0.025135, 0}, {0.025135, 0}, {0.025133, 0}, {0.025131, 0}, {0.025126, 0},
+    {0.025117, 0}, {0.025101, 0}, {0.025068, 0}, {0.024997, 0}, {0.024865, 0}, {0.024617, 0},
+    {0.024173, 0}, {0.023426, 0}, {0.02233, 0}, {0.021004, 0}, {0.019785, 0}, {0.019322, 0},
+    {0.020556, 0}, {0.024813, 0}, {0.029419, 0.008395}, {0.023744, 0.050013}, {0.012768, 0.118442},
+    {0.002693, 0.204895}, {0, 0.300651}, {0, 0.402755}, {0, 0.507639}, {0, 0.611255}, {0, 0.70991},
+    {0, 0.799963}, {0, 0.877614}, {0, 0.939043}, {0, 0.980745}, {0, 1}, {0, 1}, {0, 1}, {0, 1},
+    {0, 1}, {0, 1}, {0, 1}, {0, 0.996671}, {0, 0.97606}, {0.035188, 0.92368}, {0.111217, 0.84004},
+    {0.217406, 0.733814}, {0.342725, 0.613948}, {0.475966, 0.489442}, {0.607275, 0.368188},
+    {0.728052, 0.257118}, {0.831306, 0.161846}, {0.911838, 0.08649}, {0.966537, 0.033463},
+    {0.995436, 0.004564}, {1, 0}, {1, 0}, {1, 0}, {1, 0}, {1, 0}, {1, 0}, {1, 0}, {1, 0}, {1, 0},
+    {1, 0}, {1, 0}, {1, 0}, {1, 0}, {1, 0}, {1, 0}, {1, 0}, {1, 0}, {1, 0}, {1, 0}, {1, 0}, {1, 0},
+    {1, 0}, {1, 0}, {1, 0}, {1, 0}, {1, 0}, {1, 0}, {1, 0}, {1, 0}, {1, 0}, {1, 0}, {1, 0}, {1, 0},
+    {1, 0}, {1, 0}, {1, 0}, {1, 0}, {1, 0}, {1, 0}, {1, 0}, {1, 0}, {1, 0},
+};
+/* clang-format on */
+
+/* Linear sRGB of sums over the spectrum, see observer_sum; white as IEC's matrix has it. */
+static void bands_rgb_of_sum(const double xyz[3], double rgb[3])
+{
+    const struct colour_matrix to_srgb = colour_inverse(&colour_xyz_of_srgb);
+    const struct colour colour = colour_turned(&to_srgb, (struct colour){{xyz[0], xyz[1], xyz[2]}});
+    for (int i = 0; i < 3; i++) {
+        rgb[i] = colour.part[i];
+    }
+}
+
+/* -------- stretches of the spectrum -------- */
+
+static double band_edge(size_t count, size_t k)
+{
+    return BANDS_FIRST + (BANDS_LAST - BANDS_FIRST) * (double)k / (double)count;
+}
+
+static void band_sums(size_t count, const struct spectrum *light, const struct spectrum *surface,
+                      double (*xyz)[3])
+{
+    double edges[BANDS_MOST + 1];
+    for (size_t k = 1; k < count; k++) {
+        edges[k] = band_edge(count, k);
+    }
+    edges[0] = OBSERVER_LEAST;
+    edges[count] = OBSERVER_MOST;
+    observer_sum(light, surface, edges, count, xyz);
+}
+
+/*
+ * Light in bands, perhaps reflected by a surface, with D65 as 1 in each: each is the middle of its
+ * stretch, the first and the last also hold what is seen beyond. `of` receives the ratio of sum
+ * x + y + z of a band to that of D65.
+ */
+static void bands_ratios(const struct bands *bands, const struct spectrum *light,
+                         const struct spectrum *surface, double of[BANDS_MOST])
+{
+    double xyz[BANDS_MOST][3];
+    band_sums(bands->count, light, surface, xyz);
+    for (size_t k = 0; k < bands->count; k++) {
+        of[k] = (xyz[k][0] + xyz[k][1] + xyz[k][2]) / bands->white[k];
+    }
+}
+
+/* -------- colours of sRGB -------- */
+
+/* Of surfaces of a primary: shares of each band. */
+static void set_basis(struct bands *bands, size_t primary)
+{
+    double wavelength[OBSERVER_ROWS], value[OBSERVER_ROWS], of[BANDS_MOST];
+    for (size_t i = 0; i < OBSERVER_ROWS; i++) {
+        wavelength[i] = OBSERVER_LEAST + OBSERVER_STEP * (double)i;
+        value[i] = primaries[i][primary];
+    }
+    const struct spectrum surface = {
+        .kind = SPECTRUM_TABLE, .count = OBSERVER_ROWS, .wavelength = wavelength, .value = value};
+    const struct spectrum d65 = spectrum_white();
+    bands_ratios(bands, &d65, &surface, of);
+    for (size_t k = 0; k < bands->count; k++) {
+        bands->basis[k][primary] = of[k];
+    }
+}
+
+/*
+ * The mixture of the primaries' shares by which X, Y or Z of each band must be multiplied so that
+ * the primaries have it as they should.
+ */
+static struct colour bands_many_mixture_of(const struct bands *bands, double (*xyz)[3], int i)
+{
+    const double *looks = colour_xyz_of_srgb.at[i];
+    struct colour_matrix shared = {{{0}}};
+    for (size_t k = 0; k < bands->count; k++) {
+        const double *basis = bands->basis[k];
+        for (int j = 0; j < 9; j++) {
+            shared.at[j / 3][j % 3] += xyz[k][i] * basis[j / 3] * basis[j % 3];
+        }
+    }
+    const struct colour_matrix back = colour_inverse(&shared);
+    return colour_turned(&back, (struct colour){{looks[0], looks[1], looks[2]}});
+}
+
+/*
+ * Let the three primaries look as they should: means over a band take some of their saturation,
+ * 0.5 % with 32 bands, which all colours get back here. X, Y and Z of each band get factors of
+ * their own, near 1: a matrix that is the same for all would take more Y from violet, which has
+ * hardly any, than there is.
+ */
+static void set_colours(struct bands *bands, double (*xyz)[3])
+{
+    for (int i = 0; i < 3; i++) {
+        const struct colour mixture = bands_many_mixture_of(bands, xyz, i);
+        for (size_t k = 0; k < bands->count; k++) {
+            const double *basis = bands->basis[k];
+            xyz[k][i] *= mixture.part[0] * basis[0] + mixture.part[1] * basis[1] +
+                         mixture.part[2] * basis[2];
+        }
+    }
+    for (size_t k = 0; k < bands->count; k++) {
+        bands_rgb_of_sum(xyz[k], bands->rgb[k]);
+    }
+}
+
+bool bands_many(size_t count, struct bands *bands, struct error *error)
+{
+    if (!(count >= BANDS_LEAST && count <= BANDS_MOST)) {
+        return fail(error, ERROR_DOMAIN, "%zu bands of the spectrum; there may be %d to %d", count,
+                    BANDS_LEAST, BANDS_MOST);
+    }
+    double xyz[BANDS_MOST][3];
+    const struct spectrum d65 = spectrum_white();
+    *bands = (struct bands){.count = count};
+    band_sums(count, &d65, NULL, xyz);
+    for (size_t k = 0; k < count; k++) {
+        bands->wavelength[k] = (band_edge(count, k) + band_edge(count, k + 1)) / 2;
+        bands->white[k] = xyz[k][0] + xyz[k][1] + xyz[k][2];
+    }
+    set_basis(bands, 0);
+    set_basis(bands, 1);
+    for (size_t k = 0; k < count; k++) {
+        const double blue = 1 - bands->basis[k][0] - bands->basis[k][1];
+        bands->basis[k][2] = blue > 0 ? blue : 0;
+    }
+    set_colours(bands, xyz);
+    return true;
+}
+
+/* -------- lights by their colour -------- */
+
+static const double penalty = 1e10;
+
+enum { STEPS_MOST = 100, HALVINGS_MOST = 40 };
+
+struct match {
+    size_t count;
+    double share[BANDS_MOST];     /* a: of X + Y + Z in all */
+    double width[BANDS_MOST];     /* w */
+    double colour[BANDS_MOST][3]; /* c: X, Y, Z over their sum */
+    double wanted[3];             /* t */
+};
+
+static double colour_sum(struct colour xyz)
+{
+    return xyz.part[0] + xyz.part[1] + xyz.part[2];
+}
+
+static struct colour xyz_of(const double rgb[3])
+{
+    return colour_turned(&colour_xyz_of_srgb, (struct colour){{rgb[0], rgb[1], rgb[2]}});
+}
+
+struct colour bands_whole(const struct spectrum *light)
+{
+    static const double seen[2] = {OBSERVER_LEAST, OBSERVER_MOST};
+    const struct spectrum d65 = spectrum_white();
+    double xyz[1][3], white[1][3];
+    observer_sum(light, NULL, seen, 1, xyz);
+    observer_sum(&d65, NULL, seen, 1, white);
+    struct colour whole = xyz_of((double[3]){1, 1, 1});
+    for (int i = 0; i < 3; i++) {
+        whole.part[i] *= xyz[0][i] / white[0][i];
+    }
+    return whole;
+}
+
+/* What is looked for. `units` receives X + Y + Z of a unit of each band. */
+static void set_match(struct match *match, const struct bands *bands, struct colour wanted,
+                      const double of[BANDS_MOST], double units[BANDS_MOST])
+{
+    double all = 0;
+    match->count = bands->count;
+    for (size_t k = 0; k < bands->count; k++) {
+        const struct colour xyz = xyz_of(bands->rgb[k]);
+        units[k] = colour_sum(xyz);
+        match->share[k] = of[k] * units[k];
+        all += match->share[k];
+        for (int i = 0; i < 3; i++) {
+            match->colour[k][i] = xyz.part[i] / units[k];
+        }
+    }
+    for (size_t k = 0; k < bands->count; k++) {
+        match->share[k] /= all;
+    }
+    for (size_t k = 0; k < bands->count; k++) {
+        const double before = k > 0 ? match->share[k - 1] : 0;
+        const double behind = k + 1 < bands->count ? match->share[k + 1] : 0;
+        match->width[k] = match->share[k] / 2 + (before + behind) / 4;
+    }
+    for (int i = 0; i < 3; i++) {
+        match->wanted[i] = wanted.part[i] / colour_sum(wanted);
+    }
+}
+
+static double share_at(const struct match *match, size_t k, const double m[3])
+{
+    const double *c = match->colour[k];
+    const double share =
+        match->share[k] + match->width[k] * (c[0] * m[0] + c[1] * m[1] + c[2] * m[2]);
+    return share > 0 ? share : 0;
+}
+
+/*
+ * What is smallest where m is right, with its slope and, unless null, its curvatures: the dual of
+ * the quadratic problem. Bands without width have no share and count nothing.
+ */
+static double dual_at(const struct match *match, const double m[3], double slope[3],
+                      double curvature[9])
+{
+    double value = 0;
+    for (int i = 0; i < 3; i++) {
+        value += m[i] * (m[i] / (2 * penalty) - match->wanted[i]);
+        slope[i] = m[i] / penalty - match->wanted[i];
+        for (int j = 0; j < 3 && curvature != NULL; j++) {
+            curvature[3 * i + j] = i == j ? 1 / penalty : 0;
+        }
+    }
+    for (size_t k = 0; k < match->count; k++) {
+        const double share = share_at(match, k, m);
+        const double *c = match->colour[k];
+        value += share > 0 ? share * share / (2 * match->width[k]) : 0;
+        for (int i = 0; i < 3; i++) {
+            slope[i] += c[i] * share;
+            for (int j = 0; j < 3 && share > 0 && curvature != NULL; j++) {
+                curvature[3 * i + j] += match->width[k] * c[i] * c[j];
+            }
+        }
+    }
+    return value;
+}
+
+/* A step of Newton's method, as long as it goes down. Result: false: there is no way on. */
+static bool step_down(const struct match *match, double m[3])
+{
+    double slope[3], curvature[9], step[3], ignored[3];
+    const double value = dual_at(match, m, slope, curvature);
+    memcpy(step, slope, sizeof step);
+    if (!cholesky_factor(curvature, 3)) {
+        return false;
+    }
+    cholesky_forward(curvature, 3, step);
+    cholesky_backward(curvature, 3, step);
+    const double fall = step[0] * slope[0] + step[1] * slope[1] + step[2] * slope[2];
+    for (double length = 1; length > ldexp(1, -HALVINGS_MOST); length /= 2) {
+        double next[3];
+        for (int i = 0; i < 3; i++) {
+            next[i] = m[i] - length * step[i];
+        }
+        if (dual_at(match, next, ignored, NULL) < value - 0.1 * length * fall) {
+            memcpy(m, next, sizeof next);
+            return true;
+        }
+    }
+    return false;
+}
+
+/* Distance of the chromaticities u' = 4 X/(X + 15 Y + 3 Z), v' = 9 Y/(X + 15 Y + 3 Z). */
+static double chromaticity_distance(struct colour a, struct colour b)
+{
+    const double first = a.part[0] + 15 * a.part[1] + 3 * a.part[2];
+    const double second = b.part[0] + 15 * b.part[1] + 3 * b.part[2];
+    return hypot(4 * (a.part[0] / first - b.part[0] / second),
+                 9 * (a.part[1] / first - b.part[1] / second));
+}
+
+void bands_match(const struct bands *bands, const struct spectrum *light, double of[BANDS_MOST])
+{
+    struct match match;
+    double units[BANDS_MOST], m[3] = {0}, amount = 0;
+    set_match(&match, bands, bands_whole(light), of, units);
+    for (int i = 0; i < STEPS_MOST && step_down(&match, m); i++) {
+    }
+    for (size_t k = 0; k < bands->count; k++) {
+        of[k] = share_at(&match, k, m) / units[k];
+        amount += of[k] * colour_luminance(bands->rgb[k]);
+    }
+    for (size_t k = 0; k < bands->count; k++) {
+        of[k] /= amount;
+    }
+}
+
+double bands_off(const struct bands *bands, const struct spectrum *light,
+                 const double of[BANDS_MOST])
+{
+    double rgb[3] = {0};
+    for (size_t k = 0; k < bands->count; k++) {
+        for (int i = 0; i < 3; i++) {
+            rgb[i] += of[k] * bands->rgb[k][i];
+        }
+    }
+    return light->kind == SPECTRUM_RGB ? 0 : chromaticity_distance(xyz_of(rgb), bands_whole(light));
+}
+
+/* -------- surfaces and lights -------- */
 
 /* -------- three bands -------- */
 
@@ -149,4 +466,25 @@ bool bands_of_light(const struct bands *bands, const struct spectrum *light, dou
         *held = share;
     }
     return true;
+}
+
+size_t bands_needed(const struct spectrum *light, double most, double *off)
+{
+    size_t needed = BANDS_MOST;
+    *off = (double)INFINITY;
+    for (size_t count = BANDS_LEAST; count <= BANDS_MOST && !(*off <= most); count++) {
+        struct bands bands;
+        struct error error;
+        double of[BANDS_MOST];
+        if (!bands_many(count, &bands, &error) ||
+            !bands_of_light(&bands, light, of, NULL, &error)) {
+            continue;
+        }
+        const double next = bands_off(&bands, light, of);
+        if (next < *off) {
+            *off = next;
+            needed = count;
+        }
+    }
+    return needed;
 }

@@ -5,7 +5,7 @@ Three spectra of surfaces, red, green and blue, that are as smooth as can be: th
 differences between neighbours of 5 nm is least, where they are nowhere negative, make 1 together
 at each wavelength, and look under D65 as the primaries they stand for (the programme of Mallett and
 Yuksel 2019). It is solved here by a barrier method, in double precision, of the observer and the
-daylight that stand in the sources, and compared with the table in src/light/bands_many.c, which
+daylight that stand in the sources, and compared with the table in src/light/bands.c, which
 --print writes.
 """
 # SPDX-License-Identifier: MIT
@@ -187,7 +187,7 @@ def main():
     for c, row in enumerate(looks(parts, spectra)):
         for m in range(3):
             checks.near("looks", f"primary {c}, part {m}", row[m], float(m == c), 1e-9)
-    stored = table("src/light/bands_many.c", "primaries")
+    stored = table("src/light/bands.c", "primaries")
     checks.check(len(stored) == ROWS, f"the table has {len(stored)} rows, expected {ROWS}")
     for i, (row, want) in enumerate(zip(stored, spectra)):
         for c in range(2):

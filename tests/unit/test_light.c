@@ -2,8 +2,6 @@
 /* SPDX-License-Identifier: MIT */
 #include "check.h"
 #include "light/bands.h"
-#include "light/bands_match.h"
-#include "light/bands_needed.h"
 #include "light/colour.h"
 #include "light/illuminant.h"
 #include "light/observer.h"

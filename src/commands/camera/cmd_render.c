@@ -1,8 +1,8 @@
 /* commands/camera/cmd_render.c - lenscalc render: what a film sees through a lens. */
 /* SPDX-License-Identifier: MIT */
 #include "commands/camera/render.h"
-#include "commands/photo/light_options.h"
 #include "commands/photo/photo_lens.h"
+#include "commands/photo/photo_options.h"
 #include "commands/tables.h"
 #include "file/image_file.h"
 

@@ -2,8 +2,6 @@
 /* SPDX-License-Identifier: MIT */
 #include "commands/camera/render_world.h"
 
-#include "light/bands_needed.h"
-
 enum { SAID_MOST = 3 }; /* each by itself; of more how many */
 
 /* In u', v'; the eye tells twice as much apart. */

@@ -5,6 +5,7 @@
 
 #include "base/parallel.h"
 #include "cli/question/command.h"
+#include "data/folder.h"
 #include "data/whole_file.h"
 #include "exchange/lens_formats.h"
 #include "file/lens_glass.h"
@@ -52,6 +53,67 @@ static const struct column columns[] = {
     {SHOWN(reasons), .name = "reasons", BRIEF,
      .help = "what is lost, with its lines, by what it changes; or why the file is refused"},
 };
+
+/* -------- the files -------- */
+
+/* A file, or a folder that cannot be read. */
+struct check_item {
+    const char *path;
+    const char *problem; /* why it cannot be read; null: that is still to be seen */
+    bool is_named;       /* by the user: a pipe, too, is read */
+};
+
+/* In the order in which they are to be reported. */
+struct check_list {
+    struct arena *arena;
+    struct check_item *items;
+    size_t count, room;
+};
+
+static void check_list_append(struct check_list *list, struct check_item item)
+{
+    list->items =
+        arena_grow(list->arena, list->items, list->count, &list->room, sizeof list->items[0]);
+    list->items[list->count++] = item;
+}
+
+/* A folder and those below; as deep as a path can be. */
+static void add_folder(struct check_list *list, const char *path, struct name_table *seen)
+{
+    struct folder_entry *entries;
+    size_t count;
+    struct error error;
+    if (!folder_read(path, seen, list->arena, &entries, &count, &error)) {
+        const char *problem = arena_printf(list->arena, "%s", error.message);
+        check_list_append(list, (struct check_item){.path = path, .problem = problem});
+        return;
+    }
+    for (size_t i = 0; i < count; i++) {
+        const struct folder_entry *entry = &entries[i];
+        if (entry->kind == FOLDER_FOLDER) {
+            add_folder(list, entry->path, seen);
+        } else if (foreign_ends_as_lens(text_of(entry->path))) {
+            check_list_append(list, (struct check_item){.path = entry->path});
+        }
+    }
+}
+
+/*
+ * Add a file, or of a folder all files, also in folders below, whose names end as those of lens
+ * files do; in the order of their names. A folder to which several paths lead is read once.
+ */
+static void check_list_add(struct check_list *list, struct text path)
+{
+    const char *name = arena_string(list->arena, path.start, path.length);
+    struct name_table seen = {0};
+    if (folder_exists(name)) {
+        add_folder(list, name, &seen);
+    } else {
+        check_list_append(list, (struct check_item){.path = name, .is_named = true});
+    }
+}
+
+/* -------- each of them -------- */
 
 /* What all threads share, each with a database of its own. */
 struct file_check {

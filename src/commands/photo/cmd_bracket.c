@@ -1,7 +1,7 @@
 /* commands/photo/cmd_bracket.c - lenscalc bracket: a series of exposure times. */
 /* SPDX-License-Identifier: MIT */
 #include "cli/question/command.h"
-#include "commands/photo/light_options.h"
+#include "commands/photo/photo_options.h"
 #include "commands/tables.h"
 #include "photo/bracket.h"
 #include "photo/given.h"

@@ -3,7 +3,6 @@
 #include "analysis/real/real_light.h"
 #include "commands/photo/by_rays.h"
 #include "commands/photo/exposure_answer.h"
-#include "commands/photo/light_options.h"
 #include "commands/photo/sharpness.h"
 #include "commands/tables.h"
 

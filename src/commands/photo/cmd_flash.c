@@ -1,7 +1,7 @@
 /* commands/photo/cmd_flash.c - lenscalc flash: guide numbers, and flash beside other light. */
 /* SPDX-License-Identifier: MIT */
 #include "cli/question/command.h"
-#include "commands/photo/light_options.h"
+#include "commands/photo/photo_options.h"
 #include "commands/tables.h"
 #include "photo/flash.h"
 #include "photo/given.h"

@@ -1,7 +1,6 @@
 /* commands/photo/cmd_motion.c - lenscalc motion: blur of moving subjects and unsteady cameras. */
 /* SPDX-License-Identifier: MIT */
 #include "cli/question/command.h"
-#include "commands/photo/light_options.h"
 #include "commands/photo/sharpness.h"
 #include "commands/tables.h"
 #include "photo/given.h"

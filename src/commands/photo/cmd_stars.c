@@ -2,7 +2,6 @@
 /* SPDX-License-Identifier: MIT */
 #include "base/arena.h"
 #include "cli/question/command.h"
-#include "commands/photo/light_options.h"
 #include "commands/photo/sharpness.h"
 #include "commands/tables.h"
 #include "photo/given.h"

@@ -1,7 +1,7 @@
 /* commands/photo/cmd_timelapse.c - lenscalc timelapse: shots, interval, clip, storage, trails. */
 /* SPDX-License-Identifier: MIT */
 #include "cli/question/command.h"
-#include "commands/photo/light_options.h"
+#include "commands/photo/photo_options.h"
 #include "commands/tables.h"
 #include "photo/stars.h"
 #include "photo/timelapse.h"
