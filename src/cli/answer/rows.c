@@ -92,8 +92,8 @@ static void tell_notes(struct driver *driver, const void *row)
     for (size_t i = 0; i < driver->hidden_count; i++) {
         const struct column *column = driver->hidden_notes[i];
         const char *note = row_text(row, column);
-        const bool is_warning = text_equal(text_of(column->name), "warning");
         if (note != NULL) {
+            const bool is_warning = text_equal(text_of(column->name), "warning");
             warnings_add(&driver->doubts, "%s%s", is_warning ? "" : "taken as ", note);
         }
     }
@@ -488,12 +488,25 @@ static bool take_new_keys(struct driver *driver, struct error *error)
     return true;
 }
 
+/* The real focal length of a row; most rows have one, and no sensor of a wide lens. */
+static bool rows_settle_focal(struct driver *driver, struct error *error)
+{
+    const struct focal_options *options = &driver->sweep.focal;
+    const char *input = driver->input;
+    bool is_plain =
+        options->sensor == NULL ||
+        !((const struct sensor_value *)(const void *)(input + options->sensor->offset))->is_wide;
+    for (size_t i = 0; i < options->count; i++) {
+        is_plain = is_plain && !focal_is_equivalent(options->focal[i], input);
+    }
+    return is_plain || focal_settle(options, driver->input, &driver->doubts, error);
+}
+
 /* A row of the batch: into the queue, or answered at once. False if that ends the batch. */
 static bool rows_take_row(struct driver *driver, enum batch_result result, struct error *error)
 {
     struct queue *queue = &driver->queue;
-    if (result == BATCH_ROW &&
-        !focal_settle(&driver->sweep.focal, driver->input, &driver->doubts, error)) {
+    if (result == BATCH_ROW && !rows_settle_focal(driver, error)) {
         error_locate(error, driver->batch.source, driver->batch.line, 0);
         result = BATCH_BAD_ROW;
     }
