@@ -55,6 +55,12 @@
 #define ASSUMED_BY(options)          .depends = (options), .flags = COLUMN_ASSUMED | COLUMN_EXTRA
 #define ASSUMED_WITH(given, options) .with = (given), ASSUMED_BY(options) | COLUMN_TIED
 
+/* -------- commands -------- */
+
+/* What a command of INPUT and ROW has by the usual names. */
+#define COMMAND_OF(group_of, words)                                                                \
+    .group = (group_of), .summary = (words), COMMAND_ASKS(INPUT), COMMAND_ANSWERS(ROW)
+
 /* -------- what is asked -------- */
 
 /* An option, and whether it says anything. */

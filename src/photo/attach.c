@@ -133,6 +133,9 @@ bool attach_apply(struct attach_lens *lens, const struct attach_step *steps, siz
                   struct error *error)
 {
     for (size_t i = 0; i < count; i++) {
+        if (isnan(steps[i].value)) {
+            continue;
+        }
         if (steps[i].kind == ATTACH_REVERSED && i > 0) {
             return fail(error, ERROR_USAGE,
                         "reversing must come first: reverse the lens, then attach to it");

@@ -87,6 +87,7 @@ bool attach_bare(const struct attach_bare *bare, struct attach_lens *lens, struc
  *           Photography). Front and pupils derived here: test_attach.c pins them with
  *           2x2 matrices and with N' (1 + m'/P') = N (1 + m/P), a supplementary lens leaving the
  *           image-side cone alone
+ * Result    steps whose value is NaN are left out
  * Errors    values outside their ranges; a close-up lens whose focus lies before the pupil or
  *           before the lens's own focus; a reversal that is not the first step; what is attached
  *           makes the lens too long for a number

@@ -267,7 +267,7 @@ static void test_refusals(void)
         {{ATTACH_CLOSE_UP, 0, 0, 0}, "close-up lens 0"},
         {{ATTACH_CLOSE_UP, 20, 51, 0}, "less than 50 mm"},
         {{ATTACH_CLOSE_UP, 2, NONE, 0}, "gap"},
-        {{ATTACH_CONVERTER, NONE, 0, 0}, "converter factor"},
+        {{ATTACH_CONVERTER, 0, 0, 0}, "converter factor"},
         {{ATTACH_REVERSED, 99, 0, 0}, "100 mm or more"},
         {{ATTACH_STACKED, 0, 0, 0}, "stacked lens"},
     };

@@ -4,23 +4,6 @@
 
 #include "photo/attach.h"
 
-/* In the order in which they are put on. */
-static size_t attachments_list_steps(const struct attachments *a, struct attach_step *steps)
-{
-    const struct attach_step all[] = {
-        {ATTACH_CLOSE_UP, 1000 * a->close_up, 0, 0},
-        {ATTACH_TUBE, a->tube, 0, 0},
-        {ATTACH_CONVERTER, a->converter, 0, 0},
-    };
-    size_t count = 0;
-    for (size_t i = 0; i < sizeof all / sizeof all[0]; i++) {
-        if (!isnan(all[i].value)) {
-            steps[count++] = all[i];
-        }
-    }
-    return count;
-}
-
 static bool attachments_check_question(const struct attachments *a, const struct photo_lens *lens,
                                        struct error *error)
 {
@@ -47,10 +30,12 @@ bool attachments_combine(const struct attachments *a, const struct photo_lens *l
                                      .P = lens->P,
                                      .front = has_front ? bare->front : 0,
                                      .hiatus = bare->hiatus};
-    struct attach_step steps[3];
+    const struct attach_step steps[] = {{ATTACH_CLOSE_UP, 1000 * a->close_up, 0, 0},
+                                        {ATTACH_TUBE, a->tube, 0, 0},
+                                        {ATTACH_CONVERTER, a->converter, 0, 0}};
     struct attach_lens all;
     if (!attachments_check_question(a, lens, error) || !attach_bare(&sold, &all, error) ||
-        !attach_apply(&all, steps, attachments_list_steps(a, steps), error)) {
+        !attach_apply(&all, steps, sizeof steps / sizeof steps[0], error)) {
         return false;
     }
     *room = *lens;

@@ -173,10 +173,7 @@ static const struct example examples[] = {
 
 const struct command command_bracket = {
     .name = "bracket",
-    .group = "photography",
-    .summary = "plan of an exposure bracket for high dynamic range",
-    COMMAND_ASKS(struct bracket_input),
-    COMMAND_ANSWERS(struct bracket_row),
+    COMMAND_OF("photography", "plan of an exposure bracket for high dynamic range"),
     .run = bracket_run,
     .makes_many = command_always_many,
 };

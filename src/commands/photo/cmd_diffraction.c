@@ -390,10 +390,8 @@ PHOTO_LENS_MAKES_MANY(lens)
 
 const struct command command_diffraction = {
     .name = "diffraction",
-    .group = "photography",
-    .summary = "Airy disc, contrast (MTF), and the f-number where diffraction takes over",
-    COMMAND_ASKS(struct diffraction_input),
-    COMMAND_ANSWERS(struct diffraction_row),
+    COMMAND_OF("photography",
+               "Airy disc, contrast (MTF), and the f-number where diffraction takes over"),
     .run = diffraction_run,
     .choose_sheet = diffraction_choose_sheet,
     .sheets = sheets,

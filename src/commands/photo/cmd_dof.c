@@ -448,10 +448,7 @@ BY_RAYS_WEIGHT(rays)
 
 const struct command command_dof = {
     .name = "dof",
-    .group = "photography",
-    .summary = "depth of field, and the settings for a wanted one",
-    COMMAND_ASKS(struct dof_question),
-    COMMAND_ANSWERS(struct dof_row),
+    COMMAND_OF("photography", "depth of field, and the settings for a wanted one"),
     .run = dof_run,
     COMMAND_MAKES(artifacts),
     .makes_many = dof_makes_many,

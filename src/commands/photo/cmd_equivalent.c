@@ -214,10 +214,8 @@ PHOTO_LENS_MAKES_MANY(lens)
 
 const struct command command_equivalent = {
     .name = "equivalent",
-    .group = "photography",
-    .summary = "focal length, f-number and ISO of the same picture on another format",
-    COMMAND_ASKS(struct equivalent_input),
-    COMMAND_ANSWERS(struct equivalent_row),
+    COMMAND_OF("photography",
+               "focal length, f-number and ISO of the same picture on another format"),
     .run = equivalent_run,
     .makes_many = makes_many,
     .varies = varies,

@@ -360,10 +360,7 @@ BY_RAYS_WEIGHT(rays)
 
 const struct command command_exposure = {
     .name = "exposure",
-    .group = "photography",
-    .summary = "aperture, time, speed and light, each from the others",
-    COMMAND_ASKS(struct exposure_input),
-    COMMAND_ANSWERS(struct exposure_row),
+    COMMAND_OF("photography", "aperture, time, speed and light, each from the others"),
     .run = exposure_run,
     .makes_many = exposure_makes_many,
     .varies = varies,

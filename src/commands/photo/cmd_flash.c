@@ -338,10 +338,7 @@ static const struct example examples[] = {
 
 const struct command command_flash = {
     .name = "flash",
-    .group = "photography",
-    .summary = "guide number, f-number, distance and power of flashes",
-    COMMAND_ASKS(struct flash_input),
-    COMMAND_ANSWERS(struct flash_row),
+    COMMAND_OF("photography", "guide number, f-number, distance and power of flashes"),
     .run = flash_run,
     .plot = "distance_m|fnumber",
     .cell = "fnumber",

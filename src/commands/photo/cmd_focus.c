@@ -306,15 +306,16 @@ static bool run_plain(const struct focus_input *input, const struct photo_lens *
     return true;
 }
 
-/* What is attached, in the order in which it is put on: see --order and the manual. */
-static size_t focus_list_steps(const struct focus_input *input, const struct photo_lens *lens,
-                               const struct conjugates *bare, struct attach_step *steps)
+/* Put on what is attached, in its order: see --order and the manual. */
+static bool focus_attach(const struct focus_input *input, const struct photo_lens *lens,
+                         const struct conjugates *bare, struct attach_lens *all,
+                         struct error *error)
 {
     const struct attach_step tube = {ATTACH_TUBE, input->attached.tube, 0, 0};
     const struct attach_step converter = {ATTACH_CONVERTER, input->attached.converter,
                                           input->converter_length, 0};
     bool tube_first = input->order == 0;
-    const struct attach_step all[] = {
+    const struct attach_step steps[] = {
         {ATTACH_REVERSED, input->reversed ? bare->v : NAN, lens->measuring.hiatus,
          -lens->real->rear},
         {ATTACH_CLOSE_UP, 1000 * input->attached.close_up, input->gap, 0},
@@ -323,13 +324,7 @@ static size_t focus_list_steps(const struct focus_input *input, const struct pho
         tube_first ? tube : converter,
         tube_first ? converter : tube,
     };
-    size_t count = 0;
-    for (size_t i = 0; i < sizeof all / sizeof all[0]; i++) {
-        if (!isnan(all[i].value)) {
-            steps[count++] = all[i];
-        }
-    }
-    return count;
+    return attach_apply(all, steps, sizeof steps / sizeof steps[0], error);
 }
 
 static bool emit_focus(const struct focus_input *input, const struct photo_lens *bare,
@@ -369,7 +364,6 @@ static bool run_attached(const struct focus_input *input, const struct photo_len
 {
     struct conjugates bare;
     struct attach_lens lens;
-    struct attach_step steps[5];
     double front = isnan(real->measuring.front) ? 0 : real->measuring.front;
     if (!isnan(input->stacked_aperture) && isnan(real->N)) {
         return fail(error, ERROR_USAGE,
@@ -384,8 +378,7 @@ static bool run_attached(const struct focus_input *input, const struct photo_len
                                      .m_near = bare.m,
                                      .front = front,
                                      .hiatus = real->measuring.hiatus};
-    if (!attach_bare(&sold, &lens, error) ||
-        !attach_apply(&lens, steps, focus_list_steps(input, real, &bare, steps), error)) {
+    if (!attach_bare(&sold, &lens, error) || !focus_attach(input, real, &bare, &lens, error)) {
         return false;
     }
     bool moves = lens.m_near > lens.m_far;

@@ -555,10 +555,7 @@ BY_RAYS_WEIGHT(rays)
 
 const struct command command_fov = {
     .name = "fov",
-    .group = "photography",
-    .summary = "field of view, and the focal length for a wanted one",
-    COMMAND_ASKS(struct fov_input),
-    COMMAND_ANSWERS(struct fov_row),
+    COMMAND_OF("photography", "field of view, and the focal length for a wanted one"),
     .run = fov_run,
     .makes_many = makes_many,
     .varies = varies,

@@ -239,10 +239,7 @@ BY_RAYS_WEIGHT(rays)
 
 const struct command command_hyperfocal = {
     .name = "hyperfocal",
-    .group = "photography",
-    .summary = "hyperfocal distance and its near limit",
-    COMMAND_ASKS(struct hyperfocal_input),
-    COMMAND_ANSWERS(struct hyperfocal_row),
+    COMMAND_OF("photography", "hyperfocal distance and its near limit"),
     .run = hyperfocal_run,
     .makes_many = makes_many,
     .varies = varies,

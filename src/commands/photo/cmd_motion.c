@@ -264,10 +264,7 @@ static const struct example examples[] = {
 
 const struct command command_motion = {
     .name = "motion",
-    .group = "photography",
-    .summary = "blur of moving subjects, panning, shake, rolling shutter",
-    COMMAND_ASKS(struct motion_input),
-    COMMAND_ANSWERS(struct motion_row),
+    COMMAND_OF("photography", "blur of moving subjects, panning, shake, rolling shutter"),
     .run = motion_run,
     .plot = "time_s|blur_um|speed_m_s",
     .cell = "time_s",

@@ -377,10 +377,7 @@ static const struct example examples[] = {
 
 const struct command command_panorama = {
     .name = "panorama",
-    .group = "photography",
-    .summary = "frames, steps and size of a panorama, and parallax",
-    COMMAND_ASKS(struct panorama_input),
-    COMMAND_ANSWERS(struct panorama_command_row),
+    COMMAND_OF("photography", "frames, steps and size of a panorama, and parallax"),
     .run = panorama_run,
     .choose_sheet = panorama_choose_sheet,
     .sheets = sheets,

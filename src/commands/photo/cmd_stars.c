@@ -250,10 +250,7 @@ static const struct example examples[] = {
 
 const struct command command_stars = {
     .name = "stars",
-    .group = "photography",
-    .summary = "longest exposure of stars without trails, and their trails",
-    COMMAND_ASKS(struct stars_input),
-    COMMAND_ANSWERS(struct stars_row),
+    COMMAND_OF("photography", "longest exposure of stars without trails, and their trails"),
     .run = stars_run,
     .plot = "exact_s,rule_of_thumb_s,npf_s",
     .cell = "exact_s",

@@ -328,10 +328,8 @@ static const struct example examples[] = {
 
 const struct command command_tilt = {
     .name = "tilt",
-    .group = "photography",
-    .summary = "tilted lens: Scheimpflug, hinge rule, wedge of sharpness, image circle",
-    COMMAND_ASKS(struct tilt_input),
-    COMMAND_ANSWERS(struct tilt_row),
+    COMMAND_OF("photography",
+               "tilted lens: Scheimpflug, hinge rule, wedge of sharpness, image circle"),
     .run = tilt_run,
     COMMAND_MAKES(artifacts),
     .plot = "angle_deg,near_angle_deg,far_angle_deg",

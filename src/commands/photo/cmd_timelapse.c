@@ -187,10 +187,7 @@ static const struct example examples[] = {
 
 const struct command command_timelapse = {
     .name = "timelapse",
-    .group = "photography",
-    .summary = "time-lapse and star trails: shots, interval, clip, storage",
-    COMMAND_ASKS(struct timelapse_input),
-    COMMAND_ANSWERS(struct timelapse_row),
+    COMMAND_OF("photography", "time-lapse and star trails: shots, interval, clip, storage"),
     .run = timelapse_run,
     .plot = "shots|interval_s|clip_s",
     .cell = "interval_s",
