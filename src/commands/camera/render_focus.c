@@ -188,35 +188,21 @@ static bool render_focus_find_lens(const struct render_input *input, struct aren
 static bool focus_by_gaps(const struct render_input *input, struct arena *arena,
                           struct analysis_question *question, struct error *error)
 {
-    static const enum conjugate_from froms[] = {[FROM_PRINCIPAL] = CONJUGATE_FROM_PRINCIPAL,
-                                                [FROM_SENSOR] = CONJUGATE_FROM_SENSOR,
-                                                [FROM_ENTRANCE] = CONJUGATE_FROM_ENTRANCE,
-                                                [FROM_FRONT] = CONJUGATE_FROM_FRONT};
-    struct named_gap named[FOCUS_GAPS];
-    struct focus_gap gaps[FOCUS_GAPS];
-    struct focus_movement moving = {
-        .focusing = {.section = SECTION_Y, .gaps = gaps},
-        .question = {CONJUGATE_OBJECT, froms[input->from], input->distance, 0},
-        .fnumber = question->fnumber,
-        .arena = arena};
-    struct first_order first;
+    const struct lens *typed = input->question.lens.lens, *lens;
+    struct focus_movement moving = {.focusing = {.section = SECTION_Y},
+                                    .question = {CONJUGATE_OBJECT,
+                                                 focus_from((enum distance_from)input->from),
+                                                 input->distance, 0},
+                                    .fnumber = question->fnumber,
+                                    .arena = arena};
     struct render_focus_state state;
-    const struct lens *lens;
-    size_t count;
-    if (!focus_gaps_read(text_of(input->gap), input->question.lens.lens, named, &count, error) ||
-        !render_focus_find_lens(input, arena, &lens, error)) {
+    if (!render_focus_find_lens(input, arena, &lens, error)) {
         return false;
     }
-    for (size_t i = 0; i < count; i++) {
-        gaps[i] = named[i].gap;
-    }
-    moving.focusing.gap_count = count;
-    moving.focusing.lens = lens;
     moving.focusing.wavelength = lens_primary_wavelength(lens);
-    if (!first_order_of_lens(lens, moving.focusing.wavelength, SECTION_Y, arena, &first, error)) {
+    if (!focus_gaps_open(text_of(input->gap), typed, lens, arena, &moving.focusing, error)) {
         return false;
     }
-    moving.focusing.image_plane = setup_paraxial_image(lens, &first);
     if (!move_gaps(&moving, 0, &state, error)) {
         return hint_least(&moving, error);
     }

@@ -2,6 +2,8 @@
 /* SPDX-License-Identifier: MIT */
 #include "commands/lens/focus_gaps.h"
 
+#include "analysis/setup/setup.h"
+
 #include "base/quantity.h"
 
 #include <math.h>
@@ -105,4 +107,38 @@ bool focus_gaps_read(struct text text, const struct lens *lens, struct named_gap
         }
     }
     return true;
+}
+
+bool focus_gaps_open(struct text text, const struct lens *typed, const struct lens *lens,
+                     struct arena *arena, struct focus_mechanism *focusing, struct error *error)
+{
+    struct named_gap named[FOCUS_GAPS];
+    struct first_order first;
+    struct focus_gap *gaps = ARENA_ARRAY(arena, FOCUS_GAPS, struct focus_gap);
+    if (!focus_gaps_read(text, typed, named, &focusing->gap_count, error) ||
+        !first_order_of_lens(lens, lens_primary_wavelength(lens), focusing->section, arena, &first,
+                             error)) {
+        return false;
+    }
+    for (size_t i = 0; i < focusing->gap_count; i++) {
+        gaps[i] = named[i].gap;
+    }
+    focusing->lens = lens;
+    focusing->gaps = gaps;
+    focusing->image_plane = setup_paraxial_image(lens, &first);
+    return true;
+}
+
+enum conjugate_from focus_from(enum distance_from from)
+{
+    switch (from) {
+    case FROM_SENSOR:
+        return CONJUGATE_FROM_SENSOR;
+    case FROM_ENTRANCE:
+        return CONJUGATE_FROM_ENTRANCE;
+    case FROM_FRONT:
+        return CONJUGATE_FROM_FRONT;
+    default:
+        return CONJUGATE_FROM_PRINCIPAL;
+    }
 }

@@ -5,6 +5,7 @@
 
 #include "base/arena.h"
 #include "optics/focusing.h"
+#include "photo/distance_from.h"
 
 /* A gap, and how it was called. */
 struct named_gap {
@@ -23,5 +24,19 @@ struct named_gap {
  */
 bool focus_gaps_read(struct text text, const struct lens *lens, struct named_gap *gaps,
                      size_t *count, struct error *error);
+
+/*
+ * A lens to be focused by its gaps before its own paraxial image plane.
+ *
+ * Given     text      of the gaps
+ *           typed     as read, with its variables;  lens  the same in its position
+ *           focusing  with wavelength and section; receives lens, gaps and image plane
+ * Errors    as focus_gaps_read and first_order_of_lens
+ */
+bool focus_gaps_open(struct text text, const struct lens *typed, const struct lens *lens,
+                     struct arena *arena, struct focus_mechanism *focusing, struct error *error);
+
+/* The same place for conjugates. */
+enum conjugate_from focus_from(enum distance_from from);
 
 #endif

@@ -406,14 +406,6 @@ static bool fov_answer(const void *data, const struct photo_lens *lens, struct r
     return true;
 }
 
-/* Indexed by enum distance_from. */
-static const enum conjugate_from places[] = {
-    [FROM_PRINCIPAL] = CONJUGATE_FROM_PRINCIPAL,
-    [FROM_SENSOR] = CONJUGATE_FROM_SENSOR,
-    [FROM_ENTRANCE] = CONJUGATE_FROM_ENTRANCE,
-    [FROM_FRONT] = CONJUGATE_FROM_FRONT,
-};
-
 /*
  * The lens in a position as it stands when its gaps are focused on a distance, at the question's
  * wavelength, else the primary one; of several solutions the one that moves least.
@@ -426,28 +418,15 @@ static bool focus_by_gaps(const struct fov_input *input, size_t position, double
     const struct lens *typed = question->lens.lens;
     const struct lens *lens = lens_at_position(typed, position, arena);
     struct focused *solutions = ARENA_ARRAY(arena, FOCUS_SOLUTIONS, struct focused);
-    struct named_gap named[FOCUS_GAPS];
-    struct focus_gap moved[FOCUS_GAPS];
-    struct first_order first;
     struct focus_mechanism focusing = {
-        .lens = lens,
         .wavelength = question->wavelength > 0 ? wavelength_micrometres(question->wavelength)
                                                : lens_primary_wavelength(typed),
         .section = (enum lens_section)question->section,
-        .gaps = moved,
     };
-    const struct conjugate_question object = {CONJUGATE_OBJECT, places[question->from], distance,
-                                              0};
-    if (!focus_gaps_read(text_of(input->gap), typed, named, &focusing.gap_count, error) ||
-        !first_order_of_lens(lens, lens_primary_wavelength(lens), focusing.section, arena, &first,
-                             error)) {
-        return false;
-    }
-    for (size_t i = 0; i < focusing.gap_count; i++) {
-        moved[i] = named[i].gap;
-    }
-    focusing.image_plane = setup_paraxial_image(lens, &first);
-    if (focus_solve(&focusing, &object, arena, solutions, error) == 0) {
+    const struct conjugate_question object = {
+        CONJUGATE_OBJECT, focus_from((enum distance_from)question->from), distance, 0};
+    if (!focus_gaps_open(text_of(input->gap), typed, lens, arena, &focusing, error) ||
+        focus_solve(&focusing, &object, arena, solutions, error) == 0) {
         return false;
     }
     *focused = *question;
