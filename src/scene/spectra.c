@@ -2,6 +2,8 @@
 /* SPDX-License-Identifier: MIT */
 #include "scene/spectra.h"
 
+#include "light/bands_match.h"
+
 #include <stdbool.h>
 #include <stdint.h>
 #include <string.h>

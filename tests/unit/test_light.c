@@ -2,6 +2,7 @@
 /* SPDX-License-Identifier: MIT */
 #include "check.h"
 #include "light/bands.h"
+#include "light/bands_match.h"
 #include "light/colour.h"
 #include "light/illuminant.h"
 #include "light/observer.h"
