@@ -4,7 +4,6 @@
 #include "check.h"
 #include "exchange/lens_open.h"
 #include "file/lens_file.h"
-#include "trace/aim/multisection.h"
 #include "trace/dispatch.h"
 #include "trace/pupil/clear_cross.h"
 
@@ -152,82 +151,9 @@ static void test_last(const char *name, struct arena *arena)
     }
 }
 
-/* Places lie in parts 2^-power of the way to either neighbour about the estimate. */
-static void check_about(const double *places, const double around[3], const int *powers,
-                        size_t half, const char *what)
-{
-    for (size_t i = 0; i < half; i++) {
-        double part = ldexp(1, -powers[i]);
-        CHECK_NEAR(places[i], around[1] - part * (around[1] - around[0]), 8e-15, what);
-        CHECK_NEAR(places[2 * half - 1 - i], around[1] + part * (around[2] - around[1]), 8e-15,
-                   what);
-    }
-}
-
-/*
- * The place is a cubic of the value, 10 + 2 v + v^2 + v^3: the estimate is the root, 10, where the
- * secant has 10.75. Points farther off, which are not on it, do not count.
- */
-static void test_estimate(void)
-{
-    static const int eight[] = {3, 10, 23, 40}, sixteen[] = {1, 3, 6, 10, 16, 23, 31, 40};
-    const struct multisection_point points[] = {{-100, -7}, {2, -2}, {9.125, -0.5},
-                                                {14, 1},    {26, 2}, {90, 2.5}};
-    double places[17] = {0};
-    multisection_places(points, 6, 3, 8, places);
-    check_about(places, (double[]){9.125, 10, 14}, eight, 4, "cubic");
-    multisection_places(points + 1, 4, 2, 16, places);
-    check_about(places, (double[]){9.125, 10, 14}, sixteen, 8, "cubic, sixteen places");
-    CHECK(places[16] == 0);
-    /* at either end there are but three: 5 + v + v^2/4, and 5 + v - v^2/4 */
-    const struct multisection_point first[] = {{4.25, -1}, {6.25, 1}, {8, 2}};
-    const struct multisection_point last[] = {{2, -2}, {3.75, -1}, {5.75, 1}};
-    multisection_places(first, 3, 1, 8, places);
-    check_about(places, (double[]){4.25, 5, 6.25}, eight, 4, "square, at the beginning");
-    multisection_places(last, 3, 2, 8, places);
-    check_about(places, (double[]){3.75, 5, 5.75}, eight, 4, "square, at the end");
-    /* by two points a straight line */
-    const struct multisection_point two[] = {{0, -1}, {8, 3}};
-    multisection_places(two, 2, 1, 8, places);
-    check_about(places, (double[]){0, 2, 8}, eight, 4, "line");
-    /* polynomials that leave the bracket on either side: the secant */
-    const struct multisection_point below[] = {{0, -1.01}, {1, -1}, {2, 3}, {3, 3.01}};
-    const struct multisection_point above[] = {{0, -3.01}, {1, -3}, {2, 1}, {3, 1.01}};
-    multisection_places(below, 4, 2, 8, places);
-    check_about(places, (double[]){1, 1.25, 2}, eight, 4, "secant, nearer to the beginning");
-    multisection_places(above, 4, 2, 8, places);
-    check_about(places, (double[]){1, 1.75, 2}, eight, 4, "secant, nearer to the end");
-}
-
-/* Equal parts where a value is not known, where both have one sign, and at rounding. */
-static void test_parts(void)
-{
-    const struct multisection_point all[][2] = {
-        {{0, -1}, {9, -3}}, {{0, 1}, {9, 3}}, {{0, -1}, {9, NAN}}, {{0, -INFINITY}, {9, 1}}};
-    double places[9] = {0};
-    for (size_t k = 0; k < sizeof all / sizeof all[0]; k++) {
-        multisection_places(all[k], 2, 1, 8, places);
-        for (int i = 0; i < 8; i++) {
-            CHECK_NEAR(places[i], i + 1, 2e-15, "equal parts");
-        }
-        CHECK(places[8] == 0);
-    }
-    for (int sign = -1; sign <= 1; sign += 2) {
-        /* 27 and 72 steps of 2.2e-16: 0.6e-14 and 1.6e-14 */
-        struct multisection_point close[] = {{sign, -1}, {sign + 27 * 0x1p-52, 1}};
-        multisection_places(close, 2, 1, 8, places);
-        CHECK(places[0] == sign + 3 * 0x1p-52 && places[7] == sign + 24 * 0x1p-52);
-        close[1].at = sign + 72 * 0x1p-52;
-        multisection_places(close, 2, 1, 8, places);
-        CHECK(places[3] == sign + 36 * 0x1p-52 && places[4] == sign + 36 * 0x1p-52);
-    }
-}
-
 int main(void)
 {
     struct arena arena = {0};
-    test_estimate();
-    test_parts();
     test_holes(&arena);
     test_beside(&arena);
     test_lost(&arena);

@@ -128,10 +128,9 @@ static void test_learning(void)
     for (size_t i = 0; i < WAYS; i++) {
         angles[i] = 2 * PI * (double)i / WAYS;
     }
-    const struct edge_directions ways = {star.frame, angles, NULL, WAYS, 0};
-    edges_find(&region.margins, &ways, 1e-13, edges);
-    CHECK(pupil_boundary_learn(&region.margins, &region.probe, &ways, edges, &star));
-    CHECK(!pupil_boundary_learn(&region.margins, &region.probe, &ways, edges, &star));
+    edges_find(&region.margins, &star.frame, angles, NULL, WAYS, 0, 1e-13, edges);
+    CHECK(pupil_boundary_learn(&region.margins, angles, WAYS, edges, &star));
+    CHECK(!pupil_boundary_learn(&region.margins, angles, WAYS, edges, &star));
     CHECK(star.corner_count == 2);
     /* of the circles x^2 + y^2 = 25 and x^2 + (y - 6)^2 = 64 in the stop: y = -1/4 */
     for (size_t k = 0; k < star.corner_count; k++) {

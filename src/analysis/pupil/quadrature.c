@@ -9,8 +9,8 @@
 
 #include <math.h>
 
-/* An excess that counts as none at the ends of arms; a step of differences, in u and v. */
-static const double finely = 1e-13, step = 1e-5;
+/* A step of differences, in u and v. */
+static const double step = 1e-5;
 
 /* The sine of an angle at which an arm is its own mirror image, but for rounding. */
 static const double on_axis = 1e-12;
@@ -87,20 +87,6 @@ static void keep_half(struct arms *arms)
     arms->count = kept;
 }
 
-/* Their edges, in the star's frame. */
-static void quadrature_find_ends(const struct quadrature_region *region, struct arena *arena,
-                                 struct arms *arms)
-{
-    const struct pupil_boundary *star = region->star;
-    double *near = ARENA_ARRAY(arena, arms->count, double);
-    for (size_t i = 0; i < arms->count; i++) {
-        near[i] = pupil_boundary_near(star, arms->angles[i]);
-    }
-    arms->edges = ARENA_ARRAY(arena, arms->count, struct edge);
-    const struct edge_directions directions = {star->frame, arms->angles, near, arms->count, 0};
-    edges_find(&region->margins, &directions, finely, arms->edges);
-}
-
 /* Arms that show corners which the star has missed are made anew. */
 static void make_arms(const struct quadrature_region *region, size_t wanted, struct arena *arena,
                       struct arms *arms)
@@ -114,10 +100,10 @@ static void make_arms(const struct quadrature_region *region, size_t wanted, str
         if (region->in_half && margins->is_mirrored && star->frame.centre[0] == 0) {
             keep_half(arms);
         }
-        quadrature_find_ends(region, arena, arms);
-        const struct edge_directions ends = {star->frame, arms->angles, NULL, arms->count, 0};
+        arms->edges = ARENA_ARRAY(arena, arms->count, struct edge);
+        pupil_boundary_edges(margins, star, arms->angles, arms->count, arena, arms->edges);
         learns = lesson < LESSONS &&
-                 pupil_boundary_learn(margins, &region->probe, &ends, arms->edges, star);
+                 pupil_boundary_learn(margins, arms->angles, arms->count, arms->edges, star);
     }
     arms->ways = arena_array(arena, arms->count, sizeof *arms->ways);
     for (size_t i = 0; i < arms->count; i++) {
@@ -125,8 +111,8 @@ static void make_arms(const struct quadrature_region *region, size_t wanted, str
         arms->ways[i][1] = cos(arms->angles[i]);
     }
     arms->spans = ARENA_ARRAY(arena, arms->count, struct clear_intervals);
-    const struct edge_directions directions = {star->frame, arms->angles, NULL, arms->count, 0};
-    pupil_boundary_spans(margins, &region->probe, &directions, arms->edges, arms->spans);
+    pupil_boundary_intervals(margins, &star->frame, arms->angles, arms->count, arms->edges,
+                             arms->spans);
 }
 
 /* -------- points -------- */
@@ -346,12 +332,9 @@ static size_t rings_for(const struct pupil_boundary *star, size_t rays)
 struct quadrature_region quadrature_open(const struct stop_beam *beam, struct arena *arena)
 {
     struct pupil_boundary *star = arena_buffer(arena, sizeof *star);
-    const struct clearances margins = clearances_open(beam, arena);
     star->count = 0;
-    return (struct quadrature_region){.beam = beam,
-                                      .margins = margins,
-                                      .probe = probe_share(beam->system, beam->beam, margins.work),
-                                      .star = star};
+    return (struct quadrature_region){
+        .beam = beam, .margins = clearances_open(beam, arena), .star = star};
 }
 
 static void quadrature_look(struct quadrature_region *region, struct arena *arena)
@@ -359,9 +342,8 @@ static void quadrature_look(struct quadrature_region *region, struct arena *aren
     if (!region->is_known) {
         region->is_known = true;
         if (region->near == NULL ||
-            !pupil_boundary_follow(&region->margins, &region->probe, region->near, region->star)) {
-            region->is_empty =
-                !pupil_boundary_find(&region->margins, &region->probe, arena, region->star);
+            !pupil_boundary_follow(&region->margins, region->near, region->star)) {
+            region->is_empty = !pupil_boundary_find(&region->margins, arena, region->star);
         }
     }
 }
@@ -379,24 +361,23 @@ const struct pupil_boundary *quadrature_star(struct quadrature_region *region, s
     return region->is_empty ? NULL : region->star;
 }
 
-struct quadrature_rim quadrature_edge(const struct quadrature_region *region,
-                                      const struct edge_directions *directions, struct arena *arena)
+struct quadrature_rim quadrature_edge(const struct quadrature_region *region, const double *angles,
+                                      size_t count, const double *near, double slack,
+                                      struct arena *arena)
 {
     const struct pupil_boundary *star = region->star;
-    const size_t count = directions->count;
-    struct edge_directions about = *directions;
     double *radii = ARENA_ARRAY(arena, count, double);
     struct edge *edges = ARENA_ARRAY(arena, count, struct edge);
     double(*points)[2] = arena_array(arena, count, sizeof *points);
-    about.frame = star->frame;
-    for (size_t i = 0; i < count; i++) {
-        radii[i] = about.near != NULL ? about.near[i] : pupil_boundary_near(star, about.angles[i]);
+    if (near == NULL) {
+        pupil_boundary_edges(&region->margins, star, angles, count, arena, edges);
+    } else {
+        edges_find(&region->margins, &star->frame, angles, near, count, slack,
+                   PUPIL_BOUNDARY_ROUNDING, edges);
     }
-    about.near = radii;
-    edges_find(&region->margins, &about, finely, edges);
     for (size_t i = 0; i < count; i++) {
         radii[i] = edges[i].radius;
-        edge_point(&star->frame, about.angles[i], radii[i], points[i]);
+        edge_point(&star->frame, angles[i], radii[i], points[i]);
     }
     return (struct quadrature_rim){(const double(*)[2])points, radii, count};
 }

@@ -33,7 +33,6 @@ struct quadrature {
 struct quadrature_region {
     const struct stop_beam *beam;
     struct clearances margins;
-    struct probe probe;
     struct pupil_boundary *star; /* once it is known; a count of 0: it is not */
     const struct pupil_boundary
         *near; /* one of a beam close by, to be set before; null: there is none */
@@ -86,11 +85,9 @@ struct quadrature_rim {
     size_t count;
 };
 
-/*
- * Given     near   radii close by, but for a share of `slack`; null: what the star says
- */
-struct quadrature_rim quadrature_edge(const struct quadrature_region *region,
-                                      const struct edge_directions *directions,
+/* Given: near: radii close by, but for a share of `slack`; null: what the star says. */
+struct quadrature_rim quadrature_edge(const struct quadrature_region *region, const double *angles,
+                                      size_t count, const double *near, double slack,
                                       struct arena *arena);
 
 /* Rays at shares of the way to such points from the centre of the star, where they start: for each

@@ -4,7 +4,7 @@
 
 #include "trace/aim/aim.h"
 #include "trace/dispatch.h"
-#include "trace/pupil/clear_guess.h"
+#include "trace/pupil/pupil_inside.h"
 
 #include <math.h>
 

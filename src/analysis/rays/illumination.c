@@ -5,7 +5,7 @@
 #include "analysis/pupil/quadrature.h"
 #include "base/constants.h"
 #include "optics/aperture.h"
-#include "trace/pupil/clear_guess.h"
+#include "trace/pupil/pupil_inside.h"
 #include "trace/tangent.h"
 
 #include <math.h>

@@ -254,8 +254,8 @@ static void spot_radius_look_around(const struct spot_radius_question *question,
     }
     rim->is_half = spot_radius_is_mirrored(question, rim->source, star);
     set_angles(star, rim);
-    const struct edge_directions directions = {.angles = rim->angles, .count = rim->count};
-    const struct quadrature_rim edge = quadrature_edge(rim->source->region, &directions, arena);
+    const struct quadrature_rim edge =
+        quadrature_edge(rim->source->region, rim->angles, rim->count, NULL, 0, arena);
     double shares[RINGS];
     for (size_t ring = 0; ring < RINGS; ring++) {
         shares[ring] = (double)(ring + 1) / RINGS;
@@ -396,16 +396,15 @@ static void guess_radii(const struct net *before, const struct net *net, double 
 static void fill_net(const struct spot_radius_question *question, const struct peak *peak,
                      const struct net *before, struct arena *arena, struct net *net)
 {
-    struct edge_directions directions = {.angles = net->angles, .count = net->wide};
-    double near[WIDE];
+    double near[WIDE], slack = 0;
     if (before->is_known) {
         const double step = (before->angles[before->wide - 1] - before->angles[0]) / (FINE - 1);
         guess_radii(before, net, near);
-        directions.near = near;
         /* a chord lies off an arc by an eighth of its square */
-        directions.slack = fmin(0.03, fmax(step * step, 1e-6));
+        slack = fmin(0.03, fmax(step * step, 1e-6));
     }
-    const struct quadrature_rim edge = quadrature_edge(peak->source->region, &directions, arena);
+    const struct quadrature_rim edge = quadrature_edge(
+        peak->source->region, net->angles, net->wide, before->is_known ? near : NULL, slack, arena);
     for (size_t i = 0; i < net->wide; i++) {
         net->radii[i] = edge.radii[i];
     }
@@ -521,12 +520,12 @@ static double graze_error(const struct spot_radius_question *question, const str
 {
     const struct arena_mark mark = arena_mark(arena);
     const double share = 1 - beside;
-    const struct edge_directions directions = {.angles = peak->at, .count = 1};
     double distance = 0;
     if (peak->at[1] < within) {
         return 0;
     }
-    const struct quadrature_rim edge = quadrature_edge(peak->source->region, &directions, arena);
+    const struct quadrature_rim edge =
+        quadrature_edge(peak->source->region, peak->at, 1, NULL, 0, arena);
     measure_with(question, peak->source, peak->source->open, &(struct rings){&edge, &share, 1},
                  arena, &distance);
     arena_reset(arena, mark);

@@ -172,8 +172,7 @@ static bool exit_pupil_find_rim(struct exit_pupil *pupil, struct arena *arena,
             angles[count++] = angle;
         }
     }
-    const struct edge_directions directions = {.angles = angles, .count = count};
-    const struct quadrature_rim edge = quadrature_edge(region, &directions, arena);
+    const struct quadrature_rim edge = quadrature_edge(region, angles, count, NULL, 0, arena);
     double(*points)[2] = arena_array(arena, count, sizeof *points);
     for (size_t i = 0; i < count; i++) {
         for (int k = 0; k < 2; k++) {
@@ -398,7 +397,7 @@ static bool exit_pupil_open_pupil(const struct exit_pupils *pupils, size_t g, st
                                  .n = light->open->index_last,
                                  .waves = 1000 / light->wavelength,
                                  .zero = opd_path(&reference->opd, &light->chief),
-                                 .is_blocked = source->region->probe.full != NULL};
+                                 .is_blocked = source->region->margins.full != NULL};
     source->region->in_beam = true;
     const struct quadrature inside = quadrature_fill(source->region, RAYS, arena);
     if (inside.is_empty || !exit_pupil_find_rim(pupil, arena, &rim)) {

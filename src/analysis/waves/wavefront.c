@@ -189,8 +189,7 @@ static void wavefront_look(const struct wavefront_source *source, const double *
     const struct arena_mark mark = arena_mark(arena);
     const struct wave_light *light = &source->lights.list[0];
     const struct quadrature_region *region = light->source.region;
-    const struct edge_directions directions = {.angles = angles, .count = angle_count};
-    const struct quadrature_rim rim = quadrature_edge(region, &directions, arena);
+    const struct quadrature_rim rim = quadrature_edge(region, angles, angle_count, NULL, 0, arena);
     struct rays rays = rays_new(arena, angle_count);
     for (size_t k = 0; k < share_count; k++) {
         if (!(shares[k] >= 0 && shares[k] <= 1)) {

@@ -3,7 +3,7 @@
 #include "camera/film/bounds_extent.h"
 
 #include "base/constants.h"
-#include "camera/film/outline_search.h"
+#include "camera/film/pupil_outline.h"
 
 #include <math.h>
 

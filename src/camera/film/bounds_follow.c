@@ -3,7 +3,7 @@
 #include "camera/film/bounds_follow.h"
 
 #include "camera/film/bounds_fit.h"
-#include "camera/film/outline_search.h"
+#include "camera/film/pupil_outline.h"
 
 #include <math.h>
 

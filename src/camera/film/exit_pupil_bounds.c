@@ -5,7 +5,7 @@
 #include "camera/film/bounds_extent.h"
 #include "camera/film/bounds_fit.h"
 #include "camera/film/bounds_follow.h"
-#include "camera/film/outline_search.h"
+#include "camera/film/pupil_outline.h"
 #include "optics/aperture.h"
 
 #include <math.h>

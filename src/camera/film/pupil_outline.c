@@ -3,15 +3,274 @@
 #include "camera/film/pupil_outline.h"
 
 #include "base/constants.h"
-#include "camera/film/outline_rays.h"
-#include "camera/film/outline_search.h"
 #include "trace/pupil/pupil_boundary.h"
+#include "trace/pupil/pupil_inside.h"
 
 #include <math.h>
 #include <string.h>
 
 /* Edges are searched to a share of what regions are grown by. */
 static const double roughly = 1e-4, farthest = 100;
+
+/* -------- a disc of rays from a point of the film -------- */
+
+/* Half widths that discs have where nothing asks for more. */
+#define SIGHT_AROUND 2.0
+
+/* One point of the film at one wavelength. */
+struct outline_rays {
+    const struct film_lens *lens;
+    double tangent;
+    struct film_place place;
+    struct beam beam;
+    struct stop_beam disc;
+    struct clearances margins;
+    struct edge_frame frame;
+};
+
+/* The coordinates in the beam of a direction. */
+static void to_beam(const struct outline_rays *sight, struct pupil_outline_point way, double at[2])
+{
+    const struct film_place *place = &sight->place;
+    const double film = sight->lens->film, size2 = way.x * way.x + way.y * way.y;
+    /* a guess may lie beyond all directions */
+    const double left2 = 1 + sight->tangent * size2 - size2;
+    const double far = fabs(film) / sqrt(fmax(left2, 1e-12));
+    const double x = way.x * place->up[1] + way.y * place->up[0];
+    const double y = way.y * place->up[1] - way.x * place->up[0];
+    beam_place(&sight->beam, (double[3]){place->x + far * x, place->y + far * y, 0}, at);
+}
+
+static void outline_rays_to_disc(const struct outline_rays *sight, struct pupil_outline_point way,
+                                 double uv[2])
+{
+    const struct stop_beam *disc = &sight->disc;
+    double at[2];
+    to_beam(sight, way, at);
+    for (int k = 0; k < 2; k++) {
+        uv[k] = (at[k] - disc->origin[k]) / disc->axes[3 * k];
+    }
+}
+
+static struct pupil_outline_point outline_rays_from_disc(const struct outline_rays *sight,
+                                                         const double uv[2])
+{
+    const double *up = sight->place.up;
+    double at[2];
+    stop_beam_place(&sight->disc, uv[0], uv[1], at);
+    const struct ray ray = beam_ray(&sight->beam, at[0], at[1]);
+    const double x = ray.cosine[0] * up[1] - ray.cosine[1] * up[0];
+    const double y = ray.cosine[0] * up[0] + ray.cosine[1] * up[1];
+    const double left2 = fmax(1 - sight->tangent * (x * x + y * y), 1e-12);
+    return (struct pupil_outline_point){x / sqrt(left2), y / sqrt(left2)};
+}
+
+/* Look with a disc of so many half widths of an outline about its centre. */
+static void outline_rays_open(const struct pupil_outline_search *search, size_t wavelength,
+                              const struct pupil_outline *about, double widths,
+                              struct outline_rays *sight)
+{
+    const struct film_lens *lens = search->lens;
+    const struct system *system = lens->systems[wavelength];
+    const struct pupil_outline_point centre = about->centre, size = about->size;
+    double right[2], up[2];
+    sight->lens = lens;
+    sight->tangent = search->tangent;
+    sight->place = about->place;
+    sight->beam = beam_to_pupil((double[3]){about->place.x, about->place.y, lens->film},
+                                lens->first->exit_pupil, system->index_first);
+    sight->disc = (struct stop_beam){
+        .system = system, .beam = &sight->beam, .radius = NAN, .weight = WEIGHT_BEAM};
+    const double *middle = sight->disc.origin;
+    to_beam(sight, centre, sight->disc.origin);
+    to_beam(sight, (struct pupil_outline_point){centre.x + size.x, centre.y}, right);
+    to_beam(sight, (struct pupil_outline_point){centre.x, centre.y + size.y}, up);
+    const double radius = widths * fmax(hypot(right[0] - middle[0], right[1] - middle[1]),
+                                        hypot(up[0] - middle[0], up[1] - middle[1]));
+    sight->disc.axes[0] = sight->disc.axes[3] = radius;
+    sight->frame = (struct edge_frame){.stretch = {1 / widths, 1 / widths}};
+    sight->margins = clearances_open(&sight->disc, search->arena);
+}
+
+/* -------- where light comes from -------- */
+
+/* A square of u, v, and the rays at a grid over it. */
+struct patch {
+    double centre[2], half[2];
+    double points[RAYS_BLOCK][2];
+    double least;      /* by which one fails, so far */
+    double deepest[2]; /* the ray that passes best, in the middle of a lens with two halves */
+};
+
+enum { SIDE = 11, ALL = SIDE * SIDE };
+
+static void look_at_patch(const struct outline_rays *sight, struct patch *patch)
+{
+    for (size_t i = 0; i < ALL; i++) {
+        for (size_t k = 0; k < 2; k++) {
+            const double place = (double)(k == 0 ? i % SIDE : i / SIDE) * 2 / (SIDE - 1) - 1;
+            patch->points[i][k] = patch->centre[k] + place * patch->half[k];
+        }
+    }
+    clearances_look(&sight->margins, (const double(*)[2])patch->points, ALL);
+}
+
+/*
+ * A smaller one about the rays that pass, or about that which fails by least.
+ *
+ * Result    how many pass; SIZE_MAX: none does, nor will
+ */
+static size_t outline_search_narrow(const struct outline_rays *sight, bool is_half,
+                                    struct patch *patch)
+{
+    const double *excess = sight->margins.excess;
+    double low[2] = {INFINITY, INFINITY}, high[2] = {-INFINITY, -INFINITY};
+    size_t lit = 0, best = 0, deepest = ALL / 2;
+    for (size_t i = 0; i < ALL; i++) {
+        const bool counts = !is_half || i % SIDE == SIDE / 2;
+        best = excess[i] < excess[best] ? i : best;
+        deepest = counts && excess[i] < excess[deepest] ? i : deepest;
+        lit += excess[i] <= 0;
+    }
+    patch->deepest[0] = patch->points[deepest][0];
+    patch->deepest[1] = patch->points[deepest][1];
+    for (size_t i = 0; i < ALL; i++) {
+        for (int k = 0; k < 2 && (lit == 0 ? i == best : excess[i] <= 0); k++) {
+            low[k] = fmin(low[k], patch->points[i][k]);
+            high[k] = fmax(high[k], patch->points[i][k]);
+        }
+    }
+    for (int k = 0; k < 2; k++) {
+        const double step = 2 * patch->half[k] / (SIDE - 1);
+        patch->centre[k] = (low[k] + high[k]) / 2;
+        patch->half[k] = (high[k] - low[k]) / 2 + (lit == 0 ? 1.5 : 0.5) * step;
+    }
+    /* nearing a place that passes it would be less by more than the square is smaller */
+    const bool is_dark = lit == 0 && !(excess[best] < patch->least / 2);
+    patch->least = excess[best];
+    return is_dark ? SIZE_MAX : lit;
+}
+
+bool outline_is_lit(const struct pupil_outline_search *search, size_t wavelength,
+                    struct pupil_outline *outline)
+{
+    enum { LEVELS = 9, ENOUGH = 5 };
+    const struct arena_mark mark = arena_mark(search->arena);
+    struct patch patch = {.half = {0.8, 0.8}, .least = INFINITY};
+    struct outline_rays sight;
+    size_t lit = 0;
+    outline_rays_open(search, wavelength, outline, SIGHT_AROUND, &sight);
+    for (int level = 0; level < LEVELS && lit < ENOUGH; level++) {
+        look_at_patch(&sight, &patch);
+        lit = outline_search_narrow(&sight, outline->is_half, &patch);
+    }
+    const bool is_lit = lit > 0 && lit != SIZE_MAX;
+    if (is_lit) {
+        const double right[2] = {patch.centre[0] + patch.half[0], patch.centre[1]};
+        const double up[2] = {patch.centre[0], patch.centre[1] + patch.half[1]};
+        const struct pupil_outline_point centre = outline_rays_from_disc(&sight, patch.centre);
+        const struct pupil_outline_point middle = outline_rays_from_disc(&sight, patch.deepest);
+        const struct pupil_outline_point a = outline_rays_from_disc(&sight, right),
+                                         b = outline_rays_from_disc(&sight, up);
+        const double size_a = hypot(a.x - centre.x, a.y - centre.y);
+        const double size_b = hypot(b.x - centre.x, b.y - centre.y);
+        outline->centre = (struct pupil_outline_point){outline->is_half ? 0 : middle.x, middle.y};
+        outline->size = (struct pupil_outline_point){size_a, size_b};
+    }
+    arena_reset(search->arena, mark);
+    return is_lit;
+}
+
+bool outline_discover(const struct pupil_outline_search *search, size_t wavelength,
+                      struct pupil_outline *outline)
+{
+    const struct film_lens *lens = search->lens;
+    const struct arena_mark mark = arena_mark(search->arena);
+    struct pupil_boundary *star = ARENA_NEW(search->arena, struct pupil_boundary);
+    struct outline_rays sight;
+    outline->centre = (struct pupil_outline_point){0, 0};
+    outline->size = (struct pupil_outline_point){0.1, 0.1};
+    outline_rays_open(search, wavelength, outline, 1, &sight);
+    const struct clear_guess guess =
+        clear_guess_of(lens->systems[wavelength], &sight.beam, lens->first);
+    sight.disc.origin[0] = guess.centre[0];
+    sight.disc.origin[1] = guess.centre[1];
+    sight.disc.axes[0] = sight.disc.axes[3] = SIGHT_AROUND * guess.radius;
+    const bool found = pupil_boundary_find(&sight.margins, search->arena, star);
+    if (found) {
+        double uv[2], low = INFINITY, high = 0;
+        for (size_t i = 0; i < star->count; i++) {
+            low = fmin(low, star->edges[i].radius);
+            high = fmax(high, star->edges[i].radius);
+        }
+        outline->centre = outline_rays_from_disc(&sight, star->frame.centre);
+        edge_point(&star->frame, 0, (low + high) / 2, uv);
+        const struct pupil_outline_point top = outline_rays_from_disc(&sight, uv);
+        const double size = hypot(top.x - outline->centre.x, top.y - outline->centre.y);
+        outline->size = (struct pupil_outline_point){size, size};
+        outline->centre.x = outline->is_half ? 0 : outline->centre.x;
+    }
+    arena_reset(search->arena, mark);
+    return found;
+}
+
+/* -------- rays beside it -------- */
+
+/* Rays over 1.6 half widths; those that pass. */
+static size_t outline_search_scatter(const struct pupil_outline_search *search, size_t wavelength,
+                                     const struct pupil_outline *outline, size_t turn,
+                                     struct pupil_outline_point *lit)
+{
+    /* powers of the plastic number: evenly spread however many there are */
+    static const double steps[2] = {0.7548776662466927, 0.5698402909980532};
+    const struct arena_mark mark = arena_mark(search->arena);
+    double points[RAYS_BLOCK][2];
+    struct outline_rays sight;
+    size_t count = 0;
+    outline_rays_open(search, wavelength, outline, SIGHT_AROUND, &sight);
+    for (size_t i = 0; i < RAYS_BLOCK; i++) {
+        for (int k = 0; k < 2; k++) {
+            const double at = (double)(turn * RAYS_BLOCK + i) * steps[k];
+            points[i][k] = 1.6 * (at - floor(at)) - 0.8;
+        }
+    }
+    clearances_look(&sight.margins, (const double(*)[2])points, RAYS_BLOCK);
+    for (size_t i = 0; i < RAYS_BLOCK; i++) {
+        if (sight.margins.excess[i] <= 0) {
+            struct pupil_outline_point way = outline_rays_from_disc(&sight, points[i]);
+            way.x = outline->is_half ? fabs(way.x) : way.x;
+            lit[count++] = way;
+        }
+    }
+    arena_reset(search->arena, mark);
+    return count;
+}
+
+size_t outline_scatter(const struct pupil_outline_search *search, size_t wavelength,
+                       const struct pupil_outline *outline, size_t turn,
+                       struct pupil_outline_point *lit)
+{
+    enum { ROUNDS = OUTLINE_SCATTER / RAYS_BLOCK };
+    const double more = 1.15;
+    struct pupil_outline about = {.place = outline->place,
+                                  .is_half = outline->is_half,
+                                  .centre = outline->centre,
+                                  .size = outline->size};
+    size_t count = 0, all = 0;
+    bool grows = true;
+    for (int round = 0; round < ROUNDS && grows; round++) {
+        count = outline_search_scatter(search, wavelength, &about, turn + (size_t)round, lit + all);
+        double far = 0;
+        for (size_t i = 0; i < count; i++) {
+            far = fmax(far, fmax(fabs(lit[all + i].x - about.centre.x),
+                                 fabs(lit[all + i].y - about.centre.y)));
+        }
+        all += count;
+        grows = far > more * fmax(about.size.x, about.size.y);
+        about.size.x = about.size.y = fmax(far, fmax(about.size.x, about.size.y));
+    }
+    return all;
+}
 
 /* -------- holes -------- */
 
@@ -36,7 +295,7 @@ static void look_at_spokes(const struct outline_rays *sight, const struct spokes
             edge_point(&sight->frame, spokes->angles[k], shares[k] * spokes->ends[k].radius, uv);
             stop_beam_place(&sight->disc, uv[0], uv[1], at[i]);
         }
-        probe_depth(&sight->probe, (const double(*)[2])at, here, depth + done, parts);
+        clearances_depth(&sight->margins, (const double(*)[2])at, here, depth + done, parts);
     }
 }
 
@@ -78,9 +337,8 @@ static void search_hole(const struct outline_rays *sight, const struct spokes *s
                         double *shares)
 {
     struct clear_intervals spans[FILM_SECTORS + 1];
-    const struct edge_directions directions = {sight->frame, spokes->angles, NULL, spokes->count,
-                                               0};
-    pupil_boundary_spans(&sight->margins, &sight->probe, &directions, spokes->ends, spans);
+    pupil_boundary_intervals(&sight->margins, &sight->frame, spokes->angles, spokes->count,
+                             spokes->ends, spans);
     for (size_t k = 0; k < spokes->count; k++) {
         shares[k] = spans[k].count > 0 ? spans[k].low[0] : 1;
     }
@@ -92,7 +350,7 @@ static void pupil_outline_find_hole(const struct outline_rays *sight, const doub
 {
     struct spokes spokes = {.count = pupil_outline_sectors(outline) + 1};
     const size_t step = PUPIL_OUTLINE_STEPS / (spokes.count - 1) / outline->each;
-    outline->has_hole = outline->asks_hole && sight->probe.full != NULL;
+    outline->has_hole = outline->asks_hole && sight->margins.full != NULL;
     if (!outline->has_hole) {
         return;
     }
@@ -214,9 +472,8 @@ static bool look_within(const struct outline_rays *sight, const struct pupil_out
         memcpy(outline->share, near->share, sizeof near->share);
     }
     guess_edge(sight, outline, near, angles, radii);
-    const struct edge_directions directions = {sight->frame, angles, near != NULL ? radii : NULL,
-                                               PUPIL_OUTLINE_STEPS / outline->each + 1, 0};
-    edges_find(&sight->margins, &directions, roughly, edges);
+    edges_find(&sight->margins, &sight->frame, angles, near != NULL ? radii : NULL,
+               PUPIL_OUTLINE_STEPS / outline->each + 1, 0, roughly, edges);
     for (size_t k = 0; k <= PUPIL_OUTLINE_STEPS / outline->each; k++) {
         double at[2];
         edge_point(&sight->frame, angles[k], edges[k].radius, at);

@@ -5,7 +5,6 @@
 #include "base/constants.h"
 #include "trace/aim/sample.h"
 #include "trace/pupil/clear_intervals.h"
-#include "trace/pupil/probe.h"
 #include "trace/pupil/pupil_boundary.h"
 
 #include <math.h>
@@ -13,46 +12,27 @@
 /* Arms of an edge without corners; of one that has too many. */
 enum { CIRCLE = 128, MANY = 1024 };
 
-/* An excess that counts as none at the ends of arms; how far beside a corner its edges are, rad. */
-static const double finely = 1e-13, beside = 3e-8;
+/* How far beside a corner its edges are, rad. */
+static const double beside = 3e-8;
 
 /* A pupil at work. */
 struct clear_search {
     const struct clearances *margins;
-    const struct probe *probe;
     const struct pupil_boundary *star;
     struct arena *arena;
 };
 
 /* -------- edges -------- */
 
-/* What ends a ray, by the number that the margins have for it. */
-static void name_limit(const struct clearances *margins, size_t limit, struct clear_edge *edge)
-{
-    const size_t number = limit % ((size_t)1 << 32);
-    const bool lost = clearances_lost(limit);
-    edge->status = lost ? (enum ray_status)(number % 8) : RAY_CLIPPED;
-    edge->surface = lost ? number / 8 : margins->all[number].surface + 1;
-    edge->part = 0;
-}
-
-/* Edges in some directions, with what they are as shares of the star's stretch. */
+/* Edges in some directions, and how far they are as shares of the star's stretch. */
 static void clear_find_edges(const struct clear_search *finding, const double *angles, size_t count,
                              struct clear_edge *edges, double *radii)
 {
     const struct pupil_boundary *star = finding->star;
-    double *near = ARENA_ARRAY(finding->arena, count, double);
     struct edge *found = ARENA_ARRAY(finding->arena, count, struct edge);
+    pupil_boundary_edges(finding->margins, star, angles, count, finding->arena, found);
     for (size_t i = 0; i < count; i++) {
-        near[i] = pupil_boundary_near(star, angles[i]);
-    }
-    const struct edge_directions directions = {star->frame, angles, near, count, 0};
-    edges_find(finding->margins, &directions, finely, found);
-    for (size_t i = 0; i < count; i++) {
-        double point[2];
-        edge_point(&star->frame, angles[i], found[i].radius, point);
-        stop_beam_place(finding->margins->beam, point[0], point[1], edges[i].at);
-        name_limit(finding->margins, found[i].limit, &edges[i]);
+        edges[i] = clear_edge_of(finding->margins, &star->frame, angles[i], &found[i]);
         radii[i] = found[i].radius;
     }
 }
@@ -141,7 +121,7 @@ static void cut_arms(const struct clear_search *finding, struct clear_pupil *pup
         pupil->arms[i].spans = pupil->is_cut ? &spans[i] : &spans_whole;
     }
     if (pupil->is_cut) {
-        clear_intervals_find(finding->probe, pupil->centre, (const double(*)[2])at,
+        clear_intervals_find(finding->margins, pupil->centre, (const double(*)[2])at,
                              pupil->arm_count, spans);
     }
 }
@@ -326,22 +306,21 @@ void clear_find(const struct system *system, const struct beam *beam,
                 const struct clear_guess *guess, size_t directions, struct arena *arena,
                 struct clear_pupil *pupil)
 {
-    const struct probe probe = probe_open(system, beam, arena);
     struct stop_beam frame = {.system = system,
                               .beam = beam,
                               .axes = {guess->radius, 0, 0, guess->radius},
                               .radius = system->stop_radius,
                               .weight = WEIGHT_BEAM};
-    *pupil = (struct clear_pupil){.is_cut = probe.full != NULL};
+    *pupil = (struct clear_pupil){.is_cut = system->outer != NULL};
     gauss_rule(CLEAR_ARC, pupil->nodes, pupil->gauss);
-    pupil->is_empty = !probe_inside(&probe, guess, frame.origin);
+    pupil->is_empty = !pupil_inside_find(system, beam, guess, arena, frame.origin);
     if (pupil->is_empty) {
         return;
     }
     const struct clearances margins = clearances_open(&frame, arena);
     struct pupil_boundary *star = ARENA_NEW(arena, struct pupil_boundary);
-    const struct clear_search finding = {&margins, &probe, star, arena};
-    pupil->is_empty = !pupil_boundary_find(&margins, &probe, arena, star);
+    const struct clear_search finding = {&margins, star, arena};
+    pupil->is_empty = !pupil_boundary_find(&margins, arena, star);
     if (pupil->is_empty) {
         return;
     }

@@ -5,7 +5,8 @@
 
 #include "base/arena.h"
 #include "trace/aim/beam.h"
-#include "trace/pupil/clear_guess.h"
+#include "trace/pupil/edges.h"
+#include "trace/pupil/pupil_inside.h"
 #include "trace/pupil/pupil_islands.h"
 #include "trace/system.h"
 
@@ -58,7 +59,7 @@ struct clear_pupil {
  *                       apertures, by total reflection or by missing a surface
  *           directions  how many edges are wanted for their own sake: none, or a multiple of 4
  *           guess       from clear_guess_of
- * Formula   a point inside is searched for (trace/pupil/probe.h); about it a star
+ * Formula   a point inside is searched for (trace/pupil/pupil_inside.h); about it a star
  * (trace/pupil/pupil_boundary.h), its
  *           edge where smooth margins come to 0 (trace/pupil/edges.h). Area: the sum of r^2/2 over
  *           equal angles about the centre where there are no corners, which converges as fast as

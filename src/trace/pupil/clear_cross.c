@@ -1,138 +1,78 @@
-/* trace/pupil/clear_cross.c - edges across a beam, a few rays at a time. */
+/* trace/pupil/clear_cross.c - edges across a beam, to both sides of a ray that passes. */
 /* SPDX-License-Identifier: MIT */
 #include "trace/pupil/clear_cross.h"
 
-#include "trace/aim/multisection.h"
+#include "base/constants.h"
 #include "trace/pupil/clear_intervals.h"
-#include "trace/pupil/probe.h"
 
 #include <math.h>
 
-/* One edge, while it is looked for: it lies between two neighbours of `points`. */
-struct trail {
-    double way[2];                                  /* from the centre, of length 1 */
-    struct multisection_point points[RAYS_FEW + 2]; /* how far, mm; the excess there */
-    size_t count, between;                          /* between 0: nothing is lost yet */
-    size_t turns;                                   /* since there is something lost */
-    struct clear_edge edge;
+/* Directions of the ends; angles count from b towards a. */
+static const double directions[4] = {PI / 2, 0, -PI / 2, PI};
+
+/* What is looked with: u and v are the coordinates from the centre, in radii of the guess. */
+struct cross_search {
+    struct stop_beam frame;
+    struct clearances margins;
+    struct clear_cross *cross;
 };
 
-static double low_of(const struct trail *trail)
+static bool cross_passes(const struct cross_search *search, double u, double v)
 {
-    return trail->points[trail->between > 0 ? trail->between - 1 : trail->count - 1].at;
+    const double point[1][2] = {{u, v}};
+    clearances_look(&search->margins, point, 1);
+    return search->margins.excess[0] <= 0;
 }
 
-static bool trail_is_open(const struct trail *trail)
+/* The last ray that passes on the way to an end, to the bit, about where its edge was found. */
+static double cross_last(const struct cross_search *search, size_t end, double radius)
 {
-    double low = low_of(trail);
-    return trail->between == 0 ||
-           trail->points[trail->between].at - low > 2e-16 * trail->points[trail->between].at;
-}
-
-/* The places to try next: outwards by doubling, equal parts once, then about where it should be. */
-static void choose_places(const struct trail *trail, double radius, size_t lanes, double *places)
-{
-    double low = low_of(trail);
-    if (trail->between == 0) {
-        for (size_t i = 0; i < lanes; i++) {
-            places[i] = ldexp(low > 0 ? 2 * low : radius / 64, (int)i);
+    enum { PARTS = RAYS_FEWEST, TURNS = 60 };
+    const double sign = end < 2 ? 1 : -1;
+    double slack = 1e-14, low = radius * (1 - slack), high = radius * (1 + slack);
+    for (int turn = 0; turn < TURNS && high - low > 2e-16 * high; turn++) {
+        double points[PARTS][2] = {{0}}, radii[PARTS];
+        size_t dark = 0;
+        for (size_t i = 0; i < PARTS; i++) {
+            radii[i] = low + (high - low) * ((double)i / (PARTS - 1));
+            points[i][end % 2] = sign * radii[i];
         }
-        return;
+        clearances_look(&search->margins, (const double(*)[2])points, PARTS);
+        while (dark < PARTS && ray_block_status(search->margins.work.blocks, dark) == RAY_OK) {
+            dark++;
+        }
+        if (dark == 0 || dark == PARTS) {
+            slack *= PARTS;
+        }
+        low = dark == 0 ? radius * (1 - slack) : radii[dark - 1];
+        high = dark == PARTS ? radius * (1 + slack) : radii[dark];
     }
-    /* a narrow gap in front of the edge shows in equal parts */
-    const struct multisection_point blind[2] = {{low, NAN},
-                                                {trail->points[trail->between].at, NAN}};
-    if (trail->turns == 0) {
-        multisection_places(blind, 2, 1, lanes, places);
-    } else {
-        multisection_places(trail->points, trail->count, trail->between, lanes, places);
-    }
+    return sign * low;
 }
 
-/*
- * What the places have shown: the first ray that is lost, and the last that passes before it. Has
- * the bracket become narrower?
- */
-static bool take_places(const struct probe *probe, size_t first, size_t lanes, const double *places,
-                        const double *excess, struct trail *trail)
+/* The edges on one side of an axis (count 1) or on both, from the centre. */
+static void cross_find_ends(const struct cross_search *search, int axis, size_t count)
 {
-    struct trail next = {.way = {trail->way[0], trail->way[1]}, .edge = trail->edge};
-    const bool closed = trail->between > 0;
-    const double low = low_of(trail), high = closed ? trail->points[trail->between].at : INFINITY;
-    next.points[next.count++] = trail->points[closed ? trail->between - 1 : trail->count - 1];
-    for (size_t i = 0; i < lanes; i++) {
-        if (!(places[i] > next.points[next.count - 1].at && places[i] < high)) {
-            continue; /* nothing lies between */
-        }
-        /* another surface than those looked at may end the ray, or none: no number for it */
-        const bool passes = probe_passes(probe, first + i);
-        bool tells = excess[first + i] < PROBE_LOST && passes == (excess[first + i] <= 0);
-        next.points[next.count] =
-            (struct multisection_point){places[i], tells ? excess[first + i] : (double)NAN};
-        if (next.between == 0 && !passes) {
-            next.between = next.count;
-            next.edge.status = ray_block_status(probe->work.blocks, first + i);
-            next.edge.surface = ray_block_surface(probe->work.blocks, first + i);
-        }
-        next.count++;
-    }
-    if (closed) {
-        next.points[next.count] = trail->points[trail->between];
-        next.between = next.between == 0 ? next.count : next.between;
-        next.count++;
-    }
-    next.turns = closed ? trail->turns + 1 : 0;
-    *trail = next;
-    return low_of(trail) > low || (trail->between > 0 && trail->points[trail->between].at < high);
-}
-
-/* Places to try on all trails; the surfaces that end them as far as is known, else null. */
-static const size_t *trails_choose_rays(const struct trail *trails, size_t count, double radius,
-                                        double *places, size_t *surfaces)
-{
-    const size_t lanes = RAYS_FEW / count;
-    bool known = true;
-    for (size_t i = 0; i < count; i++) {
-        choose_places(&trails[i], radius, lanes, places + i * lanes);
-        known = known && trails[i].turns > 0 && trails[i].edge.status == RAY_CLIPPED;
-        surfaces[i] = trails[i].edge.surface - 1;
-    }
-    surfaces[count] = LENS_NONE;
-    return known ? surfaces : NULL;
-}
-
-/* Edges along one or two ways from a point inside. */
-static void trails_find_edges(const struct probe *probe, const double centre[2], double radius,
-                              struct trail *trails, size_t count)
-{
-    enum { TURNS = 300 };
-    const size_t lanes = RAYS_FEW / count;
-    double places[RAYS_FEW], at[RAYS_FEW][2], excess[RAYS_FEW];
-    size_t surfaces[3];
-    bool busy = true;
-    for (size_t i = 0; i < count; i++) {
-        trails[i].points[0] = (struct multisection_point){0, NAN};
-        trails[i].count = 1;
-    }
-    for (int turn = 0; turn < TURNS && busy; turn++) {
-        const size_t *limits = trails_choose_rays(trails, count, radius, places, surfaces);
-        for (size_t i = 0; i < RAYS_FEW; i++) {
-            const double *way = trails[i / lanes].way;
-            at[i][0] = centre[0] + places[i] * way[0];
-            at[i][1] = centre[1] + places[i] * way[1];
-        }
-        probe_excess(probe, limits, (const double(*)[2])at, RAYS_FEW, excess);
-        busy = false;
-        for (size_t i = 0; i < count; i++) {
-            size_t first = i * lanes;
-            bool moved = take_places(probe, first, lanes, places + first, excess, &trails[i]);
-            busy = busy || (moved && trail_is_open(&trails[i]));
+    const double farthest = 60;
+    const double angles[2] = {directions[axis], directions[axis + 2]};
+    struct clear_cross *cross = search->cross;
+    struct edge_frame frame = {.stretch = {1, 1}};
+    struct edge edges[2];
+    bool is_closed = false;
+    for (int turn = 0; turn < 60 && !is_closed; turn++) {
+        edges_find(&search->margins, &frame, angles, NULL, count, 0, 1e-14, edges);
+        is_closed = edges[0].radius < farthest && (count < 2 || edges[1].radius < farthest);
+        if (!is_closed) {
+            frame.stretch[0] = frame.stretch[1] *= 32;
         }
     }
     for (size_t i = 0; i < count; i++) {
-        double t = low_of(&trails[i]);
-        trails[i].edge.at[0] = centre[0] + t * trails[i].way[0];
-        trails[i].edge.at[1] = centre[1] + t * trails[i].way[1];
+        const size_t end = (size_t)axis + 2 * i;
+        const double radius = edges[i].radius * frame.stretch[0];
+        cross->ends[end] = clear_edge_of(&search->margins, &frame, angles[i], &edges[i]);
+        cross->ends[end].at[axis] =
+            cross->centre[axis] + search->frame.axes[0] * cross_last(search, end, radius);
+        cross->ends[end].at[1 - axis] = cross->centre[1 - axis];
     }
 }
 
@@ -140,41 +80,41 @@ static void trails_find_edges(const struct probe *probe, const double centre[2],
  * Both edges along one axis, and the point halfway between them if that passes. `mirrors`: one is
  * the image of the other.
  */
-static void cross_halve(const struct probe *probe, double radius, int axis, bool mirrors,
-                        struct clear_cross *cross)
+static void cross_halve(struct cross_search *search, int axis, bool mirrors)
 {
-    struct trail trails[2] = {{.count = 0}, {.count = 0}};
-    double middle[2] = {cross->centre[0], cross->centre[1]};
-    trails[0].way[axis] = 1;
-    trails[1].way[axis] = -1;
-    trails_find_edges(probe, cross->centre, radius, trails, mirrors ? 1 : 2);
-    cross->ends[axis] = cross->ends[axis + 2] = trails[0].edge;
+    struct clear_cross *cross = search->cross;
+    for (int k = 0; k < 2; k++) {
+        search->frame.origin[k] = cross->centre[k];
+    }
+    cross_find_ends(search, axis, mirrors ? 1 : 2);
     if (mirrors) {
-        cross->ends[axis + 2].at[axis] = -trails[0].edge.at[axis];
+        cross->ends[axis + 2] = cross->ends[axis];
+        cross->ends[axis + 2].at[axis] = -cross->ends[axis].at[axis];
         return;
     }
-    cross->ends[axis + 2] = trails[1].edge;
-    double high = trails[0].edge.at[axis], low = trails[1].edge.at[axis];
-    middle[axis] = (high + low) / 2;
+    const double high = cross->ends[axis].at[axis], low = cross->ends[axis + 2].at[axis];
+    double middle = (high + low) / 2;
     /* what symmetry makes 0 */
-    middle[axis] = fabs(middle[axis]) > 1e-12 * (high - low) ? middle[axis] : 0;
-    if (middle[axis] == cross->centre[axis] || probe_passes_one(probe, middle)) {
-        cross->centre[axis] = middle[axis];
+    middle = fabs(middle) > 1e-12 * (high - low) ? middle : 0;
+    const double by = (middle - cross->centre[axis]) / search->frame.axes[0];
+    if (cross_passes(search, axis == 0 ? by : 0, axis == 1 ? by : 0)) {
+        cross->centre[axis] = middle;
     }
 }
 
 /* What is cut out within the edges may reach as far as they do: the last rays that pass. */
-static void draw_in(const struct probe *probe, struct clear_cross *cross)
+static void cross_draw_in(const struct cross_search *search)
 {
+    struct clear_cross *cross = search->cross;
     double ends[4][2];
-    struct clear_intervals spans[4];
+    struct clear_intervals intervals[4];
     for (size_t i = 0; i < 4; i++) {
         ends[i][0] = cross->ends[i].at[0];
         ends[i][1] = cross->ends[i].at[1];
     }
-    clear_intervals_find(probe, cross->centre, (const double(*)[2])ends, 4, spans);
+    clear_intervals_find(&search->margins, cross->centre, (const double(*)[2])ends, 4, intervals);
     for (size_t i = 0; i < 4; i++) {
-        double far = spans[i].count > 0 ? spans[i].high[spans[i].count - 1] : 1;
+        double far = intervals[i].count > 0 ? intervals[i].high[intervals[i].count - 1] : 1;
         for (int k = 0; k < 2 && far < 1; k++) {
             cross->ends[i].at[k] = cross->centre[k] + far * (ends[i][k] - cross->centre[k]);
         }
@@ -185,24 +125,30 @@ void clear_across(const struct system *system, const struct beam *beam,
                   const struct clear_guess *guess, bool is_round, struct arena *arena,
                   struct clear_cross *cross)
 {
-    const struct probe probe = probe_open(system, beam, arena);
+    struct cross_search search = {.frame = {.system = system,
+                                            .beam = beam,
+                                            .axes = {guess->radius, 0, 0, guess->radius},
+                                            .radius = INFINITY,
+                                            .weight = WEIGHT_BEAM},
+                                  .cross = cross};
     /* to the bit only where the axes of the beam are those of the lens */
     const bool x = beam->axis[0] != 0, y = beam->axis[1] != 0;
     const bool aside = is_round && !(x && y), upwards = is_round && !x && !y;
     *cross = (struct clear_cross){.is_empty = false};
-    cross->is_empty = !probe_inside(&probe, guess, cross->centre);
+    cross->is_empty = !pupil_inside_find(system, beam, guess, arena, cross->centre);
     if (cross->is_empty) {
         return;
     }
-    if (is_round &&
-        (cross->centre[0] == 0 || probe_passes_one(&probe, (double[2]){0, cross->centre[1]}))) {
+    search.margins = clearances_open(&search.frame, arena);
+    search.frame.origin[1] = cross->centre[1];
+    if (is_round && (cross->centre[0] == 0 || cross_passes(&search, 0, 0))) {
         cross->centre[0] = 0;
     } else {
-        cross_halve(&probe, guess->radius, 0, false, cross);
+        cross_halve(&search, 0, false);
     }
-    cross_halve(&probe, guess->radius, 1, upwards && cross->centre[1] == 0, cross);
-    cross_halve(&probe, guess->radius, 0, aside && cross->centre[0] == 0, cross);
-    if (probe.full != NULL) {
-        draw_in(&probe, cross);
+    cross_halve(&search, 1, upwards && cross->centre[1] == 0);
+    cross_halve(&search, 0, aside && cross->centre[0] == 0);
+    if (search.margins.full != NULL) {
+        cross_draw_in(&search);
     }
 }

@@ -4,7 +4,8 @@
 #define LENSCALC_TRACE_PUPIL_CLEAR_CROSS_H
 
 #include "base/arena.h"
-#include "trace/pupil/clear_guess.h"
+#include "trace/pupil/edges.h"
+#include "trace/pupil/pupil_inside.h"
 
 /* Five rays of what passes: its middle, and its edges across. */
 struct clear_cross {
@@ -20,11 +21,8 @@ struct clear_cross {
  *                     plane, a = 0, and the two edges aside mirror each other
  *           guess     best a ray that passes: then nothing is searched for
  * Formula   through a ray inside across (a), through the middle of that up and down (b), through
- *           the middle of that across again. An edge is bracketed by doubling, by eighths or
- *           sixteenths, and then to rounding where the excess of r^2/a^2 over 1, which is smooth
- *           but for corners, comes to 0 (trace/aim/multisection.h); what mirrors an edge is not
- *           looked
- *           for
+ *           the middle of that across again. Edges: edges_find, and about
+ *           what that says the last ray that passes; what mirrors an edge is not looked for
  */
 void clear_across(const struct system *system, const struct beam *beam,
                   const struct clear_guess *guess, bool is_round, struct arena *arena,

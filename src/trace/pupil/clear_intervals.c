@@ -24,7 +24,7 @@ struct light_change {
 
 /* Lines being cut. */
 struct line_cut {
-    const struct probe *probe;
+    const struct clearances *margins;
     const double *centre;
     const double (*ends)[2];
     struct light_change changes[RAYS_BLOCK];
@@ -48,7 +48,7 @@ static void cut_trace_points(const struct line_cut *cutting, size_t line, double
         spots[i].t = from + (to - from) * ((double)i / (RAYS_BLOCK - 1));
         cut_place(cutting, line, spots[i].t, at[i]);
     }
-    probe_depth(cutting->probe, (const double(*)[2])at, RAYS_BLOCK, depth, part);
+    clearances_depth(cutting->margins, (const double(*)[2])at, RAYS_BLOCK, depth, part);
     for (int i = 0; i < RAYS_BLOCK; i++) {
         spots[i].depth = depth[i];
         spots[i].part = part[i];
@@ -109,7 +109,7 @@ static void cut_bisect(struct line_cut *cutting)
             const struct light_change *change = &cutting->changes[i];
             cut_place(cutting, change->line, (change->low + change->high) / 2, at[i]);
         }
-        probe_depth(cutting->probe, (const double(*)[2])at, cutting->count, depth, part);
+        clearances_depth(cutting->margins, (const double(*)[2])at, cutting->count, depth, part);
         for (size_t i = 0; i < cutting->count; i++) {
             struct light_change *change = &cutting->changes[i];
             double middle = (change->low + change->high) / 2;
@@ -151,10 +151,10 @@ static void clear_intervals_join(const struct light_change *changes, size_t coun
     }
 }
 
-void clear_intervals_find(const struct probe *probe, const double centre[2],
+void clear_intervals_find(const struct clearances *margins, const double centre[2],
                           const double (*ends)[2], size_t count, struct clear_intervals *spans)
 {
-    struct line_cut cutting = {.probe = probe, .centre = centre, .ends = ends};
+    struct line_cut cutting = {.margins = margins, .centre = centre, .ends = ends};
     size_t found[RAYS_BLOCK], begins[RAYS_BLOCK];
     for (size_t done = 0; done < count;) {
         size_t lines = 0;

@@ -3,7 +3,7 @@
 #ifndef LENSCALC_TRACE_PUPIL_CLEAR_INTERVALS_H
 #define LENSCALC_TRACE_PUPIL_CLEAR_INTERVALS_H
 
-#include "trace/pupil/probe.h"
+#include "trace/pupil/clearances.h"
 
 #include <stddef.h>
 
@@ -22,18 +22,18 @@ extern const struct clear_intervals spans_whole;
 /*
  * The clear parts of lines from one point to many, in coordinates of the beam.
  *
- * Given     probe   probe->full is not null
+ * Given     margins  margins->full is not null
  *           centre  where all begin
  *           ends    `count` of them; the lines must lie within the edge of the beam
  *           spans   receives one a line
- * Formula   how deep rays come within what blocks (probe_depth), at 128 points of each line, and at
+ * Formula   how deep rays come within what blocks (clearances_depth), at 128 points of each line, and at
  *           128 more about each point where the depth has an extremum that may reach beyond 0
  *           between points; changes of sign are bisected to 1e-15 of the line
  * Limits    what blocks less than 1e-4 of the line, or more than CLEAR_INTERVALS_MOST clear parts,
  * may be
  *           missed
  */
-void clear_intervals_find(const struct probe *probe, const double centre[2],
+void clear_intervals_find(const struct clearances *margins, const double centre[2],
                           const double (*ends)[2], size_t count, struct clear_intervals *spans);
 
 #endif

@@ -54,6 +54,7 @@ struct clearances clearances_open(const struct stop_beam *beam, struct arena *ar
     return (struct clearances){.counts = counts,
                                .beam = beam,
                                .system = system,
+                               .full = beam->system->outer != NULL ? beam->system : NULL,
                                .all = all,
                                .count = count,
                                .is_listed = beam->system->clips != NULL,
@@ -123,15 +124,21 @@ void clearances_go(const struct clearances *margins, const double (*points)[2], 
     }
 }
 
-void clearances_cross(const struct clearances *margins, size_t surface, size_t i, double point[3])
+/* Where ray i of a block meets a surface, in its own frame. */
+static void ray_at_surface(const struct system *system, const struct ray_block *block,
+                           size_t surface, size_t i, double point[3])
 {
-    const struct ray_block *block = margins->work.blocks;
     point[0] = block->x[i];
     point[1] = block->y[i];
     point[2] = block->z[i];
-    if (margins->system->lens->surfaces[surface].decentre != NULL) {
-        system_to_own(margins->system, surface, point);
+    if (system->lens->surfaces[surface].decentre != NULL) {
+        system_to_own(system, surface, point);
     }
+}
+
+void clearances_cross(const struct clearances *margins, size_t surface, size_t i, double point[3])
+{
+    ray_at_surface(margins->system, margins->work.blocks, surface, i, point);
 }
 
 /* One row, of rays that stand on the surface. */
@@ -302,4 +309,63 @@ void clearances_sift(const struct clearances *margins, const double (*points)[2]
         }
     }
     clearances_finish(margins, count, from);
+}
+
+void clearances_parts(const struct clearances *margins, const double (*at)[2], size_t count,
+                      const size_t *surfaces, size_t *parts)
+{
+    const struct rays rays = {margins->work.blocks, count};
+    size_t from = 0;
+    beam_fill(margins->beam->beam, at, count, rays.blocks);
+    for (size_t i = 0; i < count; i++) {
+        parts[i] = 0;
+    }
+    for (size_t k = 0; k < margins->count; k++) {
+        const struct clearance *margin = &margins->all[k];
+        if (margin->clip == NULL) {
+            continue;
+        }
+        rays_trace_part(margins->system, from, margin->place, &rays, NULL);
+        from = margin->place;
+        for (size_t i = 0; i < count; i++) {
+            double point[3];
+            size_t part = 0;
+            if (surfaces[i] != margin->surface) {
+                continue;
+            }
+            clearances_cross(margins, margin->surface, i, point);
+            const double square = point[0] * point[0] + point[1] * point[1];
+            const double listed = clip_excess(margin->clip, point[0], point[1], &part);
+            parts[i] = listed > square / margin->clear2 - 1 ? part : 0;
+        }
+    }
+}
+
+void clearances_depth(const struct clearances *margins, const double (*at)[2], size_t count,
+                      double *depth, size_t *part)
+{
+    const struct system *system = margins->full;
+    const struct ray_block *block = margins->work.blocks;
+    const struct rays rays = {margins->work.blocks, count};
+    beam_fill(margins->beam->beam, at, count, rays.blocks);
+    for (size_t i = 0; i < count; i++) {
+        depth[i] = -INFINITY;
+        part[i] = 0;
+    }
+    for (size_t place = 0; place < system->places; place++) {
+        const size_t surface = system_surface(system, place);
+        const struct clip *clip =
+            surface < system->lens->surface_count ? margin_clip_at(system, surface) : NULL;
+        rays_trace_part(system, place, place + 1, &rays, NULL);
+        for (size_t i = 0; i < count && clip != NULL && clip->inner_count > 0; i++) {
+            double point[3];
+            size_t piece = 0;
+            ray_at_surface(system, block, surface, i, point);
+            const double here = clip_depth(clip, point[0], point[1], &piece);
+            if (here > depth[i]) {
+                depth[i] = here;
+                part[i] = (surface + 1) * 1048576 + piece;
+            }
+        }
+    }
 }

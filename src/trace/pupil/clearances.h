@@ -24,6 +24,7 @@ struct clearance {
 struct clearances {
     const struct stop_beam *beam;
     const struct system *system; /* of the edge: unobstructed */
+    const struct system *full;   /* with what blocks within the edge; null: nothing does */
     const struct clearance *all;
     size_t count;
     bool *counts;   /* which of them are looked at: all at first */
@@ -77,6 +78,26 @@ void clearances_start(const struct clearances *margins, const double (*points)[2
 /* Take rays at u, v to before a place; they stand in the block. */
 void clearances_go(const struct clearances *margins, const double (*points)[2], size_t count,
                    size_t to);
+
+/*
+ * Which piece of an aperture's edge rays are nearest to that end at it.
+ *
+ * Given     at        up to RAYS_BLOCK rays that pass, by their coordinates in the beam
+ *           surfaces  what ends each; LENS_NONE: something else
+ *           parts     receives a number of the piece, 0 where no list of apertures ends the ray
+ */
+void clearances_parts(const struct clearances *margins, const double (*at)[2], size_t count,
+                      const size_t *surfaces, size_t *parts);
+
+/*
+ * How far within something that blocks rays come: the largest clip_depth of all surfaces.
+ *
+ * Given     at     up to RAYS_BLOCK rays, by their coordinates in the beam; margins->full is not null
+ *           depth  receives it: 0 and less passes
+ *           part   a number of the piece of an edge that decides
+ */
+void clearances_depth(const struct clearances *margins, const double (*at)[2], size_t count,
+                      double *depth, size_t *part);
 
 /* Where ray i, that stands there, crosses a surface, in its own frame. */
 void clearances_cross(const struct clearances *margins, size_t surface, size_t i, double point[3]);

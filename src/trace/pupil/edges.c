@@ -44,9 +44,9 @@ struct edge_searches {
     const struct clearances *margins;
     const struct edge_frame *frame;
     double way[RAYS_BLOCK][2];
-    struct edge_search hunts[RAYS_BLOCK];
+    struct edge_search each[RAYS_BLOCK];
     size_t count;
-    size_t which[RAYS_BLOCK]; /* lanes -> hunts */
+    size_t which[RAYS_BLOCK]; /* of them, by lane */
     double radius[RAYS_BLOCK];
 };
 
@@ -62,23 +62,24 @@ static void edge_searches_trace(struct edge_searches *all, size_t lanes)
 }
 
 /* What a ray at a radius beyond all before says while there is no bracket yet. */
-static void step_out(struct edge_search *hunt, double radius, double excess, size_t limit)
+static void edge_search_step_out(struct edge_search *search, double radius, double excess,
+                                 size_t limit)
 {
     int place = excess <= 0 ? 0 : 1;
-    if (hunt->is_closed) {
+    if (search->is_closed) {
         return;
     }
     if (place == 0) {
-        hunt->at[2] = hunt->at[0];
-        hunt->excess[2] = hunt->excess[0];
-        hunt->limits[2] = hunt->limits[0];
+        search->at[2] = search->at[0];
+        search->excess[2] = search->excess[0];
+        search->limits[2] = search->limits[0];
     } else {
-        hunt->limit = limit;
-        hunt->is_closed = true;
+        search->limit = limit;
+        search->is_closed = true;
     }
-    hunt->at[place] = radius;
-    hunt->excess[place] = excess;
-    hunt->limits[place] = limit;
+    search->at[place] = radius;
+    search->excess[place] = excess;
+    search->limits[place] = limit;
 }
 
 /* Outwards step by step, several of them at once. */
@@ -89,7 +90,7 @@ static void edge_searches_bracket(struct edge_searches *all)
         size_t open[RAYS_BLOCK], left = 0, lanes = 0, parts;
         double from = far;
         for (size_t i = 0; i < all->count; i++) {
-            if (!all->hunts[i].is_closed && !all->hunts[i].is_done) {
+            if (!all->each[i].is_closed && !all->each[i].is_done) {
                 open[left++] = i;
             }
         }
@@ -107,14 +108,14 @@ static void edge_searches_bracket(struct edge_searches *all)
         }
         edge_searches_trace(all, lanes);
         for (size_t i = 0; i < lanes; i++) {
-            step_out(&all->hunts[all->which[i]], all->radius[i], all->margins->excess[i],
-                     all->margins->limit[i]);
+            edge_search_step_out(&all->each[all->which[i]], all->radius[i], all->margins->excess[i],
+                                 all->margins->limit[i]);
         }
     }
 }
 
 /* Three radii about a guess each. Those that do not hold the edge are left open. */
-static void try_guesses(struct edge_searches *all, const double *near, double slack)
+static void edge_searches_guess(struct edge_searches *all, const double *near, double slack)
 {
     for (size_t done = 0; done < all->count; done += RAYS_BLOCK / 3) {
         size_t lanes = 0;
@@ -134,21 +135,22 @@ static void try_guesses(struct edge_searches *all, const double *near, double sl
             size_t other = dark == i + 1 ? i + 2 : i;
             if (excess[clear] <= 0 && excess[dark] > 0) {
                 const size_t *limit = all->margins->limit;
-                struct edge_search *hunt = &all->hunts[all->which[i]];
-                *hunt = (struct edge_search){.at = {r[clear], r[dark], r[other]},
-                                             .excess = {excess[clear], excess[dark], excess[other]},
-                                             .limits = {limit[clear], limit[dark], limit[other]},
-                                             .limit = limit[dark],
-                                             .is_closed = true};
+                struct edge_search *search = &all->each[all->which[i]];
+                *search =
+                    (struct edge_search){.at = {r[clear], r[dark], r[other]},
+                                         .excess = {excess[clear], excess[dark], excess[other]},
+                                         .limits = {limit[clear], limit[dark], limit[other]},
+                                         .limit = limit[dark],
+                                         .is_closed = true};
             }
         }
     }
 }
 
 /* The next radius to try, within the bracket; is it a root of the parabola? */
-static double edge_search_next(const struct edge_search *hunt, int turn, bool *is_root)
+static double edge_search_next(const struct edge_search *search, int turn, bool *is_root)
 {
-    const double *t = hunt->at, *f = hunt->excess, middle = (t[0] + t[1]) / 2;
+    const double *t = search->at, *f = search->excess, middle = (t[0] + t[1]) / 2;
     *is_root = false;
     if (!isfinite(f[1]) || (turn > SURE && turn % 2 == 0)) {
         return middle;
@@ -169,55 +171,55 @@ static double edge_search_next(const struct edge_search *hunt, int turn, bool *i
     return at > t[0] && at < t[1] ? at : middle;
 }
 
-static void edge_search_accept(struct edge_search *hunt, double radius, double excess, size_t limit,
-                               double tolerance)
+static void edge_search_accept(struct edge_search *search, double radius, double excess,
+                               size_t limit, double tolerance)
 {
     int place = excess <= 0 ? 0 : 1;
-    hunt->at[2] = hunt->at[place];
-    hunt->excess[2] = hunt->excess[place];
-    hunt->limits[2] = hunt->limits[place];
-    hunt->at[place] = radius;
-    hunt->excess[place] = excess;
-    hunt->limits[place] = limit;
+    search->at[2] = search->at[place];
+    search->excess[2] = search->excess[place];
+    search->limits[2] = search->limits[place];
+    search->at[place] = radius;
+    search->excess[place] = excess;
+    search->limits[place] = limit;
     if (place == 1 || fabs(excess) <= tolerance) {
-        hunt->limit = limit;
+        search->limit = limit;
     }
     if (fabs(excess) <= tolerance) {
-        hunt->at[0] = radius;
-        hunt->is_done = true;
+        search->at[0] = radius;
+        search->is_done = true;
     }
-    double width = isfinite(hunt->excess[1]) ? 3e-16 : 1e-13;
-    hunt->is_done = hunt->is_done || !(hunt->at[1] - hunt->at[0] > width * hunt->at[1]);
+    double width = isfinite(search->excess[1]) ? 3e-16 : 1e-13;
+    search->is_done = search->is_done || !(search->at[1] - search->at[0] > width * search->at[1]);
 }
 
 /*
  * Is it sure where a step leads? A parabola through three excesses of one rim, which are nearly
  * quadratic, is off by less than the product of the ways to them: here by rounding.
  */
-static bool is_sure(const struct edge_search *hunt, double radius)
+static bool edge_search_is_sure(const struct edge_search *search, double radius)
 {
-    const double *t = hunt->at, rounding = 1e-14 * radius * radius * radius;
-    const size_t limit = hunt->limits[0];
+    const double *t = search->at, rounding = 1e-14 * radius * radius * radius;
+    const size_t limit = search->limits[0];
     const double product = (radius - t[0]) * (radius - t[1]) * (radius - t[2]);
-    return limit == hunt->limits[1] && limit == hunt->limits[2] && isfinite(hunt->excess[2]) &&
-           !clearances_lost(limit) && fabs(product) <= rounding;
+    return limit == search->limits[1] && limit == search->limits[2] &&
+           isfinite(search->excess[2]) && !clearances_lost(limit) && fabs(product) <= rounding;
 }
 
-static void close_brackets(struct edge_searches *all, double tolerance)
+static void edge_searches_close(struct edge_searches *all, double tolerance)
 {
     for (int turn = 0; turn < TURNS; turn++) {
         size_t lanes = 0;
         for (size_t i = 0; i < all->count; i++) {
-            struct edge_search *hunt = &all->hunts[i];
-            if (!hunt->is_closed || hunt->is_done) {
+            struct edge_search *search = &all->each[i];
+            if (!search->is_closed || search->is_done) {
                 continue;
             }
             bool is_root;
-            const double radius = edge_search_next(hunt, turn, &is_root);
-            const bool is_there = fabs(hunt->excess[0]) <= 1e-13;
-            if (is_there || (is_root && is_sure(hunt, radius))) {
-                hunt->at[0] = is_there ? hunt->at[0] : radius;
-                hunt->is_done = true;
+            const double radius = edge_search_next(search, turn, &is_root);
+            const bool is_there = fabs(search->excess[0]) <= 1e-13;
+            if (is_there || (is_root && edge_search_is_sure(search, radius))) {
+                search->at[0] = is_there ? search->at[0] : radius;
+                search->is_done = true;
                 continue;
             }
             all->which[lanes] = i;
@@ -228,35 +230,49 @@ static void close_brackets(struct edge_searches *all, double tolerance)
         }
         edge_searches_trace(all, lanes);
         for (size_t i = 0; i < lanes; i++) {
-            edge_search_accept(&all->hunts[all->which[i]], all->radius[i], all->margins->excess[i],
+            edge_search_accept(&all->each[all->which[i]], all->radius[i], all->margins->excess[i],
                                all->margins->limit[i], tolerance);
         }
     }
 }
 
-void edges_find(const struct clearances *margins, const struct edge_directions *directions,
+void edges_find(const struct clearances *margins, const struct edge_frame *frame,
+                const double *angles, const double *near, size_t count, double slack,
                 double tolerance, struct edge *edges)
 {
     struct edge_searches all;
-    const size_t count = directions->count;
     all.margins = margins;
-    all.frame = &directions->frame;
+    all.frame = frame;
     for (size_t done = 0; done < count; done += RAYS_BLOCK) {
         all.count = count - done < RAYS_BLOCK ? count - done : RAYS_BLOCK;
         for (size_t i = 0; i < all.count; i++) {
-            all.way[i][0] = all.frame->stretch[0] * sin(directions->angles[done + i]);
-            all.way[i][1] = all.frame->stretch[1] * cos(directions->angles[done + i]);
-            all.hunts[i] = (struct edge_search){
+            all.way[i][0] = frame->stretch[0] * sin(angles[done + i]);
+            all.way[i][1] = frame->stretch[1] * cos(angles[done + i]);
+            all.each[i] = (struct edge_search){
                 .at = {0, 0, NAN}, .excess = {-1, 0, NAN}, .limits = {SIZE_MAX}};
         }
-        if (directions->near != NULL) {
-            try_guesses(&all, directions->near + done,
-                        directions->slack > 0 ? directions->slack : usual_slack);
+        if (near != NULL) {
+            edge_searches_guess(&all, near + done, slack > 0 ? slack : usual_slack);
         }
         edge_searches_bracket(&all);
-        close_brackets(&all, tolerance);
+        edge_searches_close(&all, tolerance);
         for (size_t i = 0; i < all.count; i++) {
-            edges[done + i] = (struct edge){all.hunts[i].at[0], all.hunts[i].limit};
+            edges[done + i] = (struct edge){all.each[i].at[0], all.each[i].limit};
         }
     }
+}
+
+struct clear_edge clear_edge_of(const struct clearances *margins, const struct edge_frame *frame,
+                                double angle, const struct edge *edge)
+{
+    const size_t number = edge->limit % ((size_t)1 << 32);
+    const bool lost = clearances_lost(edge->limit);
+    struct clear_edge ray = {
+        .status = lost ? (enum ray_status)(number % 8) : RAY_CLIPPED,
+        .surface = lost ? number / 8 : margins->all[number].surface + 1,
+    };
+    double point[2];
+    edge_point(frame, angle, edge->radius, point);
+    stop_beam_place(margins->beam, point[0], point[1], ray.at);
+    return ray;
 }

@@ -25,24 +25,33 @@ void edge_point(const struct edge_frame *frame, double angle, double radius, dou
 void edge_polar(const struct edge_frame *frame, const double point[2], double about, double *angle,
                 double *radius);
 
-/* Where to look. */
-struct edge_directions {
-    struct edge_frame frame; /* its centre passes */
-    const double *angles;    /* rad */
-    const double *near;      /* radii close by, or 0 where they are not known; null: none is */
-    size_t count;
-    double slack; /* what they may be off by, a share of them; 0: 3 % */
+/*
+ * Edges in any number of directions from a point inside, a block of rays at a time: whoever wants
+ * the edge of a clear pupil finds it here.
+ *
+ * Given     frame      its centre passes
+ *           angles     `count` of them, rad
+ *           near       radii close by, or 0 where they are not known; null: none is
+ *           slack      what they may be off by, a share of them; 0: 3 %
+ *           tolerance  an excess that counts as none; rounding is 1e-14
+ * Formula   a bracket by steps of 0.14, so that a narrow gap is not passed over, or the slack about
+ *           what is near; in it Muller's method on the excess (trace/pupil/clearances.h), which is
+ *           smooth but for corners; bisection where that leaves the bracket, and where a ray is
+ *           lost by something that has no excess
+ */
+void edges_find(const struct clearances *margins, const struct edge_frame *frame,
+                const double *angles, const double *near, size_t count, double slack,
+                double tolerance, struct edge *edges);
+
+/* A ray at the edge: the last that passes. */
+struct clear_edge {
+    double at[2];           /* coordinates in the beam, mm */
+    enum ray_status status; /* of its neighbour outside, and where that one is lost; 1-based */
+    size_t surface;
 };
 
-/*
- * Edges in any number of directions.
- *
- * Given     tolerance  an excess that counts as none; rounding is 1e-14
- * Formula   a bracket by steps of 0.14, so that a narrow gap is not passed over, or the slack about
- *           what is near; in it the root of the parabola through three excesses; halves where a ray
- *           is lost by something that has no excess
- */
-void edges_find(const struct clearances *margins, const struct edge_directions *directions,
-                double tolerance, struct edge *edges);
+/* An edge that was found, by its ray. */
+struct clear_edge clear_edge_of(const struct clearances *margins, const struct edge_frame *frame,
+                                double angle, const struct edge *edge);
 
 #endif

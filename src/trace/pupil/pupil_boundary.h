@@ -29,7 +29,6 @@ struct pupil_boundary {
 /*
  * The clear part of a pupil.
  *
- * Given     probe  for what cuts within
  * Result    false: nothing is clear
  * Formula   about the chief ray if it passes, else about the ray that passes best of the largest
  *           part that passes (trace/pupil/pupil_parts.h); where more than the stop ends it about
@@ -46,8 +45,8 @@ struct pupil_boundary {
  * the centre,
  *           is not found
  */
-bool pupil_boundary_find(const struct clearances *margins, const struct probe *probe,
-                         struct arena *arena, struct pupil_boundary *star);
+bool pupil_boundary_find(const struct clearances *margins, struct arena *arena,
+                         struct pupil_boundary *star);
 
 /*
  * The same from a star of a beam close by, of another field or wavelength, in a third of the time.
@@ -57,8 +56,8 @@ bool pupil_boundary_find(const struct clearances *margins, const struct probe *p
  * Formula   edges about those before, in a frame fitted anew; corners by Newton's method from those
  *           before. What is checked of the star is what pupil_boundary_find does
  */
-bool pupil_boundary_follow(const struct clearances *margins, const struct probe *probe,
-                           const struct pupil_boundary *before, struct pupil_boundary *star);
+bool pupil_boundary_follow(const struct clearances *margins, const struct pupil_boundary *before,
+                           struct pupil_boundary *star);
 
 /*
  * Corners that were missed, by edges in other directions that end at what the star does not know
@@ -68,9 +67,8 @@ bool pupil_boundary_follow(const struct clearances *margins, const struct probe 
  * Result    true: the star has more corners than before
  * Limits    none where apertures are listed
  */
-bool pupil_boundary_learn(const struct clearances *margins, const struct probe *probe,
-                          const struct edge_directions *directions, const struct edge *edges,
-                          struct pupil_boundary *star);
+bool pupil_boundary_learn(const struct clearances *margins, const double *angles, size_t count,
+                          const struct edge *edges, struct pupil_boundary *star);
 
 /* Corners on one side of u = 0, with those on the other that mirror them. */
 void pupil_boundary_mirror_corners(struct pupil_boundary *star);
@@ -82,9 +80,17 @@ void pupil_boundary_join(struct pupil_boundary *star);
 /* About where the edge is in a direction, by its neighbours: within 1 % but for narrow pieces. */
 double pupil_boundary_near(const struct pupil_boundary *star, double angle);
 
-/* What is clear of lines from the centre to edges. */
-void pupil_boundary_spans(const struct clearances *margins, const struct probe *probe,
-                          const struct edge_directions *directions, const struct edge *edges,
-                          struct clear_intervals *spans);
+/* An excess that counts as none at edges that numbers are taken from. */
+#define PUPIL_BOUNDARY_ROUNDING 1e-13
+
+/* The edge in any directions, rad, to rounding: edges_find about pupil_boundary_near. */
+void pupil_boundary_edges(const struct clearances *margins, const struct pupil_boundary *star,
+                          const double *angles, size_t count, struct arena *arena,
+                          struct edge *edges);
+
+/* What is clear of lines from the centre of a frame to edges. */
+void pupil_boundary_intervals(const struct clearances *margins, const struct edge_frame *frame,
+                              const double *angles, size_t count, const struct edge *edges,
+                              struct clear_intervals *intervals);
 
 #endif

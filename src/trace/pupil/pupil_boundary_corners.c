@@ -277,15 +277,14 @@ static bool is_news(const struct clearances *margins, const struct pupil_boundar
     return limit >= margins->count || margins->rows[limit * RAYS_BLOCK] < -clearly;
 }
 
-bool pupil_boundary_learn(const struct clearances *margins, const struct probe *probe,
-                          const struct edge_directions *directions, const struct edge *edges,
-                          struct pupil_boundary *star)
+bool pupil_boundary_learn(const struct clearances *margins, const double *angles, size_t count,
+                          const struct edge *edges, struct pupil_boundary *star)
 {
     const size_t known = star->count;
     struct pupil_boundary before;
     size_t k = 0; /* the direction before the edge: edges ascend but for one step back */
-    for (size_t i = 0; i < directions->count && !margins->is_listed; i++) {
-        double angle = directions->angles[i];
+    for (size_t i = 0; i < count && !margins->is_listed; i++) {
+        double angle = angles[i];
         angle += angle < star->angles[0] ? 2 * PI : 0;
         angle -= angle >= star->angles[0] + 2 * PI ? 2 * PI : 0;
         k = star->angles[k] > angle ? 0 : k;
@@ -304,7 +303,7 @@ bool pupil_boundary_learn(const struct clearances *margins, const struct probe *
     if (star->count == known) {
         return false;
     }
-    const struct pupil_boundary_search search = {margins, probe, star, NULL, star->tolerance};
+    const struct pupil_boundary_search search = {margins, star, NULL, star->tolerance};
     pupil_boundary_corners_find(&search);
     star->is_whole = false;
     pupil_boundary_join(star);

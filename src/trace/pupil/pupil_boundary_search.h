@@ -7,7 +7,6 @@
 
 struct pupil_boundary_search {
     const struct clearances *margins;
-    const struct probe *probe;
     struct pupil_boundary *star;
     const struct pupil_boundary *before; /* one close by; null: nothing is known */
     double tolerance;                    /* of edges that are only compared */

@@ -372,10 +372,8 @@ static struct pupil_islands find_on_grid(const struct clearances *margins,
     pupil_parts_find(margins, NULL, NULL, parts);
     const size_t all = cells_beyond(parts, star, &beyond);
     struct edge *edges = ARENA_ARRAY(arena, beyond.count + 1, struct edge);
-    const struct edge_directions directions = {
-        .frame = star->frame, .angles = beyond.angles, .near = beyond.near, .count = beyond.count};
     size_t outside = 0;
-    edges_find(margins, &directions, 1e-6, edges);
+    edges_find(margins, &star->frame, beyond.angles, beyond.near, beyond.count, 0, 1e-6, edges);
     for (size_t i = 0; i < beyond.count; i++) {
         outside += beyond.radii[i] > edges[i].radius;
     }
