@@ -5,7 +5,6 @@
 #include "trace/aim/aim_block.h"
 #include "trace/aim/aim_map.h"
 #include "trace/aim/chief.h"
-#include "trace/aim/continuation.h"
 #include "trace/dispatch.h"
 
 #include <math.h>
@@ -67,217 +66,204 @@ bool aim_open_at(struct aim *aim, const double at[2])
     return true;
 }
 
-/* The search of one ray. */
-struct aim_search {
-    double at[2], step[2];
-    double miss[2];    /* what is left to the target in the stop, mm */
-    double inverse[4]; /* d(a, b)/d(x, y in the stop), Broyden's estimate */
-    enum ray_status status;
-    size_t surface;
-    int halvings;
-    bool done, is_fresh; /* is the estimate the chief ray's own? */
-    bool is_rough;       /* a whole step led away, or lost the ray: who knows where to */
-};
-
-enum { STEPS = 60, HALVINGS = 40 };
-
-static void matrix_times_vector(const double m[4], const double v[2], double out[2])
-{
-    double x = m[0] * v[0] + m[1] * v[1], y = m[2] * v[0] + m[3] * v[1];
-    out[0] = x;
-    out[1] = y;
-}
-
-static void start_search(const struct aim *aim, const struct pupil_point *point,
-                         struct aim_search *search)
-{
-    const double *m = aim->slope, det = m[0] * m[3] - m[1] * m[2];
-    double goal[2];
-    aim_goal(aim, point, goal);
-    *search = (struct aim_search){
-        .at = {aim->chief[0], aim->chief[1]},
-        .miss = {goal[0] - aim->centre[0], goal[1] - aim->centre[1]},
-        .inverse = {m[3] / det, -m[1] / det, -m[2] / det, m[0] / det},
-        .is_fresh = true,
-    };
-    matrix_times_vector(search->inverse, search->miss, search->step);
-    search->done = search->miss[0] == 0 && search->miss[1] == 0;
-}
-
-/* J^-1 so that it takes the change of the miss to the step just made (Sherman and Morrison). */
-static void aim_search_broyden(struct aim_search *search, const double change[2])
-{
-    double *m = search->inverse, moved[2], back[2];
-    matrix_times_vector(m, change, moved);
-    const double *s = search->step;
-    double denominator = s[0] * moved[0] + s[1] * moved[1];
-    if (!(fabs(denominator) > 1e-12 * (s[0] * s[0] + s[1] * s[1]))) {
-        return;
-    }
-    back[0] = (s[0] * m[0] + s[1] * m[2]) / denominator;
-    back[1] = (s[0] * m[1] + s[1] * m[3]) / denominator;
-    double more[2] = {s[0] - moved[0], s[1] - moved[1]};
-    for (int i = 0; i < 4; i++) {
-        m[i] += more[i / 2] * back[i % 2];
-    }
-    search->is_fresh = false;
-}
-
-/* What the step has brought: the ray in the stop, or lost on the way. */
-static void aim_search_judge(const struct aim *aim, const struct pupil_point *point, size_t lane,
-                             struct aim_search *search)
-{
-    const struct ray_block *block = aim->work.blocks;
-    enum ray_status status = ray_block_status(block, lane);
-    double goal[2];
-    aim_goal(aim, point, goal);
-    double miss[2] = {goal[0] - block->x[lane], goal[1] - block->y[lane]};
-    double before = hypot(search->miss[0], search->miss[1]), after = hypot(miss[0], miss[1]);
-    if (status == RAY_OK && after < before) {
-        double change[2] = {search->miss[0] - miss[0], search->miss[1] - miss[1]};
-        aim_search_broyden(search, change);
-        for (int i = 0; i < 2; i++) {
-            search->at[i] += search->step[i];
-            search->miss[i] = miss[i];
-        }
-        matrix_times_vector(search->inverse, search->miss, search->step);
-        search->halvings = 0;
-        search->done = after == 0;
-        return;
-    }
-    if (status != RAY_OK) {
-        search->status = status;
-        search->surface = ray_block_surface(block, lane);
-    }
-    bool near = before <= chief_rounding(aim);
-    search->halvings++;
-    search->is_rough = search->is_rough || !near;
-    if (near || search->halvings > HALVINGS) {
-        search->done = true;
-        return;
-    }
-    search->step[0] /= 2;
-    search->step[1] /= 2;
-}
-
-/* One step of all rays of a block that are still searching; are there any? */
-static bool advance_block(const struct aim *aim, const struct pupil_point *points, size_t count,
-                          struct aim_search *searches)
-{
-    size_t open[RAYS_BLOCK], lanes = 0;
-    for (size_t i = 0; i < count; i++) {
-        const struct aim_search *search = &searches[i];
-        if (!search->done) {
-            struct ray ray = beam_ray(&aim->beam, search->at[0] + search->step[0],
-                                      search->at[1] + search->step[1]);
-            rays_set(&aim->work, lanes, aim->beam.n, &ray);
-            open[lanes++] = i;
-        }
-    }
-    if (lanes == 0) {
-        return false;
-    }
-    chief_to_stop(aim, lanes);
-    for (size_t k = 0; k < lanes; k++) {
-        aim_search_judge(aim, &points[open[k]], k, &searches[open[k]]);
-    }
-    return true;
-}
-
-static double aim_search_miss(const struct aim_search *search)
-{
-    return hypot(search->miss[0], search->miss[1]);
-}
-
-static bool has_reached(const struct aim *aim, const struct aim_search *search)
-{
-    return aim_search_miss(search) <= fmax(lead_reached * aim->stop_radius, chief_rounding(aim));
-}
-
-/* The Jacobian at where a search stands, for one that got stuck. */
-static bool aim_search_refresh_jacobian(const double slope[4], struct aim_search *search)
-{
-    const double det = slope[0] * slope[3] - slope[1] * slope[2];
-    const double fresh[4] = {slope[3] / det, -slope[1] / det, -slope[2] / det, slope[0] / det};
-    for (int i = 0; i < 4; i++) {
-        if (!isfinite(fresh[i])) {
-            return false;
-        }
-        search->inverse[i] = fresh[i];
-    }
-    matrix_times_vector(search->inverse, search->miss, search->step);
-    search->halvings = 0;
-    search->is_fresh = true;
-    search->done = false;
-    return true;
-}
-
-/* Those that begin anew with slopes of where they stand. Result: how many there are in `which`. */
-static size_t refresh_some(const struct aim *aim, struct aim_search *searches, size_t *which,
-                           size_t count)
-{
-    double places[RAYS_BLOCK][2], slopes[RAYS_BLOCK][4];
-    bool found[RAYS_BLOCK];
-    size_t left = 0;
-    for (size_t k = 0; k < count; k++) {
-        places[k][0] = searches[which[k]].at[0];
-        places[k][1] = searches[which[k]].at[1];
-    }
-    chief_slopes(aim, (const double(*)[2])places, count, slopes, found);
-    for (size_t k = 0; k < count; k++) {
-        if (found[k] && aim_search_refresh_jacobian(slopes[k], &searches[which[k]])) {
-            which[left++] = which[k];
-        }
-    }
-    return left;
-}
-
-/* Searches that ended short of their targets try again with the slopes of where they stand, as
-   long as that brings them nearer. */
-static void aim_block_retry(const struct aim *aim, const struct pupil_point *points, size_t count,
-                            struct aim_search *searches)
-{
-    enum { TURNS = 20 };
-    size_t which[RAYS_BLOCK], some = 0;
-    double before[RAYS_BLOCK];
-    for (size_t i = 0; i < count; i++) {
-        searches[i].done = true;
-        before[i] = INFINITY;
-        which[some++] = i;
-    }
-    for (int turn = 0; turn < TURNS && some > 0; turn++) {
-        size_t left = 0;
-        for (size_t k = 0; k < some; k++) {
-            const struct aim_search *search = &searches[which[k]];
-            if (aim_search_miss(search) < 0.99 * before[which[k]] && !has_reached(aim, search)) {
-                before[which[k]] = aim_search_miss(search);
-                which[left++] = which[k];
-            }
-        }
-        some = refresh_some(aim, searches, which, left);
-        for (int step = 0; step < STEPS && advance_block(aim, points, count, searches); step++) {
-        }
-        for (size_t k = 0; k < some; k++) {
-            searches[which[k]].done = true;
-        }
-    }
-}
-
 static double aim_determinant(const double m[4])
 {
     return m[0] * m[3] - m[1] * m[2];
 }
 
-static bool aim_search_finish(const struct aim *aim, const struct aim_search *search,
-                              struct ray *ray)
+/* -------- rays led along a line in the stop -------- */
+
+/* A ray on its way along the straight line in the stop from the chief ray to its goal. */
+struct continuation {
+    double goal[2];         /* in the stop, mm */
+    double at[2], done;     /* how far it has come: in the beam; share of the way, 1: it is there */
+    enum ray_status status; /* what ended the last step that led nowhere, and where, 1-based */
+    size_t surface;
+    /* the step at work: Newton's method to a place of the line */
+    double step, share;      /* how long, and how far it leads */
+    double target[2];        /* in the stop, mm */
+    double here[2], near[2]; /* what is tried; the best so far */
+    double left[2], before;  /* what is tried misses the target by; the length of that */
+    double slope[4];         /* in the stop by the beam, where it is or was last known */
+    int turn;
+};
+
+/* How near to its target a step has led. */
+static bool continuation_succeeds(const struct aim *aim, const struct continuation *lead)
 {
-    *ray = beam_ray(&aim->beam, search->at[0], search->at[1]);
-    if (has_reached(aim, search)) {
-        return true;
+    const double reached = 1e-9; /* radii of the stop */
+    return lead->before <= fmax(reached * aim->stop_radius, chief_rounding(aim));
+}
+
+static void continuation_begin_step(const struct aim *aim, struct continuation *lead)
+{
+    lead->share = fmin(lead->done + lead->step, 1);
+    for (int k = 0; k < 2; k++) {
+        const double centre = aim->centre[k];
+        lead->target[k] = centre + lead->share * (lead->goal[k] - centre);
+        lead->here[k] = lead->at[k];
     }
-    ray->status = search->status == RAY_OK ? RAY_NOT_CONVERGED : search->status;
-    ray->surface = search->status == RAY_OK ? aim->system->stop + 1 : search->surface;
-    return false;
+    lead->before = INFINITY;
+    lead->turn = 0;
+}
+
+/* A step has led there, or nowhere: another. */
+static void continuation_end_step(const struct aim *aim, bool succeeds, struct continuation *lead)
+{
+    if (succeeds) {
+        lead->at[0] = lead->near[0];
+        lead->at[1] = lead->near[1];
+        lead->done = lead->share;
+    }
+    lead->step *= succeeds ? 1.5 : 0.5;
+    continuation_begin_step(aim, lead);
+}
+
+/* Does it come nearer by what is tried, which is in a lane? If not the step ends. */
+static bool continuation_comes_nearer(const struct aim *aim, size_t lane, struct continuation *lead)
+{
+    const struct ray_block *block = aim->work.blocks;
+    const double miss[2] = {lead->target[0] - block->x[lane], lead->target[1] - block->y[lane]};
+    const double after = hypot(miss[0], miss[1]);
+    const enum ray_status status = ray_block_status(block, lane);
+    if (status != RAY_OK || !(after < lead->before)) {
+        if (status != RAY_OK) {
+            lead->status = status;
+            lead->surface = ray_block_surface(block, lane);
+        }
+        continuation_end_step(aim, continuation_succeeds(aim, lead), lead);
+        return false;
+    }
+    if (isfinite(lead->before)) {
+        /* Broyden's rank-one correction, for where rays about this one are lost */
+        const double move[2] = {lead->here[0] - lead->near[0], lead->here[1] - lead->near[1]};
+        const double square = move[0] * move[0] + move[1] * move[1];
+        for (int i = 0; i < 2; i++) {
+            double *row = lead->slope + 2 * i;
+            const double more =
+                (lead->left[i] - miss[i] - row[0] * move[0] - row[1] * move[1]) / square;
+            row[0] += more * move[0];
+            row[1] += more * move[1];
+        }
+    }
+    lead->left[0] = miss[0];
+    lead->left[1] = miss[1];
+    lead->before = after;
+    return true;
+}
+
+/* Newton's step on the sheet of the chief ray; what has left it ends. */
+static void continuation_advance(const struct aim *aim, const double slope[4], bool has_slope,
+                                 struct continuation *lead)
+{
+    enum { TURNS = 12 };
+    const double exact = 1e-14;
+    if (has_slope) {
+        memcpy(lead->slope, slope, sizeof lead->slope);
+    }
+    slope = lead->slope;
+    const double det = aim_determinant(slope);
+    if (!(det * aim_determinant(aim->slope) > 0)) {
+        continuation_end_step(aim, false, lead);
+        return;
+    }
+    lead->near[0] = lead->here[0];
+    lead->near[1] = lead->here[1];
+    lead->here[0] += (slope[3] * lead->left[0] - slope[1] * lead->left[1]) / det;
+    lead->here[1] += (slope[0] * lead->left[1] - slope[2] * lead->left[0]) / det;
+    lead->turn++;
+    if (lead->before <= exact * aim->stop_radius || lead->turn == TURNS) {
+        continuation_end_step(aim, continuation_succeeds(aim, lead), lead);
+    }
+}
+
+static void continuation_places(const struct continuation *leads, const size_t *which, size_t count,
+                                double (*places)[2])
+{
+    for (size_t k = 0; k < count; k++) {
+        places[k][0] = leads[which[k]].here[0];
+        places[k][1] = leads[which[k]].here[1];
+    }
+}
+
+/* What stops rays that have not come there, though nothing that was tried has: straight on. */
+static void continuation_explain(const struct aim *aim, struct continuation *leads, size_t count)
+{
+    const double least = 1e-6;
+    const struct ray_block *block = aim->work.blocks;
+    size_t which[RAYS_BLOCK], left = 0;
+    for (size_t i = 0; i < count; i++) {
+        if (leads[i].done < 1 && leads[i].status == RAY_NOT_CONVERGED) {
+            which[left++] = i;
+        }
+    }
+    for (double share = 1; share > least && left > 0; share /= 2) {
+        double places[RAYS_BLOCK][2];
+        for (size_t k = 0; k < left; k++) {
+            const struct continuation *lead = &leads[which[k]];
+            const double *m = lead->slope, way = share * (1 - lead->done) / aim_determinant(m);
+            const double x = way * (lead->goal[0] - aim->centre[0]);
+            const double y = way * (lead->goal[1] - aim->centre[1]);
+            places[k][0] = lead->at[0] + m[3] * x - m[1] * y;
+            places[k][1] = lead->at[1] + m[0] * y - m[2] * x;
+        }
+        chief_trace(aim, (const double(*)[2])places, left);
+        for (size_t k = 0; k < left; k++) {
+            if (ray_block_status(block, k) != RAY_OK) {
+                leads[which[k]].status = ray_block_status(block, k);
+                leads[which[k]].surface = ray_block_surface(block, k);
+            }
+        }
+    }
+}
+
+/*
+ * Lead rays to their goals, up to RAYS_BLOCK side by side, each as it would go alone.
+ *
+ * Result    done < 1: the rays of the line end before the goal, or its slopes change their sign:
+ *           the pupil is folded there
+ * Formula   Newton's method from place to place of the line, with the slopes of each, by steps that
+ *           grow where they succeed and are halved where they do not, to 1e-4 of the way
+ */
+static void continuation_lead(const struct aim *aim, struct continuation *leads, size_t count)
+{
+    const double first_step = 0.25, least_step = 1e-4;
+    double places[RAYS_BLOCK][2], slopes[RAYS_BLOCK][4];
+    bool has_slope[RAYS_BLOCK];
+    size_t open[RAYS_BLOCK], left = count;
+    for (size_t i = 0; i < count; i++) {
+        leads[i].at[0] = aim->chief[0];
+        leads[i].at[1] = aim->chief[1];
+        leads[i].done = 0;
+        leads[i].status = RAY_NOT_CONVERGED;
+        leads[i].surface = aim->system->stop + 1;
+        leads[i].step = first_step;
+        memcpy(leads[i].slope, aim->slope, sizeof aim->slope);
+        continuation_begin_step(aim, &leads[i]);
+        open[i] = i;
+    }
+    while (left > 0) {
+        size_t nearer = 0;
+        continuation_places(leads, open, left, places);
+        chief_trace(aim, (const double(*)[2])places, left);
+        for (size_t k = 0; k < left; k++) {
+            if (continuation_comes_nearer(aim, k, &leads[open[k]])) {
+                open[nearer++] = open[k];
+            }
+        }
+        continuation_places(leads, open, nearer, places);
+        chief_slopes(aim, (const double(*)[2])places, nearer, slopes, has_slope);
+        for (size_t k = 0; k < nearer; k++) {
+            continuation_advance(aim, slopes[k], has_slope[k], &leads[open[k]]);
+        }
+        left = 0;
+        for (size_t i = 0; i < count; i++) {
+            if (leads[i].done < 1 && leads[i].step > least_step) {
+                open[left++] = i;
+            }
+        }
+    }
+    continuation_explain(aim, leads, count);
 }
 
 /* -------- whole blocks -------- */
@@ -286,9 +272,8 @@ static bool aim_search_finish(const struct aim *aim, const struct aim_search *se
 static void aim_block_start(const struct aim *aim, const struct pupil_point *points, size_t count,
                             struct aim_block *block)
 {
-    struct aim_search first;
-    start_search(aim, &points[0], &first);
-    const double *m = first.inverse;
+    const double *slope = aim->slope, det = aim_determinant(slope);
+    const double m[4] = {slope[3] / det, -slope[1] / det, -slope[2] / det, slope[0] / det};
     const size_t lanes = (size_t)kernel_lanes(count);
     block->lanes = (int)lanes;
     for (size_t i = 0; i < lanes; i++) {
@@ -302,8 +287,8 @@ static void aim_block_start(const struct aim *aim, const struct pupil_point *poi
         block->state[i] = i >= count || (x == 0 && y == 0) ? AIM_DONE : AIM_OPEN;
     }
     for (size_t i = 0; i < lanes; i++) {
-        block->a[i] = first.at[0];
-        block->b[i] = first.at[1];
+        block->a[i] = aim->chief[0];
+        block->b[i] = aim->chief[1];
         block->step_a[i] = m[0] * block->miss_x[i] + m[1] * block->miss_y[i];
         block->step_b[i] = m[2] * block->miss_x[i] + m[3] * block->miss_y[i];
         block->next_a[i] = block->a[i] + block->step_a[i];
@@ -329,18 +314,6 @@ static void steer_block(const struct aim *aim, size_t count, struct aim_block *b
         kernel(aim->work.blocks, reached * reached, near * near, block);
         busy = aim_block_open(block) > 0;
     }
-}
-
-/* Searches with halved steps, from the chief ray again. */
-static void search_points(const struct aim *aim, const struct pupil_point *points, size_t count,
-                          struct aim_search *searches)
-{
-    for (size_t i = 0; i < count; i++) {
-        start_search(aim, &points[i], &searches[i]);
-    }
-    for (int step = 0; step < STEPS && advance_block(aim, points, count, searches); step++) {
-    }
-    aim_block_retry(aim, points, count, searches);
 }
 
 /* How far beside their places in the stop rays cross it that start so much beside their own. */
@@ -394,100 +367,35 @@ static void find_sheets(const struct aim *aim, const struct aim_block *block, si
     }
 }
 
-/* The rays of a block that went astray, or may have ended on another sheet of a folded pupil. */
-struct strays {
-    struct pupil_point points[RAYS_BLOCK];
-    struct aim_search searches[RAYS_BLOCK];
-    size_t which[RAYS_BLOCK], count;
-};
-
-static void find_strays(const struct aim *aim, const struct pupil_point *points, size_t count,
-                        struct aim_block *block, struct strays *strays)
-{
-    strays->count = 0;
-    for (size_t i = 0; i < count; i++) {
-        if (block->state[i] != AIM_DONE) {
-            strays->points[strays->count] = points[i];
-            strays->which[strays->count++] = i;
-        }
-    }
-    search_points(aim, strays->points, strays->count, strays->searches);
-    for (size_t k = 0; k < strays->count; k++) {
-        const size_t i = strays->which[k];
-        block->a[i] = strays->searches[k].at[0];
-        block->b[i] = strays->searches[k].at[1];
-        block->miss_x[i] = strays->searches[k].miss[0];
-        block->miss_y[i] = strays->searches[k].miss[1];
-    }
-}
-
-/* Searches that ended on another sheet, beside those that went astray. */
-static void add_others(const struct pupil_point *points, size_t count, const bool *same,
-                       const struct aim_block *block, struct strays *strays)
-{
-    for (size_t i = 0; i < count; i++) {
-        if (block->state[i] == AIM_DONE && !same[i]) {
-            strays->points[strays->count] = points[i];
-            strays->searches[strays->count] = (struct aim_search){
-                .at = {block->a[i], block->b[i]}, .miss = {block->miss_x[i], block->miss_y[i]}};
-            strays->which[strays->count++] = i;
-        }
-    }
-}
-
-/* What leading a ray to its goal says of its search. */
-static void take_lead(const struct aim *aim, const struct continuation *lead,
-                      struct aim_search *search)
-{
-    const bool is_there = !(lead->done < 1);
-    if (!is_there && !has_reached(aim, search)) {
-        return; /* what stopped the search before says more */
-    }
-    for (int i = 0; i < 2; i++) {
-        search->at[i] = lead->at[i];
-        search->miss[i] = is_there ? lead->miss[i] : (double)INFINITY;
-    }
-    search->status = is_there ? RAY_OK : RAY_NOT_CONVERGED;
-    search->surface = aim->system->stop + 1;
-}
-
-/* Those that may have ended on another sheet, or nowhere, are led to their goals. */
-static void lead_strays(const struct aim *aim, const bool *same, struct strays *strays)
-{
-    struct continuation leads[RAYS_BLOCK];
-    size_t led[RAYS_BLOCK], count = 0;
-    for (size_t k = 0; k < strays->count; k++) {
-        const struct aim_search *search = &strays->searches[k];
-        if (search->is_rough || !has_reached(aim, search) || !same[strays->which[k]]) {
-            aim_goal(aim, &strays->points[k], leads[count].goal);
-            led[count++] = k;
-        }
-    }
-    continuation_rays(aim, leads, count);
-    for (size_t j = 0; j < count; j++) {
-        take_lead(aim, &leads[j], &strays->searches[led[j]]);
-    }
-}
-
 /* A block of rays. Result: how many have been aimed. */
 static size_t aim_block_search(const struct aim *aim, const struct pupil_point *points,
                                size_t count, const struct rays *rays)
 {
     struct aim_block block;
-    struct strays strays;
+    struct continuation leads[RAYS_BLOCK];
+    size_t which[RAYS_BLOCK], led = 0, aimed = count;
     bool same[RAYS_BLOCK];
     aim_block_start(aim, points, count, &block);
     steer_block(aim, count, &block);
-    find_strays(aim, points, count, &block, &strays);
     find_sheets(aim, &block, count, same);
-    add_others(points, count, same, &block, &strays);
-    lead_strays(aim, same, &strays);
+    for (size_t i = 0; i < count; i++) {
+        if (block.state[i] != AIM_DONE || !same[i]) {
+            leads[led].goal[0] = block.goal_x[i];
+            leads[led].goal[1] = block.goal_y[i];
+            which[led++] = i;
+        }
+    }
+    continuation_lead(aim, leads, led);
     beam_start(&aim->beam, block.a, block.b, count, rays->blocks);
-    size_t aimed = count;
-    for (size_t k = 0; k < strays.count; k++) {
-        struct ray ray;
-        aimed -= aim_search_finish(aim, &strays.searches[k], &ray) ? 0 : 1;
-        rays_set(rays, strays.which[k], aim->beam.n, &ray);
+    for (size_t k = 0; k < led; k++) {
+        const struct continuation *lead = &leads[k];
+        struct ray ray = beam_ray(&aim->beam, lead->at[0], lead->at[1]);
+        if (lead->done < 1) {
+            aimed--;
+            ray.status = lead->status;
+            ray.surface = lead->surface;
+        }
+        rays_set(rays, which[k], aim->beam.n, &ray);
     }
     return aimed;
 }

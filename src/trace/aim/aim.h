@@ -86,13 +86,13 @@ bool aim_open_at(struct aim *aim, const double at[2]);
  *           the surface that stopped the search (RAY_NOT_CONVERGED: the surfaces are passed, but
  *           the point is not reached): it stays as far as the search has come
  * Formula   Newton's method for all rays at once, the Jacobian kept by Broyden's rank-one
- *           correction; a step that loses the ray or leads away is halved. It ends when no step
- *           brings the ray closer, which is at rounding: 1e-9 of the radius counts as reached, of
- *           a tiny stop what rounding of the start is there; 1e-14 is usual. Where the pupil is
- *           folded a point has several rays; the one that is meant is joined to the chief ray by
- *           those of the line between them in the stop, with the chief ray's sign of the Jacobian.
- *           Where the search ends with the other sign, has led away on its way or fails, the ray is
- *           followed along that line in small steps; if these end at the fold it is not converged
+ *           correction, as long as whole steps lead nearer; it ends at rounding: 1e-9 of the radius
+ *           counts as reached, of a tiny stop what rounding of the start is there; 1e-14 is usual.
+ *           Where the pupil is folded a point has several rays; the one that is meant is joined to
+ *           the chief ray by those of the line between them in the stop, with the chief ray's sign
+ *           of the Jacobian. Where the search ends with the other sign or goes astray the ray is
+ *           led along that line in small steps (continuation); if these end at the fold it is not
+ *           converged
  * Source    [Broyden65]
  */
 size_t aim_rays(const struct aim *aim, const struct pupil_point *points, size_t count,
