@@ -6,6 +6,7 @@
 #include "analysis/pupil/contour.h"
 #include "analysis/pupil/pupil_cut.h"
 #include "trace/aim/aim.h"
+#include "trace/aim/chief.h"
 #include "trace/aim/sample.h"
 #include "trace/dispatch.h"
 #include "trace/pupil/clear.h"
@@ -18,66 +19,6 @@ static const double ALONG = 1.7e-3;
 
 /* -------- the chief ray -------- */
 
-/* Where a ray of the beam crosses the stop; false where it is lost. */
-static bool in_stop(const struct system *system, const struct beam *beam, const struct rays *work,
-                    const double at[2], double point[2])
-{
-    struct ray ray = beam_ray(beam, at[0], at[1]);
-    rays_set(work, 0, beam->n, &ray);
-    rays_trace_part(system, 0, system_place(system, system->stop) + 1, work, NULL);
-    double own[3] = {work->blocks->x[0], work->blocks->y[0], work->blocks->z[0]};
-    system_to_own(system, system->stop, own);
-    point[0] = own[0];
-    point[1] = own[1];
-    return ray_block_status(work->blocks, 0) == RAY_OK;
-}
-
-/* One step of Newton's method towards the centre of the stop, by differences; halved as needed. */
-static bool step_to_stop(const struct pupil_question *question, const struct rays *work,
-                         double size, double at[2], double *miss)
-{
-    const struct system *system = question->open;
-    const struct beam *beam = question->beam;
-    double here[2], right[2], upper[2], h = 1e-5 * size;
-    if (!in_stop(system, beam, work, at, here) ||
-        !in_stop(system, beam, work, (double[2]){at[0] + h, at[1]}, right) ||
-        !in_stop(system, beam, work, (double[2]){at[0], at[1] + h}, upper)) {
-        return false;
-    }
-    *miss = hypot(here[0], here[1]);
-    double m[4] = {(right[0] - here[0]) / h, (upper[0] - here[0]) / h, (right[1] - here[1]) / h,
-                   (upper[1] - here[1]) / h};
-    double det = m[0] * m[3] - m[1] * m[2];
-    double move[2] = {(m[1] * here[1] - m[3] * here[0]) / det,
-                      (m[2] * here[0] - m[0] * here[1]) / det};
-    for (double scale = 1; scale > 1e-6; scale /= 2) {
-        double next[2] = {at[0] + scale * move[0], at[1] + scale * move[1]}, there[2];
-        if (in_stop(system, beam, work, next, there) && hypot(there[0], there[1]) < *miss) {
-            at[0] = next[0];
-            at[1] = next[1];
-            *miss = hypot(there[0], there[1]);
-            return true;
-        }
-    }
-    return false;
-}
-
-/* From a film point: image sides are mild, so Newton's method from the paraxial pupil will do. */
-static bool chief_from_film(const struct pupil_question *question, const struct clear_guess *guess,
-                            struct arena *arena, double at[2])
-{
-    struct rays work = rays_new(arena, 1);
-    double miss = INFINITY, size = guess->radius;
-    at[0] = guess->centre[0];
-    at[1] = guess->centre[1];
-    for (int step = 0; step < 60; step++) {
-        if (!step_to_stop(question, &work, size, at, &miss)) {
-            break;
-        }
-    }
-    return miss <= 1e-9 * question->open->stop_radius;
-}
-
 static bool pupil_shape_find_chief(const struct pupil_question *question,
                                    const struct clear_guess *guess, struct arena *arena,
                                    double at[2])
@@ -85,7 +26,16 @@ static bool pupil_shape_find_chief(const struct pupil_question *question,
     struct aim aim;
     struct error ignored;
     if (question->open->options.reverse) {
-        return chief_from_film(question, guess, arena, at);
+        /* image sides are mild, so Newton's method from the paraxial pupil will do */
+        const double radius = question->open->stop_radius;
+        aim = (struct aim){.system = question->open,
+                           .beam = *question->beam,
+                           .slope = {0, 0, 0, radius / guess->radius},
+                           .stop_radius = radius,
+                           .work = rays_new(arena, RAYS_BLOCK)};
+        at[0] = guess->centre[0];
+        at[1] = guess->centre[1];
+        return chief_newton(&aim, at);
     }
     if (!aim_open(question->open, question->beam, arena, &aim, &ignored)) {
         at[0] = guess->centre[0];

@@ -2,8 +2,8 @@
 /* SPDX-License-Identifier: MIT */
 #include "analysis/pupil/quadrature.h"
 
-#include "analysis/pupil/quadrature_whole.h"
 #include "base/constants.h"
+#include "trace/dispatch.h"
 #include "trace/pupil/pupil_boundary.h"
 #include "trace/tangent.h"
 
@@ -159,17 +159,129 @@ static void quadrature_put_points(const struct quadrature_region *region, const 
     all->arcs = (struct quadrature_arcs){arms->arcs, arms->arc_count};
 }
 
-/* The rays of points named by u and v. */
-static void quadrature_put_rays(const struct quadrature_region *region, struct arena *arena,
+/* The rays of points named by u and v, and what areas there are of the beam. */
+static void quadrature_put_rays(const struct clearances *margins, struct arena *arena,
                                 struct quadrature *all)
 {
+    const struct stop_beam *beam = margins->beam;
     all->rays = rays_room(arena, all->sample.count);
     double(*at)[2] = arena_array(arena, all->sample.count, sizeof *at);
     for (size_t i = 0; i < all->sample.count; i++) {
-        at[i][0] = all->sample.points[i].x;
-        at[i][1] = all->sample.points[i].y;
+        struct pupil_point *point = &all->sample.points[i];
+        at[i][0] = point->x;
+        at[i][1] = point->y;
+        point->weight *=
+            beam->weight == WEIGHT_BEAM ? stop_beam_density(beam, point->x, point->y) : 1;
     }
-    clearances_start(&region->margins, (const double(*)[2])at, &all->rays);
+    clearances_start(margins, (const double(*)[2])at, &all->rays);
+}
+
+/* -------- a stop or a disc that nothing clips -------- */
+
+/* Arms on one side are aimed; others mirror them: arm k is arm `arms` - k, arm 0 its own. */
+static bool whole_aim_half(const struct aim *aim, size_t arms, struct arena *arena,
+                           struct quadrature *all)
+{
+    const size_t half = (arms + 1) / 2, count = all->sample.count / arms * half;
+    const struct rays part = rays_room(arena, count);
+    struct pupil_point *points = ARENA_ARRAY(arena, count, struct pupil_point);
+    for (size_t i = 0; i < count; i++) {
+        points[i] = all->sample.points[i / half * arms + i % half];
+    }
+    if (!aim_rays_straight(aim, points, count, &part)) {
+        return false;
+    }
+    for (size_t i = 0; i < count; i++) {
+        const size_t k = i % half, here = i / half * arms + k;
+        struct ray ray = rays_get(&part, i, aim->beam.n);
+        rays_set(&all->rays, here, aim->beam.n, &ray);
+        if (k > 0) {
+            ray.point[0] = -ray.point[0];
+            ray.cosine[0] = -ray.cosine[0];
+            rays_set(&all->rays, here - k + arms - k, aim->beam.n, &ray);
+        }
+    }
+    return true;
+}
+
+/* Which way around in the beam's plane a disc goes: +1 as in u and v. */
+static double whole_turn_of(const struct stop_beam *beam)
+{
+    double at[3][2];
+    stop_beam_place(beam, 0, 0, at[0]);
+    stop_beam_place(beam, 1, 0, at[1]);
+    stop_beam_place(beam, 0, 1, at[2]);
+    return (at[1][0] - at[0][0]) * (at[2][1] - at[0][1]) -
+           (at[1][1] - at[0][1]) * (at[2][0] - at[0][0]);
+}
+
+/* Does the outermost ring go around once, the way the points do, and arrive? */
+static bool whole_is_sound(const struct clearances *margins, const struct rays *all, size_t first)
+{
+    const struct stop_beam *beam = margins->beam;
+    const double turn = whole_turn_of(beam), n = margins->system->index_first;
+    const size_t count = all->count - first;
+    double centre[2];
+    bool sound = true;
+    stop_beam_place(beam, 0, 0, centre);
+    for (size_t i = 0; i < count && sound; i++) {
+        const struct rays rays = {margins->work.blocks, i % RAYS_BLOCK + 1};
+        const struct ray ray = rays_get(all, first + i, n);
+        const struct ray other = rays_get(all, first + (i + 1) % count, n);
+        double here[2], next[2];
+        beam_place(beam->beam, ray.point, here);
+        beam_place(beam->beam, other.point, next);
+        rays_set(&rays, i % RAYS_BLOCK, n, &ray);
+        /* angles count from v towards u */
+        sound = turn * ((here[1] - centre[1]) * (next[0] - centre[0]) -
+                        (here[0] - centre[0]) * (next[1] - centre[1])) >
+                0;
+        if (rays.count == RAYS_BLOCK || i + 1 == count) {
+            rays_trace(margins->system, &rays, NULL);
+            for (size_t lane = 0; lane < rays.count; lane++) {
+                sound = sound && ray_block_status(rays.blocks, lane) == RAY_OK;
+            }
+        }
+    }
+    return sound;
+}
+
+/*
+ * Gauss's points of the whole disc, without a search for edges; of halves that mirror each other
+ * the rays of one are aimed.
+ *
+ * Result    false: that would not do, for rims may end the rays, areas of the beam of a stop are
+ *           asked for, whole steps of Broyden's method do not lead to all points, or rays of the
+ *           outermost ring are lost behind it
+ */
+static bool quadrature_whole(const struct clearances *margins, size_t rays, struct arena *arena,
+                             struct quadrature *all)
+{
+    const struct stop_beam *beam = margins->beam;
+    const bool is_disc = margins->all[0].surface == LENS_NONE;
+    struct error ignored;
+    size_t arms = 1;
+    *all = (struct quadrature){.is_empty = false};
+    if (margins->count != 1 || margins->is_listed ||
+        !(is_disc || (beam->weight == WEIGHT_PUPIL && beam->aim != NULL)) ||
+        !sample_make(PATTERN_GAUSS, rays, 0, arena, &all->sample, &ignored)) {
+        return false;
+    }
+    const size_t count = all->sample.count;
+    while (arms * (arms - 1) / 2 < count) {
+        arms += 2;
+    }
+    all->arms = arms;
+    all->rings = count / arms;
+    if (is_disc) {
+        quadrature_put_rays(margins, arena, all);
+        return whole_is_sound(margins, &all->rays, count - arms);
+    }
+    all->rays = rays_room(arena, count);
+    const bool aimed = stop_beam_is_mirrored(beam)
+                           ? whole_aim_half(beam->aim, arms, arena, all)
+                           : aim_rays_straight(beam->aim, all->sample.points, count, &all->rays);
+    return aimed && whole_is_sound(margins, &all->rays, count - arms);
 }
 
 /* -------- weights -------- */
@@ -424,11 +536,7 @@ struct quadrature quadrature_fill(struct quadrature_region *region, size_t rays,
     if (region->in_beam) {
         return all;
     }
-    quadrature_put_rays(region, arena, &all);
-    for (size_t i = 0; i < all.sample.count && beam->weight == WEIGHT_BEAM; i++) {
-        struct pupil_point *point = &all.sample.points[i];
-        point->weight *= stop_beam_density(beam, point->x, point->y);
-    }
+    quadrature_put_rays(margins, arena, &all);
     if (!isnan(beam->radius)) {
         const struct stop_map mapping = mapping_open(margins, beam->weight == WEIGHT_PUPIL, arena);
         map_to_stop(&mapping, &all.sample);

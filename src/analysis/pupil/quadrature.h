@@ -59,7 +59,7 @@ struct quadrature_region quadrature_open(const struct stop_beam *beam, struct ar
  *           more, at Gauss's points of the angle from corner to corner, where integrands are
  *           smooth. At least `rays` in all. Weights of the stop are du dv times d(x, y)/d(u, v) by
  *           trace/tangent.h, those of the beam du dv and the density of a projection. A stop that
- *           no rim can clip is aimed at, which is faster: analysis/pupil/quadrature_whole.h
+ *           no rim can clip is aimed at, which is faster
  *           With in_r the rings are Gauss's points in r: more of them for the same, but odd powers
  *           of r are integrated too, wherever the centre is, which more than eight digits want
  * Source    [Forbes88]; tested against an independent program: vignetted spots of the double Gauss

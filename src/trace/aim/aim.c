@@ -301,19 +301,56 @@ static void aim_block_start(const struct aim *aim, const struct pupil_point *poi
     }
 }
 
-/* Steps of all rays at once, as long as whole ones lead nearer; those that go astray are left. */
-static void steer_block(const struct aim *aim, size_t count, struct aim_block *block)
+/* Do the searches' own estimates show nothing of a fold: slopes like the chief ray's? */
+static bool aim_block_is_plain(const struct aim *aim, const struct aim_block *block, size_t count)
+{
+    const double most = 2, slope = aim_determinant(aim->slope);
+    bool plain = true;
+    for (size_t i = 0; i < count; i++) {
+        /* of inverse matrices */
+        double ratio = slope * (block->m[0][i] * block->m[3][i] - block->m[1][i] * block->m[2][i]);
+        plain = plain && ratio > 1 / most && ratio < most;
+    }
+    return plain;
+}
+
+/*
+ * Steps of all rays at once, as long as whole ones lead nearer; those that go astray are left.
+ *
+ * Given     reached  mm in the stop, which the last step need not leave
+ * Result    all are there, on the sheet of the chief ray
+ */
+static bool aim_block_steer(const struct aim *aim, const struct pupil_point *points, size_t count,
+                            double reached, struct aim_block *block)
 {
     enum { ALL = 16 };
-    const double reached = 1e-15 * aim->stop_radius, near = chief_rounding(aim);
+    const double near = fmax(chief_rounding(aim), reached);
     kernel_aim *kernel = KERNEL_FOR(SET_BEST, kernel_aim);
-    bool busy = true;
+    bool busy = true, there = true;
+    aim_block_start(aim, points, count, block);
     for (int step = 0; step < ALL && busy; step++) {
         beam_start(&aim->beam, block->next_a, block->next_b, count, aim->work.blocks);
         chief_to_stop(aim, count);
         kernel(aim->work.blocks, reached * reached, near * near, block);
         busy = aim_block_open(block) > 0;
     }
+    for (size_t i = 0; i < count; i++) {
+        there = there && block->state[i] == AIM_DONE;
+    }
+    return there && aim_block_is_plain(aim, block, count);
+}
+
+bool aim_rays_straight(const struct aim *aim, const struct pupil_point *points, size_t count,
+                       const struct rays *rays)
+{
+    bool there = true;
+    for (size_t done = 0; done < count && there; done += RAYS_BLOCK) {
+        const size_t here = count - done < RAYS_BLOCK ? count - done : RAYS_BLOCK;
+        struct aim_block block;
+        there = aim_block_steer(aim, points + done, here, 1e-12 * aim->stop_radius, &block);
+        beam_start(&aim->beam, block.a, block.b, here, &rays->blocks[done / RAYS_BLOCK]);
+    }
+    return there;
 }
 
 /* How far beside their places in the stop rays cross it that start so much beside their own. */
@@ -333,19 +370,6 @@ static void look_beside(const struct aim *aim, const struct aim_block *block, si
     }
 }
 
-/* Do the searches' own estimates show nothing of a fold: slopes like the chief ray's? */
-static bool aim_block_is_plain(const struct aim *aim, const struct aim_block *block, size_t count)
-{
-    const double most = 2, slope = aim_determinant(aim->slope);
-    bool plain = true;
-    for (size_t i = 0; i < count; i++) {
-        /* of inverse matrices */
-        double ratio = slope * (block->m[0][i] * block->m[3][i] - block->m[1][i] * block->m[2][i]);
-        plain = plain && ratio > 1 / most && ratio < most;
-    }
-    return plain;
-}
-
 /*
  * Is the sign of the Jacobian where searches ended that of the chief ray? It is not on the other
  * sheet of a folded pupil.
@@ -356,14 +380,10 @@ static void find_sheets(const struct aim *aim, const struct aim_block *block, si
     const double scale = sqrt(fabs(aim_determinant(aim->slope)));
     const double h = 1e-6 * (scale > 0 ? aim->stop_radius / scale : 1);
     double x[2][RAYS_BLOCK], y[2][RAYS_BLOCK];
-    const bool plain = aim_block_is_plain(aim, block, count);
-    if (!plain) {
-        look_beside(aim, block, count, h, 0, x[0], y[0]);
-        look_beside(aim, block, count, 0, h, x[1], y[1]);
-    }
+    look_beside(aim, block, count, h, 0, x[0], y[0]);
+    look_beside(aim, block, count, 0, h, x[1], y[1]);
     for (size_t i = 0; i < count; i++) {
-        same[i] =
-            plain || (x[0][i] * y[1][i] - y[0][i] * x[1][i]) * aim_determinant(aim->slope) > 0;
+        same[i] = (x[0][i] * y[1][i] - y[0][i] * x[1][i]) * aim_determinant(aim->slope) > 0;
     }
 }
 
@@ -375,9 +395,15 @@ static size_t aim_block_search(const struct aim *aim, const struct pupil_point *
     struct continuation leads[RAYS_BLOCK];
     size_t which[RAYS_BLOCK], led = 0, aimed = count;
     bool same[RAYS_BLOCK];
-    aim_block_start(aim, points, count, &block);
-    steer_block(aim, count, &block);
-    find_sheets(aim, &block, count, same);
+    if (aim_block_steer(aim, points, count, 1e-15 * aim->stop_radius, &block)) {
+        beam_start(&aim->beam, block.a, block.b, count, rays->blocks);
+        return count;
+    }
+    if (aim_block_is_plain(aim, &block, count)) {
+        memset(same, true, sizeof same);
+    } else {
+        find_sheets(aim, &block, count, same);
+    }
     for (size_t i = 0; i < count; i++) {
         if (block.state[i] != AIM_DONE || !same[i]) {
             leads[led].goal[0] = block.goal_x[i];
@@ -418,14 +444,7 @@ static bool make_map(const struct aim *aim, struct aim_map *map)
     for (size_t i = 0; i < MAP_NODES; i++) {
         points[i] = (struct pupil_point){at[i][0], at[i][1], 0};
     }
-    aim_block_start(aim, points, MAP_NODES, &block);
-    steer_block(aim, MAP_NODES, &block);
-    for (size_t i = 0; i < MAP_NODES; i++) {
-        if (block.state[i] != AIM_DONE) {
-            return false;
-        }
-    }
-    if (!aim_block_is_plain(aim, &block, MAP_NODES)) {
+    if (!aim_block_steer(aim, points, MAP_NODES, 1e-15 * aim->stop_radius, &block)) {
         return false;
     }
     aim_map_fit(block.a, block.b, map);

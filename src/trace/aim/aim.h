@@ -98,7 +98,15 @@ bool aim_open_at(struct aim *aim, const double at[2]);
 size_t aim_rays(const struct aim *aim, const struct pupil_point *points, size_t count,
                 const struct rays *rays);
 
-/* The same for one point. */
+/*
+ * The same to 1e-12 of the radius, as far as whole steps of Broyden's method lead there.
+ *
+ * Result    false: for some they do not, or the pupil may be folded
+ */
+bool aim_rays_straight(const struct aim *aim, const struct pupil_point *points, size_t count,
+                       const struct rays *rays);
+
+/* The same as aim_rays for one point. */
 struct ray aim_ray(const struct aim *aim, double x, double y);
 
 /* The chief ray, at its start. */

@@ -416,8 +416,7 @@ static bool scan_grid(struct aim *aim, const struct chief_region *region, size_t
     return isfinite(best);
 }
 
-/* Newton's method to the centre of the stop, steps halved while they lead away. */
-static bool chief_newton(struct aim *aim, double at[2])
+bool chief_newton(const struct aim *aim, double at[2])
 {
     const struct ray_block *block = aim->work.blocks;
     double miss = INFINITY;

@@ -25,6 +25,14 @@ bool chief_find(struct aim *aim, struct arena *arena, struct error *error);
 bool chief_find_near(struct aim *aim, const struct aim_near *near);
 
 /*
+ * Newton's method to the centre of the stop, steps halved while they lead away.
+ *
+ * Given     aim  with its system, beam, stop radius and block, and about slope[3]
+ *           at   a ray of the beam; receives the chief ray
+ */
+bool chief_newton(const struct aim *aim, double at[2]);
+
+/*
  * d(x, y in the stop)/d(a, b) at a ray of the beam, by central differences.
  *
  * Result    false: the rays about it are lost

@@ -92,7 +92,8 @@ void clearances_parts(const struct clearances *margins, const double (*at)[2], s
 /*
  * How far within something that blocks rays come: the largest clip_depth of all surfaces.
  *
- * Given     at     up to RAYS_BLOCK rays, by their coordinates in the beam; margins->full is not null
+ * Given     margins  full is not null
+ *           at       up to RAYS_BLOCK rays, by their coordinates in the beam
  *           depth  receives it: 0 and less passes
  *           part   a number of the piece of an edge that decides
  */

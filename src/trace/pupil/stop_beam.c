@@ -12,6 +12,7 @@ struct stop_beam stop_beam_of_stop(const struct aim *aim, const struct system *c
     const double *m = aim->slope, scale = aim->stop_radius / (m[0] * m[3] - m[1] * m[2]);
     struct stop_beam all = {.system = clear,
                             .beam = &aim->beam,
+                            .aim = aim,
                             .axes = {m[3] * scale, -m[1] * scale, -m[2] * scale, m[0] * scale},
                             .radius = aim->stop_radius,
                             .weight = weight};

@@ -29,6 +29,7 @@ enum stop_weight {
 struct stop_beam {
     const struct system *system; /* with its clear apertures, or without; forward */
     const struct beam *beam;
+    const struct aim *aim; /* that rays may be aimed at the stop with; null: none */
     double origin[2], axes[4];
     double radius; /* of the stop, mm; NaN: no stop, but the unit disc of u and v */
     enum stop_weight weight;

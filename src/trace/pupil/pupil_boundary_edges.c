@@ -1,9 +1,150 @@
-/* trace/pupil/pupil_boundary_corners.c - where the edge of a star has corners. */
+/* trace/pupil/pupil_boundary_edges.c - the edge of a boundary: what ends it, and its corners. */
 /* SPDX-License-Identifier: MIT */
 #include "base/constants.h"
 #include "trace/pupil/pupil_boundary_search.h"
 
 #include <math.h>
+#include <string.h>
+
+/* -------- between directions -------- */
+
+/* Enter a corner in its place. */
+static void star_enter_corner(struct pupil_boundary *star, double angle, double radius)
+{
+    size_t k = star->corner_count++;
+    for (; k > 0 && star->corners[k - 1] > angle; k--) {
+        star->corners[k] = star->corners[k - 1];
+        star->radii[k] = star->radii[k - 1];
+    }
+    star->corners[k] = angle;
+    star->radii[k] = radius;
+}
+
+void pupil_boundary_mirror_corners(struct pupil_boundary *star)
+{
+    double angles[PUPIL_BOUNDARY_CORNERS], radii[PUPIL_BOUNDARY_CORNERS];
+    const size_t half = star->corner_count;
+    memcpy(angles, star->corners, half * sizeof *angles);
+    memcpy(radii, star->radii, half * sizeof *radii);
+    star->corner_count = 0;
+    for (size_t i = 0; i < half; i++) {
+        const double angle = angles[i] - 2 * PI * floor(angles[i] / (2 * PI));
+        star_enter_corner(star, angle, radii[i]);
+        star_enter_corner(star, 2 * PI - angle, radii[i]);
+    }
+}
+
+void pupil_boundary_join(struct pupil_boundary *star)
+{
+    size_t i = 0, k = 0, count = 0;
+    while (i < star->count || k < star->corner_count) {
+        const bool is_edge =
+            k == star->corner_count || (i < star->count && star->angles[i] <= star->corners[k]);
+        star->knots[count] = is_edge ? star->angles[i] : star->corners[k];
+        star->knot_radii[count++] = is_edge ? star->edges[i++].radius : star->radii[k++];
+    }
+    star->knot_count = count;
+}
+
+double pupil_boundary_near(const struct pupil_boundary *star, double angle)
+{
+    const size_t count = star->knot_count;
+    const double turns = (angle - star->knots[0]) * (1 / (2 * PI));
+    const double whole = (double)(long)turns, part = turns - whole + (turns < whole ? 1 : 0);
+    const double at = star->knots[0] + 2 * PI * part;
+    /* they lie about as far from each other everywhere */
+    size_t i = (size_t)(part * (double)count);
+    i = i < count ? i : count - 1;
+    while (i > 0 && star->knots[i] > at) {
+        i--;
+    }
+    while (i + 1 < count && star->knots[i + 1] <= at) {
+        i++;
+    }
+    const size_t next = i + 1 < count ? i + 1 : 0;
+    const double above = star->knots[next] + (next == 0 ? 2 * PI : 0), below = star->knots[i];
+    const double share = above > below ? (at - below) / (above - below) : 0;
+    return star->knot_radii[i] + (star->knot_radii[next] - star->knot_radii[i]) * share;
+}
+
+void pupil_boundary_edges(const struct clearances *margins, const struct pupil_boundary *star,
+                          const double *angles, size_t count, struct arena *arena,
+                          struct edge *edges)
+{
+    const struct arena_mark mark = arena_mark(arena);
+    double *near = ARENA_ARRAY(arena, count, double);
+    for (size_t i = 0; i < count; i++) {
+        near[i] = pupil_boundary_near(star, angles[i]);
+    }
+    edges_find(margins, &star->frame, angles, near, count, 0, PUPIL_BOUNDARY_ROUNDING, edges);
+    arena_reset(arena, mark);
+}
+
+/* -------- what ends an edge -------- */
+
+void pupil_boundary_intervals(const struct clearances *margins, const struct edge_frame *frame,
+                              const double *angles, size_t count, const struct edge *edges,
+                              struct clear_intervals *intervals)
+{
+    const struct stop_beam *beam = margins->beam;
+    const double *centre = frame->centre;
+    double from[2], ends[RAYS_BLOCK][2], points[RAYS_BLOCK][2];
+    stop_beam_place(beam, centre[0], centre[1], from);
+    for (size_t i = 0; i < count; i++) {
+        intervals[i] = spans_whole;
+    }
+    for (size_t done = 0; done < count && margins->full != NULL; done += RAYS_BLOCK) {
+        size_t here = count - done < RAYS_BLOCK ? count - done : RAYS_BLOCK;
+        for (size_t i = 0; i < here; i++) {
+            edge_point(frame, angles[done + i], edges[done + i].radius, points[i]);
+            stop_beam_place(beam, points[i][0], points[i][1], ends[i]);
+        }
+        clear_intervals_find(margins, from, (const double(*)[2])ends, here, intervals + done);
+        for (size_t i = 0; i < here; i++) {
+            struct clear_intervals *clear = &intervals[done + i];
+            for (size_t k = 0; k < clear->count; k++) {
+                clear->low[k] = stop_beam_share(beam, centre, points[i], clear->low[k]);
+                clear->high[k] = stop_beam_share(beam, centre, points[i], clear->high[k]);
+            }
+        }
+    }
+}
+
+/* Where apertures are listed it counts which piece of one ends an edge, and what is crossed. */
+static void boundary_tell_parts(const struct pupil_boundary_search *search, const double *angles,
+                                size_t count, struct edge *edges)
+{
+    const struct clearances *margins = search->margins;
+    double at[RAYS_BLOCK][2];
+    size_t surfaces[RAYS_BLOCK], parts[RAYS_BLOCK];
+    struct clear_intervals intervals[RAYS_BLOCK];
+    for (size_t i = 0; i < count; i++) {
+        double point[2];
+        edge_point(&search->star->frame, angles[i], edges[i].radius, point);
+        stop_beam_place(margins->beam, point[0], point[1], at[i]);
+        const bool known = edges[i].limit < margins->count;
+        surfaces[i] = known ? margins->all[edges[i].limit].surface : LENS_NONE;
+    }
+    clearances_parts(margins, (const double(*)[2])at, count, surfaces, parts);
+    pupil_boundary_intervals(margins, &search->star->frame, angles, count, edges, intervals);
+    for (size_t i = 0; i < count; i++) {
+        size_t *limit = &edges[i].limit;
+        *limit = (*limit * 1000003 + parts[i]) * 1000003 + intervals[i].part;
+    }
+}
+
+void pupil_boundary_limits_find(const struct pupil_boundary_search *search, const double *angles,
+                                const double *near, size_t count, struct edge *edges)
+{
+    const struct clearances *margins = search->margins;
+    edges_find(margins, &search->star->frame, angles, near, count, 0, search->tolerance, edges);
+    for (size_t done = 0; done < count && margins->is_listed; done += RAYS_BLOCK) {
+        size_t here = count - done < RAYS_BLOCK ? count - done : RAYS_BLOCK;
+        boundary_tell_parts(search, angles + done, here, edges + done);
+    }
+}
+
+/* -------- corners -------- */
 
 enum { ROUNDS = 10, PARTS = 5 };
 
