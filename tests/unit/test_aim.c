@@ -6,7 +6,7 @@
 #include "trace/aim/aim.h"
 #include "trace/aim/aim_block.h"
 #include "trace/aim/aim_map.h"
-#include "trace/aim/beam_block.h"
+#include "trace/aim/beam.h"
 #include "trace/dispatch.h"
 
 #include <stdlib.h>

@@ -1,6 +1,6 @@
 /* tests/unit/test_disc_rays.c - rays through a disc: its irradiance, the same bits. */
 /* SPDX-License-Identifier: MIT */
-#include "camera/film/disc_rays.h"
+#include "camera/film/film_rays.h"
 
 #include "base/constants.h"
 #include "check.h"

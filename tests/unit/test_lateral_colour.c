@@ -51,10 +51,10 @@ static double focal(size_t wavelength)
 static const struct lateral_colour *find(const struct fixture *fixture, double x, double y,
                                          double pixel)
 {
-    const struct lateral_colour_question question = {&fixture->film, 3, 1, {pixel, pixel}};
+    const double pixels[2] = {pixel, pixel};
     const struct film_plan plan = {
         .left = x - 0.5e-3, .bottom = y - 0.5e-3, .width = 1e-3, .height = 1e-3};
-    return lateral_colour_find(&question, &plan, fixture->room);
+    return lateral_colour_find(&fixture->film, 3, 1, pixels, &plan, fixture->room);
 }
 
 /* A cone of the first wavelength, which is the farthest away, meets the film in such a disc. */

@@ -1,6 +1,6 @@
 /* tests/unit/test_tile_order.c - the order of a tile's pixels. */
 /* SPDX-License-Identifier: MIT */
-#include "camera/photograph/tile_order.h"
+#include "camera/photograph/tiling.h"
 #include "check.h"
 
 #include <math.h>

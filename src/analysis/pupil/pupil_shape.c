@@ -3,8 +3,7 @@
 #include "analysis/pupil/pupil_shape.h"
 
 #include "analysis/pupil/caustic.h"
-#include "analysis/pupil/contour.h"
-#include "analysis/pupil/pupil_cut.h"
+#include "analysis/pupil/pupil_area.h"
 #include "trace/aim/aim.h"
 #include "trace/aim/chief.h"
 #include "trace/aim/sample.h"

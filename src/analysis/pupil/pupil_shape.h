@@ -65,7 +65,7 @@ struct pupil_question {
  *
  * Given     question  as above
  * Result    outline, bounds and areas on both sides. On the side of the point areas are integrals
- *           over the beam, on the other side those of the curve of the edges (contour.h), which
+ *           over the beam, on the other side those of the curve of the edges (pupil_area.h), which
  *           a bundle that folds there has none of (folding.h)
  * Formula   edges by trace/pupil/clear.h. Area in a plane z, as seen from a point at the distance
  * h from

@@ -3,6 +3,7 @@
 #ifndef LENSCALC_CAMERA_FILM_BOUNDS_BUILDER_H
 #define LENSCALC_CAMERA_FILM_BOUNDS_BUILDER_H
 
+#include "base/error.h"
 #include "camera/film/exit_pupil_bounds.h"
 
 /* One lens, its region as far as it is known, and the edges at its rows. */
@@ -30,5 +31,37 @@ struct pupil_outline film_building_outline(const struct bounds_builder *building
 
 /* The last lit node of a column up to one; null: none is. */
 const struct pupil_outline *film_building_lit(const struct bounds_builder *building, size_t node);
+
+/*
+ * Find the ends of columns, and `largest`.
+ *
+ * Given     building  its region with a pole that is lit, in cosines; `ends` to be filled
+ * Result    every column ends where, or beyond where, light does, and so does what lies between
+ *           them; directions of the region are tangents from there on if any is steep
+ * Errors    ERROR_DOMAIN: light comes from more than 89 degrees off the normal, 86 where the lens
+ *           is not round
+ */
+bool bounds_extent_find(struct bounds_builder *building, struct error *error);
+
+/* Holes change little from one row to the next: they are asked for so many rows apart. */
+enum { FOLLOW_HOLE_ROWS = 4 };
+
+/*
+ * The outlines of a column, each from those before it, of the wavelength that is followed.
+ *
+ * Given     building  with ends; the columns before this one
+ */
+void bounds_follow_column(const struct bounds_builder *building, size_t column);
+
+/* Make the rows contain what is seen between all of them and columns that are neighbours. */
+void bounds_follow_between(const struct bounds_builder *building);
+
+/*
+ * The same with what all other wavelengths see at the rows; those that are not asked are stretched
+ * as their neighbours are.
+ *
+ * Result    has_hole of the region: at every wavelength
+ */
+void bounds_follow_waves(const struct bounds_builder *building);
 
 #endif

@@ -2,10 +2,8 @@
 /* SPDX-License-Identifier: MIT */
 #include "camera/film/exit_pupil_bounds.h"
 
-#include "camera/film/bounds_extent.h"
+#include "camera/film/bounds_builder.h"
 #include "camera/film/bounds_fit.h"
-#include "camera/film/bounds_follow.h"
-#include "camera/film/pupil_outline.h"
 #include "optics/aperture.h"
 
 #include <math.h>

@@ -8,7 +8,6 @@
 #include "base/error.h"
 #include "base/sobol.h"
 #include "camera/film/acceptance.h"
-#include "camera/film/disc_rays.h"
 #include "camera/film/film_rays.h"
 #include "camera/film/lens_model.h"
 #include "camera/sensor/shutter.h"

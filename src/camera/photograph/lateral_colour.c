@@ -147,31 +147,31 @@ static bool find_passed(struct lateral_colour_room *room)
     return all;
 }
 
-const struct lateral_colour *lateral_colour_find(const struct lateral_colour_question *question,
+const struct lateral_colour *lateral_colour_find(const struct lens_film *film, size_t wavelengths,
+                                                 size_t middle, const double pixel[2],
                                                  const struct film_plan *plan,
                                                  struct lateral_colour_room *room)
 {
-    const struct lens_film *film = question->film;
     struct lateral_colour *fringes = &room->fringes;
     lateral_colour_start(film, plan, room);
-    lateral_colour_trace(film, question->middle, room, &room->middle);
+    lateral_colour_trace(film, middle, room, &room->middle);
     if (!find_passed(room)) {
         return NULL;
     }
     for (int axis = X; axis < AXES; axis++) {
-        trace_turned(film, question->middle, axis, room);
+        trace_turned(film, middle, axis, room);
         fringes->low[axis] = fringes->high[axis] = 0;
     }
     bool little = true;
     /* the ends of the spectrum first, which are the farthest away most of the time */
-    for (size_t i = 0; i < question->wavelengths && little; i++) {
-        const size_t wavelength = i % 2 == 0 ? i / 2 : question->wavelengths - 1 - i / 2;
+    for (size_t i = 0; i < wavelengths && little; i++) {
+        const size_t wavelength = i % 2 == 0 ? i / 2 : wavelengths - 1 - i / 2;
         struct exits off;
         *room->rays.blocks = room->started;
         lateral_colour_trace(film, wavelength, room, &off);
         subtract(room, &off);
         for (int axis = X; axis < AXES && little; axis++) {
-            little = is_little(room, &off, axis, question->pixel[axis], fringes->moved[wavelength]);
+            little = is_little(room, &off, axis, pixel[axis], fringes->moved[wavelength]);
         }
     }
     return little ? fringes : NULL;

@@ -10,13 +10,6 @@
 
 enum { LATERAL_COLOUR_AXES = 2, LATERAL_COLOUR_CORNERS = 4 };
 
-/* Which colours, and on which pixels. */
-struct lateral_colour_question {
-    const struct lens_film *film;
-    size_t wavelengths, middle;        /* of the film; the one that stands for all */
-    double pixel[LATERAL_COLOUR_AXES]; /* mm */
-};
-
 /* Of one tile. */
 struct lateral_colour {
     /* What a ray of a wavelength shows at a point, one of the middle shows so far away, mm: mean
@@ -36,7 +29,9 @@ struct lateral_colour_room *lateral_colour_room_new(size_t wavelengths, struct a
 /*
  * May rays of one wavelength stand for those of all, whatever they meet?
  *
- * Given     plan  of a tile
+ * Given     wavelengths, middle  of the film; the one that stands for all
+ *           pixel  its size, mm
+ *           plan   of a tile
  * Result    what is moved by how much, in the room; null: they may not, or it is not easily seen,
  *           as in the dark. A ray of another colour then shows at a point what one of the middle
  *           shows at the moved point, but for less than FRINGES_MOST that it is spread about that:
@@ -50,7 +45,8 @@ struct lateral_colour_room *lateral_colour_room_new(size_t wavelengths, struct a
  *           pixel adds the integral of x/b from 0 to b/2 to it
  * Limits    lights smaller than a pixel, near the edge of one, change more, as when they move
  */
-const struct lateral_colour *lateral_colour_find(const struct lateral_colour_question *question,
+const struct lateral_colour *lateral_colour_find(const struct lens_film *film, size_t wavelengths,
+                                                 size_t middle, const double pixel[2],
                                                  const struct film_plan *plan,
                                                  struct lateral_colour_room *room);
 

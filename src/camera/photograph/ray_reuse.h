@@ -5,7 +5,6 @@
 
 #include "base/watch.h"
 #include "camera/film/lens_film.h"
-#include "camera/photograph/irradiance_table.h"
 #include "camera/photograph/skip.h"
 #include "camera/subject/card.h"
 #include "camera/subject/depth_card.h"
@@ -23,6 +22,8 @@ enum ray_reuse_way {
     RAY_REUSE_WAYS,
     RAY_REUSE_ENDED = RAY_REUSE_WAYS /* the watch has ended it before */
 };
+
+struct irradiance_table;
 
 /* The rays of a wavelength. */
 struct ray_reuse_pass {
@@ -56,12 +57,6 @@ void ray_reuse_open(struct ray_reuse *spare, size_t blocks, struct arena *arena)
 struct ray_reuse_room;
 struct ray_reuse_room *ray_reuse_room_new(size_t passes, struct arena *arena);
 
-/* A tile of the film. */
-struct ray_reuse_tile {
-    const struct film_plan *plan; /* the points of its pixels */
-    size_t samples;               /* of each */
-};
-
 /* Where a ray passes the frame's lines of sight, x or y, at w = 1/d, d from the pupil. */
 static inline double ray_reuse_seen_at(const struct ray_reuse *spare,
                                        const struct depth_card_ray *ray, int axis, double w)
@@ -72,6 +67,8 @@ static inline double ray_reuse_seen_at(const struct ray_reuse *spare,
 /*
  * Take a tile, if it may be spared.
  *
+ * Given     plan     the points of its pixels
+ *           samples  of each
  * Result    sights  so many samples more found out so much, of a card or relief
  *           sums    0 for each of 128 pixels: receives what the weights times the light of all
  *                   samples come to, unless it is RAY_REUSE_TRACED or RAY_REUSE_ENDED
@@ -86,8 +83,9 @@ static inline double ray_reuse_seen_at(const struct ray_reuse *spare,
  *           the light and behind a hole in the pupil nothing is. In a scene blur is not: what two
  *           rays meet says nothing of what lies between them
  */
-enum ray_reuse_way ray_reuse_take(const struct ray_reuse *spare, const struct ray_reuse_tile *tile,
-                                  struct ray_reuse_room *room, uint64_t sights[DEPTH_CARD_SIGHTS],
+enum ray_reuse_way ray_reuse_take(const struct ray_reuse *spare, const struct film_plan *plan,
+                                  size_t samples, struct ray_reuse_room *room,
+                                  uint64_t sights[DEPTH_CARD_SIGHTS],
                                   double (*sums)[CARD_CHANNELS]);
 
 #endif

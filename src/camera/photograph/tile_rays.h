@@ -24,7 +24,7 @@ struct tile_rays {
     struct sobol hero;                               /* in strands: of bands of blocks */
 };
 
-/* What one thread traces in; its colours are those of camera/photograph/tile_colours.h. */
+/* What one thread traces in; its colours are those that share rays. */
 struct tile_room {
     struct film_samples samples;
     struct rays rays;
@@ -87,5 +87,14 @@ void tile_rays_begin(const struct tile_rays *tile, size_t number, struct film_pl
  */
 void tile_rays_sum(const struct tile_rays *tile, const struct film_plan *plan, size_t begin,
                    size_t end, struct tile_room *room);
+
+/*
+ * May rays of one colour stand for those of all in this tile, but for where they come from? Then
+ * tile_rays_sum looks along them alone.
+ *
+ * Result    room->fringes; null: they may not
+ */
+bool tile_colours_share(const struct tile_rays *tile, const struct film_plan *plan,
+                        struct tile_room *room);
 
 #endif

@@ -2,8 +2,6 @@
 /* SPDX-License-Identifier: MIT */
 #include "camera/photograph/tile_work.h"
 
-#include "camera/photograph/tile_colours.h"
-
 #include <math.h>
 #include <string.h>
 
@@ -131,10 +129,9 @@ static enum ray_reuse_way tile_work_way_of(const struct tile_work *work,
 {
     struct tile_room *tile = room->tile;
     const size_t samples = work->question->samples;
-    const struct ray_reuse_tile spared = {plan, samples};
     enum ray_reuse_way way = RAY_REUSE_TRACED;
     if (work->spare != NULL) {
-        way = ray_reuse_take(work->spare, &spared, room->spare, tile->counts, tile->sums);
+        way = ray_reuse_take(work->spare, plan, samples, room->spare, tile->counts, tile->sums);
     }
     return way == RAY_REUSE_TRACED && samples >= TILE_FEW_SAMPLES &&
                    tile_colours_share(&work->rays, plan, tile)

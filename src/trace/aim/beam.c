@@ -3,7 +3,7 @@
 #include "trace/aim/beam.h"
 
 #include "base/constants.h"
-#include "trace/aim/beam_block.h"
+#include "trace/dispatch.h"
 
 #include <math.h>
 

@@ -119,4 +119,9 @@ void beam_tangents(const struct beam *beam, const double way[2], const struct ra
 /* The coordinates where a line meets the plane of the beam: point + t cosine. */
 void beam_place(const struct beam *beam, const double at[3], double place[2]);
 
+/* See beam_start. */
+typedef void kernel_beam(const struct beam *beam, const double *a, const double *b, size_t count,
+                         struct ray_block *block);
+kernel_beam kernel_beam_sse2, kernel_beam_avx2, kernel_beam_avx512;
+
 #endif

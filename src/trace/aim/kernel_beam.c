@@ -1,6 +1,6 @@
 /* trace/aim/kernel_beam.c - rays of a beam where they start: a lane loop for each instruction set. */
 /* SPDX-License-Identifier: MIT */
-#include "trace/aim/beam_block.h"
+#include "trace/aim/beam.h"
 #include "trace/kernel/lanes.h"
 
 /* All directions are alike. */

@@ -1,11 +1,28 @@
-/* analysis/pupil/pupil_cut.h - area and centroid of a pupil within which something blocks light. */
+/* analysis/pupil/pupil_area.h - area and centroid of what passes of a beam, in some plane. */
 /* SPDX-License-Identifier: MIT */
-#ifndef LENSCALC_ANALYSIS_PUPIL_PUPIL_CUT_H
-#define LENSCALC_ANALYSIS_PUPIL_PUPIL_CUT_H
+#ifndef LENSCALC_ANALYSIS_PUPIL_PUPIL_AREA_H
+#define LENSCALC_ANALYSIS_PUPIL_PUPIL_AREA_H
 
 #include "trace/aim/beam.h"
 #include "trace/pupil/clear.h"
 #include "trace/system.h"
+
+#include <stddef.h>
+
+/*
+ * What a closed curve encloses.
+ *
+ * Given     clear   whose arms the points belong to, as trace/pupil/clear.h cut them into pieces
+ *           points  one an arm, mm: where these rays cross some plane
+ *           centre  receives the centroid, mm
+ * Result    the area, mm^2, whichever way round the curve goes
+ * Formula   A = |integral of (x y' - y x') dt|/2, centroid = integral of X (x y' - y x') dt/(3 A);
+ *           t is the angle of the arms. Derivatives: on a circle of equal angles by differences of
+ *           eighth order, on pieces by those of the polynomial through Gauss's points
+ * Source    Green's theorem; [Berrut04] for the polynomial
+ * Limits    1e-9 of the area where the plane maps the beam smoothly
+ */
+double contour_area(const struct clear_pupil *clear, const double (*points)[2], double centre[2]);
 
 /* A plane across the axis, on either side of a lens. */
 struct cut_plane {
