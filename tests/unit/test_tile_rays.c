@@ -46,7 +46,7 @@ static void test_cells(void)
     }
     for (uint32_t block = 0; block < COUNT; block++) {
         struct film_samples samples;
-        film_rays_cells(&plan, cells, block, SET_BEST, &samples);
+        film_rays_plan(&plan, cells, block, SET_BEST, &samples);
         for (size_t i = 0; i < RAYS_BLOCK; i++) {
             const int cell = cells[i];
             const double at[FILM_DIMENSIONS] = {(25 - samples.x[i]) / 2 - cell % 16,

@@ -127,10 +127,14 @@ bool bundle_open(const struct bundle_question *question, struct arena *arena,
     }
     bool has_stop = source->open->stop != LENS_NONE && source->open->stop_radius > 0;
     /* a telecentric object space has its pupil where it says, not where the stop is seen */
-    bool opened = question->from_entrance || setup->first.is_telecentric
-                      ? open_entrance(source, has_stop, arena, error)
-                  : has_stop ? open_stop(source, arena, error)
-                             : bundle_open_disc(source, error);
+    bool opened;
+    if (question->from_entrance || setup->first.is_telecentric) {
+        opened = open_entrance(source, has_stop, arena, error);
+    } else if (has_stop) {
+        opened = open_stop(source, arena, error);
+    } else {
+        opened = bundle_open_disc(source, error);
+    }
     if (opened && question->pattern == PATTERN_GAUSS) {
         source->region = ARENA_NEW(arena, struct quadrature_region);
         *source->region = quadrature_open(&source->pupil, arena);

@@ -220,9 +220,9 @@ struct cut_extent pupil_cut(const struct cut_plane *plane, const struct clear_pu
     gauss_rule(POINTS, x, w);
     for (size_t i = 0; i < clear->arm_count; i++) {
         const struct clear_arm *arm = &clear->arms[i];
-        const struct clear_intervals *spans = arm->spans;
-        for (size_t k = 0; k < POINTS * spans->count; k++) {
-            double low = spans->low[k / POINTS], width = spans->high[k / POINTS] - low;
+        const struct clear_intervals *intervals = arm->intervals;
+        for (size_t k = 0; k < POINTS * intervals->count; k++) {
+            double low = intervals->low[k / POINTS], width = intervals->high[k / POINTS] - low;
             double t = low + width * x[k % POINTS];
             pupil_cut_add(summing, clear->centre[0] + t * (arm->edge.at[0] - clear->centre[0]),
                           clear->centre[1] + t * (arm->edge.at[1] - clear->centre[1]),

@@ -137,8 +137,8 @@ static void pupil_shape_look_at(const struct clear_pupil *clear, const struct ra
 
 /* -------- integrals over the beam -------- */
 
-/* Area in the plane of the beam, in a plane across the axis, or of direction cosines. */
-enum measure { ACROSS, IN_PLANE, COSINES };
+/* Area in a plane across the axis, or of direction cosines. */
+enum measure { IN_PLANE, COSINES };
 
 /* What a bit of the beam's plane counts; see the header. */
 static double pupil_shape_weight(const struct beam *beam, const double at[2], enum measure what,
@@ -146,9 +146,6 @@ static double pupil_shape_weight(const struct beam *beam, const double at[2], en
 {
     struct ray ray = beam_ray(beam, at[0], at[1]);
     double cosine = fabs(ray.cosine[2]), d = fabs(beam->distance);
-    if (what == ACROSS) {
-        return 1;
-    }
     if (isinf(d)) {
         return what == IN_PLANE ? 1 / cosine : (double)NAN;
     }
@@ -170,10 +167,10 @@ static double integrate(const struct beam *beam, const struct clear_pupil *clear
     gauss_rule(POINTS, x, w);
     for (size_t i = 0; i < clear->arm_count; i++) {
         const double *edge = clear->arms[i].edge.at, *c = clear->centre;
-        const struct clear_intervals *spans = clear->arms[i].spans;
+        const struct clear_intervals *intervals = clear->arms[i].intervals;
         double arm[2] = {edge[0] - c[0], edge[1] - c[1]}, along = 0;
-        for (size_t k = 0; k < POINTS * spans->count; k++) {
-            double low = spans->low[k / POINTS], width = spans->high[k / POINTS] - low;
+        for (size_t k = 0; k < POINTS * intervals->count; k++) {
+            double low = intervals->low[k / POINTS], width = intervals->high[k / POINTS] - low;
             double t = low + width * x[k % POINTS];
             const double at[2] = {c[0] + t * arm[0], c[1] + t * arm[1]};
             along += width * w[k % POINTS] * t * pupil_shape_weight(beam, at, what, z);

@@ -23,7 +23,7 @@ struct arms {
     double *angles, *shares; /* rad; of the circle */
     double (*ways)[2];       /* sine and cosine of the angles */
     struct edge *edges;
-    struct clear_intervals *spans;
+    struct clear_intervals *intervals;
     size_t count;
     size_t *arcs; /* how many are in each arc from corner to corner */
     size_t arc_count;
@@ -110,9 +110,9 @@ static void make_arms(const struct quadrature_region *region, size_t wanted, str
         arms->ways[i][0] = sin(arms->angles[i]);
         arms->ways[i][1] = cos(arms->angles[i]);
     }
-    arms->spans = ARENA_ARRAY(arena, arms->count, struct clear_intervals);
+    arms->intervals = ARENA_ARRAY(arena, arms->count, struct clear_intervals);
     pupil_boundary_intervals(margins, &star->frame, arms->angles, arms->count, arms->edges,
-                             arms->spans);
+                             arms->intervals);
 }
 
 /* -------- points -------- */
@@ -126,22 +126,22 @@ static void quadrature_put_points(const struct quadrature_region *region, const 
     const double area = star->frame.stretch[0] * star->frame.stretch[1];
     double *x = ARENA_ARRAY(arena, rings, double), *w = ARENA_ARRAY(arena, rings, double);
     size_t count = 0;
-    size_t most = 0; /* spans of an arm */
+    size_t most = 0; /* intervals of an arm */
     for (size_t k = 0; k < arms->count; k++) {
-        count += rings * arms->spans[k].count;
-        most = arms->spans[k].count > most ? arms->spans[k].count : most;
+        count += rings * arms->intervals[k].count;
+        most = arms->intervals[k].count > most ? arms->intervals[k].count : most;
     }
     all->sample.points = ARENA_ARRAY(arena, count, struct pupil_point);
     gauss_rule(rings, x, w);
     for (size_t i = 0; i < rings * most * arms->count; i++) {
         size_t k = i % arms->count, ring = i / arms->count % rings;
         size_t span = i / arms->count / rings;
-        const struct clear_intervals *spans = &arms->spans[k];
-        if (span >= spans->count) {
+        const struct clear_intervals *intervals = &arms->intervals[k];
+        if (span >= intervals->count) {
             continue;
         }
         const double radius = arms->edges[k].radius;
-        double low = spans->low[span], high = spans->high[span];
+        double low = intervals->low[span], high = intervals->high[span];
         double width2 = (high - low) * (high + low), t = sqrt(low * low + width2 * x[ring]);
         if (in_r) {
             t = low + (high - low) * x[ring];

@@ -111,23 +111,19 @@ void spot_place(const struct spot_plane *plane, const struct ray_block *block, s
     }
 }
 
-/* Rays at shares of the way to an edge; the last of them may be the edge itself. */
-struct rings {
-    const struct quadrature_rim *edge;
-    const double *shares;
-    size_t count;
-};
-
-/* Distances of rays, ring after ring; -1 for those that are lost. */
+/*
+ * Distances of rays at shares of the way to an edge, ring after ring; -1 for those that are lost.
+ */
 static void measure_with(const struct spot_radius_question *question,
                          const struct bundle_source *source, const struct system *system,
-                         const struct rings *rings, struct arena *arena, double *distances)
+                         const struct quadrature_rim *edge, const double *shares, size_t rings,
+                         struct arena *arena, double *distances)
 {
     const struct arena_mark mark = arena_mark(arena);
     const struct spot_plane *plane = question->plane;
     const double n = system_index_after(system, plane->to - 1);
-    const struct rays rays = rays_room(arena, rings->count * rings->edge->count);
-    quadrature_rays_within(source->region, rings->edge, rings->shares, rings->count, &rays);
+    const struct rays rays = rays_room(arena, rings * edge->count);
+    quadrature_rays_within(source->region, edge, shares, rings, &rays);
     rays_trace_part(system, 0, plane->to, &rays, NULL);
     for (size_t i = 0; i < rays.count; i++) {
         const struct ray_block *block = &rays.blocks[i / RAYS_BLOCK];
@@ -158,7 +154,7 @@ static void follow_grazing(const struct spot_radius_question *question,
         shares[i] = 1 - (ROOTS - i) * (ROOTS - i) * apart;
     }
     shares[ROOTS] = 1 - beside;
-    measure_with(question, source, source->open, &(struct rings){edge, shares, COUNT}, arena, d);
+    measure_with(question, source, source->open, edge, shares, COUNT, arena, d);
     for (size_t i = 0; i < wide; i++) {
         double limit = 0;
         const double nearest = d[ROOTS * wide + i];
@@ -175,41 +171,38 @@ static void follow_grazing(const struct spot_radius_question *question,
 
 /* Distances on the edge itself. */
 static void measure_edge(const struct spot_radius_question *question,
-                         const struct bundle_source *source, const struct rings *rings,
-                         struct arena *arena, double *distances)
+                         const struct bundle_source *source, const struct quadrature_rim *edge,
+                         double last, struct arena *arena, double *distances)
 {
     const struct arena_mark mark = arena_mark(arena);
-    const size_t wide = rings->edge->count;
+    const size_t wide = edge->count;
     const double share = 1 - apart;
     double *before = arena_buffer_array(arena, wide, sizeof *before);
     bool grazes = false;
-    measure_with(question, source, source->open, rings, arena, distances);
-    measure_with(question, source, source->open, &(struct rings){rings->edge, &share, 1}, arena,
-                 before);
+    measure_with(question, source, source->open, edge, &last, 1, arena, distances);
+    measure_with(question, source, source->open, edge, &share, 1, arena, before);
     for (size_t i = 0; i < wide; i++) {
         grazes = grazes || (before[i] >= 0 && !(distances[i] - before[i] <= steep * before[i])) ||
                  distances[i] < 0;
     }
     if (grazes) {
-        follow_grazing(question, source, rings->edge, arena, distances);
+        follow_grazing(question, source, edge, arena, distances);
     }
     arena_reset(arena, mark);
 }
 
 static void spot_radius_measure(const struct spot_radius_question *question,
-                                const struct bundle_source *source, const struct rings *rings,
-                                struct arena *arena, double *distances)
+                                const struct bundle_source *source,
+                                const struct quadrature_rim *edge, const double *shares,
+                                size_t rings, struct arena *arena, double *distances)
 {
-    const bool has_edge = !(rings->shares[rings->count - 1] < within);
-    struct rings inner = *rings, outer = *rings;
-    inner.count -= has_edge ? 1 : 0;
-    outer.count -= inner.count;
-    outer.shares += inner.count;
-    if (inner.count > 0) {
-        measure_with(question, source, source->system, &inner, arena, distances);
+    const bool has_edge = !(shares[rings - 1] < within);
+    const size_t inner = has_edge ? rings - 1 : rings;
+    if (inner > 0) {
+        measure_with(question, source, source->system, edge, shares, inner, arena, distances);
     }
-    if (outer.count > 0) {
-        measure_edge(question, source, &outer, arena, distances + inner.count * rings->edge->count);
+    if (has_edge) {
+        measure_edge(question, source, edge, shares[inner], arena, distances + inner * edge->count);
     }
 }
 
@@ -260,8 +253,7 @@ static void spot_radius_look_around(const struct spot_radius_question *question,
     for (size_t ring = 0; ring < RINGS; ring++) {
         shares[ring] = (double)(ring + 1) / RINGS;
     }
-    spot_radius_measure(question, rim->source, &(struct rings){&edge, shares, RINGS}, arena,
-                        rim->distances);
+    spot_radius_measure(question, rim->source, &edge, shares, RINGS, arena, rim->distances);
 }
 
 /* -------- peaks -------- */
@@ -411,8 +403,7 @@ static void fill_net(const struct spot_radius_question *question, const struct p
     net->is_known = true;
     net->best[0] = net->wide / 2;
     net->best[1] = FINE / 2;
-    spot_radius_measure(question, peak->source, &(struct rings){&edge, net->shares, FINE}, arena,
-                        net->distances);
+    spot_radius_measure(question, peak->source, &edge, net->shares, FINE, arena, net->distances);
     for (size_t i = 0; i < FINE * net->wide; i++) {
         if (net->distances[i] >= net->distances[net->best[1] * net->wide + net->best[0]]) {
             net->best[0] = i % net->wide;
@@ -526,8 +517,7 @@ static double graze_error(const struct spot_radius_question *question, const str
     }
     const struct quadrature_rim edge =
         quadrature_edge(peak->source->region, peak->at, 1, NULL, 0, arena);
-    measure_with(question, peak->source, peak->source->open, &(struct rings){&edge, &share, 1},
-                 arena, &distance);
+    measure_with(question, peak->source, peak->source->open, &edge, &share, 1, arena, &distance);
     arena_reset(arena, mark);
     return distance >= 0 ? fmax(peak->distance - distance, 0) : 0;
 }

@@ -31,19 +31,16 @@ struct film_plan {
     double width, height; /* mm */
 };
 
-/* The samples of block `block` of a sequence: its points RAYS_BLOCK block + 0, 1, .. */
-void film_rays_plan(const struct film_plan *plan, uint32_t block, enum instruction_set set,
-                    struct film_samples *samples);
-
 /*
- * The same one in each cell of the rectangle: cells are counted from the corner of the largest x
- * and the least y on, first towards smaller x, as pixels of a picture whose film is upside down.
+ * The samples of block `block` of a sequence: its points RAYS_BLOCK block + 0, 1, ..
  *
- * Given     plan   sobol: of strands, one a cell
- *           cells  that the places of a block are in, each once
+ * Given     cells  null: all over the rectangle. Else one in each cell of it, which are counted from
+ *                  the corner of the largest x and the least y on, first towards smaller x, as
+ *                  pixels of a picture whose film is upside down: those that the places of a block
+ *                  are in, each once; the plan's sobol is of strands, one a cell
  */
-void film_rays_cells(const struct film_plan *plan, const unsigned char cells[RAYS_BLOCK],
-                     uint32_t block, enum instruction_set set, struct film_samples *samples);
+void film_rays_plan(const struct film_plan *plan, const unsigned char *cells, uint32_t block,
+                    enum instruction_set set, struct film_samples *samples);
 
 /*
  * Start a block of rays on the film.
@@ -67,12 +64,9 @@ void film_rays_start(const struct exit_pupil_bounds *region, struct film_samples
                      enum instruction_set set, struct ray_block *block);
 
 /* Internal to film_rays.c: the loops, built for each instruction set. */
-typedef void kernel_film_plan(const struct film_plan *plan, uint32_t block,
-                              struct film_samples *samples);
+typedef void kernel_film_plan(const struct film_plan *plan, const unsigned char *cells,
+                              uint32_t block, struct film_samples *samples);
 kernel_film_plan kernel_film_plan_sse2, kernel_film_plan_avx2, kernel_film_plan_avx512;
-typedef void kernel_film_cells(const struct film_plan *plan, const unsigned char cells[RAYS_BLOCK],
-                               uint32_t block, struct film_samples *samples);
-kernel_film_cells kernel_film_cells_sse2, kernel_film_cells_avx2, kernel_film_cells_avx512;
 typedef void kernel_film(const struct exit_pupil_bounds *region, struct film_samples *samples,
                          struct ray_block *block);
 kernel_film kernel_film_sse2, kernel_film_avx2, kernel_film_avx512;

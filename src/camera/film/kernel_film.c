@@ -5,24 +5,8 @@
 
 _Static_assert((int)RAYS_BLOCK == (int)SOBOL_BLOCK, "a block of rays takes a block of points");
 
-void NAME(kernel_film_plan, KERNEL)(const struct film_plan *plan, uint32_t block,
-                                    struct film_samples *samples)
-{
-    double points[FILM_DIMENSIONS][RAYS_BLOCK];
-    for (int k = 0; k < FILM_DIMENSIONS; k++) {
-        sobol_points(&plan->sobol[k], plan->scrambling[k], block, points[k]);
-    }
-    for (int i = 0; i < RAYS_BLOCK; i++) {
-        samples->x[i] = plan->left + plan->width * points[0][i];
-        samples->y[i] = plan->bottom + plan->height * points[1][i];
-    }
-    memcpy(samples->u, points[2], sizeof samples->u);
-    memcpy(samples->v, points[3], sizeof samples->v);
-}
-
-void NAME(kernel_film_cells, KERNEL)(const struct film_plan *plan,
-                                     const unsigned char cells[RAYS_BLOCK], uint32_t block,
-                                     struct film_samples *samples)
+void NAME(kernel_film_plan, KERNEL)(const struct film_plan *plan, const unsigned char *cells,
+                                    uint32_t block, struct film_samples *samples)
 {
     const double right = plan->left + plan->width, bottom = plan->bottom;
     const double across = plan->width / FILM_ACROSS, down = plan->height / FILM_DOWN;
@@ -30,7 +14,11 @@ void NAME(kernel_film_cells, KERNEL)(const struct film_plan *plan,
     for (int k = 0; k < FILM_DIMENSIONS; k++) {
         sobol_points(&plan->sobol[k], plan->scrambling[k], block, points[k]);
     }
-    for (int i = 0; i < RAYS_BLOCK; i++) {
+    for (int i = 0; i < RAYS_BLOCK && cells == NULL; i++) {
+        samples->x[i] = plan->left + plan->width * points[0][i];
+        samples->y[i] = bottom + plan->height * points[1][i];
+    }
+    for (int i = 0; i < RAYS_BLOCK && cells != NULL; i++) {
         samples->x[i] = right - across * (cells[i] % FILM_ACROSS + points[0][i]);
         samples->y[i] = bottom + down * (cells[i] / FILM_ACROSS + points[1][i]);
     }

@@ -286,7 +286,7 @@ double lens_film_light(const struct lens_film *film, const double at[2], size_t 
         .sobol = film->sobol, .scrambling = {1, 2, 3, 4}, .left = at[0], .bottom = at[1]};
     double sum = 0;
     for (uint32_t block = 0; block < blocks; block++) {
-        film_rays_plan(&plan, block, SET_BEST, samples);
+        film_rays_plan(&plan, NULL, block, SET_BEST, samples);
         lens_film_start(film, samples, rays->blocks);
         lens_film_trace(film, wavelength, samples, rays);
         for (size_t i = 0; i < RAYS_BLOCK; i++) {

@@ -87,7 +87,7 @@ static bool send(struct lens_rays_stream *stream, size_t w, uint64_t samples, do
     for (uint64_t done = 0; done < samples; done += RAYS_BLOCK) {
         const uint64_t left = samples - done;
         const uint32_t block = (uint32_t)(done / RAYS_BLOCK);
-        film_rays_plan(&stream->plan, block, SET_BEST, &stream->samples);
+        film_rays_plan(&stream->plan, NULL, block, SET_BEST, &stream->samples);
         sobol_points(&stream->sobol_time, when, block, stream->times);
         lens_film_start(&stream->film, &stream->samples, stream->rays.blocks);
         lens_film_trace(&stream->film, w, &stream->samples, &stream->rays);

@@ -336,11 +336,11 @@ static bool follow_hole(const struct outline_rays *sight, const struct spokes *s
 static void search_hole(const struct outline_rays *sight, const struct spokes *spokes,
                         double *shares)
 {
-    struct clear_intervals spans[FILM_SECTORS + 1];
+    struct clear_intervals intervals[FILM_SECTORS + 1];
     pupil_boundary_intervals(&sight->margins, &sight->frame, spokes->angles, spokes->count,
-                             spokes->ends, spans);
+                             spokes->ends, intervals);
     for (size_t k = 0; k < spokes->count; k++) {
-        shares[k] = spans[k].count > 0 ? spans[k].low[0] : 1;
+        shares[k] = intervals[k].count > 0 ? intervals[k].low[0] : 1;
     }
 }
 

@@ -220,7 +220,7 @@ static void take_all(struct tile_work *work, struct arena *arena, struct photogr
     struct parallel *parallel = arena_array(arena, 1, sizeof *parallel);
     const size_t of_rays = SLICE_RAYS / (TILE_PIXELS * question->samples);
     const size_t least = 4 * (size_t)(question->threads > 1 ? question->threads : 1);
-    const size_t slice = question->pause == NULL ? tiles : of_rays > least ? of_rays : least;
+    const size_t slice = question->pause == NULL ? tiles : photograph_most_of(of_rays, least);
     parallel->threads = question->threads;
     for (; work->first < tiles && !watch_is_ended(question->watch); work->first += slice) {
         const size_t left = tiles - work->first;
@@ -324,7 +324,11 @@ bool photograph_take(const struct photograph_question *question, struct arena *a
     }
     work.unit = work.scale / (photograph->reference * question->error);
     watch_begin(question->watch, "pixels", TILE_PIXELS * count_missing(&work));
-    (work.stages != NULL ? take_stages : take_all)(&work, arena, photograph);
+    if (work.stages != NULL) {
+        take_stages(&work, arena, photograph);
+    } else {
+        take_all(&work, arena, photograph);
+    }
     photograph->is_incomplete = count_missing(&work) > 0;
     return true;
 }

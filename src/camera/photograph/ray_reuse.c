@@ -145,7 +145,7 @@ static bool trace_pupil(const struct ray_reuse *spare, const struct film_plan *p
                                      .bottom = plan->bottom + plan->height / 2};
     struct pupil_rays *pupil = &net->pupil[wavelength];
     double all = 0;
-    film_rays_plan(&middle, 0, SET_BEST, &net->samples);
+    film_rays_plan(&middle, NULL, 0, SET_BEST, &net->samples);
     net->samples.u[0] = net->samples.v[0] = 0;
     corners_trace(spare, wavelength, net);
     const struct depth_card_ray chief = subject_ray(net->rays.blocks, 0, spare->plane);
@@ -260,7 +260,7 @@ static bool reuse_grid_look_through(const struct ray_reuse *spare, const struct 
         if (block % ENDED_EVERY == 0 && !watch_ask(spare->watch)) {
             return false;
         }
-        film_rays_plan(plan, block, SET_BEST, &net->samples);
+        film_rays_plan(plan, NULL, block, SET_BEST, &net->samples);
         for (size_t i = 0; i < RAYS_BLOCK; i++) {
             const double across = (net->samples.x[i] - plan->left) / plan->width;
             const double down = (net->samples.y[i] - plan->bottom) / plan->height;

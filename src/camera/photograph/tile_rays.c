@@ -98,11 +98,7 @@ void tile_rays_open(const struct photograph_question *question, const struct len
 static void tile_block_trace(const struct tile_rays *tile, const struct film_plan *plan,
                              uint32_t block, size_t wavelength, struct tile_room *room)
 {
-    if (tile->in_strands) {
-        film_rays_cells(plan, room->cells, block, SET_BEST, &room->samples);
-    } else {
-        film_rays_plan(plan, block, SET_BEST, &room->samples);
-    }
+    film_rays_plan(plan, tile->in_strands ? room->cells : NULL, block, SET_BEST, &room->samples);
     lens_film_start(tile->film, &room->samples, room->rays.blocks);
     lens_film_trace(tile->film, wavelength, &room->samples, &room->rays);
 }

@@ -111,27 +111,27 @@ static void cut_arms(const struct clear_search *finding, struct clear_pupil *pup
 {
     struct arena *arena = finding->arena;
     double(*at)[2] = arena_array(arena, pupil->arm_count, sizeof *at);
-    struct clear_intervals *spans = NULL;
+    struct clear_intervals *intervals = NULL;
     if (pupil->is_cut) {
-        spans = ARENA_ARRAY(arena, pupil->arm_count, struct clear_intervals);
+        intervals = ARENA_ARRAY(arena, pupil->arm_count, struct clear_intervals);
     }
     for (size_t i = 0; i < pupil->arm_count; i++) {
         at[i][0] = pupil->arms[i].edge.at[0];
         at[i][1] = pupil->arms[i].edge.at[1];
-        pupil->arms[i].spans = pupil->is_cut ? &spans[i] : &spans_whole;
+        pupil->arms[i].intervals = pupil->is_cut ? &intervals[i] : &clear_intervals_whole;
     }
     if (pupil->is_cut) {
         clear_intervals_find(finding->margins, pupil->centre, (const double(*)[2])at,
-                             pupil->arm_count, spans);
+                             pupil->arm_count, intervals);
     }
 }
 
 /* The share of an arm's area that is clear. */
-static double clear_share(const struct clear_intervals *spans)
+static double clear_share(const struct clear_intervals *intervals)
 {
     double share = 0;
-    for (size_t i = 0; i < spans->count; i++) {
-        double low = spans->low[i], high = spans->high[i];
+    for (size_t i = 0; i < intervals->count; i++) {
+        double low = intervals->low[i], high = intervals->high[i];
         share += (high - low) * (high + low);
     }
     return share;
@@ -170,7 +170,7 @@ static void put_arms(const struct clear_search *finding, struct clear_pupil *pup
     }
     cut_arms(finding, pupil);
     for (size_t i = 0; i < pupil->arm_count; i++) {
-        pupil->area += pupil->arms[i].area * clear_share(pupil->arms[i].spans);
+        pupil->area += pupil->arms[i].area * clear_share(pupil->arms[i].intervals);
         pupil->within += pupil->arms[i].area;
     }
     pupil->is_empty = !(pupil->area > 0);
@@ -223,7 +223,10 @@ static double piece_peak(const struct edge_piece *piece, double low, double high
         const double from = fmax(middle - half, low), to = fmin(middle + half, high);
         const double a = piece_value(piece, from), b = piece_value(piece, (from + to) / 2);
         const double c = piece_value(piece, to), bend = a - 2 * b + c;
-        double step = bend < 0 ? (a - c) / (2 * bend) : a > c ? -1 : 1;
+        double step = a > c ? -1 : 1;
+        if (bend < 0) {
+            step = (a - c) / (2 * bend);
+        }
         step = fmax(-1, fmin(step, 1));
         best = fmax(best, fmax(a, fmax(b, c)));
         rises = best > before;
@@ -250,9 +253,10 @@ static double hill_of(const struct clear_pupil *pupil, const double (*arms)[2], 
         piece.value[i] = sign * arms[arm][axis];
     }
     piece_weigh(&piece);
-    double low = pupil->arcs == 0 ? -1 : k > 0 ? x[k - 1] : 0;
-    double high = pupil->arcs == 0 ? 1 : k + 1 < CLEAR_ARC ? x[k + 1] : 1;
-    return piece_peak(&piece, low, high);
+    if (pupil->arcs == 0) {
+        return piece_peak(&piece, -1, 1);
+    }
+    return piece_peak(&piece, k > 0 ? x[k - 1] : 0, k + 1 < CLEAR_ARC ? x[k + 1] : 1);
 }
 
 double clear_extreme(const struct clear_pupil *pupil, const double (*points)[2], int axis,

@@ -18,8 +18,8 @@ struct clear_intervals; /* trace/pupil/clear_intervals.h */
 /* A ray at the edge that an integral over the pupil is taken by. */
 struct clear_arm {
     struct clear_edge edge;
-    double area;                         /* that it stands for, from the centre to the edge, mm^2 */
-    const struct clear_intervals *spans; /* the clear parts of the way there */
+    double area; /* that it stands for, from the centre to the edge, mm^2 */
+    const struct clear_intervals *intervals; /* the clear parts of the way there */
 };
 
 /*

@@ -4,7 +4,7 @@
 
 #include <math.h>
 
-const struct clear_intervals spans_whole = {.count = 1, .low = {0}, .high = {1}};
+const struct clear_intervals clear_intervals_whole = {.count = 1, .low = {0}, .high = {1}};
 
 enum { CHANGES = 2 * CLEAR_INTERVALS_MOST, CLOSER = 8 };
 
@@ -127,32 +127,32 @@ static void add_margin_number(size_t *all, size_t number)
 
 /* From the changes of one line to its clear parts. */
 static void clear_intervals_join(const struct light_change *changes, size_t count, size_t begins,
-                                 struct clear_intervals *spans)
+                                 struct clear_intervals *intervals)
 {
     double from = 0;
     bool dark = begins > 0;
-    *spans = (struct clear_intervals){.part = 0};
+    *intervals = (struct clear_intervals){.part = 0};
     if (dark) {
-        add_margin_number(&spans->part, 1);
+        add_margin_number(&intervals->part, 1);
     }
     for (size_t i = 0; i < count; i++) {
         double t = changes[i].darkens ? changes[i].low : changes[i].high;
-        add_margin_number(&spans->part, 2 * changes[i].part + changes[i].darkens);
-        if (changes[i].darkens && spans->count < CLEAR_INTERVALS_MOST) {
-            spans->low[spans->count] = from;
-            spans->high[spans->count++] = t;
+        add_margin_number(&intervals->part, 2 * changes[i].part + changes[i].darkens);
+        if (changes[i].darkens && intervals->count < CLEAR_INTERVALS_MOST) {
+            intervals->low[intervals->count] = from;
+            intervals->high[intervals->count++] = t;
         }
         from = t;
         dark = changes[i].darkens;
     }
-    if (!dark && spans->count < CLEAR_INTERVALS_MOST) {
-        spans->low[spans->count] = from;
-        spans->high[spans->count++] = 1;
+    if (!dark && intervals->count < CLEAR_INTERVALS_MOST) {
+        intervals->low[intervals->count] = from;
+        intervals->high[intervals->count++] = 1;
     }
 }
 
 void clear_intervals_find(const struct clearances *margins, const double centre[2],
-                          const double (*ends)[2], size_t count, struct clear_intervals *spans)
+                          const double (*ends)[2], size_t count, struct clear_intervals *intervals)
 {
     struct line_cut cutting = {.margins = margins, .centre = centre, .ends = ends};
     size_t found[RAYS_BLOCK], begins[RAYS_BLOCK];
@@ -168,7 +168,7 @@ void clear_intervals_find(const struct clearances *margins, const double centre[
         cut_bisect(&cutting);
         const struct light_change *changes = cutting.changes;
         for (size_t i = 0; i < lines; i++) {
-            clear_intervals_join(changes, found[i], begins[i], &spans[done + i]);
+            clear_intervals_join(changes, found[i], begins[i], &intervals[done + i]);
             changes += found[i];
         }
         done += lines;

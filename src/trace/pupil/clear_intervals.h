@@ -17,7 +17,7 @@ struct clear_intervals {
 };
 
 /* All that is clear, and nothing crossed. */
-extern const struct clear_intervals spans_whole;
+extern const struct clear_intervals clear_intervals_whole;
 
 /*
  * The clear parts of lines from one point to many, in coordinates of the beam.
@@ -25,7 +25,7 @@ extern const struct clear_intervals spans_whole;
  * Given     margins  margins->full is not null
  *           centre  where all begin
  *           ends    `count` of them; the lines must lie within the edge of the beam
- *           spans   receives one a line
+ *           intervals   receives one a line
  * Formula   how deep rays come within what blocks (clearances_depth), at 128 points of each line,
  *           and at 128 more about each point where the depth has an extremum that may reach beyond 0
  *           between points; changes of sign are bisected to 1e-15 of the line
@@ -34,6 +34,6 @@ extern const struct clear_intervals spans_whole;
  *           missed
  */
 void clear_intervals_find(const struct clearances *margins, const double centre[2],
-                          const double (*ends)[2], size_t count, struct clear_intervals *spans);
+                          const double (*ends)[2], size_t count, struct clear_intervals *intervals);
 
 #endif

@@ -91,7 +91,7 @@ void pupil_boundary_intervals(const struct clearances *margins, const struct edg
     double from[2], ends[RAYS_BLOCK][2], points[RAYS_BLOCK][2];
     stop_beam_place(beam, centre[0], centre[1], from);
     for (size_t i = 0; i < count; i++) {
-        intervals[i] = spans_whole;
+        intervals[i] = clear_intervals_whole;
     }
     for (size_t done = 0; done < count && margins->full != NULL; done += RAYS_BLOCK) {
         size_t here = count - done < RAYS_BLOCK ? count - done : RAYS_BLOCK;

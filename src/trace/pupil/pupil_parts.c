@@ -34,7 +34,10 @@ void pupil_parts_bound(const struct clearances *margins, double low[2], double h
     const struct clearance *first = &margins->all[0];
     bool limited = first->place == 1 && isfinite(first->clear2) && !beam->has_disc;
     for (int k = 0; k < 2; k++) {
-        double far = beam->has_disc ? 1 : limited ? least : unlimited;
+        double far = limited ? least : unlimited;
+        if (beam->has_disc) {
+            far = 1;
+        }
         low[k] = -far;
         high[k] = far;
     }
