@@ -376,7 +376,7 @@ void bounds_follow_waves(const struct bounds_builder *building)
 {
     struct exit_pupil_bounds *region = building->region;
     const size_t rows = (size_t)region->rows;
-    const struct film_radii before =
+    const double *before =
         bounds_fit_radii(region, film_building_nodes(building), building->search.arena);
     bool has_hole = region->has_hole;
     for (size_t w = 1; w < building->search.lens->count; w++) {
@@ -385,7 +385,7 @@ void bounds_follow_waves(const struct bounds_builder *building)
     region->has_hole = has_hole;
     for (size_t i = 0; i < rows; i++) {
         if (!is_asked(building, i)) {
-            bounds_fit_follow(region, &before, i);
+            bounds_fit_follow(region, before, i);
         }
     }
 }

@@ -245,24 +245,23 @@ static double bounds_fit_radius_of(const struct exit_pupil_bounds *region, size_
                  region->outer[1][i] - region->centre[1][node]);
 }
 
-struct film_radii bounds_fit_radii(const struct exit_pupil_bounds *region, size_t nodes,
-                                   struct arena *arena)
+const double *bounds_fit_radii(const struct exit_pupil_bounds *region, size_t nodes,
+                               struct arena *arena)
 {
     double *radii = ARENA_ARRAY(arena, nodes * FILM_CORNERS, double);
     for (size_t i = 0; i < nodes * FILM_CORNERS; i++) {
         radii[i] = bounds_fit_radius_of(region, i / FILM_CORNERS, i % FILM_CORNERS);
     }
-    return (struct film_radii){radii};
+    return radii;
 }
 
-void bounds_fit_follow(const struct exit_pupil_bounds *region, const struct film_radii *before,
-                       size_t row)
+void bounds_fit_follow(const struct exit_pupil_bounds *region, const double *before, size_t row)
 {
     const struct fit fit = {.corners = region->outer, .centres = region->centre};
     for (size_t k = 0; k < FILM_CORNERS; k++) {
         double by = 1;
         for (size_t node = row - 1; node <= row + 1; node += 2) {
-            const double old = before->of[node * FILM_CORNERS + k];
+            const double old = before[node * FILM_CORNERS + k];
             by = old > 0 ? fmax(by, bounds_fit_radius_of(region, node, k) / old) : by;
         }
         bounds_fit_stretch(&fit, row, k, by);

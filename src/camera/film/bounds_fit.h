@@ -37,17 +37,12 @@ void bounds_fit_points(const struct exit_pupil_bounds *region, const struct film
                        const struct pupil_outline *outline,
                        const struct pupil_outline_point *points, size_t count);
 
-/* How far out the corners of rows are, from their centres. */
-struct film_radii {
-    const double *of; /* FILM_CORNERS a row */
-};
-
-struct film_radii bounds_fit_radii(const struct exit_pupil_bounds *region, size_t nodes,
-                                   struct arena *arena);
+/* How far out the corners of rows are from their centres: FILM_CORNERS a row. */
+const double *bounds_fit_radii(const struct exit_pupil_bounds *region, size_t nodes,
+                               struct arena *arena);
 
 /* Stretch a row's polygon by as much as those of its neighbours have grown since then. */
-void bounds_fit_follow(const struct exit_pupil_bounds *region, const struct film_radii *before,
-                       size_t row);
+void bounds_fit_follow(const struct exit_pupil_bounds *region, const double *before, size_t row);
 
 /* Make one row hold what another does that began as it did, half a turn about the pole away. */
 void bounds_fit_unite(const struct exit_pupil_bounds *region, size_t node, size_t other);

@@ -129,7 +129,11 @@ static void lens_film_open_disc(const struct film_question *question, struct len
     film->disc.film = setup->image;
     film->disc.place = setup->first.exit_pupil;
     film->disc.index = index;
-    (question->model == MODEL_PINHOLE ? disc_open_pinhole : disc_open)(radius, &film->disc);
+    if (question->model == MODEL_PINHOLE) {
+        disc_open_pinhole(radius, &film->disc);
+    } else {
+        disc_open(radius, &film->disc);
+    }
 }
 
 /* What the edges of all surfaces leave. */

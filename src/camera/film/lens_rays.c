@@ -4,40 +4,8 @@
 
 #include <math.h>
 
-/* All that blocks have in common. */
-struct lens_rays_stream {
-    const struct lens_rays_question *question;
-    struct lens_film film;
-    struct film_plan plan; /* of the part of the film that may be lit */
-    struct film_samples samples;
-    struct sobol sobol_time; /* of one more dimension than the film has */
-    double times[RAYS_BLOCK];
-    struct rays rays;
-    struct lens_ray passed[RAYS_BLOCK];
-};
-
-static bool open_stream(const struct lens_rays_question *question, struct arena *arena,
-                        struct lens_rays_stream *stream, struct error *error)
-{
-    stream->question = question;
-    if (!lens_film_open(&question->film, arena, &stream->film, error)) {
-        return false;
-    }
-    const double largest = stream->film.region.largest;
-    const double width = fmin(question->film.width, 2 * largest);
-    const double height = fmin(question->film.height, 2 * largest);
-    stream->plan = (struct film_plan){.sobol = stream->film.sobol,
-                                      .left = -width / 2,
-                                      .bottom = -height / 2,
-                                      .width = width,
-                                      .height = height};
-    stream->rays = rays_new(arena, RAYS_BLOCK);
-    sobol_open(FILM_DIMENSIONS, &stream->sobol_time);
-    return true;
-}
-
 /* When, within what the shutter leaves of the exposure to each. */
-static void lens_rays_time_rays(struct lens_rays_stream *stream)
+static void lens_rays_time_rays(struct lens_rays *stream)
 {
     const struct shutter *shutter = stream->film.shutter;
     const double *begin = stream->samples.begin, *end = stream->samples.end;
@@ -48,8 +16,8 @@ static void lens_rays_time_rays(struct lens_rays_stream *stream)
 }
 
 /* The first `count` rays of a block that pass; each weight is multiplied. */
-static size_t lens_rays_collect(struct lens_rays_stream *stream, const struct system *system,
-                                size_t count, double by)
+static size_t lens_rays_collect(struct lens_rays *stream, const struct system *system, size_t count,
+                                double by)
 {
     size_t kept = 0;
     for (size_t i = 0; i < count; i++) {
@@ -70,67 +38,79 @@ static size_t lens_rays_collect(struct lens_rays_stream *stream, const struct sy
     return kept;
 }
 
-/* All rays of a wavelength, which stand for a share of the light. */
-static bool send(struct lens_rays_stream *stream, size_t w, uint64_t samples, double share,
-                 lens_rays_visit *visit, void *context, uint64_t *arrived, struct error *error)
+/* Begin the rays of a wavelength, which stand for a share of the light. */
+static void lens_rays_begin(struct lens_rays *stream, size_t w)
 {
-    const struct system *system = stream->film.systems[w];
-    const struct lens_rays_question *question = stream->question;
-    const double n = stream->film.region.index / system->index_last;
-    const double lit =
-        stream->plan.width * stream->plan.height / (question->film.width * question->film.height);
-    const double by = share * lit * n * n;
-    const uint32_t when = sobol_scrambling(question->seed, w, FILM_DIMENSIONS);
+    const struct setup *setup = stream->question->film.setup;
+    double all = 0, before = 0;
+    for (size_t i = 0; i < setup->wavelength_count; i++) {
+        all += setup->wavelengths[i].weight;
+    }
+    for (size_t i = 0; i <= w; i++) {
+        before += setup->wavelengths[i].weight / all;
+    }
+    const uint64_t samples = stream->question->samples, seed = stream->question->seed;
+    const bool is_last = w + 1 == setup->wavelength_count;
+    const uint64_t until = is_last ? samples : (uint64_t)llround(before * (double)samples);
+    stream->wavelength = w;
+    stream->share = setup->wavelengths[w].weight / all;
+    stream->done = 0;
+    stream->samples_of = until > stream->sent ? until - stream->sent : 0;
+    stream->sent = until;
+    stream->when = sobol_scrambling(seed, w, FILM_DIMENSIONS);
     for (uint32_t k = 0; k < FILM_DIMENSIONS; k++) {
-        stream->plan.scrambling[k] = sobol_scrambling(question->seed, w, k);
+        stream->plan.scrambling[k] = sobol_scrambling(seed, w, k);
     }
-    for (uint64_t done = 0; done < samples; done += RAYS_BLOCK) {
-        const uint64_t left = samples - done;
-        const uint32_t block = (uint32_t)(done / RAYS_BLOCK);
-        film_rays_plan(&stream->plan, NULL, block, SET_BEST, &stream->samples);
-        sobol_points(&stream->sobol_time, when, block, stream->times);
-        lens_film_start(&stream->film, &stream->samples, stream->rays.blocks);
-        lens_film_trace(&stream->film, w, &stream->samples, &stream->rays);
-        lens_rays_time_rays(stream);
-        const size_t kept = lens_rays_collect(
-            stream, system, left < RAYS_BLOCK ? (size_t)left : RAYS_BLOCK, by / (double)samples);
-        *arrived += kept;
-        if (kept > 0 && !visit(context, stream->passed, kept, error)) {
-            return false;
-        }
+}
+
+bool lens_rays_open(const struct lens_rays_question *question, struct arena *arena,
+                    struct lens_rays *stream, struct error *error)
+{
+    *stream = (struct lens_rays){.question = question};
+    if (!lens_film_open(&question->film, arena, &stream->film, error)) {
+        return false;
     }
+    const double largest = stream->film.region.largest;
+    const double width = fmin(question->film.width, 2 * largest);
+    const double height = fmin(question->film.height, 2 * largest);
+    stream->plan = (struct film_plan){.sobol = stream->film.sobol,
+                                      .left = -width / 2,
+                                      .bottom = -height / 2,
+                                      .width = width,
+                                      .height = height};
+    stream->rays = rays_new(arena, RAYS_BLOCK);
+    sobol_open(FILM_DIMENSIONS, &stream->sobol_time);
+    lens_rays_begin(stream, 0);
     return true;
 }
 
-bool lens_rays_make(const struct lens_rays_question *question, struct arena *arena,
-                    lens_rays_visit *visit, void *context, struct lens_rays *result,
-                    struct error *error)
+size_t lens_rays_next(struct lens_rays *stream)
 {
-    const struct setup *setup = question->film.setup;
-    struct lens_rays_stream *stream = ARENA_NEW(arena, struct lens_rays_stream);
-    if (!open_stream(question, arena, stream, error)) {
-        return false;
-    }
-    const struct lens_film *film = &stream->film;
-    *result = (struct lens_rays){.largest = film->lit,
-                                 .corner = film->corner,
-                                 .lit_at = {film->region.pole[0], film->region.pole[1]}};
-    double all = 0, before = 0;
-    for (size_t w = 0; w < setup->wavelength_count; w++) {
-        all += setup->wavelengths[w].weight;
-    }
-    uint64_t sent = 0;
-    for (size_t w = 0; w < setup->wavelength_count; w++) {
-        const double share = setup->wavelengths[w].weight / all;
-        before += share;
-        const bool is_last = w + 1 == setup->wavelength_count;
-        const uint64_t until =
-            is_last ? question->samples : (uint64_t)llround(before * (double)question->samples);
-        if (until > sent &&
-            !send(stream, w, until - sent, share, visit, context, &result->arrived, error)) {
-            return false;
+    const struct lens_rays_question *question = stream->question;
+    while (stream->done >= stream->samples_of) {
+        if (stream->wavelength + 1 == question->film.setup->wavelength_count) {
+            return 0;
         }
-        sent = until;
+        lens_rays_begin(stream, stream->wavelength + 1);
     }
-    return true;
+    const struct system *system = stream->film.systems[stream->wavelength];
+    const double n = stream->film.region.index / system->index_last;
+    const double lit =
+        stream->plan.width * stream->plan.height / (question->film.width * question->film.height);
+    const double by = stream->share * lit * n * n;
+    size_t kept = 0;
+    while (stream->done < stream->samples_of && kept == 0) {
+        const uint64_t left = stream->samples_of - stream->done;
+        const uint32_t block = (uint32_t)(stream->done / RAYS_BLOCK);
+        film_rays_plan(&stream->plan, NULL, block, SET_BEST, &stream->samples);
+        sobol_points(&stream->sobol_time, stream->when, block, stream->times);
+        lens_film_start(&stream->film, &stream->samples, stream->rays.blocks);
+        lens_film_trace(&stream->film, stream->wavelength, &stream->samples, &stream->rays);
+        lens_rays_time_rays(stream);
+        kept = lens_rays_collect(stream, system, left < RAYS_BLOCK ? (size_t)left : RAYS_BLOCK,
+                                 by / (double)stream->samples_of);
+        stream->arrived += kept;
+        stream->done += RAYS_BLOCK;
+    }
+    return kept > 0 ? kept : lens_rays_next(stream);
 }

@@ -29,31 +29,39 @@ struct lens_ray {
                           shutter to which that matters */
 };
 
-/* Takes rays in their order; false: it has failed, with its error set. */
-typedef bool lens_rays_visit(void *context, const struct lens_ray *rays, size_t count,
-                             struct error *error);
-
+/* Rays on their way: what blocks have in common, and how far they have come. */
 struct lens_rays {
-    uint64_t arrived; /* of the samples */
-    double largest;   /* how far from the axis light arrives, towards any corner, mm */
-    double corner;    /* mm */
-    double lit_at[2]; /* a place that light reaches, mm: the middle, unless that is dark */
+    const struct lens_rays_question *question;
+    struct lens_film film;
+    struct film_plan plan; /* of the part of the film that may be lit */
+    struct film_samples samples;
+    struct sobol sobol_time; /* of one more dimension than the film has */
+    double times[RAYS_BLOCK];
+    struct rays rays;
+    size_t wavelength;         /* at work */
+    double share;              /* of the light that it is */
+    uint64_t done, samples_of; /* of its samples */
+    uint64_t sent;             /* of all, with those of this wavelength */
+    uint32_t when;
+    struct lens_ray passed[RAYS_BLOCK]; /* what lens_rays_next has found */
+    uint64_t arrived;                   /* of the samples so far */
 };
 
 /*
- * Send rays through the lens, wavelength by wavelength, and hand on those that pass.
+ * Send rays through the lens, wavelength by wavelength; question must outlive them.
  *
  * Result    weights: their sum, each times the radiance its ray meets, is the irradiance averaged
  *           over the film; of a uniform scene the sum is that of E/L, as
- *           analysis/rays/illumination.h
- *           has it. Each wavelength has its share of the samples by its weight
+ *           analysis/rays/illumination.h has it. Each wavelength has its share of the samples by
+ *           its weight
  * Formula   camera/film/film_rays.h at scrambled Sobol' points of film, pupil and time, a sequence
- * for
- *           each wavelength; times (n'/n)^2
- * Errors    as lens_film_open, `visit`
+ *           for each wavelength; times (n'/n)^2
+ * Errors    as lens_film_open
  */
-bool lens_rays_make(const struct lens_rays_question *question, struct arena *arena,
-                    lens_rays_visit *visit, void *context, struct lens_rays *result,
-                    struct error *error);
+bool lens_rays_open(const struct lens_rays_question *question, struct arena *arena,
+                    struct lens_rays *stream, struct error *error);
+
+/* The next ones that pass, in their order: how many; 0: these were all. */
+size_t lens_rays_next(struct lens_rays *stream);
 
 #endif

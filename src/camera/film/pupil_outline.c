@@ -216,56 +216,41 @@ bool outline_discover(const struct pupil_outline_search *search, size_t waveleng
 
 /* -------- rays beside it -------- */
 
-/* Rays over 1.6 half widths; those that pass. */
-static size_t outline_search_scatter(const struct pupil_outline_search *search, size_t wavelength,
-                                     const struct pupil_outline *outline, size_t turn,
-                                     struct pupil_outline_point *lit)
-{
-    /* powers of the plastic number: evenly spread however many there are */
-    static const double steps[2] = {0.7548776662466927, 0.5698402909980532};
-    const struct arena_mark mark = arena_mark(search->arena);
-    double points[RAYS_BLOCK][2];
-    struct outline_rays sight;
-    size_t count = 0;
-    outline_rays_open(search, wavelength, outline, SIGHT_AROUND, &sight);
-    for (size_t i = 0; i < RAYS_BLOCK; i++) {
-        for (int k = 0; k < 2; k++) {
-            const double at = (double)(turn * RAYS_BLOCK + i) * steps[k];
-            points[i][k] = 1.6 * (at - floor(at)) - 0.8;
-        }
-    }
-    clearances_look(&sight.margins, (const double(*)[2])points, RAYS_BLOCK);
-    for (size_t i = 0; i < RAYS_BLOCK; i++) {
-        if (sight.margins.excess[i] <= 0) {
-            struct pupil_outline_point way = outline_rays_from_disc(&sight, points[i]);
-            way.x = outline->is_half ? fabs(way.x) : way.x;
-            lit[count++] = way;
-        }
-    }
-    arena_reset(search->arena, mark);
-    return count;
-}
-
 size_t outline_scatter(const struct pupil_outline_search *search, size_t wavelength,
                        const struct pupil_outline *outline, size_t turn,
                        struct pupil_outline_point *lit)
 {
     enum { ROUNDS = OUTLINE_SCATTER / RAYS_BLOCK };
+    /* powers of the plastic number: evenly spread however many there are */
+    static const double steps[2] = {0.7548776662466927, 0.5698402909980532};
     const double more = 1.15;
     struct pupil_outline about = {.place = outline->place,
                                   .is_half = outline->is_half,
                                   .centre = outline->centre,
                                   .size = outline->size};
-    size_t count = 0, all = 0;
+    size_t all = 0;
     bool grows = true;
-    for (int round = 0; round < ROUNDS && grows; round++) {
-        count = outline_search_scatter(search, wavelength, &about, turn + (size_t)round, lit + all);
-        double far = 0;
-        for (size_t i = 0; i < count; i++) {
-            far = fmax(far, fmax(fabs(lit[all + i].x - about.centre.x),
-                                 fabs(lit[all + i].y - about.centre.y)));
+    for (size_t round = 0; round < ROUNDS && grows; round++) {
+        const struct arena_mark mark = arena_mark(search->arena);
+        double points[RAYS_BLOCK][2], far = 0;
+        struct outline_rays sight;
+        outline_rays_open(search, wavelength, &about, SIGHT_AROUND, &sight);
+        for (size_t i = 0; i < RAYS_BLOCK; i++) {
+            for (int k = 0; k < 2; k++) {
+                const double at = (double)((turn + round) * RAYS_BLOCK + i) * steps[k];
+                points[i][k] = 1.6 * (at - floor(at)) - 0.8;
+            }
         }
-        all += count;
+        clearances_look(&sight.margins, (const double(*)[2])points, RAYS_BLOCK);
+        for (size_t i = 0; i < RAYS_BLOCK; i++) {
+            if (sight.margins.excess[i] <= 0) {
+                struct pupil_outline_point way = outline_rays_from_disc(&sight, points[i]);
+                way.x = outline->is_half ? fabs(way.x) : way.x;
+                far = fmax(far, fmax(fabs(way.x - about.centre.x), fabs(way.y - about.centre.y)));
+                lit[all++] = way;
+            }
+        }
+        arena_reset(search->arena, mark);
         grows = far > more * fmax(about.size.x, about.size.y);
         about.size.x = about.size.y = fmax(far, fmax(about.size.x, about.size.y));
     }

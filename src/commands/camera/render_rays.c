@@ -68,10 +68,9 @@ static char *put_raw(char *to, double number)
     return to;
 }
 
-static bool write_rays(void *context, const struct lens_ray *rays, size_t count,
+static bool write_rays(const struct ray_writer *writer, const struct lens_ray *rays, size_t count,
                        struct error *error)
 {
-    const struct ray_writer *writer = context;
     const char separator = writer->file->separator;
     for (size_t i = 0; i < count; i++) {
         double numbers[NUMBERS];
@@ -105,7 +104,7 @@ bool render_rays(const struct artifact_job *job, struct output *sink, struct err
     const struct render_input *input = job->inputs[0];
     const struct analysis_case *one;
     struct ray_writer writer = {file_of(job->type), sink, job->run->watch};
-    struct lens_rays result;
+    struct lens_rays *rays = ARENA_NEW(job->run->arena, struct lens_rays);
     if (!render_open(input, NULL, job->run, &one, error)) {
         return false;
     }
@@ -117,14 +116,20 @@ bool render_rays(const struct artifact_job *job, struct output *sink, struct err
     watch_begin(writer.watch, "rays", question.samples);
     if (!render_acceptance(input, job->run->arena, &question.film.acceptance, error) ||
         !render_shutter(input, one, job->run->arena, &question.film.shutter, error) ||
-        !lens_rays_make(&question, job->run->arena, write_rays, &writer, &result, error)) {
+        !lens_rays_open(&question, job->run->arena, rays, error)) {
         return false;
+    }
+    for (size_t count = lens_rays_next(rays); count > 0; count = lens_rays_next(rays)) {
+        if (!write_rays(&writer, rays->passed, count, error)) {
+            return false;
+        }
     }
     struct text_buffer remarks = {.arena = job->run->arena};
     render_say_model(input, one, &remarks);
     render_say_shutter(input, &question.film, &remarks);
-    const double share = (double)result.arrived / (double)question.samples;
-    const struct render_arrival arrival = {result.largest, result.corner, result.lit_at,
+    const double share = (double)rays->arrived / (double)question.samples;
+    const struct render_arrival arrival = {rays->film.lit, rays->film.corner,
+                                           rays->film.region.pole,
                                            input->acceptance == NULL ? share : NAN};
     render_doubts(input, one, &arrival, &remarks);
     if (job->run->explain) {
