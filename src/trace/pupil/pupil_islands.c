@@ -10,8 +10,8 @@
 /* Rays of a patch; patches that are looked at together; sectors about the star, but for corners. */
 enum { SIDE = 3, EACH = SIDE * SIDE, AT_ONCE = RAYS_BLOCK / EACH, SECTORS = 12 };
 
-/* At first: patches of a sector, rays of an arm, and sectors next to each other that share arms. */
-enum { RINGS = 2, ALONG = RINGS * (SIDE - 1) + 1, SHARING = (RAYS_BLOCK / ALONG - 1) / (SIDE - 1) };
+/* At first: patches of a sector. */
+enum { RINGS = 2 };
 
 /* So many patches would cost half of what the grid does. */
 enum { CELLS = PUPIL_PARTS_SIDE * PUPIL_PARTS_SIDE, MOST = CELLS / EACH / 2 };
@@ -104,7 +104,7 @@ struct traced_patch {
     const struct patches *all;
     struct island_patch patch;
     const double (*points)[2]; /* of the block */
-    size_t lanes[EACH];
+    size_t first;              /* of its rays there */
 };
 
 /* Beyond the bounds on one side, all of it. */
@@ -113,7 +113,7 @@ static bool patch_is_beyond(const struct traced_patch *seen)
     const struct patches *all = seen->all;
     bool beyond[4] = {true, true, true, true};
     for (size_t i = 0; i < EACH; i++) {
-        const double *point = seen->points[seen->lanes[i]];
+        const double *point = seen->points[seen->first + i];
         for (int k = 0; k < 2; k++) {
             beyond[k] = beyond[k] && point[k] < all->low[k];
             beyond[2 + k] = beyond[2 + k] && point[k] > all->high[k];
@@ -145,7 +145,7 @@ static bool take_values(const struct traced_patch *seen, size_t k, double *value
     const struct clearance *margin = &margins->all[k];
     bool known = true;
     for (size_t i = 0; i < EACH; i++) {
-        const size_t lane = seen->lanes[i];
+        const size_t lane = seen->first + i;
         bool misses = margins->limit[lane] == clearances_missed(margin->surface);
         values[i] = misses ? (double)INFINITY : row[lane];
         known = known && !isnan(values[i]);
@@ -177,11 +177,11 @@ static bool margin_blocks_patch(const double *values, bool at_edge)
 static bool pupil_islands_is_dark(const struct traced_patch *seen)
 {
     const struct clearances *margins = seen->all->margins;
-    const size_t limit = margins->limit[seen->lanes[0]];
+    const size_t limit = margins->limit[seen->first];
     double values[EACH];
     bool dark = clearances_lost(limit);
     for (size_t i = 0; i < EACH; i++) {
-        dark = dark && margins->limit[seen->lanes[i]] == limit;
+        dark = dark && margins->limit[seen->first + i] == limit;
     }
     for (size_t k = 0; k < margins->count && !dark; k++) {
         dark =
@@ -196,7 +196,7 @@ static bool patch_has_light(const struct traced_patch *seen)
     bool light = false;
     for (size_t i = 0; i < EACH; i++) {
         bool at_edge = i % SIDE == 0 && !(seen->patch.low[1] > 0);
-        light = light || (!at_edge && seen->all->margins->excess[seen->lanes[i]] <= 0);
+        light = light || (!at_edge && seen->all->margins->excess[seen->first + i] <= 0);
     }
     return light;
 }
@@ -208,8 +208,8 @@ static bool is_fine(const struct traced_patch *seen, size_t step)
     bool fine = true;
     for (size_t i = 0; i < EACH; i++) {
         const bool is_first = step == 1 ? i % SIDE == 0 : i < SIDE;
-        const double *here = points[seen->lanes[i]];
-        const double *before = is_first ? here : points[seen->lanes[i - step]];
+        const double *here = points[seen->first + i];
+        const double *before = is_first ? here : points[seen->first + i - step];
         fine = fine && fabs(here[0] - before[0]) <= finest[0] &&
                fabs(here[1] - before[1]) <= finest[1];
     }
@@ -219,11 +219,11 @@ static bool is_fine(const struct traced_patch *seen, size_t step)
 /* Does what ends the rays change from one to the next? */
 static bool patch_loss_changes(const struct traced_patch *seen, size_t step)
 {
-    const size_t *limit = seen->all->margins->limit, *lanes = seen->lanes;
+    const size_t *limit = seen->all->margins->limit + seen->first;
     bool changes = false;
     for (size_t i = 0; i < EACH; i++) {
         const bool is_first = step == 1 ? i % SIDE == 0 : i < SIDE;
-        changes = changes || (!is_first && limit[lanes[i]] != limit[lanes[i - step]]);
+        changes = changes || (!is_first && limit[i] != limit[i - step]);
     }
     return changes;
 }
@@ -262,36 +262,6 @@ static bool patch_settle(struct patches *all, const struct traced_patch *seen)
     return true;
 }
 
-/* The patches of sectors next to each other, which share rays; the first stands at `first`. */
-static bool settle_sectors(struct patches *all, size_t first, size_t sectors)
-{
-    double points[RAYS_BLOCK][2], ways[ALONG];
-    const size_t arms = sectors * (SIDE - 1) + 1;
-    bool dark = true;
-    for (size_t i = 0; i < ALONG; i++) {
-        const struct island_patch *patch = &all->list[first + i / (SIDE - 1) % RINGS];
-        const double share = (double)(i % (SIDE - 1)) / (SIDE - 1);
-        ways[i] = i + 1 == ALONG ? 1 : patch->low[1] + share * (patch->high[1] - patch->low[1]);
-    }
-    for (size_t arm = 0; arm < arms; arm++) {
-        const size_t sector = arm / (SIDE - 1) < sectors ? arm / (SIDE - 1) : sectors - 1;
-        const struct island_patch *patch = &all->list[first + RINGS * sector];
-        const double share = (double)(arm - sector * (SIDE - 1)) / (SIDE - 1);
-        place_arm(all, patch->low[0] + share * (patch->high[0] - patch->low[0]), ways, ALONG,
-                  points + arm * ALONG);
-    }
-    clearances_look(all->margins, (const double(*)[2])points, arms * ALONG);
-    for (size_t i = 0; i < RINGS * sectors && dark; i++) {
-        struct traced_patch seen = {all, all->list[first + i], (const double(*)[2])points, {0}};
-        const size_t corner = i / RINGS * (SIDE - 1) * ALONG + i % RINGS * (SIDE - 1);
-        for (size_t k = 0; k < EACH; k++) {
-            seen.lanes[k] = corner + k / SIDE * ALONG + k % SIDE;
-        }
-        dark = patch_settle(all, &seen);
-    }
-    return dark;
-}
-
 /* Patches by themselves, up to AT_ONCE. */
 static bool settle_patches(struct patches *all, size_t first, size_t count)
 {
@@ -302,10 +272,8 @@ static bool settle_patches(struct patches *all, size_t first, size_t count)
     }
     clearances_look(all->margins, (const double(*)[2])points, count * EACH);
     for (size_t i = 0; i < count && dark; i++) {
-        struct traced_patch seen = {all, all->list[first + i], (const double(*)[2])points, {0}};
-        for (size_t k = 0; k < EACH; k++) {
-            seen.lanes[k] = i * EACH + k;
-        }
+        const struct traced_patch seen = {all, all->list[first + i], (const double(*)[2])points,
+                                          i * EACH};
         dark = patch_settle(all, &seen);
     }
     return dark;
@@ -315,14 +283,8 @@ static bool settle_patches(struct patches *all, size_t first, size_t count)
 static bool is_alone(struct patches *all)
 {
     patches_begin(all);
-    const size_t sectors = all->count / RINGS;
     size_t done = 0;
     bool dark = true;
-    while (dark && done < RINGS * sectors) {
-        const size_t left = sectors - done / RINGS, here = left < SHARING ? left : SHARING;
-        dark = settle_sectors(all, done, here);
-        done += RINGS * here;
-    }
     while (dark && done < all->count && all->count <= MOST) {
         const size_t left = all->count - done, here = left < AT_ONCE ? left : AT_ONCE;
         dark = settle_patches(all, done, here);
