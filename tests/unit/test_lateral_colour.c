@@ -18,7 +18,7 @@ struct fixture {
     struct lens lens;
     struct setup setup;
     struct lens_film film;
-    struct lateral_colour_room *room;
+    struct lateral_colour_scratch *room;
 };
 
 static bool open_thin(double before, struct fixture *fixture)
@@ -37,7 +37,7 @@ static bool open_thin(double before, struct fixture *fixture)
                       setup_open(&question, &arena, &fixture->setup, &error) &&
                       setup_place_image(&fixture->setup, &plane, &error) &&
                       lens_film_open(&asked, &arena, &fixture->film, &error);
-    fixture->room = lateral_colour_room_new(3, &arena);
+    fixture->room = lateral_colour_scratch_new(3, &arena);
     CHECK(good);
     return good;
 }

@@ -112,30 +112,30 @@ static void test_learning(void)
     const struct stop_beam stop = stop_beam_of_stop(&aim, &opened.clipped, WEIGHT_PUPIL);
     struct quadrature_region region = quadrature_open(&stop, &arena);
     const struct pupil_boundary *found = quadrature_star(&region, &arena);
-    struct pupil_boundary star = *found;
+    struct pupil_boundary boundary = *found;
     double angles[WAYS];
     struct edge edges[WAYS];
     size_t rim = found->edges[0].limit;
-    star.count = star.corner_count = 0;
+    boundary.count = boundary.corner_count = 0;
     for (size_t i = 0; i < found->count; i++) {
         if (found->edges[i].limit == rim) {
-            star.angles[star.count] = found->angles[i];
-            star.edges[star.count++] = found->edges[i];
+            boundary.angles[boundary.count] = found->angles[i];
+            boundary.edges[boundary.count++] = found->edges[i];
         }
     }
-    pupil_boundary_join(&star);
-    CHECK(star.count > 0 && star.count < found->count);
+    pupil_boundary_join(&boundary);
+    CHECK(boundary.count > 0 && boundary.count < found->count);
     for (size_t i = 0; i < WAYS; i++) {
         angles[i] = 2 * PI * (double)i / WAYS;
     }
-    edges_find(&region.margins, &star.frame, angles, NULL, WAYS, 0, 1e-13, edges);
-    CHECK(pupil_boundary_learn(&region.margins, angles, WAYS, edges, &star));
-    CHECK(!pupil_boundary_learn(&region.margins, angles, WAYS, edges, &star));
-    CHECK(star.corner_count == 2);
+    edges_find(&region.margins, &boundary.frame, angles, NULL, WAYS, 0, 1e-13, edges);
+    CHECK(pupil_boundary_learn(&region.margins, angles, WAYS, edges, &boundary));
+    CHECK(!pupil_boundary_learn(&region.margins, angles, WAYS, edges, &boundary));
+    CHECK(boundary.corner_count == 2);
     /* of the circles x^2 + y^2 = 25 and x^2 + (y - 6)^2 = 64 in the stop: y = -1/4 */
-    for (size_t k = 0; k < star.corner_count; k++) {
+    for (size_t k = 0; k < boundary.corner_count; k++) {
         double at[2], place[2];
-        edge_point(&star.frame, star.corners[k], star.radii[k], at);
+        edge_point(&boundary.frame, boundary.corners[k], boundary.radii[k], at);
         stop_beam_place(&stop, at[0], at[1], place);
         const struct ray ray = beam_ray(&beam, place[0], place[1]);
         const double t = (GAP - ray.point[2]) / ray.cosine[2];

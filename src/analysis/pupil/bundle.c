@@ -149,7 +149,7 @@ bool bundle_open_beside(const struct bundle_question *question, const struct bun
         return false;
     }
     if (before != NULL && source->region != NULL) {
-        source->region->near = before->region->star;
+        source->region->near = before->region->boundary;
     }
     return true;
 }

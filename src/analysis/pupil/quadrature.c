@@ -31,20 +31,21 @@ struct arms {
 
 /* -------- arms -------- */
 
-static double arc_length(const struct pupil_boundary *star, size_t i)
+static double arc_length(const struct pupil_boundary *boundary, size_t i)
 {
-    double next = i + 1 < star->corner_count ? star->corners[i + 1] : star->corners[0] + 2 * PI;
-    return next - star->corners[i];
+    double next =
+        i + 1 < boundary->corner_count ? boundary->corners[i + 1] : boundary->corners[0] + 2 * PI;
+    return next - boundary->corners[i];
 }
 
 /*
  * Directions, and their shares of the circle. What n points of Gauss leave of an arc of the length
  * L falls about as (L/c)^2n: alike in all arcs where n is in proportion to 1/log(c/L).
  */
-static void quadrature_spread(const struct pupil_boundary *star, size_t wanted, struct arena *arena,
-                              struct arms *arms)
+static void quadrature_spread(const struct pupil_boundary *boundary, size_t wanted,
+                              struct arena *arena, struct arms *arms)
 {
-    size_t arcs = star->corner_count, most = wanted + 2 * arcs;
+    size_t arcs = boundary->corner_count, most = wanted + 2 * arcs;
     arms->angles = ARENA_ARRAY(arena, most, double);
     arms->shares = ARENA_ARRAY(arena, most, double);
     arms->arcs = ARENA_ARRAY(arena, arcs, size_t);
@@ -57,17 +58,17 @@ static void quadrature_spread(const struct pupil_boundary *star, size_t wanted, 
     }
     double sum = 0;
     for (size_t i = 0; i < arcs; i++) {
-        sum += 1 / log(rounder / arc_length(star, i));
+        sum += 1 / log(rounder / arc_length(boundary, i));
     }
     for (size_t i = 0; i < arcs; i++) {
-        double length = arc_length(star, i), share = length / (2 * PI);
+        double length = arc_length(boundary, i), share = length / (2 * PI);
         double part = 1 / (log(rounder / length) * sum);
         size_t points = (size_t)ceil((double)wanted * part) + 1;
         arms->arcs[i] = points;
         gauss_rule(points, arms->angles + arms->count, arms->shares + arms->count);
         for (size_t end = arms->count + points; arms->count < end; arms->count++) {
             double *angle = &arms->angles[arms->count];
-            *angle = star->corners[i] + length * *angle;
+            *angle = boundary->corners[i] + length * *angle;
             arms->shares[arms->count] *= share;
         }
     }
@@ -93,17 +94,17 @@ static void make_arms(const struct quadrature_region *region, size_t wanted, str
 {
     enum { LESSONS = 3 };
     const struct clearances *margins = &region->margins;
-    struct pupil_boundary *star = region->star;
+    struct pupil_boundary *boundary = region->boundary;
     bool learns = true;
     for (int lesson = 0; lesson <= LESSONS && learns; lesson++) {
-        quadrature_spread(star, wanted, arena, arms);
-        if (region->in_half && margins->is_mirrored && star->frame.centre[0] == 0) {
+        quadrature_spread(boundary, wanted, arena, arms);
+        if (region->in_half && margins->is_mirrored && boundary->frame.centre[0] == 0) {
             keep_half(arms);
         }
         arms->edges = ARENA_ARRAY(arena, arms->count, struct edge);
-        pupil_boundary_edges(margins, star, arms->angles, arms->count, arena, arms->edges);
+        pupil_boundary_edges(margins, boundary, arms->angles, arms->count, arena, arms->edges);
         learns = lesson < LESSONS &&
-                 pupil_boundary_learn(margins, arms->angles, arms->count, arms->edges, star);
+                 pupil_boundary_learn(margins, arms->angles, arms->count, arms->edges, boundary);
     }
     arms->ways = arena_array(arena, arms->count, sizeof *arms->ways);
     for (size_t i = 0; i < arms->count; i++) {
@@ -111,7 +112,7 @@ static void make_arms(const struct quadrature_region *region, size_t wanted, str
         arms->ways[i][1] = cos(arms->angles[i]);
     }
     arms->intervals = ARENA_ARRAY(arena, arms->count, struct clear_intervals);
-    pupil_boundary_intervals(margins, &star->frame, arms->angles, arms->count, arms->edges,
+    pupil_boundary_intervals(margins, &boundary->frame, arms->angles, arms->count, arms->edges,
                              arms->intervals);
 }
 
@@ -121,9 +122,9 @@ static void make_arms(const struct quadrature_region *region, size_t wanted, str
 static void quadrature_put_points(const struct quadrature_region *region, const struct arms *arms,
                                   size_t rings, struct arena *arena, struct quadrature *all)
 {
-    const struct pupil_boundary *star = region->star;
+    const struct pupil_boundary *boundary = region->boundary;
     const bool in_r = region->in_r;
-    const double area = star->frame.stretch[0] * star->frame.stretch[1];
+    const double area = boundary->frame.stretch[0] * boundary->frame.stretch[1];
     double *x = ARENA_ARRAY(arena, rings, double), *w = ARENA_ARRAY(arena, rings, double);
     size_t count = 0;
     size_t most = 0; /* intervals of an arm */
@@ -147,10 +148,10 @@ static void quadrature_put_points(const struct quadrature_region *region, const 
             t = low + (high - low) * x[ring];
             width2 = 2 * t * (high - low);
         }
-        const double u = star->frame.stretch[0] * (radius * t) * arms->ways[k][0];
-        const double v = star->frame.stretch[1] * (radius * t) * arms->ways[k][1];
+        const double u = boundary->frame.stretch[0] * (radius * t) * arms->ways[k][0];
+        const double v = boundary->frame.stretch[1] * (radius * t) * arms->ways[k][1];
         all->sample.points[all->sample.count++] =
-            (struct pupil_point){star->frame.centre[0] + u, star->frame.centre[1] + v,
+            (struct pupil_point){boundary->frame.centre[0] + u, boundary->frame.centre[1] + v,
                                  w[ring] * arms->shares[k] * radius * radius * area * width2};
     }
     bool orderly = count == rings * most * arms->count;
@@ -427,15 +428,15 @@ static void map_to_stop(const struct stop_map *mapping, struct sample *sample)
 }
 
 /* Of a whole disc k rings with 2 k + 1 arms are exact up to the degree 2 k; others want more. */
-static size_t arms_for(const struct pupil_boundary *star, size_t rings)
+static size_t arms_for(const struct pupil_boundary *boundary, size_t rings)
 {
-    return star->is_whole ? 2 * rings + 1 : 3 * rings + 2;
+    return boundary->is_whole ? 2 * rings + 1 : 3 * rings + 2;
 }
 
-static size_t rings_for(const struct pupil_boundary *star, size_t rays)
+static size_t rings_for(const struct pupil_boundary *boundary, size_t rays)
 {
     size_t rings = 1;
-    while (rings * (arms_for(star, rings) + star->corner_count) < rays) {
+    while (rings * (arms_for(boundary, rings) + boundary->corner_count) < rays) {
         rings++;
     }
     return rings;
@@ -443,10 +444,10 @@ static size_t rings_for(const struct pupil_boundary *star, size_t rays)
 
 struct quadrature_region quadrature_open(const struct stop_beam *beam, struct arena *arena)
 {
-    struct pupil_boundary *star = arena_buffer(arena, sizeof *star);
-    star->count = 0;
+    struct pupil_boundary *boundary = arena_buffer(arena, sizeof *boundary);
+    boundary->count = 0;
     return (struct quadrature_region){
-        .beam = beam, .margins = clearances_open(beam, arena), .star = star};
+        .beam = beam, .margins = clearances_open(beam, arena), .boundary = boundary};
 }
 
 static void quadrature_look(struct quadrature_region *region, struct arena *arena)
@@ -454,8 +455,8 @@ static void quadrature_look(struct quadrature_region *region, struct arena *aren
     if (!region->is_known) {
         region->is_known = true;
         if (region->near == NULL ||
-            !pupil_boundary_follow(&region->margins, region->near, region->star)) {
-            region->is_empty = !pupil_boundary_find(&region->margins, arena, region->star);
+            !pupil_boundary_follow(&region->margins, region->near, region->boundary)) {
+            region->is_empty = !pupil_boundary_find(&region->margins, arena, region->boundary);
         }
     }
 }
@@ -464,32 +465,32 @@ struct pupil_islands quadrature_islands(struct quadrature_region *region, struct
 {
     quadrature_look(region, arena);
     return region->is_empty ? (struct pupil_islands){0}
-                            : pupil_islands_find(&region->margins, region->star, arena);
+                            : pupil_islands_find(&region->margins, region->boundary, arena);
 }
 
 const struct pupil_boundary *quadrature_star(struct quadrature_region *region, struct arena *arena)
 {
     quadrature_look(region, arena);
-    return region->is_empty ? NULL : region->star;
+    return region->is_empty ? NULL : region->boundary;
 }
 
 struct quadrature_rim quadrature_edge(const struct quadrature_region *region, const double *angles,
                                       size_t count, const double *near, double slack,
                                       struct arena *arena)
 {
-    const struct pupil_boundary *star = region->star;
+    const struct pupil_boundary *boundary = region->boundary;
     double *radii = ARENA_ARRAY(arena, count, double);
     struct edge *edges = ARENA_ARRAY(arena, count, struct edge);
     double(*points)[2] = arena_array(arena, count, sizeof *points);
     if (near == NULL) {
-        pupil_boundary_edges(&region->margins, star, angles, count, arena, edges);
+        pupil_boundary_edges(&region->margins, boundary, angles, count, arena, edges);
     } else {
-        edges_find(&region->margins, &star->frame, angles, near, count, slack,
+        edges_find(&region->margins, &boundary->frame, angles, near, count, slack,
                    PUPIL_BOUNDARY_ROUNDING, edges);
     }
     for (size_t i = 0; i < count; i++) {
         radii[i] = edges[i].radius;
-        edge_point(&star->frame, angles[i], radii[i], points[i]);
+        edge_point(&boundary->frame, angles[i], radii[i], points[i]);
     }
     return (struct quadrature_rim){(const double(*)[2])points, radii, count};
 }
@@ -498,7 +499,7 @@ void quadrature_rays_within(const struct quadrature_region *region,
                             const struct quadrature_rim *rim, const double *shares, size_t rings,
                             const struct rays *rays)
 {
-    const double *centre = region->star->frame.centre;
+    const double *centre = region->boundary->frame.centre;
     double at[RAYS_BLOCK][2];
     for (size_t i = 0; i < rings * rim->count; i++) {
         const double *point = rim->points[i % rim->count], share = shares[i / rim->count];
@@ -528,8 +529,8 @@ struct quadrature quadrature_fill(struct quadrature_region *region, size_t rays,
     if (all.is_empty) {
         return all;
     }
-    const struct pupil_boundary *star = region->star;
-    const size_t rings = rings_for(star, rays), wanted = arms_for(star, rings);
+    const struct pupil_boundary *boundary = region->boundary;
+    const size_t rings = rings_for(boundary, rays), wanted = arms_for(boundary, rings);
     make_arms(region, wanted, arena, &arms);
     quadrature_put_points(region, &arms, rings, arena, &all);
     all.is_empty = all.sample.count == 0;

@@ -33,7 +33,7 @@ struct quadrature {
 struct quadrature_region {
     const struct stop_beam *beam;
     struct clearances margins;
-    struct pupil_boundary *star; /* once it is known; a count of 0: it is not */
+    struct pupil_boundary *boundary; /* once it is known; a count of 0: it is not */
     const struct pupil_boundary
         *near; /* one of a beam close by, to be set before; null: there is none */
     bool is_known, is_empty;

@@ -206,14 +206,14 @@ static void spot_radius_measure(const struct spot_radius_question *question,
     }
 }
 
-static void set_angles(const struct pupil_boundary *star, struct spot_radius_rim *rim)
+static void set_angles(const struct pupil_boundary *boundary, struct spot_radius_rim *rim)
 {
     rim->count = 0;
     for (size_t i = 0; i < (rim->is_half ? AROUND / 2 : AROUND); i++) {
         const double angle = 2 * PI * (double)i / AROUND, next = angle + 2 * PI / AROUND;
         rim->angles[rim->count++] = angle;
-        for (size_t k = 0; k < star->corner_count; k++) {
-            double corner = star->corners[k] - 2 * PI * floor(star->corners[k] / (2 * PI));
+        for (size_t k = 0; k < boundary->corner_count; k++) {
+            double corner = boundary->corners[k] - 2 * PI * floor(boundary->corners[k] / (2 * PI));
             if (corner > angle && corner < next) {
                 rim->angles[rim->count++] = corner;
             }
@@ -227,10 +227,10 @@ static void set_angles(const struct pupil_boundary *star, struct spot_radius_rim
 /* Does the image mirror itself as the pupil does? */
 static bool spot_radius_is_mirrored(const struct spot_radius_question *question,
                                     const struct bundle_source *source,
-                                    const struct pupil_boundary *star)
+                                    const struct pupil_boundary *boundary)
 {
     const struct spot_plane *plane = question->plane;
-    return source->region->margins.is_mirrored && star->frame.centre[0] == 0 &&
+    return source->region->margins.is_mirrored && boundary->frame.centre[0] == 0 &&
            plane->origin[0] == 0 && question->about[0] == 0 && plane->across[0][1] == 0 &&
            plane->across[0][2] == 0 && plane->across[1][0] == 0;
 }
@@ -240,13 +240,14 @@ static void spot_radius_look_around(const struct spot_radius_question *question,
 {
     const struct bundle_question *asked = rim->source->question;
     const bool counts = asked->setup->wavelengths[asked->wavelength].weight > 0;
-    const struct pupil_boundary *star = counts ? quadrature_star(rim->source->region, arena) : NULL;
+    const struct pupil_boundary *boundary =
+        counts ? quadrature_star(rim->source->region, arena) : NULL;
     rim->count = 0;
-    if (star == NULL) {
+    if (boundary == NULL) {
         return;
     }
-    rim->is_half = spot_radius_is_mirrored(question, rim->source, star);
-    set_angles(star, rim);
+    rim->is_half = spot_radius_is_mirrored(question, rim->source, boundary);
+    set_angles(boundary, rim);
     const struct quadrature_rim edge =
         quadrature_edge(rim->source->region, rim->angles, rim->count, NULL, 0, arena);
     double shares[RINGS];
@@ -335,7 +336,7 @@ static size_t find_peaks(const struct spot_radius_rim *rims, size_t count, struc
 /* -------- the way up -------- */
 
 /* Lines of directions and rings across the surroundings of a peak; those of before, for edges. */
-struct net {
+struct spot_radius_grid {
     double angles[WIDE], shares[FINE], radii[WIDE];
     double distances[FINE * WIDE];
     size_t wide;
@@ -343,71 +344,75 @@ struct net {
     bool is_known;  /* has it been filled before? */
 };
 
-static void add_line(struct net *net, double angle)
+static void add_line(struct spot_radius_grid *grid, double angle)
 {
-    size_t at = net->wide++;
-    for (; at > 0 && net->angles[at - 1] > angle; at--) {
-        net->angles[at] = net->angles[at - 1];
+    size_t at = grid->wide++;
+    for (; at > 0 && grid->angles[at - 1] > angle; at--) {
+        grid->angles[at] = grid->angles[at - 1];
     }
-    net->angles[at] = angle;
+    grid->angles[at] = angle;
 }
 
 /* Equal steps, and the first corners within, where peaks may be sharp. */
-static void set_lines(const struct pupil_boundary *star, const struct peak *peak, struct net *net)
+static void set_lines(const struct pupil_boundary *boundary, const struct peak *peak,
+                      struct spot_radius_grid *grid)
 {
-    net->wide = 0;
+    grid->wide = 0;
     for (size_t i = 0; i < FINE; i++) {
         const double part = (double)i / (FINE - 1);
-        net->angles[net->wide++] = peak->low[0] + part * (peak->high[0] - peak->low[0]);
-        net->shares[i] =
+        grid->angles[grid->wide++] = peak->low[0] + part * (peak->high[0] - peak->low[0]);
+        grid->shares[i] =
             i + 1 < FINE ? peak->low[1] + part * (peak->high[1] - peak->low[1]) : peak->high[1];
     }
-    for (size_t k = 0; k < star->corner_count && net->wide < WIDE; k++) {
-        const double turns = ceil((peak->low[0] - star->corners[k]) / (2 * PI));
-        const double corner = star->corners[k] + 2 * PI * turns;
+    for (size_t k = 0; k < boundary->corner_count && grid->wide < WIDE; k++) {
+        const double turns = ceil((peak->low[0] - boundary->corners[k]) / (2 * PI));
+        const double corner = boundary->corners[k] + 2 * PI * turns;
         if (corner < peak->high[0]) {
-            add_line(net, corner);
+            add_line(grid, corner);
         }
     }
 }
 
 /* Radii of the edge by those of the lines of before, between which it is as good as straight. */
-static void guess_radii(const struct net *before, const struct net *net, double *near)
+static void spot_radius_guess_radii(const struct spot_radius_grid *before,
+                                    const struct spot_radius_grid *grid, double *near)
 {
-    for (size_t i = 0, k = 1; i < net->wide; i++) {
-        while (k + 1 < before->wide && before->angles[k] < net->angles[i]) {
+    for (size_t i = 0, k = 1; i < grid->wide; i++) {
+        while (k + 1 < before->wide && before->angles[k] < grid->angles[i]) {
             k++;
         }
         const double low = before->angles[k - 1], width = before->angles[k] - low;
-        const double share = width > 0 ? (net->angles[i] - low) / width : 0;
+        const double share = width > 0 ? (grid->angles[i] - low) / width : 0;
         near[i] = before->radii[k - 1] + share * (before->radii[k] - before->radii[k - 1]);
     }
 }
 
 /* The distances on a net; the farthest of them. */
-static void fill_net(const struct spot_radius_question *question, const struct peak *peak,
-                     const struct net *before, struct arena *arena, struct net *net)
+static void spot_radius_fill_grid(const struct spot_radius_question *question,
+                                  const struct peak *peak, const struct spot_radius_grid *before,
+                                  struct arena *arena, struct spot_radius_grid *grid)
 {
     double near[WIDE], slack = 0;
     if (before->is_known) {
         const double step = (before->angles[before->wide - 1] - before->angles[0]) / (FINE - 1);
-        guess_radii(before, net, near);
+        spot_radius_guess_radii(before, grid, near);
         /* a chord lies off an arc by an eighth of its square */
         slack = fmin(0.03, fmax(step * step, 1e-6));
     }
-    const struct quadrature_rim edge = quadrature_edge(
-        peak->source->region, net->angles, net->wide, before->is_known ? near : NULL, slack, arena);
-    for (size_t i = 0; i < net->wide; i++) {
-        net->radii[i] = edge.radii[i];
+    const struct quadrature_rim edge =
+        quadrature_edge(peak->source->region, grid->angles, grid->wide,
+                        before->is_known ? near : NULL, slack, arena);
+    for (size_t i = 0; i < grid->wide; i++) {
+        grid->radii[i] = edge.radii[i];
     }
-    net->is_known = true;
-    net->best[0] = net->wide / 2;
-    net->best[1] = FINE / 2;
-    spot_radius_measure(question, peak->source, &edge, net->shares, FINE, arena, net->distances);
-    for (size_t i = 0; i < FINE * net->wide; i++) {
-        if (net->distances[i] >= net->distances[net->best[1] * net->wide + net->best[0]]) {
-            net->best[0] = i % net->wide;
-            net->best[1] = i / net->wide;
+    grid->is_known = true;
+    grid->best[0] = grid->wide / 2;
+    grid->best[1] = FINE / 2;
+    spot_radius_measure(question, peak->source, &edge, grid->shares, FINE, arena, grid->distances);
+    for (size_t i = 0; i < FINE * grid->wide; i++) {
+        if (grid->distances[i] >= grid->distances[grid->best[1] * grid->wide + grid->best[0]]) {
+            grid->best[0] = i % grid->wide;
+            grid->best[1] = i / grid->wide;
         }
     }
 }
@@ -424,11 +429,11 @@ static double vertex_of(const double at[3], const double f[3], double *rise)
 }
 
 /* Is the farthest ray on the last line of directions (k = 0) or rings, and pupil beyond it? */
-static bool is_at_end(const struct net *net, int k)
+static bool is_at_end(const struct spot_radius_grid *grid, int k)
 {
-    const size_t best = net->best[k], last = (k == 0 ? net->wide : FINE) - 1;
+    const size_t best = grid->best[k], last = (k == 0 ? grid->wide : FINE) - 1;
     return (best == 0 || best == last) &&
-           (k == 0 || (net->shares[best] > 0 && net->shares[best] < 1));
+           (k == 0 || (grid->shares[best] > 0 && grid->shares[best] < 1));
 }
 
 /*
@@ -436,14 +441,14 @@ static bool is_at_end(const struct net *net, int k)
  * the farthest ray and its neighbours, as wide as a share of the step between them; no closer than
  * now where `wide`. Result: how much farther off rays there may be.
  */
-static double spot_radius_narrow(const struct net *net, int k, double share, bool wide,
-                                 struct peak *peak)
+static double spot_radius_narrow(const struct spot_radius_grid *grid, int k, double share,
+                                 bool wide, struct peak *peak)
 {
-    const double *lines = k == 0 ? net->angles : net->shares;
-    const size_t count = k == 0 ? net->wide : FINE, stride = k == 0 ? 1 : net->wide;
-    const size_t best = net->best[k], low = best > 0 ? best - 1 : 0;
+    const double *lines = k == 0 ? grid->angles : grid->shares;
+    const size_t count = k == 0 ? grid->wide : FINE, stride = k == 0 ? 1 : grid->wide;
+    const size_t best = grid->best[k], low = best > 0 ? best - 1 : 0;
     const size_t high = best + 1 < count ? best + 1 : best;
-    const double *here = &net->distances[net->best[1] * net->wide + net->best[0]];
+    const double *here = &grid->distances[grid->best[1] * grid->wide + grid->best[0]];
     const double whole = lines[count - 1] - lines[0];
     double middle = lines[best], rise = 0, half = lines[high] - lines[low];
     if (low < best && high > best) {
@@ -453,7 +458,7 @@ static double spot_radius_narrow(const struct net *net, int k, double share, boo
         half = share * fmax(at[2] - at[1], at[1] - at[0]);
     }
     if (wide) {
-        half = fmin(is_at_end(net, k) ? whole : whole / 2, PI);
+        half = fmin(is_at_end(grid, k) ? whole : whole / 2, PI);
     }
     peak->low[k] = middle - half;
     peak->high[k] = middle + half;
@@ -469,26 +474,26 @@ static double climb(const struct spot_radius_question *question, double farthest
 {
     enum { TURNS = 24 };
     static const double shares[] = {1, 0.15, 0.02};
-    const struct pupil_boundary *star = peak->source->region->star;
-    struct net nets[2];
+    const struct pupil_boundary *boundary = peak->source->region->boundary;
+    struct spot_radius_grid grids[2];
     double change = 0, before = peak->distance;
     bool stands = false;
-    nets[0].is_known = nets[1].is_known = false;
+    grids[0].is_known = grids[1].is_known = false;
     for (int turn = 0; turn < TURNS && !stands; turn++) {
         const struct arena_mark mark = arena_mark(arena);
         const double share = shares[turn < 2 ? turn : 2];
-        struct net *net = &nets[turn % 2];
-        set_lines(star, peak, net);
-        fill_net(question, peak, &nets[1 - turn % 2], arena, net);
-        const double here = net->distances[net->best[1] * net->wide + net->best[0]];
-        const bool wide = is_at_end(net, 0) || is_at_end(net, 1);
-        const double rise = spot_radius_narrow(net, 0, share, wide, peak) +
-                            spot_radius_narrow(net, 1, share, wide, peak);
+        struct spot_radius_grid *grid = &grids[turn % 2];
+        set_lines(boundary, peak, grid);
+        spot_radius_fill_grid(question, peak, &grids[1 - turn % 2], arena, grid);
+        const double here = grid->distances[grid->best[1] * grid->wide + grid->best[0]];
+        const bool wide = is_at_end(grid, 0) || is_at_end(grid, 1);
+        const double rise = spot_radius_narrow(grid, 0, share, wide, peak) +
+                            spot_radius_narrow(grid, 1, share, wide, peak);
         peak->low[1] = fmax(peak->low[1], 0);
         peak->high[1] = fmin(peak->high[1], 1);
         peak->distance = fmax(peak->distance, here);
-        peak->at[0] = net->angles[net->best[0]];
-        peak->at[1] = net->shares[net->best[1]];
+        peak->at[0] = grid->angles[grid->best[0]];
+        peak->at[1] = grid->shares[grid->best[1]];
         arena_reset(arena, mark);
         if (turn == 0 && !wide && peak->distance + 2 * rise < (1 - hopeful) * farthest) {
             break;

@@ -155,18 +155,18 @@ static bool exit_pupil_find_rim(struct exit_pupil *pupil, struct arena *arena,
                                 struct exit_pupil_pairs *rim)
 {
     struct quadrature_region *region = pupil->light->source.region;
-    const struct pupil_boundary *star = quadrature_star(region, arena);
+    const struct pupil_boundary *boundary = quadrature_star(region, arena);
     enum { EVEN = EXIT_PUPIL_RIM - PUPIL_BOUNDARY_CORNERS };
     double angles[EXIT_PUPIL_RIM];
     size_t count = 0, corner = 0;
-    if (star == NULL) {
+    if (boundary == NULL) {
         return false;
     }
-    const double first = star->corner_count > 0 ? star->corners[0] : 0;
+    const double first = boundary->corner_count > 0 ? boundary->corners[0] : 0;
     for (size_t i = 0; i < EVEN; i++) {
         const double angle = first + 2 * PI * (double)i / EVEN;
-        for (; corner < star->corner_count && star->corners[corner] <= angle; corner++) {
-            angles[count++] = star->corners[corner];
+        for (; corner < boundary->corner_count && boundary->corners[corner] <= angle; corner++) {
+            angles[count++] = boundary->corners[corner];
         }
         if (count == 0 || angles[count - 1] < angle) {
             angles[count++] = angle;
@@ -176,7 +176,7 @@ static bool exit_pupil_find_rim(struct exit_pupil *pupil, struct arena *arena,
     double(*points)[2] = arena_array(arena, count, sizeof *points);
     for (size_t i = 0; i < count; i++) {
         for (int k = 0; k < 2; k++) {
-            const double centre = star->frame.centre[k];
+            const double centre = boundary->frame.centre[k];
             points[i][k] = centre + within * (edge.points[i][k] - centre);
         }
     }
@@ -261,7 +261,7 @@ static bool exit_pupil_fit(struct exit_pupil *pupil, const struct exit_pupil_pai
 {
     static const bool odd[2][2] = {{true, false}, {false, true}}, even[2][2] = {{false}};
     const struct arena_mark mark = arena_mark(arena);
-    const double *extent = pupil->light->source.region->star->frame.stretch;
+    const double *extent = pupil->light->source.region->boundary->frame.stretch;
     const size_t room = pupil_room(all->count);
     const double each = 1 / (double)all->count;
     double *numbers[8], mean = 0;

@@ -213,19 +213,19 @@ static void wavefront_look(const struct wavefront_source *source, const double *
 /* Highest less lowest. */
 static double wavefront_find_extremes(const struct wavefront_source *source, struct arena *arena)
 {
-    const struct pupil_boundary *star =
+    const struct pupil_boundary *boundary =
         quadrature_star(source->lights.list[0].source.region, arena);
     double angles[DIRECTIONS + PUPIL_BOUNDARY_CORNERS], shares[RINGS + INNER];
     size_t count = 0;
     struct wavefront_place extremes[2] = {{.wave = -INFINITY}, {.wave = INFINITY}};
-    if (star == NULL) {
+    if (boundary == NULL) {
         return NAN;
     }
     for (; count < DIRECTIONS; count++) {
         angles[count] = 2 * PI * (double)count / DIRECTIONS;
     }
-    for (size_t i = 0; i < star->corner_count; i++) {
-        angles[count++] = star->corners[i];
+    for (size_t i = 0; i < boundary->corner_count; i++) {
+        angles[count++] = boundary->corners[i];
     }
     for (size_t k = 0; k < RINGS; k++) {
         shares[k] = (double)k / (RINGS - 1);

@@ -186,7 +186,7 @@ bool outline_discover(const struct pupil_outline_search *search, size_t waveleng
 {
     const struct film_lens *lens = search->lens;
     const struct arena_mark mark = arena_mark(search->arena);
-    struct pupil_boundary *star = ARENA_NEW(search->arena, struct pupil_boundary);
+    struct pupil_boundary *boundary = ARENA_NEW(search->arena, struct pupil_boundary);
     struct outline_rays sight;
     outline->centre = (struct pupil_outline_point){0, 0};
     outline->size = (struct pupil_outline_point){0.1, 0.1};
@@ -196,15 +196,15 @@ bool outline_discover(const struct pupil_outline_search *search, size_t waveleng
     sight.disc.origin[0] = guess.centre[0];
     sight.disc.origin[1] = guess.centre[1];
     sight.disc.axes[0] = sight.disc.axes[3] = SIGHT_AROUND * guess.radius;
-    const bool found = pupil_boundary_find(&sight.margins, search->arena, star);
+    const bool found = pupil_boundary_find(&sight.margins, search->arena, boundary);
     if (found) {
         double uv[2], low = INFINITY, high = 0;
-        for (size_t i = 0; i < star->count; i++) {
-            low = fmin(low, star->edges[i].radius);
-            high = fmax(high, star->edges[i].radius);
+        for (size_t i = 0; i < boundary->count; i++) {
+            low = fmin(low, boundary->edges[i].radius);
+            high = fmax(high, boundary->edges[i].radius);
         }
-        outline->centre = outline_rays_from_disc(&sight, star->frame.centre);
-        edge_point(&star->frame, 0, (low + high) / 2, uv);
+        outline->centre = outline_rays_from_disc(&sight, boundary->frame.centre);
+        edge_point(&boundary->frame, 0, (low + high) / 2, uv);
         const struct pupil_outline_point top = outline_rays_from_disc(&sight, uv);
         const double size = hypot(top.x - outline->centre.x, top.y - outline->centre.y);
         outline->size = (struct pupil_outline_point){size, size};

@@ -15,7 +15,7 @@ struct exits {
     double p[AXES][RAYS_BLOCK]; /* optical direction cosines */
 };
 
-struct lateral_colour_room {
+struct lateral_colour_scratch {
     struct lateral_colour fringes;
     struct film_samples samples;
     struct rays rays;
@@ -24,20 +24,20 @@ struct lateral_colour_room {
     struct exits middle, turned[AXES]; /* turned: by a little in p or q, less the middle's */
 };
 
-struct lateral_colour_room *lateral_colour_room_new(size_t wavelengths, struct arena *arena)
+struct lateral_colour_scratch *lateral_colour_scratch_new(size_t wavelengths, struct arena *arena)
 {
-    struct lateral_colour_room *room = ARENA_NEW(arena, struct lateral_colour_room);
-    room->rays = rays_new(arena, RAYS_BLOCK);
-    room->fringes.moved = arena_array(arena, wavelengths, sizeof *room->fringes.moved);
-    return room;
+    struct lateral_colour_scratch *scratch = ARENA_NEW(arena, struct lateral_colour_scratch);
+    scratch->rays = rays_new(arena, RAYS_BLOCK);
+    scratch->fringes.moved = arena_array(arena, wavelengths, sizeof *scratch->fringes.moved);
+    return scratch;
 }
 
 /* From the corners of the tile, all over the pupil. */
 static void lateral_colour_start(const struct lens_film *film, const struct film_plan *plan,
-                                 struct lateral_colour_room *room)
+                                 struct lateral_colour_scratch *scratch)
 {
     static const double v[] = {0.98, 0.7, 0.4, 0.1};
-    struct film_samples *samples = &room->samples;
+    struct film_samples *samples = &scratch->samples;
     for (size_t i = 0; i < RAYS_BLOCK; i++) {
         const size_t corner = i / OF_PUPIL;
         samples->x[i] = plan->left + (corner % 2 == 0 ? 0 : plan->width);
@@ -45,15 +45,15 @@ static void lateral_colour_start(const struct lens_film *film, const struct film
         samples->u[i] = ((double)(i % OF_PUPIL) + 0.5) / OF_PUPIL;
         samples->v[i] = v[i % 4];
     }
-    film->aim(film, samples, room->rays.blocks);
-    room->started = *room->rays.blocks;
+    film->aim(film, samples, scratch->rays.blocks);
+    scratch->started = *scratch->rays.blocks;
 }
 
 static void lateral_colour_trace(const struct lens_film *film, size_t wavelength,
-                                 struct lateral_colour_room *room, struct exits *exits)
+                                 struct lateral_colour_scratch *scratch, struct exits *exits)
 {
-    const struct ray_block *block = room->rays.blocks;
-    rays_trace(film->systems[wavelength], &room->rays, NULL); /* whatever the shutter does */
+    const struct ray_block *block = scratch->rays.blocks;
+    rays_trace(film->systems[wavelength], &scratch->rays, NULL); /* whatever the shutter does */
     for (size_t i = 0; i < RAYS_BLOCK; i++) {
         const double way = -block->z[i] / block->r[i];
         exits->x[X][i] = block->x[i] + way * block->p[i];
@@ -64,12 +64,12 @@ static void lateral_colour_trace(const struct lens_film *film, size_t wavelength
 }
 
 /* Less those of the middle. */
-static void subtract(const struct lateral_colour_room *room, struct exits *exits)
+static void subtract(const struct lateral_colour_scratch *scratch, struct exits *exits)
 {
     for (int k = X; k < AXES; k++) {
         for (size_t i = 0; i < RAYS_BLOCK; i++) {
-            exits->x[k][i] -= room->middle.x[k][i];
-            exits->p[k][i] -= room->middle.p[k][i];
+            exits->x[k][i] -= scratch->middle.x[k][i];
+            exits->p[k][i] -= scratch->middle.p[k][i];
         }
     }
 }
@@ -79,10 +79,10 @@ static const double a_little = 1e-4;
 
 /* The same rays a little turned, of the middle's colour: how they leave. */
 static void trace_turned(const struct lens_film *film, size_t wavelength, int axis,
-                         struct lateral_colour_room *room)
+                         struct lateral_colour_scratch *scratch)
 {
-    struct ray_block *block = room->rays.blocks;
-    *block = room->started;
+    struct ray_block *block = scratch->rays.blocks;
+    *block = scratch->started;
     double *along = axis == X ? block->p : block->q;
     for (size_t i = 0; i < RAYS_BLOCK; i++) {
         const double before = along[i], after = before + a_little;
@@ -90,15 +90,15 @@ static void trace_turned(const struct lens_film *film, size_t wavelength, int ax
         block->r[i] = copysign(sqrt(block->r[i] * block->r[i] + before * before - after * after),
                                block->r[i]);
     }
-    lateral_colour_trace(film, wavelength, room, &room->turned[axis]);
-    subtract(room, &room->turned[axis]);
+    lateral_colour_trace(film, wavelength, scratch, &scratch->turned[axis]);
+    subtract(scratch, &scratch->turned[axis]);
 }
 
 /* How far on the film, along an axis, ray i is from the middle's that leaves as it does, mm. */
-static double shift_of(const struct lateral_colour_room *room, const struct exits *off, int axis,
-                       size_t i)
+static double shift_of(const struct lateral_colour_scratch *scratch, const struct exits *off,
+                       int axis, size_t i)
 {
-    const struct exits *turned = &room->turned[axis];
+    const struct exits *turned = &scratch->turned[axis];
     double sum = 0;
     for (int k = X; k < AXES; k++) {
         sum += turned->p[k][i] * off->x[k][i] - turned->x[k][i] * off->p[k][i];
@@ -107,16 +107,16 @@ static double shift_of(const struct lateral_colour_room *room, const struct exit
 }
 
 /* Is what is moved along an axis little enough at all corners? Its means. */
-static bool is_little(struct lateral_colour_room *room, const struct exits *off, int axis,
+static bool is_little(struct lateral_colour_scratch *scratch, const struct exits *off, int axis,
                       double pixel, double (*means)[AXES])
 {
-    struct lateral_colour *fringes = &room->fringes;
+    struct lateral_colour *fringes = &scratch->fringes;
     bool little = true;
     for (size_t corner = 0; corner < CORNERS; corner++) {
         double low = INFINITY, high = -INFINITY, sum = 0, count = 0;
         for (size_t i = corner * OF_PUPIL; i < (corner + 1) * OF_PUPIL; i++) {
-            if (room->passed[i]) {
-                const double by = shift_of(room, off, axis, i);
+            if (scratch->passed[i]) {
+                const double by = shift_of(scratch, off, axis, i);
                 low = fmin(low, by);
                 high = fmax(high, by);
                 sum += by; /* a NaN stays in it, and is not little */
@@ -133,13 +133,13 @@ static bool is_little(struct lateral_colour_room *room, const struct exits *off,
 }
 
 /* Do enough rays of every corner pass to tell? */
-static bool find_passed(struct lateral_colour_room *room)
+static bool find_passed(struct lateral_colour_scratch *scratch)
 {
     size_t passed[CORNERS] = {0};
     bool all = true;
     for (size_t i = 0; i < RAYS_BLOCK; i++) {
-        room->passed[i] = room->rays.blocks->lost[i] == 0 && room->samples.weight[i] > 0;
-        passed[i / OF_PUPIL] += room->passed[i];
+        scratch->passed[i] = scratch->rays.blocks->lost[i] == 0 && scratch->samples.weight[i] > 0;
+        passed[i / OF_PUPIL] += scratch->passed[i];
     }
     for (size_t corner = 0; corner < CORNERS; corner++) {
         all = all && passed[corner] >= OF_PUPIL / 2;
@@ -150,16 +150,16 @@ static bool find_passed(struct lateral_colour_room *room)
 const struct lateral_colour *lateral_colour_find(const struct lens_film *film, size_t wavelengths,
                                                  size_t middle, const double pixel[2],
                                                  const struct film_plan *plan,
-                                                 struct lateral_colour_room *room)
+                                                 struct lateral_colour_scratch *scratch)
 {
-    struct lateral_colour *fringes = &room->fringes;
-    lateral_colour_start(film, plan, room);
-    lateral_colour_trace(film, middle, room, &room->middle);
-    if (!find_passed(room)) {
+    struct lateral_colour *fringes = &scratch->fringes;
+    lateral_colour_start(film, plan, scratch);
+    lateral_colour_trace(film, middle, scratch, &scratch->middle);
+    if (!find_passed(scratch)) {
         return NULL;
     }
     for (int axis = X; axis < AXES; axis++) {
-        trace_turned(film, middle, axis, room);
+        trace_turned(film, middle, axis, scratch);
         fringes->low[axis] = fringes->high[axis] = 0;
     }
     bool little = true;
@@ -167,11 +167,11 @@ const struct lateral_colour *lateral_colour_find(const struct lens_film *film, s
     for (size_t i = 0; i < wavelengths && little; i++) {
         const size_t wavelength = i % 2 == 0 ? i / 2 : wavelengths - 1 - i / 2;
         struct exits off;
-        *room->rays.blocks = room->started;
-        lateral_colour_trace(film, wavelength, room, &off);
-        subtract(room, &off);
+        *scratch->rays.blocks = scratch->started;
+        lateral_colour_trace(film, wavelength, scratch, &off);
+        subtract(scratch, &off);
         for (int axis = X; axis < AXES && little; axis++) {
-            little = is_little(room, &off, axis, pixel[axis], fringes->moved[wavelength]);
+            little = is_little(scratch, &off, axis, pixel[axis], fringes->moved[wavelength]);
         }
     }
     return little ? fringes : NULL;

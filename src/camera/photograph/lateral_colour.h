@@ -20,8 +20,8 @@ struct lateral_colour {
 };
 
 /* For tiles of so many wavelengths, one after the other. */
-struct lateral_colour_room;
-struct lateral_colour_room *lateral_colour_room_new(size_t wavelengths, struct arena *arena);
+struct lateral_colour_scratch;
+struct lateral_colour_scratch *lateral_colour_scratch_new(size_t wavelengths, struct arena *arena);
 
 /* Pixels, of spread over the pupil and of the mean of what is moved. */
 #define FRINGES_MOST 0.25
@@ -32,7 +32,7 @@ struct lateral_colour_room *lateral_colour_room_new(size_t wavelengths, struct a
  * Given     wavelengths, middle  of the film; the one that stands for all
  *           pixel  its size, mm
  *           plan   of a tile
- * Result    what is moved by how much, in the room; null: they may not, or it is not easily seen,
+ * Result    what is moved by how much, in the scratch; null: they may not, or it is not easily seen,
  *           as in the dark. A ray of another colour then shows at a point what one of the middle
  *           shows at the moved point, but for less than FRINGES_MOST that it is spread about that:
  *           of a step between two lights a pixel loses or gains an eighth of it at most
@@ -48,7 +48,7 @@ struct lateral_colour_room *lateral_colour_room_new(size_t wavelengths, struct a
 const struct lateral_colour *lateral_colour_find(const struct lens_film *film, size_t wavelengths,
                                                  size_t middle, const double pixel[2],
                                                  const struct film_plan *plan,
-                                                 struct lateral_colour_room *room);
+                                                 struct lateral_colour_scratch *scratch);
 
 /* How far it is moved along an axis at a place in the tile, each from 0 to 1. */
 static inline double lateral_colour_moved(const struct lateral_colour *fringes, size_t wavelength,

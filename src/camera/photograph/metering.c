@@ -40,13 +40,13 @@ static bool is_timed_alike(const struct tile_rays *rays)
 }
 
 /* False: directions do not grow with the place, as in lenses that are telecentric in the scene. */
-static bool open_sight(const struct metering_question *question, struct tile_room *room,
+static bool open_sight(const struct metering_question *question, struct tile_scratch *scratch,
                        struct sight *sight)
 {
     const struct lens_film *film = question->rays->film;
     const double within = 0.99; /* of where light arrives */
     const double end = fmin(film->corner, within * film->lit);
-    const struct ray_block *block = room->rays.blocks;
+    const struct ray_block *block = scratch->rays.blocks;
     *sight = (struct sight){.question = question, .count = PLACES};
     if (!lens_is_round(film->systems[0]->lens) || !is_timed_alike(question->rays)) {
         return false;
@@ -54,9 +54,10 @@ static bool open_sight(const struct metering_question *question, struct tile_roo
     for (size_t i = 0; i < PLACES; i++) {
         const double at[2] = {end * (double)i / (PLACES - 1), 0};
         sight->radius[i] = at[0];
-        sight->light[i] = question->scale * tile_rays_light(question->rays, at, PLACE_BLOCKS, room);
-        lens_film_chief(film, i == 0 ? (const double[2]){1e-9 * end, 0} : at, &room->samples,
-                        &room->rays);
+        sight->light[i] =
+            question->scale * tile_rays_light(question->rays, at, PLACE_BLOCKS, scratch);
+        lens_film_chief(film, i == 0 ? (const double[2]){1e-9 * end, 0} : at, &scratch->samples,
+                        &scratch->rays);
         sight->angle[i] = i == 0 ? 0 : atan2(hypot(block->p[0], block->q[0]), -block->r[0]);
         if (block->lost[0] != 0 || (i > 0 && !(sight->angle[i] > sight->angle[i - 1] + 1e-9))) {
             return false;
@@ -105,13 +106,13 @@ static double take_lanes(const struct bands *bands, uint32_t index, struct lanes
 }
 
 /* Add the light of one thing that shines to the mean of the film. */
-static void add_look(const struct sight *sight, uint32_t index, struct tile_room *room,
+static void add_look(const struct sight *sight, uint32_t index, struct tile_scratch *scratch,
                      double sums[TILE_CHANNELS])
 {
     const struct tile_rays *rays = sight->question->rays;
     const struct view *view = rays->subject.view;
     struct sampler points =
-        sampler_of(&room->sequence, BLOCKS + index / RAYS_BLOCK, index % RAYS_BLOCK);
+        sampler_of(&scratch->sequence, BLOCKS + index / RAYS_BLOCK, index % RAYS_BLOCK);
     double u[3];
     struct lanes lanes;
     struct light_sample sample;
@@ -170,20 +171,20 @@ static void add_discs(const struct sight *sight, uint32_t part, double mean[TILE
 /* One of the parts; rays knows of the others that look for lights. */
 static void metering_take_part(const struct metering_question *question,
                                const struct tile_rays *rays, const struct film_plan *plan,
-                               const struct sight *sight, uint32_t part, struct tile_room *room,
-                               double mean[TILE_CHANNELS])
+                               const struct sight *sight, uint32_t part,
+                               struct tile_scratch *scratch, double mean[TILE_CHANNELS])
 {
     const size_t blocks = BLOCKS / PARTS, looks = LOOKS / PARTS;
     double looked[TILE_CHANNELS] = {0};
-    memset(room->sums, 0, sizeof room->sums);
-    tile_rays_sum(rays, plan, part * blocks, (part + 1) * blocks, room);
+    memset(scratch->sums, 0, sizeof scratch->sums);
+    tile_rays_sum(rays, plan, part * blocks, (part + 1) * blocks, scratch);
     for (size_t i = 0; sight != NULL && i < looks; i++) {
-        add_look(sight, (uint32_t)(part * looks + i), room, looked);
+        add_look(sight, (uint32_t)(part * looks + i), scratch, looked);
     }
     for (size_t k = 0; k < TILE_CHANNELS; k++) {
         double sum = 0;
         for (size_t i = 0; i < TILE_PIXELS; i++) {
-            sum += room->sums[i][k];
+            sum += scratch->sums[i][k];
         }
         mean[k] = question->scale * sum / (double)(blocks * RAYS_BLOCK) + looked[k] / (double)looks;
     }
@@ -200,7 +201,7 @@ static void open_points(struct tile_rays *rays, struct view *view, struct arena 
 }
 
 void metering_take(const struct metering_question *question, struct arena *arena,
-                   struct tile_room *room, struct metered *metered)
+                   struct tile_scratch *scratch, struct metered *metered)
 {
     struct tile_rays rays = *question->rays;
     struct view view = *rays.subject.view;
@@ -211,10 +212,10 @@ void metering_take(const struct metering_question *question, struct arena *arena
                              .width = question->width,
                              .height = question->height};
     struct sight sight;
-    const bool has_sight = open_sight(question, room, &sight);
+    const bool has_sight = open_sight(question, scratch, &sight);
     uint64_t counts[PHOTOGRAPH_COUNTS];
     double luminances[PARTS], sum = 0, squares = 0;
-    memcpy(counts, room->counts, sizeof counts);
+    memcpy(counts, scratch->counts, sizeof counts);
     sight.lights = *path.lights;
     sight.lights.distant = (struct distant_lights){.count = 0};
     path.seen = has_sight ? &sight.lights : NULL;
@@ -222,11 +223,11 @@ void metering_take(const struct metering_question *question, struct arena *arena
     view.path = &path;
     open_points(&rays, &view, arena);
     rays.subject = subject_scene(&view);
-    tile_rays_begin(&rays, 0, &plan, room);
+    tile_rays_begin(&rays, 0, &plan, scratch);
     *metered = (struct metered){.is_direct = has_sight};
     for (uint32_t part = 0; part < PARTS; part++) {
         double mean[TILE_CHANNELS];
-        metering_take_part(question, &rays, &plan, has_sight ? &sight : NULL, part, room, mean);
+        metering_take_part(question, &rays, &plan, has_sight ? &sight : NULL, part, scratch, mean);
         for (size_t k = 0; k < TILE_CHANNELS; k++) {
             metered->mean[k] += mean[k] / PARTS;
         }
@@ -237,7 +238,7 @@ void metering_take(const struct metering_question *question, struct arena *arena
         const double away = luminances[part] - sum / PARTS;
         squares += away * away;
     }
-    memcpy(room->counts, counts, sizeof counts);
+    memcpy(scratch->counts, counts, sizeof counts);
     const double variance = squares / (PARTS - 1);
     metered->error = sum > 0 ? sqrt(variance * PARTS) / sum : 0;
 }

@@ -20,7 +20,7 @@ struct metered {
 /*
  * Meter.
  *
- * Given     room     of one thread; its sums are used, its counts stay
+ * Given     scratch  of one thread; its sums are used, its counts stay
  * Result    of 16384 rays all over the film, and from the middle of the entrance pupil 4096 to
  *           things that shine and as many to suns and stars, 8 each at least: the same for every
  *           crop and number of samples. Small lights, which few of the former meet, are found by
@@ -37,6 +37,6 @@ struct metered {
  *           condition, as a parabola of f/4 with its whole rim by 0.8 %, is as far off
  */
 void metering_take(const struct metering_question *question, struct arena *arena,
-                   struct tile_room *room, struct metered *metered);
+                   struct tile_scratch *scratch, struct metered *metered);
 
 #endif

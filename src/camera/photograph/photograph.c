@@ -47,16 +47,16 @@ static size_t count_missing(const struct tile_work *work)
 
 /* How far out on the card a point of the film looks, through the middle of what is clear, mm. */
 static void photograph_look_through(const struct tile_work *work, const double from[2],
-                                    struct tile_room *room, double at[2])
+                                    struct tile_scratch *scratch, double at[2])
 {
-    lens_film_chief(work->rays.film, from, &room->samples, &room->rays);
-    if (!subject_meets(room->rays.blocks, 0, work->question->card.distance, at)) {
+    lens_film_chief(work->rays.film, from, &scratch->samples, &scratch->rays);
+    if (!subject_meets(scratch->rays.blocks, 0, work->question->card.distance, at)) {
         at[0] = at[1] = 0;
     }
 }
 
 /* As large as the film sees, or as high as it is wide. */
-static bool size_card(const struct tile_work *work, struct tile_room *room, struct card *card,
+static bool size_card(const struct tile_work *work, struct tile_scratch *scratch, struct card *card,
                       struct error *error)
 {
     const struct photograph_question *question = work->question;
@@ -67,7 +67,7 @@ static bool size_card(const struct tile_work *work, struct tile_room *room, stru
         const double from[3][2] = {{w, 0}, {0, h}, {w, h}};
         for (int i = 0; i < 3; i++) {
             double at[2];
-            photograph_look_through(work, from[i], room, at);
+            photograph_look_through(work, from[i], scratch, at);
             const double needed = 2 * fmax(fabs(at[0]), proportion * fabs(at[1]));
             card->width = fmax(card->width, needed);
         }
@@ -124,7 +124,7 @@ static bool may_see_backdrop(const struct tile_work *work, const struct backdrop
 }
 
 /* What need not be traced; a table of light costs less than a hundredth of the picture. */
-static void open_spare(struct tile_work *work, const struct card *card, struct arena *arena)
+static void open_reuse(struct tile_work *work, const struct card *card, struct arena *arena)
 {
     const struct photograph_question *question = work->question;
     const struct view *view = question->view;
@@ -134,8 +134,8 @@ static void open_spare(struct tile_work *work, const struct card *card, struct a
         work->stages != NULL) {
         return;
     }
-    struct ray_reuse *spare = ARENA_NEW(arena, struct ray_reuse);
-    *spare = (struct ray_reuse){.film = work->rays.film,
+    struct ray_reuse *reuse = ARENA_NEW(arena, struct ray_reuse);
+    *reuse = (struct ray_reuse){.film = work->rays.film,
                                 .card = card,
                                 .relief = work->rays.subject.relief,
                                 .view = view,
@@ -144,15 +144,15 @@ static void open_spare(struct tile_work *work, const struct card *card, struct a
                                 .kept = question->kept,
                                 .watch = question->watch};
     if (view != NULL) {
-        spare->backdrop = backdrop_open(view->path->world, view->path->lights);
-        if (!may_see_backdrop(work, &spare->backdrop, rays)) {
+        reuse->backdrop = backdrop_open(view->path->world, view->path->lights);
+        if (!may_see_backdrop(work, &reuse->backdrop, rays)) {
             return;
         }
     }
     /* an error is one of all tiles' rays */
-    spare->kept |= question->error > 0 ? 1U << SKIP_BLUR : 0;
-    work->spare = spare;
-    ray_reuse_open(spare, rays > 1U << 22 ? 32 : 8, arena);
+    reuse->kept |= question->error > 0 ? 1U << SKIP_BLUR : 0;
+    work->reuse = reuse;
+    ray_reuse_open(reuse, rays > 1U << 22 ? 32 : 8, arena);
 }
 
 double photograph_share(const struct photograph *photograph, enum depth_card_sight sight)
@@ -234,7 +234,7 @@ static void take_all(struct tile_work *work, struct arena *arena, struct photogr
 }
 
 /* What there is to see, and what an error is of. */
-static void open_scene(struct tile_work *work, struct tile_room *room, struct arena *arena,
+static void open_scene(struct tile_work *work, struct tile_scratch *scratch, struct arena *arena,
                        struct photograph *photograph)
 {
     static const double least = 1e-300; /* of what is divided by */
@@ -243,7 +243,7 @@ static void open_scene(struct tile_work *work, struct tile_room *room, struct ar
     const struct metering_question metering = {&work->rays, question->film.width,
                                                question->film.height, work->scale};
     struct metered metered;
-    metering_take(&metering, arena, room, &metered);
+    metering_take(&metering, arena, scratch, &metered);
     memcpy(photograph->mean, metered.mean, sizeof metered.mean);
     photograph->mean_error = metered.error;
     photograph->is_metered_directly = metered.is_direct;
@@ -254,27 +254,27 @@ static void open_scene(struct tile_work *work, struct tile_room *room, struct ar
     if (question->error > 0) {
         work->small = small_emitters_open(question->view, arena);
     }
-    open_spare(work, &photograph->card, arena);
+    open_reuse(work, &photograph->card, arena);
 }
 
-static bool open_card(struct tile_work *work, struct tile_room *room, struct arena *arena,
+static bool open_card(struct tile_work *work, struct tile_scratch *scratch, struct arena *arena,
                       struct photograph *photograph, struct error *error)
 {
     struct card *card = &photograph->card;
-    if (!size_card(work, room, card, error) || !open_subject(work, card, arena, error)) {
+    if (!size_card(work, scratch, card, error) || !open_subject(work, card, arena, error)) {
         return false;
     }
-    open_spare(work, card, arena);
+    open_reuse(work, card, arena);
     return true;
 }
 
 /* Where the film has a pupil, which its pole has. */
-static bool measure_white(const struct tile_work *work, struct tile_room *room,
+static bool measure_white(const struct tile_work *work, struct tile_scratch *scratch,
                           struct photograph *photograph, struct error *error)
 {
     enum { BLOCKS = 256 };
     const double *at = work->rays.film->region.pole;
-    photograph->reference = work->scale * tile_rays_light(&work->rays, at, BLOCKS, room);
+    photograph->reference = work->scale * tile_rays_light(&work->rays, at, BLOCKS, scratch);
     memcpy(photograph->reference_at, at, sizeof photograph->reference_at);
     return photograph->reference > 0 ||
            fail(error, ERROR_DOMAIN,
@@ -309,17 +309,17 @@ bool photograph_take(const struct photograph_question *question, struct arena *a
     if (question->is_over != NULL) {
         work.stages = ARENA_ARRAY(arena, tiles, struct tile_stage);
     }
-    struct tile_room *room = tile_room_new(work.rays.passes, arena);
+    struct tile_scratch *scratch = tile_scratch_new(work.rays.passes, arena);
     if (question->view != NULL) {
-        open_scene(&work, room, arena, photograph);
-    } else if (!open_card(&work, room, arena, photograph, error)) {
+        open_scene(&work, scratch, arena, photograph);
+    } else if (!open_card(&work, scratch, arena, photograph, error)) {
         return false;
     }
     if (!image_new(&photograph->image, arena, error)) {
         return false;
     }
     work.done = question->done != NULL ? question->done : ARENA_ARRAY(arena, tiles, unsigned char);
-    if (!measure_white(&work, room, photograph, error)) {
+    if (!measure_white(&work, scratch, photograph, error)) {
         return false;
     }
     work.unit = work.scale / (photograph->reference * question->error);

@@ -104,20 +104,20 @@ enum { NODES_ACROSS = 16, NODES_DOWN = RAYS_BLOCK / NODES_ACROSS };
 
 static struct reuse_grid *reuse_grid_new(size_t passes, struct arena *arena)
 {
-    struct reuse_grid *net = ARENA_NEW(arena, struct reuse_grid);
-    net->pupil = ARENA_ARRAY(arena, passes, struct pupil_rays);
-    net->nodes = arena_array(arena, passes, sizeof *net->nodes);
-    net->rays = rays_new(arena, RAYS_BLOCK);
-    return net;
+    struct reuse_grid *grid = ARENA_NEW(arena, struct reuse_grid);
+    grid->pupil = ARENA_ARRAY(arena, passes, struct pupil_rays);
+    grid->nodes = arena_array(arena, passes, sizeof *grid->nodes);
+    grid->rays = rays_new(arena, RAYS_BLOCK);
+    return grid;
 }
 
 /* -------- traced -------- */
 
-/* Trace the samples of the net. */
-static void corners_trace(const struct ray_reuse *spare, size_t wavelength, struct reuse_grid *net)
+/* Trace the samples of the grid. */
+static void corners_trace(const struct ray_reuse *reuse, size_t wavelength, struct reuse_grid *grid)
 {
-    spare->film->aim(spare->film, &net->samples, net->rays.blocks);
-    lens_film_trace(spare->film, wavelength, &net->samples, &net->rays);
+    reuse->film->aim(reuse->film, &grid->samples, grid->rays.blocks);
+    lens_film_trace(reuse->film, wavelength, &grid->samples, &grid->rays);
 }
 
 /* Each as often as its weight wants, so that all count the same. */
@@ -136,74 +136,74 @@ static void even_out(struct pupil_rays *pupil, double all)
 }
 
 /* Rays of a tile's middle, all over the pupil: how far they are from that of its middle. */
-static bool trace_pupil(const struct ray_reuse *spare, const struct film_plan *plan,
-                        size_t wavelength, struct reuse_grid *net)
+static bool trace_pupil(const struct ray_reuse *reuse, const struct film_plan *plan,
+                        size_t wavelength, struct reuse_grid *grid)
 {
     const struct film_plan middle = {.sobol = plan->sobol,
                                      .scrambling = {1, 2, 3, 4},
                                      .left = plan->left + plan->width / 2,
                                      .bottom = plan->bottom + plan->height / 2};
-    struct pupil_rays *pupil = &net->pupil[wavelength];
+    struct pupil_rays *pupil = &grid->pupil[wavelength];
     double all = 0;
-    film_rays_plan(&middle, NULL, 0, SET_BEST, &net->samples);
-    net->samples.u[0] = net->samples.v[0] = 0;
-    corners_trace(spare, wavelength, net);
-    const struct depth_card_ray chief = subject_ray(net->rays.blocks, 0, spare->plane);
+    film_rays_plan(&middle, NULL, 0, SET_BEST, &grid->samples);
+    grid->samples.u[0] = grid->samples.v[0] = 0;
+    corners_trace(reuse, wavelength, grid);
+    const struct depth_card_ray chief = subject_ray(grid->rays.blocks, 0, reuse->plane);
     pupil->count = 0;
     for (size_t i = 1; i < RAYS_BLOCK; i++) {
-        const struct depth_card_ray ray = subject_ray(net->rays.blocks, i, spare->plane);
-        if (net->rays.blocks->lost[i] == 0 && net->samples.weight[i] > 0) {
+        const struct depth_card_ray ray = subject_ray(grid->rays.blocks, i, reuse->plane);
+        if (grid->rays.blocks->lost[i] == 0 && grid->samples.weight[i] > 0) {
             for (int k = X; k < AXES; k++) {
                 pupil->from[pupil->count].x[k] = ray.x[k] - chief.x[k];
                 pupil->from[pupil->count].slope[k] = ray.slope[k] - chief.slope[k];
             }
-            pupil->weight[pupil->count++] = net->samples.weight[i];
-            all += net->samples.weight[i];
+            pupil->weight[pupil->count++] = grid->samples.weight[i];
+            all += grid->samples.weight[i];
         }
     }
     even_out(pupil, all);
-    return pupil->count > 0 && net->rays.blocks->lost[0] == 0;
+    return pupil->count > 0 && grid->rays.blocks->lost[0] == 0;
 }
 
-/* Rays through the middle of the pupil from a net over the tile; false: one is lost. */
-static bool trace_nodes(const struct ray_reuse *spare, const struct film_plan *plan,
-                        size_t wavelength, struct reuse_grid *net)
+/* Rays through the middle of the pupil from a grid over the tile; false: one is lost. */
+static bool trace_nodes(const struct ray_reuse *reuse, const struct film_plan *plan,
+                        size_t wavelength, struct reuse_grid *grid)
 {
-    memset(&net->samples, 0, sizeof net->samples);
+    memset(&grid->samples, 0, sizeof grid->samples);
     for (size_t i = 0; i < RAYS_BLOCK; i++) {
         const double across = (double)(i % NODES_ACROSS) / (NODES_ACROSS - 1);
         const double down = (double)(i / NODES_ACROSS) / (NODES_DOWN - 1);
-        net->samples.x[i] = plan->left + across * plan->width;
-        net->samples.y[i] = plan->bottom + down * plan->height;
+        grid->samples.x[i] = plan->left + across * plan->width;
+        grid->samples.y[i] = plan->bottom + down * plan->height;
     }
-    corners_trace(spare, wavelength, net);
+    corners_trace(reuse, wavelength, grid);
     bool all = true;
     for (size_t i = 0; i < RAYS_BLOCK; i++) {
-        all = all && net->rays.blocks->lost[i] == 0 && net->rays.blocks->r[i] < 0;
-        net->nodes[wavelength][i] = subject_ray(net->rays.blocks, i, spare->plane);
+        all = all && grid->rays.blocks->lost[i] == 0 && grid->rays.blocks->r[i] < 0;
+        grid->nodes[wavelength][i] = subject_ray(grid->rays.blocks, i, reuse->plane);
     }
     return all;
 }
 
 /*
- * Trace the nets of a tile: rays through the middle of the pupil, and how far others of the tile's
+ * Trace the grids of a tile: rays through the middle of the pupil, and how far others of the tile's
  * middle are from these.
  *
- * Result    false: one of a net is lost, or the pupil is dark
+ * Result    false: one of a grid is lost, or the pupil is dark
  */
-static bool reuse_grid_trace(const struct ray_reuse *spare, const struct film_plan *plan,
-                             struct reuse_grid *net)
+static bool reuse_grid_trace(const struct ray_reuse *reuse, const struct film_plan *plan,
+                             struct reuse_grid *grid)
 {
     bool all = true;
-    for (size_t i = 0; i < spare->passes && all; i++) {
-        all = trace_pupil(spare, plan, i, net) && trace_nodes(spare, plan, i, net);
+    for (size_t i = 0; i < reuse->passes && all; i++) {
+        all = trace_pupil(reuse, plan, i, grid) && trace_nodes(reuse, plan, i, grid);
     }
     return all;
 }
 
 /* -------- looked through -------- */
 
-/* Between four of the net. */
+/* Between four of the grid. */
 static struct depth_card_ray ray_between(const struct depth_card_ray *nodes, double across,
                                          double down)
 {
@@ -226,16 +226,16 @@ static struct depth_card_ray ray_between(const struct depth_card_ray *nodes, dou
     return ray;
 }
 
-static struct card_light corner_look(const struct ray_reuse *spare,
+static struct card_light corner_look(const struct ray_reuse *reuse,
                                      const struct depth_card_ray *ray, enum depth_card_sight *sight)
 {
-    if (spare->relief != NULL) {
-        return depth_card_look(spare->relief, ray, sight);
+    if (reuse->relief != NULL) {
+        return depth_card_look(reuse->relief, ray, sight);
     }
     *sight = SIGHT_SEEN;
-    const double w = 1 / spare->frame;
-    return card_look(spare->card, ray_reuse_seen_at(spare, ray, X, w),
-                     ray_reuse_seen_at(spare, ray, Y, w));
+    const double w = 1 / reuse->frame;
+    return card_look(reuse->card, ray_reuse_seen_at(reuse, ray, X, w),
+                     ray_reuse_seen_at(reuse, ray, Y, w));
 }
 
 /* Points of the film alone leave as much noise as twice as many of film and pupil. */
@@ -243,36 +243,36 @@ enum { OF_SAMPLES = 2 };
 /* Blocks until the watch may end them: half a millisecond. */
 enum { ENDED_EVERY = 16 };
 
-/* The light of samples' points of the film, through the net of its wavelength; false: the watch
+/* The light of samples' points of the film, through the grid of its wavelength; false: the watch
    has ended it. */
-static bool reuse_grid_look_through(const struct ray_reuse *spare, const struct film_plan *plan,
-                                    size_t samples, size_t wavelength, struct reuse_grid *net,
+static bool reuse_grid_look_through(const struct ray_reuse *reuse, const struct film_plan *plan,
+                                    size_t samples, size_t wavelength, struct reuse_grid *grid,
                                     uint64_t sights[DEPTH_CARD_SIGHTS],
                                     double (*sums)[CARD_CHANNELS])
 {
-    const struct ray_reuse_pass *pass = &spare->pass[wavelength];
-    const struct pupil_rays *pupil = &net->pupil[wavelength];
+    const struct ray_reuse_pass *pass = &reuse->pass[wavelength];
+    const struct pupil_rays *pupil = &grid->pupil[wavelength];
     double weight[RAYS_BLOCK];
     for (size_t i = 0; i < RAYS_BLOCK; i++) {
-        weight[i] = OF_SAMPLES * irradiance_table_of(spare->light, wavelength, plan, i);
+        weight[i] = OF_SAMPLES * irradiance_table_of(reuse->light, wavelength, plan, i);
     }
     for (uint32_t block = 0; block < samples / OF_SAMPLES; block++) {
-        if (block % ENDED_EVERY == 0 && !watch_ask(spare->watch)) {
+        if (block % ENDED_EVERY == 0 && !watch_ask(reuse->watch)) {
             return false;
         }
-        film_rays_plan(plan, NULL, block, SET_BEST, &net->samples);
+        film_rays_plan(plan, NULL, block, SET_BEST, &grid->samples);
         for (size_t i = 0; i < RAYS_BLOCK; i++) {
-            const double across = (net->samples.x[i] - plan->left) / plan->width;
-            const double down = (net->samples.y[i] - plan->bottom) / plan->height;
-            const size_t pixel = tile_cell_of(plan, net->samples.x[i], net->samples.y[i]).pixel;
+            const double across = (grid->samples.x[i] - plan->left) / plan->width;
+            const double down = (grid->samples.y[i] - plan->bottom) / plan->height;
+            const size_t pixel = tile_cell_of(plan, grid->samples.x[i], grid->samples.y[i]).pixel;
             const size_t of_pupil = (block + 37 * i) % pupil->count;
-            struct depth_card_ray ray = ray_between(net->nodes[wavelength], across, down);
+            struct depth_card_ray ray = ray_between(grid->nodes[wavelength], across, down);
             for (int k = X; k < AXES; k++) {
                 ray.x[k] += pupil->from[of_pupil].x[k];
                 ray.slope[k] += pupil->from[of_pupil].slope[k];
             }
             enum depth_card_sight sight;
-            const struct card_light light = corner_look(spare, &ray, &sight);
+            const struct card_light light = corner_look(reuse, &ray, &sight);
             sights[sight]++;
             for (size_t k = pass->begin; k < pass->end; k++) {
                 sums[pixel][k] += weight[pixel] * (double)light.of[k];
@@ -283,18 +283,18 @@ static bool reuse_grid_look_through(const struct ray_reuse *spare, const struct 
 }
 
 /*
- * The light of half of the samples' points of the film, through nets that were traced.
+ * The light of half of the samples' points of the film, through grids that were traced.
  *
  * Given     sights, sums  as ray_reuse_take has them
  * Result    false: the watch has ended it
  */
-static bool reuse_grid_look(const struct ray_reuse *spare, const struct film_plan *plan,
-                            size_t samples, struct reuse_grid *net,
+static bool reuse_grid_look(const struct ray_reuse *reuse, const struct film_plan *plan,
+                            size_t samples, struct reuse_grid *grid,
                             uint64_t sights[DEPTH_CARD_SIGHTS], double (*sums)[CARD_CHANNELS])
 {
     bool is_whole = true;
-    for (size_t i = 0; i < spare->passes && is_whole; i++) {
-        is_whole = reuse_grid_look_through(spare, plan, samples, i, net, sights, sums);
+    for (size_t i = 0; i < reuse->passes && is_whole; i++) {
+        is_whole = reuse_grid_look_through(reuse, plan, samples, i, grid, sights, sums);
     }
     return is_whole;
 }
@@ -303,8 +303,8 @@ static bool reuse_grid_look(const struct ray_reuse *spare, const struct film_pla
 
 enum { CORNERS = 4, RIM = RAYS_BLOCK / CORNERS };
 
-struct ray_reuse_room {
-    struct reuse_grid *net;
+struct ray_reuse_scratch {
+    struct reuse_grid *grid;
     struct film_samples samples;
     struct rays rays;
     struct tile_rims rims;
@@ -313,70 +313,71 @@ struct ray_reuse_room {
 /* What is added to what the corners see, of its size, on each side. */
 static const double around = 0.1;
 
-struct ray_reuse_room *ray_reuse_room_new(size_t passes, struct arena *arena)
+struct ray_reuse_scratch *ray_reuse_scratch_new(size_t passes, struct arena *arena)
 {
-    struct ray_reuse_room *room = ARENA_NEW(arena, struct ray_reuse_room);
-    room->net = reuse_grid_new(passes, arena);
-    room->rims = (struct tile_rims){.passes = passes,
-                                    .ray = arena_array(arena, passes, sizeof *room->rims.ray),
-                                    .passed = arena_array(arena, passes, sizeof *room->rims.passed),
-                                    .around = around};
-    room->rays = rays_new(arena, RAYS_BLOCK);
-    return room;
+    struct ray_reuse_scratch *scratch = ARENA_NEW(arena, struct ray_reuse_scratch);
+    scratch->grid = reuse_grid_new(passes, arena);
+    scratch->rims =
+        (struct tile_rims){.passes = passes,
+                           .ray = arena_array(arena, passes, sizeof *scratch->rims.ray),
+                           .passed = arena_array(arena, passes, sizeof *scratch->rims.passed),
+                           .around = around};
+    scratch->rays = rays_new(arena, RAYS_BLOCK);
+    return scratch;
 }
 
-void ray_reuse_open(struct ray_reuse *spare, size_t blocks, struct arena *arena)
+void ray_reuse_open(struct ray_reuse *reuse, size_t blocks, struct arena *arena)
 {
-    const struct lens_film *film = spare->film;
-    const bool is_dark = spare->view != NULL && spare->backdrop.is_dark; /* black needs no table */
+    const struct lens_film *film = reuse->film;
+    const bool is_dark = reuse->view != NULL && reuse->backdrop.is_dark; /* black needs no table */
     const bool is_round = lens_is_round(film->systems[0]->lens) &&
                           (film->shutter == NULL || !isfinite(film->shutter->run));
-    spare->plane = spare->relief != NULL ? spare->relief->pupil : 0;
-    spare->frame = spare->plane + spare->card->distance;
-    spare->light =
-        is_round && !is_dark ? irradiance_table_new(film, spare->passes, blocks, arena) : NULL;
+    reuse->plane = reuse->relief != NULL ? reuse->relief->pupil : 0;
+    reuse->frame = reuse->plane + reuse->card->distance;
+    reuse->light =
+        is_round && !is_dark ? irradiance_table_new(film, reuse->passes, blocks, arena) : NULL;
 }
 
 /* -------- what is seen -------- */
 
 /* From the corners of the tile, RIM rays each, within the rim of the pupil. */
-static void trace_rims(const struct ray_reuse *spare, const struct film_plan *plan,
-                       struct ray_reuse_room *room)
+static void trace_rims(const struct ray_reuse *reuse, const struct film_plan *plan,
+                       struct ray_reuse_scratch *scratch)
 {
     static const double v[] = {0.98, 0.9, 0.8, 0.5};
-    const struct ray_block *rays = room->rays.blocks;
-    room->rims.before = 0;
-    for (size_t w = 0; w < spare->passes; w++) {
+    const struct ray_block *rays = scratch->rays.blocks;
+    scratch->rims.before = 0;
+    for (size_t w = 0; w < reuse->passes; w++) {
         for (size_t i = 0; i < RAYS_BLOCK; i++) {
             const size_t corner = i / RIM;
-            room->samples.x[i] = plan->left + (corner % 2 == 0 ? 0 : plan->width);
-            room->samples.y[i] = plan->bottom + (corner < 2 ? 0 : plan->height);
-            room->samples.u[i] = ((double)(i % RIM) + 0.5) / RIM;
-            room->samples.v[i] = v[i % 4];
+            scratch->samples.x[i] = plan->left + (corner % 2 == 0 ? 0 : plan->width);
+            scratch->samples.y[i] = plan->bottom + (corner < 2 ? 0 : plan->height);
+            scratch->samples.u[i] = ((double)(i % RIM) + 0.5) / RIM;
+            scratch->samples.v[i] = v[i % 4];
         }
-        spare->film->aim(spare->film, &room->samples, room->rays.blocks);
-        lens_film_trace(spare->film, w, &room->samples, &room->rays);
+        reuse->film->aim(reuse->film, &scratch->samples, scratch->rays.blocks);
+        lens_film_trace(reuse->film, w, &scratch->samples, &scratch->rays);
         for (size_t i = 0; i < RAYS_BLOCK; i++) {
-            room->rims.passed[w][i] = rays->lost[i] == 0 && rays->r[i] < 0;
-            room->rims.ray[w][i] = subject_ray(rays, i, spare->plane);
-            if (room->rims.passed[w][i]) {
-                room->rims.before =
-                    fmax(room->rims.before, fabs((spare->plane - rays->z[i]) / rays->r[i]));
+            scratch->rims.passed[w][i] = rays->lost[i] == 0 && rays->r[i] < 0;
+            scratch->rims.ray[w][i] = subject_ray(rays, i, reuse->plane);
+            if (scratch->rims.passed[w][i]) {
+                scratch->rims.before =
+                    fmax(scratch->rims.before, fabs((reuse->plane - rays->z[i]) / rays->r[i]));
             }
         }
     }
 }
 
 /* Rays begin .. begin + count - 1 of a wavelength between two w: what they see. */
-static void widen(const struct ray_reuse *spare, const struct ray_reuse_room *room,
+static void widen(const struct ray_reuse *reuse, const struct ray_reuse_scratch *scratch,
                   size_t wavelength, const size_t range[2], const double w[2],
                   struct card_part *part)
 {
     for (size_t i = range[0]; i < range[1]; i++) {
-        for (int k = X; k < AXES && room->rims.passed[wavelength][i]; k++) {
+        for (int k = X; k < AXES && scratch->rims.passed[wavelength][i]; k++) {
             for (int end = 0; end < 2; end++) {
                 const double at =
-                    ray_reuse_seen_at(spare, &room->rims.ray[wavelength][i], k, w[end]);
+                    ray_reuse_seen_at(reuse, &scratch->rims.ray[wavelength][i], k, w[end]);
                 part->low[k] = fmin(part->low[k], at);
                 part->high[k] = fmax(part->high[k], at);
             }
@@ -387,13 +388,13 @@ static void widen(const struct ray_reuse *spare, const struct ray_reuse_room *ro
 static const struct card_part nothing = {{INFINITY, INFINITY}, {-INFINITY, -INFINITY}};
 
 /* Do enough rays of every corner pass to tell what it sees? */
-static bool has_rims(const struct ray_reuse *spare, const struct ray_reuse_room *room)
+static bool has_rims(const struct ray_reuse *reuse, const struct ray_reuse_scratch *scratch)
 {
     bool all = true;
-    for (size_t pass = 0; pass < spare->passes; pass++) {
+    for (size_t pass = 0; pass < reuse->passes; pass++) {
         size_t passed[CORNERS] = {0};
         for (size_t i = 0; i < RAYS_BLOCK; i++) {
-            passed[i / RIM] += room->rims.passed[pass][i];
+            passed[i / RIM] += scratch->rims.passed[pass][i];
         }
         for (size_t corner = 0; corner < CORNERS; corner++) {
             all = all && passed[corner] >= RIM / 2;
@@ -403,20 +404,20 @@ static bool has_rims(const struct ray_reuse *spare, const struct ray_reuse_room 
 }
 
 /* All of it, and between which w it lies. */
-static void find_part(const struct ray_reuse *spare, const struct ray_reuse_room *room, double w[2],
-                      struct card_part *part)
+static void find_part(const struct ray_reuse *reuse, const struct ray_reuse_scratch *scratch,
+                      double w[2], struct card_part *part)
 {
     const size_t all[2] = {0, RAYS_BLOCK};
-    const struct depth_card *relief = spare->relief;
-    w[0] = w[1] = 1 / spare->frame;
+    const struct depth_card *relief = reuse->relief;
+    w[0] = w[1] = 1 / reuse->frame;
     if (relief != NULL) {
         w[0] = relief->is_endless ? relief->farthest[relief->levels - 1][0] : 0;
         w[1] = relief->nearest[relief->levels - 1][0];
     }
     for (int turn = 0; turn < 3; turn++) {
         *part = nothing;
-        for (size_t i = 0; i < spare->passes; i++) {
-            widen(spare, room, i, all, w, part);
+        for (size_t i = 0; i < reuse->passes; i++) {
+            widen(reuse, scratch, i, all, w, part);
         }
         for (int k = X; k < AXES; k++) {
             const double rest = around * (part->high[k] - part->low[k]);
@@ -430,17 +431,17 @@ static void find_part(const struct ray_reuse *spare, const struct ray_reuse_room
 }
 
 /* Is what all rays of each corner see within a quarter of a pixel? */
-static bool is_sharp(const struct ray_reuse *spare, const struct ray_reuse_room *room,
+static bool is_sharp(const struct ray_reuse *reuse, const struct ray_reuse_scratch *scratch,
                      const struct card_part *part, const double w[2])
 {
     const double more = 1 + 2 * around; /* than the tile's corners see */
     const double pixel[AXES] = {(part->high[X] - part->low[X]) / more / TILE_ACROSS,
                                 (part->high[Y] - part->low[Y]) / more / TILE_DOWN};
-    for (size_t i = 0; i < spare->passes; i++) {
+    for (size_t i = 0; i < reuse->passes; i++) {
         for (size_t corner = 0; corner < CORNERS; corner++) {
             const size_t range[2] = {corner * RIM, (corner + 1) * RIM};
             struct card_part spot = nothing;
-            widen(spare, room, i, range, w, &spot);
+            widen(reuse, scratch, i, range, w, &spot);
             for (int k = X; k < AXES; k++) {
                 if (!(spot.high[k] - spot.low[k] < 0.25 * pixel[k])) {
                     return false;
@@ -458,14 +459,14 @@ static bool is_black(struct card_light light)
     return light.of[0] == 0 && light.of[1] == 0 && light.of[2] == 0;
 }
 
-static void ray_reuse_fill(const struct ray_reuse *spare, const struct film_plan *plan,
+static void ray_reuse_fill(const struct ray_reuse *reuse, const struct film_plan *plan,
                            size_t samples, struct card_light light, double (*sums)[CARD_CHANNELS])
 {
-    for (size_t i = 0; i < spare->passes && !is_black(light); i++) {
-        const struct ray_reuse_pass *pass = &spare->pass[i];
+    for (size_t i = 0; i < reuse->passes && !is_black(light); i++) {
+        const struct ray_reuse_pass *pass = &reuse->pass[i];
         for (size_t pixel = 0; pixel < RAYS_BLOCK; pixel++) {
             const double weight =
-                pass->share * (double)samples * irradiance_table_of(spare->light, i, plan, pixel);
+                pass->share * (double)samples * irradiance_table_of(reuse->light, i, plan, pixel);
             for (size_t k = pass->begin; k < pass->end; k++) {
                 sums[pixel][k] += weight * (double)light.of[k];
             }
@@ -474,66 +475,66 @@ static void ray_reuse_fill(const struct ray_reuse *spare, const struct film_plan
 }
 
 /* Does light come to all of it, from a pupil without a hole, the same all around? */
-static bool has_light(const struct ray_reuse *spare, const struct film_plan *plan)
+static bool has_light(const struct ray_reuse *reuse, const struct film_plan *plan)
 {
     const double x = fmax(fabs(plan->left), fabs(plan->left + plan->width));
     const double y = fmax(fabs(plan->bottom), fabs(plan->bottom + plan->height));
-    return spare->light != NULL && hypot(x, y) < 0.95 * spare->film->region.largest;
+    return reuse->light != NULL && hypot(x, y) < 0.95 * reuse->film->region.largest;
 }
 
 /* Does all of what is seen lie on the card, whatever hides it? */
-static bool may_be_even(const struct ray_reuse *spare, const struct card_part *part)
+static bool may_be_even(const struct ray_reuse *reuse, const struct card_part *part)
 {
-    const struct depth_card *relief = spare->relief;
-    const double half[AXES] = {spare->card->width / 2, spare->card->height / 2};
+    const struct depth_card *relief = reuse->relief;
+    const double half[AXES] = {reuse->card->width / 2, reuse->card->height / 2};
     bool is_within = true;
     for (int k = X; k < AXES; k++) {
         is_within = is_within && part->low[k] >= -half[k] && part->high[k] <= half[k];
     }
-    return !skip_is_kept(spare->kept, SKIP_UNIFORM) &&
+    return !skip_is_kept(reuse->kept, SKIP_UNIFORM) &&
            (relief == NULL ||
             (relief->hidden == HIDDEN_NEARBY && (is_within || !relief->is_endless)));
 }
 
-static enum ray_reuse_way take_backdrop(const struct ray_reuse *spare, const struct film_plan *plan,
-                                        size_t samples, const struct ray_reuse_room *room,
+static enum ray_reuse_way take_backdrop(const struct ray_reuse *reuse, const struct film_plan *plan,
+                                        size_t samples, const struct ray_reuse_scratch *scratch,
                                         double (*sums)[CARD_CHANNELS])
 {
     struct card_light light = {{0, 0, 0}};
-    if (tile_sees_backdrop(spare->view, &spare->backdrop, &room->rims, &light) &&
-        (has_light(spare, plan) || is_black(light))) {
-        ray_reuse_fill(spare, plan, samples, light, sums);
+    if (tile_sees_backdrop(reuse->view, &reuse->backdrop, &scratch->rims, &light) &&
+        (has_light(reuse, plan) || is_black(light))) {
+        ray_reuse_fill(reuse, plan, samples, light, sums);
         return RAY_REUSE_EVEN;
     }
     return RAY_REUSE_TRACED;
 }
 
-enum ray_reuse_way ray_reuse_take(const struct ray_reuse *spare, const struct film_plan *plan,
-                                  size_t samples, struct ray_reuse_room *room,
+enum ray_reuse_way ray_reuse_take(const struct ray_reuse *reuse, const struct film_plan *plan,
+                                  size_t samples, struct ray_reuse_scratch *scratch,
                                   uint64_t sights[DEPTH_CARD_SIGHTS], double (*sums)[CARD_CHANNELS])
 {
     double w[2];
     struct card_part part;
     struct card_light light = {{0, 0, 0}};
-    trace_rims(spare, plan, room);
-    if (!has_rims(spare, room)) {
+    trace_rims(reuse, plan, scratch);
+    if (!has_rims(reuse, scratch)) {
         return RAY_REUSE_TRACED;
     }
-    if (spare->view != NULL) {
-        return take_backdrop(spare, plan, samples, room, sums);
+    if (reuse->view != NULL) {
+        return take_backdrop(reuse, plan, samples, scratch, sums);
     }
-    find_part(spare, room, w, &part);
-    if (may_be_even(spare, &part) && card_is_even(spare->card, &part, &light) &&
-        (has_light(spare, plan) || is_black(light))) {
-        ray_reuse_fill(spare, plan, samples, light, sums);
-        sights[SIGHT_SEEN] += RAYS_BLOCK * samples * spare->passes;
+    find_part(reuse, scratch, w, &part);
+    if (may_be_even(reuse, &part) && card_is_even(reuse->card, &part, &light) &&
+        (has_light(reuse, plan) || is_black(light))) {
+        ray_reuse_fill(reuse, plan, samples, light, sums);
+        sights[SIGHT_SEEN] += RAYS_BLOCK * samples * reuse->passes;
         return RAY_REUSE_EVEN;
     }
-    if (!skip_is_kept(spare->kept, SKIP_BLUR) && has_light(spare, plan) &&
-        !spare->film->region.has_hole && is_sharp(spare, room, &part, w) &&
-        reuse_grid_trace(spare, plan, room->net)) {
-        return reuse_grid_look(spare, plan, samples, room->net, sights, sums) ? RAY_REUSE_SHARP
-                                                                              : RAY_REUSE_ENDED;
+    if (!skip_is_kept(reuse->kept, SKIP_BLUR) && has_light(reuse, plan) &&
+        !reuse->film->region.has_hole && is_sharp(reuse, scratch, &part, w) &&
+        reuse_grid_trace(reuse, plan, scratch->grid)) {
+        return reuse_grid_look(reuse, plan, samples, scratch->grid, sights, sums) ? RAY_REUSE_SHARP
+                                                                                  : RAY_REUSE_ENDED;
     }
     return RAY_REUSE_TRACED;
 }

@@ -48,20 +48,20 @@ struct ray_reuse {
 /*
  * Make ready.
  *
- * Given     spare   all above `light`
+ * Given     reuse   all above `light`
  *           blocks  of rays for each number of the table
  */
-void ray_reuse_open(struct ray_reuse *spare, size_t blocks, struct arena *arena);
+void ray_reuse_open(struct ray_reuse *reuse, size_t blocks, struct arena *arena);
 
 /* What one thread looks with. */
-struct ray_reuse_room;
-struct ray_reuse_room *ray_reuse_room_new(size_t passes, struct arena *arena);
+struct ray_reuse_scratch;
+struct ray_reuse_scratch *ray_reuse_scratch_new(size_t passes, struct arena *arena);
 
 /* Where a ray passes the frame's lines of sight, x or y, at w = 1/d, d from the pupil. */
-static inline double ray_reuse_seen_at(const struct ray_reuse *spare,
+static inline double ray_reuse_seen_at(const struct ray_reuse *reuse,
                                        const struct depth_card_ray *ray, int axis, double w)
 {
-    return spare->frame * (ray->x[axis] * w - ray->slope[axis]);
+    return reuse->frame * (ray->x[axis] * w - ray->slope[axis]);
 }
 
 /*
@@ -83,8 +83,8 @@ static inline double ray_reuse_seen_at(const struct ray_reuse *spare,
  *           the light and behind a hole in the pupil nothing is. In a scene blur is not: what two
  *           rays meet says nothing of what lies between them
  */
-enum ray_reuse_way ray_reuse_take(const struct ray_reuse *spare, const struct film_plan *plan,
-                                  size_t samples, struct ray_reuse_room *room,
+enum ray_reuse_way ray_reuse_take(const struct ray_reuse *reuse, const struct film_plan *plan,
+                                  size_t samples, struct ray_reuse_scratch *scratch,
                                   uint64_t sights[DEPTH_CARD_SIGHTS],
                                   double (*sums)[CARD_CHANNELS]);
 

@@ -57,7 +57,7 @@ static double small_emitters_angle_between(struct vector a, struct vector b)
 }
 
 double small_emitters_samples(const struct small_emitters *lights, const struct tile_rays *rays,
-                              const struct film_plan *plan, struct tile_room *room)
+                              const struct film_plan *plan, struct tile_scratch *scratch)
 {
     static const double hits = 8, around = 1.1;
     const struct view *view = rays->subject.view;
@@ -71,11 +71,11 @@ double small_emitters_samples(const struct small_emitters *lights, const struct 
     for (int i = 0; i < 5; i++) {
         const double at[2] = {plan->left + shares[i][0] * plan->width,
                               plan->bottom + shares[i][1] * plan->height};
-        lens_film_chief(rays->film, at, &room->samples, &room->rays);
-        if (room->rays.blocks->lost[0] != 0) {
+        lens_film_chief(rays->film, at, &scratch->samples, &scratch->rays);
+        if (scratch->rays.blocks->lost[0] != 0) {
             return 0;
         }
-        way[i] = view_ray(&view->camera, view->pupil, room->rays.blocks, 0, 0).direction;
+        way[i] = view_ray(&view->camera, view->pupil, scratch->rays.blocks, 0, 0).direction;
         cone = fmax(cone, small_emitters_angle_between(way[0], way[i]));
     }
     const double pixel = vector_length(vector_minus(way[1], way[2])) *

@@ -33,6 +33,6 @@ struct small_emitters small_emitters_open(const struct view *view, struct arena 
  * Result    0: none is small
  */
 double small_emitters_samples(const struct small_emitters *lights, const struct tile_rays *rays,
-                              const struct film_plan *plan, struct tile_room *room);
+                              const struct film_plan *plan, struct tile_scratch *scratch);
 
 #endif

@@ -96,54 +96,55 @@ void tile_rays_open(const struct photograph_question *question, const struct len
 
 /* Start and trace a block of points of a plan, at a wavelength of the lens. */
 static void tile_block_trace(const struct tile_rays *tile, const struct film_plan *plan,
-                             uint32_t block, size_t wavelength, struct tile_room *room)
+                             uint32_t block, size_t wavelength, struct tile_scratch *scratch)
 {
-    film_rays_plan(plan, tile->in_strands ? room->cells : NULL, block, SET_BEST, &room->samples);
-    lens_film_start(tile->film, &room->samples, room->rays.blocks);
-    lens_film_trace(tile->film, wavelength, &room->samples, &room->rays);
+    film_rays_plan(plan, tile->in_strands ? scratch->cells : NULL, block, SET_BEST,
+                   &scratch->samples);
+    lens_film_start(tile->film, &scratch->samples, scratch->rays.blocks);
+    lens_film_trace(tile->film, wavelength, &scratch->samples, &scratch->rays);
 }
 
 /* When the rays of a block come: evenly within the time that each has, the middle of all at 0. */
 static void tile_block_time_rays(const struct tile_rays *tile, uint32_t block,
-                                 struct tile_room *room)
+                                 struct tile_scratch *scratch)
 {
     const double duration = tile->duration;
     if (duration > 0) {
-        sobol_points(&tile->when, room->when, block, room->times);
-        const double *begin = room->samples.begin, *end = room->samples.end;
+        sobol_points(&tile->when, scratch->when, block, scratch->times);
+        const double *begin = scratch->samples.begin, *end = scratch->samples.end;
         const bool is_shut = tile->film->shutter != NULL;
         for (size_t i = 0; i < RAYS_BLOCK; i++) {
-            room->times[i] = is_shut ? begin[i] + room->times[i] * (end[i] - begin[i])
-                                     : duration * (room->times[i] - 0.5);
+            scratch->times[i] = is_shut ? begin[i] + scratch->times[i] * (end[i] - begin[i])
+                                        : duration * (scratch->times[i] - 0.5);
         }
     }
 }
 
-/* The light along a block of traced rays, in these lanes: room->light. */
+/* The light along a block of traced rays, in these lanes: scratch->light. */
 static void tile_block_look(const struct tile_rays *tile, uint32_t block, const struct lanes *lanes,
-                            struct tile_room *room)
+                            struct tile_scratch *scratch)
 {
-    tile_block_time_rays(tile, block, room);
-    const struct subject_rays rays = {.block = room->rays.blocks,
-                                      .weights = room->samples.weight,
-                                      .times = room->times,
+    tile_block_time_rays(tile, block, scratch);
+    const struct subject_rays rays = {.block = scratch->rays.blocks,
+                                      .weights = scratch->samples.weight,
+                                      .times = scratch->times,
                                       .lanes = lanes,
-                                      .sequence = &room->sequence,
+                                      .sequence = &scratch->sequence,
                                       .number = block};
-    tile->subject.look(&tile->subject, &rays, room->counts, room->light);
+    tile->subject.look(&tile->subject, &rays, scratch->counts, scratch->light);
 }
 
 /* Does a ray arrive, from a lit place, taken by the pixel? */
-static inline bool tile_block_arrives(const struct tile_room *room, size_t i)
+static inline bool tile_block_arrives(const struct tile_scratch *scratch, size_t i)
 {
-    return room->samples.weight[i] > 0 && room->rays.blocks->lost[i] == 0;
+    return scratch->samples.weight[i] > 0 && scratch->rays.blocks->lost[i] == 0;
 }
 
 /* Count a traced ray. */
-static inline void tile_block_count(size_t i, struct tile_room *room)
+static inline void tile_block_count(size_t i, struct tile_scratch *scratch)
 {
-    room->counts[PHOTOGRAPH_TRACED] += room->samples.weight[i] > 0;
-    room->counts[PHOTOGRAPH_PASSED] += tile_block_arrives(room, i);
+    scratch->counts[PHOTOGRAPH_TRACED] += scratch->samples.weight[i] > 0;
+    scratch->counts[PHOTOGRAPH_PASSED] += tile_block_arrives(scratch, i);
 }
 
 /* -------- colours that share rays -------- */
@@ -158,7 +159,7 @@ struct round {
 };
 
 struct tile_colours {
-    struct lateral_colour_room *fringes;
+    struct lateral_colour_scratch *fringes;
     struct round round;
 };
 
@@ -166,15 +167,15 @@ struct tile_colours {
 static struct tile_colours *tile_colours_new(size_t passes, struct arena *arena)
 {
     struct tile_colours *colours = ARENA_NEW(arena, struct tile_colours);
-    colours->fringes = lateral_colour_room_new(passes, arena);
+    colours->fringes = lateral_colour_scratch_new(passes, arena);
     return colours;
 }
 
 /* Begin a tile, in which nothing is shared yet. */
-static void tile_colours_begin(struct tile_room *room)
+static void tile_colours_begin(struct tile_scratch *scratch)
 {
-    room->fringes = NULL;
-    memset(&room->colours->round, 0, sizeof room->colours->round);
+    scratch->fringes = NULL;
+    memset(&scratch->colours->round, 0, sizeof scratch->colours->round);
 }
 
 /* Samples of a round, whose weights are compared, and of all rounds before it. */
@@ -187,17 +188,17 @@ static size_t tile_colours_middle_of(const struct tile_rays *tile)
 
 /* What of the light comes to the pixels, by each colour's own rays. */
 static void trace_own(const struct tile_rays *tile, const struct film_plan *plan, uint32_t block,
-                      struct tile_room *room)
+                      struct tile_scratch *scratch)
 {
-    struct round *round = &room->colours->round;
-    const struct film_samples *samples = &room->samples;
+    struct round *round = &scratch->colours->round;
+    const struct film_samples *samples = &scratch->samples;
     for (size_t wavelength = 0; wavelength < tile->passes; wavelength++) {
         const struct ray_reuse_pass *pass = &tile->pass[wavelength];
-        tile_block_trace(tile, plan, block, wavelength, room);
+        tile_block_trace(tile, plan, block, wavelength, scratch);
         for (size_t i = 0; i < RAYS_BLOCK; i++) {
             double *own = round->own[tile_cell_of(plan, samples->x[i], samples->y[i]).pixel];
-            tile_block_count(i, room);
-            for (size_t k = pass->begin; k < pass->end && tile_block_arrives(room, i); k++) {
+            tile_block_count(i, scratch);
+            for (size_t k = pass->begin; k < pass->end && tile_block_arrives(scratch, i); k++) {
                 own[k] += pass->share * samples->weight[i];
             }
         }
@@ -205,11 +206,11 @@ static void trace_own(const struct tile_rays *tile, const struct film_plan *plan
 }
 
 /* Points of pixels become points of all that any colour shows there. */
-static void move_points(const struct film_plan *plan, struct tile_room *room,
+static void move_points(const struct film_plan *plan, struct tile_scratch *scratch,
                         struct tile_cell cells[RAYS_BLOCK])
 {
-    const struct lateral_colour *fringes = room->fringes;
-    struct film_samples *samples = &room->samples;
+    const struct lateral_colour *fringes = scratch->fringes;
+    struct film_samples *samples = &scratch->samples;
     const double wide = plan->width / TILE_ACROSS, high = plan->height / TILE_DOWN;
     const double more_x = (fringes->high[0] - fringes->low[0]) / wide;
     const double more_y = (fringes->high[1] - fringes->low[1]) / high;
@@ -223,15 +224,15 @@ static void move_points(const struct film_plan *plan, struct tile_room *room,
 }
 
 /* Does a ray of the middle show what one of this wavelength does, of the same pixel? */
-static bool shows_same(const struct film_plan *plan, const struct tile_room *room, size_t i,
+static bool shows_same(const struct film_plan *plan, const struct tile_scratch *scratch, size_t i,
                        const struct tile_cell *cell, size_t wavelength)
 {
-    const double across = (room->samples.x[i] - plan->left) / plan->width;
-    const double up = (room->samples.y[i] - plan->bottom) / plan->height;
+    const double across = (scratch->samples.x[i] - plan->left) / plan->width;
+    const double up = (scratch->samples.y[i] - plan->bottom) / plan->height;
     const double x =
-        across - lateral_colour_moved(room->fringes, wavelength, 0, across, up) / plan->width;
+        across - lateral_colour_moved(scratch->fringes, wavelength, 0, across, up) / plan->width;
     const double y =
-        up - lateral_colour_moved(room->fringes, wavelength, 1, across, up) / plan->height;
+        up - lateral_colour_moved(scratch->fringes, wavelength, 1, across, up) / plan->height;
     const double column = TILE_ACROSS * x - (double)cell->column;
     const double row = TILE_DOWN * y - (double)cell->row;
     return column >= 0 && column < 1 && row >= 0 && row < 1;
@@ -254,35 +255,35 @@ static void add_shared(const struct ray_reuse_pass *pass, size_t pixel, double w
 
 /* A block of points: rays of the middle, for all channels. */
 static void sum_shared(const struct tile_rays *tile, const struct film_plan *plan, uint32_t block,
-                       struct tile_room *room)
+                       struct tile_scratch *scratch)
 {
     static const struct lanes lanes = {TILE_CHANNELS, {0, 1, 2}};
     struct tile_cell cells[RAYS_BLOCK];
-    trace_own(tile, plan, block, room);
-    move_points(plan, room, cells);
-    lens_film_start(tile->film, &room->samples, room->rays.blocks);
-    lens_film_trace(tile->film, tile_colours_middle_of(tile), &room->samples, &room->rays);
-    tile_block_look(tile, block, &lanes, room);
+    trace_own(tile, plan, block, scratch);
+    move_points(plan, scratch, cells);
+    lens_film_start(tile->film, &scratch->samples, scratch->rays.blocks);
+    lens_film_trace(tile->film, tile_colours_middle_of(tile), &scratch->samples, &scratch->rays);
+    tile_block_look(tile, block, &lanes, scratch);
     for (size_t i = 0; i < RAYS_BLOCK; i++) {
-        const double weight = room->samples.weight[i];
-        for (size_t w = 0; w < tile->passes && tile_block_arrives(room, i); w++) {
-            add_shared(&tile->pass[w], cells[i].pixel, weight, room->light[i],
-                       shows_same(plan, room, i, &cells[i], w), &room->colours->round);
+        const double weight = scratch->samples.weight[i];
+        for (size_t w = 0; w < tile->passes && tile_block_arrives(scratch, i); w++) {
+            add_shared(&tile->pass[w], cells[i].pixel, weight, scratch->light[i],
+                       shows_same(plan, scratch, i, &cells[i], w), &scratch->colours->round);
         }
     }
 }
 
 /* A round is complete: sums receive what it brought. */
-static void complete_round(struct tile_room *room)
+static void complete_round(struct tile_scratch *scratch)
 {
-    struct round *round = &room->colours->round;
+    struct round *round = &scratch->colours->round;
     for (size_t i = 0; i < TILE_PIXELS; i++) {
         for (size_t k = 0; k < TILE_CHANNELS; k++) {
             const double own = round->own[i][k];
             if (round->seen[i][k] > 0) {
-                room->sums[i][k] += own * round->light[i][k] / round->seen[i][k];
+                scratch->sums[i][k] += own * round->light[i][k] / round->seen[i][k];
             } else if (round->nearby[i][k] > 0) {
-                room->sums[i][k] += own * round->light_of[i][k] / round->nearby[i][k];
+                scratch->sums[i][k] += own * round->light_of[i][k] / round->nearby[i][k];
             }
         }
     }
@@ -290,42 +291,43 @@ static void complete_round(struct tile_room *room)
 }
 
 bool tile_colours_share(const struct tile_rays *tile, const struct film_plan *plan,
-                        struct tile_room *room)
+                        struct tile_scratch *scratch)
 {
     const double pixel[2] = {plan->width / TILE_ACROSS, plan->height / TILE_DOWN};
     if (tile->may_share && tile->subject.view != NULL && !tile_rays_in_bands(tile)) {
-        room->fringes = lateral_colour_find(tile->film, tile->passes, tile_colours_middle_of(tile),
-                                            pixel, plan, room->colours->fringes);
+        scratch->fringes =
+            lateral_colour_find(tile->film, tile->passes, tile_colours_middle_of(tile), pixel, plan,
+                                scratch->colours->fringes);
     }
-    return room->fringes != NULL;
+    return scratch->fringes != NULL;
 }
 
 /*
  * Blocks begin .. end - 1 of points of a tile whose colours share rays.
  *
- * Result    room->sums, where a round ends: after a power of two of blocks, 8 at least
+ * Result    scratch->sums, where a round ends: after a power of two of blocks, 8 at least
  * Formula   of each pixel and colour the light that its own rays bring from a white scene, times
  *           the mean of what the shared rays show that look where these do. Means of few are off by
  *           as much as weights and light have to do with each other over their number: rounds are
  *           as long as all before them
  */
 static void tile_colours_sum(const struct tile_rays *tile, const struct film_plan *plan,
-                             size_t begin, size_t end, struct tile_room *room)
+                             size_t begin, size_t end, struct tile_scratch *scratch)
 {
     for (uint32_t block = (uint32_t)begin; block < end; block++) {
-        sum_shared(tile, plan, block, room);
+        sum_shared(tile, plan, block, scratch);
     }
     if (end >= FIRST_ROUND && (end & (end - 1)) == 0) {
-        complete_round(room);
+        complete_round(scratch);
     }
 }
 
-struct tile_room *tile_room_new(size_t passes, struct arena *arena)
+struct tile_scratch *tile_scratch_new(size_t passes, struct arena *arena)
 {
-    struct tile_room *room = ARENA_NEW(arena, struct tile_room);
-    room->rays = rays_new(arena, RAYS_BLOCK);
-    room->colours = tile_colours_new(passes, arena);
-    return room;
+    struct tile_scratch *scratch = ARENA_NEW(arena, struct tile_scratch);
+    scratch->rays = rays_new(arena, RAYS_BLOCK);
+    scratch->colours = tile_colours_new(passes, arena);
+    return scratch;
 }
 
 /* -------- rays -------- */
@@ -339,12 +341,12 @@ struct tile_rays_way {
 
 /* What one ray brings to its pixel. */
 static void tile_rays_add_ray(const struct film_plan *plan, const struct ray_reuse_pass *pass,
-                              size_t i, struct tile_room *room)
+                              size_t i, struct tile_scratch *scratch)
 {
-    const struct film_samples *samples = &room->samples;
-    double *sums = room->sums[tile_cell_of(plan, samples->x[i], samples->y[i]).pixel];
-    const double *light = room->light[i];
-    tile_block_count(i, room);
+    const struct film_samples *samples = &scratch->samples;
+    double *sums = scratch->sums[tile_cell_of(plan, samples->x[i], samples->y[i]).pixel];
+    const double *light = scratch->light[i];
+    tile_block_count(i, scratch);
     for (size_t channel = pass->begin; channel < pass->end; channel++) {
         sums[channel] += pass->share * samples->weight[i] * light[channel];
     }
@@ -352,12 +354,12 @@ static void tile_rays_add_ray(const struct film_plan *plan, const struct ray_reu
 
 /* A block of points, of one wavelength of the lens, in the bands of these lanes. */
 static void sum_block(const struct tile_rays *tile, const struct film_plan *plan, uint32_t block,
-                      const struct tile_rays_way *way, struct tile_room *room)
+                      const struct tile_rays_way *way, struct tile_scratch *scratch)
 {
-    tile_block_trace(tile, plan, block, way->wavelength, room);
-    tile_block_look(tile, block, &way->lanes, room);
+    tile_block_trace(tile, plan, block, way->wavelength, scratch);
+    tile_block_look(tile, block, &way->lanes, scratch);
     for (size_t i = 0; i < RAYS_BLOCK; i++) {
-        tile_rays_add_ray(plan, &way->pass, i, room);
+        tile_rays_add_ray(plan, &way->pass, i, scratch);
     }
 }
 
@@ -368,43 +370,43 @@ static void sum_block(const struct tile_rays *tile, const struct film_plan *plan
  * rays depends on the band, so that the balance heuristic is the plain mean [Wilkie14].
  */
 static void sum_bands(const struct tile_rays *tile, const struct film_plan *plan, uint32_t block,
-                      struct tile_room *room)
+                      struct tile_scratch *scratch)
 {
     const size_t count = tile->subject.view->bands->count;
     /* blocks are points of a sequence too: those of their first places */
     const uint32_t point = block * SOBOL_BLOCK;
-    const double hero = sobol_point(&tile->hero, room->hero, point);
+    const double hero = sobol_point(&tile->hero, scratch->hero, point);
     struct tile_rays_way way = {.pass = {0, TILE_CHANNELS, (double)count / BANDS_LANES}};
     for (size_t lane = 0; lane < BANDS_LANES; lane++) {
         const size_t band = (size_t)((double)count * (((double)lane + hero) / BANDS_LANES));
         if (tile->passes > 1) {
             way.wavelength = band;
             way.lanes = (struct lanes){1, {band}};
-            sum_block(tile, plan, block, &way, room);
+            sum_block(tile, plan, block, &way, scratch);
         } else {
             way.lanes.band[way.lanes.count++] = band;
         }
     }
     if (tile->passes == 1) {
-        sum_block(tile, plan, block, &way, room);
+        sum_block(tile, plan, block, &way, scratch);
     }
 }
 
 double tile_rays_light(const struct tile_rays *tile, const double at[2], size_t blocks,
-                       struct tile_room *room)
+                       struct tile_scratch *scratch)
 {
     const size_t wavelength = tile_rays_in_bands(tile) ? tile->passes / 2 : 0;
-    return lens_film_light(tile->film, at, wavelength, blocks, &room->samples, &room->rays);
+    return lens_film_light(tile->film, at, wavelength, blocks, &scratch->samples, &scratch->rays);
 }
 
 /* -------- tiles -------- */
 
 void tile_rays_sum(const struct tile_rays *tile, const struct film_plan *plan, size_t begin,
-                   size_t end, struct tile_room *room)
+                   size_t end, struct tile_scratch *scratch)
 {
     assert(!tile->in_strands || end <= (size_t)1 << tile->bits);
-    if (room->fringes != NULL) {
-        tile_colours_sum(tile, plan, begin, end, room);
+    if (scratch->fringes != NULL) {
+        tile_colours_sum(tile, plan, begin, end, scratch);
         return;
     }
     /* the same points for all channels: what is left of noise is grey */
@@ -414,30 +416,30 @@ void tile_rays_sum(const struct tile_rays *tile, const struct film_plan *plan, s
             way.lanes.band[way.lanes.count++] = k;
         }
         for (uint32_t block = (uint32_t)begin; block < end; block++) {
-            sum_block(tile, plan, block, &way, room);
+            sum_block(tile, plan, block, &way, scratch);
         }
     }
     for (uint32_t block = (uint32_t)begin; block < end && tile_rays_in_bands(tile); block++) {
-        sum_bands(tile, plan, block, room);
+        sum_bands(tile, plan, block, scratch);
     }
 }
 
 void tile_rays_begin(const struct tile_rays *tile, size_t number, struct film_plan *plan,
-                     struct tile_room *room)
+                     struct tile_scratch *scratch)
 {
     const struct view *view = tile->subject.view;
-    memset(room->sums, 0, sizeof room->sums);
-    tile_colours_begin(room);
+    memset(scratch->sums, 0, sizeof scratch->sums);
+    tile_colours_begin(scratch);
     plan->sobol = tile->film_points;
     for (uint32_t k = 0; k < FILM_DIMENSIONS; k++) {
         plan->scrambling[k] = sobol_scrambling(tile->seed, number, k);
     }
-    room->when = sobol_scrambling(tile->seed, number, TIME_DIMENSION);
-    room->hero = sobol_scrambling(tile->seed, number, HERO_DIMENSION);
+    scratch->when = sobol_scrambling(tile->seed, number, TIME_DIMENSION);
+    scratch->hero = sobol_scrambling(tile->seed, number, HERO_DIMENSION);
     if (tile->in_strands) {
-        tile_order(tile->seed, number, room->cells);
+        tile_order(tile->seed, number, scratch->cells);
     }
     if (view != NULL) {
-        sampler_sequence_open(view->points, tile->seed, (uint32_t)number, &room->sequence);
+        sampler_sequence_open(view->points, tile->seed, (uint32_t)number, &scratch->sequence);
     }
 }

@@ -25,7 +25,7 @@ struct tile_rays {
 };
 
 /* What one thread traces in; its colours are those that share rays. */
-struct tile_room {
+struct tile_scratch {
     struct film_samples samples;
     struct rays rays;
     subject_light light;
@@ -60,7 +60,7 @@ void tile_rays_open(const struct photograph_question *question, const struct len
 /* The points again, of a scene: for so many samples that they are below 2^bits. */
 void tile_rays_open_points(struct tile_rays *tile, uint32_t bits);
 
-struct tile_room *tile_room_new(size_t passes, struct arena *arena);
+struct tile_scratch *tile_scratch_new(size_t passes, struct arena *arena);
 
 /* Is light carried in many bands, each a wavelength of the lens? */
 static inline bool tile_rays_in_bands(const struct tile_rays *tile)
@@ -74,11 +74,11 @@ static inline bool tile_rays_in_bands(const struct tile_rays *tile)
  * middle one.
  */
 double tile_rays_light(const struct tile_rays *tile, const double at[2], size_t blocks,
-                       struct tile_room *room);
+                       struct tile_scratch *scratch);
 
 /* Begin tile `number` of the frame: its points, of the plan, too; and sums of 0; none is shared. */
 void tile_rays_begin(const struct tile_rays *tile, size_t number, struct film_plan *plan,
-                     struct tile_room *room);
+                     struct tile_scratch *scratch);
 
 /*
  * Add weights times light, a pixel and channel each: blocks begin .. end - 1 of points, below
@@ -86,15 +86,15 @@ void tile_rays_begin(const struct tile_rays *tile, size_t number, struct film_pl
  * two, 8 at least, and all blocks since the one before it were summed one after the other.
  */
 void tile_rays_sum(const struct tile_rays *tile, const struct film_plan *plan, size_t begin,
-                   size_t end, struct tile_room *room);
+                   size_t end, struct tile_scratch *scratch);
 
 /*
  * May rays of one colour stand for those of all in this tile, but for where they come from? Then
  * tile_rays_sum looks along them alone.
  *
- * Result    room->fringes; null: they may not
+ * Result    scratch->fringes; null: they may not
  */
 bool tile_colours_share(const struct tile_rays *tile, const struct film_plan *plan,
-                        struct tile_room *room);
+                        struct tile_scratch *scratch);
 
 #endif

@@ -9,18 +9,18 @@
 enum { ENDED_EVERY = 8 };
 
 /* What one thread works in. */
-struct room {
-    struct tile_room *tile;
+struct tile_work_scratch {
+    struct tile_scratch *tile;
     double half[TILE_PIXELS][TILE_CHANNELS];
-    struct ray_reuse_room *spare;
+    struct ray_reuse_scratch *reuse;
 };
 
-static struct room *tile_work_room_of(size_t passes, struct arena *arena)
+static struct tile_work_scratch *tile_work_scratch_of(size_t passes, struct arena *arena)
 {
-    struct room *room = ARENA_NEW(arena, struct room);
-    room->tile = tile_room_new(passes, arena);
-    room->spare = ray_reuse_room_new(passes, arena);
-    return room;
+    struct tile_work_scratch *scratch = ARENA_NEW(arena, struct tile_work_scratch);
+    scratch->tile = tile_scratch_new(passes, arena);
+    scratch->reuse = ray_reuse_scratch_new(passes, arena);
+    return scratch;
 }
 
 /* -------- rays of a tile -------- */
@@ -55,23 +55,24 @@ static bool tile_work_is_over(const struct tile_work *work)
 
 /* As tile_rays_sum; false: it is over, and the sums are of some of them. */
 static bool sum(const struct tile_work *work, const struct film_plan *plan, size_t begin,
-                size_t end, struct room *room)
+                size_t end, struct tile_work_scratch *scratch)
 {
     for (size_t i = begin; i < end; i += ENDED_EVERY) {
         if (i > begin && tile_work_is_over(work)) {
             return false;
         }
         const size_t last = i + ENDED_EVERY < end ? i + ENDED_EVERY : end;
-        tile_rays_sum(&work->rays, plan, i, last, room->tile);
+        tile_rays_sum(&work->rays, plan, i, last, scratch->tile);
     }
     return true;
 }
 
 /* How far the halves of a tile are from each other, as a multiple of the error asked for. */
-static double tile_work_error_of(const struct tile_work *work, const struct room *room,
-                                 double samples)
+static double tile_work_error_of(const struct tile_work *work,
+                                 const struct tile_work_scratch *scratch, double samples)
 {
-    const double *first = (const double *)room->half, *both = (const double *)room->tile->sums;
+    const double *first = (const double *)scratch->half,
+                 *both = (const double *)scratch->tile->sums;
     const size_t count = TILE_PIXELS * TILE_CHANNELS;
     return work->question->view != NULL
                ? convergence_relative(&work->goal, first, both, count, samples)
@@ -81,38 +82,38 @@ static double tile_work_error_of(const struct tile_work *work, const struct room
 /* Twice as many samples again and again, until the error is reached; returns how many, 0: it is
    over before. */
 static size_t sum_until(const struct tile_work *work, const struct film_plan *plan,
-                        struct room *room)
+                        struct tile_work_scratch *scratch)
 {
-    const double least = small_emitters_samples(&work->small, &work->rays, plan, room->tile);
+    const double least = small_emitters_samples(&work->small, &work->rays, plan, scratch->tile);
     size_t samples = CONVERGENCE_LEAST / 2;
     double error = INFINITY;
-    bool is_whole = sum(work, plan, 0, samples, room);
+    bool is_whole = sum(work, plan, 0, samples, scratch);
     for (; is_whole && (!(error <= 1) || (double)samples < least) &&
            samples < work->question->samples;
          samples *= 2) {
-        memcpy(room->half, room->tile->sums, sizeof room->half);
-        is_whole = sum(work, plan, samples, 2 * samples, room);
-        error = tile_work_error_of(work, room, (double)samples);
+        memcpy(scratch->half, scratch->tile->sums, sizeof scratch->half);
+        is_whole = sum(work, plan, samples, 2 * samples, scratch);
+        error = tile_work_error_of(work, scratch, (double)samples);
     }
-    convergence_add(room->tile->counts + PHOTOGRAPH_CONVERGENCE, error, samples);
+    convergence_add(scratch->tile->counts + PHOTOGRAPH_CONVERGENCE, error, samples);
     return is_whole ? samples : 0;
 }
 
 /* One stage more, from what there is; returns how many samples there are then, 0: it is over
    before. */
 static size_t sum_stage(const struct tile_work *work, const struct film_plan *plan,
-                        struct tile_stage *stage, struct room *room)
+                        struct tile_stage *stage, struct tile_work_scratch *scratch)
 {
     const size_t before = stage->samples, samples = before > 0 ? 2 * before : CONVERGENCE_LEAST;
-    memcpy(room->tile->sums, stage->sums, sizeof stage->sums);
-    memcpy(room->half, stage->sums, sizeof stage->sums);
-    if (!sum(work, plan, before, samples, room)) {
+    memcpy(scratch->tile->sums, stage->sums, sizeof stage->sums);
+    memcpy(scratch->half, stage->sums, sizeof stage->sums);
+    if (!sum(work, plan, before, samples, scratch)) {
         return 0;
     }
-    memcpy(stage->sums, room->tile->sums, sizeof stage->sums);
+    memcpy(stage->sums, scratch->tile->sums, sizeof stage->sums);
     stage->samples = samples;
     stage->error = before > 0 && work->question->error > 0
-                       ? tile_work_error_of(work, room, (double)before)
+                       ? tile_work_error_of(work, scratch, (double)before)
                        : INFINITY;
     return samples;
 }
@@ -125,13 +126,14 @@ static bool is_last_stage(const struct tile_work *work, const struct tile_stage 
 
 /* What a tile comes to; it is taken already if that needs none of its rays. */
 static enum ray_reuse_way tile_work_way_of(const struct tile_work *work,
-                                           const struct film_plan *plan, struct room *room)
+                                           const struct film_plan *plan,
+                                           struct tile_work_scratch *scratch)
 {
-    struct tile_room *tile = room->tile;
+    struct tile_scratch *tile = scratch->tile;
     const size_t samples = work->question->samples;
     enum ray_reuse_way way = RAY_REUSE_TRACED;
-    if (work->spare != NULL) {
-        way = ray_reuse_take(work->spare, plan, samples, room->spare, tile->counts, tile->sums);
+    if (work->reuse != NULL) {
+        way = ray_reuse_take(work->reuse, plan, samples, scratch->reuse, tile->counts, tile->sums);
     }
     return way == RAY_REUSE_TRACED && samples >= TILE_FEW_SAMPLES &&
                    tile_colours_share(&work->rays, plan, tile)
@@ -141,32 +143,32 @@ static enum ray_reuse_way tile_work_way_of(const struct tile_work *work,
 
 /* All samples of a tile, by its place in the frame; returns how many, 0: it is over before. */
 static size_t sum_tile(const struct tile_work *work, struct film_plan *plan, size_t tile,
-                       struct tile_stage *stage, struct room *room)
+                       struct tile_stage *stage, struct tile_work_scratch *scratch)
 {
     const struct photograph_question *question = work->question;
-    tile_rays_begin(&work->rays, tile, plan, room->tile);
-    const enum ray_reuse_way way = tile_work_way_of(work, plan, room);
+    tile_rays_begin(&work->rays, tile, plan, scratch->tile);
+    const enum ray_reuse_way way = tile_work_way_of(work, plan, scratch);
     if (way == RAY_REUSE_ENDED) {
         return 0;
     }
-    room->tile->counts[PHOTOGRAPH_WAYS + way] += stage == NULL || stage->samples == 0;
+    scratch->tile->counts[PHOTOGRAPH_WAYS + way] += stage == NULL || stage->samples == 0;
     if (stage != NULL) {
-        return sum_stage(work, plan, stage, room);
+        return sum_stage(work, plan, stage, scratch);
     }
     if (way == RAY_REUSE_SHARP || way == RAY_REUSE_EVEN) {
         return question->samples;
     }
     if (question->error > 0) {
-        return sum_until(work, plan, room);
+        return sum_until(work, plan, scratch);
     }
-    return sum(work, plan, 0, question->samples, room) ? question->samples : 0;
+    return sum(work, plan, 0, question->samples, scratch) ? question->samples : 0;
 }
 
 /* -------- tiles -------- */
 
 /* Tile `tile` of the crop; its points are those of its place in the frame. False: it is over
    before. */
-static bool take_tile(const struct tile_work *work, size_t tile, struct room *room)
+static bool take_tile(const struct tile_work *work, size_t tile, struct tile_work_scratch *scratch)
 {
     const struct tile_grid *tiling = &work->tiling;
     float pixels[TILE_PIXELS][TILE_CHANNELS];
@@ -177,15 +179,15 @@ static bool take_tile(const struct tile_work *work, size_t tile, struct room *ro
         return true;
     }
     struct tile_stage *stage = work->stages != NULL ? &work->stages[tile] : NULL;
-    const size_t samples =
-        sum_tile(work, &plan, row / TILE_DOWN * tiling->frame + column / TILE_ACROSS, stage, room);
+    const size_t samples = sum_tile(
+        work, &plan, row / TILE_DOWN * tiling->frame + column / TILE_ACROSS, stage, scratch);
     if (samples == 0) {
         return false;
     }
     for (size_t k = 0; k < TILE_PIXELS; k++) {
         for (size_t channel = 0; channel < TILE_CHANNELS; channel++) {
             pixels[k][channel] =
-                (float)(work->scale * room->tile->sums[k][channel] / (double)samples);
+                (float)(work->scale * scratch->tile->sums[k][channel] / (double)samples);
         }
     }
     tiling_copy(tiling, work->image, tile, TILE_TO_PICTURE, pixels);
@@ -193,13 +195,13 @@ static bool take_tile(const struct tile_work *work, size_t tile, struct room *ro
 }
 
 /* The same, of which nothing stays, nor is counted, if it is over before. */
-static bool try_tile(const struct tile_work *work, size_t tile, struct room *room)
+static bool try_tile(const struct tile_work *work, size_t tile, struct tile_work_scratch *scratch)
 {
     uint64_t counts[PHOTOGRAPH_COUNTS];
-    memcpy(counts, room->tile->counts, sizeof counts);
-    const bool is_whole = take_tile(work, tile, room);
+    memcpy(counts, scratch->tile->counts, sizeof counts);
+    const bool is_whole = take_tile(work, tile, scratch);
     if (!is_whole) {
-        memcpy(room->tile->counts, counts, sizeof counts);
+        memcpy(scratch->tile->counts, counts, sizeof counts);
     }
     return is_whole;
 }
@@ -217,20 +219,20 @@ void tile_work_take(void *context, const struct parallel_piece *piece)
     const struct tile_work *work = context;
     struct watch *watch = work->question->watch;
     const struct arena_mark mark = arena_mark(piece->arena);
-    struct room *room = tile_work_room_of(work->rays.passes, piece->arena);
+    struct tile_work_scratch *scratch = tile_work_scratch_of(work->rays.passes, piece->arena);
     for (size_t i = piece->begin; i < piece->end && !watch_is_ended(watch); i++) {
         const size_t tile = work->first + i;
         if (work->done[tile] == 0) {
-            if (try_tile(work, tile, room)) {
+            if (try_tile(work, tile, scratch)) {
                 work->done[tile] = 1;
                 watch_add(watch, TILE_PIXELS);
             }
         } else if (tile_work_goes_on(work, tile)) {
-            try_tile(work, tile, room);
+            try_tile(work, tile, scratch);
         }
     }
     for (int i = 0; i < PHOTOGRAPH_COUNTS; i++) {
-        atomic_fetch_add(&work->counts[i], room->tile->counts[i]);
+        atomic_fetch_add(&work->counts[i], scratch->tile->counts[i]);
     }
     arena_reset(piece->arena, mark);
 }

@@ -27,7 +27,7 @@ struct tile_work {
     const struct photograph_question *question;
     struct tile_grid tiling; /* of it */
     struct tile_rays rays;
-    const struct ray_reuse *spare; /* null: all is traced */
+    const struct ray_reuse *reuse; /* null: all is traced */
     double scale;                  /* (n'/n)^2, n of the scene */
     double unit;                   /* of means, in errors that are asked for */
     struct convergence_goal goal;  /* of scenes */

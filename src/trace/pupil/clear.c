@@ -18,7 +18,7 @@ static const double beside = 3e-8;
 /* A pupil at work. */
 struct clear_search {
     const struct clearances *margins;
-    const struct pupil_boundary *star;
+    const struct pupil_boundary *boundary;
     struct arena *arena;
 };
 
@@ -28,11 +28,11 @@ struct clear_search {
 static void clear_find_edges(const struct clear_search *finding, const double *angles, size_t count,
                              struct clear_edge *edges, double *radii)
 {
-    const struct pupil_boundary *star = finding->star;
+    const struct pupil_boundary *boundary = finding->boundary;
     struct edge *found = ARENA_ARRAY(finding->arena, count, struct edge);
-    pupil_boundary_edges(finding->margins, star, angles, count, finding->arena, found);
+    pupil_boundary_edges(finding->margins, boundary, angles, count, finding->arena, found);
     for (size_t i = 0; i < count; i++) {
-        edges[i] = clear_edge_of(finding->margins, &star->frame, angles[i], &found[i]);
+        edges[i] = clear_edge_of(finding->margins, &boundary->frame, angles[i], &found[i]);
         radii[i] = found[i].radius;
     }
 }
@@ -66,12 +66,13 @@ static double gauss_share(bool is_cut, double x, double *weight)
 /* Counterclockwise: stars count the other way. */
 static void put_arcs(const struct clear_search *finding, struct clear_pupil *pupil, double *angles)
 {
-    const struct pupil_boundary *star = finding->star;
+    const struct pupil_boundary *boundary = finding->boundary;
     double *widths = ARENA_ARRAY(finding->arena, pupil->arcs, double);
     for (size_t i = 0; i < pupil->arm_count; i++) {
         const size_t arc = i / CLEAR_ARC, last = pupil->arcs - 1 - arc;
-        double low = star->corners[last];
-        double high = last + 1 < pupil->arcs ? star->corners[last + 1] : star->corners[0] + 2 * PI;
+        double low = boundary->corners[last];
+        double high =
+            last + 1 < pupil->arcs ? boundary->corners[last + 1] : boundary->corners[0] + 2 * PI;
         double weight = pupil->gauss[i % CLEAR_ARC];
         double share = gauss_share(pupil->is_cut, pupil->nodes[i % CLEAR_ARC], &weight);
         angles[i] = high - share * (high - low);
@@ -99,7 +100,7 @@ static void put_corners(const struct clear_search *finding, struct clear_pupil *
     struct clear_edge *corners = ARENA_ARRAY(arena, count, struct clear_edge);
     for (size_t i = 0; i < count; i++) {
         const size_t next = (pupil->arcs - i / 2) % pupil->arcs;
-        angles[i] = finding->star->corners[next] + (i % 2 == 0 ? beside : -beside);
+        angles[i] = finding->boundary->corners[next] + (i % 2 == 0 ? beside : -beside);
     }
     clear_find_edges(finding, angles, count, corners, radii);
     pupil->corners = corners;
@@ -140,11 +141,11 @@ static double clear_share(const struct clear_intervals *intervals)
 /* The arms, from angles to areas: r^2/2 of each, in stretched coordinates. */
 static void put_arms(const struct clear_search *finding, struct clear_pupil *pupil)
 {
-    const struct pupil_boundary *star = finding->star;
+    const struct pupil_boundary *boundary = finding->boundary;
     const double *axes = finding->margins->beam->axes;
-    const double unit = star->frame.stretch[0] * star->frame.stretch[1] * axes[0] * axes[3];
+    const double unit = boundary->frame.stretch[0] * boundary->frame.stretch[1] * axes[0] * axes[3];
     /* something that is the last in no direction but one has no arc of its own */
-    const size_t corners = star->corner_count >= 2 ? star->corner_count : 0;
+    const size_t corners = boundary->corner_count >= 2 ? boundary->corner_count : 0;
     pupil->arcs = corners;
     if (corners > 0) {
         pupil->arm_count = corners * CLEAR_ARC;
@@ -322,17 +323,17 @@ void clear_find(const struct system *system, const struct beam *beam,
         return;
     }
     const struct clearances margins = clearances_open(&frame, arena);
-    struct pupil_boundary *star = ARENA_NEW(arena, struct pupil_boundary);
-    const struct clear_search finding = {&margins, star, arena};
-    pupil->is_empty = !pupil_boundary_find(&margins, arena, star);
+    struct pupil_boundary *boundary = ARENA_NEW(arena, struct pupil_boundary);
+    const struct clear_search finding = {&margins, boundary, arena};
+    pupil->is_empty = !pupil_boundary_find(&margins, arena, boundary);
     if (pupil->is_empty) {
         return;
     }
-    stop_beam_place(&frame, star->frame.centre[0], star->frame.centre[1], pupil->centre);
+    stop_beam_place(&frame, boundary->frame.centre[0], boundary->frame.centre[1], pupil->centre);
     put_arms(&finding, pupil);
     put_bounds(arena, pupil);
     if (directions > 0) {
         put_edges(&finding, directions, pupil);
     }
-    pupil->islands = pupil_islands_find(&margins, star, arena);
+    pupil->islands = pupil_islands_find(&margins, boundary, arena);
 }

@@ -40,15 +40,15 @@ static bool find_centre(const struct clearances *margins, struct arena *arena, d
 }
 
 /* Centroid and widths of what lies within edges in equal directions. */
-static void pupil_boundary_measure(const struct pupil_boundary *star, double centroid[2],
+static void pupil_boundary_measure(const struct pupil_boundary *boundary, double centroid[2],
                                    double widths[2])
 {
-    const struct edge_frame *frame = &star->frame;
+    const struct edge_frame *frame = &boundary->frame;
     double area = 0, moment[2] = {0, 0}, low[2] = {INFINITY, INFINITY};
     double high[2] = {-INFINITY, -INFINITY};
-    for (size_t i = 0; i < star->count; i++) {
-        double at[2], r = star->edges[i].radius;
-        edge_point(frame, star->angles[i], r, at);
+    for (size_t i = 0; i < boundary->count; i++) {
+        double at[2], r = boundary->edges[i].radius;
+        edge_point(frame, boundary->angles[i], r, at);
         area += r * r / 2;
         for (int k = 0; k < 2; k++) {
             moment[k] += r * r / 3 * (at[k] - frame->centre[k]);
@@ -65,29 +65,29 @@ static void pupil_boundary_measure(const struct pupil_boundary *star, double cen
 }
 
 /* The same edges in another frame; false where they are out of order there, or far apart. */
-static bool change_frame(struct pupil_boundary *star, const struct edge_frame *frame)
+static bool change_frame(struct pupil_boundary *boundary, const struct edge_frame *frame)
 {
     const double widest = 0.45;
     bool sound = true;
-    for (size_t i = 0; i < star->count; i++) {
-        double point[2], before = i > 0 ? star->angles[i - 1] : star->angles[0];
-        edge_point(&star->frame, star->angles[i], star->edges[i].radius, point);
-        edge_polar(frame, point, before, &star->angles[i], &star->edges[i].radius);
-        double gap = star->angles[i] - before;
+    for (size_t i = 0; i < boundary->count; i++) {
+        double point[2], before = i > 0 ? boundary->angles[i - 1] : boundary->angles[0];
+        edge_point(&boundary->frame, boundary->angles[i], boundary->edges[i].radius, point);
+        edge_polar(frame, point, before, &boundary->angles[i], &boundary->edges[i].radius);
+        double gap = boundary->angles[i] - before;
         sound = sound && (i == 0 || (gap > 0 && gap < widest));
     }
-    double gap = star->angles[0] + 2 * PI - star->angles[star->count - 1];
-    star->frame = *frame;
+    double gap = boundary->angles[0] + 2 * PI - boundary->angles[boundary->count - 1];
+    boundary->frame = *frame;
     return sound && gap > 0 && gap < widest;
 }
 
 /* About the centroid, stretched as the edge is. Result: false: directions are to be made anew. */
 static bool fit_frame(const struct pupil_boundary_search *search)
 {
-    struct pupil_boundary *star = search->star;
-    struct edge_frame frame = star->frame;
+    struct pupil_boundary *boundary = search->boundary;
+    struct edge_frame frame = boundary->frame;
     double centroid[2], widths[2];
-    pupil_boundary_measure(star, centroid, widths);
+    pupil_boundary_measure(boundary, centroid, widths);
     if (!(widths[0] > 0 && widths[1] > 0 && isfinite(centroid[0] + centroid[1]))) {
         return true;
     }
@@ -99,25 +99,26 @@ static bool fit_frame(const struct pupil_boundary_search *search)
         frame.centre[k] = centroid[k];
         frame.stretch[k] = widths[k] / 2;
     }
-    return change_frame(star, &frame);
+    return change_frame(boundary, &frame);
 }
 
 /* -------- directions -------- */
 
 static void pupil_boundary_scan(const struct pupil_boundary_search *search, size_t directions)
 {
-    struct pupil_boundary *star = search->star;
+    struct pupil_boundary *boundary = search->boundary;
     double near[MORE_DIRECTIONS];
-    star->count = directions;
-    for (size_t i = 0; i < star->count; i++) {
-        star->angles[i] = 2 * PI * ((double)i + 0.5) / (double)star->count;
-        near[i] = search->before != NULL ? pupil_boundary_near(search->before, star->angles[i]) : 0;
+    boundary->count = directions;
+    for (size_t i = 0; i < boundary->count; i++) {
+        boundary->angles[i] = 2 * PI * ((double)i + 0.5) / (double)boundary->count;
+        near[i] =
+            search->before != NULL ? pupil_boundary_near(search->before, boundary->angles[i]) : 0;
     }
     const size_t own = pupil_boundary_is_mirrored(search) ? directions / 2 : directions;
-    pupil_boundary_limits_find(search, star->angles, search->before != NULL ? near : NULL, own,
-                               star->edges);
+    pupil_boundary_limits_find(search, boundary->angles, search->before != NULL ? near : NULL, own,
+                               boundary->edges);
     for (size_t i = own; i < directions; i++) {
-        star->edges[i] = star->edges[directions - 1 - i];
+        boundary->edges[i] = boundary->edges[directions - 1 - i];
     }
 }
 
@@ -135,13 +136,13 @@ static bool may_peak(double before, double here, double after, double *where)
 /* Directions in between where another margin comes near to 0 without ending an edge. */
 static void pupil_boundary_scan_between(const struct pupil_boundary_search *search)
 {
-    struct pupil_boundary *star = search->star;
+    struct pupil_boundary *boundary = search->boundary;
     const struct clearances *margins = search->margins;
     double points[DIRECTIONS][2], angles[EXTRA], near[EXTRA];
     struct edge edges[EXTRA];
     size_t extra = 0;
     for (size_t i = 0; i < DIRECTIONS; i++) {
-        edge_point(&star->frame, star->angles[i], star->edges[i].radius, points[i]);
+        edge_point(&boundary->frame, boundary->angles[i], boundary->edges[i].radius, points[i]);
     }
     clearances_look(margins, (const double(*)[2])points, DIRECTIONS);
     clearances_narrow(margins, DIRECTIONS);
@@ -150,11 +151,12 @@ static void pupil_boundary_scan_between(const struct pupil_boundary_search *sear
         for (size_t i = 0; i < DIRECTIONS && extra < EXTRA; i++) {
             const size_t last = (i + DIRECTIONS - 1) % DIRECTIONS, next = (i + 1) % DIRECTIONS;
             double where;
-            if (star->edges[i].limit != k && star->edges[last].limit != k &&
-                star->edges[next].limit != k && may_peak(row[last], row[i], row[next], &where)) {
-                near[extra] = star->edges[i].radius;
-                angles[extra++] =
-                    star->angles[i] + where * pupil_boundary_gap(star, where > 0 ? i : last);
+            if (boundary->edges[i].limit != k && boundary->edges[last].limit != k &&
+                boundary->edges[next].limit != k &&
+                may_peak(row[last], row[i], row[next], &where)) {
+                near[extra] = boundary->edges[i].radius;
+                angles[extra++] = boundary->angles[i] +
+                                  where * pupil_boundary_gap(boundary, where > 0 ? i : last);
             }
         }
     }
@@ -163,7 +165,7 @@ static void pupil_boundary_scan_between(const struct pupil_boundary_search *sear
     }
     pupil_boundary_limits_find(search, angles, near, extra, edges);
     for (size_t i = 0; i < extra; i++) {
-        pupil_boundary_enter(star, angles[i], &edges[i]);
+        pupil_boundary_enter(boundary, angles[i], &edges[i]);
     }
 }
 
@@ -171,14 +173,15 @@ static void pupil_boundary_scan_between(const struct pupil_boundary_search *sear
 
 /* Is one thing all of the edge, and as far on one side of the centre as on the other? */
 static bool pupil_boundary_is_even(const struct clearances *margins,
-                                   const struct pupil_boundary *star)
+                                   const struct pupil_boundary *boundary)
 {
     const double alike = 1e-6;
-    const size_t half = star->count / 2;
-    bool even = !margins->is_listed && star->count == DIRECTIONS;
-    for (size_t i = 0; i < star->count && even; i++) {
-        const struct edge *edge = &star->edges[i], *other = &star->edges[(i + half) % star->count];
-        even = edge->limit == star->edges[0].limit &&
+    const size_t half = boundary->count / 2;
+    bool even = !margins->is_listed && boundary->count == DIRECTIONS;
+    for (size_t i = 0; i < boundary->count && even; i++) {
+        const struct edge *edge = &boundary->edges[i],
+                          *other = &boundary->edges[(i + half) % boundary->count];
+        even = edge->limit == boundary->edges[0].limit &&
                fabs(edge->radius - other->radius) < alike * edge->radius;
     }
     return even;
@@ -186,35 +189,35 @@ static bool pupil_boundary_is_even(const struct clearances *margins,
 
 /* Does nothing but the stop or the disc end it? */
 static bool pupil_boundary_is_whole(const struct clearances *margins,
-                                    const struct pupil_boundary *star)
+                                    const struct pupil_boundary *boundary)
 {
-    const size_t first = star->edges[0].limit;
-    bool whole = first < margins->count && !margins->is_listed && star->frame.centre[0] == 0 &&
-                 star->frame.centre[1] == 0;
-    for (size_t i = 0; i < star->count; i++) {
-        whole = whole && star->edges[i].limit == first;
+    const size_t first = boundary->edges[0].limit;
+    bool whole = first < margins->count && !margins->is_listed && boundary->frame.centre[0] == 0 &&
+                 boundary->frame.centre[1] == 0;
+    for (size_t i = 0; i < boundary->count; i++) {
+        whole = whole && boundary->edges[i].limit == first;
     }
     return whole && (margins->all[first].surface == LENS_NONE ||
                      margins->all[first].surface == margins->system->stop);
 }
 
 /* Is it much wider in one direction than in the other, as its frame sees it? */
-static bool is_long(const struct pupil_boundary *star)
+static bool is_long(const struct pupil_boundary *boundary)
 {
     double shortest = INFINITY, longest = 0;
-    for (size_t i = 0; i < star->count; i++) {
-        shortest = fmin(shortest, star->edges[i].radius);
-        longest = fmax(longest, star->edges[i].radius);
+    for (size_t i = 0; i < boundary->count; i++) {
+        shortest = fmin(shortest, boundary->edges[i].radius);
+        longest = fmax(longest, boundary->edges[i].radius);
     }
     return longest > 2 * shortest;
 }
 
 /* Do rays end some of the edge that miss a surface or are reflected? No margin says where. */
-static bool pupil_boundary_loses_rays(const struct pupil_boundary *star)
+static bool pupil_boundary_loses_rays(const struct pupil_boundary *boundary)
 {
     bool some = false;
-    for (size_t i = 0; i < star->count; i++) {
-        some = some || clearances_lost(star->edges[i].limit);
+    for (size_t i = 0; i < boundary->count; i++) {
+        some = some || clearances_lost(boundary->edges[i].limit);
     }
     return some;
 }
@@ -229,38 +232,38 @@ static double choose_tolerance(const struct clearances *margins)
 static void pupil_boundary_finish(const struct pupil_boundary_search *search)
 {
     const struct clearances *margins = search->margins;
-    struct pupil_boundary *star = search->star;
-    star->is_plain = !margins->is_listed && !pupil_boundary_loses_rays(star);
-    if (star->is_plain) {
+    struct pupil_boundary *boundary = search->boundary;
+    boundary->is_plain = !margins->is_listed && !pupil_boundary_loses_rays(boundary);
+    if (boundary->is_plain) {
         pupil_boundary_scan_between(search);
     } else if (!margins->is_listed) {
         pupil_boundary_scan(search, MORE_DIRECTIONS);
     }
-    star->tolerance = search->tolerance;
-    star->is_whole =
-        pupil_boundary_is_whole(margins, star) || pupil_boundary_is_even(margins, star);
+    boundary->tolerance = search->tolerance;
+    boundary->is_whole =
+        pupil_boundary_is_whole(margins, boundary) || pupil_boundary_is_even(margins, boundary);
     pupil_boundary_corners_find(search);
-    pupil_boundary_join(star);
+    pupil_boundary_join(boundary);
 }
 
 bool pupil_boundary_find(const struct clearances *margins, struct arena *arena,
-                         struct pupil_boundary *star)
+                         struct pupil_boundary *boundary)
 {
     enum { FITS = 12 };
-    struct pupil_boundary_search search = {margins, star, NULL, 0};
-    star->frame = (struct edge_frame){.stretch = {1, 1}};
-    star->count = 0;
-    star->corner_count = 0;
+    struct pupil_boundary_search search = {margins, boundary, NULL, 0};
+    boundary->frame = (struct edge_frame){.stretch = {1, 1}};
+    boundary->count = 0;
+    boundary->corner_count = 0;
     clearances_widen(margins);
-    if (!find_centre(margins, arena, star->frame.centre)) {
+    if (!find_centre(margins, arena, boundary->frame.centre)) {
         return false;
     }
     for (int fit = 0;; fit++) {
         search.tolerance = choose_tolerance(margins);
         pupil_boundary_scan(&search, margins->is_listed ? MORE_DIRECTIONS : DIRECTIONS);
-        bool fits =
-            (pupil_boundary_is_whole(margins, star) || pupil_boundary_is_even(margins, star)) &&
-            !is_long(star);
+        bool fits = (pupil_boundary_is_whole(margins, boundary) ||
+                     pupil_boundary_is_even(margins, boundary)) &&
+                    !is_long(boundary);
         if (fits || margins->is_listed || fit == FITS || fit_frame(&search)) {
             break;
         }
@@ -270,26 +273,27 @@ bool pupil_boundary_find(const struct clearances *margins, struct arena *arena,
 }
 
 bool pupil_boundary_follow(const struct clearances *margins, const struct pupil_boundary *before,
-                           struct pupil_boundary *star)
+                           struct pupil_boundary *boundary)
 {
-    struct pupil_boundary_search search = {margins, star, before, 0};
+    struct pupil_boundary_search search = {margins, boundary, before, 0};
     if (margins->is_listed || before->count == 0 || !before->is_plain) {
         return false;
     }
-    star->frame = before->frame;
-    star->corner_count = 0;
+    boundary->frame = before->frame;
+    boundary->corner_count = 0;
     clearances_widen(margins);
-    clearances_look(margins, (const double(*)[2])star->frame.centre, 1);
+    clearances_look(margins, (const double(*)[2])boundary->frame.centre, 1);
     search.tolerance = choose_tolerance(margins);
     if (!(margins->excess[0] <= 0)) {
         return false;
     }
     pupil_boundary_scan(&search, DIRECTIONS);
     const bool fits =
-        pupil_boundary_is_whole(margins, star) || pupil_boundary_is_even(margins, star);
-    if (pupil_boundary_loses_rays(star) || is_long(star) || (!fits && !fit_frame(&search))) {
+        pupil_boundary_is_whole(margins, boundary) || pupil_boundary_is_even(margins, boundary);
+    if (pupil_boundary_loses_rays(boundary) || is_long(boundary) ||
+        (!fits && !fit_frame(&search))) {
         return false;
     }
     pupil_boundary_finish(&search);
-    return star->corner_count == before->corner_count && star->is_whole == before->is_whole;
+    return boundary->corner_count == before->corner_count && boundary->is_whole == before->is_whole;
 }

@@ -46,7 +46,7 @@ struct pupil_boundary {
  *           is not found
  */
 bool pupil_boundary_find(const struct clearances *margins, struct arena *arena,
-                         struct pupil_boundary *star);
+                         struct pupil_boundary *boundary);
 
 /*
  * The same from a star of a beam close by, of another field or wavelength, in a third of the time.
@@ -57,7 +57,7 @@ bool pupil_boundary_find(const struct clearances *margins, struct arena *arena,
  *           before. What is checked of the star is what pupil_boundary_find does
  */
 bool pupil_boundary_follow(const struct clearances *margins, const struct pupil_boundary *before,
-                           struct pupil_boundary *star);
+                           struct pupil_boundary *boundary);
 
 /*
  * Corners that were missed, by edges in other directions that end at what the star does not know
@@ -68,23 +68,23 @@ bool pupil_boundary_follow(const struct clearances *margins, const struct pupil_
  * Limits    none where apertures are listed
  */
 bool pupil_boundary_learn(const struct clearances *margins, const double *angles, size_t count,
-                          const struct edge *edges, struct pupil_boundary *star);
+                          const struct edge *edges, struct pupil_boundary *boundary);
 
 /* Corners on one side of u = 0, with those on the other that mirror them. */
-void pupil_boundary_mirror_corners(struct pupil_boundary *star);
+void pupil_boundary_mirror_corners(struct pupil_boundary *boundary);
 
 /* Join edges and corners into one list, ascending from the first edge on, for pupil_boundary_near.
    */
-void pupil_boundary_join(struct pupil_boundary *star);
+void pupil_boundary_join(struct pupil_boundary *boundary);
 
 /* About where the edge is in a direction, by its neighbours: within 1 % but for narrow pieces. */
-double pupil_boundary_near(const struct pupil_boundary *star, double angle);
+double pupil_boundary_near(const struct pupil_boundary *boundary, double angle);
 
 /* An excess that counts as none at edges that numbers are taken from. */
 #define PUPIL_BOUNDARY_ROUNDING 1e-13
 
 /* The edge in any directions, rad, to rounding: edges_find about pupil_boundary_near. */
-void pupil_boundary_edges(const struct clearances *margins, const struct pupil_boundary *star,
+void pupil_boundary_edges(const struct clearances *margins, const struct pupil_boundary *boundary,
                           const double *angles, size_t count, struct arena *arena,
                           struct edge *edges);
 

@@ -9,74 +9,76 @@
 /* -------- between directions -------- */
 
 /* Enter a corner in its place. */
-static void star_enter_corner(struct pupil_boundary *star, double angle, double radius)
+static void boundary_enter_corner(struct pupil_boundary *boundary, double angle, double radius)
 {
-    size_t k = star->corner_count++;
-    for (; k > 0 && star->corners[k - 1] > angle; k--) {
-        star->corners[k] = star->corners[k - 1];
-        star->radii[k] = star->radii[k - 1];
+    size_t k = boundary->corner_count++;
+    for (; k > 0 && boundary->corners[k - 1] > angle; k--) {
+        boundary->corners[k] = boundary->corners[k - 1];
+        boundary->radii[k] = boundary->radii[k - 1];
     }
-    star->corners[k] = angle;
-    star->radii[k] = radius;
+    boundary->corners[k] = angle;
+    boundary->radii[k] = radius;
 }
 
-void pupil_boundary_mirror_corners(struct pupil_boundary *star)
+void pupil_boundary_mirror_corners(struct pupil_boundary *boundary)
 {
     double angles[PUPIL_BOUNDARY_CORNERS], radii[PUPIL_BOUNDARY_CORNERS];
-    const size_t half = star->corner_count;
-    memcpy(angles, star->corners, half * sizeof *angles);
-    memcpy(radii, star->radii, half * sizeof *radii);
-    star->corner_count = 0;
+    const size_t half = boundary->corner_count;
+    memcpy(angles, boundary->corners, half * sizeof *angles);
+    memcpy(radii, boundary->radii, half * sizeof *radii);
+    boundary->corner_count = 0;
     for (size_t i = 0; i < half; i++) {
         const double angle = angles[i] - 2 * PI * floor(angles[i] / (2 * PI));
-        star_enter_corner(star, angle, radii[i]);
-        star_enter_corner(star, 2 * PI - angle, radii[i]);
+        boundary_enter_corner(boundary, angle, radii[i]);
+        boundary_enter_corner(boundary, 2 * PI - angle, radii[i]);
     }
 }
 
-void pupil_boundary_join(struct pupil_boundary *star)
+void pupil_boundary_join(struct pupil_boundary *boundary)
 {
     size_t i = 0, k = 0, count = 0;
-    while (i < star->count || k < star->corner_count) {
-        const bool is_edge =
-            k == star->corner_count || (i < star->count && star->angles[i] <= star->corners[k]);
-        star->knots[count] = is_edge ? star->angles[i] : star->corners[k];
-        star->knot_radii[count++] = is_edge ? star->edges[i++].radius : star->radii[k++];
+    while (i < boundary->count || k < boundary->corner_count) {
+        const bool is_edge = k == boundary->corner_count ||
+                             (i < boundary->count && boundary->angles[i] <= boundary->corners[k]);
+        boundary->knots[count] = is_edge ? boundary->angles[i] : boundary->corners[k];
+        boundary->knot_radii[count++] =
+            is_edge ? boundary->edges[i++].radius : boundary->radii[k++];
     }
-    star->knot_count = count;
+    boundary->knot_count = count;
 }
 
-double pupil_boundary_near(const struct pupil_boundary *star, double angle)
+double pupil_boundary_near(const struct pupil_boundary *boundary, double angle)
 {
-    const size_t count = star->knot_count;
-    const double turns = (angle - star->knots[0]) * (1 / (2 * PI));
+    const size_t count = boundary->knot_count;
+    const double turns = (angle - boundary->knots[0]) * (1 / (2 * PI));
     const double whole = (double)(long)turns, part = turns - whole + (turns < whole ? 1 : 0);
-    const double at = star->knots[0] + 2 * PI * part;
+    const double at = boundary->knots[0] + 2 * PI * part;
     /* they lie about as far from each other everywhere */
     size_t i = (size_t)(part * (double)count);
     i = i < count ? i : count - 1;
-    while (i > 0 && star->knots[i] > at) {
+    while (i > 0 && boundary->knots[i] > at) {
         i--;
     }
-    while (i + 1 < count && star->knots[i + 1] <= at) {
+    while (i + 1 < count && boundary->knots[i + 1] <= at) {
         i++;
     }
     const size_t next = i + 1 < count ? i + 1 : 0;
-    const double above = star->knots[next] + (next == 0 ? 2 * PI : 0), below = star->knots[i];
+    const double above = boundary->knots[next] + (next == 0 ? 2 * PI : 0),
+                 below = boundary->knots[i];
     const double share = above > below ? (at - below) / (above - below) : 0;
-    return star->knot_radii[i] + (star->knot_radii[next] - star->knot_radii[i]) * share;
+    return boundary->knot_radii[i] + (boundary->knot_radii[next] - boundary->knot_radii[i]) * share;
 }
 
-void pupil_boundary_edges(const struct clearances *margins, const struct pupil_boundary *star,
+void pupil_boundary_edges(const struct clearances *margins, const struct pupil_boundary *boundary,
                           const double *angles, size_t count, struct arena *arena,
                           struct edge *edges)
 {
     const struct arena_mark mark = arena_mark(arena);
     double *near = ARENA_ARRAY(arena, count, double);
     for (size_t i = 0; i < count; i++) {
-        near[i] = pupil_boundary_near(star, angles[i]);
+        near[i] = pupil_boundary_near(boundary, angles[i]);
     }
-    edges_find(margins, &star->frame, angles, near, count, 0, PUPIL_BOUNDARY_ROUNDING, edges);
+    edges_find(margins, &boundary->frame, angles, near, count, 0, PUPIL_BOUNDARY_ROUNDING, edges);
     arena_reset(arena, mark);
 }
 
@@ -120,13 +122,13 @@ static void boundary_tell_parts(const struct pupil_boundary_search *search, cons
     struct clear_intervals intervals[RAYS_BLOCK];
     for (size_t i = 0; i < count; i++) {
         double point[2];
-        edge_point(&search->star->frame, angles[i], edges[i].radius, point);
+        edge_point(&search->boundary->frame, angles[i], edges[i].radius, point);
         stop_beam_place(margins->beam, point[0], point[1], at[i]);
         const bool known = edges[i].limit < margins->count;
         surfaces[i] = known ? margins->all[edges[i].limit].surface : LENS_NONE;
     }
     clearances_parts(margins, (const double(*)[2])at, count, surfaces, parts);
-    pupil_boundary_intervals(margins, &search->star->frame, angles, count, edges, intervals);
+    pupil_boundary_intervals(margins, &search->boundary->frame, angles, count, edges, intervals);
     for (size_t i = 0; i < count; i++) {
         size_t *limit = &edges[i].limit;
         *limit = (*limit * 1000003 + parts[i]) * 1000003 + intervals[i].part;
@@ -137,7 +139,7 @@ void pupil_boundary_limits_find(const struct pupil_boundary_search *search, cons
                                 const double *near, size_t count, struct edge *edges)
 {
     const struct clearances *margins = search->margins;
-    edges_find(margins, &search->star->frame, angles, near, count, 0, search->tolerance, edges);
+    edges_find(margins, &search->boundary->frame, angles, near, count, 0, search->tolerance, edges);
     for (size_t done = 0; done < count && margins->is_listed; done += RAYS_BLOCK) {
         size_t here = count - done < RAYS_BLOCK ? count - done : RAYS_BLOCK;
         boundary_tell_parts(search, angles + done, here, edges + done);
@@ -151,23 +153,23 @@ enum { ROUNDS = 10, PARTS = 5 };
 /* An excess that counts as none at a corner; one that rounding alone does not make. */
 static const double at_corner = 1e-11, clearly = 1e-9;
 
-double pupil_boundary_gap(const struct pupil_boundary *star, size_t i)
+double pupil_boundary_gap(const struct pupil_boundary *boundary, size_t i)
 {
-    if (i + 1 == star->count) {
-        return star->angles[0] + 2 * PI - star->angles[i];
+    if (i + 1 == boundary->count) {
+        return boundary->angles[0] + 2 * PI - boundary->angles[i];
     }
-    return star->angles[i + 1] - star->angles[i];
+    return boundary->angles[i + 1] - boundary->angles[i];
 }
 
-void pupil_boundary_enter(struct pupil_boundary *star, double angle, const struct edge *edge)
+void pupil_boundary_enter(struct pupil_boundary *boundary, double angle, const struct edge *edge)
 {
-    size_t k = star->count++;
-    for (; k > 0 && star->angles[k - 1] > angle; k--) {
-        star->angles[k] = star->angles[k - 1];
-        star->edges[k] = star->edges[k - 1];
+    size_t k = boundary->count++;
+    for (; k > 0 && boundary->angles[k - 1] > angle; k--) {
+        boundary->angles[k] = boundary->angles[k - 1];
+        boundary->edges[k] = boundary->edges[k - 1];
     }
-    star->angles[k] = angle;
-    star->edges[k] = *edge;
+    boundary->angles[k] = angle;
+    boundary->edges[k] = *edge;
 }
 
 /* Two directions with a corner between them. */
@@ -217,7 +219,7 @@ static void guess_corner(const struct pupil_boundary_search *search,
                          const struct pupil_boundary_corners_bracket *bracket, double at[2])
 {
     const double nearby = 0.1; /* rad */
-    const struct edge_frame *frame = &search->star->frame;
+    const struct edge_frame *frame = &search->boundary->frame;
     const double middle = (bracket->low + bracket->high) / 2;
     edge_point(frame, middle, (bracket->before.radius + bracket->after.radius) / 2, at);
     for (size_t k = 0; search->before != NULL && k < search->before->corner_count; k++) {
@@ -237,7 +239,7 @@ static void meet_margins(const struct pupil_boundary_search *search,
                          struct pupil_boundary_corners_bracket *const *brackets, size_t count)
 {
     enum { STEPS = 7 };
-    const struct edge_frame *frame = &search->star->frame;
+    const struct edge_frame *frame = &search->boundary->frame;
     const struct clearances *margins = search->margins;
     double at[AT_ONCE][2];
     for (size_t i = 0; i < count; i++) {
@@ -349,27 +351,27 @@ static bool pupil_boundary_corners_narrow(const struct pupil_boundary_search *se
 
 void pupil_boundary_corners_find(const struct pupil_boundary_search *search)
 {
-    struct pupil_boundary *star = search->star;
+    struct pupil_boundary *boundary = search->boundary;
     struct pupil_boundary_corners_bracket brackets[PUPIL_BOUNDARY_CORNERS];
     const bool is_half = pupil_boundary_is_mirrored(search);
     const size_t most = is_half ? PUPIL_BOUNDARY_CORNERS / 2 : PUPIL_BOUNDARY_CORNERS;
     size_t count = 0;
-    star->corner_count = 0;
-    for (size_t i = 0; i < star->count; i++) {
-        const size_t next = (i + 1) % star->count;
+    boundary->corner_count = 0;
+    for (size_t i = 0; i < boundary->count; i++) {
+        const size_t next = (i + 1) % boundary->count;
         const bool is_other =
-            is_half && !(sin(star->angles[i] + pupil_boundary_gap(star, i) / 2) > 0);
-        if (star->edges[i].limit == star->edges[next].limit || is_other) {
+            is_half && !(sin(boundary->angles[i] + pupil_boundary_gap(boundary, i) / 2) > 0);
+        if (boundary->edges[i].limit == boundary->edges[next].limit || is_other) {
             continue;
         }
         if (count == most) {
             return;
         }
         brackets[count++] = (struct pupil_boundary_corners_bracket){
-            .low = star->angles[i],
-            .high = star->angles[next] + (next == 0 ? 2 * PI : 0),
-            .before = star->edges[i],
-            .after = star->edges[next]};
+            .low = boundary->angles[i],
+            .high = boundary->angles[next] + (next == 0 ? 2 * PI : 0),
+            .before = boundary->edges[i],
+            .after = boundary->edges[next]};
     }
     for (int round = 0; round < ROUNDS && pupil_boundary_corners_narrow(search, brackets, &count);
          round++) {
@@ -379,24 +381,26 @@ void pupil_boundary_corners_find(const struct pupil_boundary_search *search)
     }
     for (size_t k = 0; k < count; k++) {
         const struct pupil_boundary_corners_bracket *one = &brackets[k];
-        star->corners[k] = one->is_found ? one->angle : (one->low + one->high) / 2;
-        star->radii[k] = one->is_found ? one->radius : (one->before.radius + one->after.radius) / 2;
+        boundary->corners[k] = one->is_found ? one->angle : (one->low + one->high) / 2;
+        boundary->radii[k] =
+            one->is_found ? one->radius : (one->before.radius + one->after.radius) / 2;
     }
-    star->corner_count = count;
+    boundary->corner_count = count;
     if (is_half) {
-        pupil_boundary_mirror_corners(star);
+        pupil_boundary_mirror_corners(boundary);
     }
 }
 
 /* -------- corners that others show -------- */
 
 /* How many corners lie between a direction and the next. */
-static size_t corners_behind(const struct pupil_boundary *star, size_t k)
+static size_t corners_behind(const struct pupil_boundary *boundary, size_t k)
 {
     size_t count = 0;
-    for (size_t i = 0; i < star->corner_count; i++) {
-        const double turns = floor((star->corners[i] - star->angles[k]) / (2 * PI));
-        count += star->corners[i] - 2 * PI * turns < star->angles[k] + pupil_boundary_gap(star, k);
+    for (size_t i = 0; i < boundary->corner_count; i++) {
+        const double turns = floor((boundary->corners[i] - boundary->angles[k]) / (2 * PI));
+        count += boundary->corners[i] - 2 * PI * turns <
+                 boundary->angles[k] + pupil_boundary_gap(boundary, k);
     }
     return count;
 }
@@ -405,52 +409,53 @@ static size_t corners_behind(const struct pupil_boundary *star, size_t k)
  * Does an edge behind the k-th direction end at what the star does not know there? Pieces between
  * corners may have no direction; what ends those beside it must be clearly less, not by rounding.
  */
-static bool is_news(const struct clearances *margins, const struct pupil_boundary *star, size_t k,
-                    double angle, const struct edge *edge)
+static bool is_news(const struct clearances *margins, const struct pupil_boundary *boundary,
+                    size_t k, double angle, const struct edge *edge)
 {
-    const size_t limit = star->edges[k].limit, other = star->edges[(k + 1) % star->count].limit;
+    const size_t limit = boundary->edges[k].limit,
+                 other = boundary->edges[(k + 1) % boundary->count].limit;
     double point[1][2];
-    if (edge->limit == limit || edge->limit == other || corners_behind(star, k) > 1) {
+    if (edge->limit == limit || edge->limit == other || corners_behind(boundary, k) > 1) {
         return false;
     }
-    edge_point(&star->frame, angle, edge->radius, point[0]);
+    edge_point(&boundary->frame, angle, edge->radius, point[0]);
     clearances_look(margins, (const double(*)[2])point, 1);
     return limit >= margins->count || margins->rows[limit * RAYS_BLOCK] < -clearly;
 }
 
 bool pupil_boundary_learn(const struct clearances *margins, const double *angles, size_t count,
-                          const struct edge *edges, struct pupil_boundary *star)
+                          const struct edge *edges, struct pupil_boundary *boundary)
 {
-    const size_t known = star->count;
+    const size_t known = boundary->count;
     struct pupil_boundary before;
     size_t k = 0; /* the direction before the edge: edges ascend but for one step back */
     for (size_t i = 0; i < count && !margins->is_listed; i++) {
         double angle = angles[i];
-        angle += angle < star->angles[0] ? 2 * PI : 0;
-        angle -= angle >= star->angles[0] + 2 * PI ? 2 * PI : 0;
-        k = star->angles[k] > angle ? 0 : k;
-        while (k + 1 < star->count && star->angles[k + 1] <= angle) {
+        angle += angle < boundary->angles[0] ? 2 * PI : 0;
+        angle -= angle >= boundary->angles[0] + 2 * PI ? 2 * PI : 0;
+        k = boundary->angles[k] > angle ? 0 : k;
+        while (k + 1 < boundary->count && boundary->angles[k + 1] <= angle) {
             k++;
         }
-        if (star->count == PUPIL_BOUNDARY_DIRECTIONS ||
-            !is_news(margins, star, k, angle, &edges[i])) {
+        if (boundary->count == PUPIL_BOUNDARY_DIRECTIONS ||
+            !is_news(margins, boundary, k, angle, &edges[i])) {
             continue;
         }
-        if (star->count == known) {
-            before = *star;
+        if (boundary->count == known) {
+            before = *boundary;
         }
-        pupil_boundary_enter(star, angle, &edges[i]);
+        pupil_boundary_enter(boundary, angle, &edges[i]);
     }
-    if (star->count == known) {
+    if (boundary->count == known) {
         return false;
     }
-    const struct pupil_boundary_search search = {margins, star, NULL, star->tolerance};
+    const struct pupil_boundary_search search = {margins, boundary, NULL, boundary->tolerance};
     pupil_boundary_corners_find(&search);
-    star->is_whole = false;
-    pupil_boundary_join(star);
-    const bool is_better = star->corner_count > before.corner_count;
+    boundary->is_whole = false;
+    pupil_boundary_join(boundary);
+    const bool is_better = boundary->corner_count > before.corner_count;
     if (!is_better) {
-        *star = before;
+        *boundary = before;
     }
     return is_better;
 }

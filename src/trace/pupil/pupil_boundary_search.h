@@ -7,7 +7,7 @@
 
 struct pupil_boundary_search {
     const struct clearances *margins;
-    struct pupil_boundary *star;
+    struct pupil_boundary *boundary;
     const struct pupil_boundary *before; /* one close by; null: nothing is known */
     double tolerance;                    /* of edges that are only compared */
 };
@@ -15,7 +15,7 @@ struct pupil_boundary_search {
 /* Are the halves of a star on both sides of u = 0, from where angles count, mirror images? */
 static inline bool pupil_boundary_is_mirrored(const struct pupil_boundary_search *search)
 {
-    return search->margins->is_mirrored && search->star->frame.centre[0] == 0;
+    return search->margins->is_mirrored && search->boundary->frame.centre[0] == 0;
 }
 
 /* Edges to compare with each other: where apertures are listed it counts which piece ends one. */
@@ -23,10 +23,10 @@ void pupil_boundary_limits_find(const struct pupil_boundary_search *search, cons
                                 const double *near, size_t count, struct edge *edges);
 
 /* From a direction to the next one, rad. */
-double pupil_boundary_gap(const struct pupil_boundary *star, size_t i);
+double pupil_boundary_gap(const struct pupil_boundary *boundary, size_t i);
 
 /* A further direction and its edge, in its place. */
-void pupil_boundary_enter(struct pupil_boundary *star, double angle, const struct edge *edge);
+void pupil_boundary_enter(struct pupil_boundary *boundary, double angle, const struct edge *edge);
 
 /*
  * Corners between directions whose edges end at different things.

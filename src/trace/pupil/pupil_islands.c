@@ -24,7 +24,7 @@ struct island_patch {
 /* The patches that have to be looked at, those that have been in front. */
 struct patches {
     const struct clearances *margins;
-    const struct pupil_boundary *star;
+    const struct pupil_boundary *boundary;
     double low[2], high[2]; /* bounds in u and v */
     double farthest;        /* radius beyond which nothing is looked for */
     double finest[2];       /* in u and v: finer than this only the grid would not look either */
@@ -57,15 +57,15 @@ static void add_sectors(struct patches *all, double from, double to)
 /* All that lies beyond the edge, in sectors from corner to corner; of twin halves one. */
 static void patches_begin(struct patches *all)
 {
-    const struct pupil_boundary *star = all->star;
-    const bool is_half = all->margins->is_mirrored && star->frame.centre[0] == 0;
-    const double first = star->corner_count > 0 && !is_half ? star->corners[0] : 0;
+    const struct pupil_boundary *boundary = all->boundary;
+    const bool is_half = all->margins->is_mirrored && boundary->frame.centre[0] == 0;
+    const double first = boundary->corner_count > 0 && !is_half ? boundary->corners[0] : 0;
     const double end = first + (is_half ? PI : 2 * PI);
     double from = first;
-    for (size_t i = 0; i < star->corner_count; i++) {
-        if (star->corners[i] > from && star->corners[i] < end) {
-            add_sectors(all, from, star->corners[i]);
-            from = star->corners[i];
+    for (size_t i = 0; i < boundary->corner_count; i++) {
+        if (boundary->corners[i] > from && boundary->corners[i] < end) {
+            add_sectors(all, from, boundary->corners[i]);
+            from = boundary->corners[i];
         }
     }
     add_sectors(all, from, end);
@@ -75,8 +75,8 @@ static void patches_begin(struct patches *all)
 static void place_arm(const struct patches *all, double angle, const double *ways, size_t count,
                       double (*points)[2])
 {
-    const struct edge_frame *frame = &all->star->frame;
-    const double edge = pupil_boundary_near(all->star, angle);
+    const struct edge_frame *frame = &all->boundary->frame;
+    const double edge = pupil_boundary_near(all->boundary, angle);
     double unit[2];
     edge_point(frame, angle, 1, unit);
     for (size_t i = 0; i < count; i++) {
@@ -300,7 +300,7 @@ struct beyond {
 };
 
 /* Result: how many cells pass. */
-static size_t cells_beyond(const struct pupil_parts *parts, const struct pupil_boundary *star,
+static size_t cells_beyond(const struct pupil_parts *parts, const struct pupil_boundary *boundary,
                            struct beyond *beyond)
 {
     const double surely = 0.97; /* within: more than pupil_boundary_near is off by */
@@ -312,8 +312,8 @@ static size_t cells_beyond(const struct pupil_parts *parts, const struct pupil_b
         }
         all++;
         pupil_parts_point(parts, i, point);
-        edge_polar(&star->frame, point, PI, &angle, &radius);
-        const double near = pupil_boundary_near(star, angle);
+        edge_polar(&boundary->frame, point, PI, &angle, &radius);
+        const double near = pupil_boundary_near(boundary, angle);
         if (radius > surely * near) {
             beyond->angles[beyond->count] = angle;
             beyond->near[beyond->count] = near;
@@ -324,7 +324,7 @@ static size_t cells_beyond(const struct pupil_parts *parts, const struct pupil_b
 }
 
 static struct pupil_islands find_on_grid(const struct clearances *margins,
-                                         const struct pupil_boundary *star, struct arena *arena)
+                                         const struct pupil_boundary *boundary, struct arena *arena)
 {
     const struct arena_mark mark = arena_mark(arena);
     struct pupil_parts *parts = ARENA_NEW(arena, struct pupil_parts);
@@ -332,10 +332,10 @@ static struct pupil_islands find_on_grid(const struct clearances *margins,
                             .near = ARENA_ARRAY(arena, CELLS, double),
                             .radii = ARENA_ARRAY(arena, CELLS, double)};
     pupil_parts_find(margins, NULL, NULL, parts);
-    const size_t all = cells_beyond(parts, star, &beyond);
+    const size_t all = cells_beyond(parts, boundary, &beyond);
     struct edge *edges = ARENA_ARRAY(arena, beyond.count + 1, struct edge);
     size_t outside = 0;
-    edges_find(margins, &star->frame, beyond.angles, beyond.near, beyond.count, 0, 1e-6, edges);
+    edges_find(margins, &boundary->frame, beyond.angles, beyond.near, beyond.count, 0, 1e-6, edges);
     for (size_t i = 0; i < beyond.count; i++) {
         outside += beyond.radii[i] > edges[i].radius;
     }
@@ -344,12 +344,12 @@ static struct pupil_islands find_on_grid(const struct clearances *margins,
 }
 
 struct pupil_islands pupil_islands_find(const struct clearances *margins,
-                                        const struct pupil_boundary *star, struct arena *arena)
+                                        const struct pupil_boundary *boundary, struct arena *arena)
 {
     const struct arena_mark mark = arena_mark(arena);
     struct patches *all = arena_buffer(arena, sizeof *all);
     all->margins = margins;
-    all->star = star;
+    all->boundary = boundary;
     all->count = 0;
     all->farthest = 0;
     clearances_widen(margins);
@@ -361,11 +361,11 @@ struct pupil_islands pupil_islands_find(const struct clearances *margins,
         double angle, radius;
         const double corner[2] = {i % 2 == 0 ? all->low[0] : all->high[0],
                                   i / 2 == 0 ? all->low[1] : all->high[1]};
-        edge_polar(&star->frame, corner, 0, &angle, &radius);
+        edge_polar(&boundary->frame, corner, 0, &angle, &radius);
         all->farthest = fmax(all->farthest, radius);
     }
     /* apertures of other shapes have corners and sides: no differences say what is between */
     const bool alone = !margins->is_listed && is_alone(all);
     arena_reset(arena, mark);
-    return alone ? (struct pupil_islands){0} : find_on_grid(margins, star, arena);
+    return alone ? (struct pupil_islands){0} : find_on_grid(margins, boundary, arena);
 }

@@ -30,6 +30,6 @@ struct pupil_islands {
  *           same area of its beam holds less light
  */
 struct pupil_islands pupil_islands_find(const struct clearances *margins,
-                                        const struct pupil_boundary *star, struct arena *arena);
+                                        const struct pupil_boundary *boundary, struct arena *arena);
 
 #endif
