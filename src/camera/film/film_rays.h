@@ -34,8 +34,8 @@ struct film_plan {
 /*
  * The samples of block `block` of a sequence: its points RAYS_BLOCK block + 0, 1, ..
  *
- * Given     cells  null: all over the rectangle. Else one in each cell of it, which are counted from
- *                  the corner of the largest x and the least y on, first towards smaller x, as
+ * Given     cells  null: all over the rectangle. Else one in each cell of it, which are counted
+ *                  from the corner of the largest x and the least y on, first towards smaller x, as
  *                  pixels of a picture whose film is upside down: those that the places of a block
  *                  are in, each once; the plan's sobol is of strands, one a cell
  */

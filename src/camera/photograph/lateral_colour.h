@@ -32,7 +32,7 @@ struct lateral_colour_scratch *lateral_colour_scratch_new(size_t wavelengths, st
  * Given     wavelengths, middle  of the film; the one that stands for all
  *           pixel  its size, mm
  *           plan   of a tile
- * Result    what is moved by how much, in the scratch; null: they may not, or it is not easily seen,
+ * Result    what is moved by how much, in the scratch; null: they may not, or that is hard to see,
  *           as in the dark. A ray of another colour then shows at a point what one of the middle
  *           shows at the moved point, but for less than FRINGES_MOST that it is spread about that:
  *           of a step between two lights a pixel loses or gains an eighth of it at most

@@ -27,11 +27,10 @@ extern const struct clear_intervals clear_intervals_whole;
  *           ends    `count` of them; the lines must lie within the edge of the beam
  *           intervals   receives one a line
  * Formula   how deep rays come within what blocks (clearances_depth), at 128 points of each line,
- *           and at 128 more about each point where the depth has an extremum that may reach beyond 0
- *           between points; changes of sign are bisected to 1e-15 of the line
+ *           and at 128 more about each point where the depth has an extremum that may reach beyond
+ *           0 between points; changes of sign are bisected to 1e-15 of the line
  * Limits    what blocks less than 1e-4 of the line, or more than CLEAR_INTERVALS_MOST clear parts,
- * may be
- *           missed
+ *           may be missed
  */
 void clear_intervals_find(const struct clearances *margins, const double centre[2],
                           const double (*ends)[2], size_t count, struct clear_intervals *intervals);

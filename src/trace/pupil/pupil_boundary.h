@@ -70,9 +70,6 @@ bool pupil_boundary_follow(const struct clearances *margins, const struct pupil_
 bool pupil_boundary_learn(const struct clearances *margins, const double *angles, size_t count,
                           const struct edge *edges, struct pupil_boundary *boundary);
 
-/* Corners on one side of u = 0, with those on the other that mirror them. */
-void pupil_boundary_mirror_corners(struct pupil_boundary *boundary);
-
 /* Join edges and corners into one list, ascending from the first edge on, for pupil_boundary_near.
    */
 void pupil_boundary_join(struct pupil_boundary *boundary);

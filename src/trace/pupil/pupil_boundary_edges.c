@@ -20,7 +20,8 @@ static void boundary_enter_corner(struct pupil_boundary *boundary, double angle,
     boundary->radii[k] = radius;
 }
 
-void pupil_boundary_mirror_corners(struct pupil_boundary *boundary)
+/* Corners on one side of u = 0, with those on the other that mirror them. */
+static void boundary_mirror_corners(struct pupil_boundary *boundary)
 {
     double angles[PUPIL_BOUNDARY_CORNERS], radii[PUPIL_BOUNDARY_CORNERS];
     const size_t half = boundary->corner_count;
@@ -387,7 +388,7 @@ void pupil_boundary_corners_find(const struct pupil_boundary_search *search)
     }
     boundary->corner_count = count;
     if (is_half) {
-        pupil_boundary_mirror_corners(boundary);
+        boundary_mirror_corners(boundary);
     }
 }
 
