@@ -15,16 +15,15 @@ struct pupil_islands {
 /*
  * What a quadrature over the star leaves out: light that comes through beyond a gap.
  *
- * Formula   first a hundred or two rays that usually show that there is nothing: in patches of the
- *           angle and of the way from the star's edge outwards, nine rays each. A patch is dark where
- *           one margin is above 0 at all nine by more than it can fall between them, by its second differences; at the edge, where
- *           it begins at 0, if it rises from there; or where all nine are lost in the same place
- *           in the same way. What is not is cut in four, or in two where only the way outwards
- *           changes what ends the rays. Of halves that mirror each other one is looked at. Only
- *           where a ray passes, or too much is left, a grid (trace/pupil/pupil_parts.h): what
- *           passes of
- *           it
- *           beyond the edge in its direction, be it joined with the star elsewhere or not
+ * Formula   first about two hundred rays that usually show that there is nothing: in patches of the
+ *           angle and of the way from the boundary outwards, nine rays each. A patch is dark where
+ *           one clearance is above 0 at all nine by more than it can fall between them, by its
+ *           second differences; at the edge, where it begins at 0, if it rises from there; or where
+ *           all nine are lost in the same place in the same way. What is not is cut in four, or in
+ *           two where only the way outwards changes what ends the rays. Of halves that mirror each
+ *           other one is looked at. Only where a ray passes, or too much is left, a grid
+ *           (trace/pupil/pupil_parts.h): what passes of it beyond the edge in its direction, be it
+ *           joined with the rest elsewhere or not
  * Limits    islands smaller than a cell, 1/128 of what the first surface lets in, are not seen; the
  *           share of thin ones is a quarter off. Far from the chief ray of a point of the film the
  *           same area of its beam holds less light
