@@ -301,17 +301,14 @@ static void aim_block_start(const struct aim *aim, const struct pupil_point *poi
     }
 }
 
-/* Do the searches' own estimates show nothing of a fold: slopes like the chief ray's? */
-static bool aim_block_is_plain(const struct aim *aim, const struct aim_block *block, size_t count)
+/* Is a ray at its point, on the sheet of the chief ray as its own estimate of slopes shows it? */
+static bool aim_block_is_there(const struct aim *aim, const struct aim_block *block, size_t i)
 {
-    const double most = 2, slope = aim_determinant(aim->slope);
-    bool plain = true;
-    for (size_t i = 0; i < count; i++) {
-        /* of inverse matrices */
-        double ratio = slope * (block->m[0][i] * block->m[3][i] - block->m[1][i] * block->m[2][i]);
-        plain = plain && ratio > 1 / most && ratio < most;
-    }
-    return plain;
+    const double most = 2;
+    /* of inverse matrices */
+    const double det = block->m[0][i] * block->m[3][i] - block->m[1][i] * block->m[2][i];
+    const double ratio = aim_determinant(aim->slope) * det;
+    return block->state[i] == AIM_DONE && ratio > 1 / most && ratio < most;
 }
 
 /*
@@ -335,9 +332,9 @@ static bool aim_block_steer(const struct aim *aim, const struct pupil_point *poi
         busy = aim_block_open(block) > 0;
     }
     for (size_t i = 0; i < count; i++) {
-        there = there && block->state[i] == AIM_DONE;
+        there = there && aim_block_is_there(aim, block, i);
     }
-    return there && aim_block_is_plain(aim, block, count);
+    return there;
 }
 
 bool aim_rays_straight(const struct aim *aim, const struct pupil_point *points, size_t count,
@@ -353,40 +350,6 @@ bool aim_rays_straight(const struct aim *aim, const struct pupil_point *points, 
     return there;
 }
 
-/* How far beside their places in the stop rays cross it that start so much beside their own. */
-static void look_beside(const struct aim *aim, const struct aim_block *block, size_t count,
-                        double more_a, double more_b, double *x, double *y)
-{
-    double a[RAYS_BLOCK], b[RAYS_BLOCK];
-    for (size_t i = 0; i < count; i++) {
-        a[i] = block->a[i] + more_a;
-        b[i] = block->b[i] + more_b;
-    }
-    beam_start(&aim->beam, a, b, count, aim->work.blocks);
-    chief_to_stop(aim, count);
-    for (size_t i = 0; i < count; i++) {
-        x[i] = aim->work.blocks->x[i] - (block->goal_x[i] - block->miss_x[i]);
-        y[i] = aim->work.blocks->y[i] - (block->goal_y[i] - block->miss_y[i]);
-    }
-}
-
-/*
- * Is the sign of the Jacobian where searches ended that of the chief ray? It is not on the other
- * sheet of a folded pupil.
- */
-static void find_sheets(const struct aim *aim, const struct aim_block *block, size_t count,
-                        bool *same)
-{
-    const double scale = sqrt(fabs(aim_determinant(aim->slope)));
-    const double h = 1e-6 * (scale > 0 ? aim->stop_radius / scale : 1);
-    double x[2][RAYS_BLOCK], y[2][RAYS_BLOCK];
-    look_beside(aim, block, count, h, 0, x[0], y[0]);
-    look_beside(aim, block, count, 0, h, x[1], y[1]);
-    for (size_t i = 0; i < count; i++) {
-        same[i] = (x[0][i] * y[1][i] - y[0][i] * x[1][i]) * aim_determinant(aim->slope) > 0;
-    }
-}
-
 /* A block of rays. Result: how many have been aimed. */
 static size_t aim_block_search(const struct aim *aim, const struct pupil_point *points,
                                size_t count, const struct rays *rays)
@@ -394,18 +357,9 @@ static size_t aim_block_search(const struct aim *aim, const struct pupil_point *
     struct aim_block block;
     struct continuation leads[RAYS_BLOCK];
     size_t which[RAYS_BLOCK], led = 0, aimed = count;
-    bool same[RAYS_BLOCK];
-    if (aim_block_steer(aim, points, count, 1e-15 * aim->stop_radius, &block)) {
-        beam_start(&aim->beam, block.a, block.b, count, rays->blocks);
-        return count;
-    }
-    if (aim_block_is_plain(aim, &block, count)) {
-        memset(same, true, sizeof same);
-    } else {
-        find_sheets(aim, &block, count, same);
-    }
+    aim_block_steer(aim, points, count, 1e-15 * aim->stop_radius, &block);
     for (size_t i = 0; i < count; i++) {
-        if (block.state[i] != AIM_DONE || !same[i]) {
+        if (!aim_block_is_there(aim, &block, i)) {
             leads[led].goal[0] = block.goal_x[i];
             leads[led].goal[1] = block.goal_y[i];
             which[led++] = i;
