@@ -13,6 +13,10 @@ static const void *row_member(const void *row, const struct column *column)
 
 double row_number(const void *row, const struct column *column)
 {
+    if (column->other != NULL &&
+        *(const bool *)((const char *)row + column->turned) != column->is_other) {
+        return NAN;
+    }
     return *(const double *)row_member(row, column);
 }
 
@@ -46,11 +50,50 @@ bool row_is_absent(const void *row, const struct column *column)
     return false;
 }
 
+/* The other form of a column. */
+static struct column column_other(const struct column *column, struct arena *arena)
+{
+    struct column other = *column;
+    other.is_other = true;
+    other.dimension = column->other->dimension;
+    other.unit = column->other->unit;
+    other.flags |= COLUMN_SPARSE;
+    other.help = ARENA_JOIN(arena, column->help, "; ", column->other->help);
+    return other;
+}
+
+size_t sheet_spread(const struct sheet *sheet, struct column *columns, struct arena *arena)
+{
+    size_t count = 0, first = 0; /* of those whose other form is still to come */
+    for (size_t i = 0; i < sheet->column_count; i++) {
+        const struct column *here = &sheet->columns[i];
+        columns[count++] = *here;
+        size_t next = i + 1;
+        while (next < sheet->column_count && sheet->columns[next].other == NULL) {
+            next++;
+        }
+        const bool goes_on =
+            next < sheet->column_count && sheet->columns[next].other == here->other;
+        if (here->other == NULL || goes_on) {
+            continue;
+        }
+        for (; first <= i; first++) {
+            if (sheet->columns[first].other != NULL) {
+                columns[count++] = column_other(&sheet->columns[first], arena);
+            }
+        }
+    }
+    return count;
+}
+
 void row_clear(const struct sheet *sheet, void *row)
 {
     for (size_t i = 0; i < sheet->column_count; i++) {
         const struct column *column = &sheet->columns[i];
         void *at = (char *)row + column->offset;
+        if (column->other != NULL) {
+            *(bool *)((char *)row + column->turned) = false;
+        }
         switch (column->type) {
         case COLUMN_NUMBER:
             *(double *)at = NAN;

@@ -3,6 +3,7 @@
 #ifndef LENSCALC_REPORT_ROW_H
 #define LENSCALC_REPORT_ROW_H
 
+#include "base/arena.h"
 #include "base/text.h"
 #include "report/table.h"
 
@@ -31,6 +32,15 @@ double row_number(const void *row, const struct column *column);
 long row_integer(const void *row, const struct column *column);
 bool row_flag(const void *row, const struct column *column);
 const char *row_text(const void *row, const struct column *column);
+
+/*
+ * The columns of a sheet with both forms of those that have another one: behind the last of
+ * neighbours that share it, theirs.
+ *
+ * Given     columns  room for twice those of the sheet
+ * Result    how many they are
+ */
+size_t sheet_spread(const struct sheet *sheet, struct column *columns, struct arena *arena);
 
 /* Is there no value? */
 bool row_is_absent(const void *row, const struct column *column);

@@ -44,6 +44,19 @@ enum column_flag {
     COLUMN_WITH = 512    /* as other columns, and among the brief ones with the option in `with` */
 };
 
+/*
+ * What a number is in rows where it has another dimension, as lengths are angles in an image at
+ * infinity. Such a column is declared once and printed as two, of which a row has one.
+ */
+struct column_form {
+    const struct dimension *dimension;
+    const char *unit;
+    const char *help; /* what it is then, behind the help of the column */
+};
+
+#define COLUMN_OR(S, member, turns, form)                                                          \
+    COLUMN(S, member), .other = (form), .turned = offsetof(S, turns)
+
 /* One column. Numbers are in the program's own units in the row, in `unit` in the output. */
 struct column {
     const char *name;                  /* without the unit: "near" */
@@ -62,8 +75,11 @@ struct column {
     const char *when;    /* it has a value, where options do not say that: "with several rows" */
     const char *depends; /* COLUMN_ASSUMED: the options it follows from, separated by blanks; one
                             with '+' before it makes it follow from all others when given */
-    size_t condition;    /* offset of the number's condition (a double), 0 = none */
-    int digits;          /* significant digits for people, 0 = as usual */
+    const struct column_form *other; /* of rows whose bool at `turned` is set; null: none */
+    size_t turned;                   /* its offset */
+    bool is_other;                   /* it is that form, in a sheet of sheet_spread */
+    size_t condition;                /* offset of the number's condition (a double), 0 = none */
+    int digits;                      /* significant digits for people, 0 = as usual */
 };
 
 /* The rows of one command. */

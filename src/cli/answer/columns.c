@@ -88,13 +88,13 @@ static bool stands_in_any(const struct sheet *const *sheets, const char *name)
     return found;
 }
 
-static bool columns_stands_before(const struct sheet *const *sheets, size_t kind, size_t at)
+/* Does a column of one of the sheets before this one have the name of the column? */
+static bool columns_stands_before(const struct sheet *const *sheets, size_t kind,
+                                  const struct column *column)
 {
-    const char *name = sheets[kind]->columns[at].name;
-    const struct sheet here = {.columns = sheets[kind]->columns, .column_count = at};
-    bool found = has_column(&here, name, strlen(name));
+    bool found = false;
     for (size_t i = 0; i < kind && !found; i++) {
-        found = has_column(sheets[i], name, strlen(name));
+        found = has_column(sheets[i], column->name, strlen(column->name));
     }
     return found;
 }
@@ -160,13 +160,13 @@ void columns_describe(const struct command *command,
     const struct sheet *const *sheets = command->sheets != NULL ? command->sheets : single;
     bool going = true;
     for (size_t i = 0; sheets[i] != NULL && going; i++) {
-        for (size_t k = 0; k < sheets[i]->column_count && going; k++) {
-            const struct column *column = &sheets[i]->columns[k];
-            if (columns_stands_before(sheets, i, k)) {
-                continue;
+        struct column *columns = ARENA_ARRAY(arena, 2 * sheets[i]->column_count, struct column);
+        const size_t count = sheet_spread(sheets[i], columns, arena);
+        for (size_t k = 0; k < count && going; k++) {
+            if (!columns_stands_before(sheets, i, &columns[k])) {
+                const struct column_row row = describe(command, &columns[k], arena);
+                going = take(context, &row);
             }
-            const struct column_row row = describe(command, column, arena);
-            going = take(context, &row);
         }
     }
     if (going && command->run != NULL) {

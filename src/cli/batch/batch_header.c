@@ -60,6 +60,15 @@ static bool find_companion(const struct batch *batch, struct text name, struct b
     return column->is_infinite;
 }
 
+/* Is this '_' and one of the units in which machines read the column? */
+static bool is_unit_behind(const struct column *column, struct text rest)
+{
+    const struct text unit = {rest.start + 1, rest.length - 1};
+    return column->unit != NULL && rest.start[0] == '_' &&
+           (text_equal(unit, column->unit) ||
+            (column->other != NULL && text_equal(unit, column->other->unit)));
+}
+
 /* Is this the name, with or without unit, of a column of the sheet that is always printed? */
 static bool is_column(const struct sheet *sheet, struct text name)
 {
@@ -70,8 +79,7 @@ static bool is_column(const struct sheet *sheet, struct text name)
         struct text rest = {name.start + length, begins ? name.length - length : 0};
         if (begins && (column->flags & COLUMN_EXTRA) == 0 &&
             (rest.length == 0 || text_equal(rest, "_is_infinite") ||
-             (column->unit != NULL && rest.start[0] == '_' &&
-              text_equal((struct text){rest.start + 1, rest.length - 1}, column->unit)))) {
+             is_unit_behind(column, rest))) {
             return true;
         }
     }

@@ -167,14 +167,23 @@ static void add_equivalent(struct echo *echo, const struct option *option, struc
     echo->items[echo->count++] = (struct echo_item){option, place->offset, true, true};
 }
 
+/* A column of the command, among those of sheet_spread. */
+static struct column *spread_column(struct column *spread, const struct column *own)
+{
+    while (spread->name != own->name) {
+        spread++;
+    }
+    return spread;
+}
+
 void echo_open(struct echo *echo, const struct echo_question *question, struct arena *arena)
 {
     const struct sheet *own = question->sheet;
     const size_t most = 2 * question->command->option_count;
-    struct column *columns = ARENA_ARRAY(arena, most + own->column_count, struct column);
-    memcpy(columns + most, own->columns, own->column_count * sizeof *columns);
+    struct column *columns = ARENA_ARRAY(arena, most + 2 * own->column_count, struct column);
     *echo = (struct echo){
         .own = own, .sheet = *own, .items = ARENA_ARRAY(arena, most + 1, struct echo_item)};
+    echo->sheet.column_count = sheet_spread(own, columns + most, arena);
     echo->sheet.row_size = (own->row_size + VALUE - 1) / VALUE * VALUE;
     for (size_t i = 0; i < question->command->option_count; i++) {
         const struct option *option = &question->command->options[i];
@@ -190,7 +199,7 @@ void echo_open(struct echo *echo, const struct echo_question *question, struct a
         if (found == own->column_count && is_sayable(option)) {
             echo_add(echo, question, option, &columns[echo->count], arena);
         } else if (found < own->column_count && varies) {
-            bring(&columns[most + found], option);
+            bring(spread_column(columns + most, &own->columns[found]), option);
         }
     }
     /* those that were added lie right before the command's */
