@@ -1,7 +1,8 @@
-/* commands/analysis/analysis_fields.c - analyses answered field by field, by several threads. */
+/* commands/analysis/analysis_cursor.c - a question case by case and field by field. */
 /* SPDX-License-Identifier: MIT */
-#include "commands/analysis/analysis_fields.h"
+#include "commands/analysis/analysis_cursor.h"
 
+#include "base/number.h"
 #include "report/row.h"
 
 #include <string.h>
@@ -52,171 +53,356 @@ void analysis_divide(const struct analysis_case *one, size_t count, analysis_wor
     }
 }
 
-/* -------- fields -------- */
+/* -------- cases -------- */
 
-/* What answers a case. */
-struct case_answers {
-    struct run *run;
-    const struct analysis_answers *answers;
-    void *context;
-    bool names; /* the field, where it fails: there may be others */
-};
-
-/* What was found of the fields of a case. */
-struct findings {
-    const struct case_answers *answering;
-    char *found; /* found_size bytes each */
-    struct error *errors;
-};
-
-static void find_one(const struct analysis_case *one, size_t field, void *context)
+static bool analysis_cursor_check(const struct analysis_question *question,
+                                  const struct analysis_policy *policy, struct error *error)
 {
-    const struct findings *findings = context;
-    const struct analysis_answers *answers = findings->answering->answers;
-    struct error *error = &findings->errors[field];
-    error->code = ERROR_NONE;
-    answers->find(one, field, findings->answering->context,
-                  findings->found + field * answers->found_size, error);
-}
-
-/* Of all fields at once where there are threads, else when it is wanted. */
-static struct findings open_findings(const struct analysis_case *one,
-                                     const struct case_answers *answering)
-{
-    struct arena *arena = one->setup->arena;
-    const size_t count = one->setup->field_count, size = answering->answers->found_size;
-    struct findings findings = {answering, NULL, NULL};
-    if (answering->answers->find != NULL) {
-        findings.found = arena_array(arena, count, size);
-        findings.errors = ARENA_ARRAY(arena, count, struct error);
-        if (one->threads > 1) {
-            analysis_divide(one, count, find_one, &findings);
-        }
+    const bool angle = analysis_is_given(question->field, question->field_x);
+    const double quarter = PI / 2, x = fabs(question->field_x), y = fabs(question->field);
+    if (angle && analysis_is_given(question->height, question->height_x)) {
+        return fail(error, ERROR_USAGE, "{--field} and {--height} exclude each other");
     }
-    return findings;
-}
-
-static bool answer_one(const struct analysis_case *one, size_t field, struct findings *findings,
-                       struct error *error)
-{
-    const struct analysis_answers *answers = findings->answering->answers;
-    void *context = findings->answering->context;
-    if (answers->find == NULL) {
-        return answers->answer(one, field, context, error);
+    if (x > 0 && y > 0 && !(x < quarter && y < quarter)) {
+        return fail(error, ERROR_DOMAIN,
+                    "{--field} and {--field-x}: where neither is 0 both must be below 90 degrees");
     }
-    if (one->threads <= 1) {
-        find_one(one, field, findings);
+    if (question->spectrum.text != NULL && policy->one_wavelength) {
+        return fail(error, ERROR_USAGE, "{--spectrum}: this is an answer for one wavelength");
     }
-    if (findings->errors[field].code != ERROR_NONE) {
-        *error = findings->errors[field];
-        return false;
-    }
-    return answers->take(one, field, findings->found + field * answers->found_size, context, error);
-}
-
-/* A field that failed: its row says why. False: no more rows are wanted. */
-static bool analysis_fields_keep_place(const struct analysis_case *one, size_t field,
-                                       const struct case_answers *answering,
-                                       const struct error *error)
-{
-    struct run *run = answering->run;
-    struct analysis_point point = analysis_point_of(one, field);
-    run->shortfall = *error;
-    error_prefix(&run->shortfall,
-                 "%s: ", lens_field_words(&one->setup->fields[field].point, run->arena));
-    point.warning = arena_printf(run->arena, "%s", run->shortfall.message);
-    return answering->answers->lost(&point, answering->context);
-}
-
-static bool answer_fields(const struct analysis_case *of, void *context, struct error *error)
-{
-    const struct case_answers *answering = context;
-    const struct analysis_answers *answers = answering->answers;
-    const bool keeps = answers->lost != NULL;
-    struct analysis_case *one = ARENA_NEW(of->setup->arena, struct analysis_case);
-    *one = *of;
-    one->threads = answering->run->threads;
-    if (answers->check != NULL && !answers->check(one, answering->context, error)) {
-        return false;
-    }
-    struct findings findings = open_findings(one, answering);
-    for (size_t i = 0; i < one->setup->field_count; i++) {
-        error->code = ERROR_NONE;
-        if (answer_one(one, i, &findings, error)) {
-            continue;
-        }
-        if (error->code == ERROR_NONE || error->code == ERROR_USAGE ||
-            (!keeps && !answering->names)) {
-            return false;
-        }
-        if (!keeps) {
-            return error_prefix(
-                error,
-                "%s: ", lens_field_words(&one->setup->fields[i].point, answering->run->arena));
-        }
-        if (!analysis_fields_keep_place(one, i, answering, error)) {
-            error->code = ERROR_NONE;
-            return false;
-        }
+    if (!isnan(question->fnumber) && question->lens.lens != NULL &&
+        question->lens.lens->stop == LENS_NONE) {
+        fail(error, ERROR_DOMAIN, "{--aperture}: the lens has no stop");
+        return lens_hint_stop(error);
     }
     return true;
 }
 
-bool analysis_each_field(const struct analysis_question *question,
-                         const struct analysis_policy *policy, struct run *run,
-                         const struct analysis_answers *answers, void *context, struct error *error)
+/* The field that the options name; false: none. */
+static bool field_asked(const struct analysis_question *question, struct setup_field *field)
 {
-    struct case_answers answering = {run, answers, context, policy->fields == FIELDS_ALL};
-    error->code = ERROR_NONE;
-    return analysis_each(question, policy, run->arena, answer_fields, &answering, error) ||
-           error->code == ERROR_NONE;
+    if (analysis_is_given(question->height, question->height_x)) {
+        *field = lens_field(question->real ? FIELD_REAL : FIELD_IMAGE, question->height_x,
+                            question->height, question->section);
+        return true;
+    }
+    *field = lens_field(FIELD_ANGLE, question->field_x, question->field, question->section);
+    return analysis_is_given(question->field, question->field_x);
 }
 
-bool analysis_skip(const struct analysis_point *point, void *context)
+/* Beyond it squares of distances overflow; the lens has the same limit. */
+static const double farthest_image = 1e100;
+
+static bool analysis_cursor_place(const struct analysis_question *question,
+                                  const struct analysis_policy *policy, struct setup *setup,
+                                  struct error *error)
 {
-    (void)point;
-    (void)context;
+    if (policy->no_image) {
+        return true;
+    }
+    if (!lens_place_image(setup, &question->focus, error)) {
+        return false;
+    }
+    if (!isnan(question->defocus)) {
+        setup->image += question->defocus;
+        if (isnan(setup->image)) {
+            return fail(
+                error, ERROR_DOMAIN,
+                "{--defocus}: there is no image plane to move, the image is infinitely far away");
+        }
+    }
+    if (fabs(setup->image) > farthest_image) {
+        return fail(error, ERROR_DOMAIN,
+                    "the image plane lies %.4g mm from the last vertex: at most 1e100 mm",
+                    setup->image);
+    }
+    return true;
+}
+
+static const char *analysis_cursor_warning(const struct analysis_question *question,
+                                           const struct setup *setup)
+{
+    const char *both = lens_warnings_join(
+        question->lens.warning, first_order_warning(setup->lens, setup->arena), setup->arena);
+    const char *width =
+        question->no_clip ? NULL : setup_width_warning(setup, question->fnumber, setup->arena);
+    both = lens_warnings_join(both, setup->warning, setup->arena);
+    return lens_warnings_join(both, width, setup->arena);
+}
+
+const char *analysis_spectrum_words(const struct setup *setup)
+{
+    const char *words = NULL;
+    for (size_t i = 0; i < setup->wavelength_count && setup->wavelength_count > 1; i++) {
+        words = arena_printf(setup->arena, "%s%s%.7g nm x %.6g", words != NULL ? words : "",
+                             words != NULL ? ", " : "", 1000 * setup->wavelengths[i].wavelength,
+                             setup->wavelengths[i].weight);
+    }
+    return words;
+}
+
+static bool analysis_cursor_open(const struct analysis_question *question,
+                                 const struct analysis_policy *policy, size_t position,
+                                 struct arena *arena, struct analysis_case *one,
+                                 struct error *error)
+{
+    struct setup *setup = ARENA_NEW(arena, struct setup);
+    struct setup_field *field = ARENA_NEW(arena, struct setup_field);
+    const bool asked = field_asked(question, field);
+    const struct setup_question of = {
+        .lens = question->lens.lens,
+        .position = position,
+        .section = (enum lens_section)question->section,
+        .object = isnan(question->object) ? NULL : &question->object,
+        .wavelength =
+            question->wavelength.name != NULL ? question->wavelength.wavelength : (double)NAN,
+        .wavelengths = policy->wavelengths,
+        .spectrum = question->spectrum.items,
+        .spectrum_count = question->spectrum.count,
+        .fnumber = question->fnumber,
+        .fields = field,
+        .field_count = asked,
+        /* an axis that is asked for is not taken for a field that nobody states */
+        .field_policy = asked && policy->fields == FIELDS_EDGE ? FIELDS_LARGEST : policy->fields,
+        .takes_telecentric = true,
+    };
+    if (!setup_open(&of, arena, setup, error) ||
+        !analysis_cursor_place(question, policy, setup, error)) {
+        return false;
+    }
+    *one = (struct analysis_case){.question = question,
+                                  .setup = setup,
+                                  .clip = !question->no_clip,
+                                  .warning = analysis_cursor_warning(question, setup),
+                                  .spectrum = analysis_spectrum_words(setup)};
+    return true;
+}
+
+bool analysis_next_case(struct analysis_cursor *at, struct error *error)
+{
+    struct arena *arena = at->run->arena;
+    error->code = ERROR_NONE;
+    if (at->positions == NULL &&
+        !(analysis_cursor_check(at->question, at->policy, error) &&
+          lens_positions(at->question->lens.lens, at->question->position, arena, &at->positions,
+                         &at->position_count, error))) {
+        return false;
+    }
+    if (at->next_position == at->position_count) {
+        return false;
+    }
+    struct analysis_case *one = ARENA_NEW(arena, struct analysis_case);
+    if (!analysis_cursor_open(at->question, at->policy, at->positions[at->next_position++], arena,
+                              one, error)) {
+        return false;
+    }
+    one->threads = at->run->threads;
+    at->one = one;
+    at->next_field = 0;
+    return true;
+}
+
+/* -------- fields -------- */
+
+struct analysis_cursor analysis_begin(const void *input, const struct analysis_policy *policy,
+                                      struct run *run)
+{
+    return (struct analysis_cursor){.input = input,
+                                    .question = input,
+                                    .policy = policy,
+                                    .run = run,
+                                    .keeps_lost = analysis_makes_many(input, policy->fields)};
+}
+
+static void analysis_find_field(const struct analysis_case *one, size_t field, void *context)
+{
+    const struct analysis_cursor *at = context;
+    at->errors[field].code = ERROR_NONE;
+    at->find(at, one, field, at->all_found + field * at->found_size, &at->errors[field]);
+}
+
+bool analysis_keep_lost(struct analysis_cursor *at, struct error *error)
+{
+    struct run *run = at->run;
+    if (error->code == ERROR_USAGE || (!at->keeps_lost && at->policy->fields != FIELDS_ALL)) {
+        return false;
+    }
+    error_prefix(error,
+                 "%s: ", lens_field_words(&at->one->setup->fields[at->field].point, run->arena));
+    if (!at->keeps_lost) {
+        return false;
+    }
+    run->shortfall = *error;
+    at->lost = arena_printf(run->arena, "%s", error->message);
+    error->code = ERROR_NONE;
+    return true;
+}
+
+bool analysis_next_field(struct analysis_cursor *at, struct error *error)
+{
+    const size_t count = at->one->setup->field_count;
+    error->code = ERROR_NONE;
+    if (at->next_field == count) {
+        return false;
+    }
+    at->field = at->next_field++;
+    at->lost = NULL;
+    if (at->find == NULL) {
+        return true;
+    }
+    const bool divides = at->one->threads > 1;
+    if (at->field == 0) {
+        at->all_found = arena_array(at->one->setup->arena, count, at->found_size);
+        at->errors = ARENA_ARRAY(at->one->setup->arena, count, struct error);
+        if (divides) {
+            analysis_divide(at->one, count, analysis_find_field, at);
+        }
+    }
+    if (!divides) {
+        analysis_find_field(at->one, at->field, at);
+    }
+    at->found = at->all_found + at->field * at->found_size;
+    if (at->errors[at->field].code == ERROR_NONE) {
+        return true;
+    }
+    *error = at->errors[at->field];
+    return analysis_keep_lost(at, error);
+}
+
+bool analysis_next(struct analysis_cursor *at, struct error *error)
+{
+    error->code = ERROR_NONE;
+    while (at->one == NULL || !analysis_next_field(at, error)) {
+        if (error->code != ERROR_NONE || !analysis_next_case(at, error)) {
+            return false;
+        }
+    }
     return true;
 }
 
 /* -------- rows -------- */
 
-static void analysis_fields_begin_row(const struct analysis_asked *asked,
-                                      const struct analysis_point *point, void *row)
+static struct analysis_point analysis_point_of_lens(const struct analysis_case *one)
 {
-    row_clear(asked->rows->sheet, row);
-    memcpy(row, point, sizeof *point);
-    if (asked->rows->repeat != NULL) {
-        asked->rows->repeat(asked->input, row);
+    const struct setup *setup = one->setup;
+    return (struct analysis_point){
+        .position = setup->position,
+        .spectrum = one->spectrum,
+        .focus = setup->focus,
+        .lens = setup->lens->title,
+        .warning = one->warning,
+        .wavelength = setup->wavelength_count == 1 ? setup->wavelengths[0].wavelength : (double)NAN,
+        .field = NAN,
+        .field_x = NAN,
+        .height = NAN,
+        .height_x = NAN,
+        .image = setup->image,
+        .defocus = one->question->defocus,
+    };
+}
+
+struct analysis_point analysis_point_of(const struct analysis_case *one, size_t field)
+{
+    struct analysis_point point = analysis_point_of_lens(one);
+    const struct field_point *at = &one->setup->fields[field].point;
+    const bool angle = at->kind == FIELD_ANGLE || at->kind == FIELD_NONE;
+    point.field = angle ? at->value[1] : (double)NAN;
+    point.field_x = angle ? at->value[0] : (double)NAN;
+    point.height = angle ? (double)NAN : at->value[1];
+    point.height_x = angle ? (double)NAN : at->value[0];
+    return point;
+}
+
+struct bundle_question analysis_bundle(const struct analysis_case *one, size_t field)
+{
+    const struct analysis_question *asked = one->question;
+    return (struct bundle_question){.setup = one->setup,
+                                    .field = &one->setup->fields[field].point,
+                                    .clip = one->clip,
+                                    .from_entrance = asked->aim == ANALYSIS_AIM_ENTRANCE,
+                                    .weight = asked->weight == ANALYSIS_WEIGHT_BEAM ? WEIGHT_BEAM
+                                                                                    : WEIGHT_PUPIL,
+                                    .pattern = (enum pattern)asked->pattern,
+                                    .seed = (uint64_t)asked->seed};
+}
+
+void analysis_begin_row(const struct analysis_cursor *at, const struct sheet *sheet, void *row)
+{
+    struct analysis_point point = analysis_point_of(at->one, at->field);
+    if (at->lost != NULL) {
+        point.warning = at->lost;
     }
+    row_clear(sheet, row);
+    memcpy(row, &point, sizeof point);
 }
 
-void analysis_begin_row(const struct analysis_asked *asked, const struct analysis_case *one,
-                        size_t field, void *row)
-{
-    const struct analysis_point point = analysis_point_of(one, field);
-    analysis_fields_begin_row(asked, &point, row);
-}
-
-static bool lost(const struct analysis_point *point, void *context)
-{
-    const struct analysis_asked *asked = context;
-    void *row = arena_array(asked->run->arena, 1, asked->rows->sheet->row_size);
-    analysis_fields_begin_row(asked, point, row);
-    return run_emit(asked->run, row);
-}
-
-bool analysis_answer_rows(const void *input, const struct analysis_rows *rows, struct run *run,
-                          struct error *error)
-{
-    struct analysis_answers answers = rows->answers;
-    struct analysis_asked asked = {input, run, rows};
-    answers.lost = analysis_makes_many(input, rows->policy) ? lost : NULL;
-    return analysis_each_field(input, rows->policy, run, &answers, &asked, error);
-}
-
-void analysis_warn(const struct analysis_asked *asked, struct analysis_point *point,
+void analysis_warn(const struct analysis_cursor *at, struct analysis_point *point,
                    const char *words)
 {
-    point->warning = lens_warnings_join(point->warning, words, asked->run->arena);
+    point->warning = lens_warnings_join(point->warning, words, at->run->arena);
+}
+
+/* -------- words -------- */
+
+const char *analysis_case_words(const struct analysis_case *one, bool whole, struct arena *arena)
+{
+    const struct analysis_question *question = one->question;
+    const struct setup *setup = one->setup;
+    const char *words = setup->position;
+    const struct {
+        bool shown;
+        const char *before;
+        double value;
+        const char *behind;
+    } parts[] = {
+        {whole || question->wavelength.name != NULL, "", 1000 * setup->wavelengths[0].wavelength,
+         " nm"},
+        {!isnan(question->object), "object at ", question->object, " mm"},
+        {!isnan(question->fnumber), "f/", question->fnumber, ""},
+        {!isnan(question->defocus) && !whole, "defocus ", question->defocus, " mm"},
+    };
+    for (size_t i = 0; i < sizeof parts / sizeof parts[0]; i++) {
+        if (parts[i].shown) {
+            words = arena_printf(arena, "%s%s%s%.6g%s", words != NULL ? words : "",
+                                 words != NULL ? ", " : "", parts[i].before, parts[i].value,
+                                 parts[i].behind);
+        }
+    }
+    if (!whole) {
+        return words;
+    }
+    return isnan(setup->image)
+               ? arena_printf(arena, "%s; image infinitely far away", words)
+               : arena_printf(arena, "%s; image plane %s, %.6g mm from the last vertex", words,
+                              setup->focus != NULL ? setup->focus : "none", setup->image);
+}
+
+const char *analysis_field_words(const struct analysis_case *one, size_t field, struct arena *arena)
+{
+    const struct field_point *at = &one->setup->fields[field].point;
+    const char *words = analysis_case_words(one, false, arena);
+    const char *place = at->kind == FIELD_NONE ? "axis" : lens_field_words(at, arena);
+    return words != NULL ? arena_printf(arena, "%s, %s", place, words) : place;
+}
+
+const char *wave_reference_words(const struct analysis_case *one, enum wave_about about,
+                                 struct arena *arena)
+{
+    const struct setup *setup = one->setup;
+    const bool one_wavelength = setup->wavelength_count == 1;
+    if (about == WAVE_CENTROID) {
+        return one_wavelength ? "the centroid" : "the centroid of all wavelengths";
+    }
+    if (about == WAVE_BEST) {
+        return one_wavelength ? "the best-fitting sphere"
+                              : "the best-fitting sphere of all wavelengths";
+    }
+    return arena_printf(arena, "the chief ray at %.4g nm", 1000 * setup->wavelengths[0].wavelength);
+}
+
+const char *analysis_number(double value, struct arena *arena)
+{
+    char number[NUMBER_LENGTH];
+    return arena_string(arena, number,
+                        (size_t)(number_write_plain(number, value, 3, false) - number));
 }

@@ -1,9 +1,81 @@
-/* commands/analysis/analysis_fields.h - analyses answered field by field, by several threads. */
+/* commands/analysis/analysis_cursor.h - a question case by case and field by field. */
 /* SPDX-License-Identifier: MIT */
-#ifndef LENSCALC_COMMANDS_ANALYSIS_ANALYSIS_FIELDS_H
-#define LENSCALC_COMMANDS_ANALYSIS_ANALYSIS_FIELDS_H
+#ifndef LENSCALC_COMMANDS_ANALYSIS_ANALYSIS_CURSOR_H
+#define LENSCALC_COMMANDS_ANALYSIS_ANALYSIS_CURSOR_H
 
+#include "analysis/waves/wave_reference.h"
 #include "commands/analysis/analysis_options.h"
+
+/* One lens in one position, its image plane placed. */
+struct analysis_case {
+    const struct analysis_question *question;
+    const struct setup *setup;
+    bool clip;
+    const char *warning;  /* null = all is well */
+    const char *spectrum; /* the wavelengths with their weights, in words; null: one of them */
+    int threads;          /* that one field may take */
+};
+
+struct analysis_cursor;
+
+/*
+ * What takes time of a field, into zeroed room. Threads find several fields at once: `one` is the
+ * thread's own case, and memory is that of one->setup->arena.
+ */
+typedef bool analysis_find(const struct analysis_cursor *at, const struct analysis_case *one,
+                           size_t field, void *found, struct error *error);
+
+/*
+ * Goes through a question:
+ *
+ *     struct analysis_cursor at = analysis_begin(input, &policy, run);
+ *     while (analysis_next(&at, error)) {
+ *         ... at.one->setup->fields[at.field] ...
+ *     }
+ *     return error->code == ERROR_NONE;
+ */
+struct analysis_cursor {
+    const void *input; /* of the command, which begins with this: */
+    const struct analysis_question *question;
+    const struct analysis_policy *policy;
+    struct run *run;
+    analysis_find *find; /* null: nothing is found ahead */
+    size_t found_size;
+    bool keeps_lost; /* a field that fails comes all the same, with `lost` */
+    /* where it is */
+    const struct analysis_case *one; /* lasts as long as the run's arena */
+    size_t field;
+    const void *found; /* by `find` */
+    const char *lost;  /* why this field has failed; null: it has not */
+    /* its own */
+    const size_t *positions;
+    size_t position_count, next_position, next_field;
+    char *all_found;
+    struct error *errors;
+};
+
+/* Before the first case. Where rows of several fields are asked for, it keeps those that fail. */
+struct analysis_cursor analysis_begin(const void *input, const struct analysis_policy *policy,
+                                      struct run *run);
+
+/*
+ * On to the next field, of the next case where there is none.
+ *
+ * Result    false: that was the last one, and error->code is ERROR_NONE; else it failed
+ * Errors    ERROR_USAGE: options that exclude each other, an unknown position; as setup_open,
+ *           setup_place_image and `find`, the field named where there may be several
+ */
+bool analysis_next(struct analysis_cursor *at, struct error *error);
+
+/* The same in two steps: on to the next case, and there from field to field. */
+bool analysis_next_case(struct analysis_cursor *at, struct error *error);
+bool analysis_next_field(struct analysis_cursor *at, struct error *error);
+
+/*
+ * The present field has failed. Where such fields are kept at->lost says why, the question counts
+ * as failed (run->shortfall) and `error` is none; else false, the field named in `error`.
+ */
+bool analysis_keep_lost(struct analysis_cursor *at, struct error *error);
 
 /* -------- several threads -------- */
 
@@ -18,78 +90,52 @@ typedef void analysis_work(const struct analysis_case *one, size_t item, void *c
 void analysis_divide(const struct analysis_case *one, size_t count, analysis_work *work,
                      void *context);
 
-/* -------- fields -------- */
+/* -------- rows and rays -------- */
 
-/*
- * Who answers field by field: either `answer`, or `find` and then `take`. All of them but `find`
- * are called in the order of the fields, `check` before them.
- */
-struct analysis_answers {
-    /* May all of a case be asked that? What is wrong is said once, of no field. Null: it may. */
-    bool (*check)(const struct analysis_case *one, const void *context, struct error *error);
-    /* All of one field; false to fail, or without an error when no more are wanted. */
-    bool (*answer)(const struct analysis_case *one, size_t field, void *context,
-                   struct error *error);
-    /*
-     * What takes time, into room for found_size bytes, zeroed. Threads find several fields at once:
-     * `context` is only read, and memory is that of one->setup->arena.
-     */
-    bool (*find)(const struct analysis_case *one, size_t field, const void *context, void *found,
-                 struct error *error);
-    size_t found_size;
-    /* What was found becomes rows, or part of a drawing; else as `answer`. */
-    bool (*take)(const struct analysis_case *one, size_t field, const void *found, void *context,
-                 struct error *error);
-    /* A field that has failed: all but its place is absent. Null: such a field ends all. */
-    bool (*lost)(const struct analysis_point *point, void *context);
+/* What a row says of its place. */
+struct analysis_point {
+    const char *position, *spectrum, *focus, *lens, *warning;
+    double wavelength;       /* um; NaN: several at once */
+    double field, field_x;   /* rad; NaN: a height */
+    double height, height_x; /* mm; NaN: an angle */
+    double image, defocus;   /* mm; NaN: no image plane, no defocus */
 };
 
-/* For `lost`: a drawing does without the field. */
-bool analysis_skip(const struct analysis_point *point, void *context);
+struct analysis_point analysis_point_of(const struct analysis_case *one, size_t field);
 
-/*
- * Answer field by field. Where one fails and there is `lost`, that is told its place, with the
- * reason as its warning, and the question counts as failed (run->shortfall).
- *
- * Errors    as analysis_each and `answer`, the field named where there may be several
- */
-bool analysis_each_field(const struct analysis_question *question,
-                         const struct analysis_policy *policy, struct run *run,
-                         const struct analysis_answers *answers, void *context,
-                         struct error *error);
+/* A row, which begins with its struct analysis_point: that is filled, the rest absent. */
+void analysis_begin_row(const struct analysis_cursor *at, const struct sheet *sheet, void *row);
 
-/* -------- rows -------- */
-
-/* How a command makes rows of fields. They begin with their struct analysis_point. */
-struct analysis_rows {
-    const struct analysis_policy *policy;
-    const struct sheet *sheet;
-    /* What every row, also that of a field that has failed, repeats of the input. Null: nothing. */
-    void (*repeat)(const void *input, void *row);
-    struct analysis_answers answers; /* their context is a struct analysis_asked; without `lost` */
-};
-
-/* What is asked, and where the rows go. */
-struct analysis_asked {
-    const void *input; /* of the command, which begins with its struct analysis_question */
-    struct run *run;
-    const struct analysis_rows *rows;
-};
-
-/*
- * The rows of an input. Where one of several fields fails its row keeps its place.
- *
- * Errors    as analysis_each_field
- */
-bool analysis_answer_rows(const void *input, const struct analysis_rows *rows, struct run *run,
-                          struct error *error);
-
-/* A row of a field that has all that is known without an answer; the rest is absent. */
-void analysis_begin_row(const struct analysis_asked *asked, const struct analysis_case *one,
-                        size_t field, void *row);
-
-/* Add to what is doubtful about a row; null: nothing is. */
-void analysis_warn(const struct analysis_asked *asked, struct analysis_point *point,
+/* Add to what is doubtful about the row of a cursor; null: nothing is. */
+void analysis_warn(const struct analysis_cursor *at, struct analysis_point *point,
                    const char *words);
+
+/* The rays of one field of a case, at its first wavelength, as the options fill the pupil. */
+struct bundle_question analysis_bundle(const struct analysis_case *one, size_t field);
+
+/* -------- words of drawings -------- */
+
+/*
+ * What tells a case from others: "wide, 587.562 nm, object at 2000 mm, f/4, defocus 0.1 mm".
+ *
+ * Given     whole  the wavelength even where nobody asked for one, and in place of a defocus where
+ *                  the image plane lies
+ * Result    null: nothing was asked for
+ */
+const char *analysis_case_words(const struct analysis_case *one, bool whole, struct arena *arena);
+
+/* What a field is called: "14 deg, f/4, defocus 0.1 mm". */
+const char *analysis_field_words(const struct analysis_case *one, size_t field,
+                                 struct arena *arena);
+
+/* The wavelengths of a setup with their weights: "587.6 nm x 1, 486.1 nm x 0.5"; null: one. */
+const char *analysis_spectrum_words(const struct setup *setup);
+
+/* "the chief ray at 587.6 nm" */
+const char *wave_reference_words(const struct analysis_case *one, enum wave_about about,
+                                 struct arena *arena);
+
+/* A number to three digits, without an exponent as far as people read numbers so. */
+const char *analysis_number(double value, struct arena *arena);
 
 #endif

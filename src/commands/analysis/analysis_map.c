@@ -3,7 +3,6 @@
 #include "commands/analysis/analysis_map.h"
 
 #include "base/image/pfm.h"
-#include "commands/analysis/analysis_words.h"
 
 #include <string.h>
 
@@ -12,13 +11,8 @@ static const struct file_type pfm_type = {{"pfm", "PFM, the numbers as floats"},
 
 const struct file_type *map_types(size_t i)
 {
-    if (i == 0) {
-        return &png_type;
-    }
-    if (i == 1) {
-        return &pfm_type;
-    }
-    return NULL;
+    static const struct file_type *const types[] = {&png_type, &pfm_type, NULL};
+    return types[i];
 }
 
 static bool analysis_map_write_numbers(const struct raster_map *map, struct arena *arena,
@@ -48,9 +42,10 @@ bool map_page_write(const struct map_page *page, struct output *sink, struct err
                     "{--map} has room for one map, and this makes %zu: name one {--field}",
                     rasters->count);
     }
-    if (!(page->job->type == &pfm_type
-              ? analysis_map_write_numbers(&rasters->maps[0], arena, &file, error)
-              : raster_png(rasters, 0, arena, &file, error))) {
+    const bool made = page->job->type == &pfm_type
+                          ? analysis_map_write_numbers(&rasters->maps[0], arena, &file, error)
+                          : raster_png(rasters, 0, arena, &file, error);
+    if (!made) {
         return false;
     }
     output_text(sink, file.start, file.length);
@@ -63,12 +58,10 @@ bool map_page_draw(const struct map_page *page, struct output *sink, struct erro
     return rasters_draw(&page->rasters, &svg, error) && drawing_write(page->job, &svg, sink, error);
 }
 
-const char *analysis_map_title(const struct analysis_case *one, size_t field, struct arena *arena)
+void map_page_begin(struct map_page *page, const struct artifact_job *job)
 {
-    const struct field_point *at = &one->setup->fields[field].point;
-    const char *words = analysis_case_words(one, false, arena);
-    const char *place = at->kind == FIELD_NONE ? "axis" : lens_field_words(at, arena);
-    return words != NULL ? arena_printf(arena, "%s, %s", place, words) : place;
+    page->job = job;
+    page->rasters = (struct rasters){.maps = page->maps};
 }
 
 bool map_page_add(struct map_page *page, const struct analysis_case *one,
@@ -105,18 +98,8 @@ static void set_heads(struct map_page *page, const char *what)
     }
 }
 
-bool map_page_collect(struct map_page *page, const struct artifact_job *job,
-                      const struct analysis_policy *policy, const struct analysis_answers *answers,
-                      const char *what, struct error *error)
+bool map_page_end(struct map_page *page, const char *what, struct error *error)
 {
-    page->job = job;
-    page->rasters.maps = page->maps;
-    for (size_t i = 0; i < job->count; i++) {
-        page->input = job->inputs[i];
-        if (!analysis_each_field(page->input, policy, job->run, answers, page, error)) {
-            return false;
-        }
-    }
     if (page->rasters.count == 0) {
         return fail(error, ERROR_DOMAIN, "there is nothing to draw");
     }

@@ -37,25 +37,6 @@ struct analysis_policy {
     bool no_image;       /* no image plane is needed */
 };
 
-/* One lens in one position, its image plane placed. */
-struct analysis_case {
-    const struct analysis_question *question;
-    const struct setup *setup;
-    bool clip;
-    const char *warning;  /* null = all is well */
-    const char *spectrum; /* the wavelengths with their weights, in words; null: one of them */
-    int threads;          /* that one field may take */
-};
-
-/* What a row says of its place. */
-struct analysis_point {
-    const char *position, *spectrum, *focus, *lens, *warning;
-    double wavelength;       /* um; NaN: several at once */
-    double field, field_x;   /* rad; NaN: a height */
-    double height, height_x; /* mm; NaN: an angle */
-    double image, defocus;   /* mm; NaN: no image plane, no defocus */
-};
-
 enum { ANALYSIS_AIM_STOP, ANALYSIS_AIM_ENTRANCE };
 enum { ANALYSIS_WEIGHT_PUPIL, ANALYSIS_WEIGHT_BEAM };
 
@@ -272,23 +253,8 @@ extern const struct word analysis_aims[], analysis_weights[];
          .help = "from the last vertex"},                                                          \
         LENS_TITLE_COLUMN(S, member.lens), LENS_WARNING_COLUMN(S, member.warning)
 
-/* Gets a case; returns false to fail, or without an error when no more rows are wanted. */
-typedef bool analysis_visit(const struct analysis_case *one, void *context, struct error *error);
-
-/*
- * Answer position by position: what is not of single fields.
- *
- * Errors    ERROR_USAGE: options that exclude each other, an unknown position; as setup_open,
- *           setup_place_image and `visit`
- */
-bool analysis_each(const struct analysis_question *question, const struct analysis_policy *policy,
-                   struct arena *arena, analysis_visit *visit, void *context, struct error *error);
-
-/* What the rows of a field say of it; `field` is its place in the setup. */
-struct analysis_point analysis_point_of(const struct analysis_case *one, size_t field);
-
-/* The rays of one field of a case, at its first wavelength, as the options fill the pupil. */
-struct bundle_question analysis_bundle(const struct analysis_case *one, size_t field);
+/* Is a field or a height given, in either coordinate? NaN = not given. */
+bool analysis_is_given(double first, double second);
 
 /* What the rays count by, in words. */
 const char *analysis_weight_words(const struct analysis_question *question);
@@ -297,10 +263,16 @@ const char *analysis_weight_words(const struct analysis_question *question);
 void analysis_doubt_aperture(const struct analysis_question *question, struct warnings *doubts);
 
 /* Does the question have several rows? */
-bool analysis_makes_many(const struct analysis_question *question,
-                         const struct analysis_policy *policy);
+bool analysis_makes_many(const struct analysis_question *question, enum field_policy fields);
 
-/* For struct command, whose inputs begin with their struct analysis_question. */
+/*
+ * For struct command, whose inputs begin with their struct analysis_question. analysis_several: for
+ * makes_many, where a field makes one row.
+ */
+#define ANALYSIS_COMMAND                                                                           \
+    .group = "analyses", .brings = analysis_brings, .threads = analysis_threads,                   \
+    .varies = analysis_varies
+bool analysis_several(const void *input);
 bool analysis_brings(const void *input, const char *option);
 bool analysis_varies(const void *input, const char *option);
 int analysis_threads(const void *input);

@@ -1,7 +1,5 @@
 /* commands/analysis/cmd_color.c - lenscalc color: what wavelengths do to focus and image. */
 /* SPDX-License-Identifier: MIT */
-#include "commands/analysis/analysis_fields.h"
-#include "commands/analysis/color_case.h"
 #include "commands/analysis/color_view.h"
 
 static const struct word shows[] = {
@@ -32,42 +30,39 @@ static const struct option options[] = {
 struct color_row {
     struct analysis_point point;
     double zone;
-    double axial, vergence; /* mm; 1/mm */
-    double lateral, angle;  /* mm; rad */
+    bool is_afocal, is_angular; /* axial is a vergence, lateral an angle */
+    double axial;               /* mm or 1/mm */
+    double lateral;             /* mm or rad */
     double chief_x, chief_y;
     double primary, secondary;
     const char *status, *summary;
 };
 
+static const struct column_form vergence = {
+    &dimension_vergence, "per_m",
+    "of an afocal lens the vergence behind the last vertex less that of the primary wavelength"};
+static const struct column_form angle = {&dimension_angle, "mrad",
+                                         "of an image at infinity, as an angle"};
+
 #define PLACE(member_name, more)                                                                   \
     COLUMN(struct color_row, member_name), .dimension = &dimension_length, .unit = "mm",           \
                                            .flags = (more)
-#define AXIAL_COLUMNS                                                                              \
-    {PLACE(axial, COLUMN_BRIEF | COLUMN_SPARSE), .name = "axial", .label = "axial shift",          \
-     .help = "of the focus from the paraxial one of the primary wavelength, with the light; "      \
-             "absent if afocal"},                                                                  \
+#define AXIAL_COLUMN                                                                               \
     {                                                                                              \
-        COLUMN(struct color_row, vergence),                                                        \
-            .name = "axial", .dimension = &dimension_vergence, .unit = "per_m",                    \
+        COLUMN_OR(struct color_row, axial, is_afocal, &vergence),                                  \
+            .name = "axial", .dimension = &dimension_length, .unit = "mm",                         \
             .flags = COLUMN_BRIEF | COLUMN_SPARSE, .label = "axial shift",                         \
-            .help = "of an afocal lens: vergence behind the last "                                 \
-                    "vertex less that of the primary wavelength"                                   \
+            .help = "of the focus from the paraxial one of the primary wavelength, with the "      \
+                    "light; absent if afocal"                                                      \
     }
 #define LATERAL_COLUMNS                                                                            \
-    {COLUMN(struct color_row, lateral),                                                            \
+    {COLUMN_OR(struct color_row, lateral, is_angular, &angle),                                     \
      .name = "lateral",                                                                            \
      .dimension = &dimension_length,                                                               \
      .unit = "um",                                                                                 \
      .flags = COLUMN_BRIEF | COLUMN_SPARSE,                                                        \
      .label = "lateral shift",                                                                     \
      .help = "of the chief ray on the image plane from that of the primary wavelength, upwards"},  \
-        {COLUMN(struct color_row, angle),                                                          \
-         .name = "lateral",                                                                        \
-         .dimension = &dimension_angle,                                                            \
-         .unit = "mrad",                                                                           \
-         .flags = COLUMN_BRIEF | COLUMN_SPARSE,                                                    \
-         .label = "lateral shift",                                                                 \
-         .help = "the same of an image at infinity, as an angle"},                                 \
         {PLACE(chief_x, COLUMN_HIDDEN), .name = "chief_x", .label = "chief ray x",                 \
          .help = "where the chief ray meets the image plane"},                                     \
     {                                                                                              \
@@ -86,7 +81,7 @@ static const struct column columns[] = {
     ANALYSIS_POINT_COLUMNS(struct color_row, point),
     ANALYSIS_DEFOCUS_COLUMN(struct color_row, point),
     ANALYSIS_WAVELENGTH_COLUMN(struct color_row, point),
-    AXIAL_COLUMNS,
+    AXIAL_COLUMN,
     LATERAL_COLUMNS,
     STATUS_COLUMN,
     {PLACE(primary, COLUMN_HIDDEN), .name = "axial_color", .label = "axial colour",
@@ -103,7 +98,7 @@ static const struct column zone_columns[] = {
     ANALYSIS_WAVELENGTH_COLUMN(struct color_row, point),
     {COLUMN(struct color_row, zone), .name = "zone", .flags = COLUMN_BRIEF | COLUMN_ECHO,
      .label = "zone", .help = "height in the pupil over its radius; 0: paraxial"},
-    AXIAL_COLUMNS,
+    AXIAL_COLUMN,
     STATUS_COLUMN,
     LENS_TITLE_COLUMN(struct color_row, point.lens),
     LENS_WARNING_COLUMN(struct color_row, point.warning),
@@ -133,39 +128,145 @@ static const struct sheet *color_choose_sheet(const void *data, const struct opt
     return &sheets[((const struct color_input *)data)->show];
 }
 
+/* -------- a case -------- */
+
+const struct analysis_policy color_policy = {.wavelengths = WAVELENGTHS_ALL, .fields = FIELDS_EDGE};
+
+/* Are there wavelengths to compare? */
+static bool color_check(const struct analysis_question *question, struct error *error)
+{
+    const struct lens *lens = question->lens.lens;
+    const bool spectrum = question->spectrum.text != NULL;
+    if (lens == NULL || question->wavelength.name != NULL || question->spectrum.count > 1 ||
+        (!spectrum && (lens->wavelength_count > 1 || lens->lights != NULL))) {
+        return true;
+    }
+    const double only =
+        spectrum ? question->spectrum.items[0].wavelength : lens_primary_wavelength(lens);
+    fail(error, ERROR_DOMAIN, "there is one wavelength only, %.7g nm: colour is a difference",
+         1000 * only);
+    return error_hint(error, "give others with -w F,d,C or -w 400..700:10");
+}
+
+bool color_is_afocal(const struct setup *setup)
+{
+    return isinf(setup->first.image);
+}
+
+struct field_point color_field(const struct field_point *edge, long i, long steps)
+{
+    struct field_point point = *edge;
+    for (int k = 0; k < 2; k++) {
+        point.value[k] = edge->value[k] * (double)i / (double)steps;
+    }
+    return point;
+}
+
+void color_direction(const struct setup *setup, const struct field_point *field, double along[2])
+{
+    const double x = field->value[0], y = field->value[1], length = hypot(x, y);
+    const double sign = y < 0 || (y == 0 && x < 0) ? -1 : 1;
+    along[0] = length > 0 ? sign * x / length : (double)(setup_axis(setup) == 0);
+    along[1] = length > 0 ? sign * y / length : (double)(setup_axis(setup) == 1);
+}
+
+/* Are the glasses of the lens without dispersion, which no glass is? In words; null = no. */
+static const char *color_doubt(const struct lens *lens)
+{
+    bool glass = false;
+    for (size_t i = 0; i < lens->surface_count; i++) {
+        const struct medium *medium = &lens->surfaces[i].medium;
+        if (surface_reflects(&lens->surfaces[i]) || medium_is_air(medium)) {
+            continue;
+        }
+        if (medium->kind != MEDIUM_CONSTANT) {
+            return NULL;
+        }
+        glass = true;
+    }
+    return glass ? "every glass of the lens is stated by one index: it has no colour" : NULL;
+}
+
+/* The shortest and the longest: of those asked for at once, else of the lens. */
+static void color_case_find_ends(const struct analysis_case *one, struct color_summary *summary)
+{
+    const struct setup *setup = one->setup;
+    const struct lens *lens = setup->lens;
+    const bool asked = setup->wavelength_count > 1;
+    const size_t count = asked ? setup->wavelength_count : lens->wavelength_count;
+    double shortest = INFINITY, longest = 0;
+    for (size_t i = 0; i < count; i++) {
+        const double at =
+            asked ? setup->wavelengths[i].wavelength : lens->wavelengths[i].wavelength;
+        shortest = fmin(shortest, at);
+        longest = fmax(longest, at);
+    }
+    summary->shortest = shortest < longest ? shortest : (double)NAN;
+    summary->longest = shortest < longest ? longest : (double)NAN;
+}
+
+static const char *color_case_words_of(const struct color_summary *summary, bool afocal,
+                                       struct arena *arena)
+{
+    const double a = 1000 * summary->shortest, b = 1000 * summary->longest;
+    if (afocal) {
+        return arena_printf(arena, "axial colour from %.5g to %.5g nm: %.4g per metre", a, b,
+                            1000 * summary->vergence);
+    }
+    const char *words = arena_printf(arena, "axial colour from %.5g to %.5g nm: %.4g mm", a, b,
+                                     summary->axial.primary);
+    return isnan(summary->axial.secondary) ? words
+                                           : arena_printf(arena, "%s, secondary spectrum %.4g mm",
+                                                          words, summary->axial.secondary);
+}
+
+bool color_summarize(const struct analysis_case *one, struct color_summary *summary,
+                     struct error *error)
+{
+    const struct setup *setup = one->setup;
+    const double primary = lens_primary_wavelength(setup->lens);
+    struct chromatic_focus foci[3];
+    *summary = (struct color_summary){.axial = {NAN, NAN}, .vergence = NAN};
+    color_case_find_ends(one, summary);
+    if (isnan(summary->shortest)) {
+        return true;
+    }
+    if (!chromatic_focus(setup, summary->shortest, &foci[0], error) ||
+        !chromatic_focus(setup, primary, &foci[1], error) ||
+        !chromatic_focus(setup, summary->longest, &foci[2], error)) {
+        return false;
+    }
+    size_t middle = primary <= summary->shortest ? 0u : 1u;
+    if (primary >= summary->longest) {
+        middle = 2;
+    }
+    if (color_is_afocal(setup)) {
+        summary->vergence = foci[0].vergence - foci[2].vergence;
+    } else {
+        summary->axial = chromatic_axial(&foci[0], &foci[middle], &foci[2]);
+    }
+    summary->words = color_case_words_of(summary, color_is_afocal(setup), setup->arena);
+    return true;
+}
+
 /* -------- rows -------- */
 
-static struct color_row color_row_of(const struct analysis_asked *asked,
-                                     const struct analysis_case *one, size_t field,
-                                     double wavelength)
+static struct color_row color_row_of(const struct analysis_cursor *at, double wavelength)
 {
+    const struct setup *setup = at->one->setup;
     struct color_row row;
-    analysis_begin_row(asked, one, field, &row);
-    analysis_warn(asked, &row.point, color_doubt(one->setup->lens));
+    analysis_begin_row(at, &sheets[((const struct color_input *)at->input)->show], &row);
+    analysis_warn(at, &row.point, color_doubt(setup->lens));
     row.point.wavelength = wavelength;
+    row.is_afocal = color_is_afocal(setup);
+    row.is_angular = isnan(setup->image);
     return row;
 }
 
-static void put_axial(const struct setup *setup, const struct chromatic_focus *primary,
-                      const struct chromatic_focus *focus, struct color_row *row)
+static double color_axial(const struct chromatic_focus *primary,
+                          const struct chromatic_focus *focus, bool is_afocal)
 {
-    if (color_is_afocal(setup)) {
-        row->vergence = focus->vergence - primary->vergence;
-    } else {
-        row->axial = focus->image - primary->image;
-    }
-}
-
-static void put_lateral(const struct setup *setup, const struct chromatic_chief *chief,
-                        const struct chromatic_lateral *lateral, struct color_row *row)
-{
-    row->chief_x = chief->height[0];
-    row->chief_y = chief->height[1];
-    if (isnan(setup->image)) {
-        row->angle = lateral->angle;
-    } else {
-        row->lateral = lateral->height;
-    }
+    return is_afocal ? focus->vergence - primary->vergence : focus->image - primary->image;
 }
 
 /* The chief rays of a field at one wavelength; without a stop there are none, which is said. */
@@ -186,14 +287,17 @@ static bool color_find_lateral(const struct analysis_case *one, const struct fie
     double along[2];
     color_direction(setup, field, along);
     const struct chromatic_lateral lateral = chromatic_lateral(&primary, &chief, along);
-    put_lateral(setup, &chief, &lateral, row);
+    row->chief_x = chief.height[0];
+    row->chief_y = chief.height[1];
+    row->lateral = row->is_angular ? lateral.angle : lateral.height;
     row->status = ray_status_name(primary.status != RAY_OK ? primary.status : chief.status);
     return true;
 }
 
-static bool color_list_wavelengths(const struct analysis_case *one, size_t field,
-                                   const struct analysis_asked *asked, struct error *error)
+/* The rows of a field; false, and no error: no more are wanted. */
+static bool color_list_wavelengths(const struct analysis_cursor *at, struct error *error)
 {
+    const struct analysis_case *one = at->one;
     const struct setup *setup = one->setup;
     struct chromatic_focus primary, focus;
     struct color_summary summary;
@@ -202,27 +306,26 @@ static bool color_list_wavelengths(const struct analysis_case *one, size_t field
         return false;
     }
     for (size_t i = 0; i < setup->wavelength_count; i++) {
-        struct color_row row = color_row_of(asked, one, field, setup->wavelengths[i].wavelength);
+        struct color_row row = color_row_of(at, setup->wavelengths[i].wavelength);
         if (!chromatic_focus(setup, row.point.wavelength, &focus, error) ||
-            !color_find_lateral(one, &setup->fields[field].point, &row, error)) {
+            !color_find_lateral(one, &setup->fields[at->field].point, &row, error)) {
             return false;
         }
-        put_axial(setup, &primary, &focus, &row);
+        row.axial = color_axial(&primary, &focus, row.is_afocal);
         row.primary = summary.axial.primary;
         row.secondary = summary.axial.secondary;
         row.summary = summary.words;
-        if (!run_emit(asked->run, &row)) {
+        if (!run_emit(at->run, &row)) {
             return false;
         }
     }
     return true;
 }
 
-static bool list_zones(const struct analysis_case *one, size_t field,
-                       const struct analysis_asked *asked, struct error *error)
+static bool color_list_zones(const struct analysis_cursor *at, struct error *error)
 {
-    const struct setup *setup = one->setup;
-    const struct color_input *input = asked->input;
+    const struct setup *setup = at->one->setup;
+    const struct color_input *input = at->input;
     const bool entrance = input->question.aim == ANALYSIS_AIM_ENTRANCE;
     struct chromatic_focus primary, focus;
     if (!chromatic_focus(setup, lens_primary_wavelength(setup->lens), &primary, error)) {
@@ -230,15 +333,14 @@ static bool list_zones(const struct analysis_case *one, size_t field,
     }
     for (size_t i = 0; i < setup->wavelength_count; i++) {
         for (long k = 0; k <= input->steps; k++) {
-            struct color_row row =
-                color_row_of(asked, one, field, setup->wavelengths[i].wavelength);
+            struct color_row row = color_row_of(at, setup->wavelengths[i].wavelength);
             row.zone = (double)k / (double)input->steps;
             if (!chromatic_zone(setup, row.point.wavelength, row.zone, entrance, &focus, error)) {
                 return false;
             }
-            put_axial(setup, &primary, &focus, &row);
+            row.axial = color_axial(&primary, &focus, row.is_afocal);
             row.status = ray_status_name(focus.status);
-            if (!run_emit(asked->run, &row)) {
+            if (!run_emit(at->run, &row)) {
                 return false;
             }
         }
@@ -256,25 +358,23 @@ static void color_keep_place(const struct field_point *at, struct run *run, stru
     error->code = ERROR_NONE;
 }
 
-static bool list_fields(const struct analysis_case *one, size_t field,
-                        const struct analysis_asked *asked, struct error *error)
+static bool color_list_fields(const struct analysis_cursor *at, struct error *error)
 {
-    const struct setup *setup = one->setup;
-    const long steps = ((const struct color_input *)asked->input)->steps;
+    const struct setup *setup = at->one->setup;
+    const long steps = ((const struct color_input *)at->input)->steps;
     for (long k = 0; k <= steps; k++) {
-        const struct field_point at = color_field(&setup->fields[field].point, k, steps);
+        const struct field_point point = color_field(&setup->fields[at->field].point, k, steps);
         for (size_t i = 0; i < setup->wavelength_count; i++) {
-            struct color_row row =
-                color_row_of(asked, one, field, setup->wavelengths[i].wavelength);
+            struct color_row row = color_row_of(at, setup->wavelengths[i].wavelength);
             double *parts[] = {&row.point.field, &row.point.field_x, &row.point.height,
                                &row.point.height_x};
             for (size_t j = 0; j < sizeof parts / sizeof parts[0]; j++) {
                 *parts[j] *= (double)k / (double)steps;
             }
-            if (!color_find_lateral(one, &at, &row, error)) {
-                color_keep_place(&at, asked->run, error, &row);
+            if (!color_find_lateral(at->one, &point, &row, error)) {
+                color_keep_place(&point, at->run, error, &row);
             }
-            if (!run_emit(asked->run, &row)) {
+            if (!run_emit(at->run, &row)) {
                 return false;
             }
         }
@@ -282,30 +382,40 @@ static bool list_fields(const struct analysis_case *one, size_t field,
     return true;
 }
 
-static bool color_answer(const struct analysis_case *one, size_t field, void *context,
-                         struct error *error)
-{
-    static bool (*const lists[])(const struct analysis_case *one, size_t field,
-                                 const struct analysis_asked *asked, struct error *error) = {
-        [COLOR_BY_WAVELENGTH] = color_list_wavelengths,
-        [COLOR_BY_ZONE] = list_zones,
-        [COLOR_BY_FIELD] = list_fields,
-    };
-    const struct analysis_asked *asked = context;
-    return lists[((const struct color_input *)asked->input)->show](one, field, asked, error);
-}
-
 static bool color_run(const void *data, struct run *run, struct error *error)
 {
+    static bool (*const lists[])(const struct analysis_cursor *at, struct error *error) = {
+        [COLOR_BY_WAVELENGTH] = color_list_wavelengths,
+        [COLOR_BY_ZONE] = color_list_zones,
+        [COLOR_BY_FIELD] = color_list_fields,
+    };
     const struct color_input *input = data;
     const struct lens *lens = input->question.lens.lens;
-    const struct analysis_rows rows = {
-        &color_policy, color_choose_sheet(data, NULL), NULL, {.answer = color_answer}};
+    struct analysis_cursor at = analysis_begin(input, &color_policy, run);
     if (input->show == COLOR_BY_ZONE && lens != NULL && lens->stop == LENS_NONE &&
         !lens->is_telecentric) {
         return fail(error, ERROR_DOMAIN, "the lens has no stop: its pupil has no zones");
     }
-    return color_check(&input->question, error) && analysis_answer_rows(data, &rows, run, error);
+    if (!color_check(&input->question, error)) {
+        return false;
+    }
+    while (analysis_next(&at, error)) {
+        struct color_row row;
+        if (lists[input->show](&at, error)) {
+            continue;
+        }
+        if (error->code == ERROR_NONE) {
+            return true;
+        }
+        if (!analysis_keep_lost(&at, error)) {
+            return false;
+        }
+        analysis_begin_row(&at, &sheets[input->show], &row);
+        if (!run_emit(run, &row)) {
+            return true;
+        }
+    }
+    return error->code == ERROR_NONE;
 }
 
 static const struct artifact artifacts[] = {
@@ -336,7 +446,6 @@ static const struct example examples[] = {
 
 const struct command command_color = {
     .name = "color",
-    .group = "analyses",
     .summary = "axial and lateral colour, secondary spectrum, spherochromatism",
     COMMAND_ASKS(struct color_input),
     COMMAND_ANSWERS(struct color_row),
@@ -344,9 +453,7 @@ const struct command command_color = {
     .choose_sheet = color_choose_sheet,
     .sheets = all_sheets,
     .makes_many = command_always_many,
-    .varies = analysis_varies,
-    .brings = analysis_brings,
-    .threads = analysis_threads,
+    ANALYSIS_COMMAND,
     COMMAND_MAKES(artifacts),
     .most_answers = 100000,
 };

@@ -1,6 +1,5 @@
 /* commands/analysis/cmd_distortion.c - lenscalc distortion: image heights against a projection. */
 /* SPDX-License-Identifier: MIT */
-#include "commands/analysis/analysis_fields.h"
 #include "commands/analysis/distortion_asked.h"
 
 /* "auto", then those of photo/fov.h. */
@@ -107,6 +106,159 @@ static const struct column columns[] = {
     ANALYSIS_TAIL_COLUMNS(struct distortion_row, point),
 };
 
+/* -------- the lens beside the projection that is asked for -------- */
+
+const struct analysis_policy distortion_by_field = {
+    .wavelengths = WAVELENGTHS_PRIMARY, .fields = FIELDS_ALL, .one_wavelength = true};
+const struct analysis_policy distortion_as_whole = {
+    .wavelengths = WAVELENGTHS_PRIMARY, .fields = FIELDS_EDGE, .one_wavelength = true};
+
+enum { KEPT = 16 };
+
+/* What a calibrated scale depends on. */
+struct calibrated_case {
+    size_t lens; /* its serial number: another one may come to lie in the same place */
+    const char *position;
+    enum projection projection;
+    enum field_kind edge_kind;
+    double numbers[7];
+};
+
+struct distortion_memo {
+    struct calibrated_case cases[KEPT];
+    double scales[KEPT];
+    size_t count; /* of all that were kept; the oldest give way */
+};
+
+/* The field that is balanced: as far as the lens says it goes, whatever is asked for. */
+static struct field_point distortion_asked_edge_of(const struct setup *setup)
+{
+    const struct lens *lens = setup->lens;
+    struct field_point edge = {.kind = lens->field_kind, .value = {0, lens_field_extent(lens)}};
+    return lens->field_count > 0 && edge.value[1] > 0 ? edge : setup->edge;
+}
+
+/* Is there a field that no plane shows: of those asked for, or of the lens? */
+static bool has_half_space(const struct setup *setup)
+{
+    const struct field_point edge = distortion_asked_edge_of(setup);
+    bool has = edge.kind == FIELD_ANGLE && edge.value[1] >= PI / 2;
+    for (size_t i = 0; i < setup->field_count; i++) {
+        const struct field_point *field = &setup->fields[i].point;
+        has = has || (field->kind == FIELD_ANGLE &&
+                      fmax(fabs(field->value[0]), fabs(field->value[1])) >= PI / 2);
+    }
+    return has;
+}
+
+static enum projection projection_of(const struct distortion_input *input,
+                                     const struct setup *setup)
+{
+    if (input->projection > 0) {
+        return (enum projection)(input->projection - 1);
+    }
+    const bool is_wide = input->fit == 0 && has_half_space(setup);
+    return input->fit == 1 + MODEL_FISHEYE || is_wide ? EQUIDISTANT : RECTILINEAR;
+}
+
+static struct calibrated_case case_of(const struct distortion_input *input,
+                                      const struct setup *setup, const struct field_point *edge)
+{
+    return (struct calibrated_case){
+        .lens = input->question.lens.serial,
+        .position = setup->position,
+        .projection = projection_of(input, setup),
+        .edge_kind = edge->kind,
+        .numbers = {edge->value[0], edge->value[1], setup->wavelengths[0].wavelength, setup->image,
+                    setup->object.is_infinite ? INFINITY : setup->object.distance.hi,
+                    setup->first.stop_radius, setup->section},
+    };
+}
+
+static bool distortion_asked_is_same(const struct calibrated_case *one,
+                                     const struct calibrated_case *other)
+{
+    bool same = one->lens == other->lens && one->position == other->position &&
+                one->projection == other->projection && one->edge_kind == other->edge_kind;
+    for (size_t i = 0; i < sizeof one->numbers / sizeof one->numbers[0]; i++) {
+        /* NaN, where there is no such number, is the same as no other */
+        same = same && one->numbers[i] == other->numbers[i];
+    }
+    return same;
+}
+
+/* Where a case is kept, or room for it. True: it was there. */
+static bool recall(struct distortion_memo *memo, const struct calibrated_case *one, double **scale)
+{
+    for (size_t i = 0; i < KEPT && i < memo->count; i++) {
+        if (distortion_asked_is_same(&memo->cases[i], one)) {
+            *scale = &memo->scales[i];
+            return true;
+        }
+    }
+    *scale = &memo->scales[memo->count % KEPT];
+    return false;
+}
+
+static bool find_calibrated(const struct distortion_input *input, const struct setup *setup,
+                            const struct field_point *edge, struct distortion_memo *memo,
+                            struct distortion_case *ready, struct error *error)
+{
+    const struct calibrated_case one = case_of(input, setup, edge);
+    double *kept = NULL;
+    if (memo != NULL && recall(memo, &one, &kept)) {
+        ready->calibrated = *kept;
+        return true;
+    }
+    if (!distortion_calibrate(&ready->map, edge, &ready->calibrated, error)) {
+        return error_prefix(error, "{--calibrated}: ");
+    }
+    if (memo != NULL) {
+        memo->cases[memo->count++ % KEPT] = one;
+        *kept = ready->calibrated;
+    }
+    return true;
+}
+
+static bool calibrate(const struct distortion_input *input, const struct setup *setup,
+                      struct distortion_memo *memo, struct distortion_case *ready,
+                      struct error *error)
+{
+    const struct field_point edge = distortion_asked_edge_of(setup);
+    if (edge.kind == FIELD_NONE) {
+        return fail(error, ERROR_DOMAIN,
+                    "{--calibrated}: the lens states no field whose distortion could be balanced");
+    }
+    if (!find_calibrated(input, setup, &edge, memo, ready, error)) {
+        return false;
+    }
+    ready->map.scale = ready->calibrated;
+    return true;
+}
+
+bool distortion_ready(const struct distortion_input *input, const struct analysis_case *one,
+                      struct distortion_memo *memo, struct distortion_case *ready,
+                      struct error *error)
+{
+    const struct setup *setup = one->setup;
+    const enum projection projection = projection_of(input, setup);
+    *ready = (struct distortion_case){.focal = NAN,
+                                      .magnification = NAN,
+                                      .calibrated = NAN,
+                                      .projection = projections[projection].word};
+    if (!distortion_open(setup, 0, projection, setup->arena, &ready->map, error)) {
+        return false;
+    }
+    if (setup->object.is_infinite) {
+        ready->focal = ready->map.scale;
+    } else {
+        ready->magnification = ready->map.scale;
+    }
+    return !input->calibrated || input->fit > 0 || calibrate(input, setup, memo, ready, error);
+}
+
+/* -------- rows -------- */
+
 static void distortion_fill(const struct distortion_case *ready,
                             const struct distortion_point *found, struct distortion_row *row)
 {
@@ -123,46 +275,43 @@ static void distortion_fill(const struct distortion_case *ready,
     row->projection = ready->projection;
 }
 
-static struct distortion_memo *memo_of(struct run *run)
-{
-    if (run->state == NULL) {
-        run->state = distortion_memo_new(run->kept);
-    }
-    return run->state;
-}
-
-static bool distortion_answer(const struct analysis_case *one, size_t field, void *context,
-                              struct error *error)
-{
-    const struct analysis_asked *asked = context;
-    struct distortion_case ready;
-    struct distortion_point found;
-    struct distortion_row row;
-    if (!distortion_ready(asked->input, one, memo_of(asked->run), &ready, error) ||
-        !distortion_at(&ready.map, &one->setup->fields[field].point, &found, error)) {
-        return false;
-    }
-    analysis_begin_row(asked, one, field, &row);
-    distortion_fill(&ready, &found, &row);
-    if (!found.is_lit) {
-        analysis_warn(asked, &row.point,
-                      "clear apertures stop the chief ray of some field: what light there is lies "
-                      "beside it");
-    }
-    return run_emit(asked->run, &row);
-}
-
 static const struct sheet field_sheet = SHEET(columns, struct distortion_row);
 static const struct sheet *const sheets[] = {&field_sheet, &distortion_fit_sheet, NULL};
-static const struct analysis_rows rows = {
-    &distortion_by_field, &field_sheet, NULL, {.answer = distortion_answer}};
 
 static bool distortion_run(const void *data, struct run *run, struct error *error)
 {
     const struct distortion_input *input = data;
     analysis_doubt_aperture(&input->question, run->doubts);
-    return input->fit > 0 ? distortion_fit_run(input, run, error)
-                          : analysis_answer_rows(input, &rows, run, error);
+    if (input->fit > 0) {
+        return distortion_fit_run(input, run, error);
+    }
+    if (run->state == NULL) {
+        run->state = ARENA_NEW(run->kept, struct distortion_memo);
+    }
+    struct analysis_cursor at = analysis_begin(input, &distortion_by_field, run);
+    while (analysis_next(&at, error)) {
+        struct distortion_case ready;
+        struct distortion_point found;
+        struct distortion_row row;
+        const bool is_there =
+            distortion_ready(input, at.one, run->state, &ready, error) &&
+            distortion_at(&ready.map, &at.one->setup->fields[at.field].point, &found, error);
+        if (!is_there && !analysis_keep_lost(&at, error)) {
+            return false;
+        }
+        analysis_begin_row(&at, &field_sheet, &row);
+        if (is_there) {
+            distortion_fill(&ready, &found, &row);
+            analysis_warn(&at, &row.point,
+                          found.is_lit ? NULL
+                                       : "clear apertures stop the chief ray of some field: what "
+                                         "light there is lies beside it");
+        }
+        if (!run_emit(run, &row)) {
+            return true;
+        }
+    }
+    return error->code == ERROR_NONE;
 }
 
 static const struct sheet *distortion_choose_sheet(const void *data,
@@ -176,7 +325,7 @@ static const struct sheet *distortion_choose_sheet(const void *data,
 static bool distortion_makes_many(const void *data)
 {
     const struct distortion_input *input = data;
-    return input->fit > 0 || analysis_makes_many(&input->question, &distortion_by_field);
+    return input->fit > 0 || analysis_several(input);
 }
 
 static bool distortion_brings(const void *data, const char *option)
@@ -260,7 +409,6 @@ static const struct example examples[] = {
 
 const struct command command_distortion = {
     .name = "distortion",
-    .group = "analyses",
     .summary = "image heights of exact chief rays against an ideal projection",
     COMMAND_ASKS(struct distortion_input),
     .choose_sheet = distortion_choose_sheet,
@@ -269,6 +417,7 @@ const struct command command_distortion = {
     .explanations = explanations,
     COMMAND_MAKES(artifacts),
     .makes_many = distortion_makes_many,
+    .group = "analyses",
     .brings = distortion_brings,
     .threads = analysis_threads,
     .varies = analysis_varies,

@@ -1,8 +1,20 @@
 /* commands/analysis/cmd_fan.c - lenscalc fan: aberrations along two sections of the pupil. */
 /* SPDX-License-Identifier: MIT */
-#include "commands/analysis/analysis_fields.h"
-#include "commands/analysis/fan_input.h"
-#include "commands/analysis/wavefront_input.h"
+#include "analysis/waves/fan.h"
+#include "commands/analysis/analysis_cursor.h"
+#include "draw/panels.h"
+
+#include <string.h>
+
+enum fan_show { FAN_TRANSVERSE, FAN_OPD };
+
+struct fan_input {
+    struct analysis_question question;
+    int show, reference;
+    long points;
+};
+
+static const struct analysis_policy policy = {.wavelengths = WAVELENGTHS_ALL, .fields = FIELDS_ALL};
 
 static const struct word shows[] = {
     [FAN_TRANSVERSE] = {"transverse", "where rays arrive, from the reference"},
@@ -39,22 +51,23 @@ struct fan_row {
     struct analysis_point point;
     const char *section, *status, *reference;
     double pupil_x, pupil_y;
-    double dx, dy;             /* mm */
-    double dx_angle, dy_angle; /* rad */
-    double opd;                /* waves */
-    double at_x, at_y, at_z;   /* mm */
-    double radius;             /* mm */
+    bool is_angular;         /* dx and dy are sines of angles */
+    double dx, dy;           /* mm */
+    double opd;              /* waves */
+    double at_x, at_y, at_z; /* mm */
+    double radius;           /* mm */
     long surface;
 };
 
+static const struct column_form sines = {&dimension_angle, "mrad",
+                                         "of an image at infinity: sine of the angle from the "
+                                         "chief ray"};
+
 #define SMALL(member_name, more)                                                                   \
-    COLUMN(struct fan_row, member_name), .dimension = &dimension_length, .unit = "um",             \
-                                         .flags = (more)
+    COLUMN_OR(struct fan_row, member_name, is_angular, &sines), .dimension = &dimension_length,    \
+                                                                .unit = "um", .flags = (more)
 #define PLACE(member_name, more)                                                                   \
     COLUMN(struct fan_row, member_name), .dimension = &dimension_length, .unit = "mm",             \
-                                         .flags = (more)
-#define ANGLE(member_name, more)                                                                   \
-    COLUMN(struct fan_row, member_name), .dimension = &dimension_angle, .unit = "mrad",            \
                                          .flags = (more)
 #define PLAIN(member_name, more) COLUMN(struct fan_row, member_name), .flags = (more)
 
@@ -71,9 +84,6 @@ struct fan_row {
         {SMALL(dx, (off) | COLUMN_SPARSE), .name = "dx", .label = "dx",                            \
          .help = "from the reference to where the ray meets the image plane, in x"},               \
         {SMALL(dy, (off) | COLUMN_SPARSE), .name = "dy", .label = "dy", .help = "and in y"},       \
-        {ANGLE(dx_angle, (off) | COLUMN_SPARSE), .name = "dx", .label = "dx",                      \
-         .help = "the same of an image at infinity: sine of the angle from the chief ray"},        \
-        {ANGLE(dy_angle, (off) | COLUMN_SPARSE), .name = "dy", .label = "dy", .help = "and in y"}, \
         {PLAIN(opd, (path)), .name = "opd_waves", .label = "OPD, waves", .symbol = "W",            \
          .help = "optical path of the chief ray less that of the ray, to the reference sphere, "   \
                  "in wavelengths of its own"},                                                     \
@@ -110,65 +120,71 @@ static const struct sheet *fan_choose_sheet(const void *data, const struct optio
     return ((const struct fan_input *)data)->show == FAN_OPD ? &opd_sheet : &transverse_sheet;
 }
 
+static bool fan_find(const struct analysis_cursor *at, const struct analysis_case *one,
+                     size_t field, void *found, struct error *error)
+{
+    const struct fan_input *input = at->input;
+    const struct fan_question question = {
+        .bundle = {.setup = one->setup,
+                   .field = &one->setup->fields[field].point,
+                   .clip = one->clip,
+                   .from_entrance = input->question.aim == ANALYSIS_AIM_ENTRANCE},
+        .about = (enum wave_about)input->reference,
+        .points = (size_t)input->points};
+    return fan_trace(&question, one->setup->arena, found, error);
+}
+
+static struct analysis_cursor fan_begin(const struct fan_input *input, struct run *run)
+{
+    struct analysis_cursor at = analysis_begin(input, &policy, run);
+    at.find = fan_find;
+    at.found_size = sizeof(struct fan);
+    return at;
+}
+
 /* What the rows of a field have in common. */
-static struct fan_row row_of_fan(const struct analysis_asked *asked,
-                                 const struct analysis_case *one, size_t field,
-                                 const struct fan *fan)
+static void fan_row_begin(const struct analysis_cursor *at, const struct fan *fan,
+                          struct fan_row *row)
 {
-    const struct fan_input *input = asked->input;
-    struct arena *arena = asked->run->arena;
-    struct fan_row row;
-    analysis_begin_row(asked, one, field, &row);
+    const struct fan_input *input = at->input;
+    struct arena *arena = at->run->arena;
     if (input->reference == WAVE_CHIEF) {
-        row.point.spectrum = NULL; /* their weights are not used */
+        row->point.spectrum = NULL; /* their weights are not used */
     }
-    analysis_warn(asked, &row.point, fan->no_opd);
-    analysis_warn(asked, &row.point, lens_island_warning(&fan->islands, arena));
-    row.reference = wave_reference_words(one, (enum wave_about)input->reference, arena);
+    analysis_warn(at, &row->point, fan->no_opd);
+    analysis_warn(at, &row->point, lens_island_warning(&fan->islands, arena));
+    row->reference = wave_reference_words(at->one, (enum wave_about)input->reference, arena);
+    row->is_angular = fan->is_angular;
     if (!fan->is_angular) {
-        row.at_x = fan->reference[0];
-        row.at_y = fan->reference[1];
-        row.at_z = fan->reference[2];
+        row->at_x = fan->reference[0];
+        row->at_y = fan->reference[1];
+        row->at_z = fan->reference[2];
     }
-    row.radius = fan->no_opd != NULL ? (double)NAN : fan->radius;
-    return row;
+    row->radius = fan->no_opd != NULL ? (double)NAN : fan->radius;
 }
 
-static void fan_fill(const struct fan *fan, const struct fan_ray *ray, struct fan_row *row)
-{
-    row->pupil_x = ray->pupil[0];
-    row->pupil_y = ray->pupil[1];
-    *(fan->is_angular ? &row->dx_angle : &row->dx) = ray->off[0];
-    *(fan->is_angular ? &row->dy_angle : &row->dy) = ray->off[1];
-    row->opd = 1000 * ray->opd / row->point.wavelength;
-    row->status = ray_status_name(ray->status);
-    row->surface = ray->surface > 0 ? (long)ray->surface : NO_INTEGER;
-}
-
-static bool fan_find(const struct analysis_case *one, size_t field, const void *context,
-                     void *found, struct error *error)
-{
-    const struct analysis_asked *asked = context;
-    return fan_of_case(one, field, asked->input, one->setup->arena, found, error);
-}
-
-static bool fan_take(const struct analysis_case *one, size_t field, const void *found,
-                     void *context, struct error *error)
+/* The rows of a field; false: no more are wanted. */
+static bool fan_emit(const struct analysis_cursor *at, struct fan_row *row)
 {
     static const char *const names[FAN_SECTIONS] = {"tangential", "sagittal"};
-    const struct analysis_asked *asked = context;
-    const struct fan *fan = found;
-    struct fan_row row = row_of_fan(asked, one, field, fan);
-    struct fan_ray *rays = ARENA_ARRAY(asked->run->arena, fan->points + FAN_ENDS, struct fan_ray);
-    (void)error;
-    for (size_t g = 0; g < one->setup->wavelength_count; g++) {
-        row.point.wavelength = one->setup->wavelengths[g].wavelength;
+    const struct fan *fan = at->found;
+    struct fan_ray *rays = ARENA_ARRAY(at->run->arena, fan->points + FAN_ENDS, struct fan_ray);
+    fan_row_begin(at, fan, row);
+    for (size_t g = 0; g < at->one->setup->wavelength_count; g++) {
+        row->point.wavelength = at->one->setup->wavelengths[g].wavelength;
         for (size_t s = 0; s < FAN_SECTIONS; s++) {
-            row.section = names[s];
+            row->section = names[s];
             const size_t count = fan_line(fan, g, (enum fan_section)s, rays);
             for (size_t i = 0; i < count; i++) {
-                fan_fill(fan, &rays[i], &row);
-                if (!run_emit(asked->run, &row)) {
+                const struct fan_ray *ray = &rays[i];
+                row->pupil_x = ray->pupil[0];
+                row->pupil_y = ray->pupil[1];
+                row->dx = ray->off[0];
+                row->dy = ray->off[1];
+                row->opd = 1000 * ray->opd / row->point.wavelength;
+                row->status = ray_status_name(ray->status);
+                row->surface = ray->surface > 0 ? (long)ray->surface : NO_INTEGER;
+                if (!run_emit(at->run, row)) {
                     return false;
                 }
             }
@@ -177,20 +193,291 @@ static bool fan_take(const struct analysis_case *one, size_t field, const void *
     return true;
 }
 
-static const struct analysis_rows rows = {
-    &fan_policy,
-    &transverse_sheet,
-    NULL,
-    {.find = fan_find, .found_size = sizeof(struct fan), .take = fan_take}};
-
 static bool fan_run(const void *data, struct run *run, struct error *error)
 {
     const struct fan_input *input = data;
-    return (input->points % 2 == 1 ||
-            fail(error, ERROR_USAGE,
-                 "{--points} %ld: an odd number, so that one ray lies in the middle",
-                 input->points)) &&
-           analysis_answer_rows(input, &rows, run, error);
+    struct analysis_cursor at = fan_begin(input, run);
+    if (input->points % 2 != 1) {
+        return fail(error, ERROR_USAGE,
+                    "{--points} %ld: an odd number, so that one ray lies in the middle",
+                    input->points);
+    }
+    while (analysis_next(&at, error)) {
+        struct fan_row row;
+        analysis_begin_row(&at, &transverse_sheet, &row);
+        if (!(at.lost == NULL ? fan_emit(&at, &row) : run_emit(run, &row))) {
+            return true;
+        }
+    }
+    return error->code == ERROR_NONE;
+}
+
+/* -------- the drawing: two panels a field -------- */
+
+enum { FINE = 201, MOST_KEYS = 64 };
+
+/* One wavelength of one field. */
+struct fan_figure_curve {
+    const char *label; /* of the field */
+    double wavelength; /* um */
+    size_t row;
+    double *x[FAN_SECTIONS], *y[FAN_SECTIONS];
+    size_t counts[FAN_SECTIONS];
+};
+
+/* The drawing at work. */
+struct fan_figure_painter {
+    const struct artifact_job *job;
+    struct fan_input input; /* the one being answered, with `points` */
+    struct arena *arena;
+    struct fan_figure_curve *curves;
+    size_t count, room;
+    const char **rows; /* what stands beside them */
+    size_t row_count, row_room;
+    const char *title, *reference; /* reference: null = no fan arrived */
+    bool is_angular;
+};
+
+/* What tells a field from the others: only what differs or is asked for. */
+static const char *fan_figure_label_of(const struct fan_figure_painter *painter,
+                                       const struct field_point *field, const char *position)
+{
+    const struct analysis_question *question = &painter->input.question;
+    struct arena *arena = painter->arena;
+    const char *words = lens_field_words(field, arena);
+    if (lens_positions_several(question->lens.lens, question->position)) {
+        words = arena_printf(arena, "%s, %s", position, words);
+    }
+    if (!isnan(question->defocus)) {
+        words = arena_printf(arena, "%s, %s%.4g mm", words, question->defocus < 0 ? "−" : "",
+                             fabs(question->defocus));
+    }
+    if (!isnan(question->fnumber)) {
+        words = arena_printf(arena, "%s, f/%.4g", words, question->fnumber);
+    }
+    if (!isnan(question->object)) {
+        words = arena_printf(arena, "%s, from %.6g mm", words, question->object);
+    }
+    return words;
+}
+
+/* The row of a field: that of another wavelength of it, or a new one. */
+static size_t fan_figure_row_of(struct fan_figure_painter *painter, const char *label,
+                                double wavelength)
+{
+    for (size_t i = painter->row_count; i-- > 0;) {
+        bool taken = strcmp(painter->rows[i], label) != 0;
+        for (size_t k = 0; k < painter->count && !taken; k++) {
+            const struct fan_figure_curve *curve = &painter->curves[k];
+            taken = curve->row == i && !(fabs(curve->wavelength - wavelength) > 0);
+        }
+        if (!taken) {
+            return i;
+        }
+    }
+    painter->rows = arena_grow(painter->arena, painter->rows, painter->row_count,
+                               &painter->row_room, sizeof *painter->rows);
+    painter->rows[painter->row_count] = label;
+    return painter->row_count++;
+}
+
+/* The component along the section, um or mrad; or the path difference in waves. */
+static double fan_figure_value_of(const struct fan_figure_painter *painter, const struct fan *fan,
+                                  const struct fan_ray *ray, size_t section, double wavelength)
+{
+    const double *along = fan->along;
+    if (painter->input.show == FAN_OPD) {
+        return 1000 * ray->opd / wavelength;
+    }
+    double off = section == FAN_TANGENTIAL ? ray->off[0] * along[0] + ray->off[1] * along[1]
+                                           : ray->off[0] * along[1] - ray->off[1] * along[0];
+    return 1000 * off;
+}
+
+static void fan_figure_add_curve(struct fan_figure_painter *painter, const struct fan *fan,
+                                 size_t g, double wavelength, const char *label)
+{
+    struct arena *arena = painter->arena;
+    struct fan_figure_curve curve = {
+        label, wavelength, fan_figure_row_of(painter, label, wavelength), {0}, {0}, {0}};
+    const size_t room = fan->points + FAN_ENDS;
+    struct fan_ray *rays = ARENA_ARRAY(arena, room, struct fan_ray);
+    for (size_t s = 0; s < FAN_SECTIONS; s++) {
+        curve.x[s] = ARENA_ARRAY(arena, room, double);
+        curve.y[s] = ARENA_ARRAY(arena, room, double);
+        curve.counts[s] = fan_line(fan, g, (enum fan_section)s, rays);
+        for (size_t i = 0; i < curve.counts[s]; i++) {
+            const double *pupil = rays[i].pupil, *along = fan->along;
+            curve.x[s][i] = s == FAN_TANGENTIAL ? pupil[0] * along[0] + pupil[1] * along[1]
+                                                : pupil[0] * along[1] - pupil[1] * along[0];
+            curve.y[s][i] = fan_figure_value_of(painter, fan, &rays[i], s, wavelength);
+        }
+    }
+    painter->curves =
+        arena_grow(arena, painter->curves, painter->count, &painter->room, sizeof *painter->curves);
+    painter->curves[painter->count++] = curve;
+}
+
+/* The fans of a field; one without light has its row all the same. */
+static void fan_figure_add(struct fan_figure_painter *painter, const struct analysis_cursor *at)
+{
+    const struct setup *setup = at->one->setup;
+    const struct fan *fan = at->found;
+    const char *label =
+        fan_figure_label_of(painter, &setup->fields[at->field].point, setup->position);
+    if (at->lost == NULL || painter->title == NULL) {
+        painter->title = setup->lens->title;
+    }
+    if (at->lost != NULL) {
+        fan_figure_row_of(painter, label, NAN);
+        return;
+    }
+    const char *reference =
+        wave_reference_words(at->one, (enum wave_about)painter->input.reference, painter->arena);
+    bool differs = painter->reference != NULL && strcmp(painter->reference, reference) != 0;
+    painter->reference = differs ? "the chief ray of each wavelength" : reference;
+    painter->is_angular = fan->is_angular;
+    for (size_t g = 0; g < setup->wavelength_count; g++) {
+        fan_figure_add_curve(painter, fan, g, setup->wavelengths[g].wavelength, label);
+    }
+}
+
+/* The wavelengths that occur, ascending. */
+static size_t find_keys(const struct fan_figure_painter *painter, double *keys)
+{
+    size_t count = 0;
+    for (size_t i = 0; i < painter->count; i++) {
+        double wavelength = painter->curves[i].wavelength;
+        size_t at = 0;
+        while (at < count && keys[at] < wavelength) {
+            at++;
+        }
+        bool known = at < count && !(keys[at] > wavelength);
+        if (known || count == MOST_KEYS) {
+            continue;
+        }
+        for (size_t k = count++; k > at; k--) {
+            keys[k] = keys[k - 1];
+        }
+        keys[at] = wavelength;
+    }
+    return count;
+}
+
+static size_t fan_figure_key_of(const double *keys, size_t count, double wavelength)
+{
+    size_t at = 0;
+    while (at + 1 < count && keys[at] < wavelength) {
+        at++;
+    }
+    return at;
+}
+
+/* The greatest value; false: there is none. */
+static bool find_most(const double *y, size_t count, double *most)
+{
+    bool any = false;
+    for (size_t i = 0; i < count; i++) {
+        any = any || isfinite(y[i]);
+        *most = isfinite(y[i]) ? fmax(*most, fabs(y[i])) : *most;
+    }
+    return any;
+}
+
+/* Panels two a row, with the greatest value in `most`. */
+static struct panel *make_panels(const struct fan_figure_painter *painter, const double *keys,
+                                 size_t key_count, double *most)
+{
+    struct arena *arena = painter->arena;
+    struct panel *panels = ARENA_ARRAY(arena, FAN_SECTIONS * painter->row_count + 1, struct panel);
+    for (size_t i = 0; i < FAN_SECTIONS * painter->row_count; i++) {
+        struct panel_series *series = ARENA_ARRAY(arena, painter->count + 1, struct panel_series);
+        size_t count = 0, section = i % FAN_SECTIONS;
+        bool any = false;
+        for (size_t k = 0; k < painter->count; k++) {
+            const struct fan_figure_curve *curve = &painter->curves[k];
+            if (curve->row != i / FAN_SECTIONS) {
+                continue;
+            }
+            series[count++] =
+                (struct panel_series){.x = curve->x[section],
+                                      .y = curve->y[section],
+                                      .count = curve->counts[section],
+                                      .key = fan_figure_key_of(keys, key_count, curve->wavelength)};
+            any = find_most(curve->y[section], curve->counts[section], most) || any;
+        }
+        panels[i] =
+            (struct panel){.series = series, .count = count, .note = any ? NULL : "no ray arrives"};
+    }
+    return panels;
+}
+
+static bool fan_figure_draw(const struct fan_figure_painter *painter, struct output *sink,
+                            struct error *error)
+{
+    static const char *const heads[FAN_SECTIONS] = {"tangential", "sagittal"};
+    struct arena *arena = painter->arena;
+    double keys[MOST_KEYS], most = 0;
+    size_t key_count = find_keys(painter, keys);
+    const char **words = ARENA_ARRAY(arena, key_count + 1, const char *);
+    for (size_t k = 0; k < key_count; k++) {
+        words[k] = arena_printf(arena, "%.5g nm", 1000 * keys[k]);
+    }
+    const struct fan_input *first = painter->job->inputs[0];
+    bool opd = first->show == FAN_OPD;
+    const struct panel *list = make_panels(painter, keys, key_count, &most);
+    const char *transverse =
+        painter->is_angular ? "transverse aberration (mrad)" : "transverse aberration (µm)";
+    const char *subtitle =
+        painter->reference != NULL
+            ? arena_printf(arena, "%s %s", opd ? "against" : "from", painter->reference)
+            : NULL;
+    const struct panels panels = {
+        .title = arena_printf(arena, "%s of %s", opd ? "Optical path differences" : "Ray fans",
+                              painter->title),
+        .subtitle = subtitle,
+        .x_label = first->question.aim == ANALYSIS_AIM_ENTRANCE
+                       ? "across the entrance pupil, in its radius"
+                       : "across the stop, in its radius",
+        .y_label = opd ? "optical path difference (waves)" : transverse,
+        .column_heads = heads,
+        .row_heads = painter->rows,
+        .keys = words,
+        .key_count = key_count,
+        .light = true,
+        .x_low = -1,
+        .x_high = 1,
+        .y_low = -most,
+        .y_high = most,
+        .columns = FAN_SECTIONS,
+        .panels = list,
+        .count = FAN_SECTIONS * painter->row_count,
+    };
+    struct svg svg = {.arena = arena};
+    return panels_draw(&panels, &svg, error) && drawing_write(painter->job, &svg, sink, error);
+}
+
+static bool fan_figure(const struct artifact_job *job, struct output *sink, struct error *error)
+{
+    struct fan_figure_painter painter = {.job = job, .arena = job->run->arena};
+    long points = FINE;
+    for (size_t i = 0; i < job->count; i++) {
+        const long asked = ((const struct fan_input *)job->inputs[i])->points;
+        points = asked > points ? asked : points;
+    }
+    for (size_t i = 0; i < job->count; i++) {
+        painter.input = *(const struct fan_input *)job->inputs[i];
+        painter.input.points = points;
+        struct analysis_cursor at = fan_begin(&painter.input, job->run);
+        at.keeps_lost = true;
+        while (analysis_next(&at, error)) {
+            fan_figure_add(&painter, &at);
+        }
+        if (error->code != ERROR_NONE) {
+            return false;
+        }
+    }
+    return fan_figure_draw(&painter, sink, error);
 }
 
 static const struct artifact artifacts[] = {
@@ -216,7 +503,6 @@ static const struct example examples[] = {
 
 const struct command command_fan = {
     .name = "fan",
-    .group = "analyses",
     .summary = "ray fans: aberrations along two sections of the pupil",
     COMMAND_ASKS(struct fan_input),
     .sheet = SHEET(transverse_columns, struct fan_row),
@@ -225,9 +511,7 @@ const struct command command_fan = {
     .explanations = explanations,
     .run = fan_run,
     .makes_many = command_always_many,
-    .brings = analysis_brings,
-    .threads = analysis_threads,
-    .varies = analysis_varies,
+    ANALYSIS_COMMAND,
     COMMAND_MAKES(artifacts),
     .most_answers = 100000,
 };

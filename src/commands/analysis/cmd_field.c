@@ -1,8 +1,7 @@
 /* commands/analysis/cmd_field.c - lenscalc field: field curvature and astigmatism. */
 /* SPDX-License-Identifier: MIT */
 #include "analysis/rays/field_curvature.h"
-#include "commands/analysis/analysis_fields.h"
-#include "commands/analysis/analysis_words.h"
+#include "commands/analysis/analysis_cursor.h"
 #include "draw/panels.h"
 
 #include <string.h>
@@ -74,47 +73,51 @@ static const struct column columns[] = {
     ANALYSIS_TAIL_COLUMNS(struct field_row, point),
 };
 
-static bool field_answer(const struct analysis_case *one, size_t field, void *context,
-                         struct error *error)
+static void field_row_fill(const struct setup *setup, const struct field_curvature *found,
+                           struct field_row *row)
 {
-    const struct analysis_asked *asked = context;
-    struct field_curvature found;
-    struct field_row row;
-    if (!field_curvature(one->setup, 0, &one->setup->fields[field].point, &found, error)) {
-        return false;
+    row->x = found->height[0];
+    row->y = found->height[1];
+    row->tangential = found->tangential;
+    row->sagittal = found->sagittal;
+    row->medial = found->medial;
+    row->astigmatism = found->astigmatism;
+    row->petzval = found->petzval;
+    if (isnan(setup->image)) {
+        row->tangential_power = found->tangential_power;
+        row->sagittal_power = found->sagittal_power;
     }
-    analysis_begin_row(asked, one, field, &row);
-    row.x = found.height[0];
-    row.y = found.height[1];
-    row.tangential = found.tangential;
-    row.sagittal = found.sagittal;
-    row.medial = found.medial;
-    row.astigmatism = found.astigmatism;
-    row.petzval = found.petzval;
-    if (isnan(one->setup->image)) {
-        row.tangential_power = found.tangential_power;
-        row.sagittal_power = found.sagittal_power;
-    }
-    row.tangential_z = found.beam.tangential_z;
-    row.sagittal_z = found.beam.sagittal_z;
-    row.turn = found.beam.turn;
-    row.status = ray_status_name(found.status);
-    row.lost = found.surface > 0 ? (long)found.surface : NO_INTEGER;
-    return run_emit(asked->run, &row);
+    row->tangential_z = found->beam.tangential_z;
+    row->sagittal_z = found->beam.sagittal_z;
+    row->turn = found->beam.turn;
+    row->status = ray_status_name(found->status);
+    row->lost = found->surface > 0 ? (long)found->surface : NO_INTEGER;
 }
 
 static const struct sheet sheet = SHEET(columns, struct field_row);
-static const struct analysis_rows rows = {&policy, &sheet, NULL, {.answer = field_answer}};
 
 static bool field_run(const void *data, struct run *run, struct error *error)
 {
-    analysis_doubt_aperture(&((const struct field_input *)data)->question, run->doubts);
-    return analysis_answer_rows(data, &rows, run, error);
-}
-
-static bool field_makes_many(const void *data)
-{
-    return analysis_makes_many(&((const struct field_input *)data)->question, &policy);
+    struct analysis_cursor at = analysis_begin(data, &policy, run);
+    analysis_doubt_aperture(at.question, run->doubts);
+    while (analysis_next(&at, error)) {
+        const struct setup *setup = at.one->setup;
+        struct field_row row;
+        struct field_curvature found;
+        const bool is_there =
+            field_curvature(setup, 0, &setup->fields[at.field].point, &found, error);
+        if (!is_there && !analysis_keep_lost(&at, error)) {
+            return false;
+        }
+        analysis_begin_row(&at, &sheet, &row);
+        if (is_there) {
+            field_row_fill(setup, &found, &row);
+        }
+        if (!run_emit(run, &row)) {
+            return true;
+        }
+    }
+    return error->code == ERROR_NONE;
 }
 
 /* -------- the plot -------- */
@@ -143,15 +146,13 @@ static double field_along(const struct field_point *edge, const struct field_poi
     return copysign(field_extent(point->kind, b), a[0] * b[0] + a[1] * b[1] < 0 ? -1.0 : 1.0);
 }
 
-static bool field_add_field(const struct analysis_case *one, size_t field, void *context,
-                            struct error *error)
+static void field_add_field(struct field_painter *painter, const struct analysis_case *one,
+                            size_t field)
 {
-    struct field_painter *painter = context;
     struct arena *arena = painter->run->arena;
     const struct field_point *point = &one->setup->fields[field].point;
     const char *words = analysis_case_words(one, true, arena);
     struct field_curves *curves = NULL;
-    (void)error;
     for (size_t i = 0; i < painter->count; i++) {
         bool same = strcmp(painter->curves[i].words, words) == 0 &&
                     strcmp(painter->curves[i].setup->lens->title, one->setup->lens->title) == 0 &&
@@ -180,10 +181,7 @@ static bool field_add_field(const struct analysis_case *one, size_t field, void 
     double here = field_along(&curves->edge, point);
     curves->low = fmin(curves->low, here);
     curves->high = fmax(curves->high, here);
-    return true;
 }
-
-static const struct analysis_answers collecting = {.answer = field_add_field};
 
 /* One panel: defocus to the right, field upwards. */
 static struct panel panel_of(const struct field_curves *curves, struct arena *arena)
@@ -245,6 +243,7 @@ static bool field_paint(struct field_painter *painter, struct svg *svg, struct e
     struct arena *arena = svg->arena;
     struct panel *panels = ARENA_ARRAY(arena, painter->count + 1, struct panel);
     const struct field_curves *first = &painter->curves[0];
+    const size_t many = painter->count == 4 ? 2 : 3;
     bool one_kind = true, one_lens = true;
     for (size_t i = 0; i < painter->count; i++) {
         one_lens = one_lens &&
@@ -272,9 +271,7 @@ static bool field_paint(struct field_painter *painter, struct svg *svg, struct e
         .key_count = CURVES,
         .own_y = !one_kind,
         .tall = true,
-        .columns = painter->count < 3    ? painter->count
-                   : painter->count == 4 ? 2
-                                         : 3,
+        .columns = painter->count < 3 ? painter->count : many,
         .panels = panels,
         .count = painter->count,
     };
@@ -299,7 +296,11 @@ static bool field_draw(const struct artifact_job *job, struct output *sink, stru
     for (size_t i = 0; i < job->count; i++) {
         const struct field_input *input = job->inputs[i];
         const struct analysis_policy wide = policy_of_plot(input);
-        if (!analysis_each_field(&input->question, &wide, job->run, &collecting, &painter, error)) {
+        struct analysis_cursor at = analysis_begin(input, &wide, job->run);
+        while (analysis_next(&at, error)) {
+            field_add_field(&painter, at.one, at.field);
+        }
+        if (error->code != ERROR_NONE) {
             return false;
         }
     }
@@ -337,15 +338,12 @@ static const struct example examples[] = {
 
 const struct command command_field = {
     .name = "field",
-    .group = "analyses",
     .summary = "field curvature and astigmatism: tangential and sagittal foci",
     COMMAND_ASKS(struct field_input),
     COMMAND_ANSWERS(struct field_row),
     .run = field_run,
-    .makes_many = field_makes_many,
-    .brings = analysis_brings,
-    .threads = analysis_threads,
-    .varies = analysis_varies,
+    .makes_many = analysis_several,
+    ANALYSIS_COMMAND,
     .cell = "tangential",
     COMMAND_MAKES(artifacts),
     .most_answers = 100000,

@@ -1,8 +1,7 @@
 /* commands/analysis/cmd_illumination.c - lenscalc illumination: light over the image. */
 /* SPDX-License-Identifier: MIT */
 #include "analysis/rays/relative_illumination.h"
-#include "commands/analysis/analysis_fields.h"
-#include "commands/analysis/analysis_words.h"
+#include "commands/analysis/analysis_cursor.h"
 #include "draw/plot.h"
 
 #include <string.h>
@@ -179,36 +178,32 @@ static bool find_point(const struct analysis_case *one, size_t field,
     return true;
 }
 
-static bool illumination_emit(const struct analysis_asked *asked, const struct analysis_case *one,
-                              size_t field, double share,
-                              const struct relative_illumination_point *found)
+static void illumination_row_fill(const struct analysis_cursor *at, double share,
+                                  const struct relative_illumination_point *found,
+                                  struct illumination_row *row)
 {
-    struct illumination_row row;
-    analysis_begin_row(asked, one, field, &row);
-    row.height = found->height[1];
-    row.height_x = found->height[0];
-    row.field = found->angle;
-    row.irradiance = found->light.value;
-    row.error = found->light.error;
-    row.relative_point = found->relative_point;
-    row.relative_field = found->relative_field;
-    row.vignetted = found->vignetted;
-    row.point_error = found->point_error;
-    row.field_error = found->field_error;
-    row.vignetted_error = found->vignetted_error;
-    row.cos4 = found->cos4;
+    row->height = found->height[1];
+    row->height_x = found->height[0];
+    row->field = found->angle;
+    row->irradiance = found->light.value;
+    row->error = found->light.error;
+    row->relative_point = found->relative_point;
+    row->relative_field = found->relative_field;
+    row->vignetted = found->vignetted;
+    row->point_error = found->point_error;
+    row->field_error = found->field_error;
+    row->vignetted_error = found->vignetted_error;
+    row->cos4 = found->cos4;
     const char *const warnings[] = {
         found->light.is_met ? NULL : "the irradiance has not converged: see its error",
         found->is_field_met ? NULL : "the light by field has not converged: see its error",
-        share < 1
-            ? "no chief ray of the largest field comes to the image: the points end where one "
-              "does"
-            : NULL,
-        lens_island_warning(&found->islands, asked->run->arena)};
+        share < 1 ? "no chief ray of the largest field comes to the image: the points end where "
+                    "one does"
+                  : NULL,
+        lens_island_warning(&found->islands, at->run->arena)};
     for (size_t i = 0; i < sizeof warnings / sizeof warnings[0]; i++) {
-        analysis_warn(asked, &row.point, warnings[i]);
+        analysis_warn(at, &row->point, warnings[i]);
     }
-    return run_emit(asked->run, &row);
 }
 
 /* Points of the image: first .. last of those that part the way from the axis to the end. */
@@ -229,40 +224,29 @@ static void illumination_find_light(const struct analysis_case *one, size_t item
     points->found[item] = relative_illumination_at(&apart, at);
 }
 
-static bool illumination_answer(const struct analysis_case *one, size_t field, void *context,
-                                struct error *error)
+enum { STEPS = 10 };
+
+/* The points of a field; `count` of `found` and how far they go. */
+static bool illumination_find(const struct analysis_cursor *at,
+                              struct relative_illumination_point found[STEPS + 1], size_t *count,
+                              double *share, struct error *error)
 {
-    enum { STEPS = 10 };
-    const struct analysis_asked *asked = context;
+    const struct illumination_input *input = at->input;
     struct relative_illumination falloff;
     struct last_point end;
-    if (!open_falloff(one, asked->input, asked->run, &falloff, error) ||
-        !find_point(one, field, asked->input, &falloff, &end, error)) {
+    if (!open_falloff(at->one, input, at->run, &falloff, error) ||
+        !find_point(at->one, at->field, input, &falloff, &end, error)) {
         return false;
     }
-    struct relative_illumination_point found[STEPS + 1];
-    struct illumination_points points = {&falloff,
-                                         {end.height[0], end.height[1]},
-                                         asks_point(asked->input) ? STEPS : 0,
-                                         STEPS,
-                                         found};
-    const size_t count = STEPS + 1 - points.first;
-    if (count > 1) {
+    struct illumination_points points = {
+        &falloff, {end.height[0], end.height[1]}, asks_point(input) ? STEPS : 0, STEPS, found};
+    *count = STEPS + 1 - points.first;
+    *share = end.share;
+    if (*count > 1) {
         relative_illumination_begin(&falloff, (double[2]){end.height[0] / 2, end.height[1] / 2});
     }
-    analysis_divide(one, count, illumination_find_light, &points);
-    for (size_t i = 0; i < count; i++) {
-        if (!illumination_emit(asked, one, field, end.share, &found[i])) {
-            return false;
-        }
-    }
+    analysis_divide(at->one, *count, illumination_find_light, &points);
     return true;
-}
-
-static void illumination_repeat(const void *data, void *row)
-{
-    ((struct illumination_row *)row)->stop_diameter =
-        ((const struct illumination_input *)data)->stop_diameter;
 }
 
 /* Without a point the edge of the field, and that is not the axis. */
@@ -287,9 +271,28 @@ static bool illumination_run(const void *data, struct run *run, struct error *er
 {
     const struct illumination_input input = with_real_heights(data);
     const struct analysis_policy policy = illumination_policy_of(data);
-    const struct analysis_rows rows = {
-        &policy, &sheet, illumination_repeat, {.answer = illumination_answer}};
-    return analysis_answer_rows(&input, &rows, run, error);
+    struct analysis_cursor at = analysis_begin(&input, &policy, run);
+    while (analysis_next(&at, error)) {
+        struct relative_illumination_point found[STEPS + 1];
+        size_t count = 1;
+        double share = 1;
+        const bool is_there = illumination_find(&at, found, &count, &share, error);
+        if (!is_there && !analysis_keep_lost(&at, error)) {
+            return false;
+        }
+        for (size_t i = 0; i < count; i++) {
+            struct illumination_row row;
+            analysis_begin_row(&at, &sheet, &row);
+            row.stop_diameter = input.stop_diameter;
+            if (is_there) {
+                illumination_row_fill(&at, share, &found[i], &row);
+            }
+            if (!run_emit(run, &row)) {
+                return true;
+            }
+        }
+    }
+    return error->code == ERROR_NONE;
 }
 
 static bool illumination_makes_many(const void *data)
@@ -341,10 +344,10 @@ illumination_find_curve(const struct illumination_painter *painter, const char *
     return NULL;
 }
 
-static bool illumination_add_point(const struct analysis_case *one, size_t field, void *context,
+static bool illumination_add_point(struct illumination_painter *painter,
+                                   const struct analysis_case *one, size_t field,
                                    struct error *error)
 {
-    struct illumination_painter *painter = context;
     struct arena *arena = painter->arena;
     const struct illumination_input *input = painter->input;
     const char *words = with_stop(input, analysis_case_words(one, true, arena), arena);
@@ -483,11 +486,15 @@ static bool illumination_draw(const struct artifact_job *job, struct output *sin
         const struct analysis_policy policy = illumination_policy_of(job->inputs[i]);
         *input = with_real_heights(job->inputs[i]);
         painter.input = input;
-        const bool has_others = job->count > 1 || analysis_makes_many(&input->question, &policy);
-        const struct analysis_answers collecting = {.answer = illumination_add_point,
-                                                    .lost = has_others ? analysis_skip : NULL};
-        if (!analysis_each_field(&input->question, &policy, job->run, &collecting, &painter,
-                                 error)) {
+        struct analysis_cursor at = analysis_begin(input, &policy, job->run);
+        at.keeps_lost = at.keeps_lost || job->count > 1;
+        while (analysis_next(&at, error)) {
+            if (!illumination_add_point(&painter, at.one, at.field, error) &&
+                !analysis_keep_lost(&at, error)) {
+                return false;
+            }
+        }
+        if (error->code != ERROR_NONE) {
             return false;
         }
     }
@@ -533,15 +540,12 @@ static const struct example examples[] = {
 
 const struct command command_illumination = {
     .name = "illumination",
-    .group = "analyses",
     .summary = "light over the image: fall-off and vignetting",
     COMMAND_ASKS(struct illumination_input),
     COMMAND_ANSWERS(struct illumination_row),
     .run = illumination_run,
     .makes_many = illumination_makes_many,
-    .brings = analysis_brings,
-    .threads = analysis_threads,
-    .varies = analysis_varies,
+    ANALYSIS_COMMAND,
     .cell = "relative_point",
     COMMAND_MAKES(artifacts),
     .most_answers = 100000,

@@ -1,7 +1,8 @@
 /* commands/analysis/cmd_mtf.c - lenscalc mtf: contrast of the image, by frequency. */
 /* SPDX-License-Identifier: MIT */
-#include "commands/analysis/analysis_fields.h"
-#include "commands/analysis/mtf_input.h"
+#include "commands/analysis/mtf_figure.h"
+
+const struct analysis_policy mtf_policy = {.wavelengths = WAVELENGTHS_ALL, .fields = FIELDS_ALL};
 
 static const struct word methods[] = {
     [MTF_BY_WAVES] = {"diffraction", "by waves"},
@@ -104,16 +105,47 @@ static void mtf_fill(const struct mtf *mtf, const struct mtf_source *source, str
     row->error = mtf->error;
 }
 
-static bool mtf_row_find(const struct analysis_case *one, size_t field, const void *context,
-                         void *room, struct error *error)
+bool mtf_field_open(const struct analysis_cursor *at, const struct analysis_case *one, size_t field,
+                    void *source, struct error *error)
+{
+    const struct mtf_input *input = at->input;
+    struct arena *arena = one->setup->arena;
+    struct mtf_question *question = ARENA_NEW(arena, struct mtf_question);
+    *question = (struct mtf_question){.bundle = analysis_bundle(one, field),
+                                      .by_rays = input->method == MTF_BY_RAYS,
+                                      .error = input->question.error};
+    return mtf_open(question, arena, source, error);
+}
+
+double mtf_pixels(const struct mtf_input *input, double frequency)
+{
+    const double x = isnan(input->pitch) ? 0 : frequency * input->pitch;
+    return x > 0 ? fabs(sin(PI * x) / (PI * x)) : 1; /* of a square */
+}
+
+bool mtf_with_pixels(const struct mtf_source *source, const struct mtf_input *input,
+                     double frequency, struct arena *arena, struct mtf *mtf, struct error *error)
+{
+    if (!mtf_find(source, frequency, arena, mtf, error)) {
+        return false;
+    }
+    const double left = mtf_pixels(input, frequency);
+    for (size_t k = 0; k < MTF_DIRECTIONS; k++) {
+        mtf->contrast[k] *= left;
+        mtf->limit[k] *= left;
+    }
+    return true;
+}
+
+static bool mtf_row_find(const struct analysis_cursor *at, const struct analysis_case *one,
+                         size_t field, void *room, struct error *error)
 {
     static const double usual[FREQUENCIES] = {10, 20, 40, 80};
-    const struct analysis_asked *asked = context;
-    const struct mtf_input *input = asked->input;
+    const struct mtf_input *input = at->input;
     const bool one_frequency = !isnan(input->frequency);
     struct mtf_found *found = room;
     found->count = one_frequency ? 1 : FREQUENCIES;
-    bool done = mtf_of_case(one, field, input, one->setup->arena, &found->source, error);
+    bool done = mtf_field_open(at, one, field, &found->source, error);
     for (size_t i = 0; i < found->count && done; i++) {
         found->frequencies[i] = one_frequency ? input->frequency : usual[i];
         done = mtf_with_pixels(&found->source, input, found->frequencies[i], one->setup->arena,
@@ -122,63 +154,57 @@ static bool mtf_row_find(const struct analysis_case *one, size_t field, const vo
     return done;
 }
 
-static bool mtf_take(const struct analysis_case *one, size_t field, const void *room, void *context,
-                     struct error *error)
+static void mtf_row_warn(const struct analysis_cursor *at, const struct mtf_source *source,
+                         const struct mtf *mtf, struct mtf_row *row)
 {
-    const struct analysis_asked *asked = context;
-    const struct mtf_found *found = room;
-    (void)error;
-    for (size_t i = 0; i < found->count; i++) {
-        struct mtf_row row;
-        analysis_begin_row(asked, one, field, &row);
-        row.frequency = found->frequencies[i];
-        mtf_fill(&found->contrasts[i], &found->source, &row);
-        analysis_warn(asked, &row.point,
-                      lens_island_warning(&found->source.pupils.islands, asked->run->arena));
-        if (found->source.pupils.list == NULL) {
-            analysis_warn(asked, &row.point, "an ideal thick lens has no optical path, no limits");
-        }
-        if (!found->contrasts[i].has_converged) {
-            analysis_warn(asked, &row.point,
-                          isnan(row.tangential) || isnan(row.sagittal)
-                              ? "the wave front is too steep or too rough for contrasts by waves"
-                              : "the contrast has not converged: see contrast_error");
-        }
-        if (!run_emit(asked->run, &row)) {
-            return false;
-        }
+    analysis_warn(at, &row->point, lens_island_warning(&source->pupils.islands, at->run->arena));
+    if (source->pupils.list == NULL) {
+        analysis_warn(at, &row->point, "an ideal thick lens has no optical path, no limits");
     }
-    return true;
+    if (!mtf->has_converged) {
+        analysis_warn(at, &row->point,
+                      isnan(row->tangential) || isnan(row->sagittal)
+                          ? "the wave front is too steep or too rough for contrasts by waves"
+                          : "the contrast has not converged: see contrast_error");
+    }
 }
 
-static void mtf_repeat(const void *data, void *room)
+static const struct sheet sheet = SHEET(columns, struct mtf_row);
+
+static bool mtf_run(const void *data, struct run *run, struct error *error)
 {
     static const char *const words[] = {
         [MTF_BY_WAVES] = "diffraction, amplitude squared = energy per area of direction cosines in "
                          "the image space, phase on the reference sphere",
         [MTF_BY_RAYS] = "geometric; limits by waves"};
     const struct mtf_input *input = data;
-    struct mtf_row *row = room;
-    row->frequency = input->frequency;
-    row->method = words[input->method];
-}
-
-static const struct sheet sheet = SHEET(columns, struct mtf_row);
-static const struct analysis_rows rows = {
-    &mtf_policy,
-    &sheet,
-    mtf_repeat,
-    {.find = mtf_row_find, .found_size = sizeof(struct mtf_found), .take = mtf_take}};
-
-static bool mtf_run(const void *data, struct run *run, struct error *error)
-{
-    return analysis_answer_rows(data, &rows, run, error);
+    struct analysis_cursor at = analysis_begin(input, &mtf_policy, run);
+    at.find = mtf_row_find;
+    at.found_size = sizeof(struct mtf_found);
+    while (analysis_next(&at, error)) {
+        const struct mtf_found *found = at.found;
+        const size_t count = at.lost == NULL ? found->count : 1;
+        for (size_t i = 0; i < count; i++) {
+            struct mtf_row row;
+            analysis_begin_row(&at, &sheet, &row);
+            row.frequency = input->frequency;
+            row.method = words[input->method];
+            if (at.lost == NULL) {
+                row.frequency = found->frequencies[i];
+                mtf_fill(&found->contrasts[i], &found->source, &row);
+                mtf_row_warn(&at, &found->source, &found->contrasts[i], &row);
+            }
+            if (!run_emit(run, &row)) {
+                return true;
+            }
+        }
+    }
+    return error->code == ERROR_NONE;
 }
 
 static bool mtf_makes_many(const void *data)
 {
-    const struct mtf_input *input = data;
-    return isnan(input->frequency) || analysis_makes_many(&input->question, &mtf_policy);
+    return isnan(((const struct mtf_input *)data)->frequency) || analysis_several(data);
 }
 
 static const struct artifact artifacts[] = {
@@ -210,15 +236,12 @@ static const struct example examples[] = {
 
 const struct command command_mtf = {
     .name = "mtf",
-    .group = "analyses",
     .summary = "contrast of the image by spatial frequency, by waves or by rays",
     COMMAND_ASKS(struct mtf_input),
     COMMAND_ANSWERS(struct mtf_row),
     .run = mtf_run,
     .makes_many = mtf_makes_many,
-    .brings = analysis_brings,
-    .threads = analysis_threads,
-    .varies = analysis_varies,
+    ANALYSIS_COMMAND,
     .cell = "tangential",
     COMMAND_MAKES(artifacts),
     .most_answers = 10000,

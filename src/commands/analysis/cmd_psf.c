@@ -1,10 +1,20 @@
 /* commands/analysis/cmd_psf.c - lenscalc psf: images of points by waves. */
 /* SPDX-License-Identifier: MIT */
-#include "commands/analysis/analysis_fields.h"
+#include "analysis/image/psf.h"
 #include "commands/analysis/analysis_map.h"
-#include "commands/analysis/psf_input.h"
 
+#include <math.h>
 #include <string.h>
+
+struct psf_input {
+    struct analysis_question question;
+    int method; /* enum psf_method */
+    long size;
+    double pitch, pitch_angle; /* mm, rad; NaN = not given */
+    bool log;
+};
+
+static const struct analysis_policy policy = {.wavelengths = WAVELENGTHS_ALL, .fields = FIELDS_ALL};
 
 static const struct word methods[] = {
     [PSF_AUTO] = {"auto", "plane, or rays where the phase turns too often for it"},
@@ -42,22 +52,21 @@ static const struct option options[] = {
 
 struct psf_row {
     struct analysis_point point;
+    bool is_angular; /* lengths are sines of angles */
     double peak;
-    double peak_x, peak_y, centroid_x, centroid_y, width_x, width_y, radius80, pitch; /* mm */
-    double radius80_error;
-    /* rad */
-    double peak_x_angle, peak_y_angle, centroid_x_angle, centroid_y_angle;
-    double width_x_angle, width_y_angle, radius80_angle, radius80_error_angle, pitch_angle;
+    double peak_x, peak_y, centroid_x, centroid_y, width_x, width_y, pitch; /* mm */
+    double radius80, radius80_error;
     double inside;
     const char *method;
 };
 
+static const struct column_form sines = {
+    &dimension_angle, "mrad",
+    "of an image infinitely far away: sines of angles from the chief ray"};
+
 #define SMALL(member_name, more)                                                                   \
-    COLUMN(struct psf_row, member_name), .dimension = &dimension_length, .unit = "um",             \
-                                         .flags = (more) | COLUMN_SPARSE
-#define ANGLE(member_name, more)                                                                   \
-    COLUMN(struct psf_row, member_name), .dimension = &dimension_angle, .unit = "mrad",            \
-                                         .flags = (more) | COLUMN_SPARSE
+    COLUMN_OR(struct psf_row, member_name, is_angular, &sines),                                    \
+        .dimension = &dimension_length, .unit = "um", .flags = (more) | COLUMN_SPARSE
 
 static const struct column columns[] = {
     ANALYSIS_POINT_COLUMNS(struct psf_row, point),
@@ -84,57 +93,75 @@ static const struct column columns[] = {
      .flags = COLUMN_BRIEF, .name = "inside", .label = "light inside",
      .help = "share of all light that the pixels have; absent where they are too coarse to say"},
     {SMALL(pitch, COLUMN_BRIEF), .name = "pitch", .label = "pitch", .help = "side of a pixel"},
-    {ANGLE(peak_x_angle, 0), .name = "peak_x", .label = "peak x",
-     .help = "the same of an image infinitely far away: sines of angles from the chief ray"},
-    {ANGLE(peak_y_angle, 0), .name = "peak_y", .label = "peak y", .help = "the same upwards"},
-    {ANGLE(centroid_x_angle, 0), .name = "centroid_x", .label = "centroid x", .help = "in x"},
-    {ANGLE(centroid_y_angle, 0), .name = "centroid_y", .label = "centroid y",
-     .help = "the same upwards"},
-    {ANGLE(width_x_angle, COLUMN_BRIEF), .name = "width_x", .label = "width in x", .help = "in x"},
-    {ANGLE(width_y_angle, COLUMN_BRIEF), .name = "width_y", .label = "width in y",
-     .help = "the same upwards"},
-    {ANGLE(radius80_angle, COLUMN_BRIEF), .name = "radius80", .label = "radius of 80 %",
-     .help = "with 80 % of all light"},
-    {ANGLE(radius80_error_angle, COLUMN_HIDDEN), .name = "radius80_error", .label = "error of that",
-     .help = "what that radius may be off"},
-    {ANGLE(pitch_angle, COLUMN_BRIEF), .name = "pitch", .label = "pitch",
-     .help = "side of a pixel"},
     {COLUMN(struct psf_row, method), .flags = COLUMN_ASSUMED, .name = "method", .depends = "method",
      .label = "method", .help = "how the waves are added up"},
     ANALYSIS_SPECTRUM_COLUMN(struct psf_row, point),
     ANALYSIS_TAIL_COLUMNS(struct psf_row, point),
 };
 
-static bool psf_check_input(const struct analysis_case *one, const void *context,
-                            struct error *error)
+static void psf_row_fill(const struct psf *psf, struct psf_row *row)
 {
-    const struct analysis_asked *asked = context;
-    return psf_check(one, asked->input, error);
-}
-
-static bool psf_row_find(const struct analysis_case *one, size_t field, const void *context,
-                         void *found, struct error *error)
-{
-    const struct analysis_asked *asked = context;
-    return psf_of_case(one, field, asked->input, one->setup->arena, found, error);
-}
-
-static void psf_fill(const struct psf *psf, struct psf_row *row)
-{
-    const double values[] = {psf->peak_at[0],  psf->peak_at[1], psf->centroid[0],
-                             psf->centroid[1], psf->width[0],   psf->width[1],
-                             psf->radius80,    psf->pitch,      psf->radius80_error};
-    double *lengths[] = {&row->peak_x,     &row->peak_y,  &row->centroid_x,
-                         &row->centroid_y, &row->width_x, &row->width_y,
-                         &row->radius80,   &row->pitch,   &row->radius80_error};
-    double *angles[] = {&row->peak_x_angle,     &row->peak_y_angle,  &row->centroid_x_angle,
-                        &row->centroid_y_angle, &row->width_x_angle, &row->width_y_angle,
-                        &row->radius80_angle,   &row->pitch_angle,   &row->radius80_error_angle};
-    for (size_t i = 0; i < sizeof values / sizeof values[0]; i++) {
-        *(psf->is_angular ? angles[i] : lengths[i]) = values[i];
-    }
+    row->is_angular = psf->is_angular;
     row->peak = psf->peak;
+    row->peak_x = psf->peak_at[0];
+    row->peak_y = psf->peak_at[1];
+    row->centroid_x = psf->centroid[0];
+    row->centroid_y = psf->centroid[1];
+    row->width_x = psf->width[0];
+    row->width_y = psf->width[1];
+    row->radius80 = psf->radius80;
+    row->radius80_error = psf->radius80_error;
+    row->pitch = psf->pitch;
     row->inside = psf->inside;
+}
+
+/* A pitch as a length of an image infinitely far away, or an angle of another? */
+static bool psf_check(const struct analysis_case *one, const struct psf_input *input,
+                      struct error *error)
+{
+    const bool is_angular = isnan(one->setup->image);
+    if (isnan(is_angular ? input->pitch : input->pitch_angle)) {
+        return true;
+    }
+    return fail(error, ERROR_DOMAIN,
+                is_angular ? "{--pitch}: the image lies infinitely far away, its pixels are "
+                             "angles: give {--pitch-angle}"
+                           : "{--pitch-angle} is of images infinitely far away: give {--pitch}");
+}
+
+static bool psf_field_find(const struct analysis_cursor *at, const struct analysis_case *one,
+                           size_t field, void *found, struct error *error)
+{
+    const struct psf_input *input = at->input;
+    const bool is_angular = isnan(one->setup->image);
+    const struct psf_question question = {.bundle = analysis_bundle(one, field),
+                                          .method = (enum psf_method)input->method,
+                                          .size = (size_t)input->size,
+                                          .threads = one->threads,
+                                          .pitch =
+                                              is_angular ? sin(input->pitch_angle) : input->pitch};
+    return psf_find(&question, one->setup->arena, found, error);
+}
+
+static struct analysis_cursor psf_begin(const struct psf_input *input, struct run *run)
+{
+    struct analysis_cursor at = analysis_begin(input, &policy, run);
+    at.find = psf_field_find;
+    at.found_size = sizeof(struct psf);
+    return at;
+}
+
+/* As analysis_next; errors as psf_check too. */
+static bool psf_next(struct analysis_cursor *at, struct error *error)
+{
+    error->code = ERROR_NONE;
+    while (at->one == NULL || !analysis_next_field(at, error)) {
+        if (error->code != ERROR_NONE || !analysis_next_case(at, error) ||
+            !psf_check(at->one, at->input, error)) {
+            return false;
+        }
+    }
+    return true;
 }
 
 /* What amplitudes and phases are those of, of an image infinitely far away. */
@@ -145,41 +172,7 @@ static const char *const angular_words[PSF_METHODS] = {
                 "phase on a plane there",
     [PSF_HUYGENS] = NULL};
 
-static bool psf_take(const struct analysis_case *one, size_t field, const void *found,
-                     void *context, struct error *error)
-{
-    const struct analysis_asked *asked = context;
-    const struct psf *psf = found;
-    struct psf_row row;
-    (void)error;
-    analysis_begin_row(asked, one, field, &row);
-    psf_fill(psf, &row);
-    if (psf->is_angular) {
-        row.method = angular_words[psf->method];
-    }
-    if (psf->method == PSF_RAYS) {
-        row.method = "rays as if light had no wavelength: densities of energy over the pixels";
-    }
-    if (psf->turns > 0) {
-        analysis_warn(asked, &row.point,
-                      arena_printf(asked->run->arena,
-                                   "the phase turns %.0f times across the pupil, and sums of waves "
-                                   "take %d: by rays, without diffraction",
-                                   psf->turns, PSF_TURNS_MOST));
-    }
-    if (!(psf->pitch < psf->finest)) {
-        analysis_warn(
-            asked, &row.point,
-            arena_printf(
-                asked->run->arena,
-                "pixels of %.4g %s miss light between them: shares of it want less than %.4g",
-                1000 * psf->pitch, psf->is_angular ? "mrad" : "um", 1000 * psf->finest));
-    }
-    analysis_warn(asked, &row.point, lens_island_warning(&psf->islands, asked->run->arena));
-    return run_emit(asked->run, &row);
-}
-
-static void psf_repeat(const void *data, void *row)
+static const char *psf_row_method(const struct psf_input *input, const struct psf *psf)
 {
     static const char *const words[PSF_METHODS] = {
         [PSF_AUTO] = "plane waves, amplitude squared = energy per area of direction cosines in "
@@ -190,26 +183,123 @@ static void psf_repeat(const void *data, void *row)
                     "cosines in the image space, phase on the reference sphere",
         [PSF_HUYGENS] = "spherical wavelets from the reference sphere, amplitude squared = energy "
                         "per area of direction cosines in the image space"};
-    ((struct psf_row *)row)->method = words[((const struct psf_input *)data)->method];
+    if (psf != NULL && psf->method == PSF_RAYS) {
+        return "rays as if light had no wavelength: densities of energy over the pixels";
+    }
+    return psf != NULL && psf->is_angular ? angular_words[psf->method] : words[input->method];
+}
+
+static void psf_row_warn(const struct analysis_cursor *at, const struct psf *psf,
+                         struct psf_row *row)
+{
+    struct arena *arena = at->run->arena;
+    if (psf->turns > 0) {
+        analysis_warn(at, &row->point,
+                      arena_printf(arena,
+                                   "the phase turns %.0f times across the pupil, and sums of waves "
+                                   "take %d: by rays, without diffraction",
+                                   psf->turns, PSF_TURNS_MOST));
+    }
+    if (!(psf->pitch < psf->finest)) {
+        analysis_warn(
+            at, &row->point,
+            arena_printf(
+                arena,
+                "pixels of %.4g %s miss light between them: shares of it want less than %.4g",
+                1000 * psf->pitch, psf->is_angular ? "mrad" : "um", 1000 * psf->finest));
+    }
+    analysis_warn(at, &row->point, lens_island_warning(&psf->islands, arena));
 }
 
 static const struct sheet sheet = SHEET(columns, struct psf_row);
-static const struct analysis_rows rows = {&psf_policy,
-                                          &sheet,
-                                          psf_repeat,
-                                          {.check = psf_check_input,
-                                           .find = psf_row_find,
-                                           .found_size = sizeof(struct psf),
-                                           .take = psf_take}};
 
 static bool psf_run(const void *data, struct run *run, struct error *error)
 {
-    return analysis_answer_rows(data, &rows, run, error);
+    struct analysis_cursor at = psf_begin(data, run);
+    while (psf_next(&at, error)) {
+        const struct psf *psf = at.lost == NULL ? at.found : NULL;
+        struct psf_row row;
+        analysis_begin_row(&at, &sheet, &row);
+        row.method = psf_row_method(data, psf);
+        if (psf != NULL) {
+            psf_row_fill(psf, &row);
+            psf_row_warn(&at, psf, &row);
+        }
+        if (!run_emit(run, &row)) {
+            return true;
+        }
+    }
+    return error->code == ERROR_NONE;
 }
 
-static bool psf_makes_many(const void *data)
+/* -------- maps -------- */
+
+static bool psf_map_add(struct map_page *page, const struct analysis_cursor *at,
+                        struct error *error)
 {
-    return analysis_makes_many(&((const struct psf_input *)data)->question, &psf_policy);
+    struct arena *arena = page->job->run->arena;
+    const struct analysis_case *one = at->one;
+    const struct psf *psf = at->found;
+    const char *x_label = psf->is_angular ? "x (mrad)" : "x (\xc2\xb5m)";
+    if (page->rasters.count > 0 && strcmp(page->rasters.x_label, x_label) != 0) {
+        return fail(error, ERROR_USAGE,
+                    "a page has no room for images in \xc2\xb5m and others infinitely far away");
+    }
+    page->rasters.x_label = x_label;
+    page->rasters.y_label = psf->is_angular ? "y (mrad)" : "y (\xc2\xb5m)";
+    const struct raster_map map = {
+        .title = analysis_field_words(one, at->field, arena),
+        .note = isnan(psf->inside) ? arena_printf(arena, "peak %.3g", psf->peak)
+                                   : arena_printf(arena, "peak %.3g, %.3g %% of the light",
+                                                  psf->peak, 100 * psf->inside),
+        .size = psf->size,
+        .values = psf->values,
+        .half = 1000 * psf->pitch * (double)psf->size / 2};
+    const char *light = one->spectrum;
+    if (light == NULL) {
+        light = arena_printf(arena, "%.6g nm", 1000 * one->setup->wavelengths[0].wavelength);
+    }
+    map_page_subtitle(page, psf->is_angular
+                                ? ARENA_JOIN(arena, "angles of an afocal image; ", light)
+                                : ARENA_JOIN(arena, "focus ", one->setup->focus, "; ", light));
+    return map_page_add(page, one, &map, error);
+}
+
+/* The maps of all inputs of a job. */
+static bool psf_maps(const struct artifact_job *job, struct map_page *page, struct error *error)
+{
+    const struct psf_input *first = job->inputs[0];
+    map_page_begin(page, job);
+    page->rasters.scale_label = "share of the peak of the map";
+    page->rasters.colours = first->log ? RASTER_LOG : RASTER_LIGHT;
+    page->rasters.decades = 5;
+    page->rasters.own_scale = true;
+    page->rasters.columns = 3;
+    for (size_t i = 0; i < job->count; i++) {
+        struct analysis_cursor at = psf_begin(job->inputs[i], job->run);
+        at.keeps_lost = true;
+        while (psf_next(&at, error)) {
+            if (at.lost == NULL && !psf_map_add(page, &at, error)) {
+                return false;
+            }
+        }
+        if (error->code != ERROR_NONE) {
+            return false;
+        }
+    }
+    return map_page_end(page, "Images of points", error);
+}
+
+static bool psf_page(const struct artifact_job *job, struct output *sink, struct error *error)
+{
+    struct map_page page;
+    return psf_maps(job, &page, error) && map_page_draw(&page, sink, error);
+}
+
+static bool psf_file(const struct artifact_job *job, struct output *sink, struct error *error)
+{
+    struct map_page page;
+    return psf_maps(job, &page, error) && map_page_write(&page, sink, error);
 }
 
 static bool psf_check_map(const struct artifact_job *job, struct error *error)
@@ -251,15 +341,12 @@ static const struct example examples[] = {
 
 const struct command command_psf = {
     .name = "psf",
-    .group = "analyses",
     .summary = "images of points by waves: Strehl ratio, widths, maps",
     COMMAND_ASKS(struct psf_input),
     COMMAND_ANSWERS(struct psf_row),
     .run = psf_run,
-    .makes_many = psf_makes_many,
-    .brings = analysis_brings,
-    .threads = analysis_threads,
-    .varies = analysis_varies,
+    .makes_many = analysis_several,
+    ANALYSIS_COMMAND,
     .cell = "peak",
     COMMAND_MAKES(artifacts),
     .most_answers = 10000,

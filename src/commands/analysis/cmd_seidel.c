@@ -1,7 +1,38 @@
 /* commands/analysis/cmd_seidel.c - lenscalc seidel: aberrations surface by surface. */
 /* SPDX-License-Identifier: MIT */
-#include "commands/analysis/seidel_case.h"
-#include "commands/analysis/seidel_view.h"
+#include "commands/analysis/analysis_cursor.h"
+#include "draw/bars.h"
+#include "optics/seidel.h"
+#include "optics/wavelength.h"
+
+#include <string.h>
+
+/* --form */
+enum { FORM_WELFORD, FORM_TRANSVERSE, FORM_WAVES };
+
+/* --chromatic */
+enum { CHROMATIC_LINES, CHROMATIC_LENS };
+
+struct seidel_input {
+    struct analysis_question question;
+    int form, chromatic;
+};
+
+/* The sums of one lens in one position. */
+struct seidel_case {
+    const struct setup *setup;
+    struct analysis_point point; /* what its rows say of their place */
+    struct setup_light light;
+    struct seidel seidel;
+    struct field_point field; /* an angle, or the height of the object; FIELD_NONE */
+    double blue, red;         /* um, of CI and CII; NaN where they are absent */
+    const char *warning;      /* null = all is well */
+};
+
+static const struct analysis_policy policy = {.wavelengths = WAVELENGTHS_PRIMARY,
+                                              .fields = FIELDS_EDGE,
+                                              .one_wavelength = true,
+                                              .no_image = true};
 
 static const struct word forms[] = {
     [FORM_WELFORD] = {"welford", "the Seidel sums S1 .. S5 and C1, C2, mm"},
@@ -35,7 +66,8 @@ struct seidel_row {
     double wavelength, blue, red; /* um */
     double field, height;         /* rad; mm at the object or at the image */
     double field_x, height_x;
-    double values[SEIDEL_TERMS + 1], angles[SEIDEL_TERMS + 1]; /* last: tangential coma */
+    double values[SEIDEL_TERMS + 1]; /* last: tangential coma */
+    bool is_angular;                 /* they are angles */
     double asphere[SEIDEL_TERMS];
     double lagrange; /* mm */
 };
@@ -44,9 +76,9 @@ struct seidel_row {
 #define LENGTH(member_name, more)                                                                  \
     COLUMN(struct seidel_row, member_name), .dimension = &dimension_length, .unit = "mm",          \
                                             .flags = (more)
-#define ANGLE(member_name, more)                                                                   \
-    COLUMN(struct seidel_row, member_name), .dimension = &dimension_angle, .unit = "mrad",         \
-                                            .flags = (more)
+
+static const struct column_form angle = {&dimension_angle, "mrad", "of an afocal lens an angle"};
+
 #define WAVE(member_name, more)                                                                    \
     COLUMN(struct seidel_row, member_name), .dimension = &dimension_wavelength_um, .unit = "nm",   \
                                             .flags = (more) | COLUMN_EXTRA | COLUMN_ASSUMED
@@ -60,13 +92,9 @@ struct seidel_row {
     }
 #define TRANSVERSE(i, column_name, words)                                                          \
     {                                                                                              \
-        LENGTH(values[i], COLUMN_BRIEF | COLUMN_SPARSE), .name = (column_name), .label = (words),  \
-                                                         .help = words "; absent if afocal"        \
-    }
-#define ANGULAR(i, column_name, words)                                                             \
-    {                                                                                              \
-        ANGLE(angles[i], COLUMN_BRIEF | COLUMN_SPARSE), .name = (column_name), .label = (words),   \
-                                                        .help = words ", of an afocal lens"        \
+        COLUMN_OR(struct seidel_row, values[i], is_angular, &angle),                               \
+            .dimension = &dimension_length, .unit = "mm", .flags = COLUMN_BRIEF | COLUMN_SPARSE,   \
+            .name = (column_name), .label = (words), .help = words "; absent if afocal"            \
     }
 
 #define CASE_COLUMNS                                                                               \
@@ -147,14 +175,6 @@ static const struct column transverse_columns[] = {
     TRANSVERSE(SEIDEL_DISTORTION, "DC", "distortion"),
     TRANSVERSE(SEIDEL_AXIAL_COLOR, "TAchC", "axial colour"),
     TRANSVERSE(SEIDEL_LATERAL_COLOR, "TchC", "lateral colour"),
-    ANGULAR(SEIDEL_SPHERICAL, "TSC", "spherical aberration of the marginal ray"),
-    ANGULAR(SEIDEL_COMA, "CC_s", "sagittal coma"),
-    ANGULAR(SEIDEL_TERMS, "CC_t", "tangential coma"),
-    ANGULAR(SEIDEL_ASTIGMATISM, "TAC", "astigmatism"),
-    ANGULAR(SEIDEL_PETZVAL, "TPC", "Petzval curvature"),
-    ANGULAR(SEIDEL_DISTORTION, "DC", "distortion"),
-    ANGULAR(SEIDEL_AXIAL_COLOR, "TAchC", "axial colour"),
-    ANGULAR(SEIDEL_LATERAL_COLOR, "TchC", "lateral colour"),
     TAIL_COLUMNS,
 };
 
@@ -173,64 +193,304 @@ static const struct sheet *seidel_choose_sheet(const void *data, const struct op
     return &sheets[((const struct seidel_input *)data)->form];
 }
 
-static void seidel_fill(const struct seidel_case *one, const struct seidel_part *part, int form,
-                        struct seidel_row *row)
+/* -------- a case -------- */
+
+/* The two wavelengths of CI and CII. */
+static bool choose_colours(const struct seidel_input *input, const struct lens *lens,
+                           struct seidel_case *one, struct error *error)
 {
-    double values[SEIDEL_TERMS];
-    bool angular = form == FORM_TRANSVERSE && seidel_is_angular(one);
-    seidel_in_form(one, part, form, values);
-    for (size_t i = 0; i <= SEIDEL_TERMS; i++) {
-        double value = i < SEIDEL_TERMS ? values[i] : 3 * values[SEIDEL_COMA];
-        row->values[i] = angular ? (double)NAN : value;
-        row->angles[i] = angular ? value : (double)NAN;
+    one->blue = WAVELENGTH_F;
+    one->red = WAVELENGTH_C;
+    if (input->chromatic == CHROMATIC_LINES) {
+        return true;
     }
-    for (size_t i = 0; i < SEIDEL_TERMS; i++) {
-        row->asphere[i] = part->asphere[i];
+    one->blue = INFINITY;
+    one->red = 0;
+    for (size_t i = 0; i < lens->wavelength_count; i++) {
+        one->blue = fmin(one->blue, lens->wavelengths[i].wavelength);
+        one->red = fmax(one->red, lens->wavelengths[i].wavelength);
     }
+    return one->blue < one->red ||
+           fail(error, ERROR_DOMAIN,
+                "{--chromatic} lens: the lens states only one wavelength, and so no dispersion");
 }
 
-/* Where the rows go. */
-struct seidel_list {
-    const struct seidel_input *input;
-    struct run *run;
-};
-
-static bool seidel_emit_rows(const struct seidel_case *one, void *context, struct error *error)
+/* What the sums leave out. */
+static const char *seidel_case_doubts_of(const struct seidel_case *one, struct arena *arena)
 {
-    const struct seidel_list *listing = context;
-    const struct setup *setup = one->setup;
-    struct run *run = listing->run;
-    const size_t count = one->light.system.count;
-    const bool across = setup->section == SECTION_X;
-    struct seidel_row row = {
-        .position = setup->position,
-        .lens = setup->lens->title,
-        .warning = one->warning,
-        .wavelength = one->light.wavelength,
-        .blue = one->blue,
-        .red = one->red,
-        .field = across ? one->point.field_x : one->point.field,
-        .height = across ? one->point.height_x : one->point.height,
-        .field_x = one->point.field_x,
-        .height_x = one->point.height_x,
-        .lagrange = one->seidel.lagrange,
-    };
-    (void)error;
-    for (size_t i = 0; i <= count; i++) {
-        row.surface = i < count ? arena_printf(run->arena, "%zu", i + 1) : "sum";
-        seidel_fill(one, i < count ? &one->seidel.parts[i] : &one->seidel.total,
-                    listing->input->form, &row);
-        if (!run_emit(run, &row)) {
-            break;
-        }
+    const struct lens *lens = one->setup->lens;
+    const char *words = one->warning;
+    bool has_cylinder = false;
+    for (size_t i = 0; i < lens->surface_count; i++) {
+        has_cylinder = has_cylinder || !surface_is_round(&lens->surfaces[i]);
     }
+    if (has_cylinder) {
+        words =
+            lens_warnings_join(words,
+                               "the lens has cylinders: the sums are those of a round lens with "
+                               "the profiles of this section",
+                               arena);
+    }
+    if (one->seidel.distorting != LENS_NONE) {
+        words = lens_warnings_join(
+            words,
+            arena_printf(arena, "the distortion of the thick lens, surface %zu, is left out",
+                         one->seidel.distorting + 1),
+            arena);
+    }
+    return words;
+}
+
+/* The indices at the two wavelengths; without them CI and CII are absent. */
+static const struct pair *index_at(const struct seidel_case *one, double wavelength,
+                                   struct arena *arena, struct error *error)
+{
+    const struct setup *setup = one->setup;
+    struct paraxial_system system;
+    return paraxial_compile(setup->lens, wavelength, setup->section, arena, &system, error)
+               ? system.index
+               : NULL;
+}
+
+/* The sums of the case of a cursor. */
+static bool seidel_sum_up(const struct analysis_cursor *at, struct seidel_case *one,
+                          struct error *error)
+{
+    const struct seidel_input *input = at->input;
+    const struct setup *setup = at->one->setup;
+    struct arena *arena = at->run->arena;
+    *one = (struct seidel_case){.setup = setup,
+                                .point = analysis_point_of(at->one, at->field),
+                                .field = setup_edge_in_object(setup),
+                                .warning = at->one->warning};
+    if (!setup_light(setup, 0, &one->light, error)) {
+        return false;
+    }
+    struct error colours;
+    if (isnan(one->light.first.working_fnumber)) {
+        fail(error, ERROR_DOMAIN,
+             "the lens has no aperture: the height of its marginal ray is "
+             "not known");
+        return error_hint(error, "give an f-number with -N, or an aperture in the file");
+    }
+    if (!choose_colours(input, setup->lens, one, error)) {
+        return false;
+    }
+    const struct pair *blue = index_at(one, one->blue, arena, &colours);
+    const struct pair *red = blue != NULL ? index_at(one, one->red, arena, &colours) : NULL;
+    if (red == NULL) {
+        blue = NULL;
+        const bool others =
+            input->chromatic == CHROMATIC_LINES && setup->lens->wavelength_count > 1;
+        const char *hint = others ? "; --chromatic lens takes the lens's own wavelengths" : "";
+        one->warning = lens_warnings_join(
+            one->warning,
+            ARENA_JOIN(arena, "the chromatic sums are absent: ", colours.message, hint), arena);
+        one->blue = one->red = NAN;
+    }
+    const struct seidel_question question = {
+        .lens = setup->lens,
+        .system = &one->light.system,
+        .blue_n = blue,
+        .red_n = red,
+        .section = setup->section,
+        .object = &setup->object,
+        .first = &one->light.first,
+        .field_kind = one->field.kind,
+        .field = one->field.value[setup_axis(setup)],
+    };
+    if (!seidel_compute(&question, arena, &one->seidel, error)) {
+        return false;
+    }
+    one->warning = seidel_case_doubts_of(one, arena);
     return true;
+}
+
+/* Is the image infinitely far away, so that transverse aberrations are angles? */
+static bool seidel_is_angular(const struct seidel_case *one)
+{
+    return isinf(one->light.first.image) || one->seidel.slope == 0;
+}
+
+/* A part of the sums as --form wants it: mm, rad where the image is at infinity, or waves. */
+static void seidel_in_form(const struct seidel_case *one, const struct seidel_part *part, int form,
+                           double values[SEIDEL_TERMS])
+{
+    const struct seidel *seidel = &one->seidel;
+    const double n = one->light.first.index_image;
+    if (form == FORM_WELFORD) {
+        memcpy(values, part->sum, sizeof part->sum);
+        return;
+    }
+    if (form == FORM_WAVES) {
+        seidel_convert(part, SEIDEL_WAVES, 1e3 / one->light.wavelength, values);
+        return;
+    }
+    const double unit = seidel_is_angular(one) ? -1 / (n * seidel->height) : 1 / seidel->slope;
+    seidel_convert(part, SEIDEL_TRANSVERSE, unit, values);
+}
+
+/* -------- rows -------- */
+
+/* Row i of a case, of its surfaces or behind them the sum. */
+static void seidel_row_fill(const struct seidel_case *one, size_t i, int form, struct arena *arena,
+                            struct seidel_row *row)
+{
+    const bool is_sum = i == one->light.system.count;
+    const struct seidel_part *part = is_sum ? &one->seidel.total : &one->seidel.parts[i];
+    row->surface = is_sum ? "sum" : arena_printf(arena, "%zu", i + 1);
+    row->is_angular = form == FORM_TRANSVERSE && seidel_is_angular(one);
+    seidel_in_form(one, part, form, row->values);
+    row->values[SEIDEL_TERMS] = 3 * row->values[SEIDEL_COMA];
+    memcpy(row->asphere, part->asphere, sizeof row->asphere);
 }
 
 static bool seidel_run(const void *data, struct run *run, struct error *error)
 {
-    struct seidel_list listing = {data, run};
-    return seidel_each(data, run, seidel_emit_rows, &listing, error);
+    const struct seidel_input *input = data;
+    struct analysis_cursor at = analysis_begin(input, &policy, run);
+    at.keeps_lost = false;
+    while (analysis_next(&at, error)) {
+        const struct setup *setup = at.one->setup;
+        const bool across = setup->section == SECTION_X;
+        struct seidel_case one;
+        if (!seidel_sum_up(&at, &one, error)) {
+            return false;
+        }
+        struct seidel_row row = {
+            .position = setup->position,
+            .lens = setup->lens->title,
+            .warning = one.warning,
+            .wavelength = one.light.wavelength,
+            .blue = one.blue,
+            .red = one.red,
+            .field = across ? one.point.field_x : one.point.field,
+            .height = across ? one.point.height_x : one.point.height,
+            .field_x = one.point.field_x,
+            .height_x = one.point.height_x,
+            .lagrange = one.seidel.lagrange,
+        };
+        for (size_t i = 0; i <= one.light.system.count; i++) {
+            seidel_row_fill(&one, i, input->form, run->arena, &row);
+            if (!run_emit(run, &row)) {
+                break;
+            }
+        }
+    }
+    return error->code == ERROR_NONE;
+}
+
+/* -------- the bar diagram -------- */
+
+/* What the bars are called, in each form. */
+static const char *const names[][SEIDEL_TERMS] = {
+    [FORM_WELFORD] = {"S1 spherical", "S2 coma", "S3 astigmatism", "S4 Petzval", "S5 distortion",
+                      "C1 axial colour", "C2 lateral colour"},
+    [FORM_TRANSVERSE] = {"TSC spherical", "CC_s sagittal coma", "TAC astigmatism", "TPC Petzval",
+                         "DC distortion", "TAchC axial colour", "TchC lateral colour"},
+    [FORM_WAVES] = {"W040 spherical", "W131 coma", "W222 astigmatism", "W220 field curvature",
+                    "W311 distortion", "W020c axial colour", "W111c lateral colour"},
+};
+
+static const double THOUSAND = 1000;
+
+/* In thousandths of the unit where all bars are below a tenth of it. */
+static const char *choose_unit(const struct seidel_case *one, int form, double *const *values,
+                               size_t count)
+{
+    double largest = 0;
+    for (size_t g = 0; g < count; g++) {
+        for (size_t k = 0; k < SEIDEL_TERMS; k++) {
+            largest = fmax(largest, fabs(values[g][k]));
+        }
+    }
+    const bool angular = form == FORM_TRANSVERSE && seidel_is_angular(one);
+    if (form == FORM_WAVES || (largest >= 0.1 && !angular)) {
+        return form == FORM_WAVES ? "waves" : "mm";
+    }
+    for (size_t g = 0; g < count; g++) {
+        for (size_t k = 0; k < SEIDEL_TERMS; k++) {
+            values[g][k] *= THOUSAND;
+        }
+    }
+    return angular ? "mrad" : "\xc2\xb5m";
+}
+
+static const char *seidel_view_subtitle_of(const struct seidel_case *one, struct arena *arena)
+{
+    const struct setup *setup = one->setup;
+    const struct first_order *first = &one->light.first;
+    const double value = one->field.value[setup_axis(setup)];
+    const char *field = "no field";
+    if (one->field.kind == FIELD_ANGLE) {
+        field = arena_printf(arena, "field %.5g deg", value * DEGREES_PER_RADIAN);
+    } else if (one->field.kind == FIELD_HEIGHT) {
+        field = arena_printf(arena, "object height %.5g mm", value);
+    }
+    const char *aperture = isfinite(first->fnumber)
+                               ? arena_printf(arena, "f/%.4g", first->fnumber)
+                               : arena_printf(arena, "stop radius %.4g mm", first->stop_radius);
+    const char *colours = isnan(one->blue)
+                              ? ""
+                              : arena_printf(arena, ", colour %.5g to %.5g nm",
+                                             THOUSAND * one->blue, THOUSAND * one->red);
+    const char *from =
+        setup->fields_from == NULL ? "" : arena_printf(arena, " (%s)", setup->fields_from);
+    return arena_printf(arena, "%s%s%s, %s%s, at %.5g nm%s",
+                        setup->position != NULL ? setup->position : "",
+                        setup->position != NULL ? ", " : "", aperture, field, from,
+                        THOUSAND * one->light.wavelength, colours);
+}
+
+static struct bars seidel_bars(const struct seidel_case *one, int form, struct arena *arena)
+{
+    const size_t count = one->light.system.count;
+    struct bar_group *groups = ARENA_ARRAY(arena, count + 1, struct bar_group);
+    double **values = ARENA_ARRAY(arena, count + 1, double *);
+    for (size_t i = 0; i <= count; i++) {
+        values[i] = ARENA_ARRAY(arena, SEIDEL_TERMS, double);
+        seidel_in_form(one, i < count ? &one->seidel.parts[i] : &one->seidel.total, form,
+                       values[i]);
+        groups[i] =
+            (struct bar_group){.label = i < count ? arena_printf(arena, "%zu", i + 1) : "sum",
+                               .values = values[i],
+                               .apart = i == count};
+    }
+    static const char *const what[] = {[FORM_WELFORD] = "Seidel sums",
+                                       [FORM_TRANSVERSE] = "Transverse third-order aberrations",
+                                       [FORM_WAVES] = "Third-order wavefront"};
+    const char *unit = choose_unit(one, form, values, count + 1);
+    return (struct bars){
+        .title = arena_printf(arena, "%s of %s", what[form], one->setup->lens->title),
+        .subtitle = seidel_view_subtitle_of(one, arena),
+        .x_label = "surface",
+        .y_label = arena_printf(arena, "contribution (%s)", unit),
+        .kinds = names[form],
+        .kind_count = SEIDEL_TERMS,
+        .groups = groups,
+        .group_count = count + 1,
+    };
+}
+
+static bool seidel_view_check(const struct artifact_job *job, struct error *error)
+{
+    const struct seidel_input *input = job->inputs[0];
+    return !lens_positions_several(input->question.lens.lens, input->question.position) ||
+           fail(error, ERROR_USAGE, "{--plot} shows one position: name it with {--position}");
+}
+
+static bool seidel_view_draw(const struct artifact_job *job, struct output *sink,
+                             struct error *error)
+{
+    const struct seidel_input *input = job->inputs[0];
+    struct svg svg = {.arena = job->run->arena};
+    struct analysis_cursor at = analysis_begin(input, &policy, job->run);
+    struct seidel_case one;
+    if (!analysis_next(&at, error) || !seidel_sum_up(&at, &one, error)) {
+        return false;
+    }
+    const struct bars bars = seidel_bars(&one, input->form, svg.arena);
+    return bars_draw(&bars, &svg, error) && drawing_write(job, &svg, sink, error);
 }
 
 static const struct artifact artifacts[] = {

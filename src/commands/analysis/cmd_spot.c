@@ -1,7 +1,23 @@
 /* commands/analysis/cmd_spot.c - lenscalc spot: how widely the rays of a field spread. */
 /* SPDX-License-Identifier: MIT */
-#include "commands/analysis/analysis_fields.h"
-#include "commands/analysis/spot_diagram.h"
+#include "analysis/rays/spot.h"
+#include "commands/analysis/analysis_cursor.h"
+#include "draw/panels.h"
+#include "draw/plot.h"
+
+#include <math.h>
+#include <stdlib.h>
+
+enum { SPOT_ABOUT_CENTROID, SPOT_ABOUT_CHIEF };
+
+struct spot_input {
+    struct analysis_question question;
+    int reference;
+    double energy;
+    long to;
+};
+
+static const struct analysis_policy policy = {.wavelengths = WAVELENGTHS_ALL, .fields = FIELDS_ALL};
 
 static const struct word references[] = {
     [SPOT_ABOUT_CENTROID] = {"centroid", "where their weighted mean is"},
@@ -29,25 +45,24 @@ static const struct option options[] = {
 
 struct spot_row {
     struct analysis_point point;
+    bool is_angular; /* lengths are sines of angles */
     double rms, rms_x, rms_y, rms_chief, radius, radius_error, error; /* mm */
     double energy, energy_radius, energy_error;
-    double rms_angle, rms_x_angle, rms_y_angle, rms_chief_angle, radius_angle, radius_error_angle,
-        error_angle; /* rad */
-    double energy_angle, energy_error_angle;
     double x, y, chief_x, chief_y, clear;
     long rays;
     const char *weight;
 };
 
+static const struct column_form sines = {&dimension_angle, "mrad",
+                                         "of an image at infinity: sines of angles from the chief "
+                                         "ray"};
+
 #define SMALL(member_name, more)                                                                   \
-    COLUMN(struct spot_row, member_name), .dimension = &dimension_length, .unit = "um",            \
-                                          .flags = (more)
+    COLUMN_OR(struct spot_row, member_name, is_angular, &sines), .dimension = &dimension_length,   \
+                                                                 .unit = "um", .flags = (more)
 #define PLACE(member_name, more)                                                                   \
     COLUMN(struct spot_row, member_name), .dimension = &dimension_length, .unit = "mm",            \
                                           .flags = (more)
-#define ANGLE(member_name, more)                                                                   \
-    COLUMN(struct spot_row, member_name), .dimension = &dimension_angle, .unit = "mrad",           \
-                                          .flags = (more) | COLUMN_SPARSE
 
 static const struct column columns[] = {
     ANALYSIS_POINT_COLUMNS(struct spot_row, point),
@@ -77,22 +92,6 @@ static const struct column columns[] = {
     {SMALL(error, COLUMN_BRIEF | COLUMN_SPARSE), .name = "error", .label = "error",
      .help = "what the RMS figures may be off: three times what twice the rays change of them, "
              "four times of a plain pattern"},
-    {ANGLE(rms_angle, COLUMN_BRIEF), .name = "rms", .label = "RMS radius",
-     .help = "the same of an image at infinity: sines of angles from the chief ray"},
-    {ANGLE(rms_x_angle, COLUMN_BRIEF), .name = "rms_x", .label = "RMS in x", .help = "in x alone"},
-    {ANGLE(rms_y_angle, COLUMN_BRIEF), .name = "rms_y", .label = "RMS in y", .help = "in y alone"},
-    {ANGLE(rms_chief_angle, 0), .name = "rms_chief", .label = "RMS about the chief ray",
-     .help = "about the chief ray"},
-    {ANGLE(radius_angle, COLUMN_BRIEF), .name = "radius", .label = "largest radius",
-     .help = "the largest"},
-    {ANGLE(radius_error_angle, COLUMN_HIDDEN), .name = "radius_error", .label = "error of that",
-     .help = "what the largest may be off"},
-    {ANGLE(energy_angle, COLUMN_EXTRA), .with = "energy", .name = "energy_radius",
-     .label = "energy radius", .help = "the angle that holds the share"},
-    {ANGLE(energy_error_angle, COLUMN_EXTRA), .with = "energy", .name = "energy_error",
-     .label = "error of the energy radius", .help = "what it may be off"},
-    {ANGLE(error_angle, COLUMN_BRIEF), .name = "error", .label = "error",
-     .help = "what the RMS radius may be off"},
     {PLACE(x, 0), .name = "x", .label = "centroid x", .help = "of the centroid"},
     {PLACE(y, 0), .name = "y", .label = "centroid y", .help = "of the centroid, upwards"},
     {PLACE(chief_x, COLUMN_HIDDEN), .name = "chief_x", .label = "chief ray x",
@@ -115,20 +114,18 @@ static double spot_row_place(double coordinate, double rms)
     return fabs(coordinate) < 1e-15 * rms ? 0 : coordinate;
 }
 
-static void spot_fill(const struct spot *spot, struct spot_row *row)
+static void spot_row_fill(const struct spot *spot, struct spot_row *row)
 {
-    const double values[] = {spot->rms,           spot->rms_x,        spot->rms_y,
-                             spot->rms_chief,     spot->radius,       spot->error,
-                             spot->energy_radius, spot->energy_error, spot->radius_error};
-    double *lengths[] = {&row->rms,           &row->rms_x,        &row->rms_y,
-                         &row->rms_chief,     &row->radius,       &row->error,
-                         &row->energy_radius, &row->energy_error, &row->radius_error};
-    double *angles[] = {&row->rms_angle,       &row->rms_x_angle,        &row->rms_y_angle,
-                        &row->rms_chief_angle, &row->radius_angle,       &row->error_angle,
-                        &row->energy_angle,    &row->energy_error_angle, &row->radius_error_angle};
-    for (size_t i = 0; i < sizeof values / sizeof values[0]; i++) {
-        *(spot->is_angular ? angles[i] : lengths[i]) = values[i];
-    }
+    row->is_angular = spot->is_angular;
+    row->rms = spot->rms;
+    row->rms_x = spot->rms_x;
+    row->rms_y = spot->rms_y;
+    row->rms_chief = spot->rms_chief;
+    row->radius = spot->radius;
+    row->radius_error = spot->radius_error;
+    row->energy_radius = spot->energy_radius;
+    row->energy_error = spot->energy_error;
+    row->error = spot->error;
     if (!spot->is_angular) {
         row->x = spot_row_place(spot->centroid[0], spot->rms);
         row->y = spot_row_place(spot->centroid[1], spot->rms);
@@ -139,69 +136,436 @@ static void spot_fill(const struct spot *spot, struct spot_row *row)
     row->rays = (long)spot->rays;
 }
 
-/* The largest radius takes as long as all the rest. */
-static bool shows_radius(const struct run *run)
+/* What is asked of one field of a case. */
+static bool spot_question_of(const struct analysis_case *one, size_t field,
+                             const struct spot_input *input, struct spot_question *question,
+                             struct error *error)
 {
-    static const size_t members[] = {
-        offsetof(struct spot_row, radius), offsetof(struct spot_row, radius_error),
-        offsetof(struct spot_row, radius_angle), offsetof(struct spot_row, radius_error_angle)};
-    bool shows = false;
-    for (size_t i = 0; i < sizeof members / sizeof members[0]; i++) {
-        shows = shows || run_shows(run, members[i]);
-    }
-    return shows;
+    const struct analysis_question *asked = &input->question;
+    const size_t surfaces = one->setup->lens->surface_count;
+    *question = (struct spot_question){
+        .bundle = analysis_bundle(one, field),
+        .rays = asked->rays != NO_INTEGER && asked->rays > 0 ? (size_t)asked->rays : 0,
+        .error = asked->error,
+        .to = input->to > 0 ? (size_t)input->to : 0,
+        .about_chief = input->reference == SPOT_ABOUT_CHIEF,
+        .energy = input->energy};
+    return question->to <= surfaces ||
+           fail(error, ERROR_USAGE, "{--to} %ld: the lens has %zu surfaces", input->to, surfaces);
 }
 
-static bool spot_row_find(const struct analysis_case *one, size_t field, const void *context,
-                          void *found, struct error *error)
+static bool spot_row_find(const struct analysis_cursor *at, const struct analysis_case *one,
+                          size_t field, void *found, struct error *error)
 {
-    const struct analysis_asked *asked = context;
     struct spot_question question;
-    if (!spot_question_of(one, field, asked->input, &question, error)) {
+    if (!spot_question_of(one, field, at->input, &question, error)) {
         return false;
     }
-    question.no_radius = !shows_radius(asked->run);
+    /* the largest radius takes as long as all the rest */
+    question.no_radius = !run_shows(at->run, offsetof(struct spot_row, radius)) &&
+                         !run_shows(at->run, offsetof(struct spot_row, radius_error));
     return spot_find(&question, one->setup->arena, found, error);
 }
 
-static bool spot_take(const struct analysis_case *one, size_t field, const void *found,
-                      void *context, struct error *error)
-{
-    const struct analysis_asked *asked = context;
-    const struct spot *spot = found;
-    struct spot_row row;
-    (void)error;
-    analysis_begin_row(asked, one, field, &row);
-    spot_fill(spot, &row);
-    analysis_warn(asked, &row.point, lens_island_warning(&spot->islands, asked->run->arena));
-    if (!(one->question->rays > 0) && !spot->has_converged) {
-        analysis_warn(asked, &row.point, "the spot has not converged: see its error");
-    }
-    return run_emit(asked->run, &row);
-}
-
-static void spot_repeat(const void *data, void *row)
-{
-    const struct spot_input *input = data;
-    ((struct spot_row *)row)->energy = input->energy;
-    ((struct spot_row *)row)->weight = analysis_weight_words(&input->question);
-}
-
 static const struct sheet sheet = SHEET(columns, struct spot_row);
-static const struct analysis_rows rows = {
-    &spot_policy,
-    &sheet,
-    spot_repeat,
-    {.find = spot_row_find, .found_size = sizeof(struct spot), .take = spot_take}};
 
 static bool spot_run(const void *data, struct run *run, struct error *error)
 {
-    return analysis_answer_rows(data, &rows, run, error);
+    const struct spot_input *input = data;
+    struct analysis_cursor at = analysis_begin(input, &policy, run);
+    at.find = spot_row_find;
+    at.found_size = sizeof(struct spot);
+    while (analysis_next(&at, error)) {
+        const struct spot *spot = at.found;
+        struct spot_row row;
+        analysis_begin_row(&at, &sheet, &row);
+        row.energy = input->energy;
+        row.weight = analysis_weight_words(&input->question);
+        if (at.lost == NULL) {
+            spot_row_fill(spot, &row);
+            analysis_warn(&at, &row.point, lens_island_warning(&spot->islands, run->arena));
+            if (!(input->question.rays > 0) && !spot->has_converged) {
+                analysis_warn(&at, &row.point, "the spot has not converged: see its error");
+            }
+        }
+        if (!run_emit(run, &row)) {
+            return true;
+        }
+    }
+    return error->code == ERROR_NONE;
 }
 
-static bool spot_makes_many(const void *data)
+/* -------- the drawing: by field, through focus, and as curves -------- */
+
+enum { MOST_ROWS = 12, MOST_COLUMNS = 9, RAYS = 217 };
+
+/* A spot of the drawing. */
+struct drawn {
+    const char *field;           /* in words */
+    bool is_angle;               /* the field, else a height */
+    double field_value, defocus; /* as shown; NaN = none */
+    double rms;                  /* um or mrad */
+    struct panel panel;
+};
+
+struct spot_drawing {
+    struct run *run;
+    struct arena *arena;
+    const struct spot_input *input;
+    bool with_points;
+    struct drawn *all;
+    size_t count, room;
+    const char *title, *focus;
+    double airy; /* radius of the Airy disc, um or mrad; NaN = not known */
+    bool is_angular, is_footprint;
+    const double *wavelengths; /* of the keys, ascending, um */
+    size_t wavelength_count;
+};
+
+static const struct unit *spot_diagram_unit(const struct spot_drawing *drawing)
 {
-    return analysis_makes_many(&((const struct spot_input *)data)->question, &spot_policy);
+    if (drawing->is_angular) {
+        return unit_find(&dimension_angle, text_of("mrad"));
+    }
+    return unit_find(&dimension_length, text_of(drawing->is_footprint ? "mm" : "um"));
+}
+
+static const char *spot_diagram_unit_words(const struct spot_drawing *drawing)
+{
+    if (drawing->is_angular) {
+        return "mrad";
+    }
+    return drawing->is_footprint ? "mm" : "\xc2\xb5m";
+}
+
+/* Where a spot stands in the drawing. */
+static struct drawn spot_diagram_place(const struct analysis_case *one, size_t field,
+                                       struct arena *arena)
+{
+    const struct field_point *at = &one->setup->fields[field].point;
+    const bool beside = fabs(at->value[0]) > fabs(at->value[1]);
+    const bool angle = at->kind == FIELD_ANGLE;
+    const char *position = one->setup->position;
+    struct drawn drawn = {.field = "axis",
+                          .field_value = at->value[beside ? 0 : 1],
+                          .is_angle = angle || at->kind == FIELD_NONE,
+                          .defocus = one->question->defocus,
+                          .rms = NAN};
+    if (angle) {
+        drawn.field_value =
+            unit_from_own(unit_find(&dimension_angle, text_of("deg")), drawn.field_value);
+    }
+    if (at->kind != FIELD_NONE) {
+        drawn.field =
+            arena_printf(arena, "%.4g%s", drawn.field_value + 0.0, angle ? "\xc2\xb0" : " mm");
+    }
+    if (position != NULL && one->question->position != NULL) {
+        drawn.field = arena_printf(arena, "%s, %s", position, drawn.field);
+    }
+    return drawn;
+}
+
+/* Keys in the order of the light, violet first. */
+static int spot_diagram_by_value(const void *first, const void *second)
+{
+    double a = *(const double *)first, b = *(const double *)second;
+    return (a > b) - (a < b);
+}
+
+static void spot_diagram_list_wavelengths(struct spot_drawing *drawing, const struct setup *setup)
+{
+    double *list = ARENA_ARRAY(drawing->arena, setup->wavelength_count, double);
+    for (size_t i = 0; i < setup->wavelength_count; i++) {
+        list[i] = setup->wavelengths[i].wavelength;
+    }
+    qsort(list, setup->wavelength_count, sizeof *list, spot_diagram_by_value);
+    drawing->wavelengths = list;
+    drawing->wavelength_count = setup->wavelength_count;
+}
+
+static size_t spot_diagram_key_of(const struct spot_drawing *drawing, double wavelength)
+{
+    size_t key = 0;
+    while (key + 1 < drawing->wavelength_count && drawing->wavelengths[key] < wavelength) {
+        key++;
+    }
+    return key;
+}
+
+/* The points of one field, a series a wavelength. */
+static void spot_diagram_add_points(struct spot_drawing *drawing, const struct analysis_case *one,
+                                    const struct spot_question *question, struct drawn *drawn)
+{
+    const struct unit *unit = spot_diagram_unit(drawing);
+    struct arena *arena = drawing->arena;
+    struct spot_question even = *question;
+    struct panel_series *series =
+        ARENA_ARRAY(arena, one->setup->wavelength_count, struct panel_series);
+    even.bundle.pattern =
+        question->bundle.pattern == PATTERN_GAUSS ? PATTERN_HEXAPOLAR : question->bundle.pattern;
+    even.bundle.weight = WEIGHT_PUPIL;
+    drawn->panel.series = series;
+    for (size_t g = 0; g < one->setup->wavelength_count; g++) {
+        struct spot_points points;
+        struct error ignored;
+        size_t rays = question->rays > 0 ? question->rays : RAYS;
+        /* without a chief ray there is no pattern: Gauss's points then */
+        if (!spot_points_find(&even, g, rays, arena, &points, &ignored) &&
+            !spot_points_find(question, g, rays, arena, &points, &ignored)) {
+            continue;
+        }
+        double *x = ARENA_ARRAY(arena, points.count, double);
+        double *y = ARENA_ARRAY(arena, points.count, double);
+        for (size_t i = 0; i < points.count; i++) {
+            x[i] = unit_from_own(unit, points.at[i][0]);
+            y[i] = unit_from_own(unit, points.at[i][1]);
+        }
+        size_t key = spot_diagram_key_of(drawing, one->setup->wavelengths[g].wavelength);
+        series[drawn->panel.count++] =
+            (struct panel_series){.x = x, .y = y, .count = points.count, .key = key, .spots = true};
+    }
+}
+
+/* The Airy disc of the working f-number on the axis, at the primary wavelength. */
+static double airy_radius(const struct setup *setup, bool is_angular)
+{
+    const struct first_order *first = &setup->first;
+    double wavelength = setup->wavelengths[0].wavelength / 1000; /* mm */
+    return is_angular ? 1.21967 * wavelength / fabs(first->exit_diameter)
+                      : 1.21967 * wavelength * fabs(first->working_fnumber);
+}
+
+static bool spot_diagram_add(struct spot_drawing *drawing, struct analysis_cursor *at,
+                             struct error *error)
+{
+    const struct analysis_case *one = at->one;
+    const struct setup *setup = one->setup;
+    struct spot_question question;
+    struct spot spot;
+    drawing->title = setup->lens->title;
+    drawing->focus = setup->focus;
+    if (!spot_question_of(one, at->field, drawing->input, &question, error)) {
+        return false;
+    }
+    drawing->all = arena_grow(drawing->arena, drawing->all, drawing->count, &drawing->room,
+                              sizeof *drawing->all);
+    struct drawn *drawn = &drawing->all[drawing->count++];
+    *drawn = spot_diagram_place(one, at->field, drawing->arena);
+    question.energy = NAN;
+    question.no_radius = true;
+    if (!spot_find(&question, drawing->arena, &spot, error)) {
+        drawn->panel.note = "no rays";
+        return analysis_keep_lost(at, error);
+    }
+    drawing->is_angular = spot.is_angular;
+    drawing->is_footprint = question.to > 0;
+    drawing->airy = question.to > 0 ? (double)NAN : airy_radius(setup, spot.is_angular);
+    drawn->rms = unit_from_own(spot_diagram_unit(drawing), spot.rms);
+    drawn->panel.note =
+        ARENA_JOIN(drawing->arena, "RMS ", analysis_number(drawn->rms, drawing->arena), " ",
+                   spot_diagram_unit_words(drawing));
+    if (drawing->with_points) {
+        spot_diagram_list_wavelengths(drawing, setup);
+        spot_diagram_add_points(drawing, one, &question, drawn);
+    }
+    return true;
+}
+
+/* Rows are fields, columns defocuses: each once, in the order they come. */
+struct spot_diagram_grid {
+    size_t *rows, *columns; /* the first spot of each */
+    size_t row_count, column_count;
+    size_t *row, *column; /* of each spot */
+};
+
+static bool same_field(const struct drawn *a, const struct drawn *b)
+{
+    return text_same(text_of(a->field), b->field);
+}
+
+static bool same_defocus(const struct drawn *a, const struct drawn *b)
+{
+    return !(fabs(a->defocus - b->defocus) > 0);
+}
+
+/* The place in a list of what is the same; added at its end if it is new. */
+static size_t index_in(const struct spot_drawing *drawing, size_t spot,
+                       bool (*same)(const struct drawn *, const struct drawn *), size_t *list,
+                       size_t *count)
+{
+    size_t i = 0;
+    while (i < *count && !same(&drawing->all[list[i]], &drawing->all[spot])) {
+        i++;
+    }
+    if (i == *count) {
+        list[(*count)++] = spot;
+    }
+    return i;
+}
+
+static struct spot_diagram_grid grid_of(const struct spot_drawing *drawing)
+{
+    size_t count = drawing->count;
+    struct spot_diagram_grid grid = {.rows = ARENA_ARRAY(drawing->arena, count, size_t),
+                                     .columns = ARENA_ARRAY(drawing->arena, count, size_t),
+                                     .row = ARENA_ARRAY(drawing->arena, count, size_t),
+                                     .column = ARENA_ARRAY(drawing->arena, count, size_t)};
+    for (size_t i = 0; i < count; i++) {
+        grid.row[i] = index_in(drawing, i, same_field, grid.rows, &grid.row_count);
+        grid.column[i] = index_in(drawing, i, same_defocus, grid.columns, &grid.column_count);
+    }
+    return grid;
+}
+
+static const char *spot_diagram_subtitle_of(const struct spot_drawing *drawing)
+{
+    if (drawing->input->to > 0) {
+        return arena_printf(drawing->arena, "footprint on surface %ld", drawing->input->to);
+    }
+    if (drawing->is_angular) {
+        return "angles of an afocal image";
+    }
+    return ARENA_JOIN(drawing->arena, "focus ", drawing->focus != NULL ? drawing->focus : "");
+}
+
+/* What stands over the columns: defocuses. */
+static const char *const *column_heads(const struct spot_drawing *drawing,
+                                       const struct spot_diagram_grid *grid)
+{
+    const char **heads = ARENA_ARRAY(drawing->arena, grid->column_count, const char *);
+    for (size_t i = 0; i < grid->column_count; i++) {
+        double defocus = drawing->all[grid->columns[i]].defocus;
+        heads[i] = fabs(defocus) > 0 ? arena_printf(drawing->arena, "%+.4g mm", defocus) : "0 mm";
+    }
+    return heads;
+}
+
+static const char *const *row_heads(const struct spot_drawing *drawing,
+                                    const struct spot_diagram_grid *grid)
+{
+    const char **heads = ARENA_ARRAY(drawing->arena, grid->row_count, const char *);
+    for (size_t i = 0; i < grid->row_count; i++) {
+        heads[i] = drawing->all[grid->rows[i]].field;
+    }
+    return heads;
+}
+
+static const char *const *keys_of(const struct spot_drawing *drawing)
+{
+    const char **keys = ARENA_ARRAY(drawing->arena, drawing->wavelength_count + 1, const char *);
+    for (size_t i = 0; i < drawing->wavelength_count; i++) {
+        keys[i] = arena_printf(drawing->arena, "%.4g nm", 1000 * drawing->wavelengths[i]);
+    }
+    return keys;
+}
+
+/* A grid of spots. */
+static bool spot_diagram_draw_spots(const struct spot_drawing *drawing,
+                                    const struct spot_diagram_grid *grid, struct svg *svg,
+                                    struct error *error)
+{
+    const bool focus = grid->column_count > 1, has_airy = isfinite(drawing->airy);
+    const size_t count = grid->row_count * grid->column_count;
+    const size_t few = grid->row_count < 4 ? grid->row_count : 3;
+    struct panel *list = ARENA_ARRAY(drawing->arena, count, struct panel);
+    for (size_t i = 0; i < drawing->count; i++) {
+        struct panel *panel = &list[grid->row[i] * grid->column_count + grid->column[i]];
+        *panel = drawing->all[i].panel;
+        panel->title = focus ? NULL : drawing->all[i].field;
+        panel->circle = has_airy ? unit_from_own(spot_diagram_unit(drawing), drawing->airy) : 0;
+    }
+    const struct panels panels = {
+        .title = arena_printf(drawing->arena, "%s of %s%s",
+                              drawing->input->to > 0 ? "Footprints" : "Spots", drawing->title,
+                              focus ? " through focus" : ""),
+        .subtitle = spot_diagram_subtitle_of(drawing),
+        .unit = spot_diagram_unit_words(drawing),
+        .column_heads = focus ? column_heads(drawing, grid) : NULL,
+        .row_heads = focus ? row_heads(drawing, grid) : NULL,
+        .keys = keys_of(drawing),
+        .key_count = drawing->wavelength_count,
+        .light = true,
+        .circle_label = has_airy ? "Airy disc on the axis" : NULL,
+        .columns = focus ? grid->column_count : few,
+        .panels = list,
+        .count = count,
+    };
+    return panels_draw(&panels, svg, error);
+}
+
+/* The RMS radius against the defocus, a curve a field; or against the field. */
+static bool spot_diagram_draw_curves(const struct spot_drawing *drawing,
+                                     const struct spot_diagram_grid *grid, struct svg *svg,
+                                     struct error *error)
+{
+    struct arena *arena = drawing->arena;
+    const bool focus = grid->column_count > 1;
+    const size_t count = focus ? grid->column_count : grid->row_count;
+    const size_t curves = focus ? grid->row_count : 1;
+    const char *field_label = drawing->all[0].is_angle ? "field (deg)" : "field (mm)";
+    double *x = ARENA_ARRAY(arena, count, double), *y = ARENA_ARRAY(arena, count * curves, double);
+    struct plot_series *series = ARENA_ARRAY(arena, curves, struct plot_series);
+    for (size_t i = 0; i < count * curves; i++) {
+        y[i] = NAN;
+    }
+    for (size_t k = 0; k < curves; k++) {
+        const char *label = focus ? drawing->all[grid->rows[k]].field : NULL;
+        series[k] = (struct plot_series){.label = label, .y = y + k * count, .style = k};
+    }
+    for (size_t i = 0; i < drawing->count; i++) {
+        const struct drawn *drawn = &drawing->all[i];
+        size_t at = focus ? grid->column[i] : grid->row[i];
+        x[at] = focus ? drawn->defocus : drawn->field_value;
+        y[(focus ? grid->row[i] : 0) * count + at] = drawing->all[i].rms;
+    }
+    const struct plot plot = {
+        .title = arena_printf(arena, "Spots of %s", drawing->title),
+        .subtitle = spot_diagram_subtitle_of(drawing),
+        .x_label = focus ? "defocus (mm)" : field_label,
+        .y_label =
+            arena_printf(drawing->arena, "RMS radius (%s)", spot_diagram_unit_words(drawing)),
+        .x = x,
+        .count = count,
+        .series = series,
+        .series_count = curves,
+    };
+    return plot_draw(&plot, svg, error);
+}
+
+/* Every spot of the sweep. */
+static bool spot_diagram_collect(const struct artifact_job *job, bool with_points,
+                                 struct spot_drawing *drawing, struct error *error)
+{
+    drawing->with_points = with_points;
+    drawing->count = 0;
+    for (size_t i = 0; i < job->count; i++) {
+        drawing->input = job->inputs[i];
+        struct analysis_cursor at = analysis_begin(drawing->input, &policy, job->run);
+        at.keeps_lost = true;
+        while (analysis_next(&at, error)) {
+            if (!spot_diagram_add(drawing, &at, error)) {
+                return false;
+            }
+        }
+        if (error->code != ERROR_NONE) {
+            return false;
+        }
+    }
+    return drawing->count > 0 || fail(error, ERROR_DOMAIN, "there is no spot to draw");
+}
+
+static bool spot_diagram(const struct artifact_job *job, struct output *sink, struct error *error)
+{
+    struct svg svg = {.arena = job->run->arena};
+    struct spot_drawing drawing = {.run = job->run, .arena = svg.arena, .airy = NAN};
+    if (!spot_diagram_collect(job, job->count <= MOST_ROWS * MOST_COLUMNS, &drawing, error)) {
+        return false;
+    }
+    const struct spot_diagram_grid grid = grid_of(&drawing);
+    bool drawn = grid.row_count <= MOST_ROWS && grid.column_count <= MOST_COLUMNS
+                     ? spot_diagram_draw_spots(&drawing, &grid, &svg, error)
+                     : spot_diagram_draw_curves(&drawing, &grid, &svg, error);
+    return drawn && drawing_write(job, &svg, sink, error);
 }
 
 static const struct artifact artifacts[] = {
@@ -229,15 +593,12 @@ static const struct example examples[] = {
 
 const struct command command_spot = {
     .name = "spot",
-    .group = "analyses",
     .summary = "how widely the rays of a field spread on the image plane",
     COMMAND_ASKS(struct spot_input),
     COMMAND_ANSWERS(struct spot_row),
     .run = spot_run,
-    .makes_many = spot_makes_many,
-    .brings = analysis_brings,
-    .threads = analysis_threads,
-    .varies = analysis_varies,
+    .makes_many = analysis_several,
+    ANALYSIS_COMMAND,
     .cell = "rms",
     COMMAND_MAKES(artifacts),
     .most_answers = 100000,

@@ -1,8 +1,23 @@
 /* commands/analysis/cmd_wavefront.c - lenscalc wavefront: figures, Zernike's polynomials. */
 /* SPDX-License-Identifier: MIT */
-#include "commands/analysis/analysis_fields.h"
+#include "analysis/waves/wavefront.h"
 #include "commands/analysis/analysis_map.h"
-#include "commands/analysis/wavefront_input.h"
+
+struct wavefront_input {
+    struct analysis_question question;
+    int reference, zernike; /* enum wave_about; enum zernike_kind, NO_WORD: none */
+    long terms, size;
+};
+
+static const struct analysis_policy policy = {
+    .wavelengths = WAVELENGTHS_PRIMARY, .fields = FIELDS_ALL, .one_wavelength = true};
+
+static const struct word references[] = {
+    [WAVE_CHIEF] = {"chief", "the chief ray of the same wavelength"},
+    [WAVE_CENTROID] = {"centroid", "the centroid of the rays by their weights"},
+    [WAVE_BEST] = {"best", "the centre of the sphere that fits the wave front best"},
+    {NULL, NULL},
+};
 
 enum { NO_ZERNIKE };
 static const struct word orders[] = {
@@ -17,7 +32,7 @@ static const struct option options[] = {
     ANALYSIS_OPTIONS(struct wavefront_input, question, "the primary one",
                      ", or the fields of one question"),
     ANALYSIS_FIELD_OPTIONS(struct wavefront_input, question),
-    {OPTION(struct wavefront_input, reference), .name = "reference", .words = wave_references,
+    {OPTION(struct wavefront_input, reference), .name = "reference", .words = references,
      .fallback = "chief", .value = "WHAT", .help = "centre of the reference sphere"},
     {OPTION(struct wavefront_input, zernike), .name = "zernike", .words = orders,
      .excludes = "error", .fallback = "none", .value = "ORDER",
@@ -119,23 +134,39 @@ struct wavefront_found {
     struct wavefront_fit fit;
 };
 
-static bool wavefront_row_find(const struct analysis_case *one, size_t field, const void *context,
-                               void *room, struct error *error)
+static bool wavefront_field_open(const struct analysis_cursor *at, const struct analysis_case *one,
+                                 size_t field, struct wavefront_source *source, struct error *error)
 {
-    const struct analysis_asked *asked = context;
-    const struct wavefront_input *input = asked->input;
-    const bool wants_pv = run_shows(asked->run, offsetof(struct wavefront_row, pv));
+    const struct wavefront_input *input = at->input;
     struct arena *arena = one->setup->arena;
-    struct wavefront_found *found = room;
-    return wavefront_of_case(one, field, input, arena, &found->source, error) &&
-           (input->zernike == NO_ZERNIKE
-                ? wavefront_find(&found->source, wants_pv, arena, &found->figures, error)
-                : wavefront_fit(&found->source, (enum zernike_kind)(input->zernike - 1),
-                                (size_t)input->terms, arena, &found->fit, error));
+    struct wavefront_question *made = ARENA_NEW(arena, struct wavefront_question);
+    const long rays = input->question.rays;
+    *made = (struct wavefront_question){.bundle = analysis_bundle(one, field),
+                                        .about = (enum wave_about)input->reference,
+                                        .rays = rays != NO_INTEGER && rays > 0 ? (size_t)rays : 0,
+                                        .error = input->question.error};
+    return wavefront_open(made, arena, source, error);
 }
 
-static bool emit_figures(const struct analysis_asked *asked, const struct wavefront_found *found,
-                         struct wavefront_row *row)
+static bool wavefront_row_find(const struct analysis_cursor *at, const struct analysis_case *one,
+                               size_t field, void *room, struct error *error)
+{
+    const struct wavefront_input *input = at->input;
+    struct arena *arena = one->setup->arena;
+    struct wavefront_found *found = room;
+    if (!wavefront_field_open(at, one, field, &found->source, error)) {
+        return false;
+    }
+    if (input->zernike == NO_ZERNIKE) {
+        const bool wants_pv = run_shows(at->run, offsetof(struct wavefront_row, pv));
+        return wavefront_find(&found->source, wants_pv, arena, &found->figures, error);
+    }
+    return wavefront_fit(&found->source, (enum zernike_kind)(input->zernike - 1),
+                         (size_t)input->terms, arena, &found->fit, error);
+}
+
+static void wavefront_row_fill(const struct analysis_cursor *at,
+                               const struct wavefront_found *found, struct wavefront_row *row)
 {
     const struct wavefront *figures = &found->figures;
     row->rms = figures->rms;
@@ -147,21 +178,22 @@ static bool emit_figures(const struct analysis_asked *asked, const struct wavefr
     row->mean = figures->mean;
     row->clear = figures->clear;
     row->rays = (long)figures->rays;
-    analysis_warn(asked, &row->point, lens_island_warning(&figures->islands, asked->run->arena));
+    analysis_warn(at, &row->point, lens_island_warning(&figures->islands, at->run->arena));
     if (found->source.question->rays == 0 && !figures->has_converged) {
-        analysis_warn(asked, &row->point, "the wave front has not converged: see its errors");
+        analysis_warn(at, &row->point, "the wave front has not converged: see its errors");
     }
-    return run_emit(asked->run, row);
 }
 
-static bool emit_coefficients(const struct analysis_asked *asked,
-                              const struct wavefront_found *found, struct wavefront_row *row)
+/* A row a coefficient; false: no more are wanted. */
+static bool wavefront_emit_coefficients(const struct analysis_cursor *at,
+                                        const struct wavefront_found *found,
+                                        struct wavefront_row *row)
 {
     static const char *const words[] = {
         [ZERNIKE_NOLL] = "noll, orthonormal over the pupil",
         [ZERNIKE_FRINGE] = "fringe, each 1 at the edge of the pupil",
         [ZERNIKE_ANSI] = "ansi (ISO 24157), orthonormal over the pupil"};
-    const struct wavefront_input *input = asked->input;
+    const struct wavefront_input *input = at->input;
     const enum zernike_kind kind = (enum zernike_kind)(input->zernike - 1);
     row->order = words[kind];
     row->residual = found->fit.residual;
@@ -172,51 +204,153 @@ static bool emit_coefficients(const struct analysis_asked *asked,
         row->n = term.n;
         row->m = term.m;
         row->coefficient = found->fit.coefficients[i];
-        if (!run_emit(asked->run, row)) {
+        if (!run_emit(at->run, row)) {
             return false;
         }
     }
     return true;
 }
 
-static bool wavefront_take(const struct analysis_case *one, size_t field, const void *room,
-                           void *context, struct error *error)
-{
-    const struct analysis_asked *asked = context;
-    const struct wavefront_input *input = asked->input;
-    const struct wavefront_found *found = room;
-    const struct opd_reference *sphere = &found->source.reference.opd;
-    struct wavefront_row row;
-    (void)error;
-    analysis_begin_row(asked, one, field, &row);
-    row.reference = wave_reference_words(one, (enum wave_about)input->reference, asked->run->arena);
-    row.radius = sphere->is_plane ? INFINITY : sphere->radius;
-    return input->zernike == NO_ZERNIKE ? emit_figures(asked, found, &row)
-                                        : emit_coefficients(asked, found, &row);
-}
-
-static void wavefront_repeat(const void *data, void *row)
-{
-    const struct wavefront_input *input = data;
-    ((struct wavefront_row *)row)->weight = analysis_weight_words(&input->question);
-}
-
 static bool wavefront_run(const void *data, struct run *run, struct error *error)
 {
-    const struct analysis_rows rows = {&wavefront_policy,
-                                       wavefront_choose_sheet(data, NULL),
-                                       wavefront_repeat,
-                                       {.find = wavefront_row_find,
-                                        .found_size = sizeof(struct wavefront_found),
-                                        .take = wavefront_take}};
-    return analysis_answer_rows(data, &rows, run, error);
+    const struct wavefront_input *input = data;
+    struct analysis_cursor at = analysis_begin(input, &policy, run);
+    at.find = wavefront_row_find;
+    at.found_size = sizeof(struct wavefront_found);
+    while (analysis_next(&at, error)) {
+        const struct wavefront_found *found = at.found;
+        struct wavefront_row row;
+        analysis_begin_row(&at, wavefront_choose_sheet(input, NULL), &row);
+        row.weight = analysis_weight_words(&input->question);
+        if (at.lost == NULL) {
+            const struct opd_reference *sphere = &found->source.reference.opd;
+            row.reference =
+                wave_reference_words(at.one, (enum wave_about)input->reference, run->arena);
+            row.radius = sphere->is_plane ? INFINITY : sphere->radius;
+        }
+        if (at.lost == NULL && input->zernike == NO_ZERNIKE) {
+            wavefront_row_fill(&at, found, &row);
+        }
+        const bool goes_on = at.lost == NULL && input->zernike != NO_ZERNIKE
+                                 ? wavefront_emit_coefficients(&at, found, &row)
+                                 : run_emit(run, &row);
+        if (!goes_on) {
+            return true;
+        }
+    }
+    return error->code == ERROR_NONE;
+}
+
+/* -------- maps -------- */
+
+static const char *wavefront_map_note_of(const double *values, size_t count, struct arena *arena)
+{
+    double low = INFINITY, high = -INFINITY;
+    for (size_t i = 0; i < count; i++) {
+        low = fmin(low, values[i]);
+        high = fmax(high, values[i]);
+    }
+    return high >= low ? ARENA_JOIN(arena, "lowest to highest ", analysis_number(high - low, arena),
+                                    " waves")
+                       : "no ray arrives";
+}
+
+/* Without the piston: about the mean of the map. */
+static const double *level(const double *values, size_t count, struct arena *arena)
+{
+    double sum = 0, some = 0, *levelled = ARENA_ARRAY(arena, count, double);
+    for (size_t i = 0; i < count; i++) {
+        sum += isnan(values[i]) ? 0 : values[i];
+        some += isnan(values[i]) ? 0 : 1;
+    }
+    for (size_t i = 0; i < count; i++) {
+        levelled[i] = values[i] - sum / some;
+    }
+    return levelled;
+}
+
+/* Room for the values of a map. */
+struct wavefront_map_found {
+    const double *values;
+};
+
+static bool wavefront_map_find(const struct analysis_cursor *at, const struct analysis_case *one,
+                               size_t field, void *found, struct error *error)
+{
+    const size_t size = (size_t)((const struct wavefront_input *)at->input)->size;
+    struct arena *arena = one->setup->arena;
+    struct wavefront_source source;
+    if (!wavefront_field_open(at, one, field, &source, error)) {
+        return false;
+    }
+    ((struct wavefront_map_found *)found)->values =
+        level(wavefront_map(&source, size, arena), size * size, arena);
+    return true;
+}
+
+static bool wavefront_map_add(struct map_page *page, const struct analysis_cursor *at,
+                              struct error *error)
+{
+    const struct wavefront_input *input = at->input;
+    struct arena *arena = page->job->run->arena;
+    const size_t size = (size_t)input->size;
+    const double *values = ((const struct wavefront_map_found *)at->found)->values;
+    const struct raster_map map = {.title = analysis_field_words(at->one, at->field, arena),
+                                   .note = wavefront_map_note_of(values, size * size, arena),
+                                   .size = size,
+                                   .values = values,
+                                   .half = 1};
+    const char *reference = wave_reference_words(at->one, (enum wave_about)input->reference, arena);
+    map_page_subtitle(page, arena_printf(arena, "against %s; %s", reference,
+                                         analysis_case_words(at->one, true, arena)));
+    return map_page_add(page, at->one, &map, error);
+}
+
+/* The maps of all inputs of a job. */
+static bool wavefront_maps(const struct artifact_job *job, struct map_page *page,
+                           struct error *error)
+{
+    const struct wavefront_input *first = job->inputs[0];
+    const bool entrance = first->question.aim == ANALYSIS_AIM_ENTRANCE;
+    map_page_begin(page, job);
+    page->rasters.x_label = entrance ? "x in the entrance pupil" : "x in the stop";
+    page->rasters.y_label = entrance ? "y in the entrance pupil" : "y in the stop";
+    page->rasters.scale_label = "W - mean (waves)";
+    page->rasters.colours = RASTER_SIGNED;
+    page->rasters.columns = 3;
+    for (size_t i = 0; i < job->count; i++) {
+        struct analysis_cursor at = analysis_begin(job->inputs[i], &policy, job->run);
+        at.find = wavefront_map_find;
+        at.found_size = sizeof(struct wavefront_map_found);
+        at.keeps_lost = true;
+        while (analysis_next(&at, error)) {
+            if (at.lost == NULL && !wavefront_map_add(page, &at, error)) {
+                return false;
+            }
+        }
+        if (error->code != ERROR_NONE) {
+            return false;
+        }
+    }
+    return map_page_end(page, "Wave fronts", error);
+}
+
+static bool wavefront_page(const struct artifact_job *job, struct output *sink, struct error *error)
+{
+    struct map_page page;
+    return wavefront_maps(job, &page, error) && map_page_draw(&page, sink, error);
+}
+
+static bool wavefront_file(const struct artifact_job *job, struct output *sink, struct error *error)
+{
+    struct map_page page;
+    return wavefront_maps(job, &page, error) && map_page_write(&page, sink, error);
 }
 
 static bool wavefront_makes_many(const void *data)
 {
     const struct wavefront_input *input = data;
-    return (input->zernike != NO_ZERNIKE && input->terms > 1) ||
-           analysis_makes_many(&input->question, &wavefront_policy);
+    return (input->zernike != NO_ZERNIKE && input->terms > 1) || analysis_several(input);
 }
 
 static const struct artifact artifacts[] = {
@@ -254,7 +388,6 @@ static const struct example examples[] = {
 
 const struct command command_wavefront = {
     .name = "wavefront",
-    .group = "analyses",
     .summary = "wave fronts: RMS, Strehl ratio, Zernike's polynomials, maps",
     COMMAND_ASKS(struct wavefront_input),
     .sheet = SHEET(figure_columns, struct wavefront_row),
@@ -263,9 +396,7 @@ const struct command command_wavefront = {
     .explanations = explanations,
     .run = wavefront_run,
     .makes_many = wavefront_makes_many,
-    .brings = analysis_brings,
-    .threads = analysis_threads,
-    .varies = analysis_varies,
+    ANALYSIS_COMMAND,
     .cell = "rms_waves",
     COMMAND_MAKES(artifacts),
     .most_answers = 100000,

@@ -1,9 +1,7 @@
 /* commands/analysis/color_view.c - the three curves of lenscalc color. */
 /* SPDX-License-Identifier: MIT */
 #include "commands/analysis/color_view.h"
-#include "commands/analysis/analysis_fields.h"
 
-#include "commands/analysis/color_case.h"
 #include "draw/panels.h"
 
 #include <stdlib.h>
@@ -245,14 +243,11 @@ static const char *color_view_subtitle_of(const struct color_view_painter *paint
         summary != NULL ? "; " : "", summary != NULL ? summary : "");
 }
 
-static bool color_view_paint(const struct analysis_case *one, size_t field, void *context,
-                             struct error *error)
+static bool color_view_paint(struct color_view_painter *painter, struct error *error)
 {
-    struct color_view_painter *painter = context;
+    const struct analysis_case *one = painter->one;
     const struct setup *setup = one->setup;
     struct color_summary summary;
-    painter->one = one;
-    painter->field = field;
     collect_waves(painter);
     thin_waves(painter);
     if (!color_summarize(one, &summary, error) ||
@@ -277,7 +272,6 @@ static bool color_view_paint(const struct analysis_case *one, size_t field, void
         .panels = painter->panels,
         .count = PANELS,
     };
-    error->code = ERROR_NONE;
     return true;
 }
 
@@ -312,11 +306,15 @@ bool color_view_check(const struct artifact_job *job, struct error *error)
 
 bool color_view_draw(const struct artifact_job *job, struct output *sink, struct error *error)
 {
-    static const struct analysis_answers answers = {.answer = color_view_paint};
     struct svg svg = {.arena = job->run->arena};
     struct color_view_painter painter = {
         .job = job, .input = color_view_input_at(job, 0), .arena = svg.arena};
-    return analysis_each_field(&painter.input->question, &color_policy, job->run, &answers,
-                               &painter, error) &&
-           panels_draw(&painter.page, &svg, error) && drawing_write(job, &svg, sink, error);
+    struct analysis_cursor at = analysis_begin(painter.input, &color_policy, job->run);
+    if (!analysis_next(&at, error)) {
+        return false;
+    }
+    painter.one = at.one;
+    painter.field = at.field;
+    return color_view_paint(&painter, error) && panels_draw(&painter.page, &svg, error) &&
+           drawing_write(job, &svg, sink, error);
 }

@@ -5,7 +5,7 @@
 
 #include "analysis/rays/distortion.h"
 #include "analysis/rays/distortion_fit.h"
-#include "commands/analysis/analysis_options.h"
+#include "commands/analysis/analysis_cursor.h"
 
 struct distortion_input {
     struct analysis_question question;
@@ -29,8 +29,6 @@ struct distortion_case {
 
 /* Calibrated scales that were found, for the inputs that ask again. */
 struct distortion_memo;
-
-struct distortion_memo *distortion_memo_new(struct arena *arena);
 
 /*
  * Compare the lens with the projection that is asked for.

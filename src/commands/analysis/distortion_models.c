@@ -219,35 +219,26 @@ distortion_models_row_of(const struct analysis_case *one,
     return row;
 }
 
-/* Where the rows go. */
-struct distortion_models_asked {
-    const struct distortion_input *input;
-    struct run *run;
-};
-
-static bool distortion_models_answer(const struct analysis_case *one, void *context,
-                                     struct error *error)
-{
-    const struct distortion_models_asked *asked = context;
-    struct distortion_models_found found;
-    if (!distortion_models_find(asked->input, one, &found, error)) {
-        return false;
-    }
-    const enum distortion_way first = distortion_models[found.fit.model].way;
-    const enum distortion_way second = first == WAY_DISTORT ? WAY_UNDISTORT : WAY_DISTORT;
-    struct distortion_models_row rows[] = {distortion_models_row_of(one, &found, first),
-                                           distortion_models_row_of(one, &found, second)};
-    rows[0].sensor = rows[1].sensor = asked->input->sensor.name;
-    return run_emit(asked->run, &rows[0]) && run_emit(asked->run, &rows[1]);
-}
-
 bool distortion_fit_run(const struct distortion_input *input, struct run *run, struct error *error)
 {
-    struct distortion_models_asked asked = {input, run};
-    error->code = ERROR_NONE;
-    return analysis_each(&input->question, &distortion_as_whole, run->arena,
-                         distortion_models_answer, &asked, error) ||
-           error->code == ERROR_NONE;
+    struct analysis_cursor at = analysis_begin(input, &distortion_as_whole, run);
+    while (analysis_next_case(&at, error)) {
+        struct distortion_models_found found;
+        if (!distortion_models_find(input, at.one, &found, error)) {
+            return false;
+        }
+        const enum distortion_way first = distortion_models[found.fit.model].way;
+        const enum distortion_way ways[] = {first,
+                                            first == WAY_DISTORT ? WAY_UNDISTORT : WAY_DISTORT};
+        for (size_t i = 0; i < sizeof ways / sizeof ways[0]; i++) {
+            struct distortion_models_row row = distortion_models_row_of(at.one, &found, ways[i]);
+            row.sensor = input->sensor.name;
+            if (!run_emit(run, &row)) {
+                return true;
+            }
+        }
+    }
+    return error->code == ERROR_NONE;
 }
 
 /* -------- files -------- */
@@ -291,15 +282,9 @@ bool distortion_fit_check(const struct artifact_job *job, struct error *error)
                 job->path);
 }
 
-struct model_file {
-    const struct distortion_input *input;
-    struct output *sink;
-    bool begun;
-};
-
 /* A profile without its coefficients. */
-static void begin_lensfun(const struct model_file *saving, const struct analysis_case *one,
-                          const struct distortion_models_found *found)
+static void begin_lensfun(const struct analysis_case *one,
+                          const struct distortion_models_found *found, struct output *sink)
 {
     static const char *const types[] = {[RECTILINEAR] = "rectilinear",
                                         [EQUIDISTANT] = "fisheye",
@@ -308,7 +293,6 @@ static void begin_lensfun(const struct model_file *saving, const struct analysis
                                         [ORTHOGRAPHIC] = "orthographic"};
     const struct sensor *size = &found->picture.size;
     const double longer = fmax(size->width, size->height);
-    struct output *sink = saving->sink;
     const char *title = one->setup->lens->title;
     output_string(sink, "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n"
                         "<!-- Made by lenscalc distortion from the exact chief rays of a design.\n"
@@ -329,46 +313,30 @@ static void begin_lensfun(const struct model_file *saving, const struct analysis
                   types[found->ready.map.projection]);
 }
 
-static bool write_lensfun(const struct analysis_case *one, void *context, struct error *error)
+static void write_lensfun(const struct distortion_models_found *found, struct output *sink)
 {
-    struct model_file *saving = context;
-    struct output *sink = saving->sink;
-    struct distortion_models_found found;
-    if (!distortion_models_find(saving->input, one, &found, error)) {
-        return false;
-    }
-    if (!saving->begun) {
-        begin_lensfun(saving, one, &found);
-        saving->begun = true;
-    }
-    const struct model_facts *facts = &distortion_models[found.fit.model];
+    const struct model_facts *facts = &distortion_models[found->fit.model];
     output_printf(sink, "            <distortion model=\"%s\" focal=\"%.4g\"", facts->word.word,
-                  found.fit.focal);
+                  found->fit.focal);
     for (size_t j = 0; j < facts->terms; j++) {
         output_printf(sink, " %s=\"%.9g\"", facts->names[j],
-                      found.fit.ways[WAY_DISTORT].published[j]);
+                      found->fit.ways[WAY_DISTORT].published[j]);
     }
     output_printf(sink,
                   "/>\n"
                   "            <real-focal-length focal=\"%.4g\" real-focal=\"%.9g\"/>\n",
-                  found.fit.focal, found.fit.focal);
-    return true;
+                  found->fit.focal, found->fit.focal);
 }
 
 /* Pixel centres have whole coordinates, from 0. */
-static bool write_opencv(const struct analysis_case *one, void *context, struct error *error)
+static void write_opencv(const struct distortion_models_found *found, struct output *sink)
 {
-    const struct model_file *saving = context;
-    struct output *sink = saving->sink;
-    struct distortion_models_found found;
-    if (!distortion_models_find(saving->input, one, &found, error)) {
-        return false;
-    }
-    const struct picture *picture = &found.picture;
-    const double f = found.fit.focal / picture->size.pitch;
-    const double *k = found.fit.ways[WAY_DISTORT].published;
-    const bool is_fisheye = found.fit.model == MODEL_FISHEYE;
-    const bool is_rational = found.fit.model == MODEL_RATIONAL;
+    const struct picture *picture = &found->picture;
+    const double f = found->fit.focal / picture->size.pitch;
+    const double *k = found->fit.ways[WAY_DISTORT].published;
+    const bool is_fisheye = found->fit.model == MODEL_FISHEYE;
+    const bool is_rational = found->fit.model == MODEL_RATIONAL;
+    static const int counts[2][2] = {{5, 4}, {8, 8}};
     output_printf(sink,
                   "%%YAML:1.0\n---\n"
                   "# made by lenscalc distortion from the exact chief rays of a design\n"
@@ -384,9 +352,7 @@ static bool write_opencv(const struct analysis_case *one, void *context, struct 
     output_printf(sink,
                   "distortion_coefficients: !!opencv-matrix\n"
                   "   rows: %d\n   cols: 1\n   dt: d\n",
-                  is_fisheye    ? 4
-                  : is_rational ? 8
-                                : 5);
+                  counts[is_rational][is_fisheye]);
     if (is_rational) {
         output_printf(sink, "   data: [ %.16e, %.16e, 0., 0.,\n       %.16e, %.16e, %.16e,\n", k[0],
                       k[1], k[2], k[3], k[4]);
@@ -397,20 +363,29 @@ static bool write_opencv(const struct analysis_case *one, void *context, struct 
     } else {
         output_printf(sink, "   data: [ %.16e, %.16e, 0., 0.,\n       %.16e ]\n", k[0], k[1], k[2]);
     }
-    return true;
 }
 
 bool distortion_fit_save(const struct artifact_job *job, struct output *sink, struct error *error)
 {
     const struct distortion_input *input = job->inputs[0];
-    struct model_file saving = {.input = input, .sink = sink};
     const bool lensfun = is_for_lensfun(input);
-    if (!analysis_each(&input->question, &distortion_as_whole, job->run->arena,
-                       lensfun ? write_lensfun : write_opencv, &saving, error)) {
-        return false;
+    struct analysis_cursor at = analysis_begin(input, &distortion_as_whole, job->run);
+    for (bool first = true; analysis_next_case(&at, error); first = false) {
+        struct distortion_models_found found;
+        if (!distortion_models_find(input, at.one, &found, error)) {
+            return false;
+        }
+        if (!lensfun) {
+            write_opencv(&found, sink);
+            continue;
+        }
+        if (first) {
+            begin_lensfun(at.one, &found, sink);
+        }
+        write_lensfun(&found, sink);
     }
-    if (lensfun) {
+    if (error->code == ERROR_NONE && lensfun) {
         output_string(sink, "        </calibration>\n    </lens>\n</lensdatabase>\n");
     }
-    return true;
+    return error->code == ERROR_NONE;
 }

@@ -10,14 +10,9 @@
 static const struct analysis_policy *distortion_view_policy_of(const struct distortion_input *input)
 {
     const struct analysis_question *question = &input->question;
-    const double asked[] = {question->field, question->field_x, question->height,
-                            question->height_x};
-    for (size_t i = 0; i < sizeof asked / sizeof asked[0]; i++) {
-        if (!isnan(asked[i])) {
-            return &distortion_by_field;
-        }
-    }
-    return &distortion_as_whole;
+    const bool asked = analysis_is_given(question->field, question->field_x) ||
+                       analysis_is_given(question->height, question->height_x);
+    return asked ? &distortion_by_field : &distortion_as_whole;
 }
 
 /* -------- curves -------- */
@@ -136,10 +131,9 @@ static struct distortion_view_curve *room_for(struct distortion_view_curves *cur
     return curve;
 }
 
-static bool distortion_view_add_curve(const struct analysis_case *one, void *context,
-                                      struct error *error)
+static bool distortion_view_add_curve(struct distortion_view_curves *curves,
+                                      const struct analysis_case *one, struct error *error)
 {
-    struct distortion_view_curves *curves = context;
     const struct setup *setup = one->setup;
     struct distortion_case ready;
     double towards[2], edge;
@@ -206,8 +200,14 @@ bool distortion_plot(const struct artifact_job *job, struct output *sink, struct
     struct distortion_view_curves curves = {.arena = job->run->arena};
     for (size_t i = 0; i < job->count; i++) {
         curves.input = job->inputs[i];
-        if (!analysis_each(&curves.input->question, distortion_view_policy_of(curves.input),
-                           svg.arena, distortion_view_add_curve, &curves, error)) {
+        struct analysis_cursor at =
+            analysis_begin(curves.input, distortion_view_policy_of(curves.input), job->run);
+        while (analysis_next_case(&at, error)) {
+            if (!distortion_view_add_curve(&curves, at.one, error)) {
+                return false;
+            }
+        }
+        if (error->code != ERROR_NONE) {
             return false;
         }
     }
@@ -221,12 +221,6 @@ bool distortion_plot(const struct artifact_job *job, struct output *sink, struct
 /* -------- a grid -------- */
 
 enum { LINES = 11, PIECES = 4, LINE_POINTS = (LINES - 1) * PIECES + 1 };
-
-/* A drawing in the making. */
-struct distortion_drawing {
-    const struct distortion_input *input;
-    struct svg *svg;
-};
 
 /* Every point of the grid; lost ones are gaps. */
 static void trace_grid(const struct distortion_map *map, double half, double *x, double *y,
@@ -245,17 +239,17 @@ static void trace_grid(const struct distortion_map *map, double half, double *x,
     }
 }
 
-static bool distortion_view_draw_grid(const struct analysis_case *one, void *context,
+static bool distortion_view_draw_grid(const struct distortion_input *input,
+                                      const struct analysis_case *one, struct svg *svg,
                                       struct error *error)
 {
-    const struct distortion_drawing *drawing = context;
     const struct setup *setup = one->setup;
     struct arena *arena = setup->arena;
     struct distortion_case ready;
     struct distortion_point corner;
     const size_t count = 2 * (size_t)LINES * LINE_POINTS;
     double *x = ARENA_ARRAY(arena, count, double), *y = ARENA_ARRAY(arena, count, double);
-    if (!distortion_ready(drawing->input, one, NULL, &ready, error) ||
+    if (!distortion_ready(input, one, NULL, &ready, error) ||
         !distortion_at(&ready.map, &setup->fields[0].point, &corner, error)) {
         return false;
     }
@@ -267,7 +261,7 @@ static bool distortion_view_draw_grid(const struct analysis_case *one, void *con
         .title = arena_printf(arena, "Distortion: %s", panel_words(setup)),
         .subtitle = arena_printf(arena, "a square grid %s", ideal_words(&ready, arena)),
         .note = arena_printf(arena, "%s; corners at a field of %.4g %s, distortion %+.3g %%",
-                             key_words(drawing->input, one),
+                             key_words(input, one),
                              far ? corner.field * DEGREES_PER_RADIAN : corner.field,
                              far ? "deg" : "mm", corner.percent),
         .ideal_label = "ideal image",
@@ -279,7 +273,7 @@ static bool distortion_view_draw_grid(const struct analysis_case *one, void *con
         .y = y,
     };
     trace_grid(&ready.map, grid.half, x, y, error);
-    return grid_image_draw(&grid, drawing->svg, error);
+    return grid_image_draw(&grid, svg, error);
 }
 
 bool distortion_grid_check(const struct artifact_job *job, struct error *error)
@@ -292,8 +286,9 @@ bool distortion_grid_check(const struct artifact_job *job, struct error *error)
 bool distortion_grid(const struct artifact_job *job, struct output *sink, struct error *error)
 {
     struct svg svg = {.arena = job->run->arena};
-    struct distortion_drawing drawing = {job->inputs[0], &svg};
-    return analysis_each(&drawing.input->question, distortion_view_policy_of(drawing.input),
-                         svg.arena, distortion_view_draw_grid, &drawing, error) &&
+    const struct distortion_input *input = job->inputs[0];
+    struct analysis_cursor at = analysis_begin(input, distortion_view_policy_of(input), job->run);
+    return analysis_next_case(&at, error) &&
+           distortion_view_draw_grid(input, at.one, &svg, error) &&
            drawing_write(job, &svg, sink, error);
 }

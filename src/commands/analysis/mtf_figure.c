@@ -1,10 +1,8 @@
 /* commands/analysis/mtf_figure.c - contrast drawn against frequency, focus or field. */
 /* SPDX-License-Identifier: MIT */
+#include "commands/analysis/mtf_figure.h"
+
 #include "analysis/image/mtf_curve.h"
-#include "commands/analysis/analysis_fields.h"
-#include "commands/analysis/analysis_map.h"
-#include "commands/analysis/analysis_words.h"
-#include "commands/analysis/mtf_input.h"
 #include "draw/plot.h"
 #include "draw/plot_sample.h"
 
@@ -223,26 +221,19 @@ static bool figure_add_curve(struct figure_painter *painter, const struct mtf_so
     return true;
 }
 
-static bool figure_find(const struct analysis_case *one, size_t field, const void *context,
-                        void *found, struct error *error)
+static bool figure_add(struct figure_painter *painter, const struct analysis_cursor *at,
+                       struct error *error)
 {
-    const struct figure_painter *painter = context;
-    return mtf_of_case(one, field, painter->input, one->setup->arena, found, error);
-}
-
-static bool figure_add(const struct analysis_case *one, size_t field, const void *found,
-                       void *context, struct error *error)
-{
-    const struct mtf_source *source = found;
-    struct figure_painter *painter = context;
+    const struct analysis_case *one = at->one;
+    const struct mtf_source *source = at->found;
     struct arena *arena = painter->arena;
-    const struct analysis_point point = analysis_point_of(one, field);
+    const struct analysis_point point = analysis_point_of(one, at->field);
     const double frequency = painter->input->frequency;
     struct analysis_question question = *one->question;
     struct analysis_case named = *one;
     named.question = &question;
     question.defocus = painter->axis == BY_FOCUS ? (double)NAN : question.defocus;
-    struct figure_entry place = {.label = analysis_map_title(&named, field, arena),
+    struct figure_entry place = {.label = analysis_field_words(&named, at->field, arena),
                                  .lens = one->setup->lens->title,
                                  .is_between = painter->is_between};
     painter->subtitle = arena_printf(arena, "%s; focus %s",
@@ -259,6 +250,23 @@ static bool figure_add(const struct analysis_case *one, size_t field, const void
         place.label = arena_printf(arena, "%.4g/mm", frequency);
     }
     return add_entry(painter, source, frequency, &place, error);
+}
+
+/* The points of one input. */
+static bool figure_add_input(struct figure_painter *painter, const struct mtf_input *input,
+                             struct error *error)
+{
+    struct analysis_cursor at = analysis_begin(input, &mtf_policy, painter->job->run);
+    at.find = mtf_field_open;
+    at.found_size = sizeof(struct mtf_source);
+    at.keeps_lost = true;
+    painter->input = input;
+    while (analysis_next(&at, error)) {
+        if (at.lost == NULL && !figure_add(painter, &at, error)) {
+            return false;
+        }
+    }
+    return error->code == ERROR_NONE;
 }
 
 /* How many different values something has among the inputs. */
@@ -286,10 +294,11 @@ static bool choose_axis(struct figure_painter *painter, struct error *error)
     const size_t fields = figure_values_of(job, offsetof(struct mtf_input, question.field)) +
                           figure_values_of(job, offsetof(struct mtf_input, question.height)) - 1;
     const bool given = !isnan(last->frequency);
-    painter->axis = figure_values_of(job, offsetof(struct mtf_input, question.defocus)) > 2
-                        ? BY_FOCUS
-                    : given && fields > FIELDS_MANY ? BY_FIELD
-                                                    : BY_FREQUENCY;
+    if (figure_values_of(job, offsetof(struct mtf_input, question.defocus)) > 2) {
+        painter->axis = BY_FOCUS;
+    } else if (given && fields > FIELDS_MANY) {
+        painter->axis = BY_FIELD;
+    }
     if (painter->axis == BY_FOCUS && (!given || frequencies > 1)) {
         return fail(error, ERROR_USAGE, "{--plot} through focus shows one {--frequency}");
     }
@@ -368,8 +377,7 @@ static size_t middles_find(struct figure_painter *painter, double low, double hi
 }
 
 /* Points between those that were asked for, so that curves are smooth. */
-static bool collect_between(struct figure_painter *painter, const struct analysis_answers *answers,
-                            struct error *error)
+static bool collect_between(struct figure_painter *painter, struct error *error)
 {
     enum { ROUNDS = 8 };
     const struct artifact_job *job = painter->job;
@@ -391,13 +399,11 @@ static bool collect_between(struct figure_painter *painter, const struct analysi
                   0)) {
                 continue;
             }
-            painter->input = &here;
             for (size_t k = 0; k < count && painter->count < MOST - CURVES_MOST; k++) {
                 const bool is_angle = painter->axis == BY_FIELD && painter->is_angle;
                 *figure_place_of(painter, &here) =
                     is_angle ? unit_to_own(degree, middles[k]) : middles[k];
-                if (!analysis_each_field(&here.question, &mtf_policy, job->run, answers, painter,
-                                         error)) {
+                if (!figure_add_input(painter, &here, error)) {
                     return false;
                 }
             }
@@ -410,23 +416,18 @@ static bool collect_between(struct figure_painter *painter, const struct analysi
 /* All points of the sweep; against frequency the curves hold all of them anyway. */
 static bool figure_collect(struct figure_painter *painter, struct error *error)
 {
-    static const struct analysis_answers answers = {.find = figure_find,
-                                                    .found_size = sizeof(struct mtf_source),
-                                                    .take = figure_add,
-                                                    .lost = analysis_skip};
     const struct artifact_job *job = painter->job;
     const double first = ((const struct mtf_input *)job->inputs[0])->frequency;
     for (size_t i = 0; i < job->count; i++) {
-        painter->input = job->inputs[i];
-        const bool again = painter->axis == BY_FREQUENCY && painter->input->frequency != first &&
-                           !isnan(painter->input->frequency);
-        if (!again && !analysis_each_field(&painter->input->question, &mtf_policy, job->run,
-                                           &answers, painter, error)) {
+        const struct mtf_input *input = job->inputs[i];
+        const bool again =
+            painter->axis == BY_FREQUENCY && input->frequency != first && !isnan(input->frequency);
+        if (!again && !figure_add_input(painter, input, error)) {
             return false;
         }
     }
     bool any = false;
-    if (painter->axis != BY_FREQUENCY && !collect_between(painter, &answers, error)) {
+    if (painter->axis != BY_FREQUENCY && !collect_between(painter, error)) {
         return false;
     }
     for (size_t i = 0; i < painter->count; i++) {
@@ -558,21 +559,25 @@ static size_t figure_put_series(const struct figure_painter *painter,
 /* What the drawing says below its title, and of its axis. */
 static void figure_say(const struct figure_painter *painter, struct plot *plot)
 {
-    const bool through = painter->axis == BY_FOCUS;
-    const char *words =
-        through ? arena_printf(painter->arena, "%s; %.4g/mm", painter->subtitle,
-                               painter->input->frequency)
-        : painter->is_cut
-            ? arena_printf(painter->arena, "%s; curves end where wave fronts are too steep",
-                           painter->subtitle)
-            : painter->subtitle;
-    plot->subtitle = painter->off > fine
-                         ? arena_printf(painter->arena, "%s; up to %.1g off", words, painter->off)
-                         : words;
-    plot->x_label = painter->axis == BY_FREQUENCY ? "spatial frequency (1/mm)"
-                    : through                     ? "defocus (mm)"
-                    : painter->is_angle           ? "field (deg)"
-                                                  : "field (mm)";
+    static const char *const labels[] = {[BY_FREQUENCY] = "spatial frequency (1/mm)",
+                                         [BY_FOCUS] = "defocus (mm)",
+                                         [BY_FIELD] = "field (mm)"};
+    struct arena *arena = painter->arena;
+    plot->subtitle = painter->subtitle;
+    if (painter->axis == BY_FOCUS) {
+        plot->subtitle =
+            arena_printf(arena, "%s; %.4g/mm", plot->subtitle, painter->input->frequency);
+    } else if (painter->is_cut) {
+        plot->subtitle =
+            ARENA_JOIN(arena, plot->subtitle, "; curves end where wave fronts are too steep");
+    }
+    if (painter->off > fine) {
+        plot->subtitle = arena_printf(arena, "%s; up to %.1g off", plot->subtitle, painter->off);
+    }
+    plot->x_label = labels[painter->axis];
+    if (painter->axis == BY_FIELD && painter->is_angle) {
+        plot->x_label = "field (deg)";
+    }
 }
 
 static bool figure_draw(struct figure_painter *painter, struct svg *svg, struct error *error)

@@ -6,7 +6,7 @@
 #include "base/image/image.h"
 #include "camera/photograph/photograph.h"
 #include "cli/options/option_light.h"
-#include "commands/analysis/analysis_options.h"
+#include "commands/analysis/analysis_cursor.h"
 #include "commands/photo/photo_options.h"
 #include "optics/growing.h"
 
@@ -114,9 +114,6 @@ void render_say_autofocus(const struct render_input *input, double distance,
 
 /* -------- commands/camera/render_model.c -------- */
 
-/* Keeps a case, which is as context a const struct analysis_case **. */
-bool render_keep_case(const struct analysis_case *one, void *context, struct error *error);
-
 /*
  * The model of the lens that is asked for, in its place.
  *
@@ -138,7 +135,7 @@ void render_say_model(const struct render_input *input, const struct analysis_ca
  *
  * Given     channels  wavelengths in place of those asked for; null: these
  *           one       receives it, in the arena of the run
- * Errors    ERROR_USAGE: several positions; as analysis_each, render_focus and render_model
+ * Errors    ERROR_USAGE: several positions; as analysis_next_case, render_focus and render_model
  */
 bool render_open(const struct render_input *input, const struct spectrum_value *channels,
                  struct run *run, const struct analysis_case **one, struct error *error);

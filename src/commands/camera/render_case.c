@@ -15,9 +15,13 @@ bool render_open(const struct render_input *input, const struct spectrum_value *
     if (channels != NULL) {
         question->spectrum = *channels;
     }
-    return (isnan(input->distance) || render_focus(input, run->arena, question, error)) &&
-           analysis_each(question, &policy, run->arena, render_keep_case, one, error) &&
-           render_model(input, &policy, run, one, error);
+    if (!isnan(input->distance) && !render_focus(input, run->arena, question, error)) {
+        return false;
+    }
+    struct analysis_cursor at = analysis_begin(question, &policy, run);
+    const bool found = analysis_next_case(&at, error);
+    *one = at.one;
+    return found && render_model(input, &policy, run, one, error);
 }
 
 double render_object(const struct analysis_case *one)

@@ -100,13 +100,6 @@ static struct plane_value render_model_plane_of(const struct analysis_case *one,
     return *asked;
 }
 
-bool render_keep_case(const struct analysis_case *one, void *context, struct error *error)
-{
-    (void)error;
-    *(const struct analysis_case **)context = one;
-    return true;
-}
-
 bool render_model(const struct render_input *input, const struct analysis_policy *policy,
                   struct run *run, const struct analysis_case **one, struct error *error)
 {
@@ -130,7 +123,10 @@ bool render_model(const struct render_input *input, const struct analysis_policy
         question->lens.lens = stand_in;
         question->position = NULL;
     }
-    return analysis_each(question, policy, run->arena, render_keep_case, one, error);
+    struct analysis_cursor at = analysis_begin(question, policy, run);
+    const bool found = analysis_next_case(&at, error);
+    *one = at.one;
+    return found;
 }
 
 void render_say_model(const struct render_input *input, const struct analysis_case *one,

@@ -4,7 +4,7 @@
 
 #include "analysis/setup/setup.h"
 #include "base/number.h"
-#include "commands/analysis/analysis_words.h"
+#include "commands/analysis/analysis_cursor.h"
 
 #include <math.h>
 #include <string.h>
