@@ -119,7 +119,7 @@ static bool find_called(const struct sheet *sheet, struct text name, enum callin
         const struct unit *unit = cut_unit(&bare, column);
         const struct shown usual = show_usual(column, arena);
         bool whole = by == BY_NAME && text_same_name(name, text_of(usual.name));
-        if (whole || report_is_called(name, column, by)) {
+        if (whole || (!column->is_other && report_is_called(name, column, by))) {
             *shown = usual;
             found++;
         } else if (unit != NULL && report_is_called(bare, column, by)) {

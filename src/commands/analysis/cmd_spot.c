@@ -378,41 +378,32 @@ struct spot_diagram_grid {
     size_t *row, *column; /* of each spot */
 };
 
-static bool same_field(const struct drawn *a, const struct drawn *b)
+/* The first spot of the same field, or defocus: its place in a list, added if it is new. */
+static size_t spot_diagram_line(const struct spot_drawing *drawing, size_t spot, bool by_field,
+                                size_t *list, size_t *count)
 {
-    return text_same(text_of(a->field), b->field);
-}
-
-static bool same_defocus(const struct drawn *a, const struct drawn *b)
-{
-    return !(fabs(a->defocus - b->defocus) > 0);
-}
-
-/* The place in a list of what is the same; added at its end if it is new. */
-static size_t index_in(const struct spot_drawing *drawing, size_t spot,
-                       bool (*same)(const struct drawn *, const struct drawn *), size_t *list,
-                       size_t *count)
-{
+    const struct drawn *here = &drawing->all[spot];
     size_t i = 0;
-    while (i < *count && !same(&drawing->all[list[i]], &drawing->all[spot])) {
-        i++;
+    for (; i < *count; i++) {
+        const struct drawn *first = &drawing->all[list[i]];
+        const bool same = by_field ? text_same(text_of(first->field), here->field)
+                                   : !(fabs(first->defocus - here->defocus) > 0);
+        if (same) {
+            return i;
+        }
     }
-    if (i == *count) {
-        list[(*count)++] = spot;
-    }
+    list[(*count)++] = spot;
     return i;
 }
 
-static struct spot_diagram_grid grid_of(const struct spot_drawing *drawing)
+static struct spot_diagram_grid spot_diagram_grid_of(const struct spot_drawing *drawing)
 {
-    size_t count = drawing->count;
-    struct spot_diagram_grid grid = {.rows = ARENA_ARRAY(drawing->arena, count, size_t),
-                                     .columns = ARENA_ARRAY(drawing->arena, count, size_t),
-                                     .row = ARENA_ARRAY(drawing->arena, count, size_t),
-                                     .column = ARENA_ARRAY(drawing->arena, count, size_t)};
+    size_t count = drawing->count, *room = ARENA_ARRAY(drawing->arena, 4 * count, size_t);
+    struct spot_diagram_grid grid = {
+        .rows = room, .columns = room + count, .row = room + 2 * count, .column = room + 3 * count};
     for (size_t i = 0; i < count; i++) {
-        grid.row[i] = index_in(drawing, i, same_field, grid.rows, &grid.row_count);
-        grid.column[i] = index_in(drawing, i, same_defocus, grid.columns, &grid.column_count);
+        grid.row[i] = spot_diagram_line(drawing, i, true, grid.rows, &grid.row_count);
+        grid.column[i] = spot_diagram_line(drawing, i, false, grid.columns, &grid.column_count);
     }
     return grid;
 }
@@ -428,42 +419,12 @@ static const char *spot_diagram_subtitle_of(const struct spot_drawing *drawing)
     return ARENA_JOIN(drawing->arena, "focus ", drawing->focus != NULL ? drawing->focus : "");
 }
 
-/* What stands over the columns: defocuses. */
-static const char *const *column_heads(const struct spot_drawing *drawing,
-                                       const struct spot_diagram_grid *grid)
-{
-    const char **heads = ARENA_ARRAY(drawing->arena, grid->column_count, const char *);
-    for (size_t i = 0; i < grid->column_count; i++) {
-        double defocus = drawing->all[grid->columns[i]].defocus;
-        heads[i] = fabs(defocus) > 0 ? arena_printf(drawing->arena, "%+.4g mm", defocus) : "0 mm";
-    }
-    return heads;
-}
-
-static const char *const *row_heads(const struct spot_drawing *drawing,
-                                    const struct spot_diagram_grid *grid)
-{
-    const char **heads = ARENA_ARRAY(drawing->arena, grid->row_count, const char *);
-    for (size_t i = 0; i < grid->row_count; i++) {
-        heads[i] = drawing->all[grid->rows[i]].field;
-    }
-    return heads;
-}
-
-static const char *const *keys_of(const struct spot_drawing *drawing)
-{
-    const char **keys = ARENA_ARRAY(drawing->arena, drawing->wavelength_count + 1, const char *);
-    for (size_t i = 0; i < drawing->wavelength_count; i++) {
-        keys[i] = arena_printf(drawing->arena, "%.4g nm", 1000 * drawing->wavelengths[i]);
-    }
-    return keys;
-}
-
 /* A grid of spots. */
 static bool spot_diagram_draw_spots(const struct spot_drawing *drawing,
                                     const struct spot_diagram_grid *grid, struct svg *svg,
                                     struct error *error)
 {
+    struct arena *arena = drawing->arena;
     const bool focus = grid->column_count > 1, has_airy = isfinite(drawing->airy);
     const size_t count = grid->row_count * grid->column_count;
     const size_t few = grid->row_count < 4 ? grid->row_count : 3;
@@ -474,15 +435,28 @@ static bool spot_diagram_draw_spots(const struct spot_drawing *drawing,
         panel->title = focus ? NULL : drawing->all[i].field;
         panel->circle = has_airy ? unit_from_own(spot_diagram_unit(drawing), drawing->airy) : 0;
     }
+    const char **heads = ARENA_ARRAY(arena, grid->column_count, const char *);
+    const char **fields = ARENA_ARRAY(arena, grid->row_count, const char *);
+    const char **keys = ARENA_ARRAY(arena, drawing->wavelength_count + 1, const char *);
+    for (size_t i = 0; i < grid->column_count; i++) {
+        const double defocus = drawing->all[grid->columns[i]].defocus;
+        heads[i] = fabs(defocus) > 0 ? arena_printf(arena, "%+.4g mm", defocus) : "0 mm";
+    }
+    for (size_t i = 0; i < grid->row_count; i++) {
+        fields[i] = drawing->all[grid->rows[i]].field;
+    }
+    for (size_t i = 0; i < drawing->wavelength_count; i++) {
+        keys[i] = arena_printf(arena, "%.4g nm", 1000 * drawing->wavelengths[i]);
+    }
     const struct panels panels = {
         .title = arena_printf(drawing->arena, "%s of %s%s",
                               drawing->input->to > 0 ? "Footprints" : "Spots", drawing->title,
                               focus ? " through focus" : ""),
         .subtitle = spot_diagram_subtitle_of(drawing),
         .unit = spot_diagram_unit_words(drawing),
-        .column_heads = focus ? column_heads(drawing, grid) : NULL,
-        .row_heads = focus ? row_heads(drawing, grid) : NULL,
-        .keys = keys_of(drawing),
+        .column_heads = focus ? heads : NULL,
+        .row_heads = focus ? fields : NULL,
+        .keys = keys,
         .key_count = drawing->wavelength_count,
         .light = true,
         .circle_label = has_airy ? "Airy disc on the axis" : NULL,
@@ -561,7 +535,7 @@ static bool spot_diagram(const struct artifact_job *job, struct output *sink, st
     if (!spot_diagram_collect(job, job->count <= MOST_ROWS * MOST_COLUMNS, &drawing, error)) {
         return false;
     }
-    const struct spot_diagram_grid grid = grid_of(&drawing);
+    const struct spot_diagram_grid grid = spot_diagram_grid_of(&drawing);
     bool drawn = grid.row_count <= MOST_ROWS && grid.column_count <= MOST_COLUMNS
                      ? spot_diagram_draw_spots(&drawing, &grid, &svg, error)
                      : spot_diagram_draw_curves(&drawing, &grid, &svg, error);

@@ -30,6 +30,8 @@ struct distortion_case {
 /* Calibrated scales that were found, for the inputs that ask again. */
 struct distortion_memo;
 
+struct distortion_memo *distortion_memo_new(struct arena *arena);
+
 /*
  * Compare the lens with the projection that is asked for.
  *
@@ -39,8 +41,6 @@ struct distortion_memo;
 bool distortion_ready(const struct distortion_input *input, const struct analysis_case *one,
                       struct distortion_memo *memo, struct distortion_case *ready,
                       struct error *error);
-
-/* -------- commands/analysis/distortion_models.c -------- */
 
 extern const struct sheet distortion_fit_sheet;
 

@@ -1,6 +1,6 @@
 /* commands/analysis/mtf_figure.c - contrast drawn against frequency, focus or field. */
 /* SPDX-License-Identifier: MIT */
-#include "commands/analysis/mtf_figure.h"
+#include "commands/analysis/mtf_input.h"
 
 #include "analysis/image/mtf_curve.h"
 #include "draw/plot.h"
@@ -9,10 +9,9 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { STEPS = 241, FIRST_STEPS = 17, MOST = 16384, CURVES_MOST = 14, FIELDS_MANY = 4 };
-
-/* Colours of curves before they come again, and the dashes of the limit. */
+/* COLOURS: of curves before they come again; DOTTED: the dashes of the limit. */
 enum { COLOURS = 7, DOTTED = 3 };
+enum { STEPS = 241, FIRST_STEPS = 17, MOST = 16384, CURVES_MOST = 14, FIELDS_MANY = 4 };
 
 /* The default of --error; below it a drawing is made of exact points too. */
 static const double usual_error = 1e-4;
@@ -61,21 +60,6 @@ static struct figure_entry *new_entry(struct figure_painter *painter,
 static void note_off(struct figure_painter *painter, double off)
 {
     painter->off = isfinite(off) ? fmax(painter->off, off) : painter->off;
-}
-
-static bool add_entry(struct figure_painter *painter, const struct mtf_source *source,
-                      double frequency, const struct figure_entry *place, struct error *error)
-{
-    struct mtf mtf;
-    struct figure_entry *entry = new_entry(painter, place, error);
-    if (entry == NULL ||
-        !mtf_with_pixels(source, painter->input, frequency, painter->arena, &mtf, error)) {
-        return false;
-    }
-    memcpy(entry->contrast, mtf.contrast, sizeof entry->contrast);
-    note_off(painter, mtf.error);
-    entry->limit = fmax(mtf.limit[0], mtf.limit[1]);
-    return true;
 }
 
 /* Where contrast by waves ends, but no farther than anybody looks: twice what rows have. */
@@ -151,6 +135,21 @@ static bool contrasts_at(void *context, double frequency, double *y)
     return true;
 }
 
+/* One point, found by itself. */
+static bool add_entry(struct figure_painter *painter, const struct mtf_source *source,
+                      double frequency, const struct figure_entry *place, struct error *error)
+{
+    struct contrasts contrasts = {painter, source, error, false};
+    struct figure_entry *entry = new_entry(painter, place, error);
+    double y[MTF_DIRECTIONS + 1];
+    if (entry == NULL || !contrasts_at(&contrasts, frequency, y)) {
+        return false;
+    }
+    memcpy(entry->contrast, y, sizeof entry->contrast);
+    entry->limit = y[MTF_DIRECTIONS];
+    return true;
+}
+
 static bool add_contrasts(struct figure_painter *painter, const struct mtf_source *source,
                           double highest, const struct figure_entry *place, struct error *error)
 {
@@ -186,9 +185,8 @@ static bool add_contrasts(struct figure_painter *painter, const struct mtf_sourc
         }
         entry->x = curves.x[i];
         entry->is_between = true;
-        memcpy(entry->contrast,
-               (const double[]){curves.y[MTF_TANGENTIAL][i], curves.y[MTF_SAGITTAL][i]},
-               sizeof entry->contrast);
+        entry->contrast[MTF_TANGENTIAL] = curves.y[MTF_TANGENTIAL][i];
+        entry->contrast[MTF_SAGITTAL] = curves.y[MTF_SAGITTAL][i];
         entry->limit = curves.y[MTF_DIRECTIONS][i];
     }
     return !contrasts.has_failed;
@@ -274,14 +272,12 @@ static size_t figure_values_of(const struct artifact_job *job, size_t offset)
 {
     size_t count = 0;
     for (size_t i = 0; i < job->count; i++) {
-        bool is_new = true;
-        double value, other;
-        memcpy(&value, (const char *)job->inputs[i] + offset, sizeof value);
-        for (size_t k = 0; k < i && is_new; k++) {
-            memcpy(&other, (const char *)job->inputs[k] + offset, sizeof other);
-            is_new = !(memcmp(&value, &other, sizeof value) == 0);
+        const char *value = (const char *)job->inputs[i] + offset;
+        size_t k = 0;
+        while (k < i && memcmp(value, (const char *)job->inputs[k] + offset, sizeof(double)) != 0) {
+            k++;
         }
-        count += is_new;
+        count += k == i;
     }
     return count;
 }
@@ -395,14 +391,13 @@ static bool collect_between(struct figure_painter *painter, struct error *error)
         const size_t count = middles_find(painter, low, high, middles);
         for (size_t i = 0; i < job->count; i++) {
             memcpy(&here, job->inputs[i], sizeof here);
-            if (!(fabs(*figure_place_of(painter, &here) - *figure_place_of(painter, &first)) <=
-                  0)) {
+            double *place = figure_place_of(painter, &here);
+            if (!(fabs(*place - *figure_place_of(painter, &first)) <= 0)) {
                 continue;
             }
             for (size_t k = 0; k < count && painter->count < MOST - CURVES_MOST; k++) {
                 const bool is_angle = painter->axis == BY_FIELD && painter->is_angle;
-                *figure_place_of(painter, &here) =
-                    is_angle ? unit_to_own(degree, middles[k]) : middles[k];
+                *place = is_angle ? unit_to_own(degree, middles[k]) : middles[k];
                 if (!figure_add_input(painter, &here, error)) {
                     return false;
                 }
@@ -426,13 +421,12 @@ static bool figure_collect(struct figure_painter *painter, struct error *error)
             return false;
         }
     }
-    bool any = false;
     if (painter->axis != BY_FREQUENCY && !collect_between(painter, error)) {
         return false;
     }
-    for (size_t i = 0; i < painter->count; i++) {
-        const double *contrast = painter->list[i].contrast;
-        any = any || isfinite(contrast[0]) || isfinite(contrast[1]);
+    bool any = false;
+    for (size_t i = 0; i < painter->count && !any; i++) {
+        any = isfinite(painter->list[i].contrast[0]) || isfinite(painter->list[i].contrast[1]);
     }
     return any || fail(error, ERROR_DOMAIN,
                        painter->count == 0
@@ -463,49 +457,54 @@ struct figure_curve {
     size_t count;
 };
 
+/* The curve of a label, or the place behind the last. */
+static struct figure_curve *figure_curve_called(struct figure_curve *curves, size_t count,
+                                                const char *label)
+{
+    size_t k = 0;
+    while (k < count && strcmp(curves[k].label, label) != 0) {
+        k++;
+    }
+    return &curves[k];
+}
+
 /* The curves, by their labels in the order these came; false: they are too many. */
 static bool figure_curves_collect(struct figure_painter *painter, struct figure_curve *curves,
                                   size_t *count, struct error *error)
 {
-    struct arena *arena = painter->arena;
     *count = 0;
     for (size_t i = 0; i < painter->count; i++) {
-        size_t k = 0;
-        while (k < *count && strcmp(curves[k].label, painter->list[i].label) != 0) {
-            k++;
-        }
-        if (k == CURVES_MOST) {
+        struct figure_curve *curve = figure_curve_called(curves, *count, painter->list[i].label);
+        if (curve == &curves[CURVES_MOST]) {
             return fail(error, ERROR_USAGE, "{--plot} would draw more than %d pairs of curves",
                         CURVES_MOST);
         }
-        if (k == *count) {
-            curves[k] = (struct figure_curve){.label = painter->list[i].label};
+        if (curve == &curves[*count]) {
+            *curve = (struct figure_curve){.label = painter->list[i].label};
             (*count)++;
         }
-        curves[k].count++;
+        curve->count++;
     }
     for (size_t k = 0; k < *count; k++) {
         struct figure_curve *curve = &curves[k];
-        curve->x = ARENA_ARRAY(arena, curve->count, double);
-        curve->limit = ARENA_ARRAY(arena, curve->count, double);
-        curve->places = ARENA_ARRAY(arena, curve->count, unsigned char);
-        for (size_t j = 0; j < MTF_DIRECTIONS; j++) {
-            curve->contrast[j] = ARENA_ARRAY(arena, curve->count, double);
-        }
+        double *room = ARENA_ARRAY(painter->arena, 4 * curve->count, double);
+        curve->x = room;
+        curve->limit = room + curve->count;
+        curve->contrast[MTF_TANGENTIAL] = room + 2 * curve->count;
+        curve->contrast[MTF_SAGITTAL] = room + 3 * curve->count;
+        curve->places = ARENA_ARRAY(painter->arena, curve->count, unsigned char);
         curve->count = 0;
     }
     qsort(painter->list, painter->count, sizeof *painter->list, entry_order);
-    for (size_t i = 0, k = 0; i < painter->count; i++) {
+    for (size_t i = 0; i < painter->count; i++) {
         const struct figure_entry *entry = &painter->list[i];
-        for (k = 0; strcmp(curves[k].label, entry->label) != 0; k++) {
-        }
-        struct figure_curve *curve = &curves[k];
-        for (size_t j = 0; j < MTF_DIRECTIONS; j++) {
-            curve->contrast[j][curve->count] = entry->contrast[j];
-        }
-        curve->limit[curve->count] = entry->limit;
-        curve->places[curve->count] = entry->is_between ? PLOT_BETWEEN : PLOT_SAMPLE;
-        curve->x[curve->count++] = entry->x;
+        struct figure_curve *curve = figure_curve_called(curves, *count, entry->label);
+        const size_t at = curve->count++;
+        curve->x[at] = entry->x;
+        curve->limit[at] = entry->limit;
+        curve->contrast[MTF_TANGENTIAL][at] = entry->contrast[MTF_TANGENTIAL];
+        curve->contrast[MTF_SAGITTAL][at] = entry->contrast[MTF_SAGITTAL];
+        curve->places[at] = entry->is_between ? PLOT_BETWEEN : PLOT_SAMPLE;
     }
     return true;
 }
@@ -513,10 +512,10 @@ static bool figure_curves_collect(struct figure_painter *painter, struct figure_
 /* On the axis of a lens both directions are one curve. */
 static bool curve_is_one(const struct figure_curve *curve)
 {
+    const double *t = curve->contrast[MTF_TANGENTIAL], *s = curve->contrast[MTF_SAGITTAL];
     double off = 0;
     for (size_t i = 0; i < curve->count; i++) {
-        off =
-            fmax(off, fabs(curve->contrast[MTF_TANGENTIAL][i] - curve->contrast[MTF_SAGITTAL][i]));
+        off = fmax(off, fabs(t[i] - s[i]));
     }
     return off < fine;
 }
@@ -580,26 +579,22 @@ static void figure_say(const struct figure_painter *painter, struct plot *plot)
     }
 }
 
-static bool figure_draw(struct figure_painter *painter, struct svg *svg, struct error *error)
-{
-    struct plot plot = {.title = name_curves(painter), .y_label = "contrast"};
-    struct figure_curve curves[CURVES_MOST];
-    struct plot_series series[MTF_DIRECTIONS * CURVES_MOST + 1];
-    size_t count;
-    if (!figure_curves_collect(painter, curves, &count, error)) {
-        return false;
-    }
-    figure_say(painter, &plot);
-    plot.series = series;
-    plot.series_count = figure_put_series(painter, curves, count, series);
-    return plot_draw(&plot, svg, error);
-}
-
 bool mtf_figure(const struct artifact_job *job, struct output *sink, struct error *error)
 {
     struct svg svg = {.arena = job->run->arena};
     struct figure_painter painter = {.job = job, .arena = svg.arena, .highest = NAN};
+    struct figure_curve curves[CURVES_MOST];
+    struct plot_series series[MTF_DIRECTIONS * CURVES_MOST + 1];
+    size_t count;
     painter.list = ARENA_ARRAY(svg.arena, MOST, struct figure_entry);
-    return choose_axis(&painter, error) && figure_collect(&painter, error) &&
-           figure_draw(&painter, &svg, error) && drawing_write(job, &svg, sink, error);
+    if (!choose_axis(&painter, error) || !figure_collect(&painter, error)) {
+        return false;
+    }
+    struct plot plot = {.title = name_curves(&painter), .y_label = "contrast", .series = series};
+    if (!figure_curves_collect(&painter, curves, &count, error)) {
+        return false;
+    }
+    figure_say(&painter, &plot);
+    plot.series_count = figure_put_series(&painter, curves, count, series);
+    return plot_draw(&plot, &svg, error) && drawing_write(job, &svg, sink, error);
 }
