@@ -15,30 +15,6 @@ static bool is_thick(const struct lens *lens)
     return thick == 1 && others == 0;
 }
 
-struct model_fit {
-    struct run *run;
-    struct lens *lens;
-};
-
-static bool render_model_fit(const struct setup *setup, const char *warning, void *context,
-                             struct error *error)
-{
-    const struct model_fit *fitting = context;
-    /* without what `answer` adds, the fit of twice the rays */
-    const struct fit_input input = {.object = NAN,
-                                    .distortion = 0,
-                                    .show = FIT_PARAMETERS,
-                                    .match = FIT_IMAGE,
-                                    .pattern = PATTERN_GAUSS,
-                                    .rays = 72};
-    struct fit_job job = {.input = &input, .run = fitting->run, .setup = setup, .warning = warning};
-    if (!setup_light(setup, 0, &job.light, error) || !fit_job_run(&job, error)) {
-        return false;
-    }
-    *fitting->lens = fit_equal_lens(&job);
-    return true;
-}
-
 /* By eighths as far as the film goes, for a lens that states no fields. */
 static struct fields_value fields_of_film(const struct sensor *film, const struct setup *setup)
 {
@@ -65,7 +41,13 @@ static bool fit_lens_of(const struct render_input *input, const struct analysis_
         *error = *run->no_solver;
         return false;
     }
-    struct model_fit fitting = {run, stand_in};
+    /* without what `answer` adds, the fit of twice the rays */
+    const struct fit_input input = {.object = NAN,
+                                    .distortion = 0,
+                                    .show = FIT_PARAMETERS,
+                                    .match = FIT_IMAGE,
+                                    .pattern = PATTERN_GAUSS,
+                                    .rays = 72};
     *lens = *one->setup->lens;
     lens->object = (struct figure){one->setup->object.distance, {NULL, 0}, LENS_NONE};
     lens->object_is_infinite = one->setup->object.is_infinite;
@@ -78,8 +60,15 @@ static bool fit_lens_of(const struct render_input *input, const struct analysis_
     if (lens->field_count == 0) {
         question.fields = fields_of_film(&input->sensor.size, one->setup);
     }
-    return lens_each_setup(&question, &policy, run->arena, render_model_fit, &fitting, error) ||
-           error_prefix(error, "no thick lens could be fitted: ");
+    struct lens_cursor at = lens_begin(&question, &policy, run->arena);
+    bool found = lens_next_setup(&at, error);
+    if (found) {
+        struct fit_job job = {
+            .input = &input, .run = run, .setup = at.one.setup, .warning = at.one.warning};
+        found = setup_light(at.one.setup, 0, &job.light, error) && fit_job_run(&job, error);
+        *stand_in = found ? fit_equal_lens(&job) : *lens;
+    }
+    return found || error_prefix(error, "no thick lens could be fitted: ");
 }
 
 /* Where the film of a model stands: in its own image if that is what was asked for. */

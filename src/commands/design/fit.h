@@ -31,12 +31,6 @@ struct fit_input {
     bool chromatic, clip, no_clip;
 };
 
-/* What the cases of a fit are handed: the question, and where the rows go. */
-struct fit_asked {
-    const struct fit_input *input;
-    struct run *run;
-};
-
 /* One row of parameters or correlations, whatever was fitted. */
 struct fit_row {
     const char *position, *parameter, *with;

@@ -402,22 +402,6 @@ static void (*const views[FIT_SHOWS])(struct fit_job *job) = {
     [FIT_MATRIX] = fit_show_matrix,
 };
 
-static bool fit_lens_visit(const struct setup *setup, const char *warning, void *context,
-                           struct error *error)
-{
-    const struct fit_asked *asked = context;
-    const struct fit_input *input = asked->input;
-    struct run *run = asked->run;
-    struct fit_job *job = ARENA_NEW(run->arena, struct fit_job);
-    *job = (struct fit_job){.input = input, .run = run, .setup = setup, .warning = warning};
-    if (!setup_light(setup, 0, &job->light, error) || !fit_job_run(job, error)) {
-        return false;
-    }
-    run->state = job;
-    views[input->show](job);
-    return true;
-}
-
 bool fit_lens(const struct fit_input *input, struct run *run, struct error *error)
 {
     /* the wavelengths are fitted together */
@@ -438,6 +422,16 @@ bool fit_lens(const struct fit_input *input, struct run *run, struct error *erro
         lens->objects = NULL;
         question.lens.lens = lens;
     }
-    struct fit_asked asked = {input, run};
-    return lens_each_setup(&question, &policy, run->arena, fit_lens_visit, &asked, error);
+    struct lens_cursor at = lens_begin(&question, &policy, run->arena);
+    while (lens_next_setup(&at, error)) {
+        struct fit_job *job = ARENA_NEW(run->arena, struct fit_job);
+        *job = (struct fit_job){
+            .input = input, .run = run, .setup = at.one.setup, .warning = at.one.warning};
+        if (!setup_light(job->setup, 0, &job->light, error) || !fit_job_run(job, error)) {
+            return false;
+        }
+        run->state = job;
+        views[input->show](job);
+    }
+    return error->code == ERROR_NONE;
 }

@@ -273,11 +273,9 @@ struct fitted {
     const char *freed;  /* marks that lose their bounds, in words; null: none does */
 };
 
-static bool fit_prescription_case(const struct lens_case *one, void *context, struct error *error)
+static bool fit_prescription_of(const struct fit_input *input, const struct lens_case *one,
+                                struct run *run, struct error *error)
 {
-    const struct fit_asked *asked = context;
-    const struct fit_input *input = asked->input;
-    struct run *run = asked->run;
     struct wishes *wishes = ARENA_NEW(run->arena, struct wishes);
     struct prescription_fit fit;
     struct lens fitted;
@@ -339,6 +337,11 @@ bool fit_prescription(const struct fit_input *input, struct run *run, struct err
     static const struct lens_policy policy = {.wavelengths = WAVELENGTHS_PRIMARY};
     struct lens_question question = input->question;
     question.field = question.field_x = NAN;
-    struct fit_asked asked = {input, run};
-    return lens_each(&question, &policy, run->arena, fit_prescription_case, &asked, error);
+    struct lens_cursor at = lens_begin(&question, &policy, run->arena);
+    while (lens_next(&at, error)) {
+        if (!fit_prescription_of(input, &at.one, run, error)) {
+            return false;
+        }
+    }
+    return error->code == ERROR_NONE;
 }

@@ -285,17 +285,9 @@ static double fraction_of(enum check_quantity quantity, long step, long steps)
                                        : exp2(-0.5 * (double)step);
 }
 
-/* Where the rows go. */
-struct check_asked {
-    const struct check_input *input;
-    struct run *run;
-};
-
-static bool check_compare(const struct lens_case *one, void *context, struct error *error)
+static bool check_compare(const struct check_input *input, const struct lens_case *one,
+                          struct run *run, struct error *error)
 {
-    const struct check_asked *asked = context;
-    const struct check_input *input = asked->input;
-    struct run *run = asked->run;
     struct check_job check;
     if (!check_set_up(input, one, &check, error)) {
         return false;
@@ -326,60 +318,57 @@ static bool check_compare(const struct lens_case *one, void *context, struct err
 
 static bool check_command_run(const void *data, struct run *run, struct error *error)
 {
-    struct check_asked asked = {data, run};
-    return lens_each(&asked.input->question, &policy, run->arena, check_compare, &asked, error);
+    const struct check_input *input = data;
+    struct lens_cursor at = lens_begin(&input->question, &policy, run->arena);
+    while (lens_next(&at, error)) {
+        if (!check_compare(input, &at.one, run, error)) {
+            return false;
+        }
+    }
+    return error->code == ERROR_NONE;
 }
 
 /* -------- the plot -------- */
 
 enum { POINTS = 41 };
 
-/* Of the first case only: the curves of one lens fill a page. */
-struct check_curves {
-    const struct check_input *input;
-    struct arena *arena;
-    struct plot plot;
-    struct plot_series series[CHECK_QUANTITIES];
-    double x[POINTS];
-};
-
-static bool check_add_curves(const struct lens_case *one, void *context, struct error *error)
+/* The curves of a case, which fill a page. */
+static void check_add_curves(const struct check_job *check, struct arena *arena, struct plot *plot,
+                             struct plot_series *series)
 {
-    struct check_curves *curves = context;
-    struct arena *arena = curves->arena;
-    struct check_job check;
-    if (!check_set_up(curves->input, one, &check, error)) {
-        return false;
-    }
     for (int quantity = 0; quantity < CHECK_QUANTITIES; quantity++) {
-        const struct check_problem *problem = &check.problem;
+        const struct check_problem *problem = &check->problem;
         enum check_quantity what = (enum check_quantity)quantity;
         if (!check_applies(problem, what) || isnan(check_at(problem, what, 0.5, arena).scale)) {
             continue;
         }
         double *y = ARENA_ARRAY(arena, POINTS, double);
         for (size_t i = 0; i < POINTS; i++) {
-            struct check_value value = check_at(problem, what, curves->x[i], arena);
+            struct check_value value = check_at(problem, what, plot->x[i], arena);
             double relative = fabs(value.exact - value.paraxial) / value.scale;
             y[i] = relative > 1e-13 ? 100 * relative : (double)NAN;
         }
-        curves->series[curves->plot.series_count] = (struct plot_series){
-            .label = names[quantity].name, .y = y, .style = curves->plot.series_count};
-        curves->plot.series_count++;
+        series[plot->series_count] = (struct plot_series){
+            .label = names[quantity].name, .y = y, .style = plot->series_count};
+        plot->series_count++;
     }
-    double largest = atan2(sin(check.problem.field.value[1]), cos(check.problem.field.value[1]));
-    curves->plot.title =
-        arena_printf(arena, "Exact rays against paraxial results: %s", one->setup->lens->title);
-    curves->plot.subtitle =
-        arena_printf(arena, "at %.5g nm%s%s; aperture f/%.3g%s", 1000 * one->light.wavelength,
-                     one->setup->position != NULL ? ", position " : "",
-                     one->setup->position != NULL ? one->setup->position : "",
-                     isfinite(one->light.first.fnumber) ? one->light.first.fnumber
-                                                        : one->light.first.working_fnumber,
-                     check.problem.field.kind == FIELD_ANGLE
-                         ? arena_printf(arena, ", field %.4g deg", largest * DEGREES_PER_RADIAN)
-                         : "");
-    return true;
+}
+
+static const char *check_subtitle(const struct check_job *check, struct arena *arena)
+{
+    const struct lens_case *one = check->one;
+    const struct first_order *first = &one->light.first;
+    const struct field_point *field = &check->problem.field;
+    const char *position = one->setup->position;
+    const char *words =
+        arena_printf(arena, "at %.5g nm%s%s; aperture f/%.3g", 1000 * one->light.wavelength,
+                     position != NULL ? ", position " : "", position != NULL ? position : "",
+                     isfinite(first->fnumber) ? first->fnumber : first->working_fnumber);
+    if (field->kind != FIELD_ANGLE) {
+        return words;
+    }
+    const double largest = atan2(sin(field->value[1]), cos(field->value[1]));
+    return arena_printf(arena, "%s, field %.4g deg", words, largest * DEGREES_PER_RADIAN);
 }
 
 static bool check_plot(const struct artifact_job *job, struct error *error)
@@ -391,22 +380,30 @@ static bool check_plot(const struct artifact_job *job, struct error *error)
 
 static bool check_draw(const struct artifact_job *job, struct output *sink, struct error *error)
 {
+    const struct check_input *input = job->inputs[0];
     struct svg svg = {.arena = job->run->arena};
-    struct check_curves curves = {.input = job->inputs[0],
-                                  .arena = svg.arena,
-                                  .plot = {.x_label = "fraction of the aperture, or of the field",
-                                           .y_label = "difference (% of the value or focal length)",
-                                           .count = POINTS,
-                                           .log_x = true,
-                                           .log_y = true}};
-    const struct lens_question *question = &curves.input->question;
-    for (size_t i = 0; i < POINTS; i++) {
-        curves.x[i] = pow(10, -1.5 * (1 - (double)i / (POINTS - 1)));
+    struct lens_cursor at = lens_begin(&input->question, &policy, svg.arena);
+    struct check_job check;
+    if (!lens_next(&at, error) || !check_set_up(input, &at.one, &check, error)) {
+        return false;
     }
-    curves.plot.x = curves.x;
-    curves.plot.series = curves.series;
-    return lens_each(question, &policy, svg.arena, check_add_curves, &curves, error) &&
-           plot_draw(&curves.plot, &svg, error) && drawing_write(job, &svg, sink, error);
+    double x[POINTS];
+    struct plot_series series[CHECK_QUANTITIES];
+    struct plot plot = {.title = arena_printf(svg.arena, "Exact rays against paraxial results: %s",
+                                              at.one.setup->lens->title),
+                        .subtitle = check_subtitle(&check, svg.arena),
+                        .x_label = "fraction of the aperture, or of the field",
+                        .y_label = "difference (% of the value or focal length)",
+                        .x = x,
+                        .count = POINTS,
+                        .series = series,
+                        .log_x = true,
+                        .log_y = true};
+    for (size_t i = 0; i < POINTS; i++) {
+        x[i] = pow(10, -1.5 * (1 - (double)i / (POINTS - 1)));
+    }
+    check_add_curves(&check, svg.arena, &plot, series);
+    return plot_draw(&plot, &svg, error) && drawing_write(job, &svg, sink, error);
 }
 
 static const struct artifact artifacts[] = {

@@ -239,13 +239,14 @@ static bool conjugate_emit_row(const struct lens_case *one, const struct task *t
     struct conjugate_row row = {.wavelength = one->light.wavelength,
                                 .position = one->setup->position,
                                 .from = froms[task->input->from].word,
-                                .focus_by = task->input->gap != NULL     ? task->input->gap
-                                            : task->input->focus_by != 0 ? "the whole lens"
-                                                                         : NULL,
+                                .focus_by = task->input->gap,
                                 .gaps = gaps,
                                 .movement = movement,
                                 .lens = one->setup->lens->title,
                                 .warning = one->warning};
+    if (task->input->gap == NULL && task->input->focus_by != 0) {
+        row.focus_by = "the whole lens";
+    }
     if (!paraxial_compile(lens, one->light.wavelength, one->setup->section, run->arena, &system,
                           error)) {
         return false;
@@ -365,12 +366,6 @@ static bool emit_focused(const struct lens_case *one, const struct task *task, s
     return count > 0;
 }
 
-static bool emit_case(const struct lens_case *one, void *context, struct error *error)
-{
-    const struct task *task = context;
-    return task->gap_count > 0 ? emit_focused(one, task, error) : emit_unmoved(one, task, error);
-}
-
 /* The lens with other media around it. */
 static bool put_into_media(const struct conjugate_input *input, struct lens_value *value,
                            struct arena *arena, struct error *error)
@@ -445,7 +440,14 @@ static bool conjugate_run(const void *data, struct run *run, struct error *error
             return false;
         }
     }
-    return lens_each(&question, &policy, run->arena, emit_case, &task, error);
+    struct lens_cursor at = lens_begin(&question, &policy, run->arena);
+    while (lens_next(&at, error)) {
+        if (!(task.gap_count > 0 ? emit_focused(&at.one, &task, error)
+                                 : emit_unmoved(&at.one, &task, error))) {
+            return false;
+        }
+    }
+    return error->code == ERROR_NONE;
 }
 
 static bool conjugate_makes_many(const void *data)

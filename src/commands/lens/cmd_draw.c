@@ -26,12 +26,6 @@ static const struct option options[] = {
      .help = "title in place of the lens's own"},
 };
 
-/* What draws, and the drawing. */
-struct drawer {
-    const struct draw_input *input;
-    struct svg svg;
-};
-
 static const char *draw_subtitle_of(const struct lens_case *one, struct arena *arena)
 {
     const struct first_order *first = &one->light.first;
@@ -46,11 +40,10 @@ static const char *draw_subtitle_of(const struct lens_case *one, struct arena *a
                         1000 * one->light.wavelength);
 }
 
-static bool draw_case(const struct lens_case *one, void *context, struct error *error)
+static bool draw_case(const struct draw_input *input, const struct lens_case *one, struct svg *svg,
+                      struct error *error)
 {
-    struct drawer *drawer = context;
-    struct arena *arena = drawer->svg.arena;
-    const struct draw_input *input = drawer->input;
+    struct arena *arena = svg->arena;
     const struct layout_request request = {.wavelength = one->index,
                                            .light = &one->light,
                                            .planes = input->planes,
@@ -74,7 +67,7 @@ static bool draw_case(const struct lens_case *one, void *context, struct error *
                                     .subtitle = draw_subtitle_of(one, arena),
                                     .layout = &layout,
                                     .faint = input->construction};
-    return section_draw(&section, &drawer->svg, error);
+    return section_draw(&section, svg, error);
 }
 
 static bool draw_check(const struct artifact_job *job, struct error *error)
@@ -97,9 +90,10 @@ static bool draw_draw(const struct artifact_job *job, struct output *sink, struc
     const struct plane_value focus = {.kind = lens != NULL ? layout_plane(lens) : PLANE_OF_LENS};
     const struct lens_policy policy = {
         .wavelengths = WAVELENGTHS_PRIMARY, .fields = FIELDS_LARGEST, .focus = &focus};
-    struct drawer drawer = {.input = input, .svg = {.arena = job->run->arena}};
-    return lens_each(&input->question, &policy, job->run->arena, draw_case, &drawer, error) &&
-           drawing_write(job, &drawer.svg, sink, error);
+    struct svg svg = {.arena = job->run->arena};
+    struct lens_cursor at = lens_begin(&input->question, &policy, svg.arena);
+    return lens_next(&at, error) && draw_case(input, &at.one, &svg, error) &&
+           drawing_write(job, &svg, sink, error);
 }
 
 static const struct artifact artifacts[] = {

@@ -95,28 +95,28 @@ static const struct column columns[] = {
     LENS_WARNING_COLUMN(struct lens_command_row, warning),
 };
 
-static bool lens_emit_row(const struct lens_case *one, void *context, struct error *error)
-{
-    struct run *run = context;
-    (void)error;
-    struct lens_command_row row = {
-        .wavelength = one->light.wavelength,
-        .position = one->setup->position,
-        .lens = one->setup->lens->title,
-        .places = "the first vertex (F, H, N, entrance pupil) or the last (F', H', N', exit pupil)",
-        .warning = one->warning,
-        .first = one->light.first,
-        .track =
-            one->light.first.length + setup_paraxial_image(one->setup->lens, &one->light.first).hi,
-    };
-    run_emit(run, &row);
-    return true;
-}
-
 static bool lens_run(const void *data, struct run *run, struct error *error)
 {
-    const struct lens_input *input = data;
-    return lens_each(&input->question, &policy, run->arena, lens_emit_row, run, error);
+    struct lens_cursor at =
+        lens_begin(&((const struct lens_input *)data)->question, &policy, run->arena);
+    const struct lens_case *one = &at.one;
+    while (lens_next(&at, error)) {
+        struct lens_command_row row = {
+            .wavelength = one->light.wavelength,
+            .position = one->setup->position,
+            .lens = one->setup->lens->title,
+            .places =
+                "the first vertex (F, H, N, entrance pupil) or the last (F', H', N', exit pupil)",
+            .warning = one->warning,
+            .first = one->light.first,
+            .track = one->light.first.length +
+                     setup_paraxial_image(one->setup->lens, &one->light.first).hi,
+        };
+        if (!run_emit(run, &row)) {
+            return true;
+        }
+    }
+    return error->code == ERROR_NONE;
 }
 
 static bool lens_command_makes_many(const void *data)

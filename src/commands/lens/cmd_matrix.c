@@ -93,11 +93,9 @@ static bool emit_matrix(const struct lens_case *one, struct run *run, const char
     return run_emit(run, &row);
 }
 
-static bool emit_factors(const struct lens_case *one, void *context, struct error *error)
+static void emit_factors(const struct lens_case *one, struct run *run)
 {
     const struct pair unity = {1, 0}, zero = {0, 0};
-    struct run *run = context;
-    (void)error;
     for (size_t i = 0; i < one->light.system.count; i++) {
         const struct paraxial_surface *surface = &one->light.system.surfaces[i];
         const struct paraxial_matrix refraction = {unity, zero, pair_negate(surface->power), unity};
@@ -105,18 +103,16 @@ static bool emit_factors(const struct lens_case *one, void *context, struct erro
         if (!emit_matrix(one, run, arena_printf(run->arena, "R%zu", i + 1), &refraction) ||
             (i + 1 < one->light.system.count &&
              !emit_matrix(one, run, arena_printf(run->arena, "T%zu", i + 1), &transfer))) {
-            return true;
+            return;
         }
     }
     emit_matrix(one, run, "system", &one->light.first.matrix);
-    return true;
 }
 
 /* x' = x/(1 + P z/n), z' = t + (n'/n) z/(1 + P z/n), both z from the front principal point. */
-static bool emit_perspective(const struct lens_case *one, void *context, struct error *error)
+static bool emit_perspective(const struct lens_case *one, struct run *run, struct error *error)
 {
     const struct first_order *first = &one->light.first;
-    struct run *run = context;
     if (first->is_afocal) {
         return fail(error, ERROR_DOMAIN, "an afocal system has no principal planes");
     }
@@ -146,8 +142,15 @@ static bool matrix_run(const void *data, struct run *run, struct error *error)
     const struct matrix_input *input = data;
     struct lens_question question = input->question;
     question.fnumber = question.field = question.field_x = NAN;
-    return lens_each(&question, &policy, run->arena,
-                     input->perspective ? emit_perspective : emit_factors, run, error);
+    struct lens_cursor at = lens_begin(&question, &policy, run->arena);
+    while (lens_next(&at, error)) {
+        if (!input->perspective) {
+            emit_factors(&at.one, run);
+        } else if (!emit_perspective(&at.one, run, error)) {
+            return false;
+        }
+    }
+    return error->code == ERROR_NONE;
 }
 
 static const struct sheet *matrix_choose_sheet(const void *data, const struct option_query *asking)

@@ -2,6 +2,7 @@
 /* SPDX-License-Identifier: MIT */
 #include "commands/lens/pupil_cases.h"
 #include "draw/outlines.h"
+#include "report/row.h"
 
 #include <string.h>
 
@@ -204,55 +205,35 @@ static const struct sheet *pupil_choose_sheet(const void *data, const struct opt
     return ((const struct pupil_input *)data)->outline > 0 ? &outline_sheet : &bounds_sheet;
 }
 
-/* What a row says of its point, with everything else absent. */
-static struct pupil_row pupil_row_of(const struct pupil_case *point)
+/* What a row says of its point and its pupil, with everything else absent. */
+static struct pupil_row pupil_row_of(const struct pupil_case *point, bool exit)
 {
     const struct pupil_shape *shape = point->shape;
-    struct pupil_row row = {
-        .position = point->one->setup->position,
-        .lens = point->one->setup->lens->title,
-        .warning = point->one->warning,
-        .wavelength = point->one->light.wavelength,
-        .field = point->angle,
-        .object = point->object,
-        .height = point->height,
-        .field_x = point->angle_x,
-        .object_x = point->object_x,
-        .height_x = point->height_x,
-        .film = point->film,
-        .obstruction = shape->is_empty ? (double)NAN : shape->obstruction,
-        .status = shape->is_empty                               ? ray_status_name(shape->status)
-                  : shape->status == RAY_OK && shape->has_chief ? "ok"
-                                                                : "chief_lost",
-        .lost = shape->surface > 0 ? (long)shape->surface : NO_INTEGER,
-        .rays = (long)shape->rays,
-    };
-    double *numbers[] = {&row.x_min,
-                         &row.x_max,
-                         &row.y_min,
-                         &row.y_max,
-                         &row.x,
-                         &row.y,
-                         &row.vertex_x_min,
-                         &row.vertex_x_max,
-                         &row.vertex_y_min,
-                         &row.vertex_y_max,
-                         &row.vertex_area,
-                         &row.irradiance,
-                         &row.illumination,
-                         &row.chief_x,
-                         &row.chief_y,
-                         &row.chief_z,
-                         &row.cos_x,
-                         &row.cos_y,
-                         &row.cos_z,
-                         &row.fraction,
-                         &row.projected_fraction};
-    for (size_t i = 0; i < sizeof numbers / sizeof numbers[0]; i++) {
-        *numbers[i] = NAN;
+    const struct lens_case *one = point->one;
+    struct pupil_row row;
+    row_clear(&bounds_sheet, &row);
+    row.pupil = exit ? "exit" : "entrance";
+    row.position = one->setup->position;
+    row.lens = one->setup->lens->title;
+    row.warning = one->warning;
+    row.wavelength = one->light.wavelength;
+    row.field = point->angle;
+    row.object = point->object;
+    row.height = point->height;
+    row.field_x = point->angle_x;
+    row.object_x = point->object_x;
+    row.height_x = point->height_x;
+    row.film = point->film;
+    row.z = exit ? one->light.first.exit_pupil : one->light.first.entrance_pupil;
+    row.obstruction = shape->is_empty ? (double)NAN : shape->obstruction;
+    row.status = shape->status == RAY_OK && shape->has_chief ? "ok" : "chief_lost";
+    if (shape->is_empty) {
+        row.status = ray_status_name(shape->status);
     }
+    row.lost = shape->surface > 0 ? (long)shape->surface : NO_INTEGER;
+    row.rays = (long)shape->rays;
+    row.area = 0; /* where nothing arrives */
     for (size_t i = 0; i < PUPIL_ENDS; i++) {
-        row.limit[i] = NO_INTEGER;
         row.vignetting[i] = shape->is_empty ? 1 : shape->vignetting[i];
     }
     return row;
@@ -296,16 +277,15 @@ static const char *pupil_fold_warning(const struct pupil_side *side, bool exit, 
     if (!side->pupil.folds && !side->vertex.folds) {
         return other;
     }
-    const char *plane = !side->pupil.folds    ? exit ? "the last vertex" : "the first vertex"
-                        : !side->vertex.folds ? exit ? "the exit pupil" : "the entrance pupil"
-                        : exit                ? "the exit pupil and of the last vertex"
-                                              : "the entrance pupil and of the first vertex";
-    const char *text =
-        arena_printf(arena,
-                     "the bundle folds over itself in the plane of %s: its area "
-                     "and centroid there are absent, as are bounds that a fold makes",
-                     plane);
-    return other == NULL ? text : arena_printf(arena, "%s; %s", other, text);
+    const char *pupil = exit ? "the exit pupil" : "the entrance pupil";
+    const char *vertex = exit ? "the last vertex" : "the first vertex";
+    const char *text = arena_printf(
+        arena,
+        "the bundle folds over itself in the plane of %s%s%s: its area and centroid there are "
+        "absent, as are bounds that a fold makes",
+        side->pupil.folds ? pupil : "", side->pupil.folds && side->vertex.folds ? " and of " : "",
+        side->vertex.folds ? vertex : "");
+    return lens_warnings_join(other, text, arena);
 }
 
 static struct pupil_row bounds_row(const struct pupil_case *point, bool exit, struct arena *arena)
@@ -314,9 +294,7 @@ static struct pupil_row bounds_row(const struct pupil_case *point, bool exit, st
     const struct pupil_side *side = exit ? &shape->exit : &shape->entrance;
     const struct pupil_side *middle = exit ? &axis->exit : &axis->entrance;
     const struct first_order *first = &point->one->light.first;
-    struct pupil_row row = pupil_row_of(point);
-    row.pupil = exit ? "exit" : "entrance";
-    row.z = exit ? first->exit_pupil : first->entrance_pupil;
+    struct pupil_row row = pupil_row_of(point, exit);
     if (!shape->is_empty) {
         fill_bounds(side, &row);
         row.warning = pupil_fold_warning(side, exit, row.warning, arena);
@@ -343,9 +321,7 @@ static bool emit_outline(const struct pupil_case *point, bool exit, long count, 
 {
     const struct pupil_shape *shape = point->shape;
     const struct pupil_side *side = exit ? &shape->exit : &shape->entrance;
-    struct pupil_row row = pupil_row_of(point);
-    row.pupil = exit ? "exit" : "entrance";
-    row.z = exit ? point->one->light.first.exit_pupil : point->one->light.first.entrance_pupil;
+    struct pupil_row row = pupil_row_of(point, exit);
     for (long i = 0; i < count && !shape->is_empty; i++) {
         size_t edge = (size_t)i * shape->count / (size_t)count;
         const double(*pupil)[2] = side->pupil.outline, (*vertex)[2] = side->vertex.outline;
@@ -363,45 +339,32 @@ static bool emit_outline(const struct pupil_case *point, bool exit, long count, 
     return true;
 }
 
-/* Where the rows go. */
-struct pupil_asked {
-    const struct pupil_input *input;
-    struct run *run;
-};
-
-static bool pupil_emit_rows(const struct pupil_case *point, void *context, struct error *error)
-{
-    const struct pupil_asked *asked = context;
-    const struct pupil_input *input = asked->input;
-    struct run *run = asked->run;
-    (void)error;
-    for (int exit = 0; exit < 2; exit++) {
-        if (input->side == (exit ? SIDE_ENTRANCE : SIDE_EXIT)) {
-            continue;
-        }
-        if (input->outline > 0) {
-            if (!emit_outline(point, exit, input->outline, run)) {
-                break;
-            }
-            continue;
-        }
-        struct pupil_row row = bounds_row(point, exit, run->arena);
-        if (!run_emit(run, &row)) {
-            break;
-        }
-    }
-    return true;
-}
-
 static bool pupil_run(const void *data, struct run *run, struct error *error)
 {
-    struct pupil_asked asked = {data, run};
+    const struct pupil_input *input = data;
+    struct pupil_cursor at;
     if (run->state == NULL) {
         run->state = pupil_memo_new(run->kept);
     }
-    const struct pupil_visitor visitor = {pupil_emit_rows, &asked,
-                                          asked.input->outline > 0 ? PUPIL_EDGES : 0};
-    return pupil_each(data, run->arena, run->state, &visitor, error);
+    pupil_begin(&at, input, run->state, input->outline > 0 ? PUPIL_EDGES : 0, run->arena);
+    while (pupil_next(&at, error)) {
+        for (int exit = 0; exit < 2; exit++) {
+            if (input->side == (exit ? SIDE_ENTRANCE : SIDE_EXIT)) {
+                continue;
+            }
+            if (input->outline > 0) {
+                if (!emit_outline(&at.point, exit, input->outline, run)) {
+                    return true;
+                }
+                continue;
+            }
+            const struct pupil_row row = bounds_row(&at.point, exit, run->arena);
+            if (!run_emit(run, &row)) {
+                return true;
+            }
+        }
+    }
+    return error->code == ERROR_NONE;
 }
 
 static bool pupil_brings(const void *data, const char *option)
@@ -423,15 +386,13 @@ struct pupil_painter {
 };
 
 /* The point on the axis, for comparison, then each point. */
-static bool pupil_add_shape(const struct pupil_case *point, void *context, struct error *error)
+static void pupil_add_shape(struct pupil_painter *painter, const struct pupil_case *point)
 {
-    struct pupil_painter *painter = context;
     struct arena *arena = painter->arena;
     const struct pupil_shape *shape = point->shape;
     const struct lens_case *one = point->one;
     painter->shapes =
         arena_grow(arena, painter->shapes, painter->count, &painter->room, sizeof *painter->shapes);
-    (void)error;
     const char *words = pupil_point_words(point, arena);
     struct pupil_outline outline = {.label = words,
                                     .dashed = point->axis->across,
@@ -452,19 +413,22 @@ static bool pupil_add_shape(const struct pupil_case *point, void *context, struc
     }
     painter->title = one->setup->lens->title;
     painter->shapes[painter->count++] = outline;
-    return true;
 }
 
 static bool pupil_draw(const struct artifact_job *job, struct output *sink, struct error *error)
 {
     struct svg svg = {.arena = job->run->arena};
     struct pupil_painter painter = {.arena = svg.arena};
-    const struct pupil_visitor visitor = {pupil_add_shape, &painter, PUPIL_EDGES};
     for (size_t i = 0; i < job->count; i++) {
         const struct pupil_input *input = job->inputs[i];
         painter.several =
             lens_positions_several(input->question.lens.lens, input->question.position);
-        if (!pupil_each(input, svg.arena, NULL, &visitor, error)) {
+        struct pupil_cursor at;
+        pupil_begin(&at, input, NULL, PUPIL_EDGES, svg.arena);
+        while (pupil_next(&at, error)) {
+            pupil_add_shape(&painter, &at.point);
+        }
+        if (error->code != ERROR_NONE) {
             return false;
         }
     }

@@ -127,23 +127,15 @@ static struct paraxial_ray *follow_axial(const struct lens_case *one, struct are
                            arena);
 }
 
-/* Of one field. */
-struct surface_list {
-    double field, field_x; /* rad; NaN = that of the lens */
-    struct run *run;
-};
-
-static bool surfaces_emit_rows(const struct lens_case *one, void *context, struct error *error)
+static void surfaces_emit_rows(const struct lens_question *question, const struct lens_case *one,
+                               struct run *run)
 {
-    const struct surface_list *listing = context;
-    struct run *run = listing->run;
     const struct first_order *first = &one->light.first;
     const struct paraxial_ray *axial = follow_axial(one, run->arena);
     const struct paraxial_ray *marginal =
         surfaces_follow(one, first->marginal_y, first->marginal_v, run->arena);
     const struct paraxial_ray *chief =
         surfaces_follow(one, first->chief_y, first->chief_v, run->arena);
-    (void)error;
     for (size_t i = 0; i < one->light.system.count; i++) {
         const struct surface *surface = &one->setup->lens->surfaces[i];
         double curvature = one->light.system.curvature[i].hi;
@@ -157,8 +149,8 @@ static bool surfaces_emit_rows(const struct lens_case *one, void *context, struc
             .lens = one->setup->lens->title,
             .warning = one->warning,
             .wavelength = one->light.wavelength,
-            .field = listing->field,
-            .field_x = listing->field_x,
+            .field = question->field,
+            .field_x = question->field_x,
             .radius = curvature != 0 ? 1 / curvature : INFINITY,
             .thickness = surface->has_thickness ? surface->thickness.value.hi : NAN,
             .index = one->light.system.index[i + 1].hi,
@@ -180,14 +172,16 @@ static bool surfaces_emit_rows(const struct lens_case *one, void *context, struc
             break;
         }
     }
-    return true;
 }
 
 static bool surfaces_run(const void *data, struct run *run, struct error *error)
 {
     const struct surfaces_input *input = data;
-    struct surface_list listing = {input->question.field, input->question.field_x, run};
-    return lens_each(&input->question, &policy, run->arena, surfaces_emit_rows, &listing, error);
+    struct lens_cursor at = lens_begin(&input->question, &policy, run->arena);
+    while (lens_next(&at, error)) {
+        surfaces_emit_rows(&input->question, &at.one, run);
+    }
+    return error->code == ERROR_NONE;
 }
 
 static const struct explanation explanations[] = {

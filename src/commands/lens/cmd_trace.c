@@ -210,9 +210,10 @@ static double trace_weight(const void *data)
     if (lens == NULL || !trace_makes_many(data)) {
         return 1;
     }
-    const double rays = trace_is_explicit(input) || trace_has_pupil(input) ? 1
-                        : input->pattern == TRACE_FEW                      ? FEW_RAYS
-                                                                           : (double)input->rays;
+    double rays = input->pattern == TRACE_FEW ? FEW_RAYS : (double)input->rays;
+    if (trace_is_explicit(input) || trace_has_pupil(input)) {
+        rays = 1;
+    }
     const size_t fields = trace_has_field(input) || lens->field_count < 1 ? 1 : lens->field_count;
     return rays * (double)fields * (input->all ? (double)lens->surface_count : 1);
 }

@@ -26,10 +26,8 @@ bool lens_positions_several(const struct lens *lens, const char *names)
 
 bool lens_brings(const struct lens *lens, const char *option)
 {
-    const char *wanted = lens == NULL                      ? ""
-                         : lens->field_kind == FIELD_ANGLE ? "field-x"
-                                                           : "height-x";
-    return lens != NULL && lens_has_fields_beside(lens) && strcmp(option, wanted) == 0;
+    return lens != NULL && lens_has_fields_beside(lens) &&
+           strcmp(option, lens->field_kind == FIELD_ANGLE ? "field-x" : "height-x") == 0;
 }
 
 bool lens_makes_many(const struct lens_question *question, const struct lens_policy *policy)
@@ -151,37 +149,6 @@ static bool check_pair(const struct lens_question *question, struct error *error
                 "{--field} and {--field-x}: where neither is 0 both must be below 90 degrees");
 }
 
-static bool lens_options_visit_position(const struct lens_question *question,
-                                        const struct lens_policy *policy, size_t position,
-                                        struct arena *arena, lens_setup_visit *visit, void *context,
-                                        struct error *error)
-{
-    const bool one = !isnan(question->field) || !isnan(question->field_x);
-    size_t count = one ? 1 : question->fields.count;
-    struct setup_field *fields = ARENA_ARRAY(arena, count + 1, struct setup_field);
-    struct setup *setup = ARENA_NEW(arena, struct setup);
-    const struct setup_question asked = {
-        .lens = question->lens.lens,
-        .position = position,
-        .section = (enum lens_section)question->section,
-        .wavelength =
-            question->wavelength.name != NULL ? question->wavelength.wavelength : (double)NAN,
-        .wavelengths = policy->wavelengths,
-        .fnumber = question->fnumber,
-        .fields = fields,
-        .field_count = count,
-        .field_policy = policy->fields,
-        .takes_telecentric = policy->telecentric,
-    };
-    fields[0] = lens_field(FIELD_ANGLE, question->field_x, question->field, question->section);
-    if (!check_pair(question, error) || !lens_fields_asked(question, position, fields, error)) {
-        return false;
-    }
-    return setup_open(&asked, arena, setup, error) &&
-           (policy->focus == NULL || lens_place_image(setup, policy->focus, error)) &&
-           visit(setup, lens_options_warning_of(question, position, setup), context, error);
-}
-
 /* The focal length of each position at the primary wavelength, mm; NaN where it has none. */
 static const double *focal_lengths(const struct lens *lens, struct arena *arena)
 {
@@ -292,48 +259,67 @@ bool lens_positions(const struct lens *lens, const char *names, struct arena *ar
     return true;
 }
 
-bool lens_each_setup(const struct lens_question *question, const struct lens_policy *policy,
-                     struct arena *arena, lens_setup_visit *visit, void *context,
-                     struct error *error)
+/* The lens of a cursor in a position. */
+static bool lens_cursor_open(struct lens_cursor *at, size_t position, struct error *error)
 {
-    const size_t *positions;
-    size_t count;
-    if (!lens_positions(question->lens.lens, question->position, arena, &positions, &count,
-                        error)) {
+    const struct lens_question *question = at->question;
+    const struct lens_policy *policy = at->policy;
+    struct arena *arena = at->arena;
+    const bool one = !isnan(question->field) || !isnan(question->field_x);
+    size_t count = one ? 1 : question->fields.count;
+    struct setup_field *fields = ARENA_ARRAY(arena, count + 1, struct setup_field);
+    struct setup *setup = ARENA_NEW(arena, struct setup);
+    const struct setup_question asked = {
+        .lens = question->lens.lens,
+        .position = position,
+        .section = (enum lens_section)question->section,
+        .wavelength =
+            question->wavelength.name != NULL ? question->wavelength.wavelength : (double)NAN,
+        .wavelengths = policy->wavelengths,
+        .fnumber = question->fnumber,
+        .fields = fields,
+        .field_count = count,
+        .field_policy = policy->fields,
+        .takes_telecentric = policy->telecentric,
+    };
+    fields[0] = lens_field(FIELD_ANGLE, question->field_x, question->field, question->section);
+    if (!check_pair(question, error) || !lens_fields_asked(question, position, fields, error)) {
         return false;
     }
-    for (size_t i = 0; i < count; i++) {
-        if (!lens_options_visit_position(question, policy, positions[i], arena, visit, context,
-                                         error)) {
-            return false;
-        }
+    if (!setup_open(&asked, arena, setup, error) ||
+        (policy->focus != NULL && !lens_place_image(setup, policy->focus, error))) {
+        return false;
     }
+    at->one = (struct lens_case){.setup = setup,
+                                 .warning = lens_options_warning_of(question, position, setup)};
     return true;
 }
 
-/* Who gets the cases of a setup. */
-struct lens_options_visitor {
-    lens_visit *visit;
-    void *context;
-};
-
-static bool visit_wavelengths(const struct setup *setup, const char *warning, void *context,
-                              struct error *error)
+struct lens_cursor lens_begin(const struct lens_question *question,
+                              const struct lens_policy *policy, struct arena *arena)
 {
-    const struct lens_options_visitor *visitor = context;
-    struct lens_case one = {.setup = setup, .warning = warning};
-    for (; one.index < setup->wavelength_count; one.index++) {
-        if (!setup_light(setup, one.index, &one.light, error) ||
-            !visitor->visit(&one, visitor->context, error)) {
-            return false;
-        }
-    }
-    return true;
+    return (struct lens_cursor){.question = question, .policy = policy, .arena = arena};
 }
 
-bool lens_each(const struct lens_question *question, const struct lens_policy *policy,
-               struct arena *arena, lens_visit *visit, void *context, struct error *error)
+bool lens_next_setup(struct lens_cursor *at, struct error *error)
 {
-    struct lens_options_visitor visitor = {visit, context};
-    return lens_each_setup(question, policy, arena, visit_wavelengths, &visitor, error);
+    error->code = ERROR_NONE;
+    if (at->positions == NULL &&
+        !lens_positions(at->question->lens.lens, at->question->position, at->arena, &at->positions,
+                        &at->position_count, error)) {
+        return false;
+    }
+    return at->next_position < at->position_count &&
+           lens_cursor_open(at, at->positions[at->next_position++], error);
+}
+
+bool lens_next(struct lens_cursor *at, struct error *error)
+{
+    error->code = ERROR_NONE;
+    if (at->one.setup != NULL && at->one.index + 1 < at->one.setup->wavelength_count) {
+        at->one.index++;
+    } else if (!lens_next_setup(at, error)) {
+        return false;
+    }
+    return setup_light(at->one.setup, at->one.index, &at->one.light, error);
 }

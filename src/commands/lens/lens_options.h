@@ -200,32 +200,36 @@ bool lens_brings(const struct lens *lens, const char *option);
 /* Does --position name several? */
 bool lens_positions_several(const struct lens *lens, const char *names);
 
-/* Gets a setup, with what is doubtful about it (null = nothing); returns false to fail. */
-typedef bool lens_setup_visit(const struct setup *setup, const char *warning, void *context,
-                              struct error *error);
+/*
+ * Goes through the cases of a question: positions, and within each the wavelengths, primary first.
+ *
+ *     struct lens_cursor at = lens_begin(&input->question, &policy, run->arena);
+ *     while (lens_next(&at, error)) {
+ *         ... at.one ...
+ *     }
+ *     return error->code == ERROR_NONE;
+ */
+struct lens_cursor {
+    const struct lens_question *question;
+    const struct lens_policy *policy;
+    struct arena *arena;  /* of all that the cases point to */
+    struct lens_case one; /* where it is */
+    const size_t *positions;
+    size_t position_count, next_position;
+};
+
+/* Before the first case. */
+struct lens_cursor lens_begin(const struct lens_question *question,
+                              const struct lens_policy *policy, struct arena *arena);
 
 /*
- * Make the lens of a question ready, position by position.
+ * On to the next case; or to the next position, whatever its wavelengths: then `one` has no light.
  *
- * Given     arena  for all that the setups point to
- *           visit  gets each setup, and `context`
- * Errors    ERROR_USAGE: no lens, an unknown position; as setup_open
+ * Result    false: that was the last one, and error->code is ERROR_NONE; else it failed
+ * Errors    ERROR_USAGE: no lens, an unknown position; as setup_open and setup_light
  */
-bool lens_each_setup(const struct lens_question *question, const struct lens_policy *policy,
-                     struct arena *arena, lens_setup_visit *visit, void *context,
-                     struct error *error);
-
-/* Gets a case, which lasts as long as the arena; returns false to fail. */
-typedef bool lens_visit(const struct lens_case *one, void *context, struct error *error);
-
-/*
- * Answer a question, case by case: positions, and within each the wavelengths, primary first.
- *
- * Given     as lens_each_setup
- * Errors    as lens_each_setup and setup_light
- */
-bool lens_each(const struct lens_question *question, const struct lens_policy *policy,
-               struct arena *arena, lens_visit *visit, void *context, struct error *error);
+bool lens_next(struct lens_cursor *at, struct error *error);
+bool lens_next_setup(struct lens_cursor *at, struct error *error);
 
 /*
  * Find the image plane that --focus asks for.

@@ -38,27 +38,36 @@ struct pupil_memo;
 
 struct pupil_memo *pupil_memo_new(struct arena *arena);
 
-/* Gets a point, which lasts as long as the arena; returns false to fail. */
-typedef bool pupil_visit(const struct pupil_case *point, void *context, struct error *error);
-
-/* Who gets the points, and with how many edges of each: none, or a multiple of 4. */
-struct pupil_visitor {
-    pupil_visit *visit;
-    void *context;
-    size_t edges;
-};
-
 /* Edges that an outline is drawn or chosen from. */
 enum { PUPIL_EDGES = 512 };
 
+/* Goes through all points of an input: positions, wavelengths, fields. */
+struct pupil_cursor {
+    const struct pupil_input *input;
+    struct pupil_memo *memo; /* null = nothing is kept */
+    size_t edges;            /* of each point: none, or a multiple of 4 */
+    struct pupil_case point; /* where it is */
+    /* its own: what one lens at one wavelength needs for all its points */
+    struct lens_policy policy;
+    struct lens_cursor lens;
+    const struct system *clipped, *open;
+    double film; /* from the last vertex, mm; NaN for fields */
+    struct beam axis_beam;
+    struct pupil_shape axis, shape;
+    size_t next, count; /* of its points */
+};
+
+/* Before the first point; the cursor stays where it is. */
+void pupil_begin(struct pupil_cursor *at, const struct pupil_input *input, struct pupil_memo *memo,
+                 size_t edges, struct arena *arena);
+
 /*
- * Visit all points of an input: positions, wavelengths, fields.
+ * On to the next point.
  *
- * Given     memo  null: nothing is kept
- * Errors    ERROR_DOMAIN: no stop, no image plane, a point on the lens; as lens_each
+ * Result    false: that was the last one, and error->code is ERROR_NONE; else it failed
+ * Errors    ERROR_DOMAIN: no stop, no image plane, a point on the lens; as lens_next
  */
-bool pupil_each(const struct pupil_input *input, struct arena *arena, struct pupil_memo *memo,
-                const struct pupil_visitor *visitor, struct error *error);
+bool pupil_next(struct pupil_cursor *at, struct error *error);
 
 /* In words: "14 deg", "object -5 mm", "film 3, 10 mm" of x and y. */
 const char *pupil_point_words(const struct pupil_case *point, struct arena *arena);

@@ -189,7 +189,7 @@ static const char *weight_warning(const struct trace_answer_bundle *bundle, cons
     const struct trace_input *input = bundle->job->input;
     bool weighs = bundle->points != NULL && !input->pupil.is_given &&
                   input->pattern == TRACE_FEW + 1 + PATTERN_GAUSS;
-    return !weighs ? other : other == NULL ? text : arena_printf(arena, "%s; %s", other, text);
+    return lens_warnings_join(other, weighs ? text : NULL, arena);
 }
 
 /* Of two rays through one point of the stop the one was aimed that is joined to the chief ray. */
@@ -199,9 +199,7 @@ static const char *trace_answer_fold_warning(const struct trace_answer_bundle *b
     static const char text[] =
         "the pupil folds inside the stop: near its edge a point is met by two rays, and the one "
         "that was aimed may be the wrong one: clipped where the other passes";
-    return !bundle->folds  ? other
-           : other == NULL ? text
-                           : arena_printf(arena, "%s; %s", other, text);
+    return lens_warnings_join(other, bundle->folds ? text : NULL, arena);
 }
 
 static void label_row(const struct trace_answer_bundle *bundle, size_t i, struct trace_row *row)
@@ -580,11 +578,14 @@ bool trace_answer(const struct trace_input *input, struct run *run, struct error
     for (size_t i = 0; i < count; i++) {
         struct ray_case one;
         struct trace_job job;
-        const struct ray_choice choice = {positions[i], input->wavelength, field};
-        if (!ray_case_open(question, &choice, run->arena, &one, error) ||
-            !trace_job_open(input, &one, &job, error) ||
-            !(trace_is_explicit(input) ? emit_explicit(&job, run, error)
-                                       : emit_fields(&job, run, error))) {
+        if (!ray_case_open(question, positions[i], input->wavelength, field, run->arena, &one,
+                           error) ||
+            !trace_job_open(input, &one, &job, error)) {
+            return false;
+        }
+        const bool done = trace_is_explicit(input) ? emit_explicit(&job, run, error)
+                                                   : emit_fields(&job, run, error);
+        if (!done) {
             return false;
         }
     }

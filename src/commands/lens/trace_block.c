@@ -41,8 +41,7 @@ static bool open_case(struct trace_block_kept *kept, const struct trace_input *i
     arena_reset(run->kept, kept->base);
     if (!lens_positions(input->question.lens.lens, input->question.position, run->kept, &positions,
                         &count, error) ||
-        !ray_case_open(&input->question, &(struct ray_choice){positions[0], NAN, NULL}, run->kept,
-                       &kept->one, error)) {
+        !ray_case_open(&input->question, positions[0], NAN, NULL, run->kept, &kept->one, error)) {
         return false;
     }
     memcpy(&kept->key, input, sizeof kept->key); /* padding too */

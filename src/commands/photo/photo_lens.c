@@ -16,16 +16,6 @@ bool photo_lens_varies(const struct photo_lens_question *question, const char *o
     return photo_lens_makes_many(question) && strcmp(option, "position") == 0;
 }
 
-static bool photo_lens_keep(const struct lens_case *one, void *context, struct error *error)
-{
-    struct lens_memo *memo = context;
-    (void)error;
-    memo->first = one->light.first;
-    memo->width = setup_width(one->setup, one->setup->first.fnumber, one->setup->arena);
-    memo->warning = one->warning;
-    return true;
-}
-
 /* Of its fields nothing is used. */
 static const struct lens_policy policy = {.wavelengths = WAVELENGTHS_PRIMARY,
                                           .fields = FIELDS_LARGEST};
@@ -51,9 +41,13 @@ static bool photo_lens_find(const struct photo_lens_question *question, size_t p
         .section = question->section,
     };
     memo->is_known = false;
-    if (!lens_each(&asked, &policy, arena, photo_lens_keep, memo, error)) {
+    struct lens_cursor at = lens_begin(&asked, &policy, arena);
+    if (!lens_next(&at, error)) {
         return false;
     }
+    memo->first = at.one.light.first;
+    memo->width = setup_width(at.one.setup, at.one.setup->first.fnumber, arena);
+    memo->warning = at.one.warning;
     if (memo->warning != NULL) {
         struct text warning = text_of(memo->warning);
         memo->warning = arena_string(value->arena, warning.start, warning.length);
