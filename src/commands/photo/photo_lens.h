@@ -129,7 +129,7 @@ static inline bool photo_lens_is_thin(const struct photo_lens_question *question
  * Source    [Gauss41]
  * Errors    ERROR_USAGE: no lens, also a focal length, no stop and no P, several positions;
  *           ERROR_DOMAIN: afocal, f < 0, different media, an image on the subject's side, P < 0;
- *           as lens_each
+ *           as lens_next
  */
 bool photo_lens_single(const struct photo_lens_question *question, int use, struct arena *arena,
                        struct photo_lens *lens, struct error *error);
