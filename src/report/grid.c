@@ -187,7 +187,9 @@ void grid_write_html(const struct grid *grid, struct output *output, bool with_h
         output_string(output, "</caption>\n");
     }
     bool has_head = with_head && grid->head_rows > 0;
-    output_string(output, has_head ? "<thead>\n" : with_head ? "<tbody>\n" : "");
+    if (with_head) {
+        output_string(output, has_head ? "<thead>\n" : "<tbody>\n");
+    }
     for (size_t i = with_head ? 0 : grid->head_rows; i < grid->rows; i++) {
         if (i == grid->head_rows && has_head) {
             output_string(output, "</thead>\n<tbody>\n");

@@ -217,10 +217,8 @@ static size_t unfinished(const struct output *output)
     const unsigned char *bytes = (const unsigned char *)output->buffer;
     for (size_t back = 1; back <= 3 && back <= length; back++) {
         const unsigned char byte = bytes[length - back];
-        const size_t whole = byte >= 0xf0                   ? 4
-                             : byte >= 0xe0                 ? 3
-                             : byte >= 0xc0 || byte == '\r' ? 2
-                                                            : 1;
+        const size_t whole =
+            (size_t)(1 + (byte >= 0xc0 || byte == '\r') + (byte >= 0xe0) + (byte >= 0xf0));
         if (whole > back) {
             return back;
         }

@@ -152,11 +152,9 @@ static void suggest_columns(const struct sheet *sheet, struct text name, struct 
         }
     }
     for (size_t i = 0; i < count; i++) {
-        words = arena_printf(arena, "%s%s'%s'", words,
-                             i == 0           ? "did you mean "
-                             : i + 1 == count ? " or "
-                                              : ", ",
-                             names[i]);
+        const char *between = i + 1 == count ? " or " : ", ";
+        words =
+            arena_printf(arena, "%s%s'%s'", words, i == 0 ? "did you mean " : between, names[i]);
     }
     error_hint(error, count > 0 ? "%s? '?' lists all columns" : "%s'?' lists all columns", words);
 }

@@ -101,7 +101,7 @@ void spoken_part(char *to, double value, int digits)
 int spoken_inch_places(double millimetres, int digits)
 {
     double feet = fabs(millimetres) / MM_A_FOOT;
-    int before = feet < 10 ? 1 : feet < 100 ? 2 : feet < 1000 ? 3 : 4;
+    int before = 1 + !(feet < 10) + !(feet < 100) + !(feet < 1000);
     return digits - before - 2;
 }
 

@@ -71,12 +71,13 @@ static bool set_up_report(struct driver *driver, struct error *error)
                                driver->common.columns == NULL && report->format->separator != '\0';
     driver->selection = (struct selection){.columns = driver->common.columns,
                                            .many = driver->is_batch || driver->sweep.total > 1,
-                                           .layout = !report->format->is_for_people ? SELECT_ALL
-                                                     : report->many                 ? SELECT_TABLE
-                                                                                    : SELECT_LIST,
+                                           .layout = report->many ? SELECT_TABLE : SELECT_LIST,
                                            .given = asked_brings,
                                            .varied = asked_varied,
                                            .asked = driver};
+    if (!report->format->is_for_people) {
+        driver->selection.layout = SELECT_ALL;
+    }
     if (!report_select(report, &driver->selection, error)) {
         return false;
     }

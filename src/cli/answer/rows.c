@@ -248,9 +248,12 @@ struct progress_state rows_state(const void *context)
 {
     const struct driver *driver = context;
     size_t answered = driver->good + driver->failed, rows = driver->report.rows;
-    double share = driver->is_batch          ? batch_share(&driver->batch)
-                   : driver->sweep.total > 1 ? (double)driver->index / (double)driver->sweep.total
-                                             : NAN;
+    double share = NAN;
+    if (driver->is_batch) {
+        share = batch_share(&driver->batch);
+    } else if (driver->sweep.total > 1) {
+        share = (double)driver->index / (double)driver->sweep.total;
+    }
     return (struct progress_state){.rows = rows > answered ? rows : answered, .share = share};
 }
 

@@ -207,7 +207,7 @@ bool batch_next_object(struct batch *batch, struct text *object, struct error *e
         } else if (c == '"') {
             quoted = !quoted;
         } else if (!quoted) {
-            depth += c == '{' || c == '[' ? 1 : c == '}' || c == ']' ? -1 : 0;
+            depth += (c == '{' || c == '[') - (c == '}' || c == ']');
         }
         if (depth <= 0 && !quoted) {
             break;

@@ -63,11 +63,13 @@ static bool vary_read_bound(struct text text, struct parameter what, double *val
                             struct error *error)
 {
     bool angle = (parameter_type(what.kind)->is & PARAMETER_IS_ANGLE) != 0;
-    const struct dimension *dimension = angle ? &dimension_angle
-                                        : parameter_length(what.kind, what.order) == 1
-                                            ? &dimension_length
-                                            : &dimension_number;
-    const char *unit = angle ? "deg" : "mm";
+    const bool length = parameter_length(what.kind, what.order) == 1;
+    const struct dimension *dimension = length ? &dimension_length : &dimension_number;
+    const char *unit = "mm";
+    if (angle) {
+        dimension = &dimension_angle;
+        unit = "deg";
+    }
     if (text_equal(text, "inf") || text_equal(text, "-inf")) {
         *value = *text.start == '-' ? -INFINITY : INFINITY;
         return true;
@@ -394,7 +396,7 @@ static struct text next_item(struct text *rest)
     size_t length = 0;
     int depth = 0;
     while (length < rest->length && (rest->start[length] != ',' || depth > 0)) {
-        depth += rest->start[length] == '[' ? 1 : rest->start[length] == ']' ? -1 : 0;
+        depth += (rest->start[length] == '[') - (rest->start[length] == ']');
         length++;
     }
     const struct text item = {rest->start, length};

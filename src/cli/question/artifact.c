@@ -117,7 +117,7 @@ static const char *numbered(const struct artifact_job *job, size_t number, struc
     const char *slash = strrchr(path, '/'), *dot = strrchr(path, '.');
     const bool has_ending = dot != NULL && (slash == NULL || dot > slash);
     const char *ending = has_ending ? dot : path + strlen(path);
-    const int digits = job->files > 99 ? 3 : job->files > 9 ? 2 : 1;
+    const int digits = 1 + (job->files > 9) + (job->files > 99);
     return arena_printf(arena, "%.*s-%0*zu%s", (int)(ending - path), path, digits, number + 1,
                         ending);
 }

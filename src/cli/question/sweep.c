@@ -561,7 +561,8 @@ static bool sweep_check_size(struct sweep *sweep, const struct command *command,
                              const void *input, struct error *error)
 {
     const size_t own = command->most_answers;
-    const size_t most = force ? MOST : own > 0 ? own : MOST_WITHOUT_FORCE;
+    const size_t unforced = own > 0 ? own : MOST_WITHOUT_FORCE;
+    const size_t most = force ? MOST : unforced;
     for (size_t i = 0; i < sweep->axis_count; i++) {
         sweep->total *= sweep->axes[i].count;
         if (sweep->total > most) {
