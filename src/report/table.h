@@ -26,6 +26,13 @@ enum column_type { COLUMN_NUMBER, COLUMN_INTEGER, COLUMN_FLAG, COLUMN_TEXT };
 #define COLUMN_NAMED(S, member, more)                                                              \
     COLUMN(S, member), .name = #member, .label = #member, .flags = (more)
 
+#define COLUMN_OF_LENGTH(S, member, in)                                                            \
+    COLUMN(S, member), .dimension = &dimension_length, .unit = (in)
+#define COLUMN_OF_ANGLE(S, member, in)                                                             \
+    COLUMN(S, member), .dimension = &dimension_angle, .unit = (in)
+#define COLUMN_OF_WAVELENGTH(S, member)                                                            \
+    COLUMN(S, member), .dimension = &dimension_wavelength_um, .unit = "nm"
+
 #define NO_INTEGER (-0x7fffffffL)
 
 enum column_flag {

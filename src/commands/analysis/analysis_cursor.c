@@ -400,6 +400,21 @@ const char *wave_reference_words(const struct analysis_case *one, enum wave_abou
     return arena_printf(arena, "the chief ray at %.4g nm", 1000 * setup->wavelengths[0].wavelength);
 }
 
+const char *analysis_curve_words(const char *title, const char *name, bool one_lens,
+                                 struct arena *arena)
+{
+    if (name == NULL) {
+        return title;
+    }
+    return one_lens ? name : arena_printf(arena, "%s, %s", title, name);
+}
+
+int analysis_ascending(const void *first, const void *second)
+{
+    const double a = *(const double *)first, b = *(const double *)second;
+    return (a > b) - (a < b);
+}
+
 const char *analysis_number(double value, struct arena *arena)
 {
     char number[NUMBER_LENGTH];

@@ -135,6 +135,13 @@ const char *analysis_spectrum_words(const struct setup *setup);
 const char *wave_reference_words(const struct analysis_case *one, enum wave_about about,
                                  struct arena *arena);
 
+/* What a curve of one case is called in a drawing, `name` by analysis_case_words. */
+const char *analysis_curve_words(const char *title, const char *name, bool one_lens,
+                                 struct arena *arena);
+
+/* For qsort: doubles, ascending. */
+int analysis_ascending(const void *first, const void *second);
+
 /* A number to three digits, without an exponent as far as people read numbers so. */
 const char *analysis_number(double value, struct arena *arena);
 

@@ -183,52 +183,45 @@ extern const struct word analysis_aims[], analysis_weights[];
 /* What rows begin with: position and field. */
 #define ANALYSIS_POINT_COLUMNS(S, member)                                                          \
     LENS_POSITION_COLUMN(S, member.position, COLUMN_BRIEF),                                        \
-        {COLUMN(S, member.field),                                                                  \
+        {COLUMN_OF_ANGLE(S, member.field, "deg"),                                                  \
          .name = "field",                                                                          \
-         .dimension = &dimension_angle,                                                            \
-         .unit = "deg",                                                                            \
          .flags = COLUMN_ECHO | COLUMN_BRIEF | COLUMN_SPARSE,                                      \
          .with = "field",                                                                          \
          .label = "field",                                                                         \
          .help = "field angle; absent for a height"},                                              \
-        {COLUMN(S, member.height),                                                                 \
+        {COLUMN_OF_LENGTH(S, member.height, "mm"),                                                 \
          .name = "height",                                                                         \
-         .dimension = &dimension_length,                                                           \
-         .unit = "mm",                                                                             \
          .flags = COLUMN_ECHO | COLUMN_BRIEF | COLUMN_SPARSE,                                      \
          .with = "height",                                                                         \
          .label = "field height",                                                                  \
          .help = "height of the field, at the object or at the image as the lens has it"},         \
-        {COLUMN(S, member.field_x),                                                                \
+        {COLUMN_OF_ANGLE(S, member.field_x, "deg"),                                                \
          .name = "field_x",                                                                        \
-         .dimension = &dimension_angle,                                                            \
-         .unit = "deg",                                                                            \
          .flags = COLUMN_ECHO | COLUMN_BRIEF | COLUMN_EXTRA,                                       \
          .with = "field-x",                                                                        \
          .label = "field x",                                                                       \
          .help = "its angle in the x-z plane; on request, and where some is not 0"},               \
     {                                                                                              \
-        COLUMN(S, member.height_x),                                                                \
-            .name = "height_x", .dimension = &dimension_length, .unit = "mm",                      \
-            .flags = COLUMN_ECHO | COLUMN_BRIEF | COLUMN_EXTRA, .with = "height-x",                \
-            .label = "field height x", .help = "of a height the same in x"                         \
+        COLUMN_OF_LENGTH(S, member.height_x, "mm"),                                                \
+            .name = "height_x", .flags = COLUMN_ECHO | COLUMN_BRIEF | COLUMN_EXTRA,                \
+            .with = "height-x", .label = "field height x", .help = "of a height the same in x"     \
     }
 
 /* Then, where several are possible. */
 #define ANALYSIS_WAVELENGTH_COLUMN(S, member)                                                      \
     {                                                                                              \
-        COLUMN(S, member.wavelength),                                                              \
-            .name = "wavelength", .dimension = &dimension_wavelength_um, .unit = "nm",             \
-            .flags = COLUMN_ECHO | COLUMN_BRIEF | COLUMN_SPARSE, .with = "wavelength",             \
-            .label = "wavelength", .help = "wavelength; absent where several count at once"        \
+        COLUMN_OF_WAVELENGTH(S, member.wavelength),                                                \
+            .name = "wavelength", .flags = COLUMN_ECHO | COLUMN_BRIEF | COLUMN_SPARSE,             \
+            .with = "wavelength", .label = "wavelength",                                           \
+            .help = "wavelength; absent where several count at once"                               \
     }
 
 #define ANALYSIS_DEFOCUS_COLUMN(S, member)                                                         \
     {                                                                                              \
-        COLUMN(S, member.defocus),                                                                 \
-            .name = "defocus", .dimension = &dimension_length, .unit = "mm",                       \
-            .flags = COLUMN_ECHO | COLUMN_BRIEF | COLUMN_EXTRA, .with = "defocus",                 \
-            .label = "defocus", .help = "of the image plane, away from the lens"                   \
+        COLUMN_OF_LENGTH(S, member.defocus, "mm"),                                                 \
+            .name = "defocus", .flags = COLUMN_ECHO | COLUMN_BRIEF | COLUMN_EXTRA,                 \
+            .with = "defocus", .label = "defocus",                                                 \
+            .help = "of the image plane, away from the lens"                                       \
     }
 
 /* And end with: what is assumed, and what is doubtful. */
@@ -243,10 +236,8 @@ extern const struct word analysis_aims[], analysis_weights[];
 #define ANALYSIS_TAIL_COLUMNS(S, member)                                                           \
     {COLUMN(S, member.focus), .name = "focus",  .flags = COLUMN_ASSUMED,                           \
      .depends = "focus lens", .label = "focus", .help = "how the image plane was found"},          \
-        {COLUMN(S, member.image),                                                                  \
+        {COLUMN_OF_LENGTH(S, member.image, "mm"),                                                  \
          .name = "image",                                                                          \
-         .dimension = &dimension_length,                                                           \
-         .unit = "mm",                                                                             \
          .flags = COLUMN_EXTRA | COLUMN_ASSUMED,                                                   \
          .depends = "focus lens position defocus object aperture",                                 \
          .label = "image plane at",                                                                \

@@ -45,8 +45,7 @@ static const struct column_form angle = {&dimension_angle, "mrad",
                                          "of an image at infinity, as an angle"};
 
 #define PLACE(member_name, more)                                                                   \
-    COLUMN(struct color_row, member_name), .dimension = &dimension_length, .unit = "mm",           \
-                                           .flags = (more)
+    COLUMN_OF_LENGTH(struct color_row, member_name, "mm"), .flags = (more)
 #define AXIAL_COLUMN                                                                               \
     {                                                                                              \
         COLUMN_OR(struct color_row, axial, is_afocal, &vergence),                                  \

@@ -65,15 +65,14 @@ struct distortion_row {
 };
 
 #define LENGTH(member_name, more)                                                                  \
-    COLUMN(struct distortion_row, member_name), .dimension = &dimension_length, .unit = "mm",      \
-                                                .flags = (more)
+    COLUMN_OF_LENGTH(struct distortion_row, member_name, "mm"), .flags = (more)
 
 static const struct column columns[] = {
     ANALYSIS_POINT_COLUMNS(struct distortion_row, point),
     ANALYSIS_DEFOCUS_COLUMN(struct distortion_row, point),
     ANALYSIS_WAVELENGTH_COLUMN(struct distortion_row, point),
-    {COLUMN(struct distortion_row, angle), .name = "angle", .dimension = &dimension_angle,
-     .unit = "deg", .flags = COLUMN_SPARSE, .symbol = "t", .label = "angle from the axis",
+    {COLUMN_OF_ANGLE(struct distortion_row, angle, "deg"), .name = "angle", .flags = COLUMN_SPARSE,
+     .symbol = "t", .label = "angle from the axis",
      .help = "of the light before the lens; absent for a near object"},
     {LENGTH(object, COLUMN_SPARSE), .name = "object_height", .symbol = "h",
      .label = "object height", .help = "its distance from the axis; absent at infinity"},

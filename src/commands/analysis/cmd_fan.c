@@ -67,8 +67,7 @@ static const struct column_form sines = {&dimension_angle, "mrad",
     COLUMN_OR(struct fan_row, member_name, is_angular, &sines), .dimension = &dimension_length,    \
                                                                 .unit = "um", .flags = (more)
 #define PLACE(member_name, more)                                                                   \
-    COLUMN(struct fan_row, member_name), .dimension = &dimension_length, .unit = "mm",             \
-                                         .flags = (more)
+    COLUMN_OF_LENGTH(struct fan_row, member_name, "mm"), .flags = (more)
 #define PLAIN(member_name, more) COLUMN(struct fan_row, member_name), .flags = (more)
 
 /* With what people read of the transverse aberrations, and of the path differences. */

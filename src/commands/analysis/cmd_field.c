@@ -30,8 +30,7 @@ struct field_row {
 };
 
 #define LENGTH(member_name, more)                                                                  \
-    COLUMN(struct field_row, member_name), .dimension = &dimension_length, .unit = "mm",           \
-                                           .flags = (more)
+    COLUMN_OF_LENGTH(struct field_row, member_name, "mm"), .flags = (more)
 #define PLAIN(member_name, more) COLUMN(struct field_row, member_name), .flags = (more)
 
 static const struct column columns[] = {
@@ -63,8 +62,8 @@ static const struct column columns[] = {
      .label = "tangential z", .help = "tangential focus from the last vertex"},
     {LENGTH(sagittal_z, COLUMN_HIDDEN | COLUMN_INFINITE), .name = "sagittal_z",
      .label = "sagittal z", .help = "sagittal focus from the last vertex"},
-    {COLUMN(struct field_row, turn), .name = "section_turn", .dimension = &dimension_angle,
-     .unit = "deg", .flags = COLUMN_HIDDEN, .label = "sections turned",
+    {COLUMN_OF_ANGLE(struct field_row, turn, "deg"), .name = "section_turn", .flags = COLUMN_HIDDEN,
+     .label = "sections turned",
      .help = "of the tangential section out of the plane of chief ray and axis: 0 in round lenses"},
     {PLAIN(status, COLUMN_HIDDEN), .name = "status", .label = "status",
      .help = "of the chief ray, which is traced on in any case: ok, or clipped by an aperture"},
@@ -223,19 +222,6 @@ static const char *field_label(enum field_kind kind)
     return labels[kind];
 }
 
-static const char *panel_title(const struct field_curves *curves, bool one_lens,
-                               struct arena *arena)
-{
-    const char *lens = curves->setup->lens->title;
-    if (curves->name == NULL) {
-        return lens;
-    }
-    if (one_lens) {
-        return curves->name;
-    }
-    return arena_printf(arena, "%s, %s", lens, curves->name);
-}
-
 static bool field_paint(struct field_painter *painter, struct svg *svg, struct error *error)
 {
     static const char *const keys[CURVES] = {
@@ -246,20 +232,23 @@ static bool field_paint(struct field_painter *painter, struct svg *svg, struct e
     const size_t many = painter->count == 4 ? 2 : 3;
     bool one_kind = true, one_lens = true;
     for (size_t i = 0; i < painter->count; i++) {
-        one_lens = one_lens &&
-                   strcmp(painter->curves[i].setup->lens->title, first->setup->lens->title) == 0;
-    }
-    for (size_t i = 0; i < painter->count; i++) {
-        if (isnan(painter->curves[i].setup->image)) {
+        const struct field_curves *curves = &painter->curves[i];
+        one_lens = one_lens && strcmp(curves->setup->lens->title, first->setup->lens->title) == 0;
+        one_kind = one_kind && curves->edge.kind == first->edge.kind;
+        if (isnan(curves->setup->image)) {
             return fail(error, ERROR_DOMAIN,
                         "{--plot}: the image is infinitely far away, there is no plane to draw "
                         "distances from");
         }
-        one_kind = one_kind && painter->curves[i].edge.kind == painter->curves[0].edge.kind;
-        panels[i] = panel_of(&painter->curves[i], arena);
-        panels[i].y_label = field_label(painter->curves[i].edge.kind);
-        panels[i].title =
-            painter->count > 1 ? panel_title(&painter->curves[i], one_lens, arena) : NULL;
+    }
+    for (size_t i = 0; i < painter->count; i++) {
+        const struct field_curves *curves = &painter->curves[i];
+        panels[i] = panel_of(curves, arena);
+        panels[i].y_label = field_label(curves->edge.kind);
+        if (painter->count > 1) {
+            panels[i].title =
+                analysis_curve_words(curves->setup->lens->title, curves->name, one_lens, arena);
+        }
     }
     const struct panels page = {
         .title = one_lens ? arena_printf(arena, "Field curvature of %s", first->setup->lens->title)

@@ -45,8 +45,7 @@ struct illumination_row {
 };
 
 #define LENGTH(member_name, more)                                                                  \
-    COLUMN(struct illumination_row, member_name), .dimension = &dimension_length, .unit = "mm",    \
-                                                  .flags = (more)
+    COLUMN_OF_LENGTH(struct illumination_row, member_name, "mm"), .flags = (more)
 #define PLAIN(member_name, more) COLUMN(struct illumination_row, member_name), .flags = (more)
 
 static const struct column columns[] = {
@@ -55,9 +54,8 @@ static const struct column columns[] = {
      .label = "height", .help = "of the point, in the image plane"},
     {LENGTH(height_x, COLUMN_BRIEF | COLUMN_EXTRA), .name = "height_x", .with = "height-x field-x",
      .label = "height x", .help = "the same in x"},
-    {COLUMN(struct illumination_row, field), .name = "field", .symbol = "t",
-     .dimension = &dimension_angle, .unit = "deg", .flags = COLUMN_BRIEF | COLUMN_SPARSE,
-     .label = "field",
+    {COLUMN_OF_ANGLE(struct illumination_row, field, "deg"), .name = "field", .symbol = "t",
+     .flags = COLUMN_BRIEF | COLUMN_SPARSE, .label = "field",
      .help = "angle from the axis, before the lens, of the light whose chief ray comes there; "
              "absent where none does"},
     ANALYSIS_WAVELENGTH_COLUMN(struct illumination_row, point),
@@ -419,18 +417,6 @@ static size_t illumination_add_series(const struct illumination_curve *curve, bo
     return alone ? SERIES : 1;
 }
 
-static const char *illumination_label_of(const struct illumination_curve *curve, bool one_lens,
-                                         struct arena *arena)
-{
-    if (curve->name == NULL) {
-        return curve->title;
-    }
-    if (one_lens) {
-        return curve->name;
-    }
-    return arena_printf(arena, "%s, %s", curve->title, curve->name);
-}
-
 static bool illumination_paint(struct illumination_painter *painter, struct svg *svg,
                                struct error *error)
 {
@@ -466,9 +452,9 @@ static bool illumination_paint(struct illumination_painter *painter, struct svg 
     }
     for (size_t i = 0; i < painter->count; i++) {
         const struct illumination_curve *curve = &painter->curves[i];
-        size_t added =
-            illumination_add_series(curve, alone, illumination_label_of(curve, one_lens, arena),
-                                    reach, arena, series + plot.series_count);
+        size_t added = illumination_add_series(
+            curve, alone, analysis_curve_words(curve->title, curve->name, one_lens, arena), reach,
+            arena, series + plot.series_count);
         series[plot.series_count].style = i;
         plot.series_count += added;
     }

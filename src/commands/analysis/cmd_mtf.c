@@ -42,8 +42,7 @@ struct mtf_row {
 
 #define PLAIN(member_name, more) COLUMN(struct mtf_row, member_name), .flags = (more)
 #define ANGLE(member_name)                                                                         \
-    COLUMN(struct mtf_row, member_name), .dimension = &dimension_angle, .unit = "deg",             \
-                                         .flags = COLUMN_HIDDEN
+    COLUMN_OF_ANGLE(struct mtf_row, member_name, "deg"), .flags = COLUMN_HIDDEN
 #define FREQUENCY(member_name, more)                                                               \
     COLUMN(struct mtf_row, member_name), .dimension = &dimension_frequency, .unit = "per_mm",      \
                                          .flags = (more)

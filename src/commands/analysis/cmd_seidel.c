@@ -74,14 +74,13 @@ struct seidel_row {
 
 #define PLAIN(member_name, more) COLUMN(struct seidel_row, member_name), .flags = (more)
 #define LENGTH(member_name, more)                                                                  \
-    COLUMN(struct seidel_row, member_name), .dimension = &dimension_length, .unit = "mm",          \
-                                            .flags = (more)
+    COLUMN_OF_LENGTH(struct seidel_row, member_name, "mm"), .flags = (more)
 
 static const struct column_form angle = {&dimension_angle, "mrad", "of an afocal lens an angle"};
 
 #define WAVE(member_name, more)                                                                    \
-    COLUMN(struct seidel_row, member_name), .dimension = &dimension_wavelength_um, .unit = "nm",   \
-                                            .flags = (more) | COLUMN_EXTRA | COLUMN_ASSUMED
+    COLUMN_OF_WAVELENGTH(struct seidel_row, member_name),                                          \
+        .flags = (more) | COLUMN_EXTRA | COLUMN_ASSUMED
 #define SUM(i, column_name, words)                                                                 \
     {                                                                                              \
         PLAIN(values[i], COLUMN_BRIEF), .name = (column_name), .label = (words), .help = (words)   \
@@ -101,9 +100,7 @@ static const struct column_form angle = {&dimension_angle, "mrad", "of an afocal
     {WAVE(wavelength, COLUMN_ECHO), .depends = "wavelength lens position", .name = "wavelength",   \
      .label = "wavelength", .help = "of the rays"},                                                \
         LENS_POSITION_COLUMN(struct seidel_row, position, COLUMN_BRIEF),                           \
-        {COLUMN(struct seidel_row, field),                                                         \
-         .dimension = &dimension_angle,                                                            \
-         .unit = "deg",                                                                            \
+        {COLUMN_OF_ANGLE(struct seidel_row, field, "deg"),                                         \
          .flags = COLUMN_EXTRA | COLUMN_ASSUMED | COLUMN_ECHO,                                     \
          .depends = "field height lens position",                                                  \
          .name = "field",                                                                          \
@@ -112,9 +109,7 @@ static const struct column_form angle = {&dimension_angle, "mrad", "of an afocal
         {LENGTH(height, COLUMN_EXTRA | COLUMN_ASSUMED | COLUMN_ECHO),                              \
          .depends = "field height lens position", .name = "height", .label = "field height",       \
          .help = "of the field, at the object or at the image; absent for an angle"},              \
-        {COLUMN(struct seidel_row, field_x),                                                       \
-         .dimension = &dimension_angle,                                                            \
-         .unit = "deg",                                                                            \
+        {COLUMN_OF_ANGLE(struct seidel_row, field_x, "deg"),                                       \
          .flags = COLUMN_EXTRA | COLUMN_ECHO,                                                      \
          .with = "field-x",                                                                        \
          .name = "field_x",                                                                        \

@@ -61,8 +61,7 @@ static const struct column_form sines = {&dimension_angle, "mrad",
     COLUMN_OR(struct spot_row, member_name, is_angular, &sines), .dimension = &dimension_length,   \
                                                                  .unit = "um", .flags = (more)
 #define PLACE(member_name, more)                                                                   \
-    COLUMN(struct spot_row, member_name), .dimension = &dimension_length, .unit = "mm",            \
-                                          .flags = (more)
+    COLUMN_OF_LENGTH(struct spot_row, member_name, "mm"), .flags = (more)
 
 static const struct column columns[] = {
     ANALYSIS_POINT_COLUMNS(struct spot_row, point),
@@ -266,19 +265,13 @@ static struct drawn spot_diagram_place(const struct analysis_case *one, size_t f
 }
 
 /* Keys in the order of the light, violet first. */
-static int spot_diagram_by_value(const void *first, const void *second)
-{
-    double a = *(const double *)first, b = *(const double *)second;
-    return (a > b) - (a < b);
-}
-
 static void spot_diagram_list_wavelengths(struct spot_drawing *drawing, const struct setup *setup)
 {
     double *list = ARENA_ARRAY(drawing->arena, setup->wavelength_count, double);
     for (size_t i = 0; i < setup->wavelength_count; i++) {
         list[i] = setup->wavelengths[i].wavelength;
     }
-    qsort(list, setup->wavelength_count, sizeof *list, spot_diagram_by_value);
+    qsort(list, setup->wavelength_count, sizeof *list, analysis_ascending);
     drawing->wavelengths = list;
     drawing->wavelength_count = setup->wavelength_count;
 }

@@ -119,12 +119,6 @@ static const struct color_input *color_view_input_at(const struct artifact_job *
     return job->inputs[i];
 }
 
-static int color_view_by_value(const void *a, const void *b)
-{
-    const double x = *(const double *)a, y = *(const double *)b;
-    return (x > y) - (x < y);
-}
-
 /* All that the sweep asks for, and the primary one; each once. */
 static void collect_waves(struct color_view_painter *painter)
 {
@@ -138,7 +132,7 @@ static void collect_waves(struct color_view_painter *painter)
         waves[i] = asked ? color_view_input_at(painter->job, i)->question.wavelength.wavelength
                          : setup->wavelengths[i].wavelength;
     }
-    qsort(waves, most, sizeof *waves, color_view_by_value);
+    qsort(waves, most, sizeof *waves, analysis_ascending);
     for (size_t i = 0; i < most; i++) {
         if (i == 0 || waves[i] > waves[count - 1]) {
             waves[count++] = waves[i];

@@ -2,6 +2,8 @@
 /* SPDX-License-Identifier: MIT */
 #include "commands/analysis/distortion_asked.h"
 
+#include "report/row.h"
+
 #include <string.h>
 
 /* -------- the lens beside the projection that is asked for -------- */
@@ -165,20 +167,22 @@ bool distortion_ready(const struct distortion_input *input, const struct analysi
 struct distortion_models_row {
     struct analysis_point point;
     const char *model, *direction, *form, *projection, *sensor, *resolution;
-    double k1, k2, k3, k4, k5, k6, a, b, c;
+    double coefficients[9];
     double rms_pixels, max_pixels, rms, max; /* the last two in mm */
     double unit, focal, radius, pitch;       /* mm */
 };
 
-#define NUMBER(member_name, words)                                                                 \
+/* What the coefficients of all models are called. */
+static const char *const coefficient_names[] = {"k1", "k2", "k3", "k4", "k5", "k6", "a", "b", "c"};
+
+#define COEFFICIENT(i, called)                                                                     \
     {                                                                                              \
-        COLUMN(struct distortion_models_row, member_name),                                         \
-            .name = #member_name, .flags = COLUMN_BRIEF | COLUMN_SPARSE, .label = #member_name,    \
-            .help = words, .digits = 7                                                             \
+        COLUMN(struct distortion_models_row, coefficients[i]),                                     \
+            .name = (called), .flags = COLUMN_BRIEF | COLUMN_SPARSE, .label = (called),            \
+            .help = "coefficient", .digits = 7                                                     \
     }
 #define LENGTH(member_name, in_unit, more)                                                         \
-    COLUMN(struct distortion_models_row, member_name), .dimension = &dimension_length,             \
-                                                       .unit = in_unit, .flags = (more)
+    COLUMN_OF_LENGTH(struct distortion_models_row, member_name, in_unit), .flags = (more)
 
 static const struct column columns[] = {
     LENS_POSITION_COLUMN(struct distortion_models_row, point.position, COLUMN_BRIEF),
@@ -193,15 +197,15 @@ static const struct column columns[] = {
      .label = "form",
      .help = "published: as the model is defined; inverse: a polynomial of the same kind for the "
              "other direction"},
-    NUMBER(k1, "coefficient"),
-    NUMBER(k2, "coefficient"),
-    NUMBER(k3, "coefficient"),
-    NUMBER(k4, "coefficient"),
-    NUMBER(k5, "coefficient"),
-    NUMBER(k6, "coefficient"),
-    NUMBER(a, "coefficient"),
-    NUMBER(b, "coefficient"),
-    NUMBER(c, "coefficient"),
+    COEFFICIENT(0, "k1"),
+    COEFFICIENT(1, "k2"),
+    COEFFICIENT(2, "k3"),
+    COEFFICIENT(3, "k4"),
+    COEFFICIENT(4, "k5"),
+    COEFFICIENT(5, "k6"),
+    COEFFICIENT(6, "a"),
+    COEFFICIENT(7, "b"),
+    COEFFICIENT(8, "c"),
     {COLUMN(struct distortion_models_row, rms_pixels), .name = "rms_pixels", .flags = COLUMN_BRIEF,
      .label = "RMS residual in pixels", .help = "what is left, over the radius of the picture"},
     {COLUMN(struct distortion_models_row, max_pixels), .name = "max_pixels", .flags = COLUMN_BRIEF,
@@ -320,21 +324,6 @@ static const char *distortion_models_warning_of(const struct analysis_case *one,
         arena);
 }
 
-static double *coefficient(struct distortion_models_row *row, const char *name)
-{
-    const struct {
-        const char *name;
-        double *at;
-    } all[] = {{"k1", &row->k1}, {"k2", &row->k2}, {"k3", &row->k3},
-               {"k4", &row->k4}, {"k5", &row->k5}, {"k6", &row->k6},
-               {"a", &row->a},   {"b", &row->b},   {"c", &row->c}};
-    size_t i = 0;
-    while (strcmp(all[i].name, name) != 0) {
-        i++;
-    }
-    return all[i].at;
-}
-
 static struct distortion_models_row
 distortion_models_row_of(const struct analysis_case *one,
                          const struct distortion_models_found *found, enum distortion_way way)
@@ -342,35 +331,30 @@ distortion_models_row_of(const struct analysis_case *one,
     const struct model_facts *facts = &distortion_models[found->fit.model];
     const struct distortion_polynomial *polynomial = &found->fit.ways[way];
     const double pitch = found->picture.size.pitch;
-    struct distortion_models_row row = {
-        .point = analysis_point_of(one, 0),
-        .model = facts->word.word,
-        .direction = way == WAY_DISTORT ? "distort" : "undistort",
-        .form = way == facts->way ? "published" : "inverse",
-        .projection = found->ready.projection,
-        .k1 = NAN,
-        .k2 = NAN,
-        .k3 = NAN,
-        .k4 = NAN,
-        .k5 = NAN,
-        .k6 = NAN,
-        .a = NAN,
-        .b = NAN,
-        .c = NAN,
-        .rms = polynomial->rms,
-        .max = polynomial->largest,
-        .rms_pixels = polynomial->rms / pitch,
-        .max_pixels = polynomial->largest / pitch,
-        .unit = found->fit.unit,
-        .focal = found->fit.focal,
-        .radius = found->profile.reached,
-        .pitch = pitch,
-        .resolution = arena_printf(one->setup->arena, "%.0f x %.0f", found->picture.width,
-                                   found->picture.height),
-    };
+    struct distortion_models_row row;
+    row_clear(&distortion_fit_sheet, &row);
+    row.point = analysis_point_of(one, 0);
     row.point.warning = distortion_models_warning_of(one, found);
+    row.model = facts->word.word;
+    row.direction = way == WAY_DISTORT ? "distort" : "undistort";
+    row.form = way == facts->way ? "published" : "inverse";
+    row.projection = found->ready.projection;
+    row.rms = polynomial->rms;
+    row.max = polynomial->largest;
+    row.rms_pixels = polynomial->rms / pitch;
+    row.max_pixels = polynomial->largest / pitch;
+    row.unit = found->fit.unit;
+    row.focal = found->fit.focal;
+    row.radius = found->profile.reached;
+    row.pitch = pitch;
+    row.resolution =
+        arena_printf(one->setup->arena, "%.0f x %.0f", found->picture.width, found->picture.height);
     for (size_t j = 0; j < facts->terms; j++) {
-        *coefficient(&row, facts->names[j]) = polynomial->published[j];
+        size_t k = 0;
+        while (strcmp(coefficient_names[k], facts->names[j]) != 0) {
+            k++;
+        }
+        row.coefficients[k] = polynomial->published[j];
     }
     return row;
 }

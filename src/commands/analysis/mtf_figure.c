@@ -322,12 +322,6 @@ static int entry_order(const void *first, const void *second)
     return by_label != 0 ? by_label : (a->x > b->x) - (a->x < b->x);
 }
 
-static int figure_by_value(const void *first, const void *second)
-{
-    const double a = *(const double *)first, b = *(const double *)second;
-    return (a > b) - (a < b);
-}
-
 /* Is the curve bent at the second of three entries, as far as is seen? */
 static bool entry_is_bent(const struct figure_entry *three)
 {
@@ -363,7 +357,7 @@ static size_t middles_find(struct figure_painter *painter, double low, double hi
             middles[count++] = here->x + width / 2;
         }
     }
-    qsort(middles, count, sizeof *middles, figure_by_value);
+    qsort(middles, count, sizeof *middles, analysis_ascending);
     for (size_t i = 0; i < count; i++) {
         if (kept == 0 || middles[i] - middles[kept - 1] > least / 8) {
             middles[kept++] = middles[i];

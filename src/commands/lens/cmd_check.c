@@ -42,17 +42,14 @@ struct check_row {
 };
 
 #define LENGTH(member_name, more)                                                                  \
-    COLUMN(struct check_row, member_name), .dimension = &dimension_length, .unit = "mm",           \
-                                           .flags = (more)
+    COLUMN_OF_LENGTH(struct check_row, member_name, "mm"), .flags = (more)
 #define ANGLE(member_name, more)                                                                   \
-    COLUMN(struct check_row, member_name), .dimension = &dimension_angle, .unit = "deg",           \
-                                           .flags = (more)
+    COLUMN_OF_ANGLE(struct check_row, member_name, "deg"), .flags = (more)
 #define PLAIN(member_name, more) COLUMN(struct check_row, member_name), .flags = (more)
 
 static const struct column columns[] = {
-    {COLUMN(struct check_row, wavelength), .dimension = &dimension_wavelength_um, .unit = "nm",
-     .flags = COLUMN_ECHO, .name = "wavelength", .with = "wavelength", .label = "wavelength",
-     .help = "wavelength"},
+    {COLUMN_OF_WAVELENGTH(struct check_row, wavelength), .flags = COLUMN_ECHO, .name = "wavelength",
+     .with = "wavelength", .label = "wavelength", .help = "wavelength"},
     LENS_POSITION_COLUMN(struct check_row, position, 0),
     {PLAIN(quantity, COLUMN_BRIEF), .name = "quantity", .label = "quantity",
      .help = "what is compared"},

@@ -77,14 +77,12 @@ struct conjugate_row {
 };
 
 #define LENGTH(member_name, more)                                                                  \
-    COLUMN(struct conjugate_row, member_name), .dimension = &dimension_length, .unit = "mm",       \
-                                               .flags = (more)
+    COLUMN_OF_LENGTH(struct conjugate_row, member_name, "mm"), .flags = (more)
 #define PLAIN(member_name, more) COLUMN(struct conjugate_row, member_name), .flags = (more)
 
 static const struct column columns[] = {
-    {COLUMN(struct conjugate_row, wavelength), .dimension = &dimension_wavelength_um, .unit = "nm",
-     .flags = COLUMN_ECHO, .name = "wavelength", .with = "wavelength", .label = "wavelength",
-     .help = "wavelength"},
+    {COLUMN_OF_WAVELENGTH(struct conjugate_row, wavelength), .flags = COLUMN_ECHO,
+     .name = "wavelength", .with = "wavelength", .label = "wavelength", .help = "wavelength"},
     LENS_POSITION_COLUMN(struct conjugate_row, position, COLUMN_BRIEF),
     {LENGTH(movement, COLUMN_BRIEF | COLUMN_SPARSE), .name = "movement",
      .when = "with --focus-by lens, or --gap", .label = "movement",

@@ -26,8 +26,7 @@ struct lens_command_row {
 };
 
 #define PLACE(member_name, more)                                                                   \
-    COLUMN(struct lens_command_row, member_name), .dimension = &dimension_length, .unit = "mm",    \
-                                                  .flags = (more)
+    COLUMN_OF_LENGTH(struct lens_command_row, member_name, "mm"), .flags = (more)
 #define NUMBER(member_name, more) COLUMN(struct lens_command_row, member_name), .flags = (more)
 
 static const struct column columns[] = {

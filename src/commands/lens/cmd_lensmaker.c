@@ -64,8 +64,7 @@ struct lensmaker_row {
     const char *solution;
 };
 
-#define LENGTH(member_name)                                                                        \
-    COLUMN(struct lensmaker_row, member_name), .dimension = &dimension_length, .unit = "mm"
+#define LENGTH(member_name) COLUMN_OF_LENGTH(struct lensmaker_row, member_name, "mm")
 #define POWER(member_name)                                                                         \
     COLUMN(struct lensmaker_row, facts.member_name), .dimension = &dimension_vergence,             \
                                                      .unit = "diopter"

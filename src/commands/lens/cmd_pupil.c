@@ -58,35 +58,26 @@ struct pupil_row {
 };
 
 #define LENGTH(member_name, more)                                                                  \
-    COLUMN(struct pupil_row, member_name), .dimension = &dimension_length, .unit = "mm",           \
-                                           .flags = (more)
+    COLUMN_OF_LENGTH(struct pupil_row, member_name, "mm"), .flags = (more)
 #define PLAIN(member_name, more) COLUMN(struct pupil_row, member_name), .flags = (more)
 #define AREA(member_name, more)  PLAIN(member_name, more)
 /* What both sheets begin with. */
 #define CASE_COLUMNS                                                                               \
-    {COLUMN(struct pupil_row, wavelength),                                                         \
-     .dimension = &dimension_wavelength_um,                                                        \
-     .unit = "nm",                                                                                 \
+    {COLUMN_OF_WAVELENGTH(struct pupil_row, wavelength),                                           \
      .name = "wavelength",                                                                         \
      .flags = COLUMN_ECHO,                                                                         \
      .with = "wavelength",                                                                         \
      .label = "wavelength",                                                                        \
      .help = "wavelength"},                                                                        \
         LENS_POSITION_COLUMN(struct pupil_row, position, COLUMN_BRIEF),                            \
-        {COLUMN(struct pupil_row, field),                                                          \
-         .name = "field",                                                                          \
-         .dimension = &dimension_angle,                                                            \
-         .unit = "deg",                                                                            \
-         .flags = COLUMN_BRIEF | COLUMN_ECHO | COLUMN_SPARSE,                                      \
-         .label = "field",                                                                         \
+        {COLUMN_OF_ANGLE(struct pupil_row, field, "deg"), .name = "field",                         \
+         .flags = COLUMN_BRIEF | COLUMN_ECHO | COLUMN_SPARSE, .label = "field",                    \
          .help = "angle of the chief ray as seen from the first vertex; absent from the film"},    \
         {LENGTH(object, COLUMN_BRIEF | COLUMN_ECHO | COLUMN_SPARSE), .name = "object",             \
          .label = "object", .help = "height of the object point; absent at infinity"},             \
         {LENGTH(height, COLUMN_BRIEF | COLUMN_ECHO | COLUMN_SPARSE), .name = "height",             \
          .label = "height", .help = "of the point in the film; absent from the object"},           \
-        {COLUMN(struct pupil_row, field_x),                                                        \
-         .dimension = &dimension_angle,                                                            \
-         .unit = "deg",                                                                            \
+        {COLUMN_OF_ANGLE(struct pupil_row, field_x, "deg"),                                        \
          .flags = COLUMN_EXTRA | COLUMN_BRIEF | COLUMN_ECHO,                                       \
          .with = "field-x",                                                                        \
          .name = "field_x",                                                                        \

@@ -62,10 +62,8 @@ struct refract_row {
     const char *object_kind, *image_kind;
 };
 
-#define LENGTH(member_name)                                                                        \
-    COLUMN(struct refract_row, member_name), .dimension = &dimension_length, .unit = "mm"
-#define ANGLE(member_name)                                                                         \
-    COLUMN(struct refract_row, ray.member_name), .dimension = &dimension_angle, .unit = "deg"
+#define LENGTH(member_name) COLUMN_OF_LENGTH(struct refract_row, member_name, "mm")
+#define ANGLE(member_name)  COLUMN_OF_ANGLE(struct refract_row, ray.member_name, "deg")
 #define VERGENCE(member_name)                                                                      \
     COLUMN(struct refract_row, member_name), .dimension = &dimension_vergence, .unit = "diopter"
 

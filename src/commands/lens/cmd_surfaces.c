@@ -28,22 +28,20 @@ struct surfaces_row {
 };
 
 #define LENGTH(member_name, more)                                                                  \
-    COLUMN(struct surfaces_row, member_name), .dimension = &dimension_length, .unit = "mm",        \
-                                              .flags = (more)
+    COLUMN_OF_LENGTH(struct surfaces_row, member_name, "mm"), .flags = (more)
 #define PER_LENGTH(member_name, more)                                                              \
     COLUMN(struct surfaces_row, member_name), .dimension = &dimension_vergence, .unit = "per_m",   \
                                               .flags = (more)
 #define PLAIN(member_name, more) COLUMN(struct surfaces_row, member_name), .flags = (more)
 
 static const struct column columns[] = {
-    {COLUMN(struct surfaces_row, wavelength), .dimension = &dimension_wavelength_um, .unit = "nm",
-     .name = "wavelength", .flags = COLUMN_ECHO, .with = "wavelength", .label = "wavelength",
-     .help = "wavelength"},
-    {COLUMN(struct surfaces_row, field), .dimension = &dimension_angle, .unit = "deg",
-     .name = "field", .flags = COLUMN_ECHO | COLUMN_EXTRA, .with = "field", .label = "field",
+    {COLUMN_OF_WAVELENGTH(struct surfaces_row, wavelength), .name = "wavelength",
+     .flags = COLUMN_ECHO, .with = "wavelength", .label = "wavelength", .help = "wavelength"},
+    {COLUMN_OF_ANGLE(struct surfaces_row, field, "deg"), .name = "field",
+     .flags = COLUMN_ECHO | COLUMN_EXTRA, .with = "field", .label = "field",
      .help = "field angle of the chief ray, as --field says it"},
-    {COLUMN(struct surfaces_row, field_x), .dimension = &dimension_angle, .unit = "deg",
-     .name = "field_x", .flags = COLUMN_ECHO | COLUMN_EXTRA, .with = "field-x", .label = "field x",
+    {COLUMN_OF_ANGLE(struct surfaces_row, field_x, "deg"), .name = "field_x",
+     .flags = COLUMN_ECHO | COLUMN_EXTRA, .with = "field-x", .label = "field x",
      .help = "that in the x-z plane, as --field-x says it"},
     LENS_POSITION_COLUMN(struct surfaces_row, position, 0),
     {PLAIN(surface, COLUMN_BRIEF), .name = "surface", .head = "surf", .label = "surface",

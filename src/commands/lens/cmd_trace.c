@@ -96,18 +96,15 @@ static const struct option options[] = {
 };
 
 #define LENGTH(member_name, more)                                                                  \
-    COLUMN(struct trace_row, member_name), .dimension = &dimension_length, .unit = "mm",           \
-                                           .flags = (more)
+    COLUMN_OF_LENGTH(struct trace_row, member_name, "mm"), .flags = (more)
 #define ANGLE(member_name, more)                                                                   \
-    COLUMN(struct trace_row, member_name), .dimension = &dimension_angle, .unit = "deg",           \
-                                           .flags = (more)
+    COLUMN_OF_ANGLE(struct trace_row, member_name, "deg"), .flags = (more)
 #define PLAIN(member_name, more) COLUMN(struct trace_row, member_name), .flags = (more)
 
 static const struct column columns[] = {
     LENS_POSITION_COLUMN(struct trace_row, position, COLUMN_BRIEF),
-    {COLUMN(struct trace_row, wavelength), .dimension = &dimension_wavelength_um, .unit = "nm",
-     .flags = COLUMN_ECHO, .with = "wavelength", .name = "wavelength", .label = "wavelength",
-     .help = "wavelength"},
+    {COLUMN_OF_WAVELENGTH(struct trace_row, wavelength), .flags = COLUMN_ECHO, .with = "wavelength",
+     .name = "wavelength", .label = "wavelength", .help = "wavelength"},
     {ANGLE(field, COLUMN_ECHO | COLUMN_BRIEF | COLUMN_SPARSE), .with = "field", .name = "field",
      .label = "field", .help = "field angle; absent for a height and for a ray as given"},
     {LENGTH(height, COLUMN_ECHO | COLUMN_BRIEF | COLUMN_SPARSE), .with = "height", .name = "height",

@@ -119,9 +119,9 @@ extern const struct word section_words[];
 /* What the rows of lens commands say of their case. */
 #define LENS_WAVELENGTH_COLUMN(S, member)                                                          \
     {                                                                                              \
-        COLUMN(S, member), .name = "wavelength", .dimension = &dimension_wavelength_um,            \
-                           .unit = "nm", .flags = COLUMN_ECHO | COLUMN_BRIEF,                      \
-                           .label = "wavelength", .help = "wavelength; the primary one first"      \
+        COLUMN_OF_WAVELENGTH(S, member),                                                           \
+            .name = "wavelength", .flags = COLUMN_ECHO | COLUMN_BRIEF, .label = "wavelength",      \
+            .help = "wavelength; the primary one first"                                            \
     }
 
 #define LENS_POSITION_COLUMN(S, member, more)                                                      \
