@@ -122,19 +122,17 @@ static struct column_row describe(const struct command *command, const struct co
 }
 
 /* Of options with lists that some kind of row has no column for: each comes where one varies. */
-static void describe_echoes(const struct command *command, const struct sheet *const *sheets,
-                            bool (*take)(void *, const struct column_row *), void *context,
-                            struct arena *arena)
+static size_t describe_echoes(const struct command *command, const struct sheet *const *sheets,
+                              struct column_row *rows, struct arena *arena)
 {
     size_t count = 0;
     const char **names = ARENA_ARRAY(arena, command->option_count + 1, const char *);
-    bool going = true;
     for (size_t i = 0; sheets[i] != NULL; i++) {
         const struct echo_question question = {
             .command = command, .sheet = sheets[i], .all = true, .given = never, .varied = never};
         struct echo echo;
         echo_open(&echo, &question, arena);
-        for (size_t k = 0; k < echo.count && going; k++) {
+        for (size_t k = 0; k < echo.count; k++) {
             const struct column *column = &echo.sheet.columns[k];
             const struct option *option = echo.items[k].option;
             bool known = !option->kind->is_list || (option->flags & OPTION_ASIDE) != 0 ||
@@ -143,48 +141,44 @@ static void describe_echoes(const struct command *command, const struct sheet *c
                 known = strcmp(names[n], column->name) == 0;
             }
             if (!known) {
-                struct column_row row = describe(command, column, arena);
-                row.shown = arena_printf(arena, "where --%s varies", column->with);
+                rows[count] = describe(command, column, arena);
+                rows[count].shown = arena_printf(arena, "where --%s varies", column->with);
                 names[count++] = column->name;
-                going = take(context, &row);
             }
         }
     }
+    return count;
 }
 
-void columns_describe(const struct command *command,
-                      bool (*take)(void *, const struct column_row *), void *context,
-                      struct arena *arena)
+const struct column_row *columns_describe(const struct command *command, size_t *count,
+                                          struct arena *arena)
 {
     const struct sheet *const single[] = {&command->sheet, NULL};
     const struct sheet *const *sheets = command->sheets != NULL ? command->sheets : single;
-    bool going = true;
-    for (size_t i = 0; sheets[i] != NULL && going; i++) {
+    size_t most = command->option_count;
+    for (size_t i = 0; sheets[i] != NULL; i++) {
+        most += 2 * sheets[i]->column_count;
+    }
+    struct column_row *rows = ARENA_ARRAY(arena, most, struct column_row);
+    *count = 0;
+    for (size_t i = 0; sheets[i] != NULL; i++) {
         struct column *columns = ARENA_ARRAY(arena, 2 * sheets[i]->column_count, struct column);
-        const size_t count = sheet_spread(sheets[i], columns, arena);
-        for (size_t k = 0; k < count && going; k++) {
+        const size_t spread = sheet_spread(sheets[i], columns, arena);
+        for (size_t k = 0; k < spread; k++) {
             if (!columns_stands_before(sheets, i, &columns[k])) {
-                const struct column_row row = describe(command, &columns[k], arena);
-                going = take(context, &row);
+                rows[(*count)++] = describe(command, &columns[k], arena);
             }
         }
     }
-    if (going && command->run != NULL) {
-        describe_echoes(command, sheets, take, context, arena);
+    if (command->run != NULL) {
+        *count += describe_echoes(command, sheets, rows + *count, arena);
     }
+    return rows;
 }
 
 bool columns_are_asked(const struct common *common)
 {
     return common->columns != NULL && strcmp(common->columns, "?") == 0;
-}
-
-static bool print_row(void *context, const struct column_row *row)
-{
-    struct report *report = context;
-    report->format->row(report, row, NULL, NULL);
-    report->rows++;
-    return report->output->failure == 0;
 }
 
 int columns_print(const struct command *command, const struct common *common, struct arena *arena)
@@ -217,7 +211,12 @@ int columns_print(const struct command *command, const struct common *common, st
         terminal_prepare(&output, color);
     }
     format->begin(&report);
-    columns_describe(command, print_row, &report, arena);
+    size_t count;
+    const struct column_row *rows = columns_describe(command, &count, arena);
+    for (size_t i = 0; i < count && output.failure == 0; i++) {
+        format->row(&report, &rows[i], NULL, NULL);
+        report.rows++;
+    }
     format->end(&report);
     if (!output_close(&output, true, &error)) {
         error_print(&error, command->name, color);

@@ -14,16 +14,9 @@ struct column_row {
 enum { COLUMNS_OF_COLUMNS = 7 };
 extern const struct column columns_of_columns[COLUMNS_OF_COLUMNS];
 
-/*
- * Describe the columns of a command, of all its kinds of rows, each name once.
- *
- * Given     take     called for each; false ends it
- *           context  the caller's own
- *           arena    for the texts
- */
-void columns_describe(const struct command *command,
-                      bool (*take)(void *, const struct column_row *), void *context,
-                      struct arena *arena);
+/* The columns of a command in words, of all its kinds of rows, each once; in the arena. */
+const struct column_row *columns_describe(const struct command *command, size_t *count,
+                                          struct arena *arena);
 
 /* Is that what --columns asks for: which columns there are? */
 bool columns_are_asked(const struct common *common);

@@ -186,25 +186,15 @@ static bool list_program_list_options(struct list *list, struct error *error)
     return true;
 }
 
-/* Columns of commands. The first word of the search may name a command. */
-struct column_search {
-    struct list *list;
-    struct text rest; /* of the search; empty: all columns */
-};
-
-static bool list_column(void *context, const struct column_row *row)
+/* Is it of the commands of --kind, with the words that are searched for? */
+static bool list_column_is_found(const struct column_row *row, const char *kind, struct text words)
 {
-    struct column_search *search = context;
     const char *const texts[] = {row->column, row->label, row->help};
-    const char *kind = search->list->input->kind;
-    bool found = search->rest.length == 0;
+    bool found = words.length == 0;
     for (size_t i = 0; i < sizeof texts / sizeof texts[0] && !found; i++) {
-        found = texts[i] != NULL && text_contains_name(text_of(texts[i]), search->rest);
+        found = texts[i] != NULL && text_contains_name(text_of(texts[i]), words);
     }
-    if (found && (kind == NULL || text_same_name(text_of(kind), text_of(row->command)))) {
-        list_row(search->list, row);
-    }
-    return true;
+    return found && (kind == NULL || text_same_name(text_of(kind), text_of(row->command)));
 }
 
 static bool list_columns(struct list *list, struct error *error)
@@ -213,10 +203,17 @@ static bool list_columns(struct list *list, struct error *error)
     const char *searched = list->input->search != NULL ? list->input->search : "";
     struct text behind = text_of(searched);
     const struct command *only = command_find(text_cut(&behind, ' '));
-    struct column_search search = {list, only != NULL ? behind : text_of(searched)};
+    const struct text words = only != NULL ? behind : text_of(searched);
     for (size_t i = 0; commands[i] != NULL; i++) {
+        size_t count = 0;
+        const struct column_row *rows = NULL;
         if ((only == NULL || only == commands[i]) && commands[i]->run != NULL) {
-            columns_describe(commands[i], list_column, &search, list->run->arena);
+            rows = columns_describe(commands[i], &count, list->run->arena);
+        }
+        for (size_t k = 0; k < count; k++) {
+            if (list_column_is_found(&rows[k], list->input->kind, words)) {
+                list_row(list, &rows[k]);
+            }
         }
     }
     return true;

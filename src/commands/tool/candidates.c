@@ -242,12 +242,6 @@ static void offer_positions(const struct typed_words *typing)
     candidates_offer(typing, "all", "every position");
 }
 
-static bool offer_column(void *context, const struct column_row *row)
-{
-    candidates_offer(context, row->column, row->label);
-    return true;
-}
-
 /* -------- what is being typed -------- */
 
 /* In a list only what follows the last comma. */
@@ -284,7 +278,12 @@ static void offer_value(struct typed_words *typing, const struct option *option)
         is_file = is_file || (is_this && sources[i].or_file);
     }
     if (is_columns) {
-        columns_describe(typing->command, offer_column, typing, typing->run->arena);
+        size_t count;
+        const struct column_row *rows =
+            columns_describe(typing->command, &count, typing->run->arena);
+        for (size_t i = 0; i < count; i++) {
+            candidates_offer(typing, rows[i].column, rows[i].label);
+        }
     } else if (is_position) {
         offer_positions(typing);
     }
