@@ -560,15 +560,14 @@ static double sweep_weight_of(const struct sweep *sweep, const struct command *c
 static bool sweep_check_size(struct sweep *sweep, const struct command *command, bool force,
                              const void *input, struct error *error)
 {
-    const size_t own = command->most_answers;
-    const size_t unforced = own > 0 ? own : MOST_WITHOUT_FORCE;
-    const size_t most = force ? MOST : unforced;
+    size_t most = command->most_answers > 0 ? command->most_answers : MOST_WITHOUT_FORCE;
+    most = force ? MOST : most;
     for (size_t i = 0; i < sweep->axis_count; i++) {
         sweep->total *= sweep->axes[i].count;
         if (sweep->total > most) {
             fail(error, ERROR_USAGE, "the sweep has more than %zu rows", most);
-            return force ? error_hint(error, "no sweep has more")
-                         : error_hint(error, "use --force to allow it (up to 100 million)");
+            return error_hint(error, force ? "no sweep has more"
+                                           : "use --force to allow it (up to 100 million)");
         }
     }
     if (force || sweep->total == 1 || command->weight == NULL) {
