@@ -20,11 +20,7 @@ static const struct option options[] = {
 
 struct field_row {
     struct analysis_point point;
-    double tangential, sagittal, medial, astigmatism, petzval; /* mm */
-    double tangential_power, sagittal_power;                   /* 1/m */
-    double x, y;                                               /* mm */
-    double tangential_z, sagittal_z;                           /* mm */
-    double turn;                                               /* rad */
+    struct field_curvature at;
     const char *status;
     long lost;
 };
@@ -37,33 +33,33 @@ static const struct column columns[] = {
     ANALYSIS_POINT_COLUMNS(struct field_row, point),
     ANALYSIS_DEFOCUS_COLUMN(struct field_row, point),
     ANALYSIS_WAVELENGTH_COLUMN(struct field_row, point),
-    {LENGTH(y, COLUMN_BRIEF | COLUMN_SPARSE), .name = "image_height", .symbol = "h",
+    {LENGTH(at.height[1], COLUMN_BRIEF | COLUMN_SPARSE), .name = "image_height", .symbol = "h",
      .label = "image height", .help = "where the chief ray meets the image plane"},
-    {LENGTH(x, COLUMN_EXTRA | COLUMN_BRIEF), .name = "image_height_x", .with = "field-x height-x",
-     .label = "image height x", .help = "the same in x"},
-    {LENGTH(tangential, COLUMN_BRIEF | COLUMN_SPARSE | COLUMN_INFINITE), .name = "tangential",
+    {LENGTH(at.height[0], COLUMN_EXTRA | COLUMN_BRIEF), .name = "image_height_x",
+     .with = "field-x height-x", .label = "image height x", .help = "the same in x"},
+    {LENGTH(at.tangential, COLUMN_BRIEF | COLUMN_SPARSE | COLUMN_INFINITE), .name = "tangential",
      .symbol = "T", .label = "tangential",
      .help = "tangential focus from the image plane, along the axis; positive to the right"},
-    {LENGTH(sagittal, COLUMN_BRIEF | COLUMN_SPARSE | COLUMN_INFINITE), .name = "sagittal",
+    {LENGTH(at.sagittal, COLUMN_BRIEF | COLUMN_SPARSE | COLUMN_INFINITE), .name = "sagittal",
      .symbol = "S", .label = "sagittal", .help = "sagittal focus from the image plane"},
-    {LENGTH(medial, COLUMN_BRIEF | COLUMN_SPARSE), .name = "medial", .symbol = "M",
+    {LENGTH(at.medial, COLUMN_BRIEF | COLUMN_SPARSE), .name = "medial", .symbol = "M",
      .label = "medial", .help = "half way between the two"},
-    {LENGTH(astigmatism, COLUMN_BRIEF | COLUMN_SPARSE), .name = "astigmatism", .symbol = "A",
+    {LENGTH(at.astigmatism, COLUMN_BRIEF | COLUMN_SPARSE), .name = "astigmatism", .symbol = "A",
      .label = "astigmatism", .help = "tangential less sagittal"},
-    {LENGTH(petzval, COLUMN_BRIEF | COLUMN_SPARSE), .name = "petzval", .symbol = "P",
+    {LENGTH(at.petzval, COLUMN_BRIEF | COLUMN_SPARSE), .name = "petzval", .symbol = "P",
      .label = "Petzval", .help = "Petzval surface at that image height, from the image plane"},
-    {PLAIN(tangential_power, COLUMN_BRIEF | COLUMN_SPARSE), .name = "tangential_per_m",
+    {PLAIN(at.tangential_power, COLUMN_BRIEF | COLUMN_SPARSE), .name = "tangential_per_m",
      .label = "tangential, vergence",
      .help = "where the image is at infinity: index over the distance of "
              "the tangential focus from the exit pupil, 1/m"},
-    {PLAIN(sagittal_power, COLUMN_BRIEF | COLUMN_SPARSE), .name = "sagittal_per_m",
+    {PLAIN(at.sagittal_power, COLUMN_BRIEF | COLUMN_SPARSE), .name = "sagittal_per_m",
      .label = "sagittal, vergence", .help = "the same of the sagittal focus, 1/m"},
-    {LENGTH(tangential_z, COLUMN_HIDDEN | COLUMN_INFINITE), .name = "tangential_z",
+    {LENGTH(at.beam.tangential_z, COLUMN_HIDDEN | COLUMN_INFINITE), .name = "tangential_z",
      .label = "tangential z", .help = "tangential focus from the last vertex"},
-    {LENGTH(sagittal_z, COLUMN_HIDDEN | COLUMN_INFINITE), .name = "sagittal_z",
+    {LENGTH(at.beam.sagittal_z, COLUMN_HIDDEN | COLUMN_INFINITE), .name = "sagittal_z",
      .label = "sagittal z", .help = "sagittal focus from the last vertex"},
-    {COLUMN_OF_ANGLE(struct field_row, turn, "deg"), .name = "section_turn", .flags = COLUMN_HIDDEN,
-     .label = "sections turned",
+    {COLUMN_OF_ANGLE(struct field_row, at.beam.turn, "deg"), .name = "section_turn",
+     .flags = COLUMN_HIDDEN, .label = "sections turned",
      .help = "of the tangential section out of the plane of chief ray and axis: 0 in round lenses"},
     {PLAIN(status, COLUMN_HIDDEN), .name = "status", .label = "status",
      .help = "of the chief ray, which is traced on in any case: ok, or clipped by an aperture"},
@@ -75,20 +71,10 @@ static const struct column columns[] = {
 static void field_row_fill(const struct setup *setup, const struct field_curvature *found,
                            struct field_row *row)
 {
-    row->x = found->height[0];
-    row->y = found->height[1];
-    row->tangential = found->tangential;
-    row->sagittal = found->sagittal;
-    row->medial = found->medial;
-    row->astigmatism = found->astigmatism;
-    row->petzval = found->petzval;
-    if (isnan(setup->image)) {
-        row->tangential_power = found->tangential_power;
-        row->sagittal_power = found->sagittal_power;
+    row->at = *found;
+    if (!isnan(setup->image)) {
+        row->at.tangential_power = row->at.sagittal_power = NAN;
     }
-    row->tangential_z = found->beam.tangential_z;
-    row->sagittal_z = found->beam.sagittal_z;
-    row->turn = found->beam.turn;
     row->status = ray_status_name(found->status);
     row->lost = found->surface > 0 ? (long)found->surface : NO_INTEGER;
 }

@@ -38,9 +38,7 @@ static const struct option options[] = {
 
 struct illumination_row {
     struct analysis_point point;
-    double height, height_x, field; /* mm, rad */
-    double irradiance, error, relative_point, relative_field, vignetted, cos4;
-    double point_error, field_error, vignetted_error;
+    struct relative_illumination_point at;
     double stop_diameter; /* mm; NaN = that of the lens */
 };
 
@@ -50,11 +48,11 @@ struct illumination_row {
 
 static const struct column columns[] = {
     LENS_POSITION_COLUMN(struct illumination_row, point.position, COLUMN_BRIEF),
-    {LENGTH(height, COLUMN_BRIEF | COLUMN_ECHO), .name = "height", .symbol = "h", .with = "height",
-     .label = "height", .help = "of the point, in the image plane"},
-    {LENGTH(height_x, COLUMN_BRIEF | COLUMN_EXTRA), .name = "height_x", .with = "height-x field-x",
-     .label = "height x", .help = "the same in x"},
-    {COLUMN_OF_ANGLE(struct illumination_row, field, "deg"), .name = "field", .symbol = "t",
+    {LENGTH(at.height[1], COLUMN_BRIEF | COLUMN_ECHO), .name = "height", .symbol = "h",
+     .with = "height", .label = "height", .help = "of the point, in the image plane"},
+    {LENGTH(at.height[0], COLUMN_BRIEF | COLUMN_EXTRA), .name = "height_x",
+     .with = "height-x field-x", .label = "height x", .help = "the same in x"},
+    {COLUMN_OF_ANGLE(struct illumination_row, at.angle, "deg"), .name = "field", .symbol = "t",
      .flags = COLUMN_BRIEF | COLUMN_SPARSE, .label = "field",
      .help = "angle from the axis, before the lens, of the light whose chief ray comes there; "
              "absent where none does"},
@@ -62,28 +60,29 @@ static const struct column columns[] = {
     ANALYSIS_DEFOCUS_COLUMN(struct illumination_row, point),
     {LENGTH(stop_diameter, COLUMN_ECHO | COLUMN_BRIEF | COLUMN_EXTRA), .name = "stop_diameter",
      .with = "stop-diameter", .label = "stop", .help = "diameter of the stop"},
-    {PLAIN(irradiance, COLUMN_BRIEF), .name = "irradiance_per_radiance", .symbol = "E",
+    {PLAIN(at.light.value, COLUMN_BRIEF), .name = "irradiance_per_radiance", .symbol = "E",
      .label = "E/L", .head = "E/L",
      .help = "irradiance per radiance of a scene that is as bright everywhere"},
-    {PLAIN(error, COLUMN_BRIEF), .name = "irradiance_error", .label = "error", .head = "error",
-     .digits = 2, .help = "what that may be off: what twice the rays change of it"},
-    {PLAIN(relative_point, COLUMN_BRIEF), .name = "relative_point", .label = "E/E axis",
+    {PLAIN(at.light.error, COLUMN_BRIEF), .name = "irradiance_error", .label = "error",
+     .head = "error", .digits = 2,
+     .help = "what that may be off: what twice the rays change of it"},
+    {PLAIN(at.relative_point, COLUMN_BRIEF), .name = "relative_point", .label = "E/E axis",
      .head = "E/E axis", .help = "irradiance of the point over that on the axis"},
-    {PLAIN(point_error, COLUMN_HIDDEN), .name = "relative_point_error", .digits = 2,
+    {PLAIN(at.point_error, COLUMN_HIDDEN), .name = "relative_point_error", .digits = 2,
      .label = "error of E/E axis", .help = "what that may be off, by the errors of both"},
-    {PLAIN(relative_field, COLUMN_BRIEF | COLUMN_SPARSE), .name = "relative_field",
+    {PLAIN(at.relative_field, COLUMN_BRIEF | COLUMN_SPARSE), .name = "relative_field",
      .label = "by field", .head = "by field",
      .help = "the same by the rays of the object point whose chief ray comes there, wherever they "
              "meet; absent where none does"},
-    {PLAIN(field_error, COLUMN_HIDDEN | COLUMN_SPARSE), .name = "relative_field_error", .digits = 2,
-     .label = "error by field", .help = "what that may be off, by the errors of both"},
-    {PLAIN(vignetted, COLUMN_BRIEF), .name = "vignetted_fraction", .label = "vignetted",
+    {PLAIN(at.field_error, COLUMN_HIDDEN | COLUMN_SPARSE), .name = "relative_field_error",
+     .digits = 2, .label = "error by field", .help = "what that may be off, by the errors of both"},
+    {PLAIN(at.vignetted, COLUMN_BRIEF), .name = "vignetted_fraction", .label = "vignetted",
      .head = "vignetted",
      .help = "share of what the stop alone would let pass that apertures and obstructions take"},
-    {PLAIN(vignetted_error, COLUMN_HIDDEN), .name = "vignetted_error", .digits = 2,
+    {PLAIN(at.vignetted_error, COLUMN_HIDDEN), .name = "vignetted_error", .digits = 2,
      .label = "error of vignetted",
      .help = "what that may be off: a share that is less than its error is 0"},
-    {PLAIN(cos4, 0), .name = "cos4", .label = "cos^4",
+    {PLAIN(at.cos4, 0), .name = "cos4", .label = "cos^4",
      .help = "fourth power of the cosine of the field angle, for comparison"},
     ANALYSIS_TAIL_COLUMNS(struct illumination_row, point),
 };
@@ -99,11 +98,11 @@ static bool open_falloff(const struct analysis_case *one, const struct illuminat
                          struct error *error)
 {
     const bool no_field = run != NULL &&
-                          !run_shows(run, offsetof(struct illumination_row, relative_field)) &&
-                          !run_shows(run, offsetof(struct illumination_row, field_error));
-    const bool no_vignetting = run != NULL &&
-                               !run_shows(run, offsetof(struct illumination_row, vignetted)) &&
-                               !run_shows(run, offsetof(struct illumination_row, vignetted_error));
+                          !run_shows(run, offsetof(struct illumination_row, at.relative_field)) &&
+                          !run_shows(run, offsetof(struct illumination_row, at.field_error));
+    const bool no_vignetting =
+        run != NULL && !run_shows(run, offsetof(struct illumination_row, at.vignetted)) &&
+        !run_shows(run, offsetof(struct illumination_row, at.vignetted_error));
     const struct relative_illumination_question question = {
         .setup = one->setup,
         .no_field = no_field,
@@ -180,18 +179,7 @@ static void illumination_row_fill(const struct analysis_cursor *at, double share
                                   const struct relative_illumination_point *found,
                                   struct illumination_row *row)
 {
-    row->height = found->height[1];
-    row->height_x = found->height[0];
-    row->field = found->angle;
-    row->irradiance = found->light.value;
-    row->error = found->light.error;
-    row->relative_point = found->relative_point;
-    row->relative_field = found->relative_field;
-    row->vignetted = found->vignetted;
-    row->point_error = found->point_error;
-    row->field_error = found->field_error;
-    row->vignetted_error = found->vignetted_error;
-    row->cos4 = found->cos4;
+    row->at = *found;
     const char *const warnings[] = {
         found->light.is_met ? NULL : "the irradiance has not converged: see its error",
         found->is_field_met ? NULL : "the light by field has not converged: see its error",

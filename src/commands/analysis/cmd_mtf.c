@@ -2,6 +2,8 @@
 /* SPDX-License-Identifier: MIT */
 #include "commands/analysis/mtf_input.h"
 
+#include <string.h>
+
 static const struct word methods[] = {
     [MTF_BY_WAVES] = {"diffraction", "by waves"},
     [MTF_BY_RAYS] = {"geometric", "by rays, as if light had no wavelength"},
@@ -33,10 +35,8 @@ static const struct option options[] = {
 struct mtf_row {
     struct analysis_point point;
     double frequency;
-    double tangential, sagittal, limit, limit_tangential, limit_sagittal;
-    double phase_tangential, phase_sagittal;   /* rad */
-    double cutoff_tangential, cutoff_sagittal; /* 1/mm */
-    double error;
+    struct mtf mtf;
+    double limit, cutoff[MTF_DIRECTIONS]; /* cutoff: 1/mm */
     const char *method;
 };
 
@@ -53,25 +53,26 @@ static const struct column columns[] = {
     ANALYSIS_WAVELENGTH_COLUMN(struct mtf_row, point),
     {FREQUENCY(frequency, COLUMN_BRIEF | COLUMN_ECHO), .name = "frequency", .label = "frequency",
      .symbol = "f", .help = "in the image plane"},
-    {PLAIN(tangential, COLUMN_BRIEF), .name = "tangential", .label = "tangential", .symbol = "T",
-     .help = "contrast of lines across the plane of the axis and the field point"},
-    {PLAIN(sagittal, COLUMN_BRIEF), .name = "sagittal", .label = "sagittal",
+    {PLAIN(mtf.contrast[MTF_TANGENTIAL], COLUMN_BRIEF), .name = "tangential", .label = "tangential",
+     .symbol = "T", .help = "contrast of lines across the plane of the axis and the field point"},
+    {PLAIN(mtf.contrast[MTF_SAGITTAL], COLUMN_BRIEF), .name = "sagittal", .label = "sagittal",
      .help = "contrast of lines along it"},
     {PLAIN(limit, COLUMN_BRIEF), .name = "limit", .label = "limit",
      .help = "of the same pupil with a perfect wave front, the higher of both directions"},
-    {PLAIN(limit_tangential, COLUMN_HIDDEN), .name = "limit_tangential",
+    {PLAIN(mtf.limit[MTF_TANGENTIAL], COLUMN_HIDDEN), .name = "limit_tangential",
      .label = "tangential limit", .help = "of lines across"},
-    {PLAIN(limit_sagittal, COLUMN_HIDDEN), .name = "limit_sagittal", .label = "sagittal limit",
-     .help = "of lines along"},
-    {ANGLE(phase_tangential), .name = "phase_tangential", .label = "tangential phase",
+    {PLAIN(mtf.limit[MTF_SAGITTAL], COLUMN_HIDDEN), .name = "limit_sagittal",
+     .label = "sagittal limit", .help = "of lines along"},
+    {ANGLE(mtf.phase[MTF_TANGENTIAL]), .name = "phase_tangential", .label = "tangential phase",
      .help = "of the transfer function about the chief ray: where lines lie, below 0 outwards"},
-    {ANGLE(phase_sagittal), .name = "phase_sagittal", .label = "sagittal phase",
+    {ANGLE(mtf.phase[MTF_SAGITTAL]), .name = "phase_sagittal", .label = "sagittal phase",
      .help = "the same of lines along"},
-    {FREQUENCY(cutoff_tangential, 0), .name = "cutoff_tangential", .label = "tangential cut-off",
+    {FREQUENCY(cutoff[MTF_TANGENTIAL], 0), .name = "cutoff_tangential",
+     .label = "tangential cut-off",
      .help = "frequency from which on there is no contrast by waves"},
-    {FREQUENCY(cutoff_sagittal, 0), .name = "cutoff_sagittal", .label = "sagittal cut-off",
+    {FREQUENCY(cutoff[MTF_SAGITTAL], 0), .name = "cutoff_sagittal", .label = "sagittal cut-off",
      .help = "the same of lines along"},
-    {PLAIN(error, COLUMN_HIDDEN), .name = "contrast_error", .label = "error of the contrast",
+    {PLAIN(mtf.error, COLUMN_HIDDEN), .name = "contrast_error", .label = "error of the contrast",
      .help = "what the contrasts may be off"},
     {PLAIN(method, COLUMN_ASSUMED), .name = "method", .depends = "method", .label = "method",
      .help = "by waves or by rays"},
@@ -87,20 +88,6 @@ struct mtf_found {
     struct mtf contrasts[FREQUENCIES];
     size_t count;
 };
-
-static void mtf_fill(const struct mtf *mtf, const struct mtf_source *source, struct mtf_row *row)
-{
-    row->tangential = mtf->contrast[MTF_TANGENTIAL];
-    row->sagittal = mtf->contrast[MTF_SAGITTAL];
-    row->limit_tangential = mtf->limit[MTF_TANGENTIAL];
-    row->limit_sagittal = mtf->limit[MTF_SAGITTAL];
-    row->limit = fmax(row->limit_tangential, row->limit_sagittal);
-    row->phase_tangential = mtf->phase[MTF_TANGENTIAL];
-    row->phase_sagittal = mtf->phase[MTF_SAGITTAL];
-    row->cutoff_tangential = source->cutoff[MTF_TANGENTIAL];
-    row->cutoff_sagittal = source->cutoff[MTF_SAGITTAL];
-    row->error = mtf->error;
-}
 
 static bool mtf_row_find(const struct analysis_cursor *at, const struct analysis_case *one,
                          size_t field, void *room, struct error *error)
@@ -128,7 +115,7 @@ static void mtf_row_warn(const struct analysis_cursor *at, const struct mtf_sour
     }
     if (!mtf->has_converged) {
         analysis_warn(at, &row->point,
-                      isnan(row->tangential) || isnan(row->sagittal)
+                      isnan(mtf->contrast[0]) || isnan(mtf->contrast[1])
                           ? "the wave front is too steep or too rough for contrasts by waves"
                           : "the contrast has not converged: see contrast_error");
     }
@@ -156,7 +143,9 @@ static bool mtf_run(const void *data, struct run *run, struct error *error)
             row.method = words[input->method];
             if (at.lost == NULL) {
                 row.frequency = found->frequencies[i];
-                mtf_fill(&found->contrasts[i], &found->source, &row);
+                row.mtf = found->contrasts[i];
+                row.limit = fmax(row.mtf.limit[0], row.mtf.limit[1]);
+                memcpy(row.cutoff, found->source.cutoff, sizeof row.cutoff);
                 mtf_row_warn(&at, &found->source, &found->contrasts[i], &row);
             }
             if (!run_emit(run, &row)) {

@@ -52,11 +52,7 @@ static const struct option options[] = {
 
 struct psf_row {
     struct analysis_point point;
-    bool is_angular; /* lengths are sines of angles */
-    double peak;
-    double peak_x, peak_y, centroid_x, centroid_y, width_x, width_y, pitch; /* mm */
-    double radius80, radius80_error;
-    double inside;
+    struct psf psf;
     const char *method;
 };
 
@@ -65,31 +61,33 @@ static const struct column_form sines = {
     "of an image infinitely far away: sines of angles from the chief ray"};
 
 #define SMALL(member_name, more)                                                                   \
-    COLUMN_OR(struct psf_row, member_name, is_angular, &sines),                                    \
+    COLUMN_OR(struct psf_row, psf.member_name, psf.is_angular, &sines),                            \
         .dimension = &dimension_length, .unit = "um", .flags = (more) | COLUMN_SPARSE
 
 static const struct column columns[] = {
     ANALYSIS_POINT_COLUMNS(struct psf_row, point),
     ANALYSIS_DEFOCUS_COLUMN(struct psf_row, point),
     ANALYSIS_WAVELENGTH_COLUMN(struct psf_row, point),
-    {COLUMN(struct psf_row, peak), .flags = COLUMN_BRIEF, .name = "peak", .label = "peak",
+    {COLUMN(struct psf_row, psf.peak), .flags = COLUMN_BRIEF, .name = "peak", .label = "peak",
      .symbol = "S",
      .help = "over that of a perfect image through the same pupil: the Strehl ratio"},
-    {SMALL(peak_x, 0), .name = "peak_x", .label = "peak x", .help = "of it, from the chief ray"},
-    {SMALL(peak_y, 0), .name = "peak_y", .label = "peak y", .help = "the same upwards"},
-    {SMALL(centroid_x, 0), .name = "centroid_x", .label = "centroid x",
+    {SMALL(peak_at[0], 0), .name = "peak_x", .label = "peak x",
+     .help = "of it, from the chief ray"},
+    {SMALL(peak_at[1], 0), .name = "peak_y", .label = "peak y", .help = "the same upwards"},
+    {SMALL(centroid[0], 0), .name = "centroid_x", .label = "centroid x",
      .help = "of the pixels, from the chief ray"},
-    {SMALL(centroid_y, 0), .name = "centroid_y", .label = "centroid y", .help = "the same upwards"},
-    {SMALL(width_x, COLUMN_BRIEF), .name = "width_x", .label = "width in x",
+    {SMALL(centroid[1], 0), .name = "centroid_y", .label = "centroid y",
+     .help = "the same upwards"},
+    {SMALL(width[0], COLUMN_BRIEF), .name = "width_x", .label = "width in x",
      .help = "at half the peak, through it; absent where the image ends before"},
-    {SMALL(width_y, COLUMN_BRIEF), .name = "width_y", .label = "width in y",
+    {SMALL(width[1], COLUMN_BRIEF), .name = "width_y", .label = "width in y",
      .help = "the same upwards"},
     {SMALL(radius80, COLUMN_BRIEF), .name = "radius80", .label = "radius of 80 %",
      .help = "about the centroid, with 80 % of all light; absent where the circle is not inside or "
              "pixels are coarse"},
     {SMALL(radius80_error, COLUMN_HIDDEN), .name = "radius80_error", .label = "error of that",
      .help = "what that radius may be off"},
-    {COLUMN(struct psf_row, inside), .dimension = &dimension_ratio, .unit = "%",
+    {COLUMN(struct psf_row, psf.inside), .dimension = &dimension_ratio, .unit = "%",
      .flags = COLUMN_BRIEF, .name = "inside", .label = "light inside",
      .help = "share of all light that the pixels have; absent where they are too coarse to say"},
     {SMALL(pitch, COLUMN_BRIEF), .name = "pitch", .label = "pitch", .help = "side of a pixel"},
@@ -98,22 +96,6 @@ static const struct column columns[] = {
     ANALYSIS_SPECTRUM_COLUMN(struct psf_row, point),
     ANALYSIS_TAIL_COLUMNS(struct psf_row, point),
 };
-
-static void psf_row_fill(const struct psf *psf, struct psf_row *row)
-{
-    row->is_angular = psf->is_angular;
-    row->peak = psf->peak;
-    row->peak_x = psf->peak_at[0];
-    row->peak_y = psf->peak_at[1];
-    row->centroid_x = psf->centroid[0];
-    row->centroid_y = psf->centroid[1];
-    row->width_x = psf->width[0];
-    row->width_y = psf->width[1];
-    row->radius80 = psf->radius80;
-    row->radius80_error = psf->radius80_error;
-    row->pitch = psf->pitch;
-    row->inside = psf->inside;
-}
 
 /* A pitch as a length of an image infinitely far away, or an angle of another? */
 static bool psf_check(const struct analysis_case *one, const struct psf_input *input,
@@ -222,7 +204,7 @@ static bool psf_run(const void *data, struct run *run, struct error *error)
         analysis_begin_row(&at, &sheet, &row);
         row.method = psf_row_method(data, psf);
         if (psf != NULL) {
-            psf_row_fill(psf, &row);
+            row.psf = *psf;
             psf_row_warn(&at, psf, &row);
         }
         if (!run_emit(run, &row)) {

@@ -344,7 +344,6 @@ static bool seidel_run(const void *data, struct run *run, struct error *error)
 {
     const struct seidel_input *input = data;
     struct analysis_cursor at = analysis_begin(input, &policy, run);
-    at.keeps_lost = false;
     while (analysis_next(&at, error)) {
         const struct setup *setup = at.one->setup;
         const bool across = setup->section == SECTION_X;

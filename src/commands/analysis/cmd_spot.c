@@ -45,10 +45,8 @@ static const struct option options[] = {
 
 struct spot_row {
     struct analysis_point point;
-    bool is_angular; /* lengths are sines of angles */
-    double rms, rms_x, rms_y, rms_chief, radius, radius_error, error; /* mm */
-    double energy, energy_radius, energy_error;
-    double x, y, chief_x, chief_y, clear;
+    struct spot spot;
+    double energy;
     long rays;
     const char *weight;
 };
@@ -58,8 +56,8 @@ static const struct column_form sines = {&dimension_angle, "mrad",
                                          "ray"};
 
 #define SMALL(member_name, more)                                                                   \
-    COLUMN_OR(struct spot_row, member_name, is_angular, &sines), .dimension = &dimension_length,   \
-                                                                 .unit = "um", .flags = (more)
+    COLUMN_OR(struct spot_row, spot.member_name, spot.is_angular, &sines),                         \
+        .dimension = &dimension_length, .unit = "um", .flags = (more)
 #define PLACE(member_name, more)                                                                   \
     COLUMN_OF_LENGTH(struct spot_row, member_name, "mm"), .flags = (more)
 
@@ -91,12 +89,14 @@ static const struct column columns[] = {
     {SMALL(error, COLUMN_BRIEF | COLUMN_SPARSE), .name = "error", .label = "error",
      .help = "what the RMS figures may be off: three times what twice the rays change of them, "
              "four times of a plain pattern"},
-    {PLACE(x, 0), .name = "x", .label = "centroid x", .help = "of the centroid"},
-    {PLACE(y, 0), .name = "y", .label = "centroid y", .help = "of the centroid, upwards"},
-    {PLACE(chief_x, COLUMN_HIDDEN), .name = "chief_x", .label = "chief ray x",
+    {PLACE(spot.centroid[0], 0), .name = "x", .label = "centroid x", .help = "of the centroid"},
+    {PLACE(spot.centroid[1], 0), .name = "y", .label = "centroid y",
+     .help = "of the centroid, upwards"},
+    {PLACE(spot.chief[0], COLUMN_HIDDEN), .name = "chief_x", .label = "chief ray x",
      .help = "where the chief ray meets the plane"},
-    {PLACE(chief_y, COLUMN_HIDDEN), .name = "chief_y", .label = "chief ray y", .help = "upwards"},
-    {COLUMN(struct spot_row, clear), .name = "clear", .label = "clear share",
+    {PLACE(spot.chief[1], COLUMN_HIDDEN), .name = "chief_y", .label = "chief ray y",
+     .help = "upwards"},
+    {COLUMN(struct spot_row, spot.clear), .name = "clear", .label = "clear share",
      .help = "of the area of the pupil that is not vignetted"},
     {COLUMN(struct spot_row, rays), .name = "rays", .flags = COLUMN_HIDDEN, .label = "rays",
      .help = "of one wavelength"},
@@ -115,24 +115,14 @@ static double spot_row_place(double coordinate, double rms)
 
 static void spot_row_fill(const struct spot *spot, struct spot_row *row)
 {
-    row->is_angular = spot->is_angular;
-    row->rms = spot->rms;
-    row->rms_x = spot->rms_x;
-    row->rms_y = spot->rms_y;
-    row->rms_chief = spot->rms_chief;
-    row->radius = spot->radius;
-    row->radius_error = spot->radius_error;
-    row->energy_radius = spot->energy_radius;
-    row->energy_error = spot->energy_error;
-    row->error = spot->error;
-    if (!spot->is_angular) {
-        row->x = spot_row_place(spot->centroid[0], spot->rms);
-        row->y = spot_row_place(spot->centroid[1], spot->rms);
-        row->chief_x = spot_row_place(spot->chief[0], spot->rms);
-        row->chief_y = spot_row_place(spot->chief[1], spot->rms);
-    }
-    row->clear = spot->clear;
+    row->spot = *spot;
     row->rays = (long)spot->rays;
+    for (int k = 0; k < 2; k++) {
+        row->spot.centroid[k] =
+            spot->is_angular ? (double)NAN : spot_row_place(spot->centroid[k], spot->rms);
+        row->spot.chief[k] =
+            spot->is_angular ? (double)NAN : spot_row_place(spot->chief[k], spot->rms);
+    }
 }
 
 /* What is asked of one field of a case. */
@@ -161,8 +151,8 @@ static bool spot_row_find(const struct analysis_cursor *at, const struct analysi
         return false;
     }
     /* the largest radius takes as long as all the rest */
-    question.no_radius = !run_shows(at->run, offsetof(struct spot_row, radius)) &&
-                         !run_shows(at->run, offsetof(struct spot_row, radius_error));
+    question.no_radius = !run_shows(at->run, offsetof(struct spot_row, spot.radius)) &&
+                         !run_shows(at->run, offsetof(struct spot_row, spot.radius_error));
     return spot_find(&question, one->setup->arena, found, error);
 }
 

@@ -46,8 +46,8 @@ static const struct option options[] = {
 
 struct wavefront_row {
     struct analysis_point point;
-    double rms, pv, strehl, marechal, error, strehl_error, mean, clear, radius;
-    double coefficient, residual;
+    struct wavefront figures;
+    double radius, coefficient, residual;
     long rays, index, n, m;
     const char *reference, *weight, *order;
 };
@@ -74,24 +74,24 @@ struct wavefront_row {
 
 static const struct column figure_columns[] = {
     SHARED_COLUMNS,
-    {PLAIN(rms, COLUMN_BRIEF), .name = "rms_waves", .label = "RMS, waves", .symbol = "rms",
+    {PLAIN(figures.rms, COLUMN_BRIEF), .name = "rms_waves", .label = "RMS, waves", .symbol = "rms",
      .help = "root mean square of the optical path differences about their mean, in wavelengths"},
-    {PLAIN(pv, COLUMN_BRIEF), .name = "pv_waves", .label = "PV, waves",
+    {PLAIN(figures.pv, COLUMN_BRIEF), .name = "pv_waves", .label = "PV, waves",
      .help = "the highest less the lowest in the clear pupil, its edge included"},
-    {PLAIN(strehl, COLUMN_BRIEF), .name = "strehl", .label = "Strehl ratio", .symbol = "S",
+    {PLAIN(figures.strehl, COLUMN_BRIEF), .name = "strehl", .label = "Strehl ratio", .symbol = "S",
      .help = "light at the reference over that of a perfect wave front, exactly"},
-    {PLAIN(marechal, COLUMN_BRIEF), .name = "strehl_marechal",
+    {PLAIN(figures.marechal, COLUMN_BRIEF), .name = "strehl_marechal",
      .label = "Strehl, Mar\xc3\xa9"
               "chal",
      .symbol = "Sm", .help = "the estimate by the RMS alone, for small ones"},
-    {PLAIN(error, COLUMN_BRIEF), .name = "error_waves", .label = "error, waves",
+    {PLAIN(figures.error, COLUMN_BRIEF), .name = "error_waves", .label = "error, waves",
      .help = "what the RMS may be off: twice what twice the rays change of it"},
-    {PLAIN(strehl_error, COLUMN_HIDDEN), .name = "strehl_error",
+    {PLAIN(figures.strehl_error, COLUMN_HIDDEN), .name = "strehl_error",
      .label = "error of the Strehl ratio", .help = "what the exact Strehl ratio may be off"},
-    {PLAIN(mean, COLUMN_HIDDEN), .name = "mean_waves", .label = "mean, waves",
+    {PLAIN(figures.mean, COLUMN_HIDDEN), .name = "mean_waves", .label = "mean, waves",
      .help = "the mean, against the chief ray: the piston"},
     RADIUS_COLUMN,
-    {PLAIN(clear, 0), .name = "clear", .label = "clear share",
+    {PLAIN(figures.clear, 0), .name = "clear", .label = "clear share",
      .help = "of the area of the pupil that is not vignetted"},
     {PLAIN(rays, COLUMN_HIDDEN), .name = "rays", .label = "rays", .help = "that these stand on"},
     TAIL_COLUMNS,
@@ -158,7 +158,7 @@ static bool wavefront_row_find(const struct analysis_cursor *at, const struct an
         return false;
     }
     if (input->zernike == NO_ZERNIKE) {
-        const bool wants_pv = run_shows(at->run, offsetof(struct wavefront_row, pv));
+        const bool wants_pv = run_shows(at->run, offsetof(struct wavefront_row, figures.pv));
         return wavefront_find(&found->source, wants_pv, arena, &found->figures, error);
     }
     return wavefront_fit(&found->source, (enum zernike_kind)(input->zernike - 1),
@@ -169,14 +169,7 @@ static void wavefront_row_fill(const struct analysis_cursor *at,
                                const struct wavefront_found *found, struct wavefront_row *row)
 {
     const struct wavefront *figures = &found->figures;
-    row->rms = figures->rms;
-    row->pv = figures->pv;
-    row->strehl = figures->strehl;
-    row->marechal = figures->marechal;
-    row->error = figures->error;
-    row->strehl_error = figures->strehl_error;
-    row->mean = figures->mean;
-    row->clear = figures->clear;
+    row->figures = *figures;
     row->rays = (long)figures->rays;
     analysis_warn(at, &row->point, lens_island_warning(&figures->islands, at->run->arena));
     if (found->source.question->rays == 0 && !figures->has_converged) {

@@ -47,12 +47,11 @@ struct pupil_row {
     double wavelength; /* um */
     double field, object, height, film;
     double field_x, object_x, height_x;
-    double z, x_min, x_max, y_min, y_max, x, y, area;
-    double vertex_x_min, vertex_x_max, vertex_y_min, vertex_y_max, vertex_area;
+    double z;
+    struct pupil_side side;
     double projected, obstruction, fraction, projected_fraction, irradiance, illumination;
     double vignetting[PUPIL_ENDS];
     long limit[PUPIL_ENDS], lost;
-    double chief_x, chief_y, chief_z, cos_x, cos_y, cos_z;
     long point, rays;
     double edge_x, edge_y, edge_vertex_x, edge_vertex_y, stop_x, stop_y;
 };
@@ -60,7 +59,6 @@ struct pupil_row {
 #define LENGTH(member_name, more)                                                                  \
     COLUMN_OF_LENGTH(struct pupil_row, member_name, "mm"), .flags = (more)
 #define PLAIN(member_name, more) COLUMN(struct pupil_row, member_name), .flags = (more)
-#define AREA(member_name, more)  PLAIN(member_name, more)
 /* What both sheets begin with. */
 #define CASE_COLUMNS                                                                               \
     {COLUMN_OF_WAVELENGTH(struct pupil_row, wavelength),                                           \
@@ -95,26 +93,31 @@ static const struct column columns[] = {
     CASE_COLUMNS,
     {LENGTH(z, COLUMN_BRIEF | COLUMN_INFINITE), .name = "z", .label = "z",
      .help = "the paraxial pupil's place, from the first (last) vertex"},
-    {LENGTH(x_min, COLUMN_HIDDEN), .name = "x_min", .label = "x min",
+    {LENGTH(side.pupil.low[0], COLUMN_HIDDEN), .name = "x_min", .label = "x min",
      .help = "bounds in that plane; absent where the rays do not cross it"},
-    {LENGTH(x_max, COLUMN_BRIEF), .name = "x_max", .label = "x max", .help = "the same"},
-    {LENGTH(y_min, COLUMN_BRIEF), .name = "y_min", .label = "y min", .help = "the same"},
-    {LENGTH(y_max, COLUMN_BRIEF), .name = "y_max", .label = "y max", .help = "the same"},
-    {LENGTH(x, COLUMN_HIDDEN), .name = "x", .label = "x", .help = "centroid there"},
-    {LENGTH(y, COLUMN_HIDDEN), .name = "y", .label = "y", .help = "centroid there"},
-    {AREA(area, COLUMN_HIDDEN), .name = "area_mm2", .label = "area",
+    {LENGTH(side.pupil.high[0], COLUMN_BRIEF), .name = "x_max", .label = "x max",
+     .help = "the same"},
+    {LENGTH(side.pupil.low[1], COLUMN_BRIEF), .name = "y_min", .label = "y min",
+     .help = "the same"},
+    {LENGTH(side.pupil.high[1], COLUMN_BRIEF), .name = "y_max", .label = "y max",
+     .help = "the same"},
+    {LENGTH(side.pupil.centre[0], COLUMN_HIDDEN), .name = "x", .label = "x",
+     .help = "centroid there"},
+    {LENGTH(side.pupil.centre[1], COLUMN_HIDDEN), .name = "y", .label = "y",
+     .help = "centroid there"},
+    {PLAIN(side.pupil.area, COLUMN_HIDDEN), .name = "area_mm2", .label = "area",
      .help = "area there, mm^2; absent where the bundle folds over itself"},
-    {LENGTH(vertex_x_min, COLUMN_HIDDEN), .name = "vertex_x_min", .label = "vertex x min",
+    {LENGTH(side.vertex.low[0], COLUMN_HIDDEN), .name = "vertex_x_min", .label = "vertex x min",
      .help = "bounds in the plane of the first (last) vertex"},
-    {LENGTH(vertex_x_max, COLUMN_HIDDEN), .name = "vertex_x_max", .label = "vertex x max",
+    {LENGTH(side.vertex.high[0], COLUMN_HIDDEN), .name = "vertex_x_max", .label = "vertex x max",
      .help = "the same"},
-    {LENGTH(vertex_y_min, COLUMN_HIDDEN), .name = "vertex_y_min", .label = "vertex y min",
+    {LENGTH(side.vertex.low[1], COLUMN_HIDDEN), .name = "vertex_y_min", .label = "vertex y min",
      .help = "the same"},
-    {LENGTH(vertex_y_max, COLUMN_HIDDEN), .name = "vertex_y_max", .label = "vertex y max",
+    {LENGTH(side.vertex.high[1], COLUMN_HIDDEN), .name = "vertex_y_max", .label = "vertex y max",
      .help = "the same"},
-    {AREA(vertex_area, COLUMN_HIDDEN), .name = "vertex_area_mm2", .label = "vertex area",
+    {PLAIN(side.vertex.area, COLUMN_HIDDEN), .name = "vertex_area_mm2", .label = "vertex area",
      .help = "area there, mm^2"},
-    {AREA(projected, COLUMN_HIDDEN), .name = "projected_mm2", .label = "projected",
+    {PLAIN(projected, COLUMN_HIDDEN), .name = "projected_mm2", .label = "projected",
      .help = "area across the beam at the vertex, mm^2: of fields of 90 deg and more too"},
     {PLAIN(obstruction, COLUMN_SPARSE), .name = "obstruction", .label = "obstructed",
      .help = "share of that area within the edge that apertures block; absent where nothing may"},
@@ -143,16 +146,18 @@ static const struct column columns[] = {
      .help = "at x_min"},
     {PLAIN(limit[PUPIL_RIGHT], COLUMN_HIDDEN), .name = "right_surface", .label = "right by",
      .help = "at x_max"},
-    {LENGTH(chief_x, COLUMN_HIDDEN), .name = "chief_x", .label = "chief x",
+    {LENGTH(side.chief.point[0], COLUMN_HIDDEN), .name = "chief_x", .label = "chief x",
      .help = "chief ray, through the middle of the stop: a point, where it can in the plane of "
              "the first (last) vertex"},
-    {LENGTH(chief_y, COLUMN_HIDDEN), .name = "chief_y", .label = "chief y", .help = "the same"},
-    {LENGTH(chief_z, COLUMN_HIDDEN), .name = "chief_z", .label = "chief z", .help = "the same"},
-    {PLAIN(cos_x, COLUMN_HIDDEN), .name = "chief_cos_x", .label = "chief cos x",
-     .help = "its direction cosines, as light goes (from the film: backwards)"},
-    {PLAIN(cos_y, COLUMN_HIDDEN), .name = "chief_cos_y", .label = "chief cos y",
+    {LENGTH(side.chief.point[1], COLUMN_HIDDEN), .name = "chief_y", .label = "chief y",
      .help = "the same"},
-    {PLAIN(cos_z, COLUMN_HIDDEN), .name = "chief_cos_z", .label = "chief cos z",
+    {LENGTH(side.chief.point[2], COLUMN_HIDDEN), .name = "chief_z", .label = "chief z",
+     .help = "the same"},
+    {PLAIN(side.chief.cosine[0], COLUMN_HIDDEN), .name = "chief_cos_x", .label = "chief cos x",
+     .help = "its direction cosines, as light goes (from the film: backwards)"},
+    {PLAIN(side.chief.cosine[1], COLUMN_HIDDEN), .name = "chief_cos_y", .label = "chief cos y",
+     .help = "the same"},
+    {PLAIN(side.chief.cosine[2], COLUMN_HIDDEN), .name = "chief_cos_z", .label = "chief cos z",
      .help = "the same"},
     {PLAIN(status, COLUMN_BRIEF), .name = "status", .label = "status",
      .help = "ok; chief_lost: rays arrive, not the chief ray; clipped, miss, total_reflection: "
@@ -223,7 +228,7 @@ static struct pupil_row pupil_row_of(const struct pupil_case *point, bool exit)
     }
     row.lost = shape->surface > 0 ? (long)shape->surface : NO_INTEGER;
     row.rays = (long)shape->rays;
-    row.area = 0; /* where nothing arrives */
+    row.side.pupil.area = 0; /* where nothing arrives */
     for (size_t i = 0; i < PUPIL_ENDS; i++) {
         row.vignetting[i] = shape->is_empty ? 1 : shape->vignetting[i];
     }
@@ -233,32 +238,6 @@ static struct pupil_row pupil_row_of(const struct pupil_case *point, bool exit)
 static double ratio(double here, double axis, bool is_empty)
 {
     return is_empty ? 0 : here / axis;
-}
-
-static void fill_bounds(const struct pupil_side *side, struct pupil_row *row)
-{
-    const struct pupil_extent *pupil = &side->pupil, *vertex = &side->vertex;
-    row->x_min = pupil->low[0];
-    row->x_max = pupil->high[0];
-    row->y_min = pupil->low[1];
-    row->y_max = pupil->high[1];
-    row->x = pupil->centre[0];
-    row->y = pupil->centre[1];
-    row->area = pupil->area;
-    row->vertex_x_min = vertex->low[0];
-    row->vertex_x_max = vertex->high[0];
-    row->vertex_y_min = vertex->low[1];
-    row->vertex_y_max = vertex->high[1];
-    row->vertex_area = vertex->area;
-    row->chief_x = side->chief.point[0];
-    row->chief_y = side->chief.point[1];
-    row->chief_z = side->chief.point[2];
-    row->cos_x = side->chief.cosine[0];
-    row->cos_y = side->chief.cosine[1];
-    row->cos_z = side->chief.cosine[2];
-    for (size_t i = 0; i < PUPIL_ENDS; i++) {
-        row->limit[i] = side->limit[i] > 0 ? (long)side->limit[i] : NO_INTEGER;
-    }
 }
 
 /* That the bundle folds, which leaves numbers absent, beside what else there is to say. */
@@ -287,7 +266,10 @@ static struct pupil_row bounds_row(const struct pupil_case *point, bool exit, st
     const struct first_order *first = &point->one->light.first;
     struct pupil_row row = pupil_row_of(point, exit);
     if (!shape->is_empty) {
-        fill_bounds(side, &row);
+        row.side = *side;
+        for (size_t i = 0; i < PUPIL_ENDS; i++) {
+            row.limit[i] = side->limit[i] > 0 ? (long)side->limit[i] : NO_INTEGER;
+        }
         row.warning = pupil_fold_warning(side, exit, row.warning, arena);
         row.warning =
             lens_warnings_join(row.warning, lens_island_warning(&shape->islands, arena), arena);
@@ -295,8 +277,8 @@ static struct pupil_row bounds_row(const struct pupil_case *point, bool exit, st
     if (!axis->is_empty) {
         /* of a telecentric side the plane of the vertex */
         bool far = isnan(middle->pupil.area) && !middle->pupil.folds;
-        row.fraction = far ? ratio(row.vertex_area, middle->vertex.area, shape->is_empty)
-                           : ratio(row.area, middle->pupil.area, shape->is_empty);
+        row.fraction = far ? ratio(row.side.vertex.area, middle->vertex.area, shape->is_empty)
+                           : ratio(row.side.pupil.area, middle->pupil.area, shape->is_empty);
         row.projected_fraction = ratio(shape->projected, axis->projected, shape->is_empty);
     }
     row.projected = shape->projected;

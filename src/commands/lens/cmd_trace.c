@@ -182,11 +182,6 @@ static const struct column columns[] = {
     LENS_WARNING_COLUMN(struct trace_row, warning),
 };
 
-static bool trace_run(const void *data, struct run *run, struct error *error)
-{
-    return trace_answer(data, run, error);
-}
-
 enum { FEW_RAYS = 4 };
 
 static bool trace_makes_many(const void *data)
@@ -276,7 +271,7 @@ const struct command command_trace = {
     COMMAND_ASKS(struct trace_input),
     .sheet = SHEET(columns, struct trace_row),
     .explanations = explanations,
-    .run = trace_run,
+    .run = trace_answer,
     .run_block = trace_block,
     .takes_blocks = takes_blocks,
     .makes_many = trace_makes_many,

@@ -563,8 +563,9 @@ static const struct setup_field *field_given(const struct trace_input *input,
     return trace_has_field(input) ? field : NULL;
 }
 
-bool trace_answer(const struct trace_input *input, struct run *run, struct error *error)
+bool trace_answer(const void *data, struct run *run, struct error *error)
 {
+    const struct trace_input *input = data;
     const struct ray_question *question = &input->question;
     struct setup_field named;
     const struct setup_field *field = field_given(input, &named);

@@ -119,8 +119,8 @@ static inline bool trace_has_field(const struct trace_input *input)
  */
 bool trace_start(const struct trace_input *input, struct ray *ray, struct error *error);
 
-/* All rows of one input. */
-bool trace_answer(const struct trace_input *input, struct run *run, struct error *error);
+/* All rows of one input, a struct trace_input. */
+bool trace_answer(const void *data, struct run *run, struct error *error);
 
 /* Many inputs that say one ray each; see struct command. */
 void trace_block(const struct block *block, struct run *run);
