@@ -42,12 +42,12 @@ static bool fit_lens_of(const struct render_input *input, const struct analysis_
         return false;
     }
     /* without what `answer` adds, the fit of twice the rays */
-    const struct fit_input input = {.object = NAN,
-                                    .distortion = 0,
-                                    .show = FIT_PARAMETERS,
-                                    .match = FIT_IMAGE,
-                                    .pattern = PATTERN_GAUSS,
-                                    .rays = 72};
+    const struct fit_input fitting = {.object = NAN,
+                                      .distortion = 0,
+                                      .show = FIT_PARAMETERS,
+                                      .match = FIT_IMAGE,
+                                      .pattern = PATTERN_GAUSS,
+                                      .rays = 72};
     *lens = *one->setup->lens;
     lens->object = (struct figure){one->setup->object.distance, {NULL, 0}, LENS_NONE};
     lens->object_is_infinite = one->setup->object.is_infinite;
@@ -64,7 +64,7 @@ static bool fit_lens_of(const struct render_input *input, const struct analysis_
     bool found = lens_next_setup(&at, error);
     if (found) {
         struct fit_job job = {
-            .input = &input, .run = run, .setup = at.one.setup, .warning = at.one.warning};
+            .input = &fitting, .run = run, .setup = at.one.setup, .warning = at.one.warning};
         found = setup_light(at.one.setup, 0, &job.light, error) && fit_job_run(&job, error);
         *stand_in = found ? fit_equal_lens(&job) : *lens;
     }
