@@ -16,12 +16,6 @@
  *     #define ROW   struct dof_row
  */
 
-/* An entry, where a macro stands for some. */
-#define ENTRY(...)                                                                                 \
-    {                                                                                              \
-        __VA_ARGS__                                                                                \
-    }
-
 /* -------- options -------- */
 
 #define ASKED(member) OPTION(INPUT, member)

@@ -26,6 +26,12 @@ enum column_type { COLUMN_NUMBER, COLUMN_INTEGER, COLUMN_FLAG, COLUMN_TEXT };
 #define COLUMN_NAMED(S, member, more)                                                              \
     COLUMN(S, member), .name = #member, .label = #member, .flags = (more)
 
+/* An entry of a table, where a macro stands for some. */
+#define ENTRY(...)                                                                                 \
+    {                                                                                              \
+        __VA_ARGS__                                                                                \
+    }
+
 #define COLUMN_OF_LENGTH(S, member, in)                                                            \
     COLUMN(S, member), .dimension = &dimension_length, .unit = (in)
 #define COLUMN_OF_ANGLE(S, member, in)                                                             \

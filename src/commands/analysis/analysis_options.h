@@ -46,13 +46,10 @@ extern const struct word analysis_aims[], analysis_weights[];
     OPTION(S, member), .dimension = &dimension_length, .unit = "mm", .value = "LENGTH"
 
 #define ANALYSIS_OBJECT_OPTION(S, member)                                                          \
-    {                                                                                              \
-        ANALYSIS_LENGTH(S, member.object), .name = "object", .column = "object",                   \
-                                           .flags = OPTION_ABOVE_LOWEST, .lowest = 0,              \
-                                           .highest = INFINITY,                                    \
-                                           .help = "distance of the object before the first "      \
-                                                   "vertex, in place of the lens's"                \
-    }
+    ENTRY(ANALYSIS_LENGTH(S, member.object), .name = "object", .column = "object",                 \
+          .flags = OPTION_ABOVE_LOWEST, .lowest = 0, .highest = INFINITY,                          \
+          .help = "distance of the object before the first "                                       \
+                  "vertex, in place of the lens's")
 
 /* `wavelengths`: which a command takes without -w; `parts`: ", or ..." that threads share */
 #define ANALYSIS_OPTIONS(S, member, wavelengths, parts)                                            \
@@ -60,12 +57,9 @@ extern const struct word analysis_aims[], analysis_weights[];
 /* `plane_use`: what the image plane needs, as `wants` of an option has it */
 #define ANALYSIS_OPTIONS_FOR(S, member, wavelengths, parts, plane_use)                             \
     ANALYSIS_LENS_OPTIONS(S, member, wavelengths, plane_use),                                      \
-    {                                                                                              \
-        OPTION(S, member.threads),                                                                 \
-            .name = "threads", .lowest = 0, .highest = PARALLEL_MOST, .value = "N",                \
-            .fallback = "1", .flags = OPTION_ASIDE,                                                \
-            .help = "threads that share the combinations of a sweep" parts "; 0 = one a core"      \
-    }
+        ENTRY(OPTION(S, member.threads), .name = "threads", .lowest = 0, .highest = PARALLEL_MOST, \
+              .value = "N", .fallback = "1", .flags = OPTION_ASIDE,                                \
+              .help = "threads that share the combinations of a sweep" parts "; 0 = one a core")
 
 #define ANALYSIS_LENS_OPTIONS(S, member, wavelengths, plane_use)                                   \
     LENS_OPTION(S, member), LENS_WAVELENGTH_OPTION(S, member, wavelengths),                        \
@@ -75,20 +69,14 @@ extern const struct word analysis_aims[], analysis_weights[];
 /* Where the image is caught. */
 #define ANALYSIS_PLANE_OPTIONS(S, member) ANALYSIS_PLANE_OPTIONS_FOR(S, member, NULL)
 #define ANALYSIS_PLANE_OPTIONS_FOR(S, member, use)                                                 \
-    {OPTION(S, member.focus),                                                                      \
-     .wants = (use),                                                                               \
-     .name = "focus",                                                                              \
-     .dimension = &dimension_length,                                                               \
-     .unit = "mm",                                                                                 \
-     .value = "PLANE",                                                                             \
-     .help = "the image plane: paraxial, table, best, or mm from the last vertex; default "        \
-             "that of the lens"},                                                                  \
-    {                                                                                              \
-        ANALYSIS_LENGTH(S, member.defocus), .name = "defocus", .column = "defocus",                \
-                                            .wants = (use), .flags = OPTION_NO_INFINITY,           \
-                                            .help = "defocus behind that plane; a list goes "      \
-                                                    "through focus"                                \
-    }
+    ENTRY(OPTION(S, member.focus), .wants = (use), .name = "focus",                                \
+          .dimension = &dimension_length, .unit = "mm", .value = "PLANE",                          \
+          .help = "the image plane: paraxial, table, best, or mm from the last vertex; default "   \
+                  "that of the lens"),                                                             \
+        ENTRY(ANALYSIS_LENGTH(S, member.defocus), .name = "defocus", .column = "defocus",          \
+              .wants = (use), .flags = OPTION_NO_INFINITY,                                         \
+              .help = "defocus behind that plane; a list goes "                                    \
+                      "through focus")
 
 /* Of commands that ask field by field; and of those that ask for the edge of the field alone. */
 #define ANALYSIS_FIELD_OPTIONS(S, member)                                                          \
@@ -96,152 +84,101 @@ extern const struct word analysis_aims[], analysis_weights[];
 #define ANALYSIS_EDGE_OPTIONS(S, member, use)                                                      \
     ANALYSIS_FIELDS_BY(S, member, "default the largest of the lens; without one 5 deg", use)
 #define ANALYSIS_FIELDS_BY(S, member, without, use)                                                \
-    {OPTION(S, member.field),                                                                      \
-     .name = "field",                                                                              \
-     .wants = (use),                                                                               \
-     .column = "field",                                                                            \
-     .dimension = &dimension_angle,                                                                \
-     .unit = "deg",                                                                                \
-     .lowest = -PI,                                                                                \
-     .highest = PI,                                                                                \
-     .flags = OPTION_FIELD | OPTION_ABOVE_LOWEST | OPTION_BELOW_HIGHEST,                           \
-     .value = "ANGLE",                                                                             \
-     .help = "field angle in object space, a list is swept; " without},                            \
+    ENTRY(OPTION(S, member.field), .name = "field", .wants = (use), .column = "field",             \
+          .dimension = &dimension_angle, .unit = "deg", .lowest = -PI, .highest = PI,              \
+          .flags = OPTION_FIELD | OPTION_ABOVE_LOWEST | OPTION_BELOW_HIGHEST, .value = "ANGLE",    \
+          .help = "field angle in object space, a list is swept; " without),                       \
         LENS_FIELD_X_OPTION_FOR(S, member.field_x, use),                                           \
-        {ANALYSIS_LENGTH(S, member.height),                                                        \
-         .name = "height",                                                                         \
-         .column = "height",                                                                       \
-         .wants = (use),                                                                           \
-         .flags = OPTION_NO_INFINITY,                                                              \
-         .help = "field by the height of its paraxial image"},                                     \
-    {                                                                                              \
-        ANALYSIS_LENGTH(S, member.height_x), .name = "height-x", .column = "height_x",             \
-                                             .wants = (use), .flags = OPTION_NO_INFINITY,          \
-                                             .help = "offset from the axis in x"                   \
-    }
+        ENTRY(ANALYSIS_LENGTH(S, member.height), .name = "height", .column = "height",             \
+              .wants = (use), .flags = OPTION_NO_INFINITY,                                         \
+              .help = "field by the height of its paraxial image"),                                \
+        ENTRY(ANALYSIS_LENGTH(S, member.height_x), .name = "height-x", .column = "height_x",       \
+              .wants = (use), .flags = OPTION_NO_INFINITY, .help = "offset from the axis in x")
 /* Of heights in the image of real rays. */
 #define ANALYSIS_REAL(S, member)                                                                   \
-    {                                                                                              \
-        OPTION(S, member.real), .name = "real", .wants = "height|height-x",                        \
-                                .help = "the height is that of the real image: where the chief "   \
-                                        "ray meets the image plane"                                \
-    }
+    ENTRY(OPTION(S, member.real), .name = "real", .wants = "height|height-x",                      \
+          .help = "the height is that of the real image: where the chief "                         \
+                  "ray meets the image plane")
 
 /* Of commands that take several wavelengths at once. */
 #define ANALYSIS_SPECTRUM_OPTION(S, member)                                                        \
-    {                                                                                              \
-        OPTION(S, member.spectrum), .name = "spectrum", .dimension = &dimension_wavelength_um,     \
-                                    .unit = "nm", .value = "WAVES", .excludes = "wavelength",      \
-                                    .help = "several wavelengths at once, each with a weight: "    \
-                                            "d:1,F:0.5; or photopic: 450 to 650 nm as the eye "    \
-                                            "sees them"                                            \
-    }
+    ENTRY(OPTION(S, member.spectrum), .name = "spectrum", .dimension = &dimension_wavelength_um,   \
+          .unit = "nm", .value = "WAVES", .excludes = "wavelength",                                \
+          .help = "several wavelengths at once, each with a weight: "                              \
+                  "d:1,F:0.5; or photopic: 450 to 650 nm as the eye "                              \
+                  "sees them")
 
 /* How the pupil is filled with rays. */
 #define ANALYSIS_PUPIL_OPTIONS(S, member)                                                          \
-    {OPTION(S, member.aim), .name = "aim",    .words = analysis_aims,                              \
-     .fallback = "stop",    .value = "WHERE", .help = "pupil that the ray points lie in"},         \
-        {OPTION(S, member.weight),  .name = "weight",                                              \
-         .words = analysis_weights, .fallback = "pupil",                                           \
-         .value = "WHAT",           .help = "where equal weights mean equal areas"},               \
-        {OPTION(S, member.pattern), .name = "pattern",  .words = patterns,                         \
-         .fallback = "gauss",       .value = "PATTERN", .help = "points of the pupil"},            \
-        {OPTION(S, member.rays),                                                                   \
-         .name = "rays",                                                                           \
-         .column = "rays_wanted",                                                                  \
-         .lowest = 1,                                                                              \
-         .highest = 1e7,                                                                           \
-         .value = "COUNT",                                                                         \
-         .help = "approximate number of rays per wavelength; default: as many as --error needs"},  \
-        {OPTION(S, member.seed),                                                                   \
-         .name = "seed",                                                                           \
-         .lowest = 0,                                                                              \
-         .highest = 1e9,                                                                           \
-         .fallback = "0",                                                                          \
-         .value = "NUMBER",                                                                        \
-         .wants = "pattern=sobol",                                                                 \
-         .help = "of the pattern sobol"},                                                          \
-        {OPTION(S, member.error),                                                                  \
-         .name = "error",                                                                          \
-         .column = "error_wanted",                                                                 \
-         .dimension = &dimension_number,                                                           \
-         .lowest = 1e-13,                                                                          \
-         .highest = 1,                                                                             \
-         .fallback = "1e-4",                                                                       \
-         .value = "NUMBER",                                                                        \
-         .excludes = "rays",                                                                       \
-         .help = "rays are doubled until the relative error is below this"},                       \
+    ENTRY(OPTION(S, member.aim), .name = "aim", .words = analysis_aims, .fallback = "stop",        \
+          .value = "WHERE", .help = "pupil that the ray points lie in"),                           \
+        ENTRY(OPTION(S, member.weight), .name = "weight", .words = analysis_weights,               \
+              .fallback = "pupil", .value = "WHAT",                                                \
+              .help = "where equal weights mean equal areas"),                                     \
+        ENTRY(OPTION(S, member.pattern), .name = "pattern", .words = patterns,                     \
+              .fallback = "gauss", .value = "PATTERN", .help = "points of the pupil"),             \
+        ENTRY(OPTION(S, member.rays), .name = "rays", .column = "rays_wanted", .lowest = 1,        \
+              .highest = 1e7, .value = "COUNT",                                                    \
+              .help =                                                                              \
+                  "approximate number of rays per wavelength; default: as many as --error needs"), \
+        ENTRY(OPTION(S, member.seed), .name = "seed", .lowest = 0, .highest = 1e9,                 \
+              .fallback = "0", .value = "NUMBER", .wants = "pattern=sobol",                        \
+              .help = "of the pattern sobol"),                                                     \
+        ENTRY(OPTION(S, member.error), .name = "error", .column = "error_wanted",                  \
+              .dimension = &dimension_number, .lowest = 1e-13, .highest = 1, .fallback = "1e-4",   \
+              .value = "NUMBER", .excludes = "rays",                                               \
+              .help = "rays are doubled until the relative error is below this"),                  \
         ANALYSIS_CLIP_OPTIONS(S, member)
 
 #define ANALYSIS_CLIP_OPTIONS(S, member)                                                           \
-    {OPTION(S, member.clip), .name = "clip", .help = "clip rays at apertures and stop (default)"}, \
-    {                                                                                              \
-        OPTION(S, member.no_clip), .name = "no-clip", .excludes = "clip",                          \
-                                   .help = "do not clip rays at clear apertures"                   \
-    }
+    ENTRY(OPTION(S, member.clip), .name = "clip",                                                  \
+          .help = "clip rays at apertures and stop (default)"),                                    \
+        ENTRY(OPTION(S, member.no_clip), .name = "no-clip", .excludes = "clip",                    \
+              .help = "do not clip rays at clear apertures")
 
 /* What rows begin with: position and field. */
 #define ANALYSIS_POINT_COLUMNS(S, member)                                                          \
     LENS_POSITION_COLUMN(S, member.position, COLUMN_BRIEF),                                        \
-        {COLUMN_OF_ANGLE(S, member.field, "deg"),                                                  \
-         .name = "field",                                                                          \
-         .flags = COLUMN_ECHO | COLUMN_BRIEF | COLUMN_SPARSE,                                      \
-         .with = "field",                                                                          \
-         .label = "field",                                                                         \
-         .help = "field angle; absent for a height"},                                              \
-        {COLUMN_OF_LENGTH(S, member.height, "mm"),                                                 \
-         .name = "height",                                                                         \
-         .flags = COLUMN_ECHO | COLUMN_BRIEF | COLUMN_SPARSE,                                      \
-         .with = "height",                                                                         \
-         .label = "field height",                                                                  \
-         .help = "height of the field, at the object or at the image as the lens has it"},         \
-        {COLUMN_OF_ANGLE(S, member.field_x, "deg"),                                                \
-         .name = "field_x",                                                                        \
-         .flags = COLUMN_ECHO | COLUMN_BRIEF | COLUMN_EXTRA,                                       \
-         .with = "field-x",                                                                        \
-         .label = "field x",                                                                       \
-         .help = "its angle in the x-z plane; on request, and where some is not 0"},               \
-    {                                                                                              \
-        COLUMN_OF_LENGTH(S, member.height_x, "mm"),                                                \
-            .name = "height_x", .flags = COLUMN_ECHO | COLUMN_BRIEF | COLUMN_EXTRA,                \
-            .with = "height-x", .label = "field height x", .help = "of a height the same in x"     \
-    }
+        ENTRY(COLUMN_OF_ANGLE(S, member.field, "deg"), .name = "field",                            \
+              .flags = COLUMN_ECHO | COLUMN_BRIEF | COLUMN_SPARSE, .with = "field",                \
+              .help = "field angle; absent for a height"),                                         \
+        ENTRY(COLUMN_OF_LENGTH(S, member.height, "mm"), .name = "height",                          \
+              .flags = COLUMN_ECHO | COLUMN_BRIEF | COLUMN_SPARSE, .with = "height",               \
+              .label = "field height",                                                             \
+              .help = "height of the field, at the object or at the image as the lens has it"),    \
+        ENTRY(COLUMN_OF_ANGLE(S, member.field_x, "deg"), .name = "field_x",                        \
+              .flags = COLUMN_ECHO | COLUMN_BRIEF | COLUMN_EXTRA, .with = "field-x",               \
+              .label = "field x",                                                                  \
+              .help = "its angle in the x-z plane; on request, and where some is not 0"),          \
+        ENTRY(COLUMN_OF_LENGTH(S, member.height_x, "mm"), .name = "height_x",                      \
+              .flags = COLUMN_ECHO | COLUMN_BRIEF | COLUMN_EXTRA, .with = "height-x",              \
+              .label = "field height x", .help = "of a height the same in x")
 
 /* Then, where several are possible. */
 #define ANALYSIS_WAVELENGTH_COLUMN(S, member)                                                      \
-    {                                                                                              \
-        COLUMN_OF_WAVELENGTH(S, member.wavelength),                                                \
-            .name = "wavelength", .flags = COLUMN_ECHO | COLUMN_BRIEF | COLUMN_SPARSE,             \
-            .with = "wavelength", .label = "wavelength",                                           \
-            .help = "wavelength; absent where several count at once"                               \
-    }
+    ENTRY(COLUMN_OF_WAVELENGTH(S, member.wavelength), .name = "wavelength",                        \
+          .flags = COLUMN_ECHO | COLUMN_BRIEF | COLUMN_SPARSE, .with = "wavelength",               \
+          .help = "wavelength; absent where several count at once")
 
 #define ANALYSIS_DEFOCUS_COLUMN(S, member)                                                         \
-    {                                                                                              \
-        COLUMN_OF_LENGTH(S, member.defocus, "mm"),                                                 \
-            .name = "defocus", .flags = COLUMN_ECHO | COLUMN_BRIEF | COLUMN_EXTRA,                 \
-            .with = "defocus", .label = "defocus",                                                 \
-            .help = "of the image plane, away from the lens"                                       \
-    }
+    ENTRY(COLUMN_OF_LENGTH(S, member.defocus, "mm"), .name = "defocus",                            \
+          .flags = COLUMN_ECHO | COLUMN_BRIEF | COLUMN_EXTRA, .with = "defocus",                   \
+          .help = "of the image plane, away from the lens")
 
 /* And end with: what is assumed, and what is doubtful. */
 #define ANALYSIS_SPECTRUM_COLUMN(S, member)                                                        \
-    {                                                                                              \
-        COLUMN(S, member.spectrum), .name = "spectrum", .when = "where several wavelengths count", \
-                                    .flags = COLUMN_ASSUMED | COLUMN_SPARSE,                       \
-                                    .depends = "lens spectrum", .label = "wavelengths",            \
-                                    .help = "those that count, nm, each with its weight"           \
-    }
+    ENTRY(COLUMN(S, member.spectrum), .name = "spectrum",                                          \
+          .when = "where several wavelengths count", .flags = COLUMN_ASSUMED | COLUMN_SPARSE,      \
+          .depends = "lens spectrum", .label = "wavelengths",                                      \
+          .help = "those that count, nm, each with its weight")
 
 #define ANALYSIS_TAIL_COLUMNS(S, member)                                                           \
-    {COLUMN(S, member.focus), .name = "focus",  .flags = COLUMN_ASSUMED,                           \
-     .depends = "focus lens", .label = "focus", .help = "how the image plane was found"},          \
-        {COLUMN_OF_LENGTH(S, member.image, "mm"),                                                  \
-         .name = "image",                                                                          \
-         .flags = COLUMN_EXTRA | COLUMN_ASSUMED,                                                   \
-         .depends = "focus lens position defocus object aperture",                                 \
-         .label = "image plane at",                                                                \
-         .help = "from the last vertex"},                                                          \
+    ENTRY(COLUMN(S, member.focus), .name = "focus", .flags = COLUMN_ASSUMED,                       \
+          .depends = "focus lens", .help = "how the image plane was found"),                       \
+        ENTRY(COLUMN_OF_LENGTH(S, member.image, "mm"), .name = "image",                            \
+              .flags = COLUMN_EXTRA | COLUMN_ASSUMED,                                              \
+              .depends = "focus lens position defocus object aperture", .label = "image plane at", \
+              .help = "from the last vertex"),                                                     \
         LENS_TITLE_COLUMN(S, member.lens), LENS_WARNING_COLUMN(S, member.warning)
 
 /* Is a field or a height given, in either coordinate? NaN = not given. */

@@ -47,34 +47,25 @@ static const struct column_form angle = {&dimension_angle, "mrad",
 #define PLACE(member_name, more)                                                                   \
     COLUMN_OF_LENGTH(struct color_row, member_name, "mm"), .flags = (more)
 #define AXIAL_COLUMN                                                                               \
-    {                                                                                              \
-        COLUMN_OR(struct color_row, axial, is_afocal, &vergence),                                  \
-            .name = "axial", .dimension = &dimension_length, .unit = "mm",                         \
-            .flags = COLUMN_BRIEF | COLUMN_SPARSE, .label = "axial shift",                         \
-            .help = "of the focus from the paraxial one of the primary wavelength, with the "      \
-                    "light; absent if afocal"                                                      \
-    }
+    ENTRY(COLUMN_OR(struct color_row, axial, is_afocal, &vergence), .name = "axial",               \
+          .dimension = &dimension_length, .unit = "mm", .flags = COLUMN_BRIEF | COLUMN_SPARSE,     \
+          .label = "axial shift",                                                                  \
+          .help = "of the focus from the paraxial one of the primary wavelength, with the "        \
+                  "light; absent if afocal")
 #define LATERAL_COLUMNS                                                                            \
-    {COLUMN_OR(struct color_row, lateral, is_angular, &angle),                                     \
-     .name = "lateral",                                                                            \
-     .dimension = &dimension_length,                                                               \
-     .unit = "um",                                                                                 \
-     .flags = COLUMN_BRIEF | COLUMN_SPARSE,                                                        \
-     .label = "lateral shift",                                                                     \
-     .help = "of the chief ray on the image plane from that of the primary wavelength, upwards"},  \
-        {PLACE(chief_x, COLUMN_HIDDEN), .name = "chief_x", .label = "chief ray x",                 \
-         .help = "where the chief ray meets the image plane"},                                     \
-    {                                                                                              \
-        PLACE(chief_y, COLUMN_HIDDEN), .name = "chief_y", .label = "chief ray y",                  \
-                                       .help = "upwards"                                           \
-    }
+    ENTRY(COLUMN_OR(struct color_row, lateral, is_angular, &angle), .name = "lateral",             \
+          .dimension = &dimension_length, .unit = "um", .flags = COLUMN_BRIEF | COLUMN_SPARSE,     \
+          .label = "lateral shift",                                                                \
+          .help =                                                                                  \
+              "of the chief ray on the image plane from that of the primary wavelength, upwards"), \
+        ENTRY(PLACE(chief_x, COLUMN_HIDDEN), .name = "chief_x", .label = "chief ray x",            \
+              .help = "where the chief ray meets the image plane"),                                \
+        ENTRY(PLACE(chief_y, COLUMN_HIDDEN), .name = "chief_y", .label = "chief ray y",            \
+              .help = "upwards")
 #define STATUS_COLUMN                                                                              \
-    {                                                                                              \
-        COLUMN(struct color_row, status), .name = "status", .flags = COLUMN_HIDDEN,                \
-                                          .label = "status",                                       \
-                                          .help = "of the exact ray: ok miss total_reflection "    \
-                                                  "not_converged"                                  \
-    }
+    ENTRY(COLUMN(struct color_row, status), .name = "status", .flags = COLUMN_HIDDEN,              \
+          .help = "of the exact ray: ok miss total_reflection "                                    \
+                  "not_converged")
 
 static const struct column columns[] = {
     ANALYSIS_POINT_COLUMNS(struct color_row, point),
@@ -87,7 +78,7 @@ static const struct column columns[] = {
      .help = "focus of the shortest less that of the longest wavelength"},
     {PLACE(secondary, COLUMN_HIDDEN), .name = "secondary", .label = "secondary spectrum",
      .help = "their mean less the focus of the primary wavelength, where that lies between"},
-    {COLUMN(struct color_row, summary), .name = "summary", .flags = COLUMN_NOTE, .label = "summary",
+    {COLUMN(struct color_row, summary), .name = "summary", .flags = COLUMN_NOTE,
      .help = "both in words"},
     ANALYSIS_TAIL_COLUMNS(struct color_row, point),
 };
@@ -96,7 +87,7 @@ static const struct column zone_columns[] = {
     LENS_POSITION_COLUMN(struct color_row, point.position, COLUMN_BRIEF),
     ANALYSIS_WAVELENGTH_COLUMN(struct color_row, point),
     {COLUMN(struct color_row, zone), .name = "zone", .flags = COLUMN_BRIEF | COLUMN_ECHO,
-     .label = "zone", .help = "height in the pupil over its radius; 0: paraxial"},
+     .help = "height in the pupil over its radius; 0: paraxial"},
     AXIAL_COLUMN,
     STATUS_COLUMN,
     LENS_TITLE_COLUMN(struct color_row, point.lens),

@@ -74,35 +74,38 @@ static const struct column_form sines = {&dimension_angle, "mrad",
 #define FAN_COLUMNS(off, path)                                                                     \
     ANALYSIS_POINT_COLUMNS(struct fan_row, point), ANALYSIS_DEFOCUS_COLUMN(struct fan_row, point), \
         ANALYSIS_WAVELENGTH_COLUMN(struct fan_row, point),                                         \
-        {PLAIN(section, COLUMN_BRIEF), .name = "section", .label = "section",                      \
-         .help = "tangential: through the axis and the field point; or sagittal, across it"},      \
-        {PLAIN(pupil_x, COLUMN_BRIEF), .name = "pupil_x", .label = "pupil x",                      \
-         .help = "where the ray crosses the pupil, in units of its radius"},                       \
-        {PLAIN(pupil_y, COLUMN_BRIEF), .name = "pupil_y", .label = "pupil y",                      \
-         .help = "the same upwards"},                                                              \
-        {SMALL(dx, (off) | COLUMN_SPARSE), .name = "dx", .label = "dx",                            \
-         .help = "from the reference to where the ray meets the image plane, in x"},               \
-        {SMALL(dy, (off) | COLUMN_SPARSE), .name = "dy", .label = "dy", .help = "and in y"},       \
-        {PLAIN(opd, (path)), .name = "opd_waves", .label = "OPD, waves", .symbol = "W",            \
-         .help = "optical path of the chief ray less that of the ray, to the reference sphere, "   \
-                 "in wavelengths of its own"},                                                     \
-        {PLAIN(status, COLUMN_BRIEF), .name = "status", .label = "status",                         \
-         .help = "ok, miss, total_reflection, clipped or not_converged"},                          \
-        {PLAIN(surface, COLUMN_BRIEF | COLUMN_SPARSE), .name = "surface", .label = "surface",      \
-         .help = "where the ray was lost, from 1, the stop counted; of a ray on the edge of the "  \
-                 "clear pupil what ends it"},                                                      \
-        {PLACE(at_x, COLUMN_HIDDEN), .name = "reference_x", .label = "reference x",                \
-         .help = "the reference on the image plane"},                                              \
-        {PLACE(at_y, COLUMN_HIDDEN), .name = "reference_y", .label = "reference y",                \
-         .help = "the same upwards"},                                                              \
-        {PLACE(at_z, COLUMN_HIDDEN), .name = "reference_z", .label = "reference z",                \
-         .help = "of the best-fitting sphere its centre behind that plane, where dx and dy are "   \
-                 "too; else 0"},                                                                   \
-        {PLACE(radius, COLUMN_HIDDEN | COLUMN_INFINITE), .name = "sphere", .label = "sphere",      \
-         .help = "radius of the reference sphere"},                                                \
-        {PLAIN(reference, COLUMN_ASSUMED), .name = "reference",                                    \
-         .depends = "reference lens wavelength spectrum", .label = "reference",                    \
-         .help = "reference point of the aberrations"},                                            \
+        ENTRY(PLAIN(section, COLUMN_BRIEF), .name = "section",                                     \
+              .help = "tangential: through the axis and the field point; or sagittal, across it"), \
+        ENTRY(PLAIN(pupil_x, COLUMN_BRIEF), .name = "pupil_x", .label = "pupil x",                 \
+              .help = "where the ray crosses the pupil, in units of its radius"),                  \
+        ENTRY(PLAIN(pupil_y, COLUMN_BRIEF), .name = "pupil_y", .label = "pupil y",                 \
+              .help = "the same upwards"),                                                         \
+        ENTRY(SMALL(dx, (off) | COLUMN_SPARSE), .name = "dx",                                      \
+              .help = "from the reference to where the ray meets the image plane, in x"),          \
+        ENTRY(SMALL(dy, (off) | COLUMN_SPARSE), .name = "dy", .help = "and in y"),                 \
+        ENTRY(PLAIN(opd, (path)), .name = "opd_waves", .label = "OPD, waves", .symbol = "W",       \
+              .help =                                                                              \
+                  "optical path of the chief ray less that of the ray, to the reference sphere, "  \
+                  "in wavelengths of its own"),                                                    \
+        ENTRY(PLAIN(status, COLUMN_BRIEF), .name = "status",                                       \
+              .help = "ok, miss, total_reflection, clipped or not_converged"),                     \
+        ENTRY(PLAIN(surface, COLUMN_BRIEF | COLUMN_SPARSE), .name = "surface",                     \
+              .help =                                                                              \
+                  "where the ray was lost, from 1, the stop counted; of a ray on the edge of the " \
+                  "clear pupil what ends it"),                                                     \
+        ENTRY(PLACE(at_x, COLUMN_HIDDEN), .name = "reference_x", .label = "reference x",           \
+              .help = "the reference on the image plane"),                                         \
+        ENTRY(PLACE(at_y, COLUMN_HIDDEN), .name = "reference_y", .label = "reference y",           \
+              .help = "the same upwards"),                                                         \
+        ENTRY(PLACE(at_z, COLUMN_HIDDEN), .name = "reference_z", .label = "reference z",           \
+              .help =                                                                              \
+                  "of the best-fitting sphere its centre behind that plane, where dx and dy are "  \
+                  "too; else 0"),                                                                  \
+        ENTRY(PLACE(radius, COLUMN_HIDDEN | COLUMN_INFINITE), .name = "sphere",                    \
+              .help = "radius of the reference sphere"),                                           \
+        ENTRY(PLAIN(reference, COLUMN_ASSUMED), .name = "reference",                               \
+              .depends = "reference lens wavelength spectrum",                                     \
+              .help = "reference point of the aberrations"),                                       \
         ANALYSIS_SPECTRUM_COLUMN(struct fan_row, point),                                           \
         ANALYSIS_TAIL_COLUMNS(struct fan_row, point)
 

@@ -49,11 +49,11 @@ struct illumination_row {
 static const struct column columns[] = {
     LENS_POSITION_COLUMN(struct illumination_row, point.position, COLUMN_BRIEF),
     {LENGTH(at.height[1], COLUMN_BRIEF | COLUMN_ECHO), .name = "height", .symbol = "h",
-     .with = "height", .label = "height", .help = "of the point, in the image plane"},
+     .with = "height", .help = "of the point, in the image plane"},
     {LENGTH(at.height[0], COLUMN_BRIEF | COLUMN_EXTRA), .name = "height_x",
      .with = "height-x field-x", .label = "height x", .help = "the same in x"},
     {COLUMN_OF_ANGLE(struct illumination_row, at.angle, "deg"), .name = "field", .symbol = "t",
-     .flags = COLUMN_BRIEF | COLUMN_SPARSE, .label = "field",
+     .flags = COLUMN_BRIEF | COLUMN_SPARSE,
      .help = "angle from the axis, before the lens, of the light whose chief ray comes there; "
              "absent where none does"},
     ANALYSIS_WAVELENGTH_COLUMN(struct illumination_row, point),

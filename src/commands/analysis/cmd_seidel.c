@@ -82,53 +82,40 @@ static const struct column_form angle = {&dimension_angle, "mrad", "of an afocal
     COLUMN_OF_WAVELENGTH(struct seidel_row, member_name),                                          \
         .flags = (more) | COLUMN_EXTRA | COLUMN_ASSUMED
 #define SUM(i, column_name, words)                                                                 \
-    {                                                                                              \
-        PLAIN(values[i], COLUMN_BRIEF), .name = (column_name), .label = (words), .help = (words)   \
-    }
+    ENTRY(PLAIN(values[i], COLUMN_BRIEF), .name = (column_name), .label = (words), .help = (words))
 #define ASPHERE(i, column_name, words)                                                             \
-    {                                                                                              \
-        PLAIN(asphere[i], COLUMN_EXTRA), .name = (column_name), .label = (words), .help = (words)  \
-    }
+    ENTRY(PLAIN(asphere[i], COLUMN_EXTRA), .name = (column_name), .label = (words), .help = (words))
 #define TRANSVERSE(i, column_name, words)                                                          \
-    {                                                                                              \
-        COLUMN_OR(struct seidel_row, values[i], is_angular, &angle),                               \
-            .dimension = &dimension_length, .unit = "mm", .flags = COLUMN_BRIEF | COLUMN_SPARSE,   \
-            .name = (column_name), .label = (words), .help = words "; absent if afocal"            \
-    }
+    ENTRY(COLUMN_OR(struct seidel_row, values[i], is_angular, &angle),                             \
+          .dimension = &dimension_length, .unit = "mm", .flags = COLUMN_BRIEF | COLUMN_SPARSE,     \
+          .name = (column_name), .label = (words), .help = words "; absent if afocal")
 
 #define CASE_COLUMNS                                                                               \
-    {WAVE(wavelength, COLUMN_ECHO), .depends = "wavelength lens position", .name = "wavelength",   \
-     .label = "wavelength", .help = "of the rays"},                                                \
+    ENTRY(WAVE(wavelength, COLUMN_ECHO), .depends = "wavelength lens position",                    \
+          .name = "wavelength", .help = "of the rays"),                                            \
         LENS_POSITION_COLUMN(struct seidel_row, position, COLUMN_BRIEF),                           \
-        {COLUMN_OF_ANGLE(struct seidel_row, field, "deg"),                                         \
-         .flags = COLUMN_EXTRA | COLUMN_ASSUMED | COLUMN_ECHO,                                     \
-         .depends = "field height lens position",                                                  \
-         .name = "field",                                                                          \
-         .label = "field",                                                                         \
-         .help = "angle of the chief ray in object space; absent for a height"},                   \
-        {LENGTH(height, COLUMN_EXTRA | COLUMN_ASSUMED | COLUMN_ECHO),                              \
-         .depends = "field height lens position", .name = "height", .label = "field height",       \
-         .help = "of the field, at the object or at the image; absent for an angle"},              \
-        {COLUMN_OF_ANGLE(struct seidel_row, field_x, "deg"),                                       \
-         .flags = COLUMN_EXTRA | COLUMN_ECHO,                                                      \
-         .with = "field-x",                                                                        \
-         .name = "field_x",                                                                        \
-         .label = "field x",                                                                       \
-         .help = "its angle in the x-z plane"},                                                    \
-        {LENGTH(height_x, COLUMN_EXTRA | COLUMN_ECHO), .with = "height-x", .name = "height_x",     \
-         .label = "field height x", .help = "of a height the same in x"},                          \
-    {                                                                                              \
-        PLAIN(surface, COLUMN_BRIEF), .name = "surface", .label = "surface",                       \
-                                      .help = "from 1, the stop counted; last the sum"             \
-    }
+        ENTRY(COLUMN_OF_ANGLE(struct seidel_row, field, "deg"),                                    \
+              .flags = COLUMN_EXTRA | COLUMN_ASSUMED | COLUMN_ECHO,                                \
+              .depends = "field height lens position", .name = "field",                            \
+              .help = "angle of the chief ray in object space; absent for a height"),              \
+        ENTRY(LENGTH(height, COLUMN_EXTRA | COLUMN_ASSUMED | COLUMN_ECHO),                         \
+              .depends = "field height lens position", .name = "height", .label = "field height",  \
+              .help = "of the field, at the object or at the image; absent for an angle"),         \
+        ENTRY(COLUMN_OF_ANGLE(struct seidel_row, field_x, "deg"),                                  \
+              .flags = COLUMN_EXTRA | COLUMN_ECHO, .with = "field-x", .name = "field_x",           \
+              .label = "field x", .help = "its angle in the x-z plane"),                           \
+        ENTRY(LENGTH(height_x, COLUMN_EXTRA | COLUMN_ECHO), .with = "height-x",                    \
+              .name = "height_x", .label = "field height x", .help = "of a height the same in x"), \
+        ENTRY(PLAIN(surface, COLUMN_BRIEF), .name = "surface",                                     \
+              .help = "from 1, the stop counted; last the sum")
 
 #define TAIL_COLUMNS                                                                               \
-    {WAVE(blue, COLUMN_ECHO), .depends = "chromatic lens", .name = "blue", .label = "colour from", \
-     .help = "shorter wavelength of the chromatic sums"},                                          \
-        {WAVE(red, COLUMN_ECHO), .depends = "chromatic lens", .name = "red", .label = "colour to", \
-         .help = "the longer one"},                                                                \
-        {LENGTH(lagrange, COLUMN_EXTRA), .name = "lagrange", .label = "Lagrange invariant",        \
-         .symbol = "H", .help = "n (y ubar - ybar u)"},                                            \
+    ENTRY(WAVE(blue, COLUMN_ECHO), .depends = "chromatic lens", .name = "blue",                    \
+          .label = "colour from", .help = "shorter wavelength of the chromatic sums"),             \
+        ENTRY(WAVE(red, COLUMN_ECHO), .depends = "chromatic lens", .name = "red",                  \
+              .label = "colour to", .help = "the longer one"),                                     \
+        ENTRY(LENGTH(lagrange, COLUMN_EXTRA), .name = "lagrange", .label = "Lagrange invariant",   \
+              .symbol = "H", .help = "n (y ubar - ybar u)"),                                       \
         LENS_TITLE_COLUMN(struct seidel_row, lens),                                                \
         LENS_WARNING_COLUMN(struct seidel_row, warning)
 

@@ -86,7 +86,7 @@ static const struct column columns[] = {
      .label = "energy radius", .help = "the radius that holds it"},
     {SMALL(energy_error, COLUMN_EXTRA), .with = "energy", .name = "energy_error",
      .label = "error of the energy radius", .help = "what the energy radius may be off"},
-    {SMALL(error, COLUMN_BRIEF | COLUMN_SPARSE), .name = "error", .label = "error",
+    {SMALL(error, COLUMN_BRIEF | COLUMN_SPARSE), .name = "error",
      .help = "what the RMS figures may be off: three times what twice the rays change of them, "
              "four times of a plain pattern"},
     {PLACE(spot.centroid[0], 0), .name = "x", .label = "centroid x", .help = "of the centroid"},
@@ -98,7 +98,7 @@ static const struct column columns[] = {
      .help = "upwards"},
     {COLUMN(struct spot_row, spot.clear), .name = "clear", .label = "clear share",
      .help = "of the area of the pupil that is not vignetted"},
-    {COLUMN(struct spot_row, rays), .name = "rays", .flags = COLUMN_HIDDEN, .label = "rays",
+    {COLUMN(struct spot_row, rays), .name = "rays", .flags = COLUMN_HIDDEN,
      .help = "of one wavelength"},
     ANALYSIS_SPECTRUM_COLUMN(struct spot_row, point),
     {COLUMN(struct spot_row, weight), .name = "weights", .flags = COLUMN_ASSUMED,

@@ -58,18 +58,14 @@ struct wavefront_row {
         ANALYSIS_DEFOCUS_COLUMN(struct wavefront_row, point),                                      \
         ANALYSIS_WAVELENGTH_COLUMN(struct wavefront_row, point)
 #define RADIUS_COLUMN                                                                              \
-    {                                                                                              \
-        PLAIN(radius, COLUMN_HIDDEN | COLUMN_INFINITE),                                            \
-            .name = "sphere", .dimension = &dimension_length, .unit = "mm", .label = "sphere",     \
-            .help = "radius of the reference sphere"                                               \
-    }
+    ENTRY(PLAIN(radius, COLUMN_HIDDEN | COLUMN_INFINITE), .name = "sphere",                        \
+          .dimension = &dimension_length, .unit = "mm", .help = "radius of the reference sphere")
 #define TAIL_COLUMNS                                                                               \
-    {PLAIN(reference, COLUMN_ASSUMED), .name = "reference",                                        \
-     .depends = "reference lens wavelength", .label = "reference",                                 \
-     .help = "centre of the reference sphere"},                                                    \
-        {PLAIN(weight, COLUMN_ASSUMED), .name = "weights",                                         \
-         .depends = "weight aim pattern clip no-clip", .label = "rays weighted by",                \
-         .help = "where equal weights mean equal areas"},                                          \
+    ENTRY(PLAIN(reference, COLUMN_ASSUMED), .name = "reference",                                   \
+          .depends = "reference lens wavelength", .help = "centre of the reference sphere"),       \
+        ENTRY(PLAIN(weight, COLUMN_ASSUMED), .name = "weights",                                    \
+              .depends = "weight aim pattern clip no-clip", .label = "rays weighted by",           \
+              .help = "where equal weights mean equal areas"),                                     \
         ANALYSIS_TAIL_COLUMNS(struct wavefront_row, point)
 
 static const struct column figure_columns[] = {
@@ -93,23 +89,23 @@ static const struct column figure_columns[] = {
     RADIUS_COLUMN,
     {PLAIN(figures.clear, 0), .name = "clear", .label = "clear share",
      .help = "of the area of the pupil that is not vignetted"},
-    {PLAIN(rays, COLUMN_HIDDEN), .name = "rays", .label = "rays", .help = "that these stand on"},
+    {PLAIN(rays, COLUMN_HIDDEN), .name = "rays", .help = "that these stand on"},
     TAIL_COLUMNS,
 };
 
 static const struct column coefficient_columns[] = {
     SHARED_COLUMNS,
-    {PLAIN(index, COLUMN_BRIEF), .name = "index", .label = "index",
+    {PLAIN(index, COLUMN_BRIEF), .name = "index",
      .help = "number of the polynomial, as its order counts"},
-    {PLAIN(n, COLUMN_BRIEF), .name = "n", .label = "n", .help = "radial order"},
-    {PLAIN(m, COLUMN_BRIEF), .name = "m", .label = "m",
+    {PLAIN(n, COLUMN_BRIEF), .name = "n", .help = "radial order"},
+    {PLAIN(m, COLUMN_BRIEF), .name = "m",
      .help = "of the angle from +x: cos(m angle), or sin(|m| angle) where it is below 0"},
     {PLAIN(coefficient, COLUMN_BRIEF), .name = "coefficient_waves", .label = "coefficient, waves",
      .symbol = "c", .help = "in wavelengths"},
     {PLAIN(residual, COLUMN_BRIEF), .name = "residual_waves", .label = "residual, waves",
      .help = "root mean square that all of them leave"},
     RADIUS_COLUMN,
-    {PLAIN(rays, COLUMN_HIDDEN), .name = "rays", .label = "rays", .help = "that are fitted"},
+    {PLAIN(rays, COLUMN_HIDDEN), .name = "rays", .help = "that are fitted"},
     {PLAIN(order, COLUMN_ASSUMED), .name = "order", .depends = "zernike", .label = "polynomials",
      .help = "their order and what has the size 1"},
     TAIL_COLUMNS,

@@ -176,11 +176,9 @@ struct distortion_models_row {
 static const char *const coefficient_names[] = {"k1", "k2", "k3", "k4", "k5", "k6", "a", "b", "c"};
 
 #define COEFFICIENT(i, called)                                                                     \
-    {                                                                                              \
-        COLUMN(struct distortion_models_row, coefficients[i]),                                     \
-            .name = (called), .flags = COLUMN_BRIEF | COLUMN_SPARSE, .label = (called),            \
-            .help = "coefficient", .digits = 7                                                     \
-    }
+    ENTRY(COLUMN(struct distortion_models_row, coefficients[i]), .name = (called),                 \
+          .flags = COLUMN_BRIEF | COLUMN_SPARSE, .label = (called), .help = "coefficient",         \
+          .digits = 7)
 #define LENGTH(member_name, in_unit, more)                                                         \
     COLUMN_OF_LENGTH(struct distortion_models_row, member_name, in_unit), .flags = (more)
 
@@ -189,12 +187,10 @@ static const struct column columns[] = {
     ANALYSIS_DEFOCUS_COLUMN(struct distortion_models_row, point),
     ANALYSIS_WAVELENGTH_COLUMN(struct distortion_models_row, point),
     {COLUMN(struct distortion_models_row, model), .name = "model", .flags = COLUMN_BRIEF,
-     .label = "model", .repeats = "fit", .help = "whose coefficients they are"},
+     .repeats = "fit", .help = "whose coefficients they are"},
     {COLUMN(struct distortion_models_row, direction), .name = "direction", .flags = COLUMN_BRIEF,
-     .label = "direction",
      .help = "distort: from the ideal image to the real one; undistort: back"},
     {COLUMN(struct distortion_models_row, form), .name = "form", .flags = COLUMN_BRIEF,
-     .label = "form",
      .help = "published: as the model is defined; inverse: a polynomial of the same kind for the "
              "other direction"},
     COEFFICIENT(0, "k1"),
@@ -220,10 +216,9 @@ static const struct column columns[] = {
     {LENGTH(radius, "mm", 0), .name = "radius", .label = "fitted radius",
      .help = "as far from the middle as the fit goes"},
     {COLUMN(struct distortion_models_row, projection), .name = "projection",
-     .flags = COLUMN_ASSUMED, .depends = "projection fit", .label = "projection",
-     .help = "of the ideal image"},
+     .flags = COLUMN_ASSUMED, .depends = "projection fit", .help = "of the ideal image"},
     {COLUMN(struct distortion_models_row, sensor), .name = "sensor", .flags = COLUMN_ASSUMED,
-     .depends = "sensor", .label = "sensor", .help = "format or camera"},
+     .depends = "sensor", .help = "format or camera"},
     {LENGTH(pitch, "um", COLUMN_ASSUMED), .name = "pitch", .depends = "pitch sensor",
      .label = "pixel pitch", .help = "spacing of the pixels"},
     {COLUMN(struct distortion_models_row, resolution), .name = "resolution",

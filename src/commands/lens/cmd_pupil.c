@@ -61,37 +61,31 @@ struct pupil_row {
 #define PLAIN(member_name, more) COLUMN(struct pupil_row, member_name), .flags = (more)
 /* What both sheets begin with. */
 #define CASE_COLUMNS                                                                               \
-    {COLUMN_OF_WAVELENGTH(struct pupil_row, wavelength),                                           \
-     .name = "wavelength",                                                                         \
-     .flags = COLUMN_ECHO,                                                                         \
-     .with = "wavelength",                                                                         \
-     .label = "wavelength",                                                                        \
-     .help = "wavelength"},                                                                        \
+    ENTRY(COLUMN_OF_WAVELENGTH(struct pupil_row, wavelength), .name = "wavelength",                \
+          .flags = COLUMN_ECHO, .with = "wavelength", .help = "wavelength"),                       \
         LENS_POSITION_COLUMN(struct pupil_row, position, COLUMN_BRIEF),                            \
-        {COLUMN_OF_ANGLE(struct pupil_row, field, "deg"), .name = "field",                         \
-         .flags = COLUMN_BRIEF | COLUMN_ECHO | COLUMN_SPARSE, .label = "field",                    \
-         .help = "angle of the chief ray as seen from the first vertex; absent from the film"},    \
-        {LENGTH(object, COLUMN_BRIEF | COLUMN_ECHO | COLUMN_SPARSE), .name = "object",             \
-         .label = "object", .help = "height of the object point; absent at infinity"},             \
-        {LENGTH(height, COLUMN_BRIEF | COLUMN_ECHO | COLUMN_SPARSE), .name = "height",             \
-         .label = "height", .help = "of the point in the film; absent from the object"},           \
-        {COLUMN_OF_ANGLE(struct pupil_row, field_x, "deg"),                                        \
-         .flags = COLUMN_EXTRA | COLUMN_BRIEF | COLUMN_ECHO,                                       \
-         .with = "field-x",                                                                        \
-         .name = "field_x",                                                                        \
-         .label = "field x",                                                                       \
-         .help = "angle in the x-z plane; on request, and where some is not 0"},                   \
-        {LENGTH(object_x, COLUMN_EXTRA | COLUMN_BRIEF), .with = "field-x", .name = "object_x",     \
-         .label = "object x", .help = "of the object point; absent at infinity"},                  \
-        {LENGTH(height_x, COLUMN_EXTRA | COLUMN_BRIEF | COLUMN_ECHO), .with = "height-x",          \
-         .name = "height_x", .label = "height x", .help = "of the point in the film"},             \
-    {                                                                                              \
-        PLAIN(pupil, COLUMN_BRIEF), .name = "pupil", .label = "pupil", .help = "entrance or exit"  \
-    }
+        ENTRY(COLUMN_OF_ANGLE(struct pupil_row, field, "deg"), .name = "field",                    \
+              .flags = COLUMN_BRIEF | COLUMN_ECHO | COLUMN_SPARSE,                                 \
+              .help =                                                                              \
+                  "angle of the chief ray as seen from the first vertex; absent from the film"),   \
+        ENTRY(LENGTH(object, COLUMN_BRIEF | COLUMN_ECHO | COLUMN_SPARSE), .name = "object",        \
+              .help = "height of the object point; absent at infinity"),                           \
+        ENTRY(LENGTH(height, COLUMN_BRIEF | COLUMN_ECHO | COLUMN_SPARSE), .name = "height",        \
+              .help = "of the point in the film; absent from the object"),                         \
+        ENTRY(COLUMN_OF_ANGLE(struct pupil_row, field_x, "deg"),                                   \
+              .flags = COLUMN_EXTRA | COLUMN_BRIEF | COLUMN_ECHO, .with = "field-x",               \
+              .name = "field_x", .label = "field x",                                               \
+              .help = "angle in the x-z plane; on request, and where some is not 0"),              \
+        ENTRY(LENGTH(object_x, COLUMN_EXTRA | COLUMN_BRIEF), .with = "field-x",                    \
+              .name = "object_x", .label = "object x",                                             \
+              .help = "of the object point; absent at infinity"),                                  \
+        ENTRY(LENGTH(height_x, COLUMN_EXTRA | COLUMN_BRIEF | COLUMN_ECHO), .with = "height-x",     \
+              .name = "height_x", .label = "height x", .help = "of the point in the film"),        \
+        ENTRY(PLAIN(pupil, COLUMN_BRIEF), .name = "pupil", .help = "entrance or exit")
 
 static const struct column columns[] = {
     CASE_COLUMNS,
-    {LENGTH(z, COLUMN_BRIEF | COLUMN_INFINITE), .name = "z", .label = "z",
+    {LENGTH(z, COLUMN_BRIEF | COLUMN_INFINITE), .name = "z",
      .help = "the paraxial pupil's place, from the first (last) vertex"},
     {LENGTH(side.pupil.low[0], COLUMN_HIDDEN), .name = "x_min", .label = "x min",
      .help = "bounds in that plane; absent where the rays do not cross it"},
@@ -101,10 +95,8 @@ static const struct column columns[] = {
      .help = "the same"},
     {LENGTH(side.pupil.high[1], COLUMN_BRIEF), .name = "y_max", .label = "y max",
      .help = "the same"},
-    {LENGTH(side.pupil.centre[0], COLUMN_HIDDEN), .name = "x", .label = "x",
-     .help = "centroid there"},
-    {LENGTH(side.pupil.centre[1], COLUMN_HIDDEN), .name = "y", .label = "y",
-     .help = "centroid there"},
+    {LENGTH(side.pupil.centre[0], COLUMN_HIDDEN), .name = "x", .help = "centroid there"},
+    {LENGTH(side.pupil.centre[1], COLUMN_HIDDEN), .name = "y", .help = "centroid there"},
     {PLAIN(side.pupil.area, COLUMN_HIDDEN), .name = "area_mm2", .label = "area",
      .help = "area there, mm^2; absent where the bundle folds over itself"},
     {LENGTH(side.vertex.low[0], COLUMN_HIDDEN), .name = "vertex_x_min", .label = "vertex x min",
@@ -121,7 +113,7 @@ static const struct column columns[] = {
      .help = "area across the beam at the vertex, mm^2: of fields of 90 deg and more too"},
     {PLAIN(obstruction, COLUMN_SPARSE), .name = "obstruction", .label = "obstructed",
      .help = "share of that area within the edge that apertures block; absent where nothing may"},
-    {PLAIN(fraction, COLUMN_BRIEF), .name = "fraction", .label = "fraction",
+    {PLAIN(fraction, COLUMN_BRIEF), .name = "fraction",
      .help = "area over that of the point on the axis"},
     {PLAIN(projected_fraction, COLUMN_HIDDEN), .name = "projected_fraction",
      .label = "projected fraction", .help = "projected area over that of the point on the axis"},
@@ -159,27 +151,25 @@ static const struct column columns[] = {
      .help = "the same"},
     {PLAIN(side.chief.cosine[2], COLUMN_HIDDEN), .name = "chief_cos_z", .label = "chief cos z",
      .help = "the same"},
-    {PLAIN(status, COLUMN_BRIEF), .name = "status", .label = "status",
+    {PLAIN(status, COLUMN_BRIEF), .name = "status",
      .help = "ok; chief_lost: rays arrive, not the chief ray; clipped, miss, total_reflection: "
              "nothing arrives"},
     {PLAIN(lost, COLUMN_SPARSE | COLUMN_BRIEF), .name = "surface", .label = "lost at surface",
      .help = "where the chief ray or all rays are lost"},
-    {LENGTH(film, COLUMN_HIDDEN | COLUMN_ECHO), .name = "film", .label = "film",
+    {LENGTH(film, COLUMN_HIDDEN | COLUMN_ECHO), .name = "film",
      .help = "where the film stands, from the last vertex; absent for fields"},
-    {PLAIN(rays, COLUMN_EXTRA), .name = "rays", .label = "rays",
-     .help = "about how many were traced"},
+    {PLAIN(rays, COLUMN_EXTRA), .name = "rays", .help = "about how many were traced"},
     LENS_TITLE_COLUMN(struct pupil_row, lens),
     LENS_WARNING_COLUMN(struct pupil_row, warning),
 };
 
 static const struct column outline_columns[] = {
     CASE_COLUMNS,
-    {PLAIN(point, COLUMN_BRIEF), .name = "point", .label = "point",
-     .help = "number of the edge point, from 1"},
-    {LENGTH(z, COLUMN_HIDDEN | COLUMN_INFINITE), .name = "z", .label = "z",
+    {PLAIN(point, COLUMN_BRIEF), .name = "point", .help = "number of the edge point, from 1"},
+    {LENGTH(z, COLUMN_HIDDEN | COLUMN_INFINITE), .name = "z",
      .help = "the paraxial pupil's place, from the first (last) vertex"},
-    {LENGTH(edge_x, COLUMN_BRIEF), .name = "x", .label = "x", .help = "in that plane"},
-    {LENGTH(edge_y, COLUMN_BRIEF), .name = "y", .label = "y", .help = "in that plane"},
+    {LENGTH(edge_x, COLUMN_BRIEF), .name = "x", .help = "in that plane"},
+    {LENGTH(edge_y, COLUMN_BRIEF), .name = "y", .help = "in that plane"},
     {LENGTH(edge_vertex_x, COLUMN_BRIEF), .name = "vertex_x", .label = "vertex x",
      .help = "in the plane of the first (last) vertex"},
     {LENGTH(edge_vertex_y, COLUMN_BRIEF), .name = "vertex_y", .label = "vertex y",

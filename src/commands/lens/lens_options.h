@@ -41,107 +41,74 @@ struct lens_case {
 extern const struct word section_words[];
 
 #define LENS_OPTION(S, member)                                                                     \
-    {                                                                                              \
-        OPTION(S, member.lens), .name = "lens", .letter = 'l', .value = "LENS",                    \
-                                .flags = OPTION_OPERAND | OPTION_FILE | OPTION_MANY,               \
-                                .types = lens_types,                                               \
-                                .help = "a lens of lensdb (list lenses), a file, or - for "        \
-                                        "standard input"                                           \
-    }
+    ENTRY(OPTION(S, member.lens), .name = "lens", .letter = 'l', .value = "LENS",                  \
+          .flags = OPTION_OPERAND | OPTION_FILE | OPTION_MANY, .types = lens_types,                \
+          .help = "a lens of lensdb (list lenses), a file, or - for "                              \
+                  "standard input")
 
 /* `without`: which wavelengths a command takes without the option */
 #define LENS_WAVELENGTH_OPTION(S, member, without)                                                 \
-    {                                                                                              \
-        OPTION(S, member.wavelength),                                                              \
-            .name = "wavelength", .letter = 'w', .column = "wavelength", .value = "WAVE",          \
-            .dimension = &dimension_wavelength_um, .unit = "nm",                                   \
-            .help = "wavelength in nm, or a line: d F C e g; without it " without                  \
-    }
+    ENTRY(OPTION(S, member.wavelength), .name = "wavelength", .letter = 'w',                       \
+          .column = "wavelength", .value = "WAVE", .dimension = &dimension_wavelength_um,          \
+          .unit = "nm", .help = "wavelength in nm, or a line: d F C e g; without it " without)
 #define LENS_ALL_WAVELENGTHS    "all of the lens, the primary first"
 #define LENS_PRIMARY_WAVELENGTH "the primary one of the lens"
 
 #define LENS_FNUMBER_OPTION(S, member)                                                             \
-    {                                                                                              \
-        OPTION(S, member.fnumber),                                                                 \
-            .name = "aperture", .quantity = "f-number", .letter = 'N', .column = "fnumber",        \
-            .dimension = &dimension_fnumber, .lowest = 0, .highest = INFINITY,                     \
-            .flags = OPTION_ABOVE_LOWEST | OPTION_NO_INFINITY, .value = "NUMBER",                  \
-            .help = "f-number in place of the lens's own aperture", OPTION_USUAL_FNUMBER           \
-    }
+    ENTRY(OPTION(S, member.fnumber), .name = "aperture", .quantity = "f-number", .letter = 'N',    \
+          .column = "fnumber", .dimension = &dimension_fnumber, .lowest = 0, .highest = INFINITY,  \
+          .flags = OPTION_ABOVE_LOWEST | OPTION_NO_INFINITY, .value = "NUMBER",                    \
+          .help = "f-number in place of the lens's own aperture", OPTION_USUAL_FNUMBER)
 
 #define LENS_FIELD_OPTIONS(S, member)                                                              \
-    {OPTION(S, member.field),                                                                      \
-     .name = "field",                                                                              \
-     .column = "field",                                                                            \
-     .dimension = &dimension_angle,                                                                \
-     .unit = "deg",                                                                                \
-     .lowest = -1.5706217938696971,                                                                \
-     .highest = 1.5706217938696971,                                                                \
-     .flags = OPTION_FIELD,                                                                        \
-     .value = "ANGLE",                                                                             \
-     .help = "field angle in object space in place of the lens's largest; a list is swept"},       \
+    ENTRY(OPTION(S, member.field), .name = "field", .column = "field",                             \
+          .dimension = &dimension_angle, .unit = "deg", .lowest = -1.5706217938696971,             \
+          .highest = 1.5706217938696971, .flags = OPTION_FIELD, .value = "ANGLE",                  \
+          .help = "field angle in object space in place of the lens's largest; a list is swept"),  \
         LENS_FIELD_X_OPTION(S, member.field_x)
 
 /* Beside --field, which is then the angle in the y-z plane. */
 #define LENS_FIELD_X_OPTION(S, member) LENS_FIELD_X_OPTION_FOR(S, member, NULL)
 #define LENS_FIELD_X_OPTION_FOR(S, member, use)                                                    \
-    {                                                                                              \
-        OPTION(S, member), .name = "field-x", .column = "field_x", .dimension = &dimension_angle,  \
-                           .unit = "deg", .lowest = -PI, .highest = PI,                            \
-                           .flags = OPTION_FIELD | OPTION_ABOVE_LOWEST | OPTION_BELOW_HIGHEST,     \
-                           .value = "ANGLE", .wants = (use),                                       \
-                           .help = "its angle in the x-z plane; the light goes along "             \
-                                   "(tan x, tan y, 1)"                                             \
-    }
+    ENTRY(OPTION(S, member), .name = "field-x", .column = "field_x",                               \
+          .dimension = &dimension_angle, .unit = "deg", .lowest = -PI, .highest = PI,              \
+          .flags = OPTION_FIELD | OPTION_ABOVE_LOWEST | OPTION_BELOW_HIGHEST, .value = "ANGLE",    \
+          .wants = (use),                                                                          \
+          .help = "its angle in the x-z plane; the light goes along "                              \
+                  "(tan x, tan y, 1)")
 
 /* Of a command that judges a lens by all fields at once. */
 #define LENS_FIELDS_OPTION(S, member)                                                              \
-    {                                                                                              \
-        OPTION(S, member.fields), .name = "field", .value = "ANGLES",                              \
-                                  .help = "one set of fields, each optionally weighted: "          \
-                                          "0,10:2,14deg; for an object nearby heights in mm; "     \
-                                          "otherwise those of the lens"                            \
-    }
+    ENTRY(OPTION(S, member.fields), .name = "field", .value = "ANGLES",                            \
+          .help = "one set of fields, each optionally weighted: "                                  \
+                  "0,10:2,14deg; for an object nearby heights in mm; "                             \
+                  "otherwise those of the lens")
 
 #define LENS_POSITION_OPTION(S, member)                                                            \
-    {                                                                                              \
-        OPTION(S, member.position),                                                                \
-            .name = "position", .value = "NAME",                                                   \
-            .help = "a name or focal length (135mm), a list, or all; default the first"            \
-    }
+    ENTRY(OPTION(S, member.position), .name = "position", .value = "NAME",                         \
+          .help = "a name or focal length (135mm), a list, or all; default the first")
 
 #define LENS_SECTION_OPTION(S, member)                                                             \
-    {                                                                                              \
-        OPTION(S, member.section), .name = "section", .words = section_words, .fallback = "y",     \
-                                   .value = "SECTION", .help = "section of a lens with cylinders"  \
-    }
+    ENTRY(OPTION(S, member.section), .name = "section", .words = section_words, .fallback = "y",   \
+          .value = "SECTION", .help = "section of a lens with cylinders")
 
 /* What the rows of lens commands say of their case. */
 #define LENS_WAVELENGTH_COLUMN(S, member)                                                          \
-    {                                                                                              \
-        COLUMN_OF_WAVELENGTH(S, member),                                                           \
-            .name = "wavelength", .flags = COLUMN_ECHO | COLUMN_BRIEF, .label = "wavelength",      \
-            .help = "wavelength; the primary one first"                                            \
-    }
+    ENTRY(COLUMN_OF_WAVELENGTH(S, member), .name = "wavelength",                                   \
+          .flags = COLUMN_ECHO | COLUMN_BRIEF, .help = "wavelength; the primary one first")
 
 #define LENS_POSITION_COLUMN(S, member, more)                                                      \
-    {                                                                                              \
-        COLUMN(S, member), .name = "position", .when = "where a lens has several positions",       \
-                           .flags = COLUMN_SPARSE | (more), .label = "position",                   \
-                           .help = "zoom or focus position; absent where there is only one"        \
-    }
+    ENTRY(COLUMN(S, member), .name = "position", .when = "where a lens has several positions",     \
+          .flags = COLUMN_SPARSE | (more),                                                         \
+          .help = "zoom or focus position; absent where there is only one")
 
 #define LENS_WARNING_COLUMN(S, member)                                                             \
-    {                                                                                              \
-        COLUMN(S, member), .name = "warning", .flags = COLUMN_NOTE, .label = "warning",            \
-                           .help = "what is doubtful about the lens; absent if nothing is"         \
-    }
+    ENTRY(COLUMN(S, member), .name = "warning", .flags = COLUMN_NOTE,                              \
+          .help = "what is doubtful about the lens; absent if nothing is")
 
 #define LENS_TITLE_COLUMN(S, member)                                                               \
-    {                                                                                              \
-        COLUMN(S, member), .name = "lens", .flags = COLUMN_EXTRA | COLUMN_ASSUMED,                 \
-                           .depends = "lens", .label = "lens", .help = "title of the lens"         \
-    }
+    ENTRY(COLUMN(S, member), .name = "lens", .flags = COLUMN_EXTRA | COLUMN_ASSUMED,               \
+          .depends = "lens", .help = "title of the lens")
 
 /* Two warnings as one; null = nothing to say. */
 const char *lens_warnings_join(const char *first, const char *second, struct arena *arena);

@@ -28,19 +28,16 @@ struct ray_case {
 };
 
 #define RAY_FOCUS_OPTION(S, member)                                                                \
-    {                                                                                              \
-        OPTION(S, member.focus), .name = "focus", .dimension = &dimension_length, .unit = "mm",    \
-                                 .value = "PLANE",                                                 \
-                                 .help = "the image plane: paraxial, table, best, or mm from the " \
-                                         "last vertex; default that of the lens"                   \
-    }
+    ENTRY(OPTION(S, member.focus), .name = "focus", .dimension = &dimension_length, .unit = "mm",  \
+          .value = "PLANE",                                                                        \
+          .help = "the image plane: paraxial, table, best, or mm from the "                        \
+                  "last vertex; default that of the lens")
 
 #define RAY_CLIP_OPTIONS(S, member)                                                                \
-    {OPTION(S, member.clip), .name = "clip", .help = "clip rays at apertures and stop (default)"}, \
-    {                                                                                              \
-        OPTION(S, member.no_clip), .name = "no-clip",                                              \
-                                   .help = "do not clip rays at clear apertures"                   \
-    }
+    ENTRY(OPTION(S, member.clip), .name = "clip",                                                  \
+          .help = "clip rays at apertures and stop (default)"),                                    \
+        ENTRY(OPTION(S, member.no_clip), .name = "no-clip",                                        \
+              .help = "do not clip rays at clear apertures")
 
 /*
  * Make a lens ready.
