@@ -310,29 +310,21 @@ static size_t arms_of_arc(const struct encircled_energy_sheet *made, size_t arc)
     return made->arcs.count > 0 ? made->arcs.arms[arc] : made->arms;
 }
 
-/* How often it is looked between so many rays. */
+/* How often it is looked between so many rays: usually so often, at most so often in all. */
+static size_t looks_between(size_t rays, size_t usual, size_t most)
+{
+    const size_t looks = most / rays < usual ? most / rays : usual;
+    return looks > 1 ? looks : 1;
+}
+
 static size_t looks_outwards(const struct encircled_energy_sheet *made)
 {
-    const size_t looks = MOST_OUTWARDS / made->rings;
-    if (looks < 1) {
-        return 1;
-    }
-    if (looks > LOOKS_OUTWARDS) {
-        return LOOKS_OUTWARDS;
-    }
-    return looks;
+    return looks_between(made->rings, LOOKS_OUTWARDS, MOST_OUTWARDS);
 }
 
 static size_t looks_around(const struct encircled_energy_sheet *made)
 {
-    const size_t looks = MOST_AROUND / made->arms;
-    if (looks < 1) {
-        return 1;
-    }
-    if (looks > LOOKS_AROUND) {
-        return LOOKS_AROUND;
-    }
-    return looks;
+    return looks_between(made->arms, LOOKS_AROUND, MOST_AROUND);
 }
 
 static size_t most_pieces(const struct encircled_energy_sheet *made)

@@ -4,7 +4,6 @@
 
 #include "base/constants.h"
 #include "trace/aim/sample.h"
-#include "trace/pupil/clear_intervals.h"
 #include "trace/pupil/pupil_boundary.h"
 
 #include <math.h>
@@ -22,59 +21,58 @@ struct clear_search {
     struct arena *arena;
 };
 
-/* -------- edges -------- */
-
-/* Edges in some directions, and how far they are as shares of the star's stretch. */
-static void clear_find_edges(const struct clear_search *finding, const double *angles, size_t count,
-                             struct clear_edge *edges, double *radii)
+/* Edges in some directions, with their rays. */
+static struct clear_edge *clear_find_edges(const struct clear_search *search, const double *angles,
+                                           size_t count, struct edge *found)
 {
-    const struct pupil_boundary *boundary = finding->boundary;
-    struct edge *found = ARENA_ARRAY(finding->arena, count, struct edge);
-    pupil_boundary_edges(finding->margins, boundary, angles, count, finding->arena, found);
+    const struct pupil_boundary *boundary = search->boundary;
+    struct clear_edge *edges = ARENA_ARRAY(search->arena, count, struct clear_edge);
+    pupil_boundary_edges(search->margins, boundary, angles, count, search->arena, found);
     for (size_t i = 0; i < count; i++) {
-        edges[i] = clear_edge_of(finding->margins, &boundary->frame, angles[i], &found[i]);
-        radii[i] = found[i].radius;
+        edges[i] = clear_edge_of(search->margins, &boundary->frame, angles[i], &found[i]);
     }
+    return edges;
 }
 
-/* Around the star: from below counterclockwise. Angles of stars count the other way, from above. */
-static void put_edges(const struct clear_search *finding, size_t count, struct clear_pupil *pupil)
+/* Counterclockwise from below: angles of boundaries count the other way, from above. */
+static double clear_angle(size_t i, size_t count)
 {
-    struct arena *arena = finding->arena;
-    double *angles = ARENA_ARRAY(arena, count, double), *radii = ARENA_ARRAY(arena, count, double);
-    struct clear_edge *edges = ARENA_ARRAY(arena, count, struct clear_edge);
+    return PI - 2 * PI * ((double)i / (double)count);
+}
+
+/* The edges just before and just behind the beginning of every piece. */
+static void clear_put_corners(const struct clear_search *search, struct clear_pupil *pupil)
+{
+    const size_t count = 2 * pupil->arcs;
+    double *angles = ARENA_ARRAY(search->arena, count, double);
+    struct edge *found = ARENA_ARRAY(search->arena, count, struct edge);
     for (size_t i = 0; i < count; i++) {
-        angles[i] = PI - 2 * PI * ((double)i / (double)count);
+        const size_t next = (pupil->arcs - i / 2) % pupil->arcs;
+        angles[i] = search->boundary->corners[next] + (i % 2 == 0 ? beside : -beside);
     }
-    clear_find_edges(finding, angles, count, edges, radii);
-    pupil->edges = edges;
-    pupil->edge_count = count;
+    pupil->corners = clear_find_edges(search, angles, count, found);
+    pupil->corner_count = count;
 }
 
-/* -------- arms -------- */
-
-/* Where the k-th point of Gauss lies between two corners, and what it stands for there. */
-static double gauss_share(bool is_cut, double x, double *weight)
+/* Directions of the arms, and what angles they stand for. */
+static void clear_put_directions(const struct clear_search *search, struct clear_pupil *pupil,
+                                 double *angles)
 {
-    if (!is_cut) {
-        return x;
+    const double *corners = search->boundary->corners;
+    double *widths = ARENA_ARRAY(search->arena, pupil->arcs, double);
+    for (size_t i = 0; i < pupil->arm_count && pupil->arcs == 0; i++) {
+        angles[i] = clear_angle(i, pupil->arm_count);
+        pupil->arms[i].area = 2 * PI / (double)pupil->arm_count;
     }
-    *weight *= PI / 2 * sin(PI * x);
-    return (1 - cos(PI * x)) / 2;
-}
-
-/* Counterclockwise: stars count the other way. */
-static void put_arcs(const struct clear_search *finding, struct clear_pupil *pupil, double *angles)
-{
-    const struct pupil_boundary *boundary = finding->boundary;
-    double *widths = ARENA_ARRAY(finding->arena, pupil->arcs, double);
-    for (size_t i = 0; i < pupil->arm_count; i++) {
+    for (size_t i = 0; i < pupil->arm_count && pupil->arcs > 0; i++) {
         const size_t arc = i / CLEAR_ARC, last = pupil->arcs - 1 - arc;
-        double low = boundary->corners[last];
-        double high =
-            last + 1 < pupil->arcs ? boundary->corners[last + 1] : boundary->corners[0] + 2 * PI;
-        double weight = pupil->gauss[i % CLEAR_ARC];
-        double share = gauss_share(pupil->is_cut, pupil->nodes[i % CLEAR_ARC], &weight);
+        const double low = corners[last];
+        const double high = last + 1 < pupil->arcs ? corners[last + 1] : corners[0] + 2 * PI;
+        double share = pupil->nodes[i % CLEAR_ARC], weight = pupil->gauss[i % CLEAR_ARC];
+        if (pupil->is_cut) {
+            weight *= PI / 2 * sin(PI * share);
+            share = (1 - cos(PI * share)) / 2;
+        }
         angles[i] = high - share * (high - low);
         widths[arc] = high - low;
         pupil->arms[i].area = weight * (high - low);
@@ -82,97 +80,39 @@ static void put_arcs(const struct clear_search *finding, struct clear_pupil *pup
     pupil->arc_angles = widths;
 }
 
-/* All alike. */
-static void put_circle(struct clear_pupil *pupil, double *angles)
-{
-    for (size_t i = 0; i < pupil->arm_count; i++) {
-        angles[i] = PI - 2 * PI * ((double)i / (double)pupil->arm_count);
-        pupil->arms[i].area = 2 * PI / (double)pupil->arm_count;
-    }
-}
-
-/* The edges just before and just behind the beginning of every piece. */
-static void put_corners(const struct clear_search *finding, struct clear_pupil *pupil)
-{
-    const size_t count = 2 * pupil->arcs;
-    struct arena *arena = finding->arena;
-    double *angles = ARENA_ARRAY(arena, count, double), *radii = ARENA_ARRAY(arena, count, double);
-    struct clear_edge *corners = ARENA_ARRAY(arena, count, struct clear_edge);
-    for (size_t i = 0; i < count; i++) {
-        const size_t next = (pupil->arcs - i / 2) % pupil->arcs;
-        angles[i] = finding->boundary->corners[next] + (i % 2 == 0 ? beside : -beside);
-    }
-    clear_find_edges(finding, angles, count, corners, radii);
-    pupil->corners = corners;
-    pupil->corner_count = count;
-}
-
-/* What is clear of each arm. */
-static void cut_arms(const struct clear_search *finding, struct clear_pupil *pupil)
-{
-    struct arena *arena = finding->arena;
-    double(*at)[2] = arena_array(arena, pupil->arm_count, sizeof *at);
-    struct clear_intervals *intervals = NULL;
-    if (pupil->is_cut) {
-        intervals = ARENA_ARRAY(arena, pupil->arm_count, struct clear_intervals);
-    }
-    for (size_t i = 0; i < pupil->arm_count; i++) {
-        at[i][0] = pupil->arms[i].edge.at[0];
-        at[i][1] = pupil->arms[i].edge.at[1];
-        pupil->arms[i].intervals = pupil->is_cut ? &intervals[i] : &clear_intervals_whole;
-    }
-    if (pupil->is_cut) {
-        clear_intervals_find(finding->margins, pupil->centre, (const double(*)[2])at,
-                             pupil->arm_count, intervals);
-    }
-}
-
-/* The share of an arm's area that is clear. */
-static double clear_share(const struct clear_intervals *intervals)
-{
-    double share = 0;
-    for (size_t i = 0; i < intervals->count; i++) {
-        double low = intervals->low[i], high = intervals->high[i];
-        share += (high - low) * (high + low);
-    }
-    return share;
-}
-
 /* The arms, from angles to areas: r^2/2 of each, in stretched coordinates. */
-static void put_arms(const struct clear_search *finding, struct clear_pupil *pupil)
+static void clear_put_arms(const struct clear_search *search, struct clear_pupil *pupil)
 {
-    const struct pupil_boundary *boundary = finding->boundary;
-    const double *axes = finding->margins->beam->axes;
-    const double unit = boundary->frame.stretch[0] * boundary->frame.stretch[1] * axes[0] * axes[3];
+    const struct edge_frame *frame = &search->boundary->frame;
+    const double *axes = search->margins->beam->axes;
+    const double unit = frame->stretch[0] * frame->stretch[1] * axes[0] * axes[3];
     /* something that is the last in no direction but one has no arc of its own */
-    const size_t corners = boundary->corner_count >= 2 ? boundary->corner_count : 0;
-    pupil->arcs = corners;
-    if (corners > 0) {
-        pupil->arm_count = corners * CLEAR_ARC;
-    } else if (finding->margins->is_listed) {
-        pupil->arm_count = MANY;
-    } else {
-        pupil->arm_count = CIRCLE;
+    pupil->arcs = search->boundary->corner_count >= 2 ? search->boundary->corner_count : 0;
+    pupil->arm_count = search->margins->is_listed ? MANY : CIRCLE;
+    if (pupil->arcs > 0) {
+        pupil->arm_count = pupil->arcs * CLEAR_ARC;
     }
-    pupil->arms = ARENA_ARRAY(finding->arena, pupil->arm_count, struct clear_arm);
-    double *angles = ARENA_ARRAY(finding->arena, pupil->arm_count, double);
-    double *radii = ARENA_ARRAY(finding->arena, pupil->arm_count, double);
-    struct clear_edge *edges = ARENA_ARRAY(finding->arena, pupil->arm_count, struct clear_edge);
-    if (corners > 0) {
-        put_arcs(finding, pupil, angles);
-    } else {
-        put_circle(pupil, angles);
-    }
-    put_corners(finding, pupil);
-    clear_find_edges(finding, angles, pupil->arm_count, edges, radii);
-    for (size_t i = 0; i < pupil->arm_count; i++) {
-        pupil->arms[i].edge = edges[i];
-        pupil->arms[i].area *= unit * radii[i] * radii[i] / 2;
-    }
-    cut_arms(finding, pupil);
-    for (size_t i = 0; i < pupil->arm_count; i++) {
-        pupil->area += pupil->arms[i].area * clear_share(pupil->arms[i].intervals);
-        pupil->within += pupil->arms[i].area;
+    const size_t count = pupil->arm_count;
+    double *angles = ARENA_ARRAY(search->arena, count, double);
+    struct edge *found = ARENA_ARRAY(search->arena, count, struct edge);
+    struct clear_intervals *intervals = ARENA_ARRAY(search->arena, count, struct clear_intervals);
+    pupil->arms = ARENA_ARRAY(search->arena, count, struct clear_arm);
+    clear_put_directions(search, pupil, angles);
+    clear_put_corners(search, pupil);
+    const struct clear_edge *edges = clear_find_edges(search, angles, count, found);
+    pupil_boundary_intervals(search->margins, frame, angles, count, found, intervals);
+    for (size_t i = 0; i < count; i++) {
+        struct clear_arm *arm = &pupil->arms[i];
+        double share = 0; /* that is clear */
+        for (size_t k = 0; k < intervals[i].count; k++) {
+            const double low = intervals[i].low[k], high = intervals[i].high[k];
+            share += (high - low) * (high + low);
+        }
+        arm->edge = edges[i];
+        arm->area *= unit * found[i].radius * found[i].radius / 2;
+        arm->intervals = &intervals[i];
+        pupil->area += arm->area * share;
+        pupil->within += arm->area;
     }
     pupil->is_empty = !(pupil->area > 0);
 }
@@ -324,16 +264,20 @@ void clear_find(const struct system *system, const struct beam *beam,
     }
     const struct clearances margins = clearances_open(&frame, arena);
     struct pupil_boundary *boundary = ARENA_NEW(arena, struct pupil_boundary);
-    const struct clear_search finding = {&margins, boundary, arena};
+    const struct clear_search search = {&margins, boundary, arena};
     pupil->is_empty = !pupil_boundary_find(&margins, arena, boundary);
     if (pupil->is_empty) {
         return;
     }
     stop_beam_place(&frame, boundary->frame.centre[0], boundary->frame.centre[1], pupil->centre);
-    put_arms(&finding, pupil);
+    clear_put_arms(&search, pupil);
     put_bounds(arena, pupil);
-    if (directions > 0) {
-        put_edges(&finding, directions, pupil);
+    double *angles = ARENA_ARRAY(arena, directions, double);
+    for (size_t i = 0; i < directions; i++) {
+        angles[i] = clear_angle(i, directions);
     }
+    pupil->edge_count = directions;
+    pupil->edges =
+        clear_find_edges(&search, angles, directions, ARENA_ARRAY(arena, directions, struct edge));
     pupil->islands = pupil_islands_find(&margins, boundary, arena);
 }
