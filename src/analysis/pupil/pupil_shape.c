@@ -154,7 +154,7 @@ static double pupil_shape_weight(const struct beam *beam, const double at[2], en
     return what == COSINES ? facing * cosine : facing * way * way / (cosine * cosine * cosine);
 }
 
-/* Over the star of the edges: what each arm stands for, Gauss's points along it. */
+/* Within the edges: what each arm stands for, Gauss's points along it. */
 static double integrate(const struct beam *beam, const struct clear_pupil *clear, enum measure what,
                         double z)
 {

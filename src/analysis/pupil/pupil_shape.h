@@ -75,7 +75,7 @@ struct pupil_question {
  * Source    [Welford86] ch. 5 (pupils); derived here: dw = d/rho^3 dA
  * Errors    ERROR_DOMAIN: no stop, or no radius of it. A point from which nothing arrives is data
  * Limits    1e-7 of the areas (discs, ellipses and wide arcs 1e-9); a shape with more than
- *           PUPIL_BOUNDARY_CORNERS corners: 1e-5; one that is no star: as clear.h says; a plane
+ *           PUPIL_BOUNDARY_CORNERS corners: 1e-5; one that is not star-shaped: as clear.h says; a plane
  *           that rays
  *           meet at more than 89.9 deg counts as not met. What apertures block within the edges is
  *           taken out of areas and centroids (1e-7 too, clear.h says when less), not of outlines,

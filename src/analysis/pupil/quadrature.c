@@ -88,7 +88,7 @@ static void keep_half(struct arms *arms)
     arms->count = kept;
 }
 
-/* Arms that show corners which the star has missed are made anew. */
+/* Arms that show corners which the boundary has missed are made anew. */
 static void make_arms(const struct quadrature_region *region, size_t wanted, struct arena *arena,
                       struct arms *arms)
 {

@@ -52,7 +52,7 @@ struct quadrature_region quadrature_open(const struct stop_beam *beam, struct ar
  * Result    weights that add up to the clear share of the area they are equal in: of the stop, of
  *           the disc; with WEIGHT_BEAM and a stop of the unit disc of u and v, which the beam of
  *           the whole stop fills but for aberrations
- * Formula   the clear part is a star (trace/pupil/pupil_boundary.h), found in u and v, where no
+ * Formula   the clear part is star-shaped (trace/pupil/pupil_boundary.h), found in u and v, where no
  * ray has to be
  *           aimed; k rings of Gauss's points in r^2, whose error in r itself cancels about a
  *           centroid. Where the whole stop or disc is clear 2 k + 1 equal arms, else 3 k + 2 and
@@ -75,22 +75,22 @@ struct quadrature quadrature_fill(struct quadrature_region *region, size_t rays,
 /* What of the light a quadrature leaves out: see pupil_islands_find. */
 struct pupil_islands quadrature_islands(struct quadrature_region *region, struct arena *arena);
 
-/* What is clear, as a star; null: nothing is. */
+/* The boundary of what is clear; null: nothing is. */
 const struct pupil_boundary *quadrature_star(struct quadrature_region *region, struct arena *arena);
 
-/* Points on its edge, in directions of the star's frame. */
+/* Points on its edge, in directions of the boundary's frame. */
 struct quadrature_rim {
     const double (*points)[2]; /* u and v */
-    const double *radii;       /* in the star's frame */
+    const double *radii;       /* in the boundary's frame */
     size_t count;
 };
 
-/* Given: near: radii close by, but for a share of `slack`; null: what the star says. */
+/* Given: near: radii close by, but for a share of `slack`; null: what the boundary says. */
 struct quadrature_rim quadrature_edge(const struct quadrature_region *region, const double *angles,
                                       size_t count, const double *near, double slack,
                                       struct arena *arena);
 
-/* Rays at shares of the way to such points from the centre of the star, where they start: for each
+/* Rays at shares of the way to such points from its centre, where they start: for each
    share a ring of them. */
 void quadrature_rays_within(const struct quadrature_region *region,
                             const struct quadrature_rim *rim, const double *shares, size_t rings,

@@ -31,7 +31,7 @@ static const double steep = 1e-7;
 /* Rays short of the edge are not clipped by rounding; those on it are not clipped at all. */
 static const double within = 1 - 1e-9;
 
-/* The pupil at one wavelength: shares of the way from the centre of the star to its edge. */
+/* The pupil at one wavelength: shares of the way from the centre to the boundary. */
 struct spot_radius_rim {
     const struct bundle_source *source;
     double angles[MOST];            /* ascending */

@@ -150,7 +150,7 @@ static struct exit_pupil_pairs trace_pairs(const struct exit_pupil *pupil, const
     return pairs;
 }
 
-/* Points on the rim, and between its corners evenly about the middle of the star. */
+/* Points on the rim, and between its corners evenly about its middle. */
 static bool exit_pupil_find_rim(struct exit_pupil *pupil, struct arena *arena,
                                 struct exit_pupil_pairs *rim)
 {

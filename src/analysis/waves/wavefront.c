@@ -176,7 +176,7 @@ static bool wavefront_measure(const struct wavefront_source *source, size_t rays
 
 enum { DIRECTIONS = 64, RINGS = 12, INNER = 3, BESIDE = 5, LOOKS = 12, MOST_LOOKS = 48 };
 
-/* A place of the clear part: an angle of its star and a share of the way to the edge. */
+/* A place of the clear part: an angle and a share of the way to the edge. */
 struct wavefront_place {
     double angle, share, wave;
 };

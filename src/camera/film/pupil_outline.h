@@ -100,7 +100,7 @@ bool outline_discover(const struct pupil_outline_search *search, size_t waveleng
 
 /*
  * Rays that pass, among some spread over 1.6 of the half widths about the centre, farther where
- * they lie beyond these: light that a star from there does not see, as horns of a crescent.
+ * they lie beyond these: light that edges from there do not see, as horns of a crescent.
  *
  * Given     turn  other rays for each
  *           lit   receives directions, as edges have them: OUTLINE_SCATTER at most

@@ -1,4 +1,4 @@
-/* trace/pupil/clear.c - arms to the edge of a star, and the curve through their ends. */
+/* trace/pupil/clear.c - arms to the edge of a clear pupil, and the curve through their ends. */
 /* SPDX-License-Identifier: MIT */
 #include "trace/pupil/clear.h"
 

@@ -29,7 +29,7 @@ struct clear_arm {
 enum { CLEAR_ARC = 40 };
 
 /*
- * The part of a beam that arrives, as a star about `centre`. Its edge is that of the beam without
+ * The part of a beam that arrives, star-shaped about `centre`. Its edge is that of the beam without
  * what blocks within; what does is cut out of the arms and the area alone.
  */
 struct clear_pupil {
@@ -59,23 +59,19 @@ struct clear_pupil {
  *                       apertures, by total reflection or by missing a surface
  *           directions  how many edges are wanted for their own sake: none, or a multiple of 4
  *           guess       from clear_guess_of
- * Formula   a point inside is searched for (trace/pupil/pupil_inside.h); about it a star
- * (trace/pupil/pupil_boundary.h), its
- *           edge where smooth margins come to 0 (trace/pupil/edges.h). Area: the sum of r^2/2 over
- *           equal angles about the centre where there are no corners, which converges as fast as
- *           Fourier series do; else by Gauss's rule from one corner to the next. Where apertures
- *           are listed a side of a polygon is a piece of the edge too. Where something blocks
- *           within the edge, every arm is cut (trace/pupil/clear_intervals.h), what it crosses
- *           belongs to
- *           what it
- *           is compared by, and the angles t of a piece of the width w are w (1 - cos(pi u))/2
- *           with Gauss's points u: lines that touch an edge do no harm. Bounds: clear_extreme
- * Limits    1e-10 of the area, 1e-14 of discs and ellipses. A shape that is not a star about its
- *           centroid is cut at its nearest edges; one with more than PUPIL_BOUNDARY_CORNERS
- *           corners is
- *           summed over equal angles, which leaves about 1e-5 of the area. With something that
- *           blocks 1e-8 of the area within the edge; an arm of a spider that is seen under less
- *           than a degree may be missed
+ * Formula   a point inside is searched for (trace/pupil/pupil_inside.h); about it the boundary
+ *           (trace/pupil/pupil_boundary.h). Area: the sum of r^2/2 over equal angles about the
+ *           centre where there are no corners, which converges as fast as Fourier series do; else
+ *           by Gauss's rule from one corner to the next. Where apertures are listed a side of a
+ *           polygon is a piece of the edge too. Where something blocks within the edge, every arm
+ *           is cut (trace/pupil/clear_intervals.h), what it crosses belongs to what it is compared
+ *           by, and the angles t of a piece of the width w are w (1 - cos(pi u))/2 with Gauss's
+ *           points u: lines that touch an edge do no harm. Bounds: clear_extreme
+ * Limits    1e-10 of the area, 1e-14 of discs and ellipses. A shape that is not star-shaped about
+ *           its centroid is cut at its nearest edges; one with more than PUPIL_BOUNDARY_CORNERS
+ *           corners is summed over equal angles, which leaves about 1e-5 of the area. With
+ *           something that blocks 1e-8 of the area within the edge; an arm of a spider that is seen
+ *           under less than a degree may be missed
  */
 void clear_find(const struct system *system, const struct beam *beam,
                 const struct clear_guess *guess, size_t directions, struct arena *arena,

@@ -1,4 +1,4 @@
-/* trace/pupil/pupil_boundary.h - what is clear of a pupil, as a star about a point within it. */
+/* trace/pupil/pupil_boundary.h - boundary of the clear pupil in polar form about a point inside. */
 /* SPDX-License-Identifier: MIT */
 #ifndef LENSCALC_TRACE_PUPIL_PUPIL_BOUNDARY_H
 #define LENSCALC_TRACE_PUPIL_PUPIL_BOUNDARY_H
@@ -30,41 +30,39 @@ struct pupil_boundary {
  * The clear part of a pupil.
  *
  * Result    false: nothing is clear
- * Formula   about the chief ray if it passes, else about the ray that passes best of the largest
- *           part that passes (trace/pupil/pupil_parts.h); where more than the stop ends it about
- *           its
- *           centroid,
- *           in a frame stretched as it is. Edges in 32 directions, 256 where apertures are listed
- *           or rays are lost otherwise at the edge, to a share of how deep the centre lies within.
- *           Two neighbours that end at different things hold a corner: where both excesses are 0,
- *           by Newton's method; where that does not lead to a corner between the two, by cutting
- *           the angle in five. A piece that no direction meets is looked for where its excess, a
- *           parabola through three neighbours, has its peak above or near 0. Of halves that mirror
- *           each other (stop_beam_is_mirrored) one is looked in
+ * Formula   edges (trace/pupil/edges.h) about the chief ray if it passes, else about the ray that
+ *           passes best of the largest part that passes (trace/pupil/pupil_parts.h); where more
+ *           than the stop ends it about its centroid, in a frame stretched as it is. Edges in 32
+ *           directions, 256 where apertures are listed or rays are lost otherwise at the edge, to a
+ *           share of how deep the centre lies within. Two neighbours that end at different things
+ *           hold a corner: where both excesses are 0, by Newton's method; where that does not lead
+ *           to a corner between the two, by cutting the angle in five. A piece that no direction
+ *           meets is looked for where its excess, a parabola through three neighbours, has its peak
+ *           above or near 0. Of halves that mirror each other (stop_beam_is_mirrored) one is looked
+ *           in
  * Limits    more than PUPIL_BOUNDARY_CORNERS corners are none. What lies behind a gap, seen from
- * the centre,
- *           is not found
+ *           the centre, is not found
  */
 bool pupil_boundary_find(const struct clearances *margins, struct arena *arena,
                          struct pupil_boundary *boundary);
 
 /*
- * The same from a star of a beam close by, of another field or wavelength, in a third of the time.
+ * The same from the boundary of a beam close by, of another field or wavelength, in a third of the time.
  *
  * Given     before  of the same lens; with a count of 0 there is none
- * Result    false: it does not lead to a star of as many corners; ask pupil_boundary_find
+ * Result    false: it does not lead to a boundary of as many corners; ask pupil_boundary_find
  * Formula   edges about those before, in a frame fitted anew; corners by Newton's method from those
- *           before. What is checked of the star is what pupil_boundary_find does
+ *           before. What is checked of it is what pupil_boundary_find does
  */
 bool pupil_boundary_follow(const struct clearances *margins, const struct pupil_boundary *before,
                            struct pupil_boundary *boundary);
 
 /*
- * Corners that were missed, by edges in other directions that end at what the star does not know
+ * Corners that were missed, by edges in other directions that end at what is not known
  * there.
  *
- * Given     edges  in the star's frame, found to rounding
- * Result    true: the star has more corners than before
+ * Given     edges  in the boundary's frame, found to rounding
+ * Result    true: there are more corners than before
  * Limits    none where apertures are listed
  */
 bool pupil_boundary_learn(const struct clearances *margins, const double *angles, size_t count,

@@ -407,7 +407,7 @@ static size_t corners_behind(const struct pupil_boundary *boundary, size_t k)
 }
 
 /*
- * Does an edge behind the k-th direction end at what the star does not know there? Pieces between
+ * Does an edge behind the k-th direction end at what is not known there? Pieces between
  * corners may have no direction; what ends those beside it must be clearly less, not by rounding.
  */
 static bool is_news(const struct clearances *margins, const struct pupil_boundary *boundary,

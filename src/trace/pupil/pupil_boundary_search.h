@@ -1,4 +1,4 @@
-/* trace/pupil/pupil_boundary_search.h - what a star is found by: its edges, what ends them, their corners. */
+/* trace/pupil/pupil_boundary_search.h - what a boundary is found by: edges, what ends them, corners. */
 /* SPDX-License-Identifier: MIT */
 #ifndef LENSCALC_TRACE_PUPIL_PUPIL_BOUNDARY_SEARCH_H
 #define LENSCALC_TRACE_PUPIL_PUPIL_BOUNDARY_SEARCH_H
@@ -12,7 +12,7 @@ struct pupil_boundary_search {
     double tolerance;                    /* of edges that are only compared */
 };
 
-/* Are the halves of a star on both sides of u = 0, from where angles count, mirror images? */
+/* Are its halves on both sides of u = 0, from where angles count, mirror images? */
 static inline bool pupil_boundary_is_mirrored(const struct pupil_boundary_search *search)
 {
     return search->margins->is_mirrored && search->boundary->frame.centre[0] == 0;
@@ -31,7 +31,7 @@ void pupil_boundary_enter(struct pupil_boundary *boundary, double angle, const s
 /*
  * Corners between directions whose edges end at different things.
  *
- * Result    corners of the star; more than there is room for: none
+ * Result    corners of the boundary; more than there is room for: none
  * Formula   Newton's method where two margins meet, cuts in five elsewhere
  */
 void pupil_boundary_corners_find(const struct pupil_boundary_search *search);

@@ -7,7 +7,7 @@
 
 #include <math.h>
 
-/* Rays of a patch; patches that are looked at together; sectors about the star, but for corners. */
+/* Rays of a patch; patches that are looked at together; sectors about it, but for corners. */
 enum { SIDE = 3, EACH = SIDE * SIDE, AT_ONCE = RAYS_BLOCK / EACH, SECTORS = 12 };
 
 /* At first: patches of a sector. */
@@ -153,7 +153,7 @@ static bool take_values(const struct traced_patch *seen, size_t k, double *value
     return known;
 }
 
-/* Is a margin above 0 in all of a patch? At the edge of the star it begins at 0. */
+/* Is a margin above 0 in all of a patch? At the boundary it begins at 0. */
 static bool margin_blocks_patch(const double *values, bool at_edge)
 {
     const double far = 0.3; /* beyond a rim by a seventh of its radius */
@@ -190,7 +190,7 @@ static bool pupil_islands_is_dark(const struct traced_patch *seen)
     return dark;
 }
 
-/* Does a ray of it pass? Those at the edge are the star's. */
+/* Does a ray of it pass? Those at the boundary do not count. */
 static bool patch_has_light(const struct traced_patch *seen)
 {
     bool light = false;
@@ -279,7 +279,7 @@ static bool settle_patches(struct patches *all, size_t first, size_t count)
     return dark;
 }
 
-/* Does nothing pass beyond the edge of the star? False: perhaps. */
+/* Does nothing pass beyond the boundary? False: perhaps. */
 static bool is_alone(struct patches *all)
 {
     patches_begin(all);
@@ -293,7 +293,7 @@ static bool is_alone(struct patches *all)
     return dark && done == all->count;
 }
 
-/* Cells that pass and may lie beyond the edge of the star. */
+/* Cells that pass and may lie beyond the boundary. */
 struct beyond {
     double *angles, *near, *radii;
     size_t count;

@@ -1,4 +1,4 @@
-/* trace/pupil/pupil_islands.h - what passes light of a pupil beside the star that is integrated over. */
+/* trace/pupil/pupil_islands.h - what passes light of a pupil beyond the boundary that is integrated within. */
 /* SPDX-License-Identifier: MIT */
 #ifndef LENSCALC_TRACE_PUPIL_PUPIL_ISLANDS_H
 #define LENSCALC_TRACE_PUPIL_PUPIL_ISLANDS_H
@@ -7,13 +7,13 @@
 #include "trace/pupil/clearances.h"
 #include "trace/pupil/pupil_boundary.h"
 
-/* What of the pupil passes light and is none of the star. */
+/* What of the pupil passes light beyond the boundary. */
 struct pupil_islands {
     double share; /* of all that passes, in areas of the beam; 0: there are none */
 };
 
 /*
- * What a quadrature over the star leaves out: light that comes through beyond a gap.
+ * What a quadrature leaves out: light that comes through beyond a gap.
  *
  * Formula   first about two hundred rays that usually show that there is nothing: in patches of the
  *           angle and of the way from the boundary outwards, nine rays each. A patch is dark where
