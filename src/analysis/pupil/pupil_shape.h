@@ -75,11 +75,10 @@ struct pupil_question {
  * Source    [Welford86] ch. 5 (pupils); derived here: dw = d/rho^3 dA
  * Errors    ERROR_DOMAIN: no stop, or no radius of it. A point from which nothing arrives is data
  * Limits    1e-7 of the areas (discs, ellipses and wide arcs 1e-9); a shape with more than
- *           PUPIL_BOUNDARY_CORNERS corners: 1e-5; one that is not star-shaped: as clear.h says; a plane
- *           that rays
- *           meet at more than 89.9 deg counts as not met. What apertures block within the edges is
- *           taken out of areas and centroids (1e-7 too, clear.h says when less), not of outlines,
- *           bounds and vignetting, which are those of the edges
+ *           PUPIL_BOUNDARY_CORNERS corners: 1e-5; one that is not star-shaped: as clear.h says; a
+ *           plane that rays meet at more than 89.9 deg counts as not met. What apertures block
+ *           within the edges is taken out of areas and centroids (1e-7 too, clear.h says when
+ *           less), not of outlines, bounds and vignetting, which are those of the edges
  */
 bool pupil_shape(const struct pupil_question *question, struct arena *arena,
                  struct pupil_shape *shape, struct error *error);

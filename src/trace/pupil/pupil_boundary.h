@@ -47,7 +47,7 @@ bool pupil_boundary_find(const struct clearances *margins, struct arena *arena,
                          struct pupil_boundary *boundary);
 
 /*
- * The same from the boundary of a beam close by, of another field or wavelength, in a third of the time.
+ * The same from that of a beam close by, of another field or wavelength, in a third of the time.
  *
  * Given     before  of the same lens; with a count of 0 there is none
  * Result    false: it does not lead to a boundary of as many corners; ask pupil_boundary_find
