@@ -53,12 +53,12 @@ struct quadrature_region quadrature_open(const struct stop_beam *beam, struct ar
  *           the disc; with WEIGHT_BEAM and a stop of the unit disc of u and v, which the beam of
  *           the whole stop fills but for aberrations
  * Formula   the clear part is star-shaped (trace/pupil/pupil_boundary.h), found in u and v, where
- *           no ray has to be aimed; k rings of Gauss's points in r^2, whose error in r itself cancels about a
- *           centroid. Where the whole stop or disc is clear 2 k + 1 equal arms, else 3 k + 2 and
- *           more, at Gauss's points of the angle from corner to corner, where integrands are
- *           smooth. At least `rays` in all. Weights of the stop are du dv times d(x, y)/d(u, v) by
- *           trace/tangent.h, those of the beam du dv and the density of a projection. A stop that
- *           no rim can clip is aimed at, which is faster
+ *           no ray has to be aimed; k rings of Gauss's points in r^2, whose error in r itself
+ *           cancels about a centroid. Where the whole stop or disc is clear 2 k + 1 equal arms,
+ *           else 3 k + 2 and more, at Gauss's points of the angle from corner to corner, where
+ *           integrands are smooth. At least `rays` in all. Weights of the stop are du dv times
+ *           d(x, y)/d(u, v) by trace/tangent.h, those of the beam du dv and the density of a
+ *           projection. A stop that no rim can clip is aimed at, which is faster
  *           With in_r the rings are Gauss's points in r: more of them for the same, but odd powers
  *           of r are integrated too, wherever the centre is, which more than eight digits want
  * Source    [Forbes88]; tested against an independent program: vignetted spots of the double Gauss
