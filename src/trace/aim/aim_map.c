@@ -30,22 +30,6 @@ void aim_map_nodes(double (*points)[2])
     }
 }
 
-/* Cosines and sines of the arms' angles: those of their multiples too. */
-struct circle {
-    double wave[2][MAP_ARMS];
-};
-
-static struct circle circle_make(void)
-{
-    struct circle circle;
-    for (size_t k = 0; k < MAP_ARMS; k++) {
-        const double angle = 2 * PI * (double)k / MAP_ARMS;
-        circle.wave[0][k] = cos(angle);
-        circle.wave[1][k] = sin(angle);
-    }
-    return circle;
-}
-
 /* One wave on all rings, over r^m, as divided differences. */
 static void fit_wave(const double *values, const double *nodes, size_t m, const double *wave,
                      double differences[MAP_RINGS])
@@ -79,7 +63,12 @@ static bool map_wave_counts(const double *differences, double size)
 
 void aim_map_fit(const double *a, const double *b, struct aim_map *map)
 {
-    const struct circle circle = circle_make();
+    double waves[2][MAP_ARMS]; /* cosines and sines of the arms' angles: of their multiples too */
+    for (size_t k = 0; k < MAP_ARMS; k++) {
+        const double angle = 2 * PI * (double)k / MAP_ARMS;
+        waves[0][k] = cos(angle);
+        waves[1][k] = sin(angle);
+    }
     place_rings(map->nodes);
     for (size_t f = 0; f < 2; f++) {
         const double *values = f == 0 ? a : b;
@@ -89,7 +78,7 @@ void aim_map_fit(const double *a, const double *b, struct aim_map *map)
         }
         for (size_t m = 0; m < MAP_WAVES; m++) {
             for (size_t k = 0; k < 2; k++) {
-                fit_wave(values, map->nodes, m, circle.wave[k], map->part[f][m][k]);
+                fit_wave(values, map->nodes, m, waves[k], map->part[f][m][k]);
                 map->counts[f][m][k] = map_wave_counts(map->part[f][m][k], size);
             }
         }

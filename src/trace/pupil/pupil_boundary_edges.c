@@ -174,7 +174,7 @@ void pupil_boundary_enter(struct pupil_boundary *boundary, double angle, const s
 }
 
 /* Two directions with a corner between them. */
-struct pupil_boundary_corners_bracket {
+struct corner_bracket {
     double low, high;
     struct edge before, after;
     double angle, radius; /* of the corner, once it is found */
@@ -187,9 +187,8 @@ enum { AT_ONCE = RAYS_BLOCK / 3 };
  * One step of Newton's method towards the points where two excesses are 0. Result: they are there;
  * what is asked of the margins stands in every third lane.
  */
-static bool step_corners(const struct clearances *margins,
-                         struct pupil_boundary_corners_bracket *const *brackets, size_t count,
-                         double (*at)[2])
+static bool step_corners(const struct clearances *margins, struct corner_bracket *const *brackets,
+                         size_t count, double (*at)[2])
 {
     static const double h = 1e-6, there = 1e-14;
     double points[RAYS_BLOCK][2];
@@ -217,7 +216,7 @@ static bool step_corners(const struct clearances *margins,
 
 /* Where a corner is looked for first: where one was before, or in the middle. */
 static void guess_corner(const struct pupil_boundary_search *search,
-                         const struct pupil_boundary_corners_bracket *bracket, double at[2])
+                         const struct corner_bracket *bracket, double at[2])
 {
     const double nearby = 0.1; /* rad */
     const struct edge_frame *frame = &search->boundary->frame;
@@ -237,7 +236,7 @@ static void guess_corner(const struct pupil_boundary_search *search,
 
 /* Corners of two margins each, all at once; those that lie elsewhere stay as they are. */
 static void meet_margins(const struct pupil_boundary_search *search,
-                         struct pupil_boundary_corners_bracket *const *brackets, size_t count)
+                         struct corner_bracket *const *brackets, size_t count)
 {
     enum { STEPS = 7 };
     const struct edge_frame *frame = &search->boundary->frame;
@@ -249,7 +248,7 @@ static void meet_margins(const struct pupil_boundary_search *search,
     for (int step = 0; step < STEPS && !step_corners(margins, brackets, count, at); step++) {
     }
     for (size_t i = 0; i < count; i++) {
-        struct pupil_boundary_corners_bracket *one = brackets[i];
+        struct corner_bracket *one = brackets[i];
         double a = margins->rows[one->before.limit * RAYS_BLOCK + 3 * i];
         double b = margins->rows[one->after.limit * RAYS_BLOCK + 3 * i];
         edge_polar(frame, at[i], (one->low + one->high) / 2, &one->angle, &one->radius);
@@ -259,46 +258,15 @@ static void meet_margins(const struct pupil_boundary_search *search,
     }
 }
 
-/* Brackets that are kept, as far as there is room. */
-struct pupil_boundary_corners_kept {
-    struct pupil_boundary_corners_bracket brackets[PUPIL_BOUNDARY_CORNERS];
-    size_t count;
-};
-
-static void pupil_boundary_corners_keep(struct pupil_boundary_corners_kept *kept,
-                                        const struct pupil_boundary_corners_bracket *bracket)
-{
-    if (kept->count < PUPIL_BOUNDARY_CORNERS) {
-        kept->brackets[kept->count] = *bracket;
-    }
-    kept->count++;
-}
-
-/* The parts of a bracket between whose ends something changes. */
-static void keep_parts(const struct pupil_boundary_corners_bracket *whole, const double *angles,
-                       const struct edge *edges, struct pupil_boundary_corners_kept *kept)
-{
-    struct pupil_boundary_corners_bracket part = {.low = whole->low, .before = whole->before};
-    for (size_t j = 0; j < PARTS; j++) {
-        bool is_last = j == PARTS - 1;
-        part.high = is_last ? whole->high : angles[j];
-        part.after = is_last ? whole->after : edges[j];
-        if (part.before.limit != part.after.limit) {
-            pupil_boundary_corners_keep(kept, &part);
-        }
-        part.low = part.high;
-        part.before = part.after;
-    }
-}
-
 /* Cut brackets into parts, and keep those between whose ends something changes. */
 static size_t cut_brackets(const struct pupil_boundary_search *search,
-                           struct pupil_boundary_corners_bracket *brackets, size_t count)
+                           struct corner_bracket *brackets, size_t count)
 {
-    double angles[PUPIL_BOUNDARY_CORNERS * (PARTS - 1)], near[PUPIL_BOUNDARY_CORNERS * (PARTS - 1)];
-    struct edge edges[PUPIL_BOUNDARY_CORNERS * (PARTS - 1)];
-    struct pupil_boundary_corners_kept kept = {.count = 0};
-    size_t asked = 0;
+    enum { MOST = PARTS * PUPIL_BOUNDARY_CORNERS };
+    double angles[MOST], near[MOST];
+    struct edge edges[MOST];
+    struct corner_bracket kept[MOST];
+    size_t asked = 0, left = 0;
     for (size_t i = 0; i < count; i++) {
         for (size_t j = 1; j < PARTS && !brackets[i].is_found; j++) {
             double share = (double)j / PARTS;
@@ -310,29 +278,38 @@ static size_t cut_brackets(const struct pupil_boundary_search *search,
     pupil_boundary_limits_find(search, angles, near, asked, edges);
     asked = 0;
     for (size_t i = 0; i < count; i++) {
-        if (brackets[i].is_found) {
-            pupil_boundary_corners_keep(&kept, &brackets[i]);
-        } else {
-            keep_parts(&brackets[i], angles + asked, edges + asked, &kept);
-            asked += PARTS - 1;
+        struct corner_bracket part = brackets[i];
+        if (part.is_found) {
+            kept[left++] = part;
+            continue;
+        }
+        for (size_t j = 0; j < PARTS; j++) {
+            const bool is_last = j == PARTS - 1;
+            part.high = is_last ? brackets[i].high : angles[asked];
+            part.after = is_last ? brackets[i].after : edges[asked];
+            asked += is_last ? 0 : 1;
+            if (part.before.limit != part.after.limit) {
+                kept[left++] = part;
+            }
+            part.low = part.high;
+            part.before = part.after;
         }
     }
-    for (size_t i = 0; i < kept.count && i < PUPIL_BOUNDARY_CORNERS; i++) {
-        brackets[i] = kept.brackets[i];
+    for (size_t i = 0; i < left && i < PUPIL_BOUNDARY_CORNERS; i++) {
+        brackets[i] = kept[i];
     }
-    return kept.count;
+    return left;
 }
 
 /* One round: Newton's method where two margins meet, cuts elsewhere. Are any left to be found? */
 static bool pupil_boundary_corners_narrow(const struct pupil_boundary_search *search,
-                                          struct pupil_boundary_corners_bracket *brackets,
-                                          size_t *count)
+                                          struct corner_bracket *brackets, size_t *count)
 {
     const struct clearances *margins = search->margins;
-    struct pupil_boundary_corners_bracket *open[PUPIL_BOUNDARY_CORNERS];
+    struct corner_bracket *open[PUPIL_BOUNDARY_CORNERS];
     size_t tried = 0, left = 0;
     for (size_t i = 0; i < *count && !margins->is_listed; i++) {
-        struct pupil_boundary_corners_bracket *one = &brackets[i];
+        struct corner_bracket *one = &brackets[i];
         if (!one->is_found && one->before.limit < margins->count &&
             one->after.limit < margins->count) {
             open[tried++] = one;
@@ -353,7 +330,7 @@ static bool pupil_boundary_corners_narrow(const struct pupil_boundary_search *se
 void pupil_boundary_corners_find(const struct pupil_boundary_search *search)
 {
     struct pupil_boundary *boundary = search->boundary;
-    struct pupil_boundary_corners_bracket brackets[PUPIL_BOUNDARY_CORNERS];
+    struct corner_bracket brackets[PUPIL_BOUNDARY_CORNERS];
     const bool is_half = pupil_boundary_is_mirrored(search);
     const size_t most = is_half ? PUPIL_BOUNDARY_CORNERS / 2 : PUPIL_BOUNDARY_CORNERS;
     size_t count = 0;
@@ -368,11 +345,11 @@ void pupil_boundary_corners_find(const struct pupil_boundary_search *search)
         if (count == most) {
             return;
         }
-        brackets[count++] = (struct pupil_boundary_corners_bracket){
-            .low = boundary->angles[i],
-            .high = boundary->angles[next] + (next == 0 ? 2 * PI : 0),
-            .before = boundary->edges[i],
-            .after = boundary->edges[next]};
+        brackets[count++] =
+            (struct corner_bracket){.low = boundary->angles[i],
+                                    .high = boundary->angles[next] + (next == 0 ? 2 * PI : 0),
+                                    .before = boundary->edges[i],
+                                    .after = boundary->edges[next]};
     }
     for (int round = 0; round < ROUNDS && pupil_boundary_corners_narrow(search, brackets, &count);
          round++) {
@@ -381,7 +358,7 @@ void pupil_boundary_corners_find(const struct pupil_boundary_search *search)
         return;
     }
     for (size_t k = 0; k < count; k++) {
-        const struct pupil_boundary_corners_bracket *one = &brackets[k];
+        const struct corner_bracket *one = &brackets[k];
         boundary->corners[k] = one->is_found ? one->angle : (one->low + one->high) / 2;
         boundary->radii[k] =
             one->is_found ? one->radius : (one->before.radius + one->after.radius) / 2;
