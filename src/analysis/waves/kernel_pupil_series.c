@@ -288,12 +288,16 @@ void NAMED(kernel_pupil_cross, KERNEL)(const struct pupil_cross *cross)
     const double *restrict high = cross->amplitudes[0], *restrict low = cross->amplitudes[1];
     const double *restrict weights = cross->weights;
     double *restrict re = cross->re, *restrict im = cross->im, *restrict all = cross->size;
-    for (size_t i = 0; i < cross->count; i++) {
-        const double size = weights[i] * high[i] * low[i];
+    const size_t count = cross->count;
+    for (size_t i = 0; i < count; i++) {
+        re[i] = weights[i] * high[i] * low[i];
+    }
+    if (all != NULL) {
+        memcpy(all, re, count * sizeof *all);
+    }
+    for (size_t i = 0; i < count; i++) {
+        const double size = re[i];
         double c, s;
-        if (all != NULL) {
-            all[i] = size;
-        }
         turns_of(a[i] - b[i], &c, &s);
         re[i] = size * c;
         im[i] = size * s;
