@@ -499,7 +499,7 @@ def main():
     with tempfile.TemporaryDirectory(prefix="lenscalc-test-") as folder:
         checks.check(asked(tool, "WRITE", folder).returncode == 0, "files are written")
         names = sorted(os.listdir(folder))
-        checks.check(len(names) == 15, f"files: {names}")
+        checks.check(len(names) == 16, f"files: {names}")
         for name in names:
             with open(os.path.join(folder, name), "rb") as file:
                 check_written(checks, name, file.read())
