@@ -1,4 +1,4 @@
-/* analysis/image/psf.c - images of points by waves. */
+/* analysis/image/psf.c - diffraction point spread functions. */
 /* SPDX-License-Identifier: MIT */
 #include "analysis/image/psf.h"
 

@@ -1,4 +1,4 @@
-/* analysis/image/psf.h - images of points by waves. */
+/* analysis/image/psf.h - diffraction point spread functions. */
 /* SPDX-License-Identifier: MIT */
 #ifndef LENSCALC_ANALYSIS_IMAGE_PSF_H
 #define LENSCALC_ANALYSIS_IMAGE_PSF_H

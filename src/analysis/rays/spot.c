@@ -1,4 +1,4 @@
-/* analysis/rays/spot.c - how widely the rays of a field spread on the image plane. */
+/* analysis/rays/spot.c - spot diagrams: sizes, energy radii, rays on the image plane. */
 /* SPDX-License-Identifier: MIT */
 #include "analysis/rays/spot.h"
 

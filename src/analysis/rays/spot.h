@@ -1,4 +1,4 @@
-/* analysis/rays/spot.h - how widely the rays of a field spread on the image plane. */
+/* analysis/rays/spot.h - spot diagrams: sizes, energy radii, rays on the image plane. */
 /* SPDX-License-Identifier: MIT */
 #ifndef LENSCALC_ANALYSIS_RAYS_SPOT_H
 #define LENSCALC_ANALYSIS_RAYS_SPOT_H

@@ -14,7 +14,7 @@ struct analysis_question {
     struct wavelength_value wavelength;
     struct spectrum_value spectrum;
     double fnumber;          /* NaN = that of the lens */
-    long threads;            /* 0 = one a core */
+    long threads;            /* 0 = one per core */
     double field, field_x;   /* rad; NaN = not given */
     double height, height_x; /* mm at the image; NaN = not given */
     bool real;               /* the heights are those of the real image */
@@ -59,7 +59,7 @@ extern const struct word analysis_aims[], analysis_weights[];
     ANALYSIS_LENS_OPTIONS(S, member, wavelengths, plane_use),                                      \
         ENTRY(OPTION(S, member.threads), .name = "threads", .lowest = 0, .highest = PARALLEL_MOST, \
               .value = "N", .fallback = "1", .flags = OPTION_ASIDE,                                \
-              .help = "threads that share the combinations of a sweep" parts "; 0 = one a core")
+              .help = "threads that share the combinations of a sweep" parts "; 0 = one per core")
 
 #define ANALYSIS_LENS_OPTIONS(S, member, wavelengths, plane_use)                                   \
     LENS_OPTION(S, member), LENS_WAVELENGTH_OPTION(S, member, wavelengths),                        \

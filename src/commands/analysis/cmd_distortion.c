@@ -255,7 +255,7 @@ static const struct example examples[] = {
 
 const struct command command_distortion = {
     .name = "distortion",
-    .summary = "image heights of exact chief rays against an ideal projection",
+    .summary = "distortion of exact chief rays against an ideal projection",
     COMMAND_ASKS(struct distortion_input),
     .choose_sheet = distortion_choose_sheet,
     .sheets = sheets,

@@ -514,7 +514,7 @@ static const struct example examples[] = {
 
 const struct command command_illumination = {
     .name = "illumination",
-    .summary = "light over the image: fall-off and vignetting",
+    .summary = "relative illumination: light falloff and vignetting",
     COMMAND_ASKS(struct illumination_input),
     COMMAND_ANSWERS(struct illumination_row),
     .run = illumination_run,

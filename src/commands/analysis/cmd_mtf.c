@@ -190,7 +190,7 @@ static const struct example examples[] = {
 
 const struct command command_mtf = {
     .name = "mtf",
-    .summary = "contrast of the image by spatial frequency, by waves or by rays",
+    .summary = "modulation transfer function (contrast), diffraction or geometric",
     COMMAND_ASKS(struct mtf_input),
     COMMAND_ANSWERS(struct mtf_row),
     .run = mtf_run,

@@ -1,4 +1,4 @@
-/* commands/analysis/cmd_psf.c - lenscalc psf: images of points by waves. */
+/* commands/analysis/cmd_psf.c - lenscalc psf: diffraction point spread functions. */
 /* SPDX-License-Identifier: MIT */
 #include "analysis/image/psf.h"
 #include "commands/analysis/analysis_map.h"
@@ -322,7 +322,7 @@ static const struct example examples[] = {
 
 const struct command command_psf = {
     .name = "psf",
-    .summary = "images of points by waves: Strehl ratio, widths, maps",
+    .summary = "diffraction point spread function: Strehl ratio, widths, maps",
     COMMAND_ASKS(struct psf_input),
     COMMAND_ANSWERS(struct psf_row),
     .run = psf_run,

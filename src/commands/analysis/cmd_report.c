@@ -15,7 +15,7 @@
 struct report_input {
     struct lens_question question;
     bool images;
-    long threads; /* 0 = one a core */
+    long threads; /* 0 = one per core */
 };
 
 static const struct option options[] = {
@@ -27,7 +27,7 @@ static const struct option options[] = {
      .help = "images of points too (psf), which take longer than all the rest"},
     {OPTION(struct report_input, threads), .name = "threads", .lowest = 0, .highest = PARALLEL_MOST,
      .value = "N", .fallback = "1",
-     .help = "threads that share the fields of an analysis; 0 = one a core"},
+     .help = "threads that share the fields of an analysis; 0 = one per core"},
 };
 
 /* -------- the page -------- */

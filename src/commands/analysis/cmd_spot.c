@@ -1,4 +1,4 @@
-/* commands/analysis/cmd_spot.c - lenscalc spot: how widely the rays of a field spread. */
+/* commands/analysis/cmd_spot.c - lenscalc spot: spots of a field's rays. */
 /* SPDX-License-Identifier: MIT */
 #include "analysis/rays/spot.h"
 #include "commands/analysis/analysis_cursor.h"
@@ -550,7 +550,7 @@ static const struct example examples[] = {
 
 const struct command command_spot = {
     .name = "spot",
-    .summary = "how widely the rays of a field spread on the image plane",
+    .summary = "spot diagrams: sizes, energy radii, rays on the image plane",
     COMMAND_ASKS(struct spot_input),
     COMMAND_ANSWERS(struct spot_row),
     .run = spot_run,

@@ -239,7 +239,7 @@ static const char *wavefront_map_note_of(const double *values, size_t count, str
         low = fmin(low, values[i]);
         high = fmax(high, values[i]);
     }
-    return high >= low ? ARENA_JOIN(arena, "lowest to highest ", analysis_number(high - low, arena),
+    return high >= low ? ARENA_JOIN(arena, "peak to valley ", analysis_number(high - low, arena),
                                     " waves")
                        : "no ray arrives";
 }
@@ -377,7 +377,7 @@ static const struct example examples[] = {
 
 const struct command command_wavefront = {
     .name = "wavefront",
-    .summary = "wave fronts: RMS, Strehl ratio, Zernike's polynomials, maps",
+    .summary = "wave fronts: RMS, Strehl ratio, Zernike polynomials, maps",
     COMMAND_ASKS(struct wavefront_input),
     .sheet = SHEET(figure_columns, struct wavefront_row),
     .choose_sheet = wavefront_choose_sheet,

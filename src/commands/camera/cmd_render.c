@@ -153,7 +153,7 @@ static const struct option options[] = {
     {ASKED(seed), .name = "seed", .lowest = 0, .highest = 1e9, .fallback = "0", .value = "NUMBER",
      .help = "another one gives other rays, noise and grain"},
     {ASKED(threads), .name = "threads", .lowest = 0, .highest = PARALLEL_MOST, .value = "N",
-     .fallback = "1", .flags = OPTION_ASIDE, .help = "threads; 0 = one a core"},
+     .fallback = "1", .flags = OPTION_ASIDE, .help = "threads; 0 = one per core"},
     {ASKED(part), .name = "part", .value = "I/N", .flags = OPTION_ASIDE,
      .help = "only part I of N, into a .part for 'lenscalc merge'"},
     {ASKED(resume), .name = "resume", .flags = OPTION_ASIDE,
@@ -259,7 +259,7 @@ static const struct example examples[] = {
 const struct command command_render = {
     .name = "render",
     .group = "camera",
-    .summary = "photographs through exact lenses",
+    .summary = "photographs simulated by exact rays through a lens",
     COMMAND_ASKS(struct render_input),
     .is_divided = true,
     .explains = true,

@@ -117,7 +117,7 @@ static const struct example examples[] = {
 const struct command command_tone = {
     .name = "tone",
     .group = "camera",
-    .summary = "brackets to light, light to a display",
+    .summary = "exposure brackets merged into HDR; tone mapping",
     COMMAND_ASKS(struct tone_input),
     COMMAND_MAKES(artifacts),
 };

@@ -36,7 +36,7 @@ static const struct option options[] = {
     {ASKED(files), .name = "files", .value = "FILE", .flags = OPTION_OPERAND | OPTION_TOGETHER,
      .help = "with --check: files, and folders with their contents"},
     {ASKED(threads), .name = "threads", .lowest = 0, .highest = PARALLEL_MOST, .value = "N",
-     .fallback = "0", .help = "with --check: threads to work with; 0 = one a core"},
+     .fallback = "0", .help = "with --check: threads to work with; 0 = one per core"},
 };
 
 #define ROW struct check_files_row
@@ -277,7 +277,7 @@ static const struct example examples[] = {
 const struct command command_convert_check = {
     .name = "convert",
     .group = "data",
-    .summary = "say of each file whether it is read",
+    .summary = "report for each file whether it can be read",
     COMMAND_ASKS(struct check_files_input),
     .sheet = SHEET(columns, struct check_files_row),
     .makes_many = command_always_many,

@@ -11,7 +11,7 @@ static const struct word topic_words[] = {
     {"scenes", "typical scenes and their light"},
     {"filters", "filters and the light they take"},
     {"glasses", "optical glasses and plastics of all catalogues"},
-    {"tolerances", "what shops promise, by grade"},
+    {"tolerances", "published tolerances by grade"},
     {"stops", "labels of f-numbers, times and ISO, with exact values"},
     {"units", "units of every dimension"},
     {"keywords", "words of other programs' lens files, and what becomes of them"},

@@ -97,7 +97,7 @@ static const struct example examples[] = {
 const struct command command_merge = {
     .name = "merge",
     .group = "design",
-    .summary = "puts the parts of a divided run together",
+    .summary = "combine the parts of a divided run",
     COMMAND_ASKS(struct merge_input),
     .again = again,
 };

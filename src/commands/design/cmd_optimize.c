@@ -76,7 +76,7 @@ static const struct option options[] = {
     {OPTION(struct optimize_input, threads), .name = "threads", .lowest = 0,
      .highest = PARALLEL_MOST, .value = "N", .fallback = "1", .flags = OPTION_ASIDE,
      .wants = "glasses|global",
-     .help = "threads that try glasses, or search from starts; 0 = one a core"},
+     .help = "threads that try glasses, or search from starts; 0 = one per core"},
     {OPTION(struct optimize_input, global), .name = "global", .lowest = 1, .highest = 1e6,
      .value = "COUNT", .excludes = "glasses",
      .help = "search from so many starts between the bounds of what varies: the lens itself, and "
@@ -197,7 +197,7 @@ static const struct example examples[] = {
 const struct command command_optimize = {
     .name = "optimize",
     .group = "design",
-    .summary = "make a lens better: the nearest minimum, or the best of many",
+    .summary = "optimize a lens: the nearest local minimum, or the best of many",
     COMMAND_ASKS(struct optimize_input),
     .choose_sheet = optimize_choose_sheet,
     .sheets = optimize_sheets,

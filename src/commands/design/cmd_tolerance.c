@@ -103,7 +103,7 @@ static const struct option options[] = {
      .help = "do not clip rays at clear apertures (default for mtf)"},
     {OPTION(struct tolerance_input, threads), .name = "threads", .lowest = 0,
      .highest = PARALLEL_MOST, .value = "N", .fallback = "1", .flags = OPTION_ASIDE,
-     .wants = FOR_TRIALS, .help = "threads; 0 = one a core"},
+     .wants = FOR_TRIALS, .help = "threads; 0 = one per core"},
     {OPTION(struct tolerance_input, part), .name = "part", .value = "I/N", .flags = OPTION_ASIDE,
      .wants = "output", .help = "only part I of N, into a .part for 'lenscalc merge'"},
 };
@@ -170,7 +170,7 @@ static double tolerance_weight(const void *data)
 const struct command command_tolerance = {
     .name = "tolerance",
     .group = "design",
-    .summary = "will a lens work when it is built: trials, yield, percentiles",
+    .summary = "Monte Carlo tolerances: will a built lens work; yield, percentiles",
     COMMAND_ASKS(struct tolerance_input),
     .choose_sheet = tolerance_choose_sheet,
     .sheets = tolerance_sheets,

@@ -27,7 +27,7 @@ struct optimize_input {
     const char *vary, *hold, *goals, *glasses, *grade, *tolerances;
     int show, solver, aim, pattern;
     long rays, seed, iterations; /* iterations: 0 = as many as it takes */
-    long threads;                /* 0: one a core */
+    long threads;                /* 0: one per core */
     long global, keep, escapes;  /* global: 0 = from the lens alone */
     double spread;
     struct part part; /* count 0: all of it */

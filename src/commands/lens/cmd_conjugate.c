@@ -478,7 +478,8 @@ static const struct example examples[] = {
 const struct command command_conjugate = {
     .name = "conjugate",
     .group = "a lens",
-    .summary = "object and image anywhere, in any medium; focusing by the lens or by gaps",
+    .summary =
+        "object and image anywhere, in any medium; focusing by moving the lens or changing gaps",
     COMMAND_ASKS(struct conjugate_input),
     COMMAND_ANSWERS(struct conjugate_row),
     .run = conjugate_run,

@@ -250,7 +250,7 @@ static const struct example examples[] = {
 
 const struct command command_stars = {
     .name = "stars",
-    COMMAND_OF("photography", "longest exposure of stars without trails, and their trails"),
+    COMMAND_OF("photography", "longest exposure without star trails, and the length of trails"),
     .run = stars_run,
     .plot = "exact_s,rule_of_thumb_s,npf_s",
     .cell = "exact_s",

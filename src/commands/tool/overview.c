@@ -19,7 +19,7 @@ static void write_entry(const char *name, const char *summary, struct output *ou
 void help_write_overview(struct output *output)
 {
     const char *group = "";
-    output_string(output, "lenscalc: optics for photographers, lens people and programmers\n\n"
+    output_string(output, "lenscalc: optics for photographers, lens designers and programmers\n\n"
                           "  lenscalc COMMAND [options]\n  lenscalc COMMAND --help\n");
     for (size_t i = 0; commands[i] != NULL; i++) {
         if (strcmp(group, commands[i]->group) != 0) {
