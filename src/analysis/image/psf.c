@@ -161,11 +161,11 @@ static void find_peak(struct psf *psf)
     }
 }
 
-/* Where the centroid of the pixels is, pixels from the middle. Of an even number the first have no
-   counterpart on the other side: they move no centroid. */
-static void psf_find_centroid(const struct psf *psf, double at[2])
+/* Where the centroid of the pixels is that lie at most so far from the middle, pixels. Of an even
+   number the first have no counterpart on the other side: they move no centroid. */
+static void psf_find_centroid(const struct psf *psf, size_t reach, double at[2])
 {
-    const size_t size = psf->size, half = size / 2, reach = (size - 1) / 2, first = half - reach;
+    const size_t size = psf->size, half = size / 2, first = half - reach;
     const size_t end = half + reach + 1;
     double sum = 0;
     at[0] = at[1] = 0;
@@ -181,27 +181,48 @@ static void psf_find_centroid(const struct psf *psf, double at[2])
     at[1] /= sum;
 }
 
+/*
+ * From the centroid of the pixels to that of all light at most: to that of its rays, which a coarse
+ * grid has, or as far again as the outer half of the image moves it; whichever is farther.
+ *
+ * Given     missing  share of the light beyond the sides. If it falls as the cube it lies half as
+ *                    far out again, and half of it may be on one side, by rays all of it
+ *           moved    from the centroid of the inner half to that of all pixels, mm
+ */
+static void psf_find_centroid_error(struct psf *psf, double missing, const double rays[2],
+                                    const double moved[2])
+{
+    const double reach = fmax(missing, 0) * (double)((psf->size - 1) / 2) * psf->pitch;
+    const double to_rays[2] = {1.25 * (rays[0] - psf->centroid[0]),
+                               1.25 * (rays[1] - psf->centroid[1])};
+    const double far_rays = hypot(to_rays[0], to_rays[1]), far_moved = hypot(moved[0], moved[1]);
+    const double by_rays = fmin(far_rays, 1.5 * reach), by_moved = fmin(far_moved, 0.5 * reach);
+    for (int k = 0; k < 2; k++) {
+        psf->centroid_error[k] = 0;
+        if (by_rays > by_moved) {
+            psf->centroid_error[k] = by_rays / far_rays * to_rays[k];
+        } else if (by_moved > 0) {
+            psf->centroid_error[k] = by_moved / far_moved * moved[k];
+        }
+    }
+}
+
 /* total: of all light, in values of pixels; rays: the centroid of all light by its rays, mm. */
 static void psf_measure(struct psf *psf, double total, const double rays[2], struct arena *arena)
 {
     const size_t size = psf->size, reach = (size - 1) / 2;
-    double sum = 0, at[2], away[2];
+    double sum = 0, all[2], moved[2];
     for (size_t i = 0; i < size * size; i++) {
         sum += psf->values[i];
     }
-    psf_find_centroid(psf, at);
+    psf_find_centroid(psf, reach, all);
+    psf_find_centroid(psf, reach / 2, moved);
     for (int k = 0; k < 2; k++) {
-        psf->centroid[k] = fabs(at[k]) > noise ? at[k] * psf->pitch : 0;
-        away[k] = 1.25 * (rays[k] - psf->centroid[k]); /* by a coarse grid */
+        psf->centroid[k] = fabs(all[k]) > noise ? all[k] * psf->pitch : 0;
+        moved[k] = (all[k] - moved[k]) * psf->pitch;
     }
     psf->inside = psf->pitch < psf->finest ? sum / total : (double)NAN;
-    /* the light beyond the sides lies half as far out again, if it falls as the cube; all of it may
-       be on one side */
-    const double beyond = 1.5 * fmax(1 - psf->inside, 0) * (double)reach * psf->pitch;
-    const double share = fmin(1, beyond / fmax(hypot(away[0], away[1]), beyond));
-    for (int k = 0; k < 2; k++) {
-        psf->centroid_error[k] = beyond > 0 ? share * away[k] : 0;
-    }
+    psf_find_centroid_error(psf, 1 - psf->inside, rays, moved);
     psf->radius80 = psf->radius80_error = NAN;
     if (psf->inside > 0.8) {
         psf_radius_find(psf, 0.8 * total, arena);
