@@ -35,7 +35,7 @@ def image(program, folder, words, text=None, sizes=()):
     result = subprocess.run(program.command + ["psf"] + words + ["--csv", "--map", path],
                             input=text, text=True, capture_output=True,
                             env=program.environment())
-    if result.returncode == 2 and len(sizes) > 1:
+    if result.returncode == 1 and len(sizes) > 1:
         return image(program, folder, words[:-2], text, sizes[1:])
     if result.returncode != 0:
         sys.exit(result.stderr)
