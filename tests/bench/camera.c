@@ -115,7 +115,7 @@ static void trace_blocks(void *context, size_t begin, size_t end)
     double arrived = 0;
     for (size_t i = begin; i < end; i++) {
         if (work->starts) {
-            film_rays_plan(&work->fixture->plan, (uint32_t)i, work->set, &samples);
+            film_rays_plan(&work->fixture->plan, NULL, (uint32_t)i, work->set, &samples);
             film_rays_start(&work->fixture->region, &samples, work->set, rays.blocks);
         } else {
             *rays.blocks = *work->given;
@@ -161,7 +161,7 @@ int main(void)
     set_up(&fixture, "cs348b-dgauss-50", 2);
     struct ray_block given;
     struct film_samples samples;
-    film_rays_plan(&fixture.plan, 0, SET_BEST, &samples);
+    film_rays_plan(&fixture.plan, NULL, 0, SET_BEST, &samples);
     film_rays_start(&fixture.region, &samples, SET_BEST, &given);
     struct work work = {.fixture = &fixture, .starts = true};
     double survivors, ignored;
