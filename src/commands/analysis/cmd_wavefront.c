@@ -239,9 +239,9 @@ static const char *wavefront_map_note_of(const double *values, size_t count, str
         low = fmin(low, values[i]);
         high = fmax(high, values[i]);
     }
-    return high >= low ? ARENA_JOIN(arena, "peak to valley ", analysis_number(high - low, arena),
-                                    " waves")
-                       : "no ray arrives";
+    return high >= low
+               ? ARENA_JOIN(arena, "peak to valley ", analysis_number(high - low, arena), " waves")
+               : "no ray arrives";
 }
 
 /* Without the piston: about the mean of the map. */
