@@ -62,19 +62,29 @@ static struct column column_other(const struct column *column, struct arena *are
     return other;
 }
 
+size_t sheet_forms(const struct sheet *sheet)
+{
+    size_t forms = sheet->column_count;
+    for (size_t i = 0; i < sheet->column_count; i++) {
+        forms += sheet->columns[i].other != NULL ? 1 : 0;
+    }
+    return forms;
+}
+
 size_t sheet_spread(const struct sheet *sheet, struct column *columns, struct arena *arena)
 {
     size_t count = 0, first = 0; /* of those whose other form is still to come */
     for (size_t i = 0; i < sheet->column_count; i++) {
         const struct column *here = &sheet->columns[i];
         columns[count++] = *here;
+        if (here->other == NULL) {
+            continue;
+        }
         size_t next = i + 1;
         while (next < sheet->column_count && sheet->columns[next].other == NULL) {
             next++;
         }
-        const bool goes_on =
-            next < sheet->column_count && sheet->columns[next].other == here->other;
-        if (here->other == NULL || goes_on) {
+        if (next < sheet->column_count && sheet->columns[next].other == here->other) {
             continue;
         }
         for (; first <= i; first++) {

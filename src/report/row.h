@@ -33,11 +33,14 @@ long row_integer(const void *row, const struct column *column);
 bool row_flag(const void *row, const struct column *column);
 const char *row_text(const void *row, const struct column *column);
 
+/* How many forms the columns of a sheet have. */
+size_t sheet_forms(const struct sheet *sheet);
+
 /*
  * The columns of a sheet with both forms of those that have another one: behind the last of
  * neighbours that share it, theirs.
  *
- * Given     columns  room for twice those of the sheet
+ * Given     columns  room for sheet_forms
  * Result    how many they are
  */
 size_t sheet_spread(const struct sheet *sheet, struct column *columns, struct arena *arena);

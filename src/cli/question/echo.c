@@ -180,7 +180,7 @@ void echo_open(struct echo *echo, const struct echo_question *question, struct a
 {
     const struct sheet *own = question->sheet;
     const size_t most = 2 * question->command->option_count;
-    struct column *columns = ARENA_ARRAY(arena, most + 2 * own->column_count, struct column);
+    struct column *columns = ARENA_ARRAY(arena, most + sheet_forms(own), struct column);
     *echo = (struct echo){
         .own = own, .sheet = *own, .items = ARENA_ARRAY(arena, most + 1, struct echo_item)};
     echo->sheet.column_count = sheet_spread(own, columns + most, arena);
