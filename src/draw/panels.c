@@ -169,10 +169,17 @@ static void panels_page_set_grid(struct panels_page *page)
     const struct panels *panels = page->panels;
     bool square = panels->unit != NULL;
     double numbers = beside(page), title = any_title(panels) ? 20 : 0;
+    double below = 14, under = 20; /* notes or numbers: of each row, and of the last */
+    if (square) {
+        below = 24;
+    } else if (panels->own_x) {
+        below = 48;
+        under = 38;
+    }
     page->left =
         MARGIN + (panels->y_label != NULL ? 22 : 0) + (panels->row_heads ? 22 : 0) + numbers;
     page->across = page->width + gap_across(page, numbers);
-    page->down = page->height + title + (square ? 24 : panels->own_x ? 48 : 14);
+    page->down = page->height + title + below;
     double grid = page->left + page->across * (double)(panels->columns - 1) + page->width + MARGIN;
     double words = fmax(panels->title != NULL ? BOLD * svg_text_width(panels->title, TITLE) : 0,
                         panels->subtitle != NULL ? svg_text_width(panels->subtitle, WORDS) : 0);
@@ -180,7 +187,6 @@ static void panels_page_set_grid(struct panels_page *page)
     double legend = lay_legend(page, panels->subtitle != NULL ? 76 : 56, false);
     page->top = legend + 16 + title + (panels->column_heads != NULL ? 20 : 0);
     size_t rows = (panels->count + panels->columns - 1) / panels->columns;
-    double under = square ? 20 : panels->own_x ? 38 : 20; /* notes or numbers */
     page->bottom = page->top + page->down * (double)(rows - 1) + page->height + under;
     page->total_y = page->bottom + (panels->x_label != NULL ? 20 : 0) + (square ? 30 : 0) + 10;
 }

@@ -42,24 +42,19 @@ static bool json_set_stop(struct json_reader *reading, const struct json_value *
     return true;
 }
 
-/* What a setting sets anew, and what is wrong where that is no text. */
-enum json_set { SET_FIGURES, SET_MEDIA, SET_STOPS, SET_LIGHTS, SET_POINTS };
+/* What is wrong where a value is no text. */
 static const char *const no_text[] = {[SET_MEDIA] = "a medium is a text, as in a .lens file",
                                       [SET_LIGHTS] = "wavelengths of a position are a text: d,F,C",
                                       [SET_POINTS] = "fields of a position are a text: 0;5;7"};
 
 /* The values of all positions. */
 static bool json_set_values(struct json_reader *reading, const struct json_value *values,
-                            enum json_set what, struct lens_setting setting, struct error *error)
+                            enum set_what what, struct parameter parameter, struct error *error)
 {
     struct lens *lens = reading->build.lens;
     struct arena *arena = reading->job->arena;
-    const size_t count = lens->position_count;
-    struct figure *figures = ARENA_ARRAY(arena, count, struct figure);
-    struct medium *media = ARENA_ARRAY(arena, count, struct medium);
-    size_t *stops = ARENA_ARRAY(arena, count, size_t), i = 0;
-    struct lens_light *lights = ARENA_ARRAY(arena, count, struct lens_light);
-    struct lens_points *points = ARENA_ARRAY(arena, count, struct lens_points);
+    const struct set_values set = lens_setting_values(lens->position_count, arena);
+    size_t i = 0;
     for (const struct json_value *item = values->first; item != NULL; item = item->next, i++) {
         bool of_text = what != SET_FIGURES && what != SET_STOPS, read = false;
         if (of_text && item->kind != JSON_STRING) {
@@ -70,42 +65,26 @@ static bool json_set_values(struct json_reader *reading, const struct json_value
         words.scale = lens_unit_scale("mm");
         switch (what) {
         case SET_FIGURES:
-            read = json_set_figure(reading, item, setting.parameter, &figures[i], error);
+            read = json_set_figure(reading, item, parameter, &set.figures[i], error);
             break;
         case SET_MEDIA:
-            read = json_read_medium(reading, item, &media[i], error);
+            read = json_read_medium(reading, item, &set.media[i], error);
             break;
         case SET_STOPS:
-            read = json_set_stop(reading, item, &stops[i], error);
+            read = json_set_stop(reading, item, &set.stops[i], error);
             break;
         case SET_LIGHTS:
-            read = lens_light_read(&words, item->text, &lights[i], error);
+            read = lens_light_read(&words, item->text, &set.lights[i], error);
             break;
         case SET_POINTS:
-            read = lens_words_points(&words, item->text, lens->field_kind, &points[i], error);
+            read = lens_words_points(&words, item->text, lens->field_kind, &set.points[i], error);
             break;
         }
         if (!read) {
             return false;
         }
     }
-    const char *why = NULL;
-    switch (what) {
-    case SET_STOPS:
-        why = lens_setting_stops(lens, stops, arena);
-        break;
-    case SET_LIGHTS:
-        why = lens_setting_lights(lens, lights);
-        break;
-    case SET_POINTS:
-        why = lens_setting_points(lens, points);
-        break;
-    default:
-        setting.figures = what == SET_FIGURES ? figures : NULL;
-        setting.media = what == SET_MEDIA ? media : NULL;
-        why = lens_setting_add(lens, setting, arena);
-        break;
-    }
+    const char *why = lens_setting_put(lens, what, parameter, &set, arena);
     return why == NULL || json_wrong(reading, values, error, "%s", why);
 }
 
@@ -115,7 +94,8 @@ static bool read_setting(struct json_reader *reading, const struct json_value *o
     static const char *const keys[] = {"name", "values", NULL};
     const struct json_value *name = json_item(object, keys[0]),
                             *values = json_item(object, keys[1]);
-    struct lens_setting setting = {.figures = NULL};
+    struct parameter parameter = {0};
+    enum set_what what;
     if (object->kind != JSON_OBJECT || name == NULL || name->kind != JSON_STRING ||
         values == NULL || values->kind != JSON_ARRAY) {
         return json_wrong(reading, object, error, "a setting has a name and an array of values");
@@ -124,22 +104,15 @@ static bool read_setting(struct json_reader *reading, const struct json_value *o
         !json_check_count(reading, values, error)) {
         return false;
     }
-    static const struct {
-        const char *name;
-        enum json_set what;
-    } others[] = {{"stop", SET_STOPS}, {"wavelength", SET_LIGHTS}, {"field", SET_POINTS}};
-    for (size_t i = 0; i < sizeof others / sizeof others[0]; i++) {
-        if (text_equal(name->text, others[i].name)) {
-            return json_set_values(reading, values, others[i].what, setting, error);
-        }
+    if (lens_setting_is_word(name->text, &what)) {
+        return json_set_values(reading, values, what, parameter, error);
     }
-    if (!parameter_read(name->text, lens_setting_takes, &setting.parameter, error) ||
-        !lens_setting_takes(setting.parameter.kind)) {
+    if (!parameter_read(name->text, lens_setting_takes, &parameter, error) ||
+        !lens_setting_takes(parameter.kind)) {
         return json_wrong(reading, name, error, "nothing that a position sets: R3, k2, glass1");
     }
-    return json_set_values(reading, values,
-                           setting.parameter.kind == PARAMETER_GLASS ? SET_MEDIA : SET_FIGURES,
-                           setting, error);
+    what = parameter.kind == PARAMETER_GLASS ? SET_MEDIA : SET_FIGURES;
+    return json_set_values(reading, values, what, parameter, error);
 }
 
 bool json_read_settings(struct json_reader *reading, const struct json_value *value,

@@ -214,23 +214,56 @@ bool lens_light_read(const struct file_words *words, struct text list, struct le
     return true;
 }
 
-/* What a line sets anew. */
-enum set_what { SET_FIGURES, SET_MEDIA, SET_STOPS, SET_LIGHTS, SET_POINTS };
+bool lens_setting_is_word(struct text name, enum set_what *what)
+{
+    static const struct {
+        const char *name;
+        enum set_what what;
+    } words[] = {{"stop", SET_STOPS}, {"wavelength", SET_LIGHTS}, {"field", SET_POINTS}};
+    for (size_t i = 0; i < sizeof words / sizeof words[0]; i++) {
+        if (text_equal(name, words[i].name)) {
+            *what = words[i].what;
+            return true;
+        }
+    }
+    return false;
+}
+
+struct set_values lens_setting_values(size_t positions, struct arena *arena)
+{
+    return (struct set_values){.figures = ARENA_ARRAY(arena, positions, struct figure),
+                               .media = ARENA_ARRAY(arena, positions, struct medium),
+                               .stops = ARENA_ARRAY(arena, positions, size_t),
+                               .lights = ARENA_ARRAY(arena, positions, struct lens_light),
+                               .points = ARENA_ARRAY(arena, positions, struct lens_points)};
+}
+
+const char *lens_setting_put(struct lens *lens, enum set_what what, struct parameter parameter,
+                             const struct set_values *values, struct arena *arena)
+{
+    struct lens_setting setting = {.parameter = parameter};
+    switch (what) {
+    case SET_STOPS:
+        return lens_setting_stops(lens, values->stops, arena);
+    case SET_LIGHTS:
+        return lens_setting_lights(lens, values->lights);
+    case SET_POINTS:
+        return lens_setting_points(lens, values->points);
+    default:
+        setting.figures = what == SET_FIGURES ? values->figures : NULL;
+        setting.media = what == SET_MEDIA ? values->media : NULL;
+        return lens_setting_add(lens, setting, arena);
+    }
+}
 
 /* The values of all positions, and what speaks against them. */
 static bool lens_setting_read_values(struct file_words *words, struct text name, enum set_what what,
-                                     struct lens_setting setting,
-                                     const struct glass_source *glasses, struct lens *lens,
-                                     struct error *error)
+                                     struct parameter parameter, const struct glass_source *glasses,
+                                     struct lens *lens, struct error *error)
 {
     const size_t count = lens->position_count;
-    struct figure *figures = ARENA_ARRAY(words->arena, count, struct figure);
-    struct medium *media = ARENA_ARRAY(words->arena, count, struct medium);
-    size_t *stops = ARENA_ARRAY(words->arena, count, size_t);
-    struct lens_light *lights = ARENA_ARRAY(words->arena, count, struct lens_light);
-    struct lens_points *points = ARENA_ARRAY(words->arena, count, struct lens_points);
+    const struct set_values values = lens_setting_values(count, words->arena);
     struct text word;
-    const char *why = NULL;
     bool read = true;
     for (size_t i = 0; i < count && read; i++) {
         if (!lens_setting_next_value(words, lens, i, &word, error)) {
@@ -238,42 +271,27 @@ static bool lens_setting_read_values(struct file_words *words, struct text name,
         }
         switch (what) {
         case SET_FIGURES:
-            read = lens_setting_read_number(words, word, setting.parameter, &figures[i], error);
+            read = lens_setting_read_number(words, word, parameter, &values.figures[i], error);
             break;
         case SET_MEDIA:
-            read = lens_words_medium(words, word, &media[i], error) &&
-                   lens_words_glass(words, glasses, &media[i], error);
+            read = lens_words_medium(words, word, &values.media[i], error) &&
+                   lens_words_glass(words, glasses, &values.media[i], error);
             break;
         case SET_STOPS:
-            read = lens_setting_read_stop(words, word, lens, &stops[i], error);
+            read = lens_setting_read_stop(words, word, lens, &values.stops[i], error);
             break;
         case SET_LIGHTS:
-            read = lens_light_read(words, word, &lights[i], error);
+            read = lens_light_read(words, word, &values.lights[i], error);
             break;
         case SET_POINTS:
-            read = lens_words_points(words, word, lens->field_kind, &points[i], error);
+            read = lens_words_points(words, word, lens->field_kind, &values.points[i], error);
             break;
         }
     }
     if (!read || !lens_setting_next_value(words, lens, count, &word, error)) {
         return false;
     }
-    switch (what) {
-    case SET_STOPS:
-        why = lens_setting_stops(lens, stops, words->arena);
-        break;
-    case SET_LIGHTS:
-        why = lens_setting_lights(lens, lights);
-        break;
-    case SET_POINTS:
-        why = lens_setting_points(lens, points);
-        break;
-    default:
-        setting.figures = what == SET_FIGURES ? figures : NULL;
-        setting.media = what == SET_MEDIA ? media : NULL;
-        why = lens_setting_add(lens, setting, words->arena);
-        break;
-    }
+    const char *why = lens_setting_put(lens, what, parameter, &values, words->arena);
     return why == NULL || file_words_fail(words, name, error, "%s", why);
 }
 
@@ -286,31 +304,24 @@ bool lens_setting_read(struct file_words *words, const struct glass_source *glas
                        struct lens *lens, struct error *error)
 {
     struct text name = file_words_next(words);
-    struct lens_setting setting = {.figures = NULL};
+    struct parameter parameter = {0};
+    enum set_what what;
     if (lens->position_count == 0) {
         return file_words_fail(words, name, error, "'set' needs a line with 'position' before it");
     }
-    static const struct {
-        const char *name;
-        enum set_what what;
-    } others[] = {{"stop", SET_STOPS}, {"wavelength", SET_LIGHTS}, {"field", SET_POINTS}};
-    for (size_t i = 0; i < sizeof others / sizeof others[0]; i++) {
-        if (text_equal(name, others[i].name)) {
-            return lens_setting_read_values(words, name, others[i].what, setting, glasses, lens,
-                                            error);
-        }
+    if (lens_setting_is_word(name, &what)) {
+        return lens_setting_read_values(words, name, what, parameter, glasses, lens, error);
     }
-    if (!parameter_read(name, lens_setting_takes, &setting.parameter, error)) {
+    if (!parameter_read(name, lens_setting_takes, &parameter, error)) {
         const struct error found = *error;
         file_words_fail(words, name, error, "%s", found.message);
         return found.hint[0] != '\0' && error_hint(error, "%s", found.hint);
     }
-    if (!lens_setting_takes(setting.parameter.kind)) {
+    if (!lens_setting_takes(parameter.kind)) {
         return file_words_fail(words, name, error,
                                "the positions set a medium as a whole: glass%zu 1.5/60 1.6/40",
-                               setting.parameter.surface + 1);
+                               parameter.surface + 1);
     }
-    return lens_setting_read_values(
-        words, name, setting.parameter.kind == PARAMETER_GLASS ? SET_MEDIA : SET_FIGURES, setting,
-        glasses, lens, error);
+    what = parameter.kind == PARAMETER_GLASS ? SET_MEDIA : SET_FIGURES;
+    return lens_setting_read_values(words, name, what, parameter, glasses, lens, error);
 }

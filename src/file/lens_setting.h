@@ -33,6 +33,33 @@ const char *lens_setting_stops(struct lens *lens, const size_t *stops, struct ar
 const char *lens_setting_points(struct lens *lens, const struct lens_points *points);
 const char *lens_setting_lights(struct lens *lens, const struct lens_light *lights);
 
+/* What a line with `set` may set anew. */
+enum set_what { SET_FIGURES, SET_MEDIA, SET_STOPS, SET_LIGHTS, SET_POINTS };
+
+/* Is it one of the words that stand for no number of a surface: stop, wavelength, field? */
+bool lens_setting_is_word(struct text name, enum set_what *what);
+
+/* One value a position, of that kind. */
+struct set_values {
+    struct figure *figures;
+    struct medium *media;
+    size_t *stops;
+    struct lens_light *lights;
+    struct lens_points *points;
+};
+
+/* Room for them. */
+struct set_values lens_setting_values(size_t positions, struct arena *arena);
+
+/*
+ * Put them into the lens.
+ *
+ * Given     parameter  of figures and media
+ * Result    as lens_setting_add
+ */
+const char *lens_setting_put(struct lens *lens, enum set_what what, struct parameter parameter,
+                             const struct set_values *values, struct arena *arena);
+
 /* The wavelengths of a position as one word, "d,F:0.5,656.3nm", and back. */
 bool lens_light_read(const struct file_words *words, struct text list, struct lens_light *light,
                      struct error *error);

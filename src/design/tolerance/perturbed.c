@@ -402,13 +402,16 @@ size_t perturbed_links(const struct perturbed *perturbed, size_t perturbation,
     const struct perturbation *one = &perturbed->list[perturbation];
     if (is_motion(one)) {
         const struct lens *lens = &perturbed->lenses[0].lens;
-        const bool is_tilt = one->kind == TOLERANCE_ELEMENT_TILT,
-                   is_y = perturbed_part_of(one) == 1;
+        const bool is_tilt = one->kind == TOLERANCE_ELEMENT_TILT;
+        const bool is_y = perturbed_part_of(one) == 1;
         size_t count = 0;
         for (size_t i = one->first; i <= one->last; i++) {
             const double z = place_within(lens, one->first, i) - one->pivot;
             const bool along_y = is_tilt ? !is_y : is_y;
-            const double shift = !is_tilt ? 1 : is_y ? z : -z;
+            double shift = 1;
+            if (is_tilt) {
+                shift = is_y ? z : -z;
+            }
             links[count++] = (struct perturbed_link){
                 {i, along_y ? PARAMETER_DECENTER_Y : PARAMETER_DECENTER_X, 0}, one->amount * shift};
             if (is_tilt) {
