@@ -83,16 +83,8 @@ struct optimize_about {
 };
 
 #define OPTIMIZE_SWEPT_COLUMNS(S)                                                                  \
-    {COLUMN(S, about.fnumber),                                                                     \
-     .flags = COLUMN_ECHO | COLUMN_EXTRA,                                                          \
-     .name = "fnumber",                                                                            \
-     .dimension = &dimension_fnumber,                                                              \
-     .with = "aperture",                                                                           \
-     .label = "f-number",                                                                          \
-     .help = "f-number in place of the lens's own aperture"},                                      \
-        {COLUMN(S, about.seed), .flags = COLUMN_ECHO | COLUMN_EXTRA,                               \
-         .name = "seed",        .with = "seed",                                                    \
-         .label = "seed",       .help = "of the starts of --global, of the pattern sobol"},        \
+    LENS_FNUMBER_COLUMN(S, about.fnumber),                                                         \
+        LENS_SEED_COLUMN(S, about.seed, "of the starts of --global, of the pattern sobol"),        \
     {                                                                                              \
         COLUMN(S, about.rank), .flags = COLUMN_EXTRA, .name = "rank", .with = "global",            \
                                .label = "rank", .help = "of the lenses that are kept, 1 the best"  \

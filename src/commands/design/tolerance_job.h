@@ -95,16 +95,8 @@ struct tolerance_about {
     "field position aperture section pattern rays clip no-clip"
 
 #define TOLERANCE_ABOUT_COLUMNS(S)                                                                 \
-    {COLUMN(S, about.fnumber),                                                                     \
-     .flags = COLUMN_ECHO | COLUMN_EXTRA,                                                          \
-     .name = "fnumber",                                                                            \
-     .dimension = &dimension_fnumber,                                                              \
-     .with = "aperture",                                                                           \
-     .label = "f-number",                                                                          \
-     .help = "f-number in place of the lens's own aperture"},                                      \
-        {COLUMN(S, about.seed), .flags = COLUMN_ECHO | COLUMN_EXTRA,                               \
-         .name = "seed",        .with = "seed",                                                    \
-         .label = "seed",       .help = "another one gives other trials"},                         \
+    LENS_FNUMBER_COLUMN(S, about.fnumber),                                                         \
+        LENS_SEED_COLUMN(S, about.seed, "another one gives other trials"),                         \
         {COLUMN(S, about.made), .flags = COLUMN_EXTRA | COLUMN_ASSUMED,                            \
          .name = "tolerances",  .depends = "grade tolerances lens",                                \
          .label = "tolerances", .help = "how many independent errors, and where they are from"},   \

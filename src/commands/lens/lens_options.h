@@ -110,6 +110,15 @@ extern const struct word section_words[];
     ENTRY(COLUMN(S, member), .name = "lens", .flags = COLUMN_EXTRA | COLUMN_ASSUMED,               \
           .depends = "lens", .help = "title of the lens")
 
+/* Of rows that a sweep over f-numbers or seeds tells apart. */
+#define LENS_FNUMBER_COLUMN(S, member)                                                             \
+    ENTRY(COLUMN(S, member), .name = "fnumber", .dimension = &dimension_fnumber,                   \
+          .flags = COLUMN_ECHO | COLUMN_EXTRA, .with = "aperture", .label = "f-number",            \
+          .help = "f-number in place of the lens's own aperture")
+#define LENS_SEED_COLUMN(S, member, words)                                                         \
+    ENTRY(COLUMN(S, member), .name = "seed", .label = "seed", .flags = COLUMN_ECHO | COLUMN_EXTRA, \
+          .with = "seed", .help = (words))
+
 /* Two warnings as one; null = nothing to say. */
 const char *lens_warnings_join(const char *first, const char *second, struct arena *arena);
 
