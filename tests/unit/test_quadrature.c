@@ -111,7 +111,7 @@ static void test_learning(void)
     CHECK(aim_open(&opened.open, &beam, &arena, &aim, &error));
     const struct stop_beam stop = stop_beam_of_stop(&aim, &opened.clipped, WEIGHT_PUPIL);
     struct quadrature_region region = quadrature_open(&stop, &arena);
-    const struct pupil_boundary *found = quadrature_star(&region, &arena);
+    const struct pupil_boundary *found = quadrature_boundary(&region, &arena);
     struct pupil_boundary boundary = *found;
     double angles[WAYS];
     struct edge edges[WAYS];

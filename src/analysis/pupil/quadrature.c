@@ -468,7 +468,8 @@ struct pupil_islands quadrature_islands(struct quadrature_region *region, struct
                             : pupil_islands_find(&region->margins, region->boundary, arena);
 }
 
-const struct pupil_boundary *quadrature_star(struct quadrature_region *region, struct arena *arena)
+const struct pupil_boundary *quadrature_boundary(struct quadrature_region *region,
+                                                 struct arena *arena)
 {
     quadrature_look(region, arena);
     return region->is_empty ? NULL : region->boundary;

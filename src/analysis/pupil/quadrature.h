@@ -75,7 +75,8 @@ struct quadrature quadrature_fill(struct quadrature_region *region, size_t rays,
 struct pupil_islands quadrature_islands(struct quadrature_region *region, struct arena *arena);
 
 /* The boundary of what is clear; null: nothing is. */
-const struct pupil_boundary *quadrature_star(struct quadrature_region *region, struct arena *arena);
+const struct pupil_boundary *quadrature_boundary(struct quadrature_region *region,
+                                                 struct arena *arena);
 
 /* Points on its edge, in directions of the boundary's frame. */
 struct quadrature_rim {

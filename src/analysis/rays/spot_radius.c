@@ -241,7 +241,7 @@ static void spot_radius_look_around(const struct spot_radius_question *question,
     const struct bundle_question *asked = rim->source->question;
     const bool counts = asked->setup->wavelengths[asked->wavelength].weight > 0;
     const struct pupil_boundary *boundary =
-        counts ? quadrature_star(rim->source->region, arena) : NULL;
+        counts ? quadrature_boundary(rim->source->region, arena) : NULL;
     rim->count = 0;
     if (boundary == NULL) {
         return;

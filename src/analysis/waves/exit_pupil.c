@@ -155,7 +155,7 @@ static bool exit_pupil_find_rim(struct exit_pupil *pupil, struct arena *arena,
                                 struct exit_pupil_pairs *rim)
 {
     struct quadrature_region *region = pupil->light->source.region;
-    const struct pupil_boundary *boundary = quadrature_star(region, arena);
+    const struct pupil_boundary *boundary = quadrature_boundary(region, arena);
     enum { EVEN = EXIT_PUPIL_RIM - PUPIL_BOUNDARY_CORNERS };
     double angles[EXIT_PUPIL_RIM];
     size_t count = 0, corner = 0;

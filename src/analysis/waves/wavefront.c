@@ -214,7 +214,7 @@ static void wavefront_look(const struct wavefront_source *source, const double *
 static double wavefront_find_extremes(const struct wavefront_source *source, struct arena *arena)
 {
     const struct pupil_boundary *boundary =
-        quadrature_star(source->lights.list[0].source.region, arena);
+        quadrature_boundary(source->lights.list[0].source.region, arena);
     double angles[DIRECTIONS + PUPIL_BOUNDARY_CORNERS], shares[RINGS + INNER];
     size_t count = 0;
     struct wavefront_place extremes[2] = {{.wave = -INFINITY}, {.wave = INFINITY}};
