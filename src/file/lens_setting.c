@@ -61,7 +61,8 @@ static bool is_same_parameter(struct parameter a, struct parameter b)
     return a.surface == b.surface && a.kind == b.kind && a.order == b.order;
 }
 
-const char *lens_setting_add(struct lens *lens, struct lens_setting setting, struct arena *arena)
+static const char *lens_setting_add(struct lens *lens, struct lens_setting setting,
+                                    struct arena *arena)
 {
     const struct parameter one = setting.parameter;
     const char *name = parameter_write(one, arena);
@@ -91,7 +92,7 @@ const char *lens_setting_add(struct lens *lens, struct lens_setting setting, str
     return NULL;
 }
 
-const char *lens_setting_stops(struct lens *lens, const size_t *stops, struct arena *arena)
+static const char *lens_setting_stops(struct lens *lens, const size_t *stops, struct arena *arena)
 {
     for (size_t i = 0; i < lens->position_count; i++) {
         if (stops[i] >= lens->surface_count) {
@@ -107,7 +108,7 @@ const char *lens_setting_stops(struct lens *lens, const size_t *stops, struct ar
     return NULL;
 }
 
-const char *lens_setting_points(struct lens *lens, const struct lens_points *points)
+static const char *lens_setting_points(struct lens *lens, const struct lens_points *points)
 {
     const struct lens_points *first = &points[0];
     bool same = first->count == lens->field_count;
@@ -122,7 +123,7 @@ const char *lens_setting_points(struct lens *lens, const struct lens_points *poi
     return NULL;
 }
 
-const char *lens_setting_lights(struct lens *lens, const struct lens_light *lights)
+static const char *lens_setting_lights(struct lens *lens, const struct lens_light *lights)
 {
     const struct lens_light *first = &lights[0];
     bool same = first->count == lens->wavelength_count;

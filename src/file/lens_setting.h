@@ -20,19 +20,6 @@ bool lens_setting_read(struct file_words *words, const struct glass_source *glas
 /* All kinds but the index and the Abbe number, for which the medium is set as a whole. */
 bool lens_setting_takes(enum parameter_kind kind);
 
-/*
- * Put a setting into the lens.
- *
- * Given     setting  one value a position
- * Result    null, or in words why the lens cannot have it
- */
-const char *lens_setting_add(struct lens *lens, struct lens_setting setting, struct arena *arena);
-
-/* The same of the surfaces that are the stop, from 0, of points of the field and of wavelengths. */
-const char *lens_setting_stops(struct lens *lens, const size_t *stops, struct arena *arena);
-const char *lens_setting_points(struct lens *lens, const struct lens_points *points);
-const char *lens_setting_lights(struct lens *lens, const struct lens_light *lights);
-
 /* What a line with `set` may set anew. */
 enum set_what { SET_FIGURES, SET_MEDIA, SET_STOPS, SET_LIGHTS, SET_POINTS };
 
@@ -55,7 +42,7 @@ struct set_values lens_setting_values(size_t positions, struct arena *arena);
  * Put them into the lens.
  *
  * Given     parameter  of figures and media
- * Result    as lens_setting_add
+ * Result    null, or in words why the lens cannot have them
  */
 const char *lens_setting_put(struct lens *lens, enum set_what what, struct parameter parameter,
                              const struct set_values *values, struct arena *arena);

@@ -66,7 +66,9 @@ static double find_spread(const struct exit_pupil *pupil, struct arena *arena, d
             at[i][k] = pupil->middle[k] + pupil->half[k] * (2 * place / (SLOPES - 1) - 1);
         }
     }
+    bool *meets = ARENA_ARRAY(arena, COUNT, bool);
     exit_pupil_look(pupil, (const double(*)[2])at, COUNT, limits);
+    exit_pupil_meets(pupil, (const double(*)[2])at, COUNT, meets);
     exit_pupil_values(pupil, (const double(*)[2])at, COUNT, waves, amplitudes);
     for (int k = 0; k < 2; k++) {
         const size_t stride = k == 0 ? 1 : SLOPES, across = k == 0 ? SLOPES : 1;
@@ -75,7 +77,7 @@ static double find_spread(const struct exit_pupil *pupil, struct arena *arena, d
         for (size_t line = 0; line < SLOPES; line++) {
             for (size_t i = 0, clear = 0; i <= SLOPES; i++) {
                 const size_t here = line * across + i * stride;
-                if (i < SLOPES && limits[here] == EXIT_PUPIL_CLEAR) {
+                if (i < SLOPES && limits[here] == EXIT_PUPIL_CLEAR && meets[here]) {
                     clear++;
                     continue;
                 }
@@ -142,7 +144,8 @@ static void find_peak(struct psf *psf)
     const size_t size = psf->size;
     size_t top = 0;
     for (size_t i = 0; i < size * size; i++) {
-        top = psf->values[i] > psf->values[top] ? i : top;
+        /* of peaks that are equal but for rounding, mirror images, the first */
+        top = psf->values[i] > psf->values[top] * (1 + 1e-10) ? i : top;
     }
     psf->peak = psf->values[top];
     for (int k = 0; k < 2; k++) {

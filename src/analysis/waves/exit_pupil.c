@@ -478,6 +478,29 @@ void exit_pupil_look(const struct exit_pupil *pupil, const double (*at)[2], size
     }
 }
 
+void exit_pupil_meets(const struct exit_pupil *pupil, const double (*at)[2], size_t count,
+                      bool *meets)
+{
+    const double most = 0.02; /* half boxes; polynomials that are off by more are refused */
+    const struct clearances *margins = &pupil->light->source.region->margins;
+    for (size_t done = 0; done < count; done += RAYS_BLOCK) {
+        const size_t here = count - done < RAYS_BLOCK ? count - done : RAYS_BLOCK;
+        double places[RAYS_BLOCK][2];
+        way_back(pupil, at + done, here, places, NULL);
+        struct rays rays = {margins->work.blocks, here};
+        clearances_start(margins, (const double(*)[2])places, &rays);
+        rays_trace(pupil->light->open, &rays, NULL);
+        for (size_t i = 0; i < here; i++) {
+            const struct sphere_point meeting = exit_pupil_meet(pupil, rays.blocks, i);
+            meets[done + i] = true;
+            for (int k = 0; k < 2; k++) {
+                const double off = (meeting.at[k] - at[done + i][k]) / pupil->half[k];
+                meets[done + i] = meets[done + i] && fabs(off) <= most;
+            }
+        }
+    }
+}
+
 static void value_block(const struct exit_pupil *pupil, const double (*at)[2], size_t count,
                         double *waves, double *amplitudes)
 {

@@ -70,6 +70,13 @@ enum { EXIT_PUPIL_CLEAR = 0 };
 void exit_pupil_look(const struct exit_pupil *pupil, const double (*at)[2], size_t count,
                      size_t *limits);
 
+/*
+ * Do the rays that the polynomials name go to these points? Beyond the rim polynomials may fold
+ * back into the pupil, and name rays that go elsewhere.
+ */
+void exit_pupil_meets(const struct exit_pupil *pupil, const double (*at)[2], size_t count,
+                      bool *meets);
+
 /* W and the amplitude at points. */
 typedef void exit_pupil_ask(const struct exit_pupil *pupil, const double (*at)[2], size_t count,
                             double *waves, double *amplitudes);

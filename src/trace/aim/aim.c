@@ -77,14 +77,15 @@ static double aim_determinant(const double m[4])
 struct continuation {
     double goal[2];         /* in the stop, mm */
     double at[2], done;     /* how far it has come: in the beam; share of the way, 1: it is there */
-    enum ray_status status; /* what ended the last step that led nowhere, and where, 1-based */
+    enum ray_status status; /* what ended the last step, if it led nowhere, and where, 1-based */
     size_t surface;
     /* the step at work: Newton's method to a place of the line */
     double step, share;      /* how long, and how far it leads */
     double target[2];        /* in the stop, mm */
     double here[2], near[2]; /* what is tried; the best so far */
     double left[2], before;  /* what is tried misses the target by; the length of that */
-    double slope[4];         /* in the stop by the beam, where it is or was last known */
+    double slope[4];         /* in the stop by the beam, there or where it was last known */
+    double own[4];           /* the same where it has come to */
     int turn;
 };
 
@@ -105,6 +106,7 @@ static void continuation_begin_step(const struct aim *aim, struct continuation *
     }
     lead->before = INFINITY;
     lead->turn = 0;
+    memcpy(lead->slope, lead->own, sizeof lead->slope);
 }
 
 /* A step has led there, or nowhere: another. */
@@ -114,6 +116,7 @@ static void continuation_end_step(const struct aim *aim, bool succeeds, struct c
         lead->at[0] = lead->near[0];
         lead->at[1] = lead->near[1];
         lead->done = lead->share;
+        memcpy(lead->own, lead->slope, sizeof lead->own);
     }
     lead->step *= succeeds ? 1.5 : 0.5;
     continuation_begin_step(aim, lead);
@@ -127,10 +130,8 @@ static bool continuation_comes_nearer(const struct aim *aim, size_t lane, struct
     const double after = hypot(miss[0], miss[1]);
     const enum ray_status status = ray_block_status(block, lane);
     if (status != RAY_OK || !(after < lead->before)) {
-        if (status != RAY_OK) {
-            lead->status = status;
-            lead->surface = ray_block_surface(block, lane);
-        }
+        lead->status = status != RAY_OK ? status : RAY_NOT_CONVERGED;
+        lead->surface = status != RAY_OK ? ray_block_surface(block, lane) : aim->system->stop + 1;
         continuation_end_step(aim, continuation_succeeds(aim, lead), lead);
         return false;
     }
@@ -163,6 +164,9 @@ static void continuation_advance(const struct aim *aim, const double slope[4], b
     }
     slope = lead->slope;
     const double det = aim_determinant(slope);
+    /* its ray passes: what ends the step now is a fold, or that it comes no nearer */
+    lead->status = RAY_NOT_CONVERGED;
+    lead->surface = aim->system->stop + 1;
     if (!(det * aim_determinant(aim->slope) > 0)) {
         continuation_end_step(aim, false, lead);
         return;
@@ -201,7 +205,7 @@ static void continuation_explain(const struct aim *aim, struct continuation *lea
         double places[RAYS_BLOCK][2];
         for (size_t k = 0; k < left; k++) {
             const struct continuation *lead = &leads[which[k]];
-            const double *m = lead->slope, way = share * (1 - lead->done) / aim_determinant(m);
+            const double *m = lead->own, way = share * (1 - lead->done) / aim_determinant(m);
             const double x = way * (lead->goal[0] - aim->centre[0]);
             const double y = way * (lead->goal[1] - aim->centre[1]);
             places[k][0] = lead->at[0] + m[3] * x - m[1] * y;
@@ -238,7 +242,7 @@ static void continuation_lead(const struct aim *aim, struct continuation *leads,
         leads[i].status = RAY_NOT_CONVERGED;
         leads[i].surface = aim->system->stop + 1;
         leads[i].step = first_step;
-        memcpy(leads[i].slope, aim->slope, sizeof aim->slope);
+        memcpy(leads[i].own, aim->slope, sizeof aim->slope);
         continuation_begin_step(aim, &leads[i]);
         open[i] = i;
     }

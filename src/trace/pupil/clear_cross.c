@@ -24,13 +24,14 @@ static bool cross_passes(const struct cross_search *search, double u, double v)
     return search->margins.excess[0] <= 0;
 }
 
-/* The last ray that passes on the way to an end, to the bit, about where its edge was found. */
+/* The last ray that passes on the way to an end, to the bit, about where its edge was found; there
+   itself, if none about it is seen to pass. */
 static double cross_last(const struct cross_search *search, size_t end, double radius)
 {
     enum { PARTS = RAYS_FEWEST, TURNS = 60 };
     const double sign = end < 2 ? 1 : -1;
-    double slack = 1e-14, low = radius * (1 - slack), high = radius * (1 + slack);
-    for (int turn = 0; turn < TURNS && high - low > 2e-16 * high; turn++) {
+    double slack = 1e-14, low = radius * (1 - slack), high = radius * (1 + slack), last = radius;
+    for (int turn = 0; turn < TURNS && nextafter(low, high) < high; turn++) {
         double points[PARTS][2] = {{0}}, radii[PARTS];
         size_t dark = 0;
         for (size_t i = 0; i < PARTS; i++) {
@@ -44,10 +45,11 @@ static double cross_last(const struct cross_search *search, size_t end, double r
         if (dark == 0 || dark == PARTS) {
             slack *= PARTS;
         }
-        low = dark == 0 ? radius * (1 - slack) : radii[dark - 1];
+        last = dark == 0 ? last : radii[dark - 1];
+        low = dark == 0 ? radius * (1 - slack) : last;
         high = dark == PARTS ? radius * (1 + slack) : radii[dark];
     }
-    return sign * low;
+    return sign * last;
 }
 
 /* The edges on one side of an axis (count 1) or on both, from the centre. */

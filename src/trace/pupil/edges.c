@@ -219,6 +219,7 @@ static void edge_searches_close(struct edge_searches *all, double tolerance)
             const bool is_there = fabs(search->excess[0]) <= 1e-13;
             if (is_there || (is_root && edge_search_is_sure(search, radius))) {
                 search->at[0] = is_there ? search->at[0] : radius;
+                search->limit = search->limits[0]; /* farther out another one may lie closer */
                 search->is_done = true;
                 continue;
             }
