@@ -15,7 +15,15 @@ static double smallest_step(double range, double intervals)
     double raw = range / intervals;
     double decade = pow(10, floor(log10(raw)));
     double ratio = raw / decade * (1 - 1e-9); /* so that 1.0000000001 is still 1 */
-    return decade * (ratio <= 1 ? 1 : ratio <= 2 ? 2 : ratio <= 5 ? 5 : 10);
+    double mantissa = 10;
+    if (ratio <= 1) {
+        mantissa = 1;
+    } else if (ratio <= 2) {
+        mantissa = 2;
+    } else if (ratio <= 5) {
+        mantissa = 5;
+    }
+    return decade * mantissa;
 }
 
 void ticks_widen(double *low, double *high)
@@ -145,9 +153,5 @@ double ticks_width(struct arena *arena, const struct ticks *ticks, double size)
 
 double ticks_round_below(double most)
 {
-    const double decade = pow(10, floor(log10(most)));
-    if (most >= 5 * decade) {
-        return 5 * decade;
-    }
-    return most >= 2 * decade ? 2 * decade : decade;
+    return one_two_five(one_two_five_below(most));
 }

@@ -140,6 +140,9 @@ bool bracket_shots_needed(double scene, double single, double step, int *shots, 
     }
     /* 1e-9: 12 stops in steps of 0.1 need no extra shot for a rounding */
     double needed = fmax(0, ceil((scene - single) / step - 1e-9)) + 1;
+    if (!bracket_check_shots(needed, error)) {
+        return false;
+    }
     *shots = (int)needed;
-    return bracket_check_shots(needed, error);
+    return true;
 }

@@ -387,7 +387,7 @@ static void spot_radius_guess_radii(const struct spot_radius_grid *before,
     }
 }
 
-/* The distances on a net; the farthest of them. */
+/* The distances on a grid; the farthest of them. */
 static void spot_radius_fill_grid(const struct spot_radius_question *question,
                                   const struct peak *peak, const struct spot_radius_grid *before,
                                   struct arena *arena, struct spot_radius_grid *grid)

@@ -33,7 +33,7 @@ struct spot_radius_question {
  *
  * Given     error  receives what the distance is off by its search
  * Formula   48 directions and all corners times eight rings, the outermost the edge itself; the
- *           peaks that parabolas say are as high as the highest are looked at closer, on nets of
+ *           peaks that parabolas say are as high as the highest are looked at closer, on grids of
  *           nine rings and lines about the vertices of such parabolas, until they stand. Where
  *           rays graze a surface at the edge: cubics of the root of the way to it, to its end
  * Limits    the edge of what blocks light in the middle is met to 1e-9 of the pupil at best

@@ -148,8 +148,7 @@ static void fan_edge_step(const struct fan_edge_found *found, double at[2])
  *           edges   up to FAN_EDGES_MOST
  * Formula   Newton's method in the beam, its slopes by differences: the worst excess of all rims
  *           (trace/pupil/clearances.h) is 0, and so is the distance from the line where the ray
- *           crosses the
- *           stop
+ *           crosses the stop
  * Limits    what is found is an edge, but perhaps another one: rays beside it tell
  */
 static void fan_edges_find(const struct bundle_source *source, struct fan_edge *edges, size_t count,

@@ -56,7 +56,7 @@ void film_rays_plan(const struct film_plan *plan, const unsigned char *cells, ui
  *           within it P = I(w) + t (O(w) - I(w)), I and O along its two sides: direction cosines,
  *           whose areas are projected solid angles; weight = |dP/dw x dP/dt| dt/dv times the number
  *           of pieces, t such that it is even in rings; the point (x, y) is turned from (0, h).
- *           Of regions in tangents (film_region.h) P holds L/N and M/N: weight times N^4
+ *           Of regions in tangents (exit_pupil_bounds.h) P holds L/N and M/N: weight times N^4
  * Source    cos(theta) dw = dL dM of the direction cosines L, M in the plane of the film:
  *           [Welford86] (illumination in the image)
  */

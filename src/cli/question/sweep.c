@@ -326,7 +326,7 @@ static bool sweep_add_series(struct sweep_values *values, const struct sweep_ran
                                          .last = range->to,
                                          .exact = values->reader->nominal};
     if (!nominal_between(values->reader->db, &labels, &stops, &count, error)) {
-        return sweep_blame(values, range->text, range->tail, error);
+        return range->kind == '/' && sweep_blame(values, range->text, range->tail, error);
     }
     for (size_t i = 0; i < count; i++) {
         if (!add_number(values, range, stops[i], error)) {

@@ -88,7 +88,7 @@ static const struct column_form angle = {&dimension_angle, "mrad", "of an afocal
 #define TRANSVERSE(i, column_name, words)                                                          \
     ENTRY(COLUMN_OR(struct seidel_row, values[i], is_angular, &angle),                             \
           .dimension = &dimension_length, .unit = "mm", .flags = COLUMN_BRIEF | COLUMN_SPARSE,     \
-          .name = (column_name), .label = (words), .help = words "; absent if afocal")
+          .name = (column_name), .label = (words), .help = (words))
 
 #define CASE_COLUMNS                                                                               \
     ENTRY(WAVE(wavelength, COLUMN_ECHO), .depends = "wavelength lens position",                    \

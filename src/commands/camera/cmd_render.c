@@ -198,19 +198,21 @@ static bool render_check_rays(const struct artifact_job *job, struct error *erro
         "film",        "grain",     "threads",      "depth",   "hidden",    "no-skip",
         "bounces",     "spectral",  "bands",        "seconds", "noise",     "pitch",
         "read-noise",  "full-well", "dark-current", "mosaic",  "response",  "fill",
-        "efficiency",  "gain",      "black",        "adc",     "white",     "raw",
-        "time"};
+        "efficiency",  "gain",      "black",        "adc",     "white",     "raw"};
     const struct render_input *input = job->inputs[0];
     const bool also_picture = asking_given(job->asking, "output");
-    /* a shutter lets rays pass by the time, which is the last */
-    const size_t count =
-        sizeof of_pictures / sizeof of_pictures[0] - (input->shutter.kind != SHUTTER_GLOBAL);
-    for (size_t i = 0; i < count && !also_picture; i++) {
-        if (asking_given(job->asking, of_pictures[i])) {
-            return fail(error, ERROR_USAGE,
-                        "{--%s} is of pictures, and {--rays} makes none: {--output} FILE does",
-                        of_pictures[i]);
-        }
+    const char *vain = NULL;
+    for (size_t i = 0; i < sizeof of_pictures / sizeof of_pictures[0] && vain == NULL; i++) {
+        vain = asking_given(job->asking, of_pictures[i]) ? of_pictures[i] : NULL;
+    }
+    /* a shutter lets rays pass by the time */
+    if (vain == NULL && input->shutter.kind == SHUTTER_GLOBAL &&
+        asking_given(job->asking, "time")) {
+        vain = "time";
+    }
+    if (vain != NULL && !also_picture) {
+        return fail(error, ERROR_USAGE,
+                    "{--%s} is of pictures, and {--rays} makes none: {--output} FILE does", vain);
     }
     if (!also_picture && !isnan(input->distance) &&
         (input->question.focus.kind == PLANE_AT || input->question.focus.kind == PLANE_TABLE)) {

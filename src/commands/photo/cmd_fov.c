@@ -87,7 +87,7 @@ static const struct option options[] = {
      .help = "of a drone looking straight down: adds the ground coverage of pixel and picture"},
     {MEASURE(gsd, length, "cm", "LENGTH"), REPEATED("gsd"), .quantity = "ground sample", ABOVE_0,
      .help = "wanted ground sampling distance, in place of --altitude: solves for it"},
-    OPTION_PIXELS(pitch, "altitude|gsd", "pixel pitch (otherwise that of the camera)"),
+    OPTION_PITCH_ALONE(pitch, "altitude|gsd", "pixel pitch (otherwise that of the camera)"),
     BY_RAYS_EXACT_OPTION(rays, "put the sensor where the rays of --lens are sharpest"),
     BY_RAYS_CRITERION_OPTION(rays),
     {ASKED(focus_by), .name = "focus-by", .words = focusings, .fallback = "lens", .wants = "lens",

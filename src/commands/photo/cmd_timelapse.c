@@ -44,7 +44,8 @@ static const struct option options[] = {
      .column = "focal", ABOVE_0, .wants = "time", .help = "focal length: adds the trails of stars"},
     OPTION_DECLINATION(declination, "focal-length",
                        "of the stars; 0 is the celestial equator, where they are fastest"),
-    OPTION_PIXELS(pitch, "focal-length", "pixel pitch: gives the gaps of star trails in pixels"),
+    OPTION_PITCH_ALONE(pitch, "focal-length",
+                       "pixel pitch: gives the gaps of star trails in pixels"),
 };
 
 struct timelapse_row {

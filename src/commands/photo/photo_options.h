@@ -13,8 +13,6 @@
 bool coc_is_pixels(const struct coc_value *coc);
 bool coc_is_print(const struct coc_value *coc);
 
-/* A length or number above 0 and finite. */
-
 #define OPTION_FOCAL_LENGTH(member, more)                                                          \
     ENTRY(MEASURE(member, focal_length, "mm", "LENGTH"), .name = "focal-length", .letter = 'f',    \
           .column = "focal", ABOVE_0 | (more),                                                     \
@@ -62,8 +60,8 @@ bool coc_is_print(const struct coc_value *coc);
           .help = "pixel pitch (otherwise that of the camera); where nothing else needs it, it "   \
                   "implies --coc 2px")
 
-/* Where it has nothing to do with a circle of confusion. */
-#define OPTION_PIXELS(member, needs, words)                                                        \
+/* --pitch of a command without --coc. */
+#define OPTION_PITCH_ALONE(member, needs, words)                                                   \
     ENTRY(MEASURE(member, length, "um", "LENGTH"), .name = "pitch", .quantity = "pixel pitch",     \
           ABOVE_0, .wants = (needs), USUAL_PITCH, .help = (words))
 

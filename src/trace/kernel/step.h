@@ -43,9 +43,9 @@ struct step {
     double cn;               /* c n^2 */
     double dn;               /* (n' - n)(n' + n) */
     double start_c, start_k; /* of an asphere: c and 1 + k of the conic to start from */
-    double
-        inner;   /* of an asphere: details of the shape are larger than a part of this radius, mm */
-    double rim2; /* where a search ends that Newton's method has lost, mm^2 */
+    /* of an asphere: details of the shape are larger than a part of this radius, mm */
+    double inner;
+    double rim2;  /* where a search ends that Newton's method has lost, mm^2 */
     double depth; /* |z| of the surface is less than this up to there, mm */
     double direction;
     double clear2;             /* squared clear semi-diameter, mm^2; infinite = none */

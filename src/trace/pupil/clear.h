@@ -82,7 +82,7 @@ void clear_find(const struct system *system, const struct beam *beam,
  *
  * Given     points  where the corners cross some plane, then the arms
  *           which   receives what ends the pupil there: clear_edge_at
- * Formula   a corner, or the peak of the polynomial through eight arms about the farthest one
+ * Formula   a corner, or the peak of the polynomial through sixteen arms about the farthest one
  * Limits    1e-9 of the size where the plane maps the beam smoothly
  */
 double clear_extreme(const struct clear_pupil *pupil, const double (*points)[2], int axis,

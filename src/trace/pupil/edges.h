@@ -15,7 +15,7 @@ struct edge_frame {
 /* The last that is clear in a direction. */
 struct edge {
     double radius; /* in units of the frame */
-    size_t limit;  /* what ends it: struct margins */
+    size_t limit;  /* what ends it: struct clearances */
 };
 
 /* u and v of a place in a frame. */
