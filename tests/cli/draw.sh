@@ -20,3 +20,6 @@ lenscalc draw folded.lens | sed 's/ d="[^"]*"//' | grep -v '^<g\|^</g'
 lenscalc draw folded.lens --section x | grep -o '>[^<]*left out<'
 lenscalc draw folded.lens --planes
 lenscalc draw folded.lens --construction
+# the aperture that cuts the axial beam is the one that a ray a little farther out is lost at
+lenscalc draw canon-rf50-f18 | grep -o 'axial beam is cut by the clear aperture of surface [0-9]*'
+lenscalc trace canon-rf50-f18 --pupil-point 0:0.997 -w d --csv --columns status,surface | tail -n 1

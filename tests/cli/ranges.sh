@@ -31,3 +31,4 @@ fnumbers 1..6:2.5
 lenscalc hyperfocal -f 50 -N 8 -c 10um..30um:10um --csv > range
 lenscalc hyperfocal -f 50 -N 8 -c 0.01,0.02,0.03 --csv | cmp - range && echo same
 lenscalc hyperfocal -f 50 -N 8,11 -c 10um..30um#3 --table fnumber,coc --csv
+lenscalc dof -f 50 -N 2.8 -s 3m --coc 0.02..0.04:0.01 --plot x.svg

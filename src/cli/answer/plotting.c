@@ -32,9 +32,10 @@ static bool choose_x(const struct collection *collection, struct plotting_layout
         stride *= axis->count;
     }
     if (layout->x == NULL) {
-        return fail(error, ERROR_USAGE,
-                    "--plot needs an option with several numbers, such as a "
-                    "range");
+        fail(error, ERROR_USAGE, "--plot needs an option with several numbers, such as a range");
+        return sweep->axis_count > 0 &&
+               error_hint(error, "values of --%s tell curves apart, they are no axis",
+                          sweep->axes[0].option->name);
     }
     layout->groups = sweep->total / layout->x->count;
     if (layout->groups * layout->shown_count > 64) {
