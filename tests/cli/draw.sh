@@ -22,4 +22,4 @@ lenscalc draw folded.lens --planes
 lenscalc draw folded.lens --construction
 # the aperture that cuts the axial beam is the one that a ray a little farther out is lost at
 lenscalc draw canon-rf50-f18 | grep -o 'axial beam is cut by the clear aperture of surface [0-9]*'
-lenscalc trace canon-rf50-f18 --pupil-point 0:0.997 -w d --csv --columns status,surface | tail -n 1
+lenscalc trace canon-rf50-f18 --field 0 --pupil-point 0:0.9958,0:0.9959 -w d --csv --columns status,surface
