@@ -14,6 +14,7 @@ import subprocess
 import sys
 import tempfile
 import time
+import zlib
 
 sys.dont_write_bytecode = True
 sys.path.insert(0, os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
@@ -165,7 +166,11 @@ def check_older(checks, program, folder):
         aside = os.path.join(folder, "old-incomplete.png")
         checks.check(os.path.exists(aside) and b"old-incomplete.png" in error, f"aside: {error!r}")
         with open(aside, "rb") as file:
-            checks.check(b"Incomplete\0interrupted" in file.read(), "it says that it is incomplete")
+            unfinished = file.read()
+        checks.check(b"Incomplete\0interrupted" in unfinished, "it says that it is incomplete")
+        at = unfinished.index(b"IDAT")
+        packed = unfinished[at + 4:at + 4 + int.from_bytes(unfinished[at - 4:at], "big")]
+        checks.check(len(zlib.decompress(packed)) % 16 == 0, "its rows are there")
         os.remove(aside)
 
 

@@ -229,6 +229,27 @@ static void test_packing(struct arena *arena)
 }
 
 /* Of an entry that is there twice, ISO 100 and 200, the first counts. */
+/* Rows that are zeros, and rows that are not, in any order; long ones are more than one block. */
+static void test_storing(struct arena *arena)
+{
+    enum { ROWS = 8, STRIDE_MOST = 70000 };
+    static const size_t strides[] = {1, 2, 257, 258, 259, 517, STRIDE_MOST};
+    unsigned char *data = ARENA_ARRAY(arena, ROWS * STRIDE_MOST, unsigned char);
+    unsigned char *back = ARENA_ARRAY(arena, ROWS * STRIDE_MOST, unsigned char);
+    for (size_t i = 0; i < sizeof strides / sizeof *strides; i++) {
+        const size_t stride = strides[i], count = ROWS * stride;
+        for (unsigned lit = 0; lit < 1U << ROWS; lit += stride < STRIDE_MOST ? 1 : 51) {
+            struct bytes stored = {.arena = arena};
+            for (size_t k = 0; k < count; k++) {
+                data[k] = lit >> k / stride & 1 ? (unsigned char)(1 + k % 255) : 0;
+            }
+            stb_store(&stored, data, ROWS, stride);
+            CHECK(stb_unpack(bytes_text(&stored), back, count) && !memcmp(back, data, count));
+            CHECK(lit != 0 || stored.used < count / 100 + 300);
+        }
+    }
+}
+
 static void test_exif(struct arena *arena)
 {
     static const unsigned char data[] = {'I', 'I', 42, 0, 8, 0, 0,   0, 2, 0, 0x27, 0x88,
@@ -265,6 +286,7 @@ int main(void)
     test_bytes(&arena);
     test_long_crc(&arena);
     test_packing(&arena);
+    test_storing(&arena);
     arena_free(&arena);
     return check_report();
 }

@@ -6,6 +6,7 @@
 #include "base/arena.h"
 #include "base/text.h"
 
+#include <stdbool.h>
 #include <stddef.h>
 #include <stdint.h>
 #include <string.h>
@@ -47,6 +48,12 @@ static inline void bytes_store_little(unsigned char *to, uint64_t value, int cou
     for (int i = 0; i < count; i++) {
         to[i] = (unsigned char)(value >> 8 * i);
     }
+}
+
+static inline bool bytes_are_zero(const void *data, size_t count)
+{
+    const unsigned char *bytes = data;
+    return count == 0 || (bytes[0] == 0 && memcmp(bytes, bytes + 1, count - 1) == 0);
 }
 
 /* What is being written; begins with {arena}. */

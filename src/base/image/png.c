@@ -140,7 +140,12 @@ static void encode_row(const struct image *image, const struct image_way *way, s
 {
     const float *row = image_row(image, y);
     const uint32_t most = way->bits == 16 ? 65535 : 255;
-    for (size_t i = 0; i < image->width * image->channels; i++) {
+    const size_t count = image->width * image->channels;
+    if (bytes_are_zero(row, count * sizeof *row)) {
+        memset(to, 0, count * (size_t)way->bits / 8);
+        return;
+    }
+    for (size_t i = 0; i < count; i++) {
         const size_t channel = i % image->channels;
         const bool is_alpha = image->channels % 2 == 0 && channel == image->channels - 1;
         const uint32_t code = srgb_code(row[i], most, way->values == IMAGE_LIGHT && !is_alpha);
@@ -203,7 +208,7 @@ static void put_pixels(struct bytes *to, const struct image *image, const struct
         struct png_rows rows = {image, way, NULL, stride};
         rows.all = arena_buffer_array(to->arena, image->height, stride);
         parallel_for(way->threads, image->height, ROWS_AT_ONCE, png_rows_encode, &rows);
-        stb_store(to, rows.all, stride * image->height);
+        stb_store(to, rows.all, image->height, stride);
     } else {
         stb_pack(to, filter_all(image, way, to->arena), stride * image->height);
     }

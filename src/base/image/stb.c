@@ -58,9 +58,10 @@ static void *take_more(void *memory, size_t size)
 
 enum { QUALITY = 8 };
 
-static uint32_t adler32(const unsigned char *data, size_t count)
+/* The checksum of zlib, of what follows `sum`. */
+static uint32_t adler32(uint32_t sum, const unsigned char *data, size_t count)
 {
-    uint32_t a = 1, b = 0;
+    uint32_t a = sum & 0xffff, b = sum >> 16;
     for (size_t i = 0; i < count;) {
         /* so many that b stays below 2^32 */
         for (size_t end = i + 5552 < count ? i + 5552 : count; i < end; i++) {
@@ -71,6 +72,12 @@ static uint32_t adler32(const unsigned char *data, size_t count)
         b %= 65521;
     }
     return b << 16 | a;
+}
+
+static uint32_t adler32_of_zeros(uint32_t sum, size_t count)
+{
+    const uint64_t a = sum & 0xffff, b = sum >> 16;
+    return (uint32_t)((b + count % 65521 * a) % 65521 << 16 | a);
 }
 
 void stb_pack(struct bytes *to, const void *data, size_t count)
@@ -87,21 +94,74 @@ void stb_pack(struct bytes *to, const void *data, size_t count)
     free(packed);
 }
 
-void stb_store(struct bytes *to, const void *data, size_t count)
+/* Bits of a deflate stream, the least first. */
+struct bit_writer {
+    struct bytes *to;
+    uint64_t bits;
+    unsigned count;
+};
+
+static void put_bits(struct bit_writer *writer, uint64_t bits, unsigned count)
 {
-    enum { BLOCK_MOST = 65535, BLOCK_HEAD = 5 };
+    writer->bits |= bits << writer->count;
+    writer->count += count;
+    while (writer->count >= 8) {
+        bytes_put_little(writer->to, writer->bits & 0xff, 1);
+        writer->bits >>= 8;
+        writer->count -= 8;
+    }
+}
+
+/* A block of fixed codes (RFC 1951, 3.2.6): a zero, and copies of the one before it. */
+static void put_zeros(struct bit_writer *writer, size_t count)
+{
+    enum { COPIED_MOST = 258 };
+    put_bits(writer, 1U << 1, 3);
+    for (size_t left = count; left > 0;) {
+        const bool is_copied = left < count && left >= COPIED_MOST;
+        put_bits(writer, is_copied ? 0xa3 : 0x0c, is_copied ? 8 + 5 : 8);
+        left -= is_copied ? COPIED_MOST : 1;
+    }
+    put_bits(writer, 0, 7);
+}
+
+static void put_stored(struct bit_writer *writer, const unsigned char *from, size_t count)
+{
+    enum { BLOCK_MOST = 65535 };
+    for (size_t done = 0, length; done < count; done += length) {
+        length = count - done < BLOCK_MOST ? count - done : BLOCK_MOST;
+        put_bits(writer, 0, 3);
+        put_bits(writer, 0, -writer->count & 7);
+        bytes_put_little(writer->to, length | (uint64_t)(~length & 0xffff) << 16, 4);
+        bytes_put(writer->to, from + done, length);
+    }
+}
+
+void stb_store(struct bytes *to, const void *data, size_t rows, size_t stride)
+{
     const unsigned char *from = data;
-    bytes_room(to, count + BLOCK_HEAD * (count / BLOCK_MOST + 1) + 6);
+    struct bit_writer writer = {.to = to};
+    uint32_t sum = 1;
     bytes_put_big(to, 0x7801, 2);
-    size_t done = 0;
-    do {
-        const size_t left = count - done, length = left < BLOCK_MOST ? left : BLOCK_MOST;
-        bytes_put_little(to, length == left ? 1 : 0, 1); /* the last one */
-        bytes_put_little(to, length | (uint64_t)(~length & 0xffff) << 16, 4);
-        bytes_put(to, from + done, length);
-        done += length;
-    } while (done < count);
-    bytes_put_big(to, adler32(from, count), 4);
+    for (size_t i = 0, next; i < rows; i = next) {
+        const bool is_zero = bytes_are_zero(from + i * stride, stride);
+        next = i + 1;
+        while (next < rows && bytes_are_zero(from + next * stride, stride) == is_zero) {
+            next++;
+        }
+        const size_t count = (next - i) * stride;
+        if (is_zero) {
+            put_zeros(&writer, count);
+            sum = adler32_of_zeros(sum, count);
+        } else {
+            put_stored(&writer, from + i * stride, count);
+            sum = adler32(sum, from + i * stride, count);
+        }
+    }
+    put_bits(&writer, 1U | 1U << 1, 3); /* the last block, empty */
+    put_bits(&writer, 0, 7);
+    put_bits(&writer, 0, -writer.count & 7);
+    bytes_put_big(to, sum, 4);
 }
 
 bool stb_unpack(struct text packed, unsigned char *data, size_t count)
@@ -112,7 +172,7 @@ bool stb_unpack(struct text packed, unsigned char *data, size_t count)
         return false;
     }
     const unsigned char *end = (const unsigned char *)packed.start + packed.length;
-    return bytes_big(end - 4, 4) == adler32(data, count);
+    return bytes_big(end - 4, 4) == adler32(1, data, count);
 }
 
 bool stb_decode(struct text file, int bits, struct arena *arena, struct stb_picture *picture)

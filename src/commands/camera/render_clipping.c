@@ -13,24 +13,23 @@ struct clipping_share render_clipping_of(const struct image *image, double unit,
     double least = (double)INFINITY, most = 0;
     const size_t pixels = image->width * image->height, channels = image->channels;
     size_t above = 0; /* of which some channel is */
-    bool is_above = false;
-    for (size_t i = 0; i < pixels; i++) {
-        const float *pixel = image->pixels + i * channels;
-        double darkest = (double)INFINITY, brightest = 0;
-        /* one like that before it, as in what is black or white throughout */
-        if (i > 0 && memcmp(pixel, pixel - channels, channels * sizeof *pixel) == 0) {
-            above += is_above ? 1 : 0;
-            continue;
+    for (size_t y = 0; y < image->height; y++) {
+        const float *row = image_row(image, y);
+        /* as where all is black or white: its first pixel speaks for it */
+        const bool is_even =
+            memcmp(row, row + channels, (image->width - 1) * channels * sizeof *row) == 0;
+        const size_t columns = is_even ? 1 : image->width;
+        for (size_t x = 0; x < columns; x++) {
+            double darkest = (double)INFINITY, brightest = 0;
+            for (size_t k = 0; k < channels; k++) {
+                const double share = unit * (double)row[x * channels + k];
+                darkest = share < darkest ? share : darkest;
+                brightest = share > brightest ? share : brightest;
+            }
+            least = darkest < least ? darkest : least;
+            most = brightest > most ? brightest : most;
+            above += brightest > limit ? image->width / columns : 0;
         }
-        for (size_t k = 0; k < channels; k++) {
-            const double share = unit * (double)pixel[k];
-            darkest = share < darkest ? share : darkest;
-            brightest = share > brightest ? share : brightest;
-        }
-        least = darkest < least ? darkest : least;
-        most = brightest > most ? brightest : most;
-        is_above = brightest > limit;
-        above += is_above ? 1 : 0;
     }
     return (struct clipping_share){
         .share = pixels > 0 ? (double)above / (double)pixels : 0, .most = most, .least = least};
