@@ -15,7 +15,7 @@ enum { STB_PACKED_MOST = 1 << 29 }; /* bytes that can be packed at once; its cou
 /* Append bytes as a zlib stream (RFC 1950). Given: at most STB_PACKED_MOST. */
 void stb_pack(struct bytes *to, const void *data, size_t count);
 
-/* The same of rows of `stride` bytes (> 0), in no time: they are kept as they are, but for zeros. */
+/* The same of rows of `stride` bytes (> 0) at once: they are kept as they are, but for zeros. */
 void stb_store(struct bytes *to, const void *data, size_t rows, size_t stride);
 
 /*
