@@ -512,7 +512,7 @@ static bool answer_inside(struct driver *driver, struct text *answered, struct e
 bool command_embed(const struct embedded_command *embedding, struct run *outer,
                    struct text *answered, struct error *error)
 {
-    struct driver *parent = outer->driver;
+    const struct driver *parent = outer->driver;
     struct driver driver = {.command = embedding->command,
                             .commands = parent->commands,
                             .database = parent->database,
@@ -520,11 +520,12 @@ bool command_embed(const struct embedded_command *embedding, struct run *outer,
     struct text text = {NULL, 0};
     bool done = driver_prepare(&driver, (int)embedding->count, embedding->words, error);
     if (done) {
-        if (embedding->lens != NULL) {
-            option_lens_keep(&parent->lenses, embedding->lens);
-        }
-        driver.reader.db = driver.run.db = &parent->db;
-        driver.reader.lenses = &parent->lenses;
+        driver.lenses.arena = outer->arena; /* as for a row, which knows lenses that were read */
+        option_lens_lend(&driver.lenses, embedding->lens);
+        driver.db.directory = parent->db.directory;
+        driver.db.agf = parent->db.agf;
+        driver.db.lossy = parent->db.lossy;
+        driver.db.glass_numbers = parent->db.glass_numbers;
         driver.run.watch = outer->watch;
         done = answer_inside(&driver, &text, error);
     }

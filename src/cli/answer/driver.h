@@ -10,14 +10,14 @@ struct embedded_command {
     const struct command *command;
     char **words;
     size_t count;
-    const struct lens_value *lens; /* known by its name: it is not read again; null: none */
+    const struct lens_value *lens; /* known by its name: it is not read again */
 };
 
 /*
  * Answer a question inside a command: the drawing that its words ask for ("--plot", "-"), else its
- * rows, as people read them.
+ * rows, as people read them. Several threads may ask, each with its own `outer`.
  *
- * Given     outer     of the command that asks, whose lenses and database it shares
+ * Given     outer     of the command that asks, whose choice of data it shares
  *           answered  receives the text, in outer->arena
  * Errors    all that the command may have, with nothing said on standard error
  */

@@ -10,6 +10,13 @@
 
 #include <sys/stat.h>
 
+/* One of each position. */
+static struct lens_memo *lens_memo_new(const struct lens *lens, struct arena *arena)
+{
+    const size_t positions = lens->position_count > 0 ? lens->position_count : 1;
+    return ARENA_ARRAY(arena, positions, struct lens_memo);
+}
+
 static bool option_lens_find_lens(const struct reader *reader, struct text name,
                                   struct arena *arena, struct lens_value *value,
                                   struct error *error)
@@ -27,7 +34,6 @@ static bool option_lens_find_lens(const struct reader *reader, struct text name,
         warning =
             i == 0 ? warnings.texts[i] : arena_printf(arena, "%s; %s", warning, warnings.texts[i]);
     }
-    size_t positions = lens->position_count > 0 ? lens->position_count : 1;
     const char *called =
         text_equal(name, "-") ? "standard input" : arena_string(arena, name.start, name.length);
     if (lens->title == NULL) {
@@ -38,7 +44,7 @@ static bool option_lens_find_lens(const struct reader *reader, struct text name,
         .name = called,
         .warning = warning,
         .arena = arena,
-        .memo = ARENA_ARRAY(arena, positions, struct lens_memo),
+        .memo = lens_memo_new(lens, arena),
         .serial = reader->lenses != NULL ? ++reader->lenses->read : 0,
     };
     return true;
@@ -56,7 +62,8 @@ static const struct lens_value *known_lens(const struct lens_cache *cache, struc
 
 enum { MOST_KEPT = 64 };
 
-void option_lens_keep(struct lens_cache *cache, const struct lens_value *value)
+/* Keep one more, as long as there is room; `value` and all it points to live as long. */
+static void option_lens_keep(struct lens_cache *cache, const struct lens_value *value)
 {
     if (cache->lenses == NULL) {
         cache->lenses = ARENA_ARRAY(cache->arena, MOST_KEPT, struct lens_value);
@@ -64,6 +71,15 @@ void option_lens_keep(struct lens_cache *cache, const struct lens_value *value)
     if (cache->count < MOST_KEPT && known_lens(cache, text_of(value->name)) == NULL) {
         cache->lenses[cache->count++] = *value;
     }
+}
+
+void option_lens_lend(struct lens_cache *cache, const struct lens_value *value)
+{
+    struct lens_value lent = *value;
+    lent.arena = cache->arena;
+    lent.memo = lens_memo_new(value->lens, cache->arena);
+    lent.serial = ++cache->read;
+    option_lens_keep(cache, &lent);
 }
 
 /* The first lenses of a batch are kept; of more, each row reads its own. */

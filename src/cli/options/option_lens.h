@@ -49,8 +49,8 @@ struct lens_cache {
     size_t read, wanted; /* how often, up to now */
 };
 
-/* Keep one more, as long as there is room; `value` and all it points to live as long. */
-void option_lens_keep(struct lens_cache *cache, const struct lens_value *value);
+/* Make a lens known that was read elsewhere, and may be used there by another thread meanwhile. */
+void option_lens_lend(struct lens_cache *cache, const struct lens_value *value);
 
 /* So many lenses of a list are wanted at once, where that is more than one. */
 void option_lens_at_once(struct lens_cache *cache, size_t count);

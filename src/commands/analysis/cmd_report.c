@@ -26,24 +26,29 @@ static const struct option options[] = {
     {OPTION(struct report_input, images), .name = "images",
      .help = "images of points too (psf), which take longer than all the rest"},
     {OPTION(struct report_input, threads), .name = "threads", .lowest = 0, .highest = PARALLEL_MOST,
-     .value = "N", .fallback = "1",
-     .help = "threads that share the fields of an analysis; 0 = one per core"},
+     .value = "N", .fallback = "0",
+     .help = "threads that share the analyses and their fields; 0 = one per core"},
 };
 
 /* -------- the page -------- */
 
+enum { MOST_WORDS = 10 };
+
 /* A part of the page. */
 struct page_part {
-    const char *title;   /* a heading over all columns where there is no text */
+    const struct report_section *section; /* null: a heading over all columns */
+    const char *title;
+    char *words[MOST_WORDS]; /* of the command that is asked */
+    size_t word_count;
     const char *command; /* that makes it again, for a shell */
-    struct text text;    /* SVG, or lines of text; start null: none */
+    struct text text;    /* SVG, or lines of text */
     bool is_drawing;
     const char *failure; /* why there is none; null: all is well */
 };
 
 struct page {
     const char *title, *subtitle;
-    const struct page_part *parts;
+    struct page_part *parts;
     size_t count;
 };
 
@@ -129,7 +134,7 @@ static const char style[] =
 
 static void write_figure(const struct page_part *part, size_t number, struct output *output)
 {
-    if (part->text.start == NULL && part->failure == NULL) {
+    if (part->section == NULL) {
         output_string(output, "<h2>");
         output_escaped(output, text_of(part->title));
         output_string(output, "</h2>\n");
@@ -257,7 +262,7 @@ static double place_parts(const struct page *page, double (*places)[2])
     for (size_t i = 0; i < page->count; i++) {
         const struct page_part *part = &page->parts[i];
         double scale;
-        if (part->text.start == NULL && part->failure == NULL) {
+        if (part->section == NULL) {
             places[i][0] = MARGIN;
             places[i][1] = fmax(ends[0], ends[1]);
             ends[0] = ends[1] = places[i][1] + HEAD;
@@ -298,7 +303,7 @@ static void page_write_svg(const struct page *page, struct arena *arena, struct 
                             text_of(page->subtitle));
     for (size_t i = 0; i < page->count; i++) {
         const struct page_part *part = &page->parts[i];
-        if (part->text.start == NULL && part->failure == NULL) {
+        if (part->section == NULL) {
             report_page_write_label(output, places[i][0], places[i][1] + 24,
                                     "font-size=\"20\" font-weight=\"bold\"", text_of(part->title));
         } else {
@@ -348,20 +353,7 @@ static const struct report_section sections[] = {
     {"Light over the image", "illumination", "--plot", TAKES_ALL, true},
     {"Colour", "color", "--plot", TAKES_BOTH, true},
 };
-enum {
-    SECTIONS = sizeof sections / sizeof sections[0],
-    MOST_WORDS = 10,
-    MOST_POSITIONS = 3,
-    FIELDS_SHOWN = 100
-};
-
-/* A page in the making. */
-struct report_writer {
-    const struct report_input *input;
-    struct run *run;
-    struct page_part *parts;
-    size_t count;
-};
+enum { SECTIONS = sizeof sections / sizeof sections[0], MOST_POSITIONS = 3, FIELDS_SHOWN = 100 };
 
 /* What a lens is called that was read from there. */
 static const char from_pipe[] = "standard input";
@@ -406,48 +398,71 @@ static char *number_word(double number, struct arena *arena)
     return arena_string(arena, text, (size_t)(number_write_shortest(text, number) - text));
 }
 
-/* Ask one of the commands, and keep what it says or why it cannot. */
-static void report_add_part(struct report_writer *writer, const struct report_section *part,
-                            const char *position)
+/* The question that a section is the answer to. */
+static struct page_part report_part(const struct report_input *input,
+                                    const struct report_section *section, const char *position,
+                                    struct arena *arena)
 {
-    struct arena *arena = writer->run->arena;
-    const struct lens_question *question = &writer->input->question;
-    struct page_part *page = &writer->parts[writer->count++];
-    struct error error = {0};
-    char *words[MOST_WORDS];
+    const struct lens_question *question = &input->question;
+    struct page_part part = {
+        .section = section, .title = section->title, .is_drawing = section->is_drawing};
+    char **words = part.words;
     size_t count = 0;
     words[count++] = report_word(question->lens.name, arena);
-    if (!isnan(question->fnumber) && (part->takes & TAKES_FNUMBER) != 0) {
+    if (!isnan(question->fnumber) && (section->takes & TAKES_FNUMBER) != 0) {
         words[count++] = report_word("-N", arena);
         words[count++] = number_word(question->fnumber, arena);
     }
-    if (position != NULL && (part->takes & TAKES_POSITION) != 0) {
+    if (position != NULL && (section->takes & TAKES_POSITION) != 0) {
         words[count++] = report_word("--position", arena);
         words[count++] = report_word(position, arena);
     }
-    if (part->drawing != NULL) {
-        words[count++] = report_word(part->drawing, arena);
+    if (section->drawing != NULL) {
+        words[count++] = report_word(section->drawing, arena);
         /* it stays in memory, but this is how it would be called */
-        words[count++] = report_word(arena_printf(arena, "%s.svg", part->command), arena);
+        words[count++] = report_word(arena_printf(arena, "%s.svg", section->command), arena);
     }
-    *page = (struct page_part){.title = part->title,
-                               .command = command_line(part, words, count, arena),
-                               .is_drawing = part->is_drawing};
-    if (writer->input->threads != 1 && (part->takes & TAKES_THREADS) != 0) {
-        words[count++] = report_word("--threads", arena); /* which change nothing that is shown */
-        words[count++] = number_word((double)writer->input->threads, arena);
+    part.command = command_line(section, words, count, arena);
+    if (input->threads != 1 && (section->takes & TAKES_THREADS) != 0) {
+        /* which change nothing that is shown: for when other parts are done before */
+        words[count++] = report_word("--threads", arena);
+        words[count++] = number_word((double)input->threads, arena);
     }
-    if (part->takes == OF_WHOLE_LENS && strcmp(question->lens.name, from_pipe) == 0) {
-        page->text = lens_write(question->lens.lens, arena); /* a pipe is not read again */
-        return;
-    }
-    const struct embedded_command embedding = {command_find(text_of(part->command)), words, count,
-                                               &question->lens};
-    if (!command_embed(&embedding, writer->run, &page->text, &error)) {
-        page->failure = error.hint[0] == '\0'
-                            ? report_word(error.message, arena)
-                            : arena_printf(arena, "%s; %s", error.message, error.hint);
-        page->text = (struct text){NULL, 0};
+    part.word_count = count;
+    return part;
+}
+
+struct report_writer {
+    const struct report_input *input;
+    const struct run *run;
+    struct page *page;
+};
+
+/* Ask the commands of some parts, and keep what they say or why they cannot. */
+static void report_answer(void *context, const struct parallel_piece *piece)
+{
+    const struct report_writer *writer = context;
+    const struct lens_question *question = &writer->input->question;
+    struct arena *arena = piece->arena;
+    struct run run = *writer->run;
+    run.arena = arena;
+    for (size_t i = piece->begin; i < piece->end && watch_ask(run.watch); i++) {
+        struct page_part *part = &writer->page->parts[i];
+        struct error error = {0};
+        if (part->section == NULL) {
+            continue;
+        }
+        if (part->section->takes == OF_WHOLE_LENS && strcmp(question->lens.name, from_pipe) == 0) {
+            part->text = lens_write(question->lens.lens, arena); /* a pipe is not read again */
+            continue;
+        }
+        const struct embedded_command embedding = {command_find(text_of(part->section->command)),
+                                                   part->words, part->word_count, &question->lens};
+        if (!command_embed(&embedding, &run, &part->text, &error)) {
+            part->failure = error.hint[0] == '\0'
+                                ? report_word(error.message, arena)
+                                : arena_printf(arena, "%s; %s", error.message, error.hint);
+        }
     }
 }
 
@@ -465,37 +480,31 @@ static const char *usual_positions(const struct lens *lens, struct arena *arena)
                         lens->positions[count - 1]);
 }
 
-static bool fill_page(struct report_writer *writer, struct page *page, struct error *error)
+/* Which parts the page has, not yet answered. */
+static bool report_plan(const struct report_input *input, struct arena *arena, struct page *page,
+                        struct error *error)
 {
-    struct arena *arena = writer->run->arena;
-    const struct lens_question *question = &writer->input->question;
-    const struct lens *lens = question->lens.lens;
+    const struct lens *lens = input->question.lens.lens;
     const char *names =
-        question->position != NULL ? question->position : usual_positions(lens, arena);
+        input->question.position != NULL ? input->question.position : usual_positions(lens, arena);
     const size_t *positions;
     size_t count;
     if (!lens_positions(lens, names, arena, &positions, &count, error)) {
         return false;
     }
-    writer->parts = ARENA_ARRAY(arena, count * (SECTIONS + 1), struct page_part);
+    page->parts = ARENA_ARRAY(arena, count * (SECTIONS + 1), struct page_part);
     for (size_t i = 0; i < count; i++) {
         const char *name = lens->position_count > 0 ? lens->positions[positions[i]] : NULL;
         if (count > 1) {
-            writer->parts[writer->count++] =
-                (struct page_part){.title = arena_printf(arena, "Position %s", name)};
+            page->parts[page->count++].title = arena_printf(arena, "Position %s", name);
         }
         for (size_t k = 0; k < SECTIONS; k++) {
             if ((i == 0 || sections[k].takes != OF_WHOLE_LENS) &&
-                (writer->input->images || (sections[k].takes & IS_IMAGE) == 0)) {
-                report_add_part(writer, &sections[k], name);
-            }
-            if (!watch_ask(writer->run->watch)) {
-                return fail(error, ERROR_DOMAIN, "interrupted: no report is written");
+                (input->images || (sections[k].takes & IS_IMAGE) == 0)) {
+                page->parts[page->count++] = report_part(input, &sections[k], name, arena);
             }
         }
     }
-    page->parts = writer->parts;
-    page->count = writer->count;
     return true;
 }
 
@@ -524,23 +533,30 @@ static bool report_check(const struct artifact_job *job, struct error *error)
 
 static bool report_make(const struct artifact_job *job, struct output *sink, struct error *error)
 {
-    struct report_writer writer = {.input = job->inputs[0], .run = job->run};
-    const struct lens *lens = writer.input->question.lens.lens;
+    const struct report_input *input = job->inputs[0];
+    const struct lens *lens = input->question.lens.lens;
     struct arena *arena = job->run->arena;
     struct page page = {
-        .title = lens->title != NULL ? lens->title : writer.input->question.lens.name,
+        .title = lens->title != NULL ? lens->title : input->question.lens.name,
         .subtitle = arena_printf(arena, "%s%slenscalc %s", lens->source != NULL ? lens->source : "",
                                  lens->source != NULL ? ". " : "", LENSCALC_VERSION),
     };
-    if (!fill_page(&writer, &page, error)) {
+    struct report_writer writer = {input, job->run, &page};
+    struct parallel *parallel = ARENA_NEW(arena, struct parallel);
+    if (!report_plan(input, arena, &page, error)) {
         return false;
     }
-    if (job->type == &types[0]) {
+    parallel->threads = parallel_threads(input->threads);
+    parallel_pieces(parallel, page.count, 1, report_answer, &writer);
+    const bool done = watch_ask(job->run->watch) ||
+                      fail(error, ERROR_DOMAIN, "interrupted: no report is written");
+    if (done && job->type == &types[0]) {
         page_write_html(&page, sink);
-    } else {
+    } else if (done) {
         page_write_svg(&page, arena, sink);
     }
-    return true;
+    parallel_free(parallel);
+    return done;
 }
 
 static const struct artifact artifacts[] = {
