@@ -1,6 +1,7 @@
 # one page about a lens; what it holds is checked by check_report.py
 lenscalc report double-gauss -N 4 -o page.html
 sed -n 's/.*<code>\(.*\)<\/code>.*/\1/p' page.html
+lenscalc report double-gauss -N 4 --threads 3 | cmp - page.html
 lenscalc report canon-nfd-70-210 --position wide,tele | grep '<h2>'
 lenscalc report canon-nfd-70-210 --position tele | grep -c figcaption
 lenscalc convert double-gauss | lenscalc report - | grep -c '<p>'
