@@ -397,16 +397,6 @@ static bool close_artifacts(struct driver *driver, bool done, struct error *erro
     return done;
 }
 
-/* Make the artifacts of a command without rows, which may take long. */
-static bool make_answer(struct driver *driver, struct error *error)
-{
-    progress_begin(&driver->progress, driver->command->name, rows_state, driver);
-    interrupt_watch(rows_interrupted, driver); /* what there is so far may be worth something */
-    const bool done = make_artifacts(driver, error);
-    progress_erase(&driver->progress);
-    return done;
-}
-
 /* A command without rows: its answer is an artifact, which may be less than was asked. */
 static int answer_without_rows(struct driver *driver)
 {
@@ -416,7 +406,13 @@ static int answer_without_rows(struct driver *driver)
                     &error) &&
         sweep_check_single(&driver->sweep, driver->command, &error) &&
         idle_check(&driver->sweep, &driver->arguments, &driver->asking, driver->input, &error) &&
-        order_artifacts(driver, &error) && make_answer(driver, &error);
+        order_artifacts(driver, &error);
+    if (done) {
+        progress_begin(&driver->progress, driver->command->name, rows_state, driver);
+        interrupt_watch(rows_interrupted, driver); /* what there is so far may be worth something */
+        done = make_artifacts(driver, &error);
+        progress_erase(&driver->progress);
+    }
     driver->has_answer = done;
     done = close_artifacts(driver, done, &error);
     if (done && driver->run.shortfall.code != ERROR_NONE) {
@@ -429,14 +425,6 @@ static int answer_without_rows(struct driver *driver)
     }
     print_beside(&driver->report, true, driver->arguments.color);
     return 0;
-}
-
-static int driver_status_of(const struct driver *driver)
-{
-    if (driver->failed == 0) {
-        return 0;
-    }
-    return driver->good > 0 ? ERROR_ROWS : ERROR_DOMAIN;
 }
 
 /* That the solver is missing is said only of a question that it could answer: what is wrong with
@@ -459,7 +447,10 @@ static int driver_compute(struct driver *driver, const struct error *missing)
         return (int)error.code;
     }
     print_beside(&driver->report, driver->common.table != NULL, driver->arguments.color);
-    return driver_status_of(driver);
+    if (driver->failed == 0) {
+        return 0;
+    }
+    return driver->good > 0 ? ERROR_ROWS : ERROR_DOMAIN;
 }
 
 static void free_driver(struct driver *driver)
