@@ -13,6 +13,7 @@ enum { MOST = 4096 };
 struct disc {
     struct encircled_energy_mark marks[MOST];
     struct encircled_energy_sample sample;
+    size_t arcs[2]; /* which the sample's sheets point to */
 };
 
 /* Given: arcs  0: equal arms all around; else so many arcs of `arms` arms each
@@ -20,10 +21,10 @@ struct disc {
 static void make_disc(struct disc *disc, double beside, size_t rings, size_t arms, size_t arc_count,
                       size_t lost, struct arena *arena)
 {
-    size_t arcs[] = {arms, arms};
+    disc->arcs[0] = disc->arcs[1] = arms;
     const struct bundle bundle = {.rings = rings,
                                   .arms = arc_count > 0 ? arms * arc_count : arms,
-                                  .arcs = {arc_count > 0 ? arcs : NULL, arc_count}};
+                                  .arcs = {arc_count > 0 ? disc->arcs : NULL, arc_count}};
     double places[64], shares[64], angles[256], parts[256];
     gauss_rule(rings, places, shares);
     gauss_rule(arms, angles, parts);
