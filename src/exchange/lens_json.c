@@ -4,14 +4,63 @@
 
 #include "base/constants.h"
 #include "base/number.h"
-#include "exchange/json_write.h"
-#include "exchange/lens_json_design.h"
 #include "exchange/writing.h"
+#include "file/lens_change.h"
+#include "file/lens_pickup.h"
 #include "file/lens_setting.h"
+#include "file/lens_tolerance.h"
 #include "optics/aperture.h"
 
 #include <math.h>
 #include <string.h>
+
+/* In quotes, escaped; what is no UTF-8 becomes the replacement character. A null one is null. */
+static const char *json_of_text(struct arena *arena, struct text text)
+{
+    struct text_buffer to = {.arena = arena};
+    growing_string(&to, "\"");
+    for (size_t i = 0; i < text.length;) {
+        const unsigned char *at = (const unsigned char *)text.start + i;
+        size_t length = text_utf8_length(text.start + i, text.length - i);
+        if (length == 0) {
+            growing_string(&to, "\xef\xbf\xbd"); /* the replacement character */
+        } else if (*at == '"' || *at == '\\') {
+            growing_format(&to, "\\%c", *at);
+        } else if (*at < 0x20) {
+            growing_format(&to, "\\u%04x", *at);
+        } else {
+            growing_text(&to, (struct text){text.start + i, length});
+        }
+        i += length > 0 ? length : 1;
+    }
+    growing_put(&to, "\"", sizeof "\"");
+    return to.data;
+}
+
+static const char *json_of_string(struct arena *arena, const char *string)
+{
+    return string != NULL ? json_of_text(arena, text_of(string)) : "null";
+}
+
+/* With the shortest digits that read back to the same bits; null where it is not finite. */
+static const char *json_of_number(struct arena *arena, double value)
+{
+    char text[NUMBER_LENGTH];
+    return isfinite(value)
+               ? arena_string(arena, text, (size_t)(number_write_shortest(text, value) - text))
+               : "null";
+}
+
+/* All digits that a pair has: what is read again has the same bits. */
+static const char *json_of_pair(struct arena *arena, struct pair value)
+{
+    char text[PAIR_LENGTH];
+    if (!isfinite(value.hi)) {
+        return "null";
+    }
+    const char *end = pair_write_shortest(text, value, NUMBER_UNSCALED);
+    return arena_string(arena, text, (size_t)(end - text));
+}
 
 static const char *json_bool(bool value)
 {
@@ -428,6 +477,35 @@ static void json_put_header(struct lens_writer *writing)
         writing_put(writing, ",\"%s\":%s", stated[i],
                     json_values(writing, lens->stated[i], lens->stated_count[i], 1));
     }
+}
+
+/* One more line of a list. */
+static void json_put_line(struct text_buffer *text, const char *key, size_t i, struct text line)
+{
+    growing_string(text, i == 0 ? key : ",");
+    growing_string(text, json_of_text(text->arena, line));
+}
+
+/* Pick-ups, goals and tolerances: the lines that a .lens file in mm has of them. */
+static void json_put_design(struct text_buffer *text, const struct lens *lens, struct arena *arena)
+{
+    const struct lens *in_mm = lens_in_unit(lens, "mm", arena);
+    for (size_t i = 0; i < lens->pickup_count; i++) {
+        struct text_buffer line = {.arena = arena};
+        lens_pickup_write(&in_mm->pickups[i], "mm", &line);
+        json_put_line(text, ",\"pickups\":[", i, growing_done(&line));
+    }
+    growing_string(text, lens->pickup_count > 0 ? "]" : "");
+    for (size_t i = 0; i < lens->goal_count; i++) {
+        json_put_line(text, ",\"goals\":[", i, lens->goals[i].text);
+    }
+    growing_string(text, lens->goal_count > 0 ? "]" : "");
+    for (size_t i = 0; i < lens->tolerance_count; i++) {
+        struct text_buffer line = {.arena = arena};
+        lens_tolerance_write(&in_mm->tolerances[i], "mm", &line);
+        json_put_line(text, ",\"tolerances\":[", i, growing_done(&line));
+    }
+    growing_string(text, lens->tolerance_count > 0 ? "]" : "");
 }
 
 /* In JSON each cell has numbers of its own: a marked word in two of them would vary twice. */
