@@ -35,6 +35,7 @@ enum { COMMAND_MOST_WORDS = 4096 };
 /* A file being read, command by command. Texts point into the content. */
 struct commands {
     struct foreign_job *job;
+    struct error *error; /* receives what is wrong */
     const struct command_grammar *grammar;
     struct text rest; /* what is still to read */
     struct text line; /* the present line, without its comment */
@@ -47,7 +48,7 @@ struct commands {
 };
 
 void commands_open(struct commands *commands, struct foreign_job *job, struct text content,
-                   const struct command_grammar *grammar);
+                   const struct command_grammar *grammar, struct error *error);
 
 /*
  * Go to the next command.
@@ -56,7 +57,7 @@ void commands_open(struct commands *commands, struct foreign_job *job, struct te
  * Errors    ERROR_DATA with line and column: a quote that does not end in its line, a command of
  *           more than COMMAND_MOST_WORDS words
  */
-bool commands_next(struct commands *commands, struct error *error);
+bool commands_next(struct commands *commands);
 
 /* The word of this number, or an empty one where the command has ended. */
 struct command_word commands_word(const struct commands *commands, size_t word);
@@ -66,8 +67,7 @@ struct file_words commands_place(const struct commands *commands, const struct c
 
 /* Report something wrong with a word. Returns false. */
 bool commands_fail(const struct commands *commands, const struct command_word *word,
-                   struct error *error, const char *format, ...)
-    __attribute__((format(printf, 4, 5)));
+                   const char *format, ...) __attribute__((format(printf, 3, 4)));
 
 /* A loss at a word: see foreign_loss. Returns true. */
 bool commands_loss(const struct commands *commands, const struct command_word *word,
@@ -80,17 +80,20 @@ bool commands_lose(const struct commands *commands, enum loss_effect effect, con
 
 /* A number that stands in a word of the command, as lens_words_figure reads it. */
 bool commands_figure(const struct commands *commands, size_t word, struct number_scale scale,
-                     const char *what, struct figure *figure, struct error *error);
+                     const char *what, struct figure *figure);
+
+/* The same, and nothing stands behind it. */
+bool commands_value(const struct commands *commands, size_t word, struct number_scale scale,
+                    const char *what, struct figure *figure);
 
 /*
  * The distance of an object: `inf` and `infinity` too, which become as far as the grammar's
  * infinity. Errors as commands_figure
  */
-bool commands_object(const struct commands *commands, size_t word, struct figure *figure,
-                     struct error *error);
+bool commands_object(const struct commands *commands, size_t word, struct figure *figure);
 
 /* Nothing may follow from this word on. */
-bool commands_end(const struct commands *commands, size_t word, struct error *error);
+bool commands_end(const struct commands *commands, size_t word);
 
 /*
  * A whole number in a word, or in the part of it that is no letter.
@@ -98,7 +101,6 @@ bool commands_end(const struct commands *commands, size_t word, struct error *er
  * Given     digits  that part; what  "number of the surface"; least  the smallest that is one
  */
 bool commands_count(const struct commands *commands, const struct command_word *word,
-                    struct text digits, const char *what, size_t least, size_t *value,
-                    struct error *error);
+                    struct text digits, const char *what, size_t least, size_t *value);
 
 #endif

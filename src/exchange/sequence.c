@@ -3,12 +3,24 @@
 #include "exchange/sequence.h"
 
 #include "base/constants.h"
-#include "exchange/sequence_move.h"
 #include "exchange/virtual_object.h"
+#include "file/decimal.h"
 #include "file/lens_words.h"
 
 #include <math.h>
 #include <string.h>
+
+bool sequence_is_some(const struct figure *figure)
+{
+    return figure->typed.start != NULL && figure->value.hi != 0;
+}
+
+struct figure sequence_diameter(const struct figure *radius, struct arena *arena)
+{
+    return (struct figure){.value = {2 * radius->value.hi, 2 * radius->value.lo},
+                           .typed = decimal_double(radius->typed, arena),
+                           .variable = LENS_NONE};
+}
 
 struct sequence_surface *sequence_add(struct sequence *sequence, struct command_word at)
 {
@@ -32,11 +44,11 @@ struct sequence_surface *sequence_add(struct sequence *sequence, struct command_
 }
 
 bool sequence_medium(const struct commands *commands, const struct command_word *at,
-                     const char *written, struct medium *medium, struct error *error)
+                     const char *written, struct medium *medium)
 {
     struct file_words words = commands_place(commands, at);
     words.line = text_of(written);
-    return lens_words_medium(&words, words.line, medium, error);
+    return lens_words_medium(&words, words.line, medium, commands->error);
 }
 
 void sequence_set_constant(const struct sequence *sequence, struct sequence_surface *surface,
@@ -53,16 +65,36 @@ void sequence_set_constant(const struct sequence *sequence, struct sequence_surf
     surface->coefficients = (surface->coefficients & ~(1u << at)) | (is_some << at);
 }
 
-void sequence_set_shift(const struct sequence *sequence, struct sequence_surface *surface, int what,
-                        struct figure figure)
+bool sequence_read_constant(const struct sequence *sequence, size_t word,
+                            struct sequence_surface *surface, int order)
 {
+    struct figure figure;
+    if (!commands_value(sequence->commands, word, NUMBER_UNSCALED,
+                        order == 0 ? "conic" : "coefficient", &figure)) {
+        return false;
+    }
+    sequence_set_constant(sequence, surface, order, figure);
+    return true;
+}
+
+bool sequence_read_shift(const struct sequence *sequence, size_t word,
+                         struct sequence_surface *surface, int what)
+{
+    const struct commands *commands = sequence->commands;
+    bool is_turn = what < 'X';
+    struct figure figure;
+    if (!commands_value(commands, word, is_turn ? NUMBER_UNSCALED : commands->scale,
+                        is_turn ? "tilt" : "decentre", &figure)) {
+        return false;
+    }
     surface->decentred_at = sequence->commands->words[0];
-    if (what >= 'X') {
+    if (!is_turn) {
         surface->shift[what - 'X'] = figure;
-        return;
+        return true;
     }
     figure.value = pair_multiply(figure.value, pair_of(RADIANS_PER_DEGREE));
     surface->turn[what - 'A'] = what == 'C' ? figure : figure_negate(figure, sequence->job->arena);
+    return true;
 }
 
 void sequence_add_wave(const struct sequence *sequence, struct text wave, const char *unit,
@@ -263,28 +295,27 @@ static bool is_focus(const struct sequence *sequence, const struct sequence_surf
            solve->ray == SOLVE_MARGINAL && solve->target.value.hi == 0 && last->extra.hi == 0;
 }
 
-bool sequence_environment(struct sequence *sequence, bool is_temperature, double per_atmosphere,
-                          struct error *error)
+bool sequence_environment(struct sequence *sequence, bool is_temperature, double per_atmosphere)
 {
     const struct commands *commands = sequence->commands;
     struct figure figure;
     if (!commands_figure(commands, 1, NUMBER_UNSCALED, is_temperature ? "temperature" : "pressure",
-                         &figure, error) ||
-        !commands_end(commands, 2, error)) {
+                         &figure) ||
+        !commands_end(commands, 2)) {
         return false;
     }
     if (is_temperature) {
         sequence->environment.temperature = figure.value.hi;
-        return figure.value.hi > -273.15 || commands_fail(commands, &commands->words[1], error,
-                                                          "a temperature is above -273.15 C");
+        return figure.value.hi > -273.15 ||
+               commands_fail(commands, &commands->words[1], "a temperature is above -273.15 C");
     }
     sequence->environment.pressure = figure.value.hi / per_atmosphere;
     return figure.value.hi >= 0 ||
-           commands_fail(commands, &commands->words[1], error, "a pressure is not below 0");
+           commands_fail(commands, &commands->words[1], "a pressure is not below 0");
 }
 
 /* The glasses in the air of the file. */
-static bool sequence_to_environment(struct sequence *sequence, struct error *error)
+static bool sequence_to_environment(struct sequence *sequence)
 {
     struct environment *environment = &sequence->environment;
     const struct lens *lens = sequence->build->lens;
@@ -299,21 +330,23 @@ static bool sequence_to_environment(struct sequence *sequence, struct error *err
         const struct command_word *at =
             surface->glass.text.length > 0 ? &surface->glass : &surface->at;
         const struct file_words place = commands_place(sequence->commands, at);
-        if (!environment_apply(environment, &place, at->text, &surface->medium, error)) {
+        if (!environment_apply(environment, &place, at->text, &surface->medium,
+                               sequence->commands->error)) {
             return false;
         }
     }
     return true;
 }
 
-bool sequence_finish(struct sequence *sequence, struct error *error)
+bool sequence_finish(struct sequence *sequence)
 {
+    struct error *error = sequence->commands->error;
     const struct commands *commands = sequence->commands;
     if (sequence->count < 3) {
         fail(error, ERROR_DATA, "the file has no surface between object and image");
         return error_locate(error, commands->job->source, 0, 0);
     }
-    if (!sequence_apply_pickups(sequence, error) || !sequence_to_environment(sequence, error)) {
+    if (!sequence_apply_pickups(sequence) || !sequence_to_environment(sequence)) {
         return false;
     }
     struct sequence_surface *image = &sequence->surfaces[sequence->count - 1], *last = image - 1;
@@ -334,7 +367,7 @@ bool sequence_finish(struct sequence *sequence, struct error *error)
     }
     foreign_mark_power(sequence->job, sequence->build);
     sequence_put_image(sequence, is_solved);
-    if (!sequence_solve_all(sequence, indices, error)) {
+    if (!sequence_solve_all(sequence, indices)) {
         return false;
     }
     sequence_keep_pickups(sequence);

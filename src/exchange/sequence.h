@@ -122,8 +122,7 @@ bool sequence_is_some(const struct figure *figure);
  *
  * Given     per_atmosphere  the pressure of one standard atmosphere in the command's unit
  */
-bool sequence_environment(struct sequence *sequence, bool is_temperature, double per_atmosphere,
-                          struct error *error);
+bool sequence_environment(struct sequence *sequence, bool is_temperature, double per_atmosphere);
 
 /* A figure of 1/length^power that was read as a plain number. */
 static inline void sequence_per_length(const struct commands *commands, int power,
@@ -139,12 +138,16 @@ struct figure sequence_diameter(const struct figure *radius, struct arena *arena
 void sequence_set_constant(const struct sequence *sequence, struct sequence_surface *surface,
                            int order, struct figure figure);
 
+/* The same, from a word of the present command, which is the last. */
+bool sequence_read_constant(const struct sequence *sequence, size_t word,
+                            struct sequence_surface *surface, int order);
+
 /*
- * A shift in mm or a turn in degrees of a surface, as the present command has it: 'X' 'Y' 'Z',
+ * A shift in mm or a turn in degrees of a surface, from such a word: 'X' 'Y' 'Z',
  * 'A' 'B' 'C' about them, of which both programs have those about x and y left-handed.
  */
-void sequence_set_shift(const struct sequence *sequence, struct sequence_surface *surface, int what,
-                        struct figure figure);
+bool sequence_read_shift(const struct sequence *sequence, size_t word,
+                         struct sequence_surface *surface, int what);
 
 /* A wavelength, in the words of the file and its `unit`, "nm" or "um", with its weight. */
 void sequence_add_wave(const struct sequence *sequence, struct text wave, const char *unit,
@@ -152,7 +155,7 @@ void sequence_add_wave(const struct sequence *sequence, struct text wave, const 
 
 /* A medium from what a .lens file would have for it. */
 bool sequence_medium(const struct commands *commands, const struct command_word *at,
-                     const char *written, struct medium *medium, struct error *error);
+                     const char *written, struct medium *medium);
 
 /* Is there an object, at a finite distance? */
 bool sequence_is_near(const struct sequence *sequence);
@@ -163,20 +166,37 @@ bool sequence_is_near(const struct sequence *sequence);
  * Errors    ERROR_DATA: no surface, a pick-up of a surface that is not there, a solve without an
  *           answer; what a lens cannot hold, unless lossy
  */
-bool sequence_finish(struct sequence *sequence, struct error *error);
+bool sequence_finish(struct sequence *sequence);
 
 /*
  * The pick-ups, each behind those that it follows. A part of sequence_finish.
  *
  * Errors    ERROR_DATA: a surface that is not there, pick-ups that go in a circle
  */
-bool sequence_apply_pickups(const struct sequence *sequence, struct error *error);
+bool sequence_apply_pickups(const struct sequence *sequence);
 
 /* What of them says the same of the lens, which is whole, becomes its own. */
 void sequence_keep_pickups(const struct sequence *sequence);
 
 /* The solves; `indices` are those of the lens's surfaces. A part of sequence_finish. */
-bool sequence_solve_all(const struct sequence *sequence, const size_t *indices,
-                        struct error *error);
+bool sequence_solve_all(const struct sequence *sequence, const size_t *indices);
+
+/* -------- parts of sequence_finish: shifts and turns -------- */
+
+/* Beside a shift along the axis, which goes into the thicknesses. */
+bool sequence_is_decentred(const struct sequence_surface *surface);
+
+/* What the surfaces' shifts along z do to the thicknesses around them. */
+void sequence_spread_z(const struct sequence *sequence);
+
+/* Errors    losses: turns whose order a lens does not have */
+void sequence_check_move(const struct sequence *sequence, const struct sequence_surface *from);
+
+/* Planes before a surface that is turned about z, y and x before it is shifted. */
+void sequence_turn_first(const struct sequence *sequence, const struct sequence_surface *from);
+
+/* Shift and turn a surface. Result: the one whose distance is that to the next. */
+struct surface *sequence_move_surface(const struct sequence *sequence,
+                                      struct sequence_surface *from, struct surface *surface);
 
 #endif

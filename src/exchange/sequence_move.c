@@ -1,6 +1,6 @@
 /* exchange/sequence_move.c - shifted and turned surfaces of CODE V and OSLO files. */
 /* SPDX-License-Identifier: MIT */
-#include "exchange/sequence_move.h"
+#include "exchange/sequence.h"
 
 bool sequence_is_decentred(const struct sequence_surface *surface)
 {

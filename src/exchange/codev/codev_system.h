@@ -5,6 +5,9 @@
 
 #include "exchange/codev/codev.h"
 
+/* NA, beside the kinds of aperture that codev_aperture_of_lens knows by their numbers. */
+enum { CODEV_IMAGE_NA = -1 };
+
 codev_command codev_title;
 codev_command codev_radius_mode; /* RDM */
 codev_command codev_unit;        /* DIM */
@@ -17,6 +20,6 @@ codev_command codev_fields;
 bool codev_is_harmless(struct text word);
 
 /* Wavelengths and fields, when all of the file is read. */
-bool codev_finish_system(struct codev *codev, struct error *error);
+bool codev_finish_system(struct codev *codev);
 
 #endif

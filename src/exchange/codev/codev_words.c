@@ -141,14 +141,14 @@ static struct text codev_words_cut_range(struct text name, struct text *last)
 }
 
 static bool codev_words_read_surfaces(struct codev *codev, const struct command_word *word,
-                                      struct codev_qualifiers *qualifiers, struct error *error)
+                                      struct codev_qualifiers *qualifiers)
 {
     const struct text name = {word->text.start + 1, word->text.length - 1};
     struct text last, first = codev_words_cut_range(name, &last);
     return (surface_named(codev, first, &qualifiers->surface) &&
             surface_named(codev, last, &qualifiers->end) &&
             qualifiers->surface <= qualifiers->end) ||
-           commands_fail(&codev->commands, word, error, "there is no surface '%.*s'",
+           commands_fail(&codev->commands, word, "there is no surface '%.*s'",
                          (int)(word->text.length < 40 ? word->text.length : 40), word->text.start);
 }
 
@@ -207,8 +207,7 @@ size_t codev_qualifiers_end(const struct commands *commands, size_t first, size_
     return first;
 }
 
-bool codev_qualifiers(struct codev *codev, size_t first, struct codev_qualifiers *qualifiers,
-                      struct error *error)
+bool codev_qualifiers(struct codev *codev, size_t first, struct codev_qualifiers *qualifiers)
 {
     struct commands *commands = &codev->commands;
     const struct command_word *command = &commands->words[first - 1];
@@ -221,13 +220,13 @@ bool codev_qualifiers(struct codev *codev, size_t first, struct codev_qualifiers
         const char kind = codev_qualifier_kind(command, &word);
         size_t value = 0;
         if (kind == 's') {
-            if (!codev_words_read_surfaces(codev, &word, qualifiers, error)) {
+            if (!codev_words_read_surfaces(codev, &word, qualifiers)) {
                 return false;
             }
             continue;
         }
         struct text number = {word.text.start + 1, word.text.length - 1};
-        if (!commands_count(commands, &word, number, "number", 1, &value, error)) {
+        if (!commands_count(commands, &word, number, "number", 1, &value)) {
             return false;
         }
         qualifiers->zoom = kind == 'z' ? value : qualifiers->zoom;

@@ -2,7 +2,6 @@
 /* SPDX-License-Identifier: MIT */
 #include "exchange/keep_notes.h"
 #include "exchange/oslo/oslo.h"
-#include "exchange/oslo/oslo_reading.h"
 
 /* Cut off the number of a surface; FOREIGN_MOST_SURFACES where there is none. */
 static size_t oslo_kept_cut_number(struct text *rest)
@@ -40,7 +39,7 @@ static void name_surface(struct oslo *oslo, struct text rest)
     }
 }
 
-bool oslo_keep_notes(struct oslo *oslo, struct text content, struct error *error)
+bool oslo_keep_notes(struct oslo *oslo, struct text content)
 {
     struct lens *lens = oslo->build.lens;
     struct keep_notes notes = {0};
@@ -49,7 +48,7 @@ bool oslo_keep_notes(struct oslo *oslo, struct text content, struct error *error
         const struct text kept = text_behind(line, OSLO_KEEP_NOTE);
         const struct text fields = text_behind(kept, OSLO_FIELDS);
         const struct text name = text_behind(kept, OSLO_NAME);
-        if (fields.start != NULL && !oslo_fields(oslo, fields, error)) {
+        if (fields.start != NULL && !oslo_fields(oslo, fields)) {
             return false;
         }
         if (text_equal(kept, OSLO_STOP_RULES)) {

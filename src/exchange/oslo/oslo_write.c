@@ -329,7 +329,7 @@ static void oslo_put_aperture(struct lens_writer *writing, const struct aperture
 }
 
 /* What passes or blocks light, as special apertures. */
-static void oslo_put_apertures(struct lens_writer *writing, const struct surface *surface)
+static void oslo_write_apertures(struct lens_writer *writing, const struct surface *surface)
 {
     enum { MOST = 26 }; /* letters */
     int count = 0, put = 0;
@@ -389,7 +389,7 @@ static void oslo_put_surface(struct oslo_output *output, size_t index)
         writing_put(writing, "AP CHK %s\n", writing_half(writing, &surface->diameter));
     }
     growing_string(&writing->text, surface->is_stop ? "AST\n" : "");
-    oslo_put_apertures(writing, surface);
+    oslo_write_apertures(writing, surface);
     if (moved != NULL) {
         oslo_put_displacement(writing, moved, surface->decentre != NULL);
     }
