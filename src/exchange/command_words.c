@@ -25,33 +25,29 @@ static bool command_words_is_quote(const struct commands *commands, char c)
     return c != '\0' && strchr(commands->grammar->quotes, c) != NULL;
 }
 
-/* The line up to its comment; what looks like one inside of quotes is none. */
-static struct text command_words_without_comment(const struct commands *commands, struct text line)
-{
-    const char *comment = commands->grammar->comment;
-    size_t length = strlen(comment);
-    char closing = '\0';
-    for (size_t i = 0; i < line.length; i++) {
-        char c = line.start[i];
-        if (closing != '\0') {
-            closing = c == closing ? '\0' : closing;
-        } else if (line.length - i >= length && memcmp(line.start + i, comment, length) == 0) {
-            line.length = i;
-        } else if (command_words_is_quote(commands, c)) {
-            closing = c;
-        }
-    }
-    while (line.length > 0 && command_words_is_blank(line.start[line.length - 1])) {
-        line.length--;
-    }
-    return line;
-}
-
 /* Go to the next line that has something; false at the end of the file. */
 static bool command_words_next_line(struct commands *commands)
 {
     while (commands->rest.start != NULL && commands->rest.length > 0) {
-        commands->line = command_words_without_comment(commands, text_cut(&commands->rest, '\n'));
+        /* The line up to its comment; what looks like one inside of quotes is none. */
+        struct text line = text_cut(&commands->rest, '\n');
+        const char *comment = commands->grammar->comment;
+        size_t length = strlen(comment);
+        char closing = '\0';
+        for (size_t i = 0; i < line.length; i++) {
+            char c = line.start[i];
+            if (closing != '\0') {
+                closing = c == closing ? '\0' : closing;
+            } else if (line.length - i >= length && memcmp(line.start + i, comment, length) == 0) {
+                line.length = i;
+            } else if (command_words_is_quote(commands, c)) {
+                closing = c;
+            }
+        }
+        while (line.length > 0 && command_words_is_blank(line.start[line.length - 1])) {
+            line.length--;
+        }
+        commands->line = line;
         commands->at = commands->line.start;
         commands->number++;
         if (commands->line.length > 0) {

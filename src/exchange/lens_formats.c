@@ -227,45 +227,6 @@ static const char *endings_with_thick(struct arena *arena)
     return last != NULL ? arena_printf(arena, "%s and %s", endings, last) : endings;
 }
 
-/* What the positions set anew, where the file has no words for it. */
-static void lose_settings(struct foreign_job *job, const struct foreign_format *format,
-                          const struct lens *lens)
-{
-    struct arena *arena = job->arena;
-    const char *all = lens->stops != NULL ? " stop" : "";
-    all = lens->lights != NULL ? arena_printf(arena, "%s wavelength", all) : all;
-    all = lens->points != NULL ? arena_printf(arena, "%s field", all) : all;
-    for (size_t i = 0; i < lens->setting_count; i++) {
-        all =
-            arena_printf(arena, "%s %s", all, parameter_write(lens->settings[i].parameter, arena));
-    }
-    if (all[0] != '\0') {
-        foreign_lose(job, LOSS_OF_RAYS, "the first position's is kept",
-                     "what the positions set anew in a %s file:%s", format->type.ending, all);
-    }
-}
-
-/* What is wanted, allowed, and varies in a position, where the file has no words for it. */
-static void lose_design(struct foreign_job *job, const struct foreign_format *format,
-                        const struct lens *lens)
-{
-    const char *ending = format->type.ending;
-    bool is_marked = false;
-    for (size_t i = 0; i < lens->variable_count; i++) {
-        is_marked = is_marked || lens->variables[i].varies != NULL;
-    }
-    if (lens->goal_count > 0) {
-        foreign_lose(job, LOSS_OF_NOTHING, "left out", "goals in a %s file", ending);
-    }
-    if (lens->tolerance_count > 0) {
-        foreign_lose(job, LOSS_OF_NOTHING, "left out", "tolerances in a %s file", ending);
-    }
-    if (is_marked) {
-        foreign_lose(job, LOSS_OF_NOTHING, "left out",
-                     "marks of what varies in a position in a %s file", ending);
-    }
-}
-
 bool foreign_write(struct foreign_job *job, const struct foreign_format *format,
                    const struct lens *lens, struct text *text, struct error *error)
 {
@@ -283,10 +244,37 @@ bool foreign_write(struct foreign_job *job, const struct foreign_format *format,
         }
     }
     if (!format->has_settings) {
-        lose_settings(job, format, lens);
+        /* What the positions set anew, where the file has no words for it. */
+        struct arena *arena = job->arena;
+        const char *all = lens->stops != NULL ? " stop" : "";
+        all = lens->lights != NULL ? arena_printf(arena, "%s wavelength", all) : all;
+        all = lens->points != NULL ? arena_printf(arena, "%s field", all) : all;
+        for (size_t k = 0; k < lens->setting_count; k++) {
+            all = arena_printf(arena, "%s %s", all,
+                               parameter_write(lens->settings[k].parameter, arena));
+        }
+        if (all[0] != '\0') {
+            foreign_lose(job, LOSS_OF_RAYS, "the first position's is kept",
+                         "what the positions set anew in a %s file:%s", format->type.ending, all);
+        }
     }
     if (!format->has_design) {
-        lose_design(job, format, lens);
+        /* What is wanted, allowed, and varies in a position, where the file has no words for it. */
+        const char *ending = format->type.ending;
+        bool is_marked = false;
+        for (size_t j = 0; j < lens->variable_count; j++) {
+            is_marked = is_marked || lens->variables[j].varies != NULL;
+        }
+        if (lens->goal_count > 0) {
+            foreign_lose(job, LOSS_OF_NOTHING, "left out", "goals in a %s file", ending);
+        }
+        if (lens->tolerance_count > 0) {
+            foreign_lose(job, LOSS_OF_NOTHING, "left out", "tolerances in a %s file", ending);
+        }
+        if (is_marked) {
+            foreign_lose(job, LOSS_OF_NOTHING, "left out",
+                         "marks of what varies in a position in a %s file", ending);
+        }
     }
     return foreign_settle(job, format->write(job, lens, text, error), error);
 }

@@ -118,44 +118,6 @@ static double nanometres(double micrometres)
     return value;
 }
 
-static void json_put_waves(struct lens_writer *writing)
-{
-    const struct lens *lens = writing->lens;
-    struct arena *arena = writing->arena;
-    writing_put(writing, ",\"unit\":%s,\"wavelengths\":[", json_of_string(arena, lens->unit));
-    for (size_t i = 0; i < lens->wavelength_count; i++) {
-        const struct lens_wavelength *one = &lens->wavelengths[i];
-        writing_put(writing, "%s{\"name\":%s,\"wavelength_nm\":%s,\"weight\":%s}", i > 0 ? "," : "",
-                    json_of_text(arena, one->typed),
-                    json_of_number(arena, nanometres(one->wavelength)),
-                    json_of_number(arena, one->weight));
-    }
-    writing_put(writing, "]");
-}
-
-static void json_put_object(struct lens_writer *writing)
-{
-    const struct lens *lens = writing->lens;
-    if (lens->objects != NULL) {
-        writing_put(writing, ",\"object_mm\":%s,\"object_is_infinite\":",
-                    json_values(writing, lens->objects, lens->position_count, 1));
-        for (size_t i = 0; i < lens->position_count; i++) {
-            writing_put(writing, "%s%s", i == 0 ? "[" : ",",
-                        json_bool(isinf(lens->objects[i].value.hi)));
-        }
-        writing_put(writing, "]");
-    } else {
-        const struct pair far = pair_of(INFINITY);
-        writing_put(
-            writing, ",\"object_mm\":%s,\"object_is_infinite\":%s",
-            json_of_pair(writing->arena, lens->object_is_infinite ? far : lens->object.value),
-            json_bool(lens->object_is_infinite));
-    }
-    writing_put(writing, "%s,\"object_medium\":%s",
-                lens->is_telecentric ? ",\"object_is_telecentric\":true" : "",
-                json_of_text(writing->arena, lens->object_medium.written));
-}
-
 /* The x or y of all fields. */
 static void json_put_axis(struct lens_writer *writing, const char *key, int axis)
 {
@@ -219,21 +181,6 @@ static void json_put_displacement(struct lens_writer *writing, const char *key,
                     json_values(writing, displacement->decenter, 2, 1),
                     json_values(writing, displacement->tilt, 3, RADIANS_PER_DEGREE));
     }
-}
-
-static void json_put_coefficients(struct lens_writer *writing, const struct surface *surface)
-{
-    const enum parameter_kind kind = PARAMETER_COEFFICIENT;
-    const char *before = ",\"coefficients_mm\":{";
-    for (int order = 1; order <= LENS_COEFFICIENTS && surface->coefficients != 0; order++) {
-        const struct figure *figure = parameter_figure(surface, kind, order);
-        if (figure != NULL) {
-            writing_put(writing, "%s\"%s\":%s", before, parameter_name(kind, order, writing->arena),
-                        json_figure(writing, figure));
-            before = ",";
-        }
-    }
-    growing_string(&writing->text, surface->coefficients != 0 ? "}" : "");
 }
 
 /* One more mark; bounds in mm, 1/mm .., null is none. */
@@ -302,21 +249,6 @@ static bool json_put_medium(struct lens_writer *writing, const struct surface *s
     return true;
 }
 
-/* What only a thick lens has. */
-static void json_put_thick(struct lens_writer *writing, const struct surface *surface)
-{
-    if (!surface_has(surface, SURFACE_HAS_FOCAL)) {
-        return;
-    }
-    json_put_optional(writing, "focal_mm", true, &surface->focal);
-    json_put_optional(writing, "hiatus_mm", true, &surface->hiatus);
-    for (int i = 0; i < 3; i++) {
-        writing_put(writing, "%s%s", i == 0 ? ",\"distortion\":[" : ",",
-                    json_of_number(writing->arena, surface->distortion[i].value.hi));
-    }
-    writing_put(writing, "]");
-}
-
 static void json_put_aperture(struct lens_writer *writing, const struct aperture *aperture)
 {
     const struct aperture_traits *traits = &aperture_shapes[aperture->shape];
@@ -354,8 +286,27 @@ static bool json_put_surface(struct lens_writer *writing, size_t i, struct error
     }
     json_put_optional(writing, "diameter_mm", surface->has_diameter, &surface->diameter);
     json_put_optional(writing, "conic", true, &surface->conic);
-    json_put_coefficients(writing, surface);
-    json_put_thick(writing, surface);
+    const enum parameter_kind kind = PARAMETER_COEFFICIENT;
+    const char *before = ",\"coefficients_mm\":{";
+    for (int order = 1; order <= LENS_COEFFICIENTS && surface->coefficients != 0; order++) {
+        const struct figure *figure = parameter_figure(surface, kind, order);
+        if (figure != NULL) {
+            writing_put(writing, "%s\"%s\":%s", before, parameter_name(kind, order, writing->arena),
+                        json_figure(writing, figure));
+            before = ",";
+        }
+    }
+    growing_string(&writing->text, surface->coefficients != 0 ? "}" : "");
+    /* What only a thick lens has. */
+    if (surface_has(surface, SURFACE_HAS_FOCAL)) {
+        json_put_optional(writing, "focal_mm", true, &surface->focal);
+        json_put_optional(writing, "hiatus_mm", true, &surface->hiatus);
+        for (int j = 0; j < 3; j++) {
+            writing_put(writing, "%s%s", j == 0 ? ",\"distortion\":[" : ",",
+                        json_of_number(writing->arena, surface->distortion[j].value.hi));
+        }
+        writing_put(writing, "]");
+    }
     if (!surface_is_round(surface)) {
         writing_put(writing, ",\"cylinder\":%s",
                     json_of_string(writing->arena, surface_section(surface)->key));
@@ -468,8 +419,33 @@ static void json_put_header(struct lens_writer *writing)
     json_put_strings(writing, "notes", lens->notes, lens->note_count);
     json_put_strings(writing, "positions", lens->positions, lens->position_count);
     writing_put(writing, "\n");
-    json_put_waves(writing);
-    json_put_object(writing);
+    writing_put(writing, ",\"unit\":%s,\"wavelengths\":[", json_of_string(arena, lens->unit));
+    for (size_t i = 0; i < lens->wavelength_count; i++) {
+        const struct lens_wavelength *one = &lens->wavelengths[i];
+        writing_put(writing, "%s{\"name\":%s,\"wavelength_nm\":%s,\"weight\":%s}", i > 0 ? "," : "",
+                    json_of_text(arena, one->typed),
+                    json_of_number(arena, nanometres(one->wavelength)),
+                    json_of_number(arena, one->weight));
+    }
+    writing_put(writing, "]");
+    if (lens->objects != NULL) {
+        writing_put(writing, ",\"object_mm\":%s,\"object_is_infinite\":",
+                    json_values(writing, lens->objects, lens->position_count, 1));
+        for (size_t i = 0; i < lens->position_count; i++) {
+            writing_put(writing, "%s%s", i == 0 ? "[" : ",",
+                        json_bool(isinf(lens->objects[i].value.hi)));
+        }
+        writing_put(writing, "]");
+    } else {
+        const struct pair far = pair_of(INFINITY);
+        writing_put(
+            writing, ",\"object_mm\":%s,\"object_is_infinite\":%s",
+            json_of_pair(writing->arena, lens->object_is_infinite ? far : lens->object.value),
+            json_bool(lens->object_is_infinite));
+    }
+    writing_put(writing, "%s,\"object_medium\":%s",
+                lens->is_telecentric ? ",\"object_is_telecentric\":true" : "",
+                json_of_text(writing->arena, lens->object_medium.written));
     json_put_use(writing);
     writing_put(writing, ",\"stop_surface\":%s",
                 lens->stop == LENS_NONE ? "null" : arena_printf(arena, "%zu", lens->stop + 1));

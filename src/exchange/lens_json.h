@@ -105,7 +105,7 @@ bool json_read_surface(struct json_reader *reading, const struct json_value *obj
 /* What the positions set anew; the lens has its surfaces, and its stop if it has one. */
 bool json_read_settings(struct json_reader *reading, const struct json_value *value);
 
-/* Pick-ups, goals and tolerances: lists of lines as a .lens file in mm has them; the lens has all else. */
+/* Pick-ups, goals and tolerances: lines as of a .lens file in mm; the lens has all else. */
 bool json_read_design(struct json_reader *reading, const struct json_value *pickups,
                       const struct json_value *goals, const struct json_value *tolerances);
 

@@ -420,19 +420,6 @@ static bool json_refuse(struct json_reader *reading)
     return error_hint(reading->error, "lenscalc-convert(1) tells which files a lens is read from");
 }
 
-/* Why there is no tree: JSON of another program may hold what JSON has no words for. */
-static bool fail_tree(struct json_reader *reading, const struct json *json)
-{
-    const struct error found = *reading->error;
-    const struct json_value at = {.at = (size_t)(json->at - reading->content.start) + 1};
-    struct json first = json_open(reading->content, reading->job->arena, reading->error);
-    struct text key = {NULL, 0};
-    if (!json_take(&first, '{') || !json_string(&first, &key) || !text_equal(key, "lens")) {
-        return json_refuse(reading);
-    }
-    return json_wrong(reading, &at, "%s", found.message);
-}
-
 bool lens_json_read(struct foreign_job *job, struct text content, struct lens *lens,
                     struct error *error)
 {
@@ -440,7 +427,15 @@ bool lens_json_read(struct foreign_job *job, struct text content, struct lens *l
     struct json json = json_open(content, job->arena, error);
     struct json_value root;
     if (!json_tree(&json, &root)) {
-        return fail_tree(&reading, &json);
+        /* Why there is no tree: JSON of another program may hold what JSON has no words for. */
+        const struct error found = *reading.error;
+        const struct json_value at = {.at = (size_t)(json.at - reading.content.start) + 1};
+        struct json first = json_open(reading.content, reading.job->arena, reading.error);
+        struct text key = {NULL, 0};
+        if (!json_take(&first, '{') || !json_string(&first, &key) || !text_equal(key, "lens")) {
+            return json_refuse(&reading);
+        }
+        return json_wrong(&reading, &at, "%s", found.message);
     }
     job->has_end = true; /* all that was opened is closed */
     const struct json_value *surfaces = json_item(&root, "surfaces");

@@ -153,19 +153,6 @@ static void merge_curve(struct merge *merge, size_t index)
     add_setting(merge, (struct lens_setting){{index, kind, 0}, figures, NULL});
 }
 
-static void merge_medium(struct merge *merge, size_t index)
-{
-    struct medium *media = ARENA_ARRAY(merge->arena, merge->count, struct medium);
-    bool same = true;
-    for (size_t p = 0; p < merge->count; p++) {
-        media[p] = merge_positions_surface_at(merge, p, index)->medium;
-        same = same && medium_is_same(&media[p], &media[0]);
-    }
-    if (!same && !surface_reflects(merge_positions_surface_at(merge, 0, index))) {
-        add_setting(merge, (struct lens_setting){{index, PARAMETER_GLASS, 0}, NULL, media});
-    }
-}
-
 /* All other numbers that a surface may have; where one position has one, it is 0 in the others. */
 static void merge_number(struct merge *merge, size_t index, struct parameter each)
 {
@@ -221,7 +208,15 @@ static bool merge_surface(struct merge *merge, size_t index)
     if (surface_has(first, SURFACE_HAS_CURVE)) {
         merge_curve(merge, index);
     }
-    merge_medium(merge, index);
+    struct medium *media = ARENA_ARRAY(merge->arena, merge->count, struct medium);
+    bool same = true;
+    for (size_t p = 0; p < merge->count; p++) {
+        media[p] = merge_positions_surface_at(merge, p, index)->medium;
+        same = same && medium_is_same(&media[p], &media[0]);
+    }
+    if (!same && !surface_reflects(merge_positions_surface_at(merge, 0, index))) {
+        add_setting(merge, (struct lens_setting){{index, PARAMETER_GLASS, 0}, NULL, media});
+    }
     for (struct parameter each = {0}; each.kind < PARAMETER_KINDS; each = parameter_next(each)) {
         bool other = each.kind != PARAMETER_RADIUS && each.kind != PARAMETER_CURVATURE &&
                      each.kind != PARAMETER_THICKNESS;
@@ -230,25 +225,6 @@ static bool merge_surface(struct merge *merge, size_t index)
         }
     }
     return true;
-}
-
-/* The object's distance and the aperture. */
-static void merge_system(struct merge *merge)
-{
-    struct lens *lens = merge->build->lens;
-    struct figure *objects = ARENA_ARRAY(merge->arena, merge->count, struct figure);
-    struct figure *apertures = ARENA_ARRAY(merge->arena, merge->count, struct figure);
-    for (size_t p = 0; p < merge->count; p++) {
-        objects[p] = merge->lenses[p].object;
-        apertures[p] = merge->lenses[p].aperture;
-        if (merge->lenses[p].object_is_infinite) {
-            objects[p] = (struct figure){{INFINITY, 0}, text_of("inf"), LENS_NONE};
-        }
-    }
-    lens->objects = merge_positions_are_same(objects, merge->count) ? NULL : objects;
-    bool one =
-        lens->aperture_kind <= APERTURE_STOP || merge_positions_are_same(apertures, merge->count);
-    lens->apertures = one ? NULL : apertures;
 }
 
 static bool is_same_light(const struct lens *a, const struct lens *b)
@@ -367,7 +343,21 @@ void merge_positions(struct lens_build *build, const struct lens *lenses, struct
     }
     to->settings = merge.settings;
     to->setting_count = merge.setting_count;
-    merge_system(&merge);
+    /* The object's distance and the aperture. */
+    struct lens *lens = merge.build->lens;
+    struct figure *objects = ARENA_ARRAY(merge.arena, merge.count, struct figure);
+    struct figure *apertures = ARENA_ARRAY(merge.arena, merge.count, struct figure);
+    for (size_t p = 0; p < merge.count; p++) {
+        objects[p] = merge.lenses[p].object;
+        apertures[p] = merge.lenses[p].aperture;
+        if (merge.lenses[p].object_is_infinite) {
+            objects[p] = (struct figure){{INFINITY, 0}, text_of("inf"), LENS_NONE};
+        }
+    }
+    lens->objects = merge_positions_are_same(objects, merge.count) ? NULL : objects;
+    bool one =
+        lens->aperture_kind <= APERTURE_STOP || merge_positions_are_same(apertures, merge.count);
+    lens->apertures = one ? NULL : apertures;
     merge_light_and_stop(&merge);
     merge_fields(&merge);
 }

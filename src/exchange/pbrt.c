@@ -48,36 +48,11 @@ static bool pbrt_is_like(struct text content)
     return numbers > 0 && numbers % CELLS == 0;
 }
 
-/* The title, from the first comment, and notes from the others. */
-static void read_comments(struct lens_build *build, struct text content)
-{
-    struct text rest = content, line, comment;
-    while (pbrt_next_line(&rest, &line, &comment)) {
-        if (comment.length > 0 && build->lens->title == NULL) {
-            build->lens->title = lens_build_string(build, comment);
-        } else if (comment.length > 0) {
-            lens_build_note(build, comment);
-        }
-    }
-}
-
 /* A surface being read: its numbers, and the word that says each. */
 struct pbrt_row {
     struct figure figures[CELLS];
     struct text words[CELLS];
 };
-
-static bool pbrt_check_row(const struct file_words *words, const struct pbrt_row *row,
-                           struct error *error)
-{
-    for (int i = INDEX; i < CELLS; i++) {
-        if (!(row->figures[i].value.hi >= 0)) {
-            return file_words_fail(words, row->words[i], error, "a negative %s", names[i]);
-        }
-    }
-    return row->figures[DIAMETER].value.hi > 0 ||
-           file_words_fail(words, row->words[DIAMETER], error, "a surface without diameter");
-}
 
 static struct medium pbrt_medium_of(const struct figure *index)
 {
@@ -119,8 +94,13 @@ static bool pbrt_read_stop(struct lens_build *build, const struct file_words *wo
 static bool pbrt_add_surface(struct lens_build *build, const struct file_words *words,
                              const struct pbrt_row *row, struct error *error)
 {
-    if (!pbrt_check_row(words, row, error)) {
-        return false;
+    for (int i = INDEX; i < CELLS; i++) {
+        if (!(row->figures[i].value.hi >= 0)) {
+            return file_words_fail(words, row->words[i], error, "a negative %s", names[i]);
+        }
+    }
+    if (!(row->figures[DIAMETER].value.hi > 0)) {
+        return file_words_fail(words, row->words[DIAMETER], error, "a surface without diameter");
     }
     if (build->lens->surface_count == LENS_MOST_SURFACES) {
         return file_words_fail(words, row->words[RADIUS], error, "more than %d surfaces",
@@ -175,29 +155,32 @@ static bool pbrt_read_words(struct lens_build *build, struct file_words *words, 
             error_locate(error, words->source, 0, 0));
 }
 
-/* The camera has air before its film, and its lens a stop. */
-static void pbrt_check_end(struct foreign_job *job, const struct lens *lens)
-{
-    const struct surface *last = &lens->surfaces[lens->surface_count - 1];
-    if (!medium_is_air(&last->medium)) {
-        foreign_cut_short(job, "behind its last surface is glass");
-    } else if (lens->stop == LENS_NONE) {
-        foreign_cut_short(job, "it has no stop, a surface of radius 0");
-    }
-}
-
 static bool pbrt_read(struct foreign_job *job, struct text content, struct lens *lens,
                       struct error *error)
 {
     struct file_words words;
     struct lens_build build;
     lens_build_begin(&build, lens, job->arena);
-    read_comments(&build, content);
+    /* The title, from the first comment, and notes from the others. */
+    struct text rest = content, line, comment;
+    while (pbrt_next_line(&rest, &line, &comment)) {
+        if (comment.length > 0 && build.lens->title == NULL) {
+            build.lens->title = lens_build_string(&build, comment);
+        } else if (comment.length > 0) {
+            lens_build_note(&build, comment);
+        }
+    }
     if (!file_words_open(&words, job->source, content, job->arena, error) ||
         !pbrt_read_words(&build, &words, error)) {
         return false;
     }
-    pbrt_check_end(job, lens);
+    /* The camera has air before its film, and its lens a stop. */
+    const struct surface *last = &lens->surfaces[lens->surface_count - 1];
+    if (!medium_is_air(&last->medium)) {
+        foreign_cut_short(job, "behind its last surface is glass");
+    } else if (lens->stop == LENS_NONE) {
+        foreign_cut_short(job, "it has no stop, a surface of radius 0");
+    }
     return true;
 }
 

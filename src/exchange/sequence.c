@@ -10,11 +10,6 @@
 #include <math.h>
 #include <string.h>
 
-bool sequence_is_some(const struct figure *figure)
-{
-    return figure->typed.start != NULL && figure->value.hi != 0;
-}
-
 struct figure sequence_diameter(const struct figure *radius, struct arena *arena)
 {
     return (struct figure){.value = {2 * radius->value.hi, 2 * radius->value.lo},
@@ -121,31 +116,6 @@ static struct figure with_extra(const struct sequence *sequence, const struct fi
                                            sequence->job->arena);
 }
 
-static void sequence_put_curve(const struct sequence *sequence, const struct sequence_surface *from,
-                               struct surface *surface)
-{
-    const char *unit = sequence->build->lens->unit;
-    if (!sequence_is_some(&from->curve)) {
-        return;
-    }
-    if (from->is_radius) {
-        surface->is_plane = false;
-        surface->radius = from->curve;
-    } else if (figure_radius_of(&from->curve, unit, sequence->job->arena, &surface->radius)) {
-        surface->is_plane = false;
-    } else {
-        surface->has_curvature = true;
-        surface->curvature = from->curve;
-    }
-}
-
-/* A decentred one is none, where its decentre is lost. */
-static bool has_circle(const struct sequence_surface *from)
-{
-    return from->diameter.typed.start != NULL && from->diameter.value.hi != 0 &&
-           !from->has_lost_aperture;
-}
-
 /* One that passes as a circle about the vertex is the diameter, and another takes it along. */
 static void sequence_put_aperture(const struct sequence *sequence, struct sequence_aperture *one,
                                   struct surface *surface, struct aperture *to)
@@ -190,7 +160,18 @@ static void sequence_put_surface(const struct sequence *sequence, size_t index, 
     sequence_turn_first(sequence, from);
     struct surface *surface = lens_build_surface(build);
     *lens_index = from->place = lens->surface_count - 1;
-    sequence_put_curve(sequence, from, surface);
+    const char *unit = sequence->build->lens->unit;
+    if (sequence_is_some(&from->curve)) {
+        if (from->is_radius) {
+            surface->is_plane = false;
+            surface->radius = from->curve;
+        } else if (figure_radius_of(&from->curve, unit, sequence->job->arena, &surface->radius)) {
+            surface->is_plane = false;
+        } else {
+            surface->has_curvature = true;
+            surface->curvature = from->curve;
+        }
+    }
     const struct medium *before = *lens_index > 0 ? &surface[-1].medium : &lens->object_medium;
     surface->kind = from->reflects ? SURFACE_REFLECT : SURFACE_REFRACT;
     surface->medium = from->reflects ? *before : from->medium;
@@ -204,7 +185,9 @@ static void sequence_put_surface(const struct sequence *sequence, size_t index, 
         zero = from->thickness;
     }
     const struct figure thickness = with_extra(sequence, &zero, from->extra);
-    surface->has_diameter = has_circle(from);
+    /* A decentred one is none, where its decentre is lost. */
+    surface->has_diameter = from->diameter.typed.start != NULL && from->diameter.value.hi != 0 &&
+                            !from->has_lost_aperture;
     if (surface->has_diameter) {
         surface->diameter = from->diameter;
     }
@@ -249,17 +232,6 @@ static void sequence_put_object(const struct sequence *sequence)
     }
 }
 
-/* The files say it of an object at infinity too, which has no such space. */
-static void check_telecentric(const struct sequence *sequence)
-{
-    struct lens *lens = sequence->build->lens;
-    if (lens->is_telecentric && lens->object_is_infinite) {
-        lens->is_telecentric = false;
-        commands_loss(sequence->commands, &sequence->surfaces[0].at, LOSS_OF_RAYS,
-                      "an ordinary one", "a telecentric object space of an object at infinity");
-    }
-}
-
 /* The image plane: its distance is the last thickness; a tilted or bent one stays as a surface. */
 static void sequence_put_image(const struct sequence *sequence, bool is_solved)
 {
@@ -284,15 +256,6 @@ static void sequence_put_image(const struct sequence *sequence, bool is_solved)
         lens->focus = FOCUS_TABLE;
         sequence_put_surface(sequence, sequence->count - 1, &last);
     }
-}
-
-/* Does the last solve bring the marginal ray to the axis, with no light lost on its way? */
-static bool is_focus(const struct sequence *sequence, const struct sequence_surface *last)
-{
-    const struct sequence_solve *solve = &last->thickness_solve;
-    bool is_kept = sequence->job->lost_power != NULL && last->thickness.typed.start != NULL;
-    return !is_kept && solve->is_set && !solve->is_unknown && !solve->of_angle &&
-           solve->ray == SOLVE_MARGINAL && solve->target.value.hi == 0 && last->extra.hi == 0;
 }
 
 bool sequence_environment(struct sequence *sequence, bool is_temperature, double per_atmosphere)
@@ -356,12 +319,22 @@ bool sequence_finish(struct sequence *sequence)
     sequence_spread_z(sequence);
     size_t *indices = ARENA_ARRAY(sequence->job->arena, sequence->count, size_t);
     sequence_put_object(sequence);
-    check_telecentric(sequence);
+    /* The files say it of an object at infinity too, which has no such space. */
+    struct lens *lens = sequence->build->lens;
+    if (lens->is_telecentric && lens->object_is_infinite) {
+        lens->is_telecentric = false;
+        commands_loss(sequence->commands, &sequence->surfaces[0].at, LOSS_OF_RAYS,
+                      "an ordinary one", "a telecentric object space of an object at infinity");
+    }
     for (size_t i = 1; i + 1 < sequence->count; i++) {
         sequence_put_surface(sequence, i, &indices[i]);
     }
     struct sequence_solve *solve = &last->thickness_solve;
-    bool is_solved = is_focus(sequence, last);
+    /* Does the last solve bring the marginal ray to the axis, with no light lost on its way? */
+    bool is_kept = sequence->job->lost_power != NULL && last->thickness.typed.start != NULL;
+    bool is_solved = !is_kept && solve->is_set && !solve->is_unknown && !solve->of_angle &&
+                     solve->ray == SOLVE_MARGINAL && solve->target.value.hi == 0 &&
+                     last->extra.hi == 0;
     if (is_solved && last->thickness.typed.start != NULL) {
         solve->is_set = false; /* 'focus paraxial' solves it whenever it is asked for */
     }

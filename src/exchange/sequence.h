@@ -115,7 +115,10 @@ struct sequence_surface *sequence_add(struct sequence *sequence, struct command_
 void sequence_pick_up(struct sequence *sequence, struct sequence_pickup pickup);
 
 /* Is the figure given and other than 0? */
-bool sequence_is_some(const struct figure *figure);
+static inline bool sequence_is_some(const struct figure *figure)
+{
+    return figure->typed.start != NULL && figure->value.hi != 0;
+}
 
 /*
  * The present command is a temperature in C, or a pressure.

@@ -112,18 +112,6 @@ static const struct displacement *sequence_move_undone(const struct sequence *se
     return some ? all : NULL;
 }
 
-static struct surface *put_back(const struct sequence *sequence, struct sequence_surface *from,
-                                struct surface *surface)
-{
-    for (int i = 0; i < 2; i++) {
-        const struct displacement *moved = sequence_move_undone(sequence, from, i == 0);
-        if (moved != NULL || sequence->has_positions) {
-            surface = sequence_move_add_plane(sequence, from, surface, moved);
-        }
-    }
-    return surface;
-}
-
 /* One turn, or a shift; `undo` is the other way. */
 static const struct displacement *step_of(const struct sequence *sequence,
                                           const struct sequence_surface *from, int axis, bool undo)
@@ -206,7 +194,13 @@ struct surface *sequence_move_surface(const struct sequence *sequence,
         return shift_turned(sequence, from, surface);
     }
     if (from->move == SEQUENCE_RETURN) {
-        return put_back(sequence, from, surface);
+        for (int i = 0; i < 2; i++) {
+            const struct displacement *moved = sequence_move_undone(sequence, from, i == 0);
+            if (moved != NULL || sequence->has_positions) {
+                surface = sequence_move_add_plane(sequence, from, surface, moved);
+            }
+        }
+        return surface;
     }
     if (sequence_is_decentred(from) && from->move == SEQUENCE_BACK) {
         surface->decentre = sequence_move_displacement_of(sequence, from, false);

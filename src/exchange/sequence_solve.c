@@ -165,24 +165,6 @@ static void remark(const struct solve_application *solving, size_t number)
     }
 }
 
-static void remark_all(const struct sequence *sequence, const size_t *indices)
-{
-    for (size_t i = 1; i + 1 < sequence->count; i++) {
-        const struct sequence_surface *from = &sequence->surfaces[i];
-        const struct solve_application curve = {sequence, from, &from->curvature_solve, indices[i],
-                                                false};
-        const struct solve_application gap = {sequence, from, &from->thickness_solve,
-                                              indices[i] + from->planes_behind, true};
-        bool is_image = i + 2 == sequence->count && sequence->build->lens->focus == FOCUS_PARAXIAL;
-        if (curve.solve->is_set && is_stored(&curve)) {
-            remark(&curve, i);
-        }
-        if (gap.solve->is_set && is_stored(&gap) && !is_image) {
-            remark(&gap, i);
-        }
-    }
-}
-
 bool sequence_solve_all(const struct sequence *sequence, const size_t *indices)
 {
     bool settled = false;
@@ -190,7 +172,21 @@ bool sequence_solve_all(const struct sequence *sequence, const size_t *indices)
         settled = sequence_solve_pass(sequence, indices);
     }
     if (settled) {
-        remark_all(sequence, indices);
+        for (size_t k = 1; k + 1 < sequence->count; k++) {
+            const struct sequence_surface *from = &sequence->surfaces[k];
+            const struct solve_application curve = {sequence, from, &from->curvature_solve,
+                                                    indices[k], false};
+            const struct solve_application gap = {sequence, from, &from->thickness_solve,
+                                                  indices[k] + from->planes_behind, true};
+            bool is_image =
+                k + 2 == sequence->count && sequence->build->lens->focus == FOCUS_PARAXIAL;
+            if (curve.solve->is_set && is_stored(&curve)) {
+                remark(&curve, k);
+            }
+            if (gap.solve->is_set && is_stored(&gap) && !is_image) {
+                remark(&gap, k);
+            }
+        }
     }
     return settled ||
            fail(sequence->commands->error, ERROR_DATA, "%s: the solves of the file do not settle",

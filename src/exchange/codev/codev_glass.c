@@ -28,23 +28,6 @@ bool codev_catalog(struct codev *codev)
     return true;
 }
 
-/* {486.1nm 1.5224, 587.6nm 1.5168}, or one number where all are the same. */
-static const char *codev_glass_table_of(struct codev *codev, size_t count)
-{
-    const struct command_word *indices = &codev->commands.words[1];
-    struct text_buffer table = {.arena = codev->job->arena};
-    bool same = true;
-    for (size_t i = 0; i < count; i++) {
-        const struct text wave = codev->catalog_waves[i].text, index = indices[i].text;
-        same = same && text_identical(index, indices[0].text);
-        growing_format(&table, "%s%.*snm %.*s", i == 0 ? "{" : ", ", (int)wave.length, wave.start,
-                       (int)index.length, index.start);
-    }
-    growing_put(&table, "}", sizeof "}");
-    return same ? arena_string(table.arena, indices[0].text.start, indices[0].text.length)
-                : table.data;
-}
-
 bool codev_private_glass(struct codev *codev)
 {
     struct commands *commands = &codev->commands;
@@ -76,7 +59,19 @@ bool codev_private_glass(struct codev *codev)
     }
     one->wavelengths = wavelengths;
     one->count = count;
-    one->medium = codev_glass_table_of(codev, count);
+    /* {486.1nm 1.5224, 587.6nm 1.5168}, or one number where all are the same. */
+    const struct command_word *indices = &codev->commands.words[1];
+    struct text_buffer table = {.arena = codev->job->arena};
+    bool same = true;
+    for (size_t i = 0; i < count; i++) {
+        const struct text wave = codev->catalog_waves[i].text, n = indices[i].text;
+        same = same && text_identical(n, indices[0].text);
+        growing_format(&table, "%s%.*snm %.*s", i == 0 ? "{" : ", ", (int)wave.length, wave.start,
+                       (int)n.length, n.start);
+    }
+    growing_put(&table, "}", sizeof "}");
+    one->medium = same ? arena_string(table.arena, indices[0].text.start, indices[0].text.length)
+                       : table.data;
     return true;
 }
 

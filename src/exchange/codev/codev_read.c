@@ -47,12 +47,6 @@ static bool read_go(struct codev *codev)
     return true;
 }
 
-static bool refuse_macro(struct codev *codev)
-{
-    return commands_fail(&codev->commands, &codev->commands.words[0],
-                         "a command of a macro: lenscalc reads lens data and runs no macros");
-}
-
 /* A command that is lost by its group, but where its numbers are 0. */
 static bool codev_read_lose(struct codev *codev, const struct word_group *group)
 {
@@ -222,7 +216,8 @@ static bool run_group(struct codev *codev, struct text word)
 {
     const struct word_group *group = codev_group(word);
     if (word.start[0] == '^' || (group != NULL && group->fate == WORD_REFUSED)) {
-        return refuse_macro(codev);
+        return commands_fail(&codev->commands, &codev->commands.words[0],
+                             "a command of a macro: lenscalc reads lens data and runs no macros");
     }
     return group == NULL ? commands_lose(&codev->commands, LOSS_OF_RAYS, NULL, "an unknown command")
                          : group->fate == WORD_HARMLESS || codev_read_lose(codev, group);

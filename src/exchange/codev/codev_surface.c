@@ -121,23 +121,6 @@ static bool codev_surface_read_solve(struct codev *codev, bool is_thickness, boo
     return true;
 }
 
-/* A curvature in x: that of a cylinder, the other way. */
-static void set_curve_x(struct codev *codev, struct figure figure, bool is_radius)
-{
-    struct sequence_surface *surface = codev_surface_of(codev);
-    if (surface->curved == CURVED_BOTH) {
-        commands_lose(&codev->commands, LOSS_OF_RAYS, NULL,
-                      "a curvature in x of a surface that is no cylinder");
-    } else if (figure.value.hi != 0 && surface->curved == CURVED_Y &&
-               sequence_is_some(&surface->curve)) {
-        commands_lose(&codev->commands, LOSS_OF_RAYS, NULL,
-                      "a surface that is curved in x and in y");
-    } else if (figure.value.hi != 0) {
-        surface->curved = CURVED_X;
-        set_curve(codev, figure, is_radius);
-    }
-}
-
 bool codev_curve(struct codev *codev)
 {
     bool is_radius = (codev->what | 32) == 'r', is_x = codev->what >= 'a', is_solve = false;
@@ -154,7 +137,19 @@ bool codev_curve(struct codev *codev)
         return false;
     }
     if (is_x) {
-        set_curve_x(codev, figure, is_radius);
+        /* A curvature in x: that of a cylinder, the other way. */
+        struct sequence_surface *surface = codev_surface_of(codev);
+        if (surface->curved == CURVED_BOTH) {
+            commands_lose(&codev->commands, LOSS_OF_RAYS, NULL,
+                          "a curvature in x of a surface that is no cylinder");
+        } else if (figure.value.hi != 0 && surface->curved == CURVED_Y &&
+                   sequence_is_some(&surface->curve)) {
+            commands_lose(&codev->commands, LOSS_OF_RAYS, NULL,
+                          "a surface that is curved in x and in y");
+        } else if (figure.value.hi != 0) {
+            surface->curved = CURVED_X;
+            set_curve(codev, figure, is_radius);
+        }
     } else {
         set_curve(codev, figure, is_radius);
     }

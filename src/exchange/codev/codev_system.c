@@ -12,23 +12,6 @@
 
 static const struct number_scale plain = {1, 0};
 
-/* A title as the name of a position, which is one word; one that cannot be a name is left out. */
-static void name_position(struct codev *codev, size_t position, struct text title)
-{
-    const char *plain_title = lens_build_string(&codev->build, title);
-    char *name = arena_string(codev->job->arena, plain_title, strlen(plain_title));
-    bool is_new = name[0] != '\0';
-    for (char *at = name; *at != '\0'; at++) {
-        *at = strchr(" \t#\"", *at) != NULL ? '-' : *at;
-    }
-    for (size_t i = 0; i < codev->positions; i++) {
-        is_new = is_new && !text_same(text_of(name), codev->names[i]);
-    }
-    if (is_new && !text_same(text_of(name), "all")) {
-        codev->names[position] = name;
-    }
-}
-
 bool codev_title(struct codev *codev)
 {
     struct lens *lens = codev->build.lens;
@@ -44,7 +27,18 @@ bool codev_title(struct codev *codev)
         return commands_fail(&codev->commands, &codev->commands.words[0], "position %zu of %zu",
                              codev->here.zoom, codev->positions);
     }
-    name_position(codev, codev->here.zoom - 1, title);
+    const char *plain_title = lens_build_string(&codev->build, title);
+    char *name = arena_string(codev->job->arena, plain_title, strlen(plain_title));
+    bool is_new = name[0] != '\0';
+    for (char *at = name; *at != '\0'; at++) {
+        *at = strchr(" \t#\"", *at) != NULL ? '-' : *at;
+    }
+    for (size_t i = 0; i < codev->positions; i++) {
+        is_new = is_new && !text_same(text_of(name), codev->names[i]);
+    }
+    if (is_new && !text_same(text_of(name), "all")) {
+        codev->names[codev->here.zoom - 1] = name;
+    }
     return true;
 }
 
@@ -72,25 +66,6 @@ bool codev_unit(struct codev *codev)
     return commands_end(&codev->commands, 2);
 }
 
-/* WTW W2 0.5: one of the list. */
-static bool put_wave(struct codev *codev, bool is_length, size_t number, struct command_word one)
-{
-    static const char usual[] = "1";
-    while (codev->wavelength_count > codev->weight_count && !is_length) { /* not given: 1 */
-        codev->weights = arena_grow(codev->job->arena, codev->weights, codev->weight_count,
-                                    &codev->weight_room, sizeof codev->weights[0]);
-        codev->weights[codev->weight_count++] = (struct command_word){.text = text_of(usual)};
-    }
-    struct command_word *all = is_length ? codev->wavelengths : codev->weights;
-    const size_t count = is_length ? codev->wavelength_count : codev->weight_count;
-    if (number > count || codev->commands.count != 3) {
-        return commands_fail(&codev->commands, &codev->commands.words[0], "wavelength %zu of %zu",
-                             number, count);
-    }
-    all[number - 1] = one;
-    return true;
-}
-
 /* WL, WTW: kept until REF is known. */
 bool codev_waves(struct codev *codev)
 {
@@ -113,7 +88,22 @@ bool codev_waves(struct codev *codev)
         }
     }
     if (codev->here.wave > 0) {
-        return put_wave(codev, what == 'L', codev->here.wave, words[0]);
+        /* WTW W2 0.5: one of the list. */
+        const bool is_length = what == 'L';
+        static const char usual[] = "1";
+        while (codev->wavelength_count > codev->weight_count && !is_length) { /* not given: 1 */
+            codev->weights = arena_grow(codev->job->arena, codev->weights, codev->weight_count,
+                                        &codev->weight_room, sizeof codev->weights[0]);
+            codev->weights[codev->weight_count++] = (struct command_word){.text = text_of(usual)};
+        }
+        struct command_word *all = is_length ? codev->wavelengths : codev->weights;
+        const size_t known = is_length ? codev->wavelength_count : codev->weight_count;
+        if (codev->here.wave > known || codev->commands.count != 3) {
+            return commands_fail(&codev->commands, &codev->commands.words[0],
+                                 "wavelength %zu of %zu", codev->here.wave, known);
+        }
+        all[codev->here.wave - 1] = words[0];
+        return true;
     }
     if (what == 'L') {
         codev->wavelengths = words;

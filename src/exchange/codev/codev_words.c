@@ -140,18 +140,6 @@ static struct text codev_words_cut_range(struct text name, struct text *last)
     return name;
 }
 
-static bool codev_words_read_surfaces(struct codev *codev, const struct command_word *word,
-                                      struct codev_qualifiers *qualifiers)
-{
-    const struct text name = {word->text.start + 1, word->text.length - 1};
-    struct text last, first = codev_words_cut_range(name, &last);
-    return (surface_named(codev, first, &qualifiers->surface) &&
-            surface_named(codev, last, &qualifiers->end) &&
-            qualifiers->surface <= qualifiers->end) ||
-           commands_fail(&codev->commands, word, "there is no surface '%.*s'",
-                         (int)(word->text.length < 40 ? word->text.length : 40), word->text.start);
-}
-
 static bool is_digits(struct text text)
 {
     size_t i = 0;
@@ -220,8 +208,14 @@ bool codev_qualifiers(struct codev *codev, size_t first, struct codev_qualifiers
         const char kind = codev_qualifier_kind(command, &word);
         size_t value = 0;
         if (kind == 's') {
-            if (!codev_words_read_surfaces(codev, &word, qualifiers)) {
-                return false;
+            const struct text name = {word.text.start + 1, word.text.length - 1};
+            struct text stop, start = codev_words_cut_range(name, &stop);
+            if (!surface_named(codev, start, &qualifiers->surface) ||
+                !surface_named(codev, stop, &qualifiers->end) ||
+                !(qualifiers->surface <= qualifiers->end)) {
+                return commands_fail(&codev->commands, &word, "there is no surface '%.*s'",
+                                     (int)(word.text.length < 40 ? word.text.length : 40),
+                                     word.text.start);
             }
             continue;
         }

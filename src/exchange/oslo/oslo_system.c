@@ -105,24 +105,6 @@ static bool oslo_system_is_name(const struct command_word *word)
             !text_same(text, "inf") && !text_same(text, "infinity"));
 }
 
-/* {0.58756um 1.6201, 0.48613um 1.6272}, or one number where all are the same. */
-static const char *oslo_system_table_of(const struct oslo *oslo, size_t first, size_t count)
-{
-    static const char *const usual[] = {"0.58756", "0.48613", "0.65627"};
-    const struct command_word *words = &oslo->commands.words[first];
-    struct arena *arena = oslo->job->arena;
-    bool same = true;
-    const char *table = "{";
-    for (size_t i = 0; i < count; i++) {
-        const struct text wave = oslo->wave_count > 0 ? oslo->waves[i] : text_of(usual[i]);
-        same = same && text_identical(words[i].text, words[0].text);
-        table = arena_printf(arena, "%s%s%.*sum %.*s", table, i > 0 ? ", " : "", (int)wave.length,
-                             wave.start, (int)words[i].text.length, words[i].text.start);
-    }
-    return same ? arena_string(arena, words[0].text.start, words[0].text.length)
-                : arena_printf(arena, "%s}", table);
-}
-
 /* Is it Vd rather than a second index? */
 static bool is_abbe(struct text text)
 {
@@ -157,7 +139,21 @@ static bool oslo_system_read_indices(struct oslo *oslo, size_t first, bool is_mo
     } else if (count != waves) {
         return commands_fail(commands, word, "%zu indices for %zu wavelengths", count, waves);
     } else {
-        written = oslo_system_table_of(oslo, first, count);
+        /* {0.58756um 1.6201, 0.48613um 1.6272}, or one number where all are the same. */
+        static const char *const usual[] = {"0.58756", "0.48613", "0.65627"};
+        const struct command_word *words = &oslo->commands.words[first];
+        struct arena *arena = oslo->job->arena;
+        bool same = true;
+        const char *table = "{";
+        for (size_t k = 0; k < count; k++) {
+            const struct text wave = oslo->wave_count > 0 ? oslo->waves[k] : text_of(usual[k]);
+            same = same && text_identical(words[k].text, words[0].text);
+            table =
+                arena_printf(arena, "%s%s%.*sum %.*s", table, k > 0 ? ", " : "", (int)wave.length,
+                             wave.start, (int)words[k].text.length, words[k].text.start);
+        }
+        written = same ? arena_string(arena, words[0].text.start, words[0].text.length)
+                       : arena_printf(arena, "%s}", table);
     }
     return sequence_medium(commands, word, written, &oslo->sequence.surfaces[oslo->surface].medium);
 }
@@ -403,25 +399,6 @@ static void oslo_system_put_fields(struct oslo *oslo, enum field_kind kind, stru
     }
 }
 
-/* An object's height at infinity is an angle: tan w = -height/distance. */
-static void oslo_system_finish_field(struct oslo *oslo, bool is_infinite)
-{
-    struct figure edge = oslo->field;
-    if (oslo->field_is == OSLO_IMAGE) {
-        oslo_system_put_fields(oslo, FIELD_IMAGE, edge);
-    } else if (oslo->field_is == OSLO_OBJECT && !is_infinite) {
-        oslo_system_put_fields(oslo, FIELD_HEIGHT, edge);
-    } else if (oslo->field_is != OSLO_NO_FIELD) {
-        if (oslo->field_is == OSLO_OBJECT) {
-            double distance = oslo->sequence.surfaces[0].thickness.value.hi;
-            edge =
-                figure_of(atan(-edge.value.hi / distance) / RADIANS_PER_DEGREE, oslo->job->arena);
-        }
-        edge.value = pair_multiply(edge.value, pair_of(RADIANS_PER_DEGREE));
-        oslo_system_put_fields(oslo, FIELD_ANGLE, edge);
-    }
-}
-
 void oslo_finish_system(struct oslo *oslo)
 {
     struct lens *lens = oslo->build.lens;
@@ -434,7 +411,20 @@ void oslo_finish_system(struct oslo *oslo)
         sequence_add_wave(&oslo->sequence, oslo->waves[i], "um",
                           i < oslo->weight_count ? oslo->weights[i] : text_of("1"));
     }
-    oslo_system_finish_field(oslo, is_infinite);
+    /* An object's height at infinity is an angle: tan w = -height/distance. */
+    struct figure edge = oslo->field;
+    if (oslo->field_is == OSLO_IMAGE) {
+        oslo_system_put_fields(oslo, FIELD_IMAGE, edge);
+    } else if (oslo->field_is == OSLO_OBJECT && !is_infinite) {
+        oslo_system_put_fields(oslo, FIELD_HEIGHT, edge);
+    } else if (oslo->field_is != OSLO_NO_FIELD) {
+        if (oslo->field_is == OSLO_OBJECT) {
+            double far = oslo->sequence.surfaces[0].thickness.value.hi;
+            edge = figure_of(atan(-edge.value.hi / far) / RADIANS_PER_DEGREE, oslo->job->arena);
+        }
+        edge.value = pair_multiply(edge.value, pair_of(RADIANS_PER_DEGREE));
+        oslo_system_put_fields(oslo, FIELD_ANGLE, edge);
+    }
     if (!is_infinite && (is_beam || lens->aperture_kind == APERTURE_FNUMBER)) {
         oslo->near_aperture = is_beam ? PUPIL_BEAM_RADIUS : PUPIL_WORKING_FNUMBER;
         oslo->near_value = is_beam ? lens->aperture.value.hi / 2 : lens->aperture.value.hi;
