@@ -247,8 +247,7 @@ bool foreign_settle(const struct foreign_job *job, bool done, struct error *erro
     if (first->line > 0) {
         file_words_fail(&first->line_of, first->word, error, "%s%s", prefix, first->message);
     } else {
-        fail(error, ERROR_DATA, "%s%s", prefix, first->message);
-        error_locate(error, job->source, 0, 0);
+        foreign_fail(job, error, "%s%s", prefix, first->message);
     }
     error->more = list_of(job, all, count, 1);
     if (then != NULL) { /* what has no place may well follow from what is left out */

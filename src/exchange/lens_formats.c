@@ -120,8 +120,7 @@ static bool check_glass_numbers(const struct foreign_job *job, const struct fore
                                    (*one)->type.ending);
         }
     }
-    fail(error, ERROR_DATA, "a file without indices beside the names of its glasses");
-    error_locate(error, job->source, 0, 0);
+    foreign_fail(job, error, "a file without indices beside the names of its glasses");
     return error_hint(error, "leave {glass numbers} out: it is for files as %s", endings);
 }
 
@@ -183,14 +182,12 @@ bool foreign_read(struct foreign_job *job, struct text content, struct lens *len
                lens_formats_read_list(job, content, lens, error);
     }
     if (file_type_ends(source, ".agf")) {
-        fail(error, ERROR_DATA, "an AGF file is a catalogue of glasses, not a lens");
-        error_locate(error, job->source, 0, 0);
+        foreign_fail(job, error, "an AGF file is a catalogue of glasses, not a lens");
         return error_hint(error, "{agf} FILE adds its glasses");
     }
     const struct closed *other = closed_of(source);
     if (other != NULL) {
-        fail(error, ERROR_DATA, "%s", other->what);
-        error_locate(error, job->source, 0, 0);
+        foreign_fail(job, error, "%s", other->what);
         return error_hint(error, "%s", other->advice);
     }
     bool is_text = encoding_to_utf8(job->source, content, job->arena, &text, error);
@@ -205,9 +202,9 @@ bool foreign_read(struct foreign_job *job, struct text content, struct lens *len
         return false;
     }
     if (format->read == NULL) {
-        fail(error, ERROR_DATA, "lenscalc writes files of the format '%s' but does not read them",
-             format->type.word.word);
-        return error_locate(error, job->source, 0, 0);
+        return foreign_fail(job, error,
+                            "lenscalc writes files of the format '%s' but does not read them",
+                            format->type.word.word);
     }
     const bool done = format->read(job, text, lens, error);
     lens_formats_check_end(job, text, lens);

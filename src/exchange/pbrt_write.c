@@ -14,8 +14,7 @@
 static bool pbrt_refuse(const struct foreign_job *job, size_t number, const char *what,
                         struct error *error)
 {
-    fail(error, ERROR_DATA, "surface %zu %s: a .dat file cannot hold it", number, what);
-    return error_locate(error, job->source, 0, 0);
+    return foreign_fail(job, error, "surface %zu %s: a .dat file cannot hold it", number, what);
 }
 
 static bool pbrt_lose_header(struct foreign_job *job, const struct lens *lens, struct error *error)
@@ -24,8 +23,7 @@ static bool pbrt_lose_header(struct foreign_job *job, const struct lens *lens, s
                   (lens->wavelength_count == 1 &&
                    !(fabs(lens->wavelengths[0].wavelength - WAVELENGTH_D) > 0));
     if (!medium_is_air(&lens->object_medium)) {
-        fail(error, ERROR_DATA, "a .dat file has air before the lens");
-        return error_locate(error, job->source, 0, 0);
+        return foreign_fail(job, error, "a .dat file has air before the lens");
     }
     if (!only_d) {
         foreign_lose(

@@ -306,8 +306,8 @@ bool sequence_finish(struct sequence *sequence)
     struct error *error = sequence->commands->error;
     const struct commands *commands = sequence->commands;
     if (sequence->count < 3) {
-        fail(error, ERROR_DATA, "the file has no surface between object and image");
-        return error_locate(error, commands->job->source, 0, 0);
+        return foreign_fail(commands->job, error,
+                            "the file has no surface between object and image");
     }
     if (!sequence_apply_pickups(sequence) || !sequence_to_environment(sequence)) {
         return false;

@@ -287,8 +287,7 @@ static bool codev_read_finish(struct codev *codev)
     struct sequence *sequence = &codev->sequence;
     if (!codev->has_image) {
         struct error *error = codev->commands.error;
-        fail(error, ERROR_DATA, "the file has no image surface SI");
-        return error_locate(error, codev->job->source, 0, 0);
+        return foreign_fail(codev->job, error, "the file has no image surface SI");
     }
     if (!codev->job->has_end) {
         foreign_cut_short(codev->job, "no GO stands at its end");

@@ -1,7 +1,7 @@
 /* exchange/zemax/zemax_aperture.c - CLAP, SQAP, ELAP, OBSC, SQOB, ELOB, SPID and OBDC. */
 /* SPDX-License-Identifier: MIT */
-#include "exchange/zemax/zemax_aperture.h"
-#include "exchange/zemax/zemax_user_aperture.h"
+#include "exchange/zemax/zemax.h"
+#include "exchange/zemax/zemax_writer.h"
 
 #include "file/lens_unit.h"
 #include "optics/aperture.h"
@@ -88,13 +88,13 @@ static void shift_aperture(struct zemax_file *file, const struct zemax_line *shi
 }
 
 static bool set_user_apertures(struct zemax_file *file, const struct zemax_surface *from,
-                               struct surface *to, struct error *error)
+                               struct surface *to)
 {
     struct aperture *apertures;
     size_t count;
-    if (!zemax_user_apertures(file, from, &apertures, &count, error)) {
+    if (!zemax_user_apertures(file, from, &apertures, &count)) {
         to->has_diameter = to->has_diameter && zemax_number(from->diameter, 1) == 0;
-        return error->code == ERROR_NONE;
+        return file->error->code == ERROR_NONE;
     }
     for (size_t i = 0; i < count; i++) {
         shift_aperture(file, from->aperture_shift, &apertures[i]);
@@ -104,13 +104,13 @@ static bool set_user_apertures(struct zemax_file *file, const struct zemax_surfa
 }
 
 bool zemax_set_aperture(struct zemax_file *file, const struct zemax_surface *from,
-                        struct surface *to, struct error *error)
+                        struct surface *to)
 {
     const struct zemax_line *line = from->aperture, *shift = from->aperture_shift;
     size_t word = line != NULL ? zemax_aperture_word_of(line->keyword) : WORDS;
     struct error wrong;
     if (from->user_aperture != NULL) {
-        return set_user_apertures(file, from, to, error);
+        return set_user_apertures(file, from, to);
     }
     if (word == WORDS) {
         return shift == NULL || zemax_loss(file, shift, LOSS_OF_VIGNETTING, "left out",

@@ -1,6 +1,6 @@
 /* exchange/zemax/zemax_break.c - coordinate breaks of .zmx files, and SCBD. */
 /* SPDX-License-Identifier: MIT */
-#include "exchange/zemax/zemax_break.h"
+#include "exchange/zemax/zemax.h"
 
 #include "base/constants.h"
 

@@ -1,6 +1,6 @@
 /* exchange/zemax/zemax_gaps.c - gaps and curvatures solved, against the numbers beside them. */
 /* SPDX-License-Identifier: MIT */
-#include "exchange/zemax/zemax_solve.h"
+#include "exchange/zemax/zemax.h"
 #include "file/lens_unit.h"
 
 #include <math.h>
@@ -242,14 +242,14 @@ static void zemax_check_solves(struct solver_state *solving)
 enum { MOST_PASSES = 20 };
 
 /* What stands in the file, before the solves. */
-static bool read_thicknesses(struct zemax_file *file, struct figure *thickness, struct error *error)
+static bool read_thicknesses(struct zemax_file *file, struct figure *thickness)
 {
     for (size_t i = 0; i < file->surface_count; i++) {
         const struct zemax_line *line = file->surfaces[i].thickness;
         bool inside = i > 0 && i + 1 < file->surface_count;
         if (inside && line != NULL && line->infinite && file->surfaces[i].solve == NULL) {
-            return file_words_fail(&line->words, line->first, error,
-                                   "an infinite distance behind surface %zu", i);
+            return zemax_fail(file, line, line->first, "an infinite distance behind surface %zu",
+                              i);
         }
         thickness[i] = line != NULL && line->count > 0 ? line->numbers[0] : figure_zero();
     }
@@ -262,7 +262,7 @@ static bool zemax_gaps_is_same(const struct figure *a, const struct figure *b)
 }
 
 /* With an f-number or a chief ray what is solved first depends on what is solved last: again. */
-static bool solve_all(struct solver_state *solving, struct error *error)
+static bool solve_all(struct solver_state *solving)
 {
     size_t count = solving->file->surface_count;
     struct figure *before = ARENA_ARRAY(solving->file->job->arena, 2 * count, struct figure);
@@ -280,14 +280,14 @@ static bool solve_all(struct solver_state *solving, struct error *error)
         }
     }
     if (!settled) {
-        fail(error, ERROR_DATA, "the solves of the file do not settle");
-        return error_locate(error, solving->file->job->source, 0, 0);
+        return foreign_fail(solving->file->job, solving->file->error,
+                            "the solves of the file do not settle");
     }
     return true;
 }
 
 /* Solves that follow a ray through many surfaces take their time. */
-static bool check_work(struct zemax_file *file, struct error *error)
+static bool check_work(struct zemax_file *file)
 {
     const double most = 1e6; /* about a second */
     double work = 0;
@@ -297,8 +297,7 @@ static bool check_work(struct zemax_file *file, struct error *error)
     }
     work *= (double)file->surface_count * (double)file->configurations;
     if (work > most) {
-        fail(error, ERROR_DATA, "too many solves");
-        return error_locate(error, file->job->source, 0, 0);
+        return foreign_fail(file->job, file->error, "too many solves");
     }
     return true;
 }
@@ -322,17 +321,17 @@ static void zemax_gaps_put_numbers(struct solver_state *solving)
     last->has_thickness = !zemax_focuses(file) || last->thickness.value.hi != 0;
 }
 
-bool zemax_thicknesses(struct zemax_file *file, const size_t *places, struct error *error)
+bool zemax_thicknesses(struct zemax_file *file, const size_t *places)
 {
     struct arena *arena = file->job->arena;
     struct solver_state solving = {.file = file, .places = places};
-    if (!check_work(file, error)) {
+    if (!check_work(file)) {
         return false;
     }
     solving.thickness = ARENA_ARRAY(arena, file->surface_count, struct figure);
     solving.curvature = ARENA_ARRAY(arena, file->surface_count, struct figure);
     solving.unit = lens_unit_scale(file->build.lens->unit);
-    if (!read_thicknesses(file, solving.thickness, error)) {
+    if (!read_thicknesses(file, solving.thickness)) {
         return false;
     }
     solving.lens = *file->build.lens;
@@ -345,7 +344,7 @@ bool zemax_thicknesses(struct zemax_file *file, const size_t *places, struct err
                 solving.thickness[i];
         }
     }
-    if (!solve_all(&solving, error)) {
+    if (!solve_all(&solving)) {
         return false;
     }
     zemax_check_solves(&solving);

@@ -1,7 +1,7 @@
 /* exchange/zemax/zemax_glass.c - the materials of a .zmx file: names of glasses, and numbers. */
 /* SPDX-License-Identifier: MIT */
-#include "exchange/zemax/zemax_glass.h"
 #include "exchange/environment.h"
+#include "exchange/zemax/zemax.h"
 
 #include <math.h>
 #include <string.h>
@@ -50,11 +50,10 @@ static struct medium code_medium(struct zemax_file *file, struct text name)
 
 /* GLAS name mode pick-up nd Vd dPgF .. */
 static bool model_medium(struct zemax_file *file, const struct zemax_line *line,
-                         struct medium *medium, struct error *error)
+                         struct medium *medium)
 {
     if (!(zemax_number(line, 2) > 0 && zemax_number(line, 2) < 100)) {
-        return file_words_fail(&line->words, line->keyword, error,
-                               "a model glass without an index");
+        return zemax_fail(file, line, line->keyword, "a model glass without an index");
     }
     bool constant = zemax_number(line, 3) == 0;
     *medium = constant ? (struct medium){.kind = MEDIUM_CONSTANT,
@@ -62,8 +61,7 @@ static bool model_medium(struct zemax_file *file, const struct zemax_line *line,
                                          .index = line->numbers[2].value}
                        : model_of(file, line->numbers[2], line->numbers[3]);
     if (!constant && zemax_number(line, 3) < 0) {
-        return file_words_fail(&line->words, line->numbers[3].typed, error,
-                               "the Abbe number is below 0");
+        return zemax_fail(file, line, line->numbers[3].typed, "the Abbe number is below 0");
     }
     return zemax_number(line, 4) == 0 ||
            zemax_loss(file, line, LOSS_OF_RAYS, NULL,
@@ -213,8 +211,9 @@ static struct foreign_name zemax_glass_name_of(const struct zemax_file *file,
 
 /* In the file's catalogues, else as the file describes it. */
 static bool named_glass(struct zemax_file *file, const struct zemax_line *line,
-                        struct medium *medium, struct error *error)
+                        struct medium *medium)
 {
+    struct error *error = file->error;
     const struct foreign_name named = zemax_glass_name_of(file, line);
     if (!foreign_glass(file->job, &line->words, &named, medium, error)) {
         if (error->code == ERROR_NONE) {
@@ -230,12 +229,12 @@ static bool named_glass(struct zemax_file *file, const struct zemax_line *line,
 
 /* A model glass that has a name: of a catalogue's it is said where that one is another. */
 static bool named_model(struct zemax_file *file, const struct zemax_line *line,
-                        struct medium *medium, struct error *error)
+                        struct medium *medium)
 {
     const struct foreign_name named = zemax_glass_name_of(file, line);
     struct medium found;
     struct error ignored;
-    if (!model_medium(file, line, medium, error)) {
+    if (!model_medium(file, line, medium)) {
         return false;
     }
     if (file->job->glasses == NULL ||
@@ -270,7 +269,7 @@ static bool named_model(struct zemax_file *file, const struct zemax_line *line,
  * Errors    ERROR_DATA: a glass without the data for it, unless lossy
  */
 static bool zemax_to_environment(struct zemax_file *file, const struct zemax_line *line,
-                                 struct medium *medium, struct error *error)
+                                 struct medium *medium)
 {
     /* ENVD temperature pressure adjust */
     const struct zemax_line *stated = file->environment;
@@ -286,15 +285,14 @@ static bool zemax_to_environment(struct zemax_file *file, const struct zemax_lin
         environment.waves[environment.wave_count] = file->waves[environment.wave_count].value.hi;
         environment.wave_count++;
     }
-    return environment_apply(&environment, &line->words, line->keyword, medium, error);
+    return environment_apply(&environment, &line->words, line->keyword, medium, file->error);
 }
 
-bool zemax_glass(struct zemax_file *file, const struct zemax_line *line, struct medium *medium,
-                 struct error *error)
+bool zemax_glass(struct zemax_file *file, const struct zemax_line *line, struct medium *medium)
 {
     const double type = zemax_number(line, 0);
     if (text_same(line->keyword, "___BLANK")) {
-        return model_medium(file, line, medium, error);
+        return model_medium(file, line, medium);
     }
     if (!(type >= GLASS_NAMED && type <= GLASS_OFFSET && type == rint(type))) {
         zemax_loss(file, line, LOSS_OF_POWER, "its name is looked up", "a glass of the type %g",
@@ -307,12 +305,11 @@ bool zemax_glass(struct zemax_file *file, const struct zemax_line *line, struct 
         }
     }
     if (type == GLASS_MODEL && zemax_number(line, 2) > 0) {
-        return named_model(file, line, medium, error);
+        return named_model(file, line, medium);
     }
     if (is_code(line->keyword)) {
         *medium = code_medium(file, line->keyword);
         return true;
     }
-    return named_glass(file, line, medium, error) &&
-           zemax_to_environment(file, line, medium, error);
+    return named_glass(file, line, medium) && zemax_to_environment(file, line, medium);
 }

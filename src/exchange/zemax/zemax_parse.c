@@ -1,6 +1,6 @@
 /* exchange/zemax/zemax_parse.c - a .zmx file as it stands, line by line, before it is a lens. */
 /* SPDX-License-Identifier: MIT */
-#include "exchange/zemax/zemax_keyword.h"
+#include "exchange/zemax/zemax.h"
 
 #include <math.h>
 #include <string.h>
@@ -10,7 +10,7 @@ static struct zemax_surface *parse_surface_of(struct zemax_file *file)
     return &file->surfaces[file->surface_count - 1];
 }
 
-static bool read_surf(struct zemax_file *file, const struct zemax_line *line, struct error *error)
+static bool read_surf(struct zemax_file *file, const struct zemax_line *line)
 {
     size_t expected = file->surface_count > 0 ? parse_surface_of(file)->number + 1 : 0;
     double number = zemax_number(line, 0);
@@ -18,12 +18,10 @@ static bool read_surf(struct zemax_file *file, const struct zemax_line *line, st
     bool is_later =
         expected > 0 && number > (double)expected && number < 1e6 && number == floor(number);
     if (!(is_next || is_later) || line->count == 0) {
-        return file_words_fail(&line->words, line->keyword, error, "SURF %zu is expected here",
-                               expected);
+        return zemax_fail(file, line, line->keyword, "SURF %zu is expected here", expected);
     }
     if (file->surface_count == FOREIGN_MOST_SURFACES) {
-        return file_words_fail(&line->words, line->keyword, error, "more than %d surfaces",
-                               LENS_MOST_SURFACES);
+        return zemax_fail(file, line, line->keyword, "more than %d surfaces", LENS_MOST_SURFACES);
     }
     file->surfaces = arena_grow(file->job->arena, file->surfaces, file->surface_count,
                                 &file->surface_room, sizeof file->surfaces[0]);
@@ -34,32 +32,29 @@ static bool read_surf(struct zemax_file *file, const struct zemax_line *line, st
 }
 
 /* What no lens of lenscalc can be is said before all else. */
-static bool read_type(struct zemax_file *file, const struct zemax_line *line, struct error *error)
+static bool read_type(struct zemax_file *file, const struct zemax_line *line)
 {
     (void)file;
     if (text_same(line->first, "NONSEQCO")) {
-        return file_words_fail(&line->words, line->first, error,
-                               "a non-sequential group: lenscalc has lenses whose surfaces follow "
-                               "each other");
+        return zemax_fail(file, line, line->first,
+                          "a non-sequential group: lenscalc has lenses whose surfaces follow "
+                          "each other");
     }
     return !text_same(line->first, "USERSURF") ||
-           file_words_fail(&line->words, line->first, error,
-                           "a surface computed by a program (DLL) of the user's, which the file "
-                           "does not hold");
+           zemax_fail(file, line, line->first,
+                      "a surface computed by a program (DLL) of the user's, which the file "
+                      "does not hold");
 }
 
-static bool parse_read_thickness(struct zemax_file *file, const struct zemax_line *line,
-                                 struct error *error)
+static bool parse_read_thickness(struct zemax_file *file, const struct zemax_line *line)
 {
     (void)file;
-    return line->infinite || zemax_has_number(line, error);
+    return line->infinite || zemax_has_number(file, line);
 }
 
 /* CLAP, SQAP ..: two numbers, of which zemax_aperture.c knows the meaning. */
-static bool parse_read_aperture(struct zemax_file *file, const struct zemax_line *line,
-                                struct error *error)
+static bool parse_read_aperture(struct zemax_file *file, const struct zemax_line *line)
 {
-    (void)error;
     if (line->count < 2) {
         return zemax_loss(file, line, LOSS_OF_VIGNETTING, "left out", "%.4s with one number",
                           line->keyword.start);
@@ -72,19 +67,15 @@ static bool parse_read_aperture(struct zemax_file *file, const struct zemax_line
 }
 
 /* A floating aperture is as large as the semi-diameter. */
-static bool read_floating(struct zemax_file *file, const struct zemax_line *line,
-                          struct error *error)
+static bool read_floating(struct zemax_file *file, const struct zemax_line *line)
 {
-    (void)error;
     return line->count < 2 || line->numbers[0].value.hi == 0 ||
            zemax_loss(file, line, LOSS_OF_VIGNETTING, "the hole is left out",
                       "a floating aperture with a hole");
 }
 
-static bool read_aperture_shift(struct zemax_file *file, const struct zemax_line *line,
-                                struct error *error)
+static bool read_aperture_shift(struct zemax_file *file, const struct zemax_line *line)
 {
-    (void)error;
     if (zemax_number(line, 0) != 0 || zemax_number(line, 1) != 0) {
         parse_surface_of(file)->aperture_shift = line;
     }
@@ -110,11 +101,9 @@ static void add_user_row(struct zemax_file *file, const struct zemax_line *line)
  * USAP passes, USOB blocks; they or UDAD have the name of the file, among numbers of which one may
  * be a scale: others than 0 and 1 are not known.
  */
-static bool read_user_aperture(struct zemax_file *file, const struct zemax_line *line,
-                               struct error *error)
+static bool read_user_aperture(struct zemax_file *file, const struct zemax_line *line)
 {
     struct zemax_surface *surface = parse_surface_of(file);
-    (void)error;
     if (text_same(line->keyword, "UDAD") && zemax_number(line, 0) != 0) {
         add_user_row(file, line);
         return true;
@@ -143,43 +132,39 @@ static bool read_user_aperture(struct zemax_file *file, const struct zemax_line 
                       line->keyword.start);
 }
 
-static bool parse_read_glass(struct zemax_file *file, const struct zemax_line *whole,
-                             struct error *error)
+static bool parse_read_glass(struct zemax_file *file, const struct zemax_line *whole)
 {
     struct file_words words = file->words;
     struct text name = file_words_next(&file->words);
     if (name.length == 0) {
-        return file_words_fail(&file->words, name, error, "the glass is missing");
+        return file_words_fail(&file->words, name, file->error, "the glass is missing");
     }
     struct zemax_line *line = zemax_line_of(file, name, NUMBER_UNSCALED);
     line->words = words;
     line->begin = whole->keyword;
     parse_surface_of(file)->glass = line;
-    return zemax_all_numbers(line, error);
+    return zemax_all_numbers(file, line);
 }
 
-static bool parse_read_stop(struct zemax_file *file, const struct zemax_line *line,
-                            struct error *error)
+static bool parse_read_stop(struct zemax_file *file, const struct zemax_line *line)
 {
-    (void)line, (void)error;
+    (void)line;
     parse_surface_of(file)->is_stop = true;
     return true;
 }
 
-static bool read_comment(struct zemax_file *file, const struct zemax_line *line,
-                         struct error *error)
+static bool read_comment(struct zemax_file *file, const struct zemax_line *line)
 {
-    (void)line, (void)error;
+    (void)line;
     parse_surface_of(file)->comment = file_words_rest(&file->words);
     return true;
 }
 
 /* A coating is kept as a note. */
-static bool read_coating(struct zemax_file *file, const struct zemax_line *line,
-                         struct error *error)
+static bool read_coating(struct zemax_file *file, const struct zemax_line *line)
 {
     struct text rest = file_words_rest(&file->words);
-    (void)line, (void)error;
+    (void)line;
     lens_build_note(
         &file->build,
         text_of(arena_printf(file->job->arena, "coating of surface %zu: %.*s",
@@ -188,8 +173,7 @@ static bool read_coating(struct zemax_file *file, const struct zemax_line *line,
 }
 
 /* PARM 1 .., XDAT 1 .., PPAR 1 ..: those beyond the last matter only where they are not 0. */
-static bool read_numbered(struct zemax_file *file, const struct zemax_line *line,
-                          struct error *error)
+static bool read_numbered(struct zemax_file *file, const struct zemax_line *line)
 {
     struct zemax_surface *surface = parse_surface_of(file);
     const struct zemax_line **places = surface->parameters;
@@ -201,7 +185,7 @@ static bool read_numbered(struct zemax_file *file, const struct zemax_line *line
         places = surface->pickups;
     }
     if (line->count < 2 || !(number >= 0 && number < 1e6)) {
-        return file_words_fail(&file->words, line->keyword, error,
+        return file_words_fail(&file->words, line->keyword, file->error,
                                "%.4s needs a number and a value", line->keyword.start);
     }
     if (number >= most && zemax_number(line, 1) != 0) {
@@ -213,12 +197,10 @@ static bool read_numbered(struct zemax_file *file, const struct zemax_line *line
 }
 
 /* SCBD which .. : what is shifted and turned before the surface (1) or behind it (2). */
-static bool parse_read_shift(struct zemax_file *file, const struct zemax_line *line,
-                             struct error *error)
+static bool parse_read_shift(struct zemax_file *file, const struct zemax_line *line)
 {
     struct zemax_surface *surface = parse_surface_of(file);
     const double which = zemax_number(line, 0);
-    (void)error;
     if (which == 1) {
         surface->shift_before = line;
     } else if (which == 2) {
@@ -282,7 +264,7 @@ static const struct zemax_keyword *find_keyword(const struct zemax_file *file, s
 
 /* Read the present line; `owner`, the file or a surface, keeps it where the keyword says. */
 static bool parse_read_known(struct zemax_file *file, const struct zemax_keyword *keyword,
-                             struct text word, void *owner, struct error *error)
+                             struct text word, void *owner)
 {
     const struct zemax_line *line =
         zemax_line_of(file, word, keyword->is_length ? file->words.scale : NUMBER_UNSCALED);
@@ -290,11 +272,11 @@ static bool parse_read_known(struct zemax_file *file, const struct zemax_keyword
         *(const struct zemax_line **)((char *)owner + keyword->kept) = line;
     }
     if (keyword->wants != ZEMAX_ANY_WORDS &&
-        !(keyword->wants == ZEMAX_A_NUMBER ? zemax_has_number(line, error)
-                                           : zemax_all_numbers(line, error))) {
+        !(keyword->wants == ZEMAX_A_NUMBER ? zemax_has_number(file, line)
+                                           : zemax_all_numbers(file, line))) {
         return false;
     }
-    return keyword->read == NULL || keyword->read(file, line, error);
+    return keyword->read == NULL || keyword->read(file, line);
 }
 
 /* Are there numbers on the line, and all of them 0? `first` receives the first that is not. */
@@ -338,14 +320,13 @@ static bool is_like_setting(const struct zemax_file *file, const struct zemax_li
 }
 
 /* A word that is not in the table. Where all its numbers are 0, it says that something is off. */
-static bool read_unknown(struct zemax_file *file, struct text word, bool behind,
-                         struct error *error)
+static bool read_unknown(struct zemax_file *file, struct text word, bool behind)
 {
     const struct zemax_line *line = zemax_line_of(file, word, NUMBER_UNSCALED);
     int length = text_shown_up_to(word, 40);
     struct text at;
     if (behind && is_like_setting(file, line)) {
-        return zemax_read_setting(file, word, error);
+        return zemax_read_setting(file, word);
     }
     if (behind && !file->has_configurations && is_like_operand(line)) {
         file->in_tail = true;
@@ -386,7 +367,7 @@ static const struct word_group *group_behind(struct text word)
     return group != NULL ? group : word_group_of(zemax_words, ZEMAX_IN_TAIL, word);
 }
 
-static bool parse_read_line(struct zemax_file *file, struct error *error)
+static bool parse_read_line(struct zemax_file *file)
 {
     struct text word = file_words_next(&file->words);
     bool indented = word.start > file->words.line.start, in_surface = file->surface_count > 0;
@@ -396,28 +377,28 @@ static bool parse_read_line(struct zemax_file *file, struct error *error)
     const struct word_group *group = behind ? group_behind(word) : NULL;
     file->last_word = word;
     if (text_same(word, "SURF")) {
-        return read_surf(file, zemax_line_of(file, word, NUMBER_UNSCALED), error);
+        return read_surf(file, zemax_line_of(file, word, NUMBER_UNSCALED));
     }
     if (is_of_surface && !in_surface) {
-        return file_words_fail(&file->words, word, error, "'%.4s' stands before any surface",
+        return file_words_fail(&file->words, word, file->error, "'%.4s' stands before any surface",
                                word_list_find(keyword->words, word));
     }
     file->has_tail =
         file->has_tail || (behind && word_group_of(zemax_words, ZEMAX_IN_SURFACE, word) == NULL);
     if (keyword != NULL) {
         void *owner = is_of_surface ? (void *)parse_surface_of(file) : (void *)file;
-        return parse_read_known(file, keyword, word, owner, error);
+        return parse_read_known(file, keyword, word, owner);
     }
     if (group != NULL) {
         file->in_tail = true;
-        return group->fate == WORD_HARMLESS || zemax_read_setting(file, word, error);
+        return group->fate == WORD_HARMLESS || zemax_read_setting(file, word);
     }
     group = word_group_of(zemax_words, NULL, word);
     if (group != NULL) {
         parse_pass_over(file, group, word);
         return true;
     }
-    return read_unknown(file, word, behind, error);
+    return read_unknown(file, word, behind);
 }
 
 /* What follows another surface, by its number in the file. */
@@ -493,13 +474,13 @@ static void pick_up_glasses(struct zemax_file *file)
  * A file of the program goes on behind its surfaces, and behind several configurations too. One
  * that does not may be whole: then its last surface, the image, has no glass.
  */
-static bool parse_check_end(struct zemax_file *file, struct error *error)
+static bool parse_check_end(struct zemax_file *file)
 {
     const struct zemax_surface *image = parse_surface_of(file);
     const bool has_last = text_same(file->last_word, "CSUM") || text_same(file->last_word, "MOFF");
     if (!file->has_tail && image->glass != NULL) {
-        return file_words_fail(&image->surf->words, image->surf->keyword, error,
-                               "the file ends inside surface %zu: it was cut short", image->number);
+        return zemax_fail(file, image->surf, image->surf->keyword,
+                          "the file ends inside surface %zu: it was cut short", image->number);
     }
     if (image->thickness == NULL) {
         foreign_cut_short(file->job, "its last surface has no distance DISZ");
@@ -511,8 +492,9 @@ static bool parse_check_end(struct zemax_file *file, struct error *error)
     return true;
 }
 
-bool zemax_parse(struct zemax_file *file, struct text content, struct error *error)
+bool zemax_parse(struct zemax_file *file, struct text content)
 {
+    struct error *error = file->error;
     if (!file_words_open(&file->words, file->job->source, content, file->job->arena, error)) {
         return false;
     }
@@ -520,15 +502,14 @@ bool zemax_parse(struct zemax_file *file, struct text content, struct error *err
     file->configurations = 1;
     while (file_words_line(&file->words)) {
         struct file_words start = file->words;
-        if (file_words_next(&start).length > 0 && !parse_read_line(file, error)) {
+        if (file_words_next(&start).length > 0 && !parse_read_line(file)) {
             return false;
         }
     }
     if (file->surface_count < 3) {
-        fail(error, ERROR_DATA, "the file has no surface between object and image");
-        return error_locate(error, file->job->source, 0, 0);
+        return foreign_fail(file->job, error, "the file has no surface between object and image");
     }
-    if (!parse_check_end(file, error)) {
+    if (!parse_check_end(file)) {
         return false;
     }
     pass_zeros(file);

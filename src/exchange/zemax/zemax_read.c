@@ -1,12 +1,9 @@
 /* exchange/zemax/zemax_read.c - a .zmx file as a lens: system data, positions, solves. */
 /* SPDX-License-Identifier: MIT */
 #include "exchange/entrance_pupil.h"
+#include "exchange/merge_positions.h"
 #include "exchange/virtual_object.h"
 #include "exchange/zemax/zemax.h"
-#include "exchange/zemax/zemax_circle.h"
-#include "exchange/zemax/zemax_keyword.h"
-#include "exchange/zemax/zemax_parse.h"
-#include "exchange/zemax/zemax_surface.h"
 
 #include "base/constants.h"
 #include "file/lens_unit.h"
@@ -23,19 +20,19 @@ static struct figure zemax_read_in_unit(struct figure figure, struct number_scal
 }
 
 /* OBNA degrees 1: the marginal ray's angle at the object, n sin u. */
-static bool zemax_read_set_cone(struct zemax_file *file, const struct zemax_line *line,
-                                struct error *error)
+static bool zemax_read_set_cone(struct zemax_file *file, const struct zemax_line *line)
 {
     struct lens *lens = file->build.lens;
     struct pair index = {1, 0};
     const double angle = zemax_number(line, 0);
     const double primary = file->wave_count > 0 ? file->waves[file->primary].value.hi : 0;
     if (!(angle < 90)) {
-        return file_words_fail(&line->words, line->numbers[0].typed, error,
-                               "the angle of the cone must be below 90 degrees");
+        return zemax_fail(file, line, line->numbers[0].typed,
+                          "the angle of the cone must be below 90 degrees");
     }
-    if (!medium_index(&lens->object_medium, primary > 0 ? primary : WAVELENGTH_D, &index, error)) {
-        error->code = ERROR_NONE;
+    if (!medium_index(&lens->object_medium, primary > 0 ? primary : WAVELENGTH_D, &index,
+                      file->error)) {
+        file->error->code = ERROR_NONE;
         lens->aperture_kind = APERTURE_NONE;
         return zemax_loss(file, line, LOSS_OF_RAYS, "the lens gets no aperture",
                           "the angle of a cone in a medium of unknown index");
@@ -44,7 +41,7 @@ static bool zemax_read_set_cone(struct zemax_file *file, const struct zemax_line
     return true;
 }
 
-static bool zemax_read_set_aperture(struct zemax_file *file, struct error *error)
+static bool zemax_read_set_aperture(struct zemax_file *file)
 {
     const struct zemax_line *line = file->aperture;
     struct lens *lens = file->build.lens;
@@ -57,8 +54,7 @@ static bool zemax_read_set_aperture(struct zemax_file *file, struct error *error
         return true;
     }
     if (!(line->numbers[0].value.hi > 0)) {
-        return file_words_fail(&line->words, line->numbers[0].typed, error,
-                               "the aperture must be above 0");
+        return zemax_fail(file, line, line->numbers[0].typed, "the aperture must be above 0");
     }
     lens->aperture = line->numbers[0];
     if (text_same(line->keyword, "ENPD")) {
@@ -70,7 +66,7 @@ static bool zemax_read_set_aperture(struct zemax_file *file, struct error *error
     }
     bool special = zemax_number(line, 1) != 0;
     if (lens->aperture_kind == APERTURE_NA && special) {
-        return zemax_read_set_cone(file, line, error);
+        return zemax_read_set_cone(file, line);
     }
     if (lens->aperture_kind == APERTURE_FNUMBER && special && !lens->object_is_infinite) {
         lens->aperture_kind = APERTURE_NONE; /* until its surfaces are known */
@@ -79,8 +75,7 @@ static bool zemax_read_set_aperture(struct zemax_file *file, struct error *error
 }
 
 /* Field number `at`, from 0: its place in XFLN and YFLN, its weight in FWGN. */
-static bool zemax_read_add_field(struct zemax_file *file, size_t at, bool angle,
-                                 struct error *error)
+static bool zemax_read_add_field(struct zemax_file *file, size_t at, bool angle)
 {
     struct number_scale scale = angle ? NUMBER_UNSCALED : lens_unit_scale(file->build.lens->unit);
     const struct zemax_line *lines[2] = {file->x, file->y}, *weights = file->field_weights;
@@ -94,7 +89,7 @@ static bool zemax_read_add_field(struct zemax_file *file, size_t at, bool angle,
         const char *wrong = lens_field_from_degrees(field);
         const struct zemax_line *line = field->at[1].value.hi != 0 ? file->y : file->x;
         if (wrong != NULL) {
-            return file_words_fail(&line->words, line->numbers[at].typed, error, "%s", wrong);
+            return zemax_fail(file, line, line->numbers[at].typed, "%s", wrong);
         }
     }
     if (weights != NULL && at < weights->count && weights->numbers[at].value.hi != 1) {
@@ -102,10 +97,10 @@ static bool zemax_read_add_field(struct zemax_file *file, size_t at, bool angle,
         field->weight_typed = weights->numbers[at].typed;
     }
     return field->weight >= 0 ||
-           file_words_fail(&weights->words, field->weight_typed, error, "a weight is not below 0");
+           zemax_fail(file, weights, field->weight_typed, "a weight is not below 0");
 }
 
-static bool set_fields(struct zemax_file *file, struct error *error)
+static bool set_fields(struct zemax_file *file)
 {
     static const enum field_kind kinds[] = {FIELD_ANGLE, FIELD_HEIGHT, FIELD_IMAGE, FIELD_REAL};
     double type = zemax_number(file->fields, 0), stated = zemax_number(file->fields, 2);
@@ -121,7 +116,7 @@ static bool set_fields(struct zemax_file *file, struct error *error)
     }
     file->build.lens->field_kind = kinds[(int)type];
     for (size_t i = 0; i < count; i++) {
-        if (!zemax_read_add_field(file, i, type == 0, error)) {
+        if (!zemax_read_add_field(file, i, type == 0)) {
             return false;
         }
     }
@@ -137,34 +132,30 @@ static struct text after_um(struct zemax_file *file, struct text number)
 }
 
 /* Points at PWAV where the file has it. */
-static bool fail_waves(const struct zemax_file *file, struct error *error, const char *message)
+static bool fail_waves(const struct zemax_file *file, const char *message)
 {
     if (file->primary_line != NULL) {
-        return file_words_fail(&file->primary_line->words, file->primary_line->keyword, error, "%s",
-                               message);
+        return zemax_fail(file, file->primary_line, file->primary_line->keyword, "%s", message);
     }
-    fail(error, ERROR_DATA, "%s", message);
-    return error_locate(error, file->job->source, 0, 0);
+    return foreign_fail(file->job, file->error, "%s", message);
 }
 
 /* The primary one first. */
-static bool set_waves(struct zemax_file *file, struct error *error)
+static bool set_waves(struct zemax_file *file)
 {
     const size_t count = zemax_wave_count(file);
     if (count > 0 && file->primary >= count) {
-        return fail_waves(file, error,
-                          arena_printf(file->job->arena,
-                                       "the primary wavelength is number %zu of %zu",
-                                       file->primary + 1, count));
+        return fail_waves(file, arena_printf(file->job->arena,
+                                             "the primary wavelength is number %zu of %zu",
+                                             file->primary + 1, count));
     }
     for (size_t i = 0; i < count; i++) {
         size_t at = i == 0 ? file->primary : i - (i <= file->primary);
         double wavelength = file->waves[at].value.hi, weight = file->weights[at].value.hi;
         if (!(wavelength > 0) || !(weight >= 0)) {
-            return fail_waves(file, error,
-                              arena_printf(file->job->arena,
-                                           "wavelength %zu is missing, or its weight is below 0",
-                                           at + 1));
+            return fail_waves(
+                file, arena_printf(file->job->arena,
+                                   "wavelength %zu is missing, or its weight is below 0", at + 1));
         }
         struct lens_wavelength *one = lens_build_wavelength(&file->build, wavelength, weight);
         bool is_line = one->typed.start[one->typed.length - 1] != 'm';
@@ -261,7 +252,7 @@ static void set_distance(struct zemax_file *file, const struct figure *figure)
 }
 
 /* The object's distance, and what lies before the first surface. */
-static bool set_object(struct zemax_file *file, struct error *error)
+static bool set_object(struct zemax_file *file)
 {
     const double far = 1e10; /* what the program writes for infinity where it wants a number */
     struct lens *lens = file->build.lens;
@@ -278,11 +269,9 @@ static bool set_object(struct zemax_file *file, struct error *error)
                    "SCBD: a shifted or tilted object");
     }
     if (object->is_stop) {
-        return file_words_fail(&object->surf->words, object->surf->keyword, error,
-                               "the object is the stop");
+        return zemax_fail(file, object->surf, object->surf->keyword, "the object is the stop");
     }
-    if (object->glass != NULL &&
-        !zemax_medium(file, object, &medium_air, &lens->object_medium, error)) {
+    if (object->glass != NULL && !zemax_medium(file, object, &medium_air, &lens->object_medium)) {
         return false;
     }
     if (finite) {
@@ -345,7 +334,7 @@ static void set_positions(struct zemax_file *file)
 }
 
 /* The image is a plane, that may be tilted. */
-static bool check_image(struct zemax_file *file, struct error *error)
+static bool check_image(struct zemax_file *file)
 {
     const struct zemax_surface *image = &file->surfaces[file->surface_count - 1];
     bool turns = image->type != NULL && text_same(image->type->first, "TILTSURF") &&
@@ -354,8 +343,7 @@ static bool check_image(struct zemax_file *file, struct error *error)
         zemax_read_check_flat(file, image, "a curved image", "");
     }
     if (image->is_stop) {
-        return file_words_fail(&image->surf->words, image->surf->keyword, error,
-                               "the image is the stop");
+        return zemax_fail(file, image->surf, image->surf->keyword, "the image is the stop");
     }
     return true;
 }
@@ -441,14 +429,14 @@ static void zemax_read_check_vignetting(struct zemax_file *file)
 }
 
 /* The lens of a file, or of one of its configurations. */
-static bool build_lens(struct zemax_file *file, struct error *error)
+static bool build_lens(struct zemax_file *file)
 {
-    if (!set_object(file, error)) {
+    if (!set_object(file)) {
         return false;
     }
     set_telecentric(file);
-    if (!check_image(file, error) || !zemax_read_set_aperture(file, error) ||
-        !set_fields(file, error) || !set_waves(file, error) || !zemax_surfaces(file, error)) {
+    if (!check_image(file) || !zemax_read_set_aperture(file) || !set_fields(file) ||
+        !set_waves(file) || !zemax_surfaces(file)) {
         return false;
     }
     set_working_aperture(file);
@@ -457,27 +445,52 @@ static bool build_lens(struct zemax_file *file, struct error *error)
     return true;
 }
 
+/* The lens of a file with configurations: built once for each of them, then put together. */
+static bool build_positions(struct zemax_file *file)
+{
+    struct arena *arena = file->job->arena;
+    const struct lens named = *file->build.lens;
+    struct lens *lenses = ARENA_ARRAY(arena, file->configurations, struct lens);
+    for (size_t p = 0; p < file->configurations; p++) {
+        struct zemax_file one = *file;
+        one.configuration = p + 1;
+        size_t losses = file->job->loss_count;
+        lenses[p] = named;
+        lenses[p].position_count = 0;
+        one.build =
+            (struct lens_build){.lens = &lenses[p], .arena = arena, .note_room = named.note_count};
+        one.surfaces = ARENA_ARRAY(arena, file->surface_count, struct zemax_surface);
+        memcpy(one.surfaces, file->surfaces, file->surface_count * sizeof one.surfaces[0]);
+        if (!zemax_place_settings(&one, p) || !build_lens(&one)) {
+            return false;
+        }
+        foreign_forget_repeated(file->job, p > 0 ? losses : file->job->loss_count);
+    }
+    merge_positions(&file->build, lenses, file->job);
+    return true;
+}
+
 /* The lens of a file, where name and numbers of a glass differ with the one or the other. */
 static bool read_as(struct foreign_job *job, struct text content, bool takes_numbers,
                     struct zemax_doubts *doubts, struct lens *lens, struct error *error)
 {
-    struct zemax_file file = {.job = job, .takes_numbers = takes_numbers, .doubts = doubts};
+    struct zemax_file file = {
+        .job = job, .error = error, .takes_numbers = takes_numbers, .doubts = doubts};
     *doubts = (struct zemax_doubts){0, 0};
     lens_build_begin(&file.build, lens, job->arena);
-    if (!zemax_parse(&file, content, error)) {
+    if (!zemax_parse(&file, content)) {
         return false;
     }
     zemax_read_check_vignetting(&file);
-    if ((!file.has_gaps && !zemax_check_circles(&file, error))) {
+    if (!file.has_gaps && !zemax_check_circles(&file)) {
         return false;
     }
     set_positions(&file);
-    bool done = file.configurations < 2 ? build_lens(&file, error)
-                                        : zemax_read_positions(&file, build_lens, error);
-    if (done) {
-        foreign_mark_power(job, &file.build);
+    if (!(file.configurations < 2 ? build_lens(&file) : build_positions(&file))) {
+        return false;
     }
-    return done;
+    foreign_mark_power(job, &file.build);
+    return true;
 }
 
 /*

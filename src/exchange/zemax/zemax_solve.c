@@ -1,6 +1,6 @@
 /* exchange/zemax/zemax_solve.c - solves and pick-ups of a .zmx file. */
 /* SPDX-License-Identifier: MIT */
-#include "exchange/zemax/zemax_solve.h"
+#include "exchange/zemax/zemax.h"
 
 #include "exchange/keep_pickup.h"
 #include "file/lens_solve.h"

@@ -1,12 +1,8 @@
 /* exchange/zemax/zemax_surface.c - the surfaces of a .zmx file as those of a lens. */
 /* SPDX-License-Identifier: MIT */
-#include "exchange/zemax/zemax_surface.h"
-#include "exchange/zemax/zemax_aperture.h"
-#include "exchange/zemax/zemax_break.h"
+#include "exchange/zemax/zemax.h"
 
 #include "base/constants.h"
-#include "exchange/zemax/zemax_glass.h"
-#include "exchange/zemax/zemax_solve.h"
 #include "file/lens_unit.h"
 
 #include <math.h>
@@ -31,14 +27,14 @@ static bool is_mirror(const struct zemax_surface *surface)
 }
 
 bool zemax_medium(struct zemax_file *file, const struct zemax_surface *surface,
-                  const struct medium *before, struct medium *medium, struct error *error)
+                  const struct medium *before, struct medium *medium)
 {
     const struct zemax_line *line = surface->glass;
     *medium = is_type(surface, "COORDBRK") || is_mirror(surface) ? *before : medium_air;
     if (line == NULL || is_mirror(surface) || text_same(line->keyword, "AIR")) {
         return true;
     }
-    return zemax_glass(file, line, medium, error);
+    return zemax_glass(file, line, medium);
 }
 
 /* A figure in the file's unit to a power, from one that was read without a unit. */
@@ -132,8 +128,7 @@ static void set_toroidal(struct zemax_file *file, size_t at, struct surface *to)
  * Formula   n' u' = n u - h/f with u the tangents, as thick_lens_slope
  * Errors    no focal length, or 0; a mirror; further parameters are losses
  */
-static bool set_paraxial(struct zemax_file *file, size_t at, struct surface *to,
-                         struct error *error)
+static bool set_paraxial(struct zemax_file *file, size_t at, struct surface *to)
 {
     const struct zemax_surface *from = &file->surfaces[at];
     const struct figure focal = zemax_surface_in_unit(file, zemax_parameter(file, at, 1), 1);
@@ -143,9 +138,9 @@ static bool set_paraxial(struct zemax_file *file, size_t at, struct surface *to,
         return zemax_loss(file, from->glass, LOSS_OF_LENS, NULL, "an ideal lens that is a mirror");
     }
     if (focal.value.hi == 0) {
-        return file_words_fail(&place->words, given != NULL ? place->keyword : place->first, error,
-                               given != NULL ? "an ideal lens of the focal length 0"
-                                             : "an ideal lens without a focal length");
+        return zemax_fail(file, place, given != NULL ? place->keyword : place->first,
+                          given != NULL ? "an ideal lens of the focal length 0"
+                                        : "an ideal lens without a focal length");
     }
     for (size_t i = 3; i < ZEMAX_PARAMETERS; i++) {
         if (zemax_number(from->parameters[i], 1) != 0) {
@@ -202,7 +197,7 @@ static bool is_standard_there(struct zemax_file *file, size_t at)
     return is_type(from, "JONESMAT") || (is_type(from, "DGRATING") && !bends);
 }
 
-static bool set_type(struct zemax_file *file, size_t at, struct surface *to, struct error *error)
+static bool set_type(struct zemax_file *file, size_t at, struct surface *to)
 {
     const struct zemax_surface *from = &file->surfaces[at];
     for (size_t k = 0; k < ZEMAX_ASPHERES; k++) {
@@ -230,7 +225,7 @@ static bool set_type(struct zemax_file *file, size_t at, struct surface *to, str
         return true;
     }
     if (is_type(from, "PARAXIAL")) {
-        return set_paraxial(file, at, to, error);
+        return set_paraxial(file, at, to);
     }
     struct text type = from->type->first;
     if (is_standard_there(file, at)) {
@@ -330,14 +325,14 @@ static void set_comment(struct zemax_file *file, const struct zemax_surface *fro
     }
 }
 
-static bool zemax_surface_add_surface(struct zemax_file *file, size_t at, struct error *error)
+static bool zemax_surface_add_surface(struct zemax_file *file, size_t at)
 {
     const struct zemax_surface *from = &file->surfaces[at];
     const struct medium before = zemax_medium_before(file->build.lens);
     struct surface *to = lens_build_surface(&file->build);
     to->coordinate_break = file->coordinate_break;
     file->coordinate_break = NULL;
-    if (!zemax_medium(file, from, &before, &to->medium, error)) {
+    if (!zemax_medium(file, from, &before, &to->medium)) {
         return false;
     }
     if (zemax_number(from->curvature, 0) != 0) {
@@ -349,17 +344,17 @@ static bool zemax_surface_add_surface(struct zemax_file *file, size_t at, struct
     if (zemax_number(from->conic, 0) != 0) {
         to->conic = from->conic->numbers[0];
     }
-    if (!set_type(file, at, to, error)) {
+    if (!set_type(file, at, to)) {
         return false;
     }
     set_diameter(file, from, to);
     set_comment(file, from, to);
     to->is_stop = from->is_stop;
-    return zemax_set_aperture(file, from, to, error);
+    return zemax_set_aperture(file, from, to);
 }
 
 /* A surface, or a break with what it needs; `place` receives where it is in the lens, if it is. */
-static bool add_next(struct zemax_file *file, size_t at, size_t *place, struct error *error)
+static bool add_next(struct zemax_file *file, size_t at, size_t *place)
 {
     struct lens *lens = file->build.lens;
     const struct zemax_surface *surface = &file->surfaces[at];
@@ -372,13 +367,12 @@ static bool add_next(struct zemax_file *file, size_t at, size_t *place, struct e
         }
         zemax_add_plane(file);
         set_comment(file, surface, &lens->surfaces[lens->surface_count - 1]);
-    } else if (!zemax_surface_add_surface(file, at, error)) {
+    } else if (!zemax_surface_add_surface(file, at)) {
         return false;
     }
     *place = lens->surface_count - 1;
     if (surface->is_stop && lens->stop != LENS_NONE) {
-        return file_words_fail(&surface->surf->words, surface->surf->keyword, error,
-                               "a second stop");
+        return zemax_fail(file, surface->surf, surface->surf->keyword, "a second stop");
     }
     if (surface->is_stop) {
         lens_build_stop(&file->build, *place);
@@ -401,20 +395,97 @@ static void zemax_surface_add_image(struct zemax_file *file)
     zemax_add_plane(file);
 }
 
-bool zemax_surfaces(struct zemax_file *file, struct error *error)
+bool zemax_surfaces(struct zemax_file *file)
 {
     size_t *places = ARENA_ARRAY(file->job->arena, file->surface_count, size_t);
     places[0] = places[file->surface_count - 1] = LENS_NONE;
     for (size_t i = 1; i + 1 < file->surface_count; i++) {
         places[i] = LENS_NONE;
         zemax_surface_check_pickups(file, i);
-        if (i > file->passed && !add_next(file, i, &places[i], error)) {
+        if (i > file->passed && !add_next(file, i, &places[i])) {
             return false;
         }
     }
-    if (!zemax_thicknesses(file, places, error)) {
+    if (!zemax_thicknesses(file, places)) {
         return false;
     }
     zemax_surface_add_image(file);
+    return true;
+}
+
+/* -------- pick-ups that go in a circle -------- */
+
+/* What is picked up: the parameters by their numbers, and behind them the others. */
+enum { THICKNESS = ZEMAX_PARAMETERS, CURVATURE, DIAMETER, KINDS };
+
+/* The line of a pick-up, and where in it the surface, then the column, stand; null: none. */
+static const struct zemax_line *pickup_of(const struct zemax_surface *surface, size_t kind,
+                                          size_t *source, size_t *column)
+{
+    const struct zemax_line *line = NULL;
+    switch (kind) {
+    case THICKNESS: /* PZUP surface scale offset column */
+        *source = 0;
+        *column = 3;
+        line = surface->solve;
+        return line != NULL && text_same(line->keyword, "PZUP") ? line : NULL;
+    case CURVATURE: /* CURV c 4 surface scale column */
+        *source = 2;
+        *column = 4;
+        line = surface->curvature;
+        return zemax_number(line, 1) == 4 ? line : NULL;
+    case DIAMETER: /* DIAM value 2 surface column */
+        *source = 2;
+        *column = 3;
+        line = surface->diameter;
+        return zemax_number(line, 1) == 2 ? line : NULL;
+    default: /* PPAR number surface scale offset column */
+        *source = 1;
+        *column = 4;
+        return surface->pickups[kind];
+    }
+}
+
+/* The surface that a number follows; surface_count: none, or another column of one. */
+static size_t source_of(const struct zemax_file *file, size_t at, size_t kind,
+                        const struct zemax_line **line)
+{
+    size_t place = 0, column = 0;
+    *line = pickup_of(&file->surfaces[at], kind, &place, &column);
+    double source = zemax_number(*line, place);
+    bool follows = *line != NULL && place < (*line)->count && zemax_number(*line, column) == 0;
+    return follows && source >= 0 && source < (double)file->surface_count ? (size_t)source
+                                                                          : file->surface_count;
+}
+
+/* From a pick-up of a later surface, or of its own, along those that it follows. */
+static bool check_from(const struct zemax_file *file, size_t at, size_t kind)
+{
+    const struct zemax_line *line, *next;
+    size_t source = source_of(file, at, kind, &line), walk = source;
+    if (source < at) {
+        return true; /* a circle has one that follows a later surface */
+    }
+    for (size_t i = 0; i < file->surface_count && walk < file->surface_count; i++) {
+        if (walk == at) {
+            return zemax_fail(file, line, line->keyword,
+                              "the pick-ups go in a circle: surface %zu follows surface %zu, "
+                              "which follows it",
+                              at, source);
+        }
+        walk = source_of(file, walk, kind, &next);
+    }
+    return true;
+}
+
+bool zemax_check_circles(const struct zemax_file *file)
+{
+    for (size_t at = 0; at < file->surface_count; at++) {
+        for (size_t kind = 0; kind < KINDS; kind++) {
+            if (!check_from(file, at, kind)) {
+                return false;
+            }
+        }
+    }
     return true;
 }

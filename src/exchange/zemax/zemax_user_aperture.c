@@ -1,6 +1,6 @@
 /* exchange/zemax/zemax_user_aperture.c - polygons and circles of .zmx and .uda files. */
 /* SPDX-License-Identifier: MIT */
-#include "exchange/zemax/zemax_user_aperture.h"
+#include "exchange/zemax/zemax.h"
 
 #include "base/number.h"
 #include "data/encoding.h"
@@ -335,7 +335,7 @@ static void check_shapes(struct shapes *shapes)
 }
 
 bool zemax_user_apertures(struct zemax_file *file, const struct zemax_surface *from,
-                          struct aperture **apertures, size_t *count, struct error *error)
+                          struct aperture **apertures, size_t *count)
 {
     const struct zemax_line *line = from->user_aperture;
     const bool is_inline = from->user_row_count > 0;
@@ -371,7 +371,7 @@ bool zemax_user_apertures(struct zemax_file *file, const struct zemax_surface *f
     if (shapes.wrong == NULL) {
         return true;
     }
-    error->code = ERROR_NONE;
+    file->error->code = ERROR_NONE;
     if (is_inline) {
         return !zemax_loss(file, line, LOSS_OF_VIGNETTING, "left out",
                            "%.4s: a user-defined aperture (%s)", line->keyword.start, shapes.wrong);

@@ -2,7 +2,6 @@
 /* SPDX-License-Identifier: MIT */
 #include "exchange/keep_notes.h"
 #include "exchange/zemax/zemax.h"
-#include "exchange/zemax/zemax_parse.h"
 #include "exchange/zemax/zemax_writer.h"
 #include "file/lens_solve.h"
 #include "optics/wavelength.h"

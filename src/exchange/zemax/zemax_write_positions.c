@@ -1,6 +1,6 @@
 /* exchange/zemax/zemax_write_positions.c - the operands of the configurations of a .zmx file. */
 /* SPDX-License-Identifier: MIT */
-#include "exchange/zemax/zemax_aperture.h"
+#include "exchange/zemax/zemax.h"
 #include "exchange/zemax/zemax_writer.h"
 
 #include <math.h>

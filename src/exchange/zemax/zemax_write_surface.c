@@ -1,7 +1,6 @@
 /* exchange/zemax/zemax_write_surface.c - surfaces and media of a .zmx file. */
 /* SPDX-License-Identifier: MIT */
 #include "exchange/zemax/zemax.h"
-#include "exchange/zemax/zemax_aperture.h"
 #include "exchange/zemax/zemax_writer.h"
 #include "file/lens_build.h"
 #include "file/lens_glass.h"
