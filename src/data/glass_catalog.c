@@ -123,8 +123,8 @@ struct glass_catalog_search {
 };
 
 /* Keep the glass in the present row of a table if it answers to the name. */
-static bool glass_catalog_consider(struct glass_catalog_search *search,
-                                   const struct glass_table *table, struct error *error)
+static bool weigh_glass(struct glass_catalog_search *search, const struct glass_table *table,
+                        struct error *error)
 {
     if ((search->catalog.length > 0 && !text_same_name(search->catalog, table->catalog)) ||
         !text_same_name(search->name, glass_table_name(table)) || search->count == MOST_HOMONYMS) {
@@ -178,8 +178,7 @@ static bool search_user(struct glass_catalog_search *search, struct error *error
         return false;
     }
     while (catalogs.place == LENSDB_USER && next_row(&catalogs, error)) {
-        if (catalogs.place == LENSDB_USER &&
-            !glass_catalog_consider(search, &catalogs.table, error)) {
+        if (catalogs.place == LENSDB_USER && !weigh_glass(search, &catalogs.table, error)) {
             return false;
         }
     }
@@ -187,7 +186,7 @@ static bool search_user(struct glass_catalog_search *search, struct error *error
 }
 
 /* The name as the index has it; false if it is too long for any. */
-static bool glass_catalog_make_key(struct text name, char key[EMBEDDED_KEY])
+static bool make_glass_key(struct text name, char key[EMBEDDED_KEY])
 {
     size_t used = 0;
     for (size_t i = 0; i < name.length; i++) {
@@ -204,7 +203,7 @@ static bool glass_catalog_make_key(struct text name, char key[EMBEDDED_KEY])
 }
 
 /* The first entry of the index that does not come before the key. */
-static size_t glass_catalog_first_of(const char *key)
+static size_t first_listed(const char *key)
 {
     size_t low = 0, high = embedded_glass_count;
     while (low < high) {
@@ -236,13 +235,12 @@ static bool search_embedded(struct glass_catalog_search *search, struct error *e
 {
     char key[EMBEDDED_KEY];
     struct glass_table table;
-    if (!glass_catalog_make_key(search->name, key)) {
+    if (!make_glass_key(search->name, key)) {
         return true;
     }
-    for (size_t i = glass_catalog_first_of(key);
+    for (size_t i = first_listed(key);
          i < embedded_glass_count && strcmp(embedded_glasses[i].key, key) == 0; i++) {
-        if (!open_row(&embedded_glasses[i], &table, error) ||
-            !glass_catalog_consider(search, &table, error)) {
+        if (!open_row(&embedded_glasses[i], &table, error) || !weigh_glass(search, &table, error)) {
             return false;
         }
     }
@@ -331,8 +329,7 @@ static const struct glass_record *current_of(const struct glass_catalog_search *
 }
 
 /* The first of the same glasses, but rather a current one; false if they are not the same. */
-static bool glass_catalog_are_same(const struct glass_catalog_search *search,
-                                   struct glass_record *record)
+static bool glasses_agree(const struct glass_catalog_search *search, struct glass_record *record)
 {
     *record = search->found[0];
     for (size_t i = 1; i < search->count; i++) {
@@ -348,11 +345,10 @@ static bool glass_catalog_are_same(const struct glass_catalog_search *search,
 }
 
 /* One name, several glasses: refuse, naming them, unless the current one may be taken. */
-static bool glass_catalog_choose(const struct glass_catalog_search *search,
-                                 enum glass_naming naming, struct glass_record *record,
-                                 struct error *error)
+static bool choose_listed(const struct glass_catalog_search *search, enum glass_naming naming,
+                          struct glass_record *record, struct error *error)
 {
-    if (glass_catalog_are_same(search, record)) {
+    if (glasses_agree(search, record)) {
         return true;
     }
     const struct glass_record *one = current_of(search);
@@ -386,7 +382,7 @@ static void suggest_agf(const struct glass_catalog_search *search, struct neares
 }
 
 /* The nearest name among all glasses, with its catalogue if one was typed. */
-static void glass_catalog_suggest(struct glass_catalog_search *search, struct error *error)
+static void suggest_glass(struct glass_catalog_search *search, struct error *error)
 {
     struct nearest nearest = {.typed = search->name}, other = {.typed = search->catalog};
     for (size_t i = 0; i < embedded_glass_count; i++) {
@@ -451,7 +447,7 @@ static bool find_meant(struct glass_catalog_search *search, struct text material
     if (search->count == 0) {
         return is_unknown(typed, error) && false;
     }
-    if (!glass_catalog_choose(search, GLASS_ALIASES, record, error)) {
+    if (!choose_listed(search, GLASS_ALIASES, record, error)) {
         return false;
     }
     const struct glass *glass = &record->glass;
@@ -469,7 +465,7 @@ static bool find_alias(struct glass_catalog_search *search, enum glass_naming na
     struct text typed = search->typed, material;
     if (!glass_alias(search->db, typed, search->arena, &material, error)) {
         if (error->code == ERROR_NONE && is_unknown(typed, error)) {
-            glass_catalog_suggest(search, error);
+            suggest_glass(search, error);
         }
         return false;
     }
@@ -499,7 +495,7 @@ bool glass_find(struct lensdb *db, struct text name, enum glass_naming naming, s
     if (naming == GLASS_HOMONYMS && !own && error->code != ERROR_NONE) {
         return false;
     }
-    return search->count > 0 ? glass_catalog_choose(search, naming, record, error)
+    return search->count > 0 ? choose_listed(search, naming, record, error)
                              : find_alias(search, naming, record, error);
 }
 

@@ -237,7 +237,7 @@ bool lensdb_table_number(const struct lensdb_table *table, int column, double lo
 }
 
 /* "1/125" or "0.3" or "5.6". */
-static bool lensdb_label_value(struct text label, double *value)
+static bool value_in_label(struct text label, double *value)
 {
     const char *end = label.start + label.length;
     const char *after = number_read(label.start, end, NUMBER_UNSCALED, value);
@@ -284,7 +284,7 @@ static bool lensdb_read_stop(const struct tsv *tsv, const size_t *columns, const
                                  .step = (int)step,
                                  .divisor = divisor_of(series)};
     stop->exact = exact_stop(file, stop->step, stop->divisor);
-    if (!lensdb_label_value(stop->label, &stop->value)) {
+    if (!value_in_label(stop->label, &stop->value)) {
         return tsv_fail(tsv, columns[2], error, "is not a label of a stop series");
     }
     return true;

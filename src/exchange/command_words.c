@@ -15,18 +15,18 @@ void commands_open(struct commands *commands, struct foreign_job *job, struct te
         .job = job, .error = error, .grammar = grammar, .rest = content, .scale = {1, 0}};
 }
 
-static bool command_words_is_blank(char c)
+static bool is_command_blank(char c)
 {
     return c == ' ' || c == '\t' || c == '\r' || c == '\f';
 }
 
-static bool command_words_is_quote(const struct commands *commands, char c)
+static bool is_command_quote(const struct commands *commands, char c)
 {
     return c != '\0' && strchr(commands->grammar->quotes, c) != NULL;
 }
 
 /* Go to the next line that has something; false at the end of the file. */
-static bool command_words_next_line(struct commands *commands)
+static bool next_command_line(struct commands *commands)
 {
     while (commands->rest.start != NULL && commands->rest.length > 0) {
         /* The line up to its comment; what looks like one inside of quotes is none. */
@@ -40,11 +40,11 @@ static bool command_words_next_line(struct commands *commands)
                 closing = c == closing ? '\0' : closing;
             } else if (line.length - i >= length && memcmp(line.start + i, comment, length) == 0) {
                 line.length = i;
-            } else if (command_words_is_quote(commands, c)) {
+            } else if (is_command_quote(commands, c)) {
                 closing = c;
             }
         }
-        while (line.length > 0 && command_words_is_blank(line.start[line.length - 1])) {
+        while (line.length > 0 && is_command_blank(line.start[line.length - 1])) {
             line.length--;
         }
         commands->line = line;
@@ -59,7 +59,7 @@ static bool command_words_next_line(struct commands *commands)
     return false;
 }
 
-static bool command_words_add_word(struct commands *commands, struct text text, bool is_quoted)
+static bool add_command_word(struct commands *commands, struct text text, bool is_quoted)
 {
     commands->words = arena_grow(commands->job->arena, commands->words, commands->count,
                                  &commands->room, sizeof commands->words[0]);
@@ -82,34 +82,34 @@ static bool read_quoted(struct commands *commands, const char *end)
         return commands_fail(commands, &word, "the text does not end with %c", *start);
     }
     /* CODE V writes names that have quotes of their own as ""name"" */
-    if (close == start + 1 && end - close > 1 && !command_words_is_blank(close[1]) &&
+    if (close == start + 1 && end - close > 1 && !is_command_blank(close[1]) &&
         close[1] != commands->grammar->separator) {
         const char *inner = memchr(close + 1, *start, (size_t)(end - close - 1));
         if (inner != NULL && end - inner > 1 && inner[1] == *start) {
             commands->at = inner + 2;
-            return command_words_add_word(commands, text_between(close + 1, inner), true);
+            return add_command_word(commands, text_between(close + 1, inner), true);
         }
     }
     commands->at = close + 1;
-    return command_words_add_word(commands, text_between(start + 1, close), true);
+    return add_command_word(commands, text_between(start + 1, close), true);
 }
 
 /* A word goes up to a blank or a separator outside of quotes: S'front' is one word. */
-static bool command_words_read_word(struct commands *commands, const char *end)
+static bool read_bare(struct commands *commands, const char *end)
 {
     const char *start = commands->at, *at = start;
     char closing = '\0';
-    for (; at < end && (closing != '\0' ||
-                        (!command_words_is_blank(*at) && *at != commands->grammar->separator));
+    for (; at < end &&
+           (closing != '\0' || (!is_command_blank(*at) && *at != commands->grammar->separator));
          at++) {
         if (closing != '\0') {
             closing = *at == closing ? '\0' : closing;
-        } else if (command_words_is_quote(commands, *at)) {
+        } else if (is_command_quote(commands, *at)) {
             closing = *at;
         }
     }
     commands->at = at;
-    return command_words_add_word(commands, text_between(start, at), false);
+    return add_command_word(commands, text_between(start, at), false);
 }
 
 /* The mark of continuation may touch the last word of its line. */
@@ -132,13 +132,13 @@ bool commands_next(struct commands *commands)
         const char *end =
             commands->at != NULL ? commands->line.start + commands->line.length : NULL;
         if (commands->at == NULL || commands->at >= end) {
-            if ((commands->count > 0 && !commands->goes_on) || !command_words_next_line(commands)) {
+            if ((commands->count > 0 && !commands->goes_on) || !next_command_line(commands)) {
                 return commands->count > 0;
             }
             commands->goes_on = cut_continuation(commands);
             continue;
         }
-        if (command_words_is_blank(*commands->at)) {
+        if (is_command_blank(*commands->at)) {
             commands->at++;
             continue;
         }
@@ -149,9 +149,8 @@ bool commands_next(struct commands *commands)
             }
             continue;
         }
-        bool read = command_words_is_quote(commands, *commands->at)
-                        ? read_quoted(commands, end)
-                        : command_words_read_word(commands, end);
+        bool read = is_command_quote(commands, *commands->at) ? read_quoted(commands, end)
+                                                              : read_bare(commands, end);
         if (!read) {
             return false;
         }

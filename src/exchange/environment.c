@@ -35,7 +35,7 @@ static bool index_there(const struct glass *glass, const struct air *air, double
     return true;
 }
 
-static int environment_by_value(const void *a, const void *b)
+static int by_wave_value(const void *a, const void *b)
 {
     double left = *(const double *)a, right = *(const double *)b;
     return (left > right) - (left < right);
@@ -63,19 +63,18 @@ static size_t wavelengths_of(const struct environment *environment, double *all)
     for (size_t i = 0; i < LINES; i++) {
         count = add_new(all, count, lines[i]);
     }
-    qsort(all, count, sizeof all[0], environment_by_value);
+    qsort(all, count, sizeof all[0], by_wave_value);
     const double longest = all[count - 1];
     for (double value = all[0]; value < longest; value *= step) {
         count = add_new(all, count, round(1e4 * value) / 1e4);
     }
-    qsort(all, count, sizeof all[0], environment_by_value);
+    qsort(all, count, sizeof all[0], by_wave_value);
     return count;
 }
 
 /* "{0.55um 1.5, ..}"; null where a wavelength of the file has no index. */
-static const char *environment_table_of(const struct environment *environment,
-                                        const struct glass *glass, struct arena *arena,
-                                        struct error *error)
+static const char *table_there(const struct environment *environment, const struct glass *glass,
+                               struct arena *arena, struct error *error)
 {
     const struct air air = {AIR_KOHLRAUSCH, environment->temperature,
                             environment->pressure * AIR_STANDARD_PRESSURE};
@@ -114,7 +113,7 @@ bool environment_apply(const struct environment *environment, const struct file_
         return true;
     }
     struct error why = {.code = ERROR_NONE};
-    const char *written = environment_table_of(environment, glass, job->arena, &why);
+    const char *written = table_there(environment, glass, job->arena, &why);
     if (written == NULL) {
         return foreign_loss(job, words, word, LOSS_OF_POWER, "that of the catalogue is kept",
                             "the index at %.6g C and %.6g atmospheres (%s)", temperature, pressure,

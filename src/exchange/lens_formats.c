@@ -51,7 +51,7 @@ static const struct foreign_format *by_ending(struct text path)
  * Given     source   its name; one that ends in .lens is never foreign
  *           content  UTF-8
  */
-static const struct foreign_format *lens_formats_format_of(struct text source, struct text content)
+static const struct foreign_format *format_by_look(struct text source, struct text content)
 {
     if (file_type_ends(source, lens_file_type.ending)) {
         return NULL;
@@ -101,7 +101,7 @@ const char *foreign_format_name(const char *source, struct text content, struct 
     if (!encoding_to_utf8(source, content, arena, &text, &error)) {
         text = content;
     }
-    const struct foreign_format *format = lens_formats_format_of(text_of(source), text);
+    const struct foreign_format *format = format_by_look(text_of(source), text);
     return format != NULL ? format->type.word.word : lens_file_type.word.word;
 }
 
@@ -131,7 +131,7 @@ static bool has_last_end(struct text content)
 }
 
 /* What the end of a file that was read says of its being whole. */
-static void lens_formats_check_end(struct foreign_job *job, struct text content, struct lens *lens)
+static void check_whole(struct foreign_job *job, struct text content, struct lens *lens)
 {
     if (!job->has_end && !has_last_end(content)) {
         foreign_cut_short(job, "its last line has no end");
@@ -158,8 +158,8 @@ static bool ends_in_glass(const struct lens *lens)
 }
 
 /* A .lens file is a list of surfaces without a last word. */
-static bool lens_formats_read_list(struct foreign_job *job, struct text content, struct lens *lens,
-                                   struct error *error)
+static bool read_list_file(struct foreign_job *job, struct text content, struct lens *lens,
+                           struct error *error)
 {
     if (!lens_read(job->source, content, job->glasses, job->arena, lens, error)) {
         return false;
@@ -169,7 +169,7 @@ static bool lens_formats_read_list(struct foreign_job *job, struct text content,
         foreign_cut_short(job, arena_printf(job->arena, "the glass %.*s lies before the image",
                                             text_shown(glass), glass.start));
     }
-    lens_formats_check_end(job, content, lens);
+    check_whole(job, content, lens);
     return true;
 }
 
@@ -178,8 +178,7 @@ bool foreign_read(struct foreign_job *job, struct text content, struct lens *len
 {
     struct text source = text_of(job->source), text = content;
     if (file_type_ends(source, lens_file_type.ending)) {
-        return check_glass_numbers(job, NULL, error) &&
-               lens_formats_read_list(job, content, lens, error);
+        return check_glass_numbers(job, NULL, error) && read_list_file(job, content, lens, error);
     }
     if (file_type_ends(source, ".agf")) {
         foreign_fail(job, error, "an AGF file is a catalogue of glasses, not a lens");
@@ -191,12 +190,12 @@ bool foreign_read(struct foreign_job *job, struct text content, struct lens *len
         return error_hint(error, "%s", other->advice);
     }
     bool is_text = encoding_to_utf8(job->source, content, job->arena, &text, error);
-    const struct foreign_format *format = lens_formats_format_of(source, is_text ? text : content);
+    const struct foreign_format *format = format_by_look(source, is_text ? text : content);
     if (!check_glass_numbers(job, format, error)) {
         return false;
     }
     if (format == NULL) {
-        return lens_formats_read_list(job, is_text ? text : content, lens, error);
+        return read_list_file(job, is_text ? text : content, lens, error);
     }
     if (!is_text) {
         return false;
@@ -207,7 +206,7 @@ bool foreign_read(struct foreign_job *job, struct text content, struct lens *len
                             format->type.word.word);
     }
     const bool done = format->read(job, text, lens, error);
-    lens_formats_check_end(job, text, lens);
+    check_whole(job, text, lens);
     return foreign_settle(job, done, error);
 }
 

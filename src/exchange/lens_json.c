@@ -173,8 +173,8 @@ static void json_put_use(struct lens_writer *writing)
                 apertures[lens->aperture_kind], aperture, focuses[lens->focus]);
 }
 
-static void json_put_displacement(struct lens_writer *writing, const char *key,
-                                  const struct displacement *displacement)
+static void json_put_turns(struct lens_writer *writing, const char *key,
+                           const struct displacement *displacement)
 {
     if (displacement != NULL) {
         writing_put(writing, ",\"%s\":{\"decenter_mm\":%s,\"tilt_deg\":%s}", key,
@@ -311,8 +311,8 @@ static bool json_put_surface(struct lens_writer *writing, size_t i, struct error
         writing_put(writing, ",\"cylinder\":%s",
                     json_of_string(writing->arena, surface_section(surface)->key));
     }
-    json_put_displacement(writing, "moved", surface->decentre);
-    json_put_displacement(writing, "bend_before", surface->coordinate_break);
+    json_put_turns(writing, "moved", surface->decentre);
+    json_put_turns(writing, "bend_before", surface->coordinate_break);
     for (size_t k = 0; k < surface->aperture_count; k++) {
         growing_string(&writing->text, k == 0 ? ",\"apertures\":[" : ",");
         json_put_aperture(writing, &surface->apertures[k]);

@@ -117,7 +117,7 @@ static struct figure with_extra(const struct sequence *sequence, const struct fi
 }
 
 /* One that passes as a circle about the vertex is the diameter, and another takes it along. */
-static void sequence_put_aperture(const struct sequence *sequence, struct sequence_aperture *one,
+static void put_sequence_aperture(const struct sequence *sequence, struct sequence_aperture *one,
                                   struct surface *surface, struct aperture *to)
 {
     struct error wrong;
@@ -142,13 +142,13 @@ static void sequence_put_apertures(const struct sequence *sequence,
     struct aperture *all = ARENA_ARRAY(arena, from->aperture_count, struct aperture);
     surface->apertures = all;
     for (size_t i = 0; i < from->aperture_count; i++) {
-        sequence_put_aperture(sequence, &from->apertures[i], surface,
+        put_sequence_aperture(sequence, &from->apertures[i], surface,
                               &all[surface->aperture_count]);
     }
 }
 
 /* The surface, and behind a bend a plane that turns the axis. */
-static void sequence_put_surface(const struct sequence *sequence, size_t index, size_t *lens_index)
+static void put_sequence_surface(const struct sequence *sequence, size_t index, size_t *lens_index)
 {
     struct sequence_surface *from = &sequence->surfaces[index];
     struct lens_build *build = sequence->build;
@@ -254,7 +254,7 @@ static void sequence_put_image(const struct sequence *sequence, bool is_solved)
         image->extra = pair_of(0);
         image->medium = lens->surfaces[last - 1].medium;
         lens->focus = FOCUS_TABLE;
-        sequence_put_surface(sequence, sequence->count - 1, &last);
+        put_sequence_surface(sequence, sequence->count - 1, &last);
     }
 }
 
@@ -278,7 +278,7 @@ bool sequence_environment(struct sequence *sequence, bool is_temperature, double
 }
 
 /* The glasses in the air of the file. */
-static bool sequence_to_environment(struct sequence *sequence)
+static bool glasses_there(struct sequence *sequence)
 {
     struct environment *environment = &sequence->environment;
     const struct lens *lens = sequence->build->lens;
@@ -309,7 +309,7 @@ bool sequence_finish(struct sequence *sequence)
         return foreign_fail(commands->job, error,
                             "the file has no surface between object and image");
     }
-    if (!sequence_apply_pickups(sequence) || !sequence_to_environment(sequence)) {
+    if (!sequence_apply_pickups(sequence) || !glasses_there(sequence)) {
         return false;
     }
     struct sequence_surface *image = &sequence->surfaces[sequence->count - 1], *last = image - 1;
@@ -327,7 +327,7 @@ bool sequence_finish(struct sequence *sequence)
                       "an ordinary one", "a telecentric object space of an object at infinity");
     }
     for (size_t i = 1; i + 1 < sequence->count; i++) {
-        sequence_put_surface(sequence, i, &indices[i]);
+        put_sequence_surface(sequence, i, &indices[i]);
     }
     struct sequence_solve *solve = &last->thickness_solve;
     /* Does the last solve bring the marginal ray to the axis, with no light lost on its way? */

@@ -46,8 +46,7 @@ static struct text writing_length_text(const struct lens_writer *writing,
     return figure_computed(pair_divide(figure->value, unit), NUMBER_UNSCALED, writing->arena).typed;
 }
 
-static struct text writing_degrees_text(const struct lens_writer *writing,
-                                        const struct figure *figure)
+static struct text degrees_text(const struct lens_writer *writing, const struct figure *figure)
 {
     return figure->typed.start != NULL
                ? figure->typed
@@ -75,12 +74,12 @@ const char *writing_half(const struct lens_writer *writing, const struct figure 
 
 const char *writing_degrees(const struct lens_writer *writing, const struct figure *figure)
 {
-    return writing_string(writing, writing_degrees_text(writing, figure));
+    return writing_string(writing, degrees_text(writing, figure));
 }
 
 const char *writing_turned(const struct lens_writer *writing, const struct figure *figure)
 {
-    const struct text degrees = writing_degrees_text(writing, figure);
+    const struct text degrees = degrees_text(writing, figure);
     return writing_string(writing, decimal_negate(degrees, writing->arena));
 }
 

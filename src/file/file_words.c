@@ -53,7 +53,7 @@ static size_t behind_quotes(struct text line, size_t at)
 }
 
 /* A comment begins where a word may begin. */
-static struct text file_words_without_comment(struct text line, const char *mark, bool has_quotes)
+static struct text cut_comment(struct text line, const char *mark, bool has_quotes)
 {
     size_t length = mark != NULL ? strlen(mark) : 0;
     for (size_t i = 0; length > 0 && i + length <= line.length; i++) {
@@ -69,8 +69,8 @@ static struct text file_words_without_comment(struct text line, const char *mark
 bool file_words_line(struct file_words *words)
 {
     while (words->rest.start != NULL && words->rest.length > 0) {
-        struct text line = file_words_without_comment(text_cut(&words->rest, '\n'), words->comment,
-                                                      words->has_quotes);
+        struct text line =
+            cut_comment(text_cut(&words->rest, '\n'), words->comment, words->has_quotes);
         words->number++;
         while (line.length > 0 && file_words_is_blank(line.start[line.length - 1])) {
             line.length--;

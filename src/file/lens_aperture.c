@@ -19,8 +19,8 @@ static bool refuse_shape(const struct file_words *words, struct text word, struc
            error_hint(error, "did you mean '%.*s'?", (int)nearest.best.length, nearest.best.start);
 }
 
-static bool lens_aperture_read_size(struct file_words *words, const char *what, struct figure *size,
-                                    struct error *error)
+static bool read_sizes(struct file_words *words, const char *what, struct figure *size,
+                       struct error *error)
 {
     struct text word = file_words_next(words);
     return lens_words_figure(words, word, words->scale, what, size, error) &&
@@ -28,7 +28,7 @@ static bool lens_aperture_read_size(struct file_words *words, const char *what, 
             file_words_fail(words, word, error, "the %s must be above 0", what));
 }
 
-static bool lens_aperture_read_arms(struct file_words *words, unsigned *arms, struct error *error)
+static bool read_arms(struct file_words *words, unsigned *arms, struct error *error)
 {
     struct text word = file_words_next(words);
     struct figure figure;
@@ -42,8 +42,7 @@ static bool lens_aperture_read_arms(struct file_words *words, unsigned *arms, st
 }
 
 /* x,y as far as words have no '='. */
-static bool lens_aperture_read_points(struct file_words *words, struct aperture *aperture,
-                                      struct error *error)
+static bool read_corners(struct file_words *words, struct aperture *aperture, struct error *error)
 {
     const struct vector_form form = {"corner", 2, words->scale, 0};
     struct figure(*points)[2] = NULL;
@@ -69,8 +68,7 @@ static bool lens_aperture_read_points(struct file_words *words, struct aperture 
 }
 
 /* decenter=x,y and turn=a, each once. */
-static bool lens_aperture_read_place(struct file_words *words, struct aperture *aperture,
-                                     struct error *error)
+static bool read_places(struct file_words *words, struct aperture *aperture, struct error *error)
 {
     const struct vector_form shift = {"decentre", 2, words->scale, 0};
     const struct vector_form turn = {"turn", 1, NUMBER_UNSCALED, RADIANS_PER_DEGREE};
@@ -98,8 +96,8 @@ static bool lens_aperture_read_place(struct file_words *words, struct aperture *
     return true;
 }
 
-static bool lens_aperture_read_shape(struct file_words *words, bool blocks,
-                                     struct aperture *aperture, struct error *error)
+static bool read_shape(struct file_words *words, bool blocks, struct aperture *aperture,
+                       struct error *error)
 {
     struct text word = file_words_next(words);
     size_t shape = 0;
@@ -112,13 +110,13 @@ static bool lens_aperture_read_shape(struct file_words *words, bool blocks,
     const struct aperture_traits *traits = &aperture_shapes[shape];
     *aperture = aperture_of((enum aperture_shape)shape, blocks);
     for (int i = 0; i < aperture_sizes(aperture->shape); i++) {
-        if (!lens_aperture_read_size(words, traits->sizes[i], &aperture->size[i], error)) {
+        if (!read_sizes(words, traits->sizes[i], &aperture->size[i], error)) {
             return false;
         }
     }
-    if ((traits->has_arms && !lens_aperture_read_arms(words, &aperture->arms, error)) ||
-        (traits->has_points && !lens_aperture_read_points(words, aperture, error)) ||
-        !lens_aperture_read_place(words, aperture, error)) {
+    if ((traits->has_arms && !read_arms(words, &aperture->arms, error)) ||
+        (traits->has_points && !read_corners(words, aperture, error)) ||
+        !read_places(words, aperture, error)) {
         return false;
     }
     struct error wrong = {.code = ERROR_NONE};
@@ -136,12 +134,11 @@ bool lens_aperture_read(struct file_words *words, bool blocks, struct surface *s
     struct aperture *all = arena_grow(words->arena, (void *)surface->apertures,
                                       surface->aperture_count, room, sizeof *all);
     surface->apertures = all;
-    return lens_aperture_read_shape(words, blocks, &all[surface->aperture_count++], error);
+    return read_shape(words, blocks, &all[surface->aperture_count++], error);
 }
 
-static void lens_aperture_put_vector(struct text_buffer *text, const char *before,
-                                     const struct figure *figures, size_t count,
-                                     struct number_scale unit)
+static void put_place(struct text_buffer *text, const char *before, const struct figure *figures,
+                      size_t count, struct number_scale unit)
 {
     for (size_t i = 0; i < count; i++) {
         growing_string(text, i == 0 ? before : ",");
@@ -149,7 +146,7 @@ static void lens_aperture_put_vector(struct text_buffer *text, const char *befor
     }
 }
 
-static bool lens_aperture_is_zero(const struct figure *figure)
+static bool is_zero_figure(const struct figure *figure)
 {
     return figure->value.hi == 0;
 }
@@ -160,20 +157,18 @@ void lens_aperture_write(const struct aperture *aperture, struct number_scale un
     static const double degree = RADIANS_PER_DEGREE;
     growing_format(text, "%-12s%s", aperture->blocks ? "block" : "pass",
                    aperture_shapes[aperture->shape].word);
-    lens_aperture_put_vector(text, " ", aperture->size, aperture_sizes(aperture->shape) > 0, unit);
-    lens_aperture_put_vector(text, " ", aperture->size + 1, aperture_sizes(aperture->shape) > 1,
-                             unit);
+    put_place(text, " ", aperture->size, aperture_sizes(aperture->shape) > 0, unit);
+    put_place(text, " ", aperture->size + 1, aperture_sizes(aperture->shape) > 1, unit);
     if (aperture_shapes[aperture->shape].has_arms) {
         growing_format(text, " %u", aperture->arms);
     }
     for (size_t i = 0; i < aperture->point_count; i++) {
-        lens_aperture_put_vector(text, " ", aperture->points[i], 2, unit);
+        put_place(text, " ", aperture->points[i], 2, unit);
     }
-    if (!lens_aperture_is_zero(&aperture->decenter[0]) ||
-        !lens_aperture_is_zero(&aperture->decenter[1])) {
-        lens_aperture_put_vector(text, " decenter=", aperture->decenter, 2, unit);
+    if (!is_zero_figure(&aperture->decenter[0]) || !is_zero_figure(&aperture->decenter[1])) {
+        put_place(text, " decenter=", aperture->decenter, 2, unit);
     }
-    if (!lens_aperture_is_zero(&aperture->turn)) {
+    if (!is_zero_figure(&aperture->turn)) {
         growing_string(text, " turn=");
         if (aperture->turn.typed.start != NULL) {
             growing_text(text, aperture->turn.typed);

@@ -19,7 +19,7 @@ struct change {
     bool rounded;
 };
 
-static struct pair lens_change_power_of(struct pair base, int power)
+static struct pair power_of_length(struct pair base, int power)
 {
     struct pair product = {1, 0};
     for (int i = 0; i < (power < 0 ? -power : power); i++) {
@@ -44,7 +44,7 @@ static void write_digits(const struct change *change, int power, struct figure *
                       : figure_computed(value, lens_unit_scale(change->unit), change->arena);
         return;
     }
-    value = pair_multiply(value, lens_change_power_of(unit_length(change->unit), -power));
+    value = pair_multiply(value, power_of_length(unit_length(change->unit), -power));
     *figure = change->rounded ? figure_rounded(value, NUMBER_UNSCALED, change->arena)
                               : figure_computed(value, NUMBER_UNSCALED, change->arena);
     *figure = figure_per_length(*figure, change->unit, power);
@@ -58,9 +58,9 @@ static void change_figure(const struct change *change, int power, struct figure 
     }
     struct pair k = change->factor;
     if (power > 0) {
-        figure->value = pair_multiply(figure->value, lens_change_power_of(k, power));
+        figure->value = pair_multiply(figure->value, power_of_length(k, power));
     } else if (k.hi != 1 || k.lo != 0) {
-        figure->value = pair_divide(figure->value, lens_change_power_of(k, -power));
+        figure->value = pair_divide(figure->value, power_of_length(k, -power));
     }
     write_digits(change, power, figure);
 }
@@ -300,8 +300,8 @@ const struct lens *lens_in_unit(const struct lens *lens, const char *unit, struc
 }
 
 /* The mark of a word, on the surface whose cell it stands in. */
-static void lens_change_add_mark(struct surface *surface, const struct vary *mark,
-                                 enum parameter_kind kind, struct arena *arena)
+static void add_cell_mark(struct surface *surface, const struct vary *mark,
+                          enum parameter_kind kind, struct arena *arena)
 {
     struct vary *copy = ARENA_ARRAY(arena, surface->vary_count + 1, struct vary);
     for (size_t i = 0; i < surface->vary_count; i++) {
@@ -327,7 +327,7 @@ static void mark_cells(const struct lens *from, size_t word, const struct vary *
             continue;
         }
         if (pickup.from.surface == LENS_NONE) {
-            lens_change_add_mark(&to->surfaces[what.surface], mark, what.kind, arena);
+            add_cell_mark(&to->surfaces[what.surface], mark, what.kind, arena);
             pickup.from = what;
         } else {
             pickup.what = what;

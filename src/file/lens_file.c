@@ -98,8 +98,8 @@ static bool read_wavelengths(struct parser *parser, int what, struct error *erro
 }
 
 /* A distance of the object: positive, or inf. */
-static bool lens_file_read_distance(struct parser *parser, struct text word, struct figure *figure,
-                                    struct error *error)
+static bool read_object_gap(struct parser *parser, struct text word, struct figure *figure,
+                            struct error *error)
 {
     if (text_equal(word, "inf")) {
         *figure = (struct figure){{INFINITY, 0}, word, LENS_NONE};
@@ -125,11 +125,11 @@ static void take_telecentric(struct parser *parser)
     }
 }
 
-static bool lens_file_read_object(struct parser *parser, int what, struct error *error)
+static bool read_object_line(struct parser *parser, int what, struct error *error)
 {
     (void)what;
     struct lens *lens = parser->lens;
-    if (!lens_file_read_distance(parser, file_words_next(&parser->words), &lens->object, error)) {
+    if (!read_object_gap(parser, file_words_next(&parser->words), &lens->object, error)) {
         return false;
     }
     lens->object_is_infinite = isinf(lens->object.value.hi);
@@ -137,7 +137,7 @@ static bool lens_file_read_object(struct parser *parser, int what, struct error 
     return file_words_end(&parser->words, error);
 }
 
-static bool lens_file_read_medium(struct parser *parser, int what, struct error *error)
+static bool read_object_glass(struct parser *parser, int what, struct error *error)
 {
     (void)what;
     if (parser->lens->surface_count > 0) {
@@ -150,7 +150,7 @@ static bool lens_file_read_medium(struct parser *parser, int what, struct error 
            file_words_end(&parser->words, error);
 }
 
-static bool lens_file_read_field(struct parser *parser, int what, struct error *error)
+static bool read_fields_line(struct parser *parser, int what, struct error *error)
 {
     (void)what;
     static const struct {
@@ -211,7 +211,7 @@ static bool read_aperture_value(struct parser *parser, struct text word, struct 
            file_words_fail(words, word, error, "the aperture must be above 0");
 }
 
-static bool lens_file_read_aperture(struct parser *parser, int what, struct error *error)
+static bool read_lens_aperture(struct parser *parser, int what, struct error *error)
 {
     (void)what;
     parser->aperture_word = file_words_next(&parser->words);
@@ -221,7 +221,7 @@ static bool lens_file_read_aperture(struct parser *parser, int what, struct erro
            file_words_end(&parser->words, error);
 }
 
-static bool lens_file_read_focus(struct parser *parser, int what, struct error *error)
+static bool read_focus_line(struct parser *parser, int what, struct error *error)
 {
     (void)what;
     static const char *const names[] = {"paraxial", "table", "best", "afocal"};
@@ -236,7 +236,7 @@ static bool lens_file_read_focus(struct parser *parser, int what, struct error *
                            "the focus is paraxial, table, best or afocal");
 }
 
-static bool lens_file_read_positions(struct parser *parser, int what, struct error *error)
+static bool read_position_names(struct parser *parser, int what, struct error *error)
 {
     (void)what;
     struct lens *lens = parser->lens;
@@ -275,7 +275,7 @@ static bool let_objects(struct parser *parser, struct text name, struct error *e
     take_telecentric(parser);
     struct text word = file_words_next(&parser->words);
     for (; word.length > 0 && count < lens->position_count; count++) {
-        if (!lens_file_read_distance(parser, word, &values[count], error)) {
+        if (!read_object_gap(parser, word, &values[count], error)) {
             return false;
         }
         word = file_words_next(&parser->words);
@@ -350,7 +350,7 @@ static bool lens_file_read_goal(struct parser *parser, int what, struct error *e
     return lens_goal_read(&parser->words, parser->lens, error);
 }
 
-static bool lens_file_read_stated(struct parser *parser, int what, struct error *error)
+static bool read_stated(struct parser *parser, int what, struct error *error)
 {
     (void)what;
     static const char *const names[STATED_COUNT] = {"efl", "bfl", "fnumber", "tstop"};
@@ -374,7 +374,7 @@ static bool lens_file_read_stated(struct parser *parser, int what, struct error 
 }
 
 /* One surface more, with the coordinate break before it. */
-static bool lens_file_read_surface(struct parser *parser, int kind, struct error *error)
+static bool read_surface_line(struct parser *parser, int kind, struct error *error)
 {
     struct lens *lens = parser->lens;
     struct text word = {parser->words.line.start, 0};
@@ -437,26 +437,26 @@ static const struct {
     int what; /* tells relatives apart */
 } keywords[] = {
     {"unit", 1, lens_file_read_unit, 0},
-    {"object", 2, lens_file_read_object, 0},
-    {"field", 4, lens_file_read_field, 0},
-    {"aperture", 8, lens_file_read_aperture, 0},
+    {"object", 2, read_object_line, 0},
+    {"field", 4, read_fields_line, 0},
+    {"aperture", 8, read_lens_aperture, 0},
     {"lens", 0, lens_file_read_text, TEXT_TITLE},
     {"source", 0, lens_file_read_text, TEXT_SOURCE},
     {"kind", 0, lens_file_read_text, TEXT_KIND},
     {"note", 0, lens_file_read_note, 0},
     {"wavelength", 0, read_wavelengths, 0},
-    {"focus", 0, lens_file_read_focus, 0},
-    {"medium", 0, lens_file_read_medium, 0},
-    {"position", 0, lens_file_read_positions, 0},
+    {"focus", 0, read_focus_line, 0},
+    {"medium", 0, read_object_glass, 0},
+    {"position", 0, read_position_names, 0},
     {"let", 0, read_let, 0},
     {"set", 0, keep_line, KEPT_SETTING},
     {"pickup", 0, keep_line, KEPT_PICKUP},
     {"goal", 0, lens_file_read_goal, 0},
     {"tolerance", 0, keep_line, KEPT_TOLERANCE},
-    {"stated", 16, lens_file_read_stated, 0},
-    {"surface", 0, lens_file_read_surface, SURFACE_REFRACT},
-    {"stop", 0, lens_file_read_surface, SURFACE_STOP},
-    {"thick", 0, lens_file_read_surface, SURFACE_THICK},
+    {"stated", 16, read_stated, 0},
+    {"surface", 0, read_surface_line, SURFACE_REFRACT},
+    {"stop", 0, read_surface_line, SURFACE_STOP},
+    {"thick", 0, read_surface_line, SURFACE_THICK},
     {"bend", 0, read_coordinate_break, 0},
     {"pass", 0, read_aperture_line, false},
     {"block", 0, read_aperture_line, true},
@@ -488,7 +488,7 @@ static bool lens_file_read_line(struct parser *parser, struct error *error)
     bool twice = (keywords[i].once & parser->given) != 0 && keywords[i].once != 16;
     twice = twice || (text_equal(word, "lens") && parser->lens->title != NULL) ||
             (keywords[i].read == read_wavelengths && parser->lens->wavelength_count > 0) ||
-            (keywords[i].read == lens_file_read_positions && parser->lens->position_count > 0);
+            (keywords[i].read == read_position_names && parser->lens->position_count > 0);
     if (twice) {
         return file_words_fail(&parser->words, word, error, "'%s' stands here twice",
                                keywords[i].word);

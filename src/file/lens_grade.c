@@ -31,9 +31,8 @@ static bool lens_grade_add_row(const struct lensdb_tolerance *row, struct lens *
 }
 
 /* Those of one place; `names` receives all grades that it has. */
-static bool lens_grade_read_place(struct lensdb *db, enum lensdb_place place,
-                                  struct nearest *nearest, struct lens *lens, struct arena *arena,
-                                  struct error *error)
+static bool read_grade_place(struct lensdb *db, enum lensdb_place place, struct nearest *nearest,
+                             struct lens *lens, struct arena *arena, struct error *error)
 {
     struct lensdb_table grades;
     struct lensdb_tolerance row;
@@ -57,7 +56,7 @@ bool lens_grade_read(struct lensdb *db, struct text name, const struct lens *len
     graded.tolerance_count = 0;
     error->code = ERROR_NONE;
     for (int place = 0; place < LENSDB_PLACES && graded.tolerance_count == 0; place++) {
-        if (!lens_grade_read_place(db, (enum lensdb_place)place, &nearest, &graded, arena, error)) {
+        if (!read_grade_place(db, (enum lensdb_place)place, &nearest, &graded, arena, error)) {
             return false;
         }
     }

@@ -17,9 +17,8 @@ bool lens_bounds_are_sound(const struct vary *mark)
     return low <= high || through_plane;
 }
 
-static bool lens_mark_read_bound(const struct file_words *words, struct text text,
-                                 const struct vary *mark, struct figure *figure,
-                                 struct error *error)
+static bool read_mark_bound(const struct file_words *words, struct text text,
+                            const struct vary *mark, struct figure *figure, struct error *error)
 {
     const bool below = text_equal(text, "-inf");
     if (below || text_equal(text, "inf")) {
@@ -44,8 +43,8 @@ bool lens_bounds_read(const struct file_words *words, struct text bounds, struct
     if (bounds.start[0] != '[' || bounds.start[bounds.length - 1] != ']' || high.start == NULL) {
         return file_words_fail(words, bounds, error, "bounds are written [low,high]");
     }
-    if (!lens_mark_read_bound(words, low, mark, &mark->low, error) ||
-        !lens_mark_read_bound(words, high, mark, &mark->high, error)) {
+    if (!read_mark_bound(words, low, mark, &mark->low, error) ||
+        !read_mark_bound(words, high, mark, &mark->high, error)) {
         return false;
     }
     mark->has_bounds = true;

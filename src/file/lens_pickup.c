@@ -31,7 +31,7 @@ static struct text lens_pickup_cut(struct sum *sum, size_t length)
 }
 
 /* The plain number that the rest begins with; its length is 0 where there is none. */
-static struct text lens_pickup_cut_number(struct sum *sum)
+static struct text cut_factor(struct sum *sum)
 {
     double ignored;
     const char *end = sum->rest.start + sum->rest.length;
@@ -52,8 +52,8 @@ static struct text cut_name(struct sum *sum)
 }
 
 /* Digits of the term with its sign, so that it is written as it was typed. */
-static bool lens_pickup_read_figure(struct sum *sum, bool minus, struct text digits, bool is_factor,
-                                    struct figure *figure, struct error *error)
+static bool read_term_figure(struct sum *sum, bool minus, struct text digits, bool is_factor,
+                             struct figure *figure, struct error *error)
 {
     const struct parameter what = sum->pickup->what;
     bool read =
@@ -66,7 +66,7 @@ static bool lens_pickup_read_figure(struct sum *sum, bool minus, struct text dig
 static bool read_term(struct sum *sum, bool minus, struct error *error)
 {
     struct lens_pickup *pickup = sum->pickup;
-    const struct text digits = lens_pickup_cut_number(sum);
+    const struct text digits = cut_factor(sum);
     if (digits.length > 0 && sum->rest.length > 0 && *sum->rest.start == '*') {
         lens_pickup_cut(sum, 1);
     }
@@ -84,12 +84,12 @@ static bool read_term(struct sum *sum, bool minus, struct error *error)
     }
     if (name.length == 0) {
         sum->has_offset = true;
-        return lens_pickup_read_figure(sum, minus, digits, false, &pickup->offset, error);
+        return read_term_figure(sum, minus, digits, false, &pickup->offset, error);
     }
     sum->has_from = true;
     const struct text one = digits.length > 0 ? digits : text_of("1");
     return lens_words_parameter(sum->words, name, NULL, &pickup->from, error) &&
-           lens_pickup_read_figure(sum, minus, one, true, &pickup->factor, error);
+           read_term_figure(sum, minus, one, true, &pickup->factor, error);
 }
 
 static bool read_sum(struct sum *sum, struct error *error)
@@ -173,9 +173,8 @@ static struct before lens_pickup_look(const struct lens *lens, struct parameter 
     return before;
 }
 
-static const char *lens_pickup_warning_of(const struct lens_pickup *pickup,
-                                          const struct before *was, const struct before *is,
-                                          struct arena *arena)
+static const char *order_warning(const struct lens_pickup *pickup, const struct before *was,
+                                 const struct before *is, struct arena *arena)
 {
     const char *name = parameter_mark_write(pickup->what, arena);
     const unsigned angle = PARAMETER_IS_ANGLE;
@@ -217,7 +216,7 @@ void lens_pickups_begin(struct lens *lens, struct arena *arena)
         const struct parameter what = pickup->what;
         const struct before is = lens_pickup_look(lens, what);
         const struct figure *typed = &all[i].figure;
-        pickup->warning = lens_pickup_warning_of(pickup, &all[i], &is, arena);
+        pickup->warning = order_warning(pickup, &all[i], &is, arena);
         if (typed->typed.start != NULL && typed->value.hi == is.figure.value.hi &&
             typed->value.lo == is.figure.value.lo) {
             parameter_put(&lens->surfaces[what.surface], what.kind, what.order, *typed, arena);

@@ -20,7 +20,7 @@ bool lens_words_glass(const struct file_words *words, const struct glass_source 
     return error_hint(error, "%s", found.hint);
 }
 
-static bool lens_setting_is_same_value(const struct figure *a, const struct figure *b)
+static bool is_set_twice(const struct figure *a, const struct figure *b)
 {
     return a->value.hi == b->value.hi && a->value.lo == b->value.lo;
 }
@@ -50,7 +50,7 @@ static const char *against_surface(const struct surface *surface,
     if (figure != NULL && figure->variable != LENS_NONE) {
         return arena_printf(arena, "%s is a variable, which has its numbers by 'let'", name);
     }
-    return plane || lens_setting_is_same_value(figure, &setting->figures[0])
+    return plane || is_set_twice(figure, &setting->figures[0])
                ? NULL
                : arena_printf(arena, "%s: the first position has not the number of its surface",
                               name);
@@ -140,8 +140,8 @@ static const char *lens_setting_lights(struct lens *lens, const struct lens_ligh
 }
 
 /* The next value of the line: there is one for each position and no more. */
-static bool lens_setting_next_value(struct file_words *words, const struct lens *lens, size_t at,
-                                    struct text *word, struct error *error)
+static bool next_set_word(struct file_words *words, const struct lens *lens, size_t at,
+                          struct text *word, struct error *error)
 {
     *word = file_words_next(words);
     if ((word->length > 0) == (at < lens->position_count)) {
@@ -151,9 +151,8 @@ static bool lens_setting_next_value(struct file_words *words, const struct lens 
                            lens->position_count);
 }
 
-static bool lens_setting_read_number(struct file_words *words, struct text word,
-                                     struct parameter parameter, struct figure *figure,
-                                     struct error *error)
+static bool read_set_number(struct file_words *words, struct text word, struct parameter parameter,
+                            struct figure *figure, struct error *error)
 {
     const struct parameter_type *type = parameter_type(parameter.kind);
     bool flat = text_equal(word, "inf") || text_equal(word, "-inf") || text_equal(word, "-");
@@ -170,8 +169,8 @@ static bool lens_setting_read_number(struct file_words *words, struct text word,
 }
 
 /* The number of a surface, which is kept from 0. */
-static bool lens_setting_read_stop(struct file_words *words, struct text word,
-                                   const struct lens *lens, size_t *stop, struct error *error)
+static bool read_set_stop(struct file_words *words, struct text word, const struct lens *lens,
+                          size_t *stop, struct error *error)
 {
     struct figure number = {.variable = LENS_NONE};
     if (!lens_words_figure(words, word, NUMBER_UNSCALED, "surface", &number, error)) {
@@ -258,28 +257,28 @@ const char *lens_setting_put(struct lens *lens, enum set_what what, struct param
 }
 
 /* The values of all positions, and what speaks against them. */
-static bool lens_setting_read_values(struct file_words *words, struct text name, enum set_what what,
-                                     struct parameter parameter, const struct glass_source *glasses,
-                                     struct lens *lens, struct error *error)
+static bool read_set_values(struct file_words *words, struct text name, enum set_what what,
+                            struct parameter parameter, const struct glass_source *glasses,
+                            struct lens *lens, struct error *error)
 {
     const size_t count = lens->position_count;
     const struct set_values values = lens_setting_values(count, words->arena);
     struct text word;
     bool read = true;
     for (size_t i = 0; i < count && read; i++) {
-        if (!lens_setting_next_value(words, lens, i, &word, error)) {
+        if (!next_set_word(words, lens, i, &word, error)) {
             return false;
         }
         switch (what) {
         case SET_FIGURES:
-            read = lens_setting_read_number(words, word, parameter, &values.figures[i], error);
+            read = read_set_number(words, word, parameter, &values.figures[i], error);
             break;
         case SET_MEDIA:
             read = lens_words_medium(words, word, &values.media[i], error) &&
                    lens_words_glass(words, glasses, &values.media[i], error);
             break;
         case SET_STOPS:
-            read = lens_setting_read_stop(words, word, lens, &values.stops[i], error);
+            read = read_set_stop(words, word, lens, &values.stops[i], error);
             break;
         case SET_LIGHTS:
             read = lens_light_read(words, word, &values.lights[i], error);
@@ -289,7 +288,7 @@ static bool lens_setting_read_values(struct file_words *words, struct text name,
             break;
         }
     }
-    if (!read || !lens_setting_next_value(words, lens, count, &word, error)) {
+    if (!read || !next_set_word(words, lens, count, &word, error)) {
         return false;
     }
     const char *why = lens_setting_put(lens, what, parameter, &values, words->arena);
@@ -311,7 +310,7 @@ bool lens_setting_read(struct file_words *words, const struct glass_source *glas
         return file_words_fail(words, name, error, "'set' needs a line with 'position' before it");
     }
     if (lens_setting_is_word(name, &what)) {
-        return lens_setting_read_values(words, name, what, parameter, glasses, lens, error);
+        return read_set_values(words, name, what, parameter, glasses, lens, error);
     }
     if (!parameter_read(name, lens_setting_takes, &parameter, error)) {
         const struct error found = *error;
@@ -324,5 +323,5 @@ bool lens_setting_read(struct file_words *words, const struct glass_source *glas
                                parameter.surface + 1);
     }
     what = parameter.kind == PARAMETER_GLASS ? SET_MEDIA : SET_FIGURES;
-    return lens_setting_read_values(words, name, what, parameter, glasses, lens, error);
+    return read_set_values(words, name, what, parameter, glasses, lens, error);
 }

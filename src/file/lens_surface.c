@@ -38,13 +38,13 @@ size_t lens_variable_find(struct lens_variables *variables, const struct file_wo
     return lens->variable_count++;
 }
 
-static bool lens_surface_is_name(struct text text)
+static bool is_name_word(struct text text)
 {
     char c = text.length > 0 ? text.start[0] : '\0';
     return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z');
 }
 
-static bool lens_surface_is_flat(struct text text)
+static bool is_bare_plane(struct text text)
 {
     return text_equal(text, "-") || text_equal(text, "inf") || text_equal(text, "-inf");
 }
@@ -52,7 +52,7 @@ static bool lens_surface_is_flat(struct text text)
 static bool read_radius(struct file_words *words, struct surface *surface, struct error *error)
 {
     struct text word = file_words_next(words);
-    surface->is_plane = lens_surface_is_flat(word);
+    surface->is_plane = is_bare_plane(word);
     surface->radius = (struct figure){.typed = word, .variable = LENS_NONE};
     if (surface->is_plane) {
         return true;
@@ -67,9 +67,9 @@ static bool read_radius(struct file_words *words, struct surface *surface, struc
 }
 
 /* A length, or the name of a variable, or '-' for none. */
-static bool lens_surface_read_cell(struct file_words *words, const char *what,
-                                   struct lens_variables *variables, struct figure *figure,
-                                   bool *is_given, struct error *error)
+static bool read_gap_cell(struct file_words *words, const char *what,
+                          struct lens_variables *variables, struct figure *figure, bool *is_given,
+                          struct error *error)
 {
     struct text word = file_words_next(words);
     *figure = (struct figure){.typed = word, .variable = LENS_NONE};
@@ -77,7 +77,7 @@ static bool lens_surface_read_cell(struct file_words *words, const char *what,
     if (!*is_given) {
         return true;
     }
-    if (lens_surface_is_name(word) && !text_equal(word, "inf")) {
+    if (is_name_word(word) && !text_equal(word, "inf")) {
         figure->variable = lens_variable_find(variables, words, word);
         return true;
     }
@@ -94,8 +94,7 @@ static bool rescale(const struct file_words *words, int power, struct figure *fi
     return true;
 }
 
-static bool lens_surface_read_curvature(struct surface_reader *reading, struct text value,
-                                        struct error *error)
+static bool read_curvature(struct surface_reader *reading, struct text value, struct error *error)
 {
     struct surface *surface = reading->surface;
     if (!surface->is_plane) {
@@ -108,14 +107,13 @@ static bool lens_surface_read_curvature(struct surface_reader *reading, struct t
            rescale(reading->words, 1, &surface->curvature);
 }
 
-static bool lens_surface_read_conic(struct surface_reader *reading, struct text value,
-                                    struct error *error)
+static bool read_conic(struct surface_reader *reading, struct text value, struct error *error)
 {
     return lens_words_figure(reading->words, value, NUMBER_UNSCALED, "conic",
                              &reading->surface->conic, error);
 }
 
-static struct displacement *lens_surface_displacement_of(struct surface_reader *reading)
+static struct displacement *own_displacement(struct surface_reader *reading)
 {
     if (reading->decentre == NULL) {
         reading->decentre = ARENA_NEW(reading->words->arena, struct displacement);
@@ -128,15 +126,14 @@ static struct displacement *lens_surface_displacement_of(struct surface_reader *
 static bool read_decenter(struct surface_reader *reading, struct text value, struct error *error)
 {
     const struct vector_form form = {"decentre", 2, reading->words->scale, 0};
-    return lens_words_vector(reading->words, value, &form,
-                             lens_surface_displacement_of(reading)->decenter, error);
+    return lens_words_vector(reading->words, value, &form, own_displacement(reading)->decenter,
+                             error);
 }
 
 static bool read_tilt(struct surface_reader *reading, struct text value, struct error *error)
 {
     const struct vector_form form = {"tilt", 2, NUMBER_UNSCALED, RADIANS_PER_DEGREE};
-    return lens_words_vector(reading->words, value, &form,
-                             lens_surface_displacement_of(reading)->tilt, error);
+    return lens_words_vector(reading->words, value, &form, own_displacement(reading)->tilt, error);
 }
 
 static bool read_cylinder(struct surface_reader *reading, struct text value, struct error *error)
@@ -151,8 +148,7 @@ static bool read_cylinder(struct surface_reader *reading, struct text value, str
     return file_words_fail(reading->words, value, error, "a cylinder is cyl=x or cyl=y");
 }
 
-static bool lens_surface_read_name(struct surface_reader *reading, struct text value,
-                                   struct error *error)
+static bool read_quoted_name(struct surface_reader *reading, struct text value, struct error *error)
 {
     bool quoted = value.length >= 2 && value.start[0] == '"';
     if (quoted && value.start[value.length - 1] != '"') {
@@ -167,7 +163,7 @@ static bool lens_surface_read_name(struct surface_reader *reading, struct text v
 static bool read_hiatus(struct surface_reader *reading, struct text value, struct error *error)
 {
     struct surface *surface = reading->surface;
-    if (lens_surface_is_name(value)) {
+    if (is_name_word(value)) {
         surface->hiatus = (struct figure){
             .typed = value,
             .variable = lens_variable_find(reading->variables, reading->words, value)};
@@ -188,12 +184,12 @@ static const struct {
     const char *key;
     bool (*read)(struct surface_reader *reading, struct text value, struct error *error);
     unsigned of;
-} extras[] = {{"c", lens_surface_read_curvature, SURFACE_HAS_CURVE},
-              {"k", lens_surface_read_conic, SURFACE_HAS_CURVE},
+} extras[] = {{"c", read_curvature, SURFACE_HAS_CURVE},
+              {"k", read_conic, SURFACE_HAS_CURVE},
               {"decenter", read_decenter, 0},
               {"tilt", read_tilt, 0},
               {"cyl", read_cylinder, SURFACE_HAS_CURVE},
-              {"name", lens_surface_read_name, 0},
+              {"name", read_quoted_name, 0},
               {"hiatus", read_hiatus, SURFACE_HAS_FOCAL},
               {"distortion", read_distortion, SURFACE_HAS_FOCAL}};
 
@@ -204,8 +200,8 @@ static bool refuse_twice(const struct file_words *words, struct text word, struc
                            key.start, sign);
 }
 
-static bool lens_surface_read_coefficient(struct surface_reader *reading, int order,
-                                          struct text value, struct error *error)
+static bool read_coefficient(struct surface_reader *reading, int order, struct text value,
+                             struct error *error)
 {
     struct figure figure = {.variable = LENS_NONE};
     if (!lens_words_figure(reading->words, value, NUMBER_UNSCALED, "coefficient", &figure, error)) {
@@ -217,8 +213,8 @@ static bool lens_surface_read_coefficient(struct surface_reader *reading, int or
 }
 
 /* R~, t~[2,10], glass~ */
-static bool lens_surface_read_vary(struct surface_reader *reading, struct text what,
-                                   struct text bounds, struct error *error)
+static bool read_vary(struct surface_reader *reading, struct text what, struct text bounds,
+                      struct error *error)
 {
     struct surface *surface = reading->surface;
     struct file_words *words = reading->words;
@@ -286,8 +282,8 @@ static bool read_extra(struct surface_reader *reading, struct text word, struct 
         return !again || refuse_twice(reading->words, word, word, "", error);
     }
     if (tilde != NULL && (value.start == NULL || tilde < value.start)) {
-        return lens_surface_read_vary(reading, text_between(word.start, tilde),
-                                      text_between(tilde + 1, word.start + word.length), error);
+        return read_vary(reading, text_between(word.start, tilde),
+                         text_between(tilde + 1, word.start + word.length), error);
     }
     if (value.start == NULL) {
         return refuse_extra(reading, word, key, error);
@@ -308,11 +304,11 @@ static bool read_extra(struct surface_reader *reading, struct text word, struct 
     }
     return parameter_figure(reading->surface, kind, order) != NULL
                ? refuse_twice(reading->words, word, key, "=", error)
-               : lens_surface_read_coefficient(reading, order, value, error);
+               : read_coefficient(reading, order, value, error);
 }
 
-static bool lens_surface_read_medium(struct file_words *words, const struct medium *before,
-                                     struct surface *surface, struct error *error)
+static bool read_surface_glass(struct file_words *words, const struct medium *before,
+                               struct surface *surface, struct error *error)
 {
     struct text word = file_words_next(words);
     if (!text_equal(word, "mirror")) {
@@ -337,8 +333,7 @@ static bool read_focal(struct file_words *words, struct lens_variables *variable
     bool is_given;
     surface->is_plane = true;
     surface->radius = (struct figure){.variable = LENS_NONE};
-    if (!lens_surface_read_cell(words, "focal length", variables, &surface->focal, &is_given,
-                                error)) {
+    if (!read_gap_cell(words, "focal length", variables, &surface->focal, &is_given, error)) {
         return false;
     }
     bool is_number = surface->focal.variable == LENS_NONE;
@@ -368,11 +363,11 @@ bool lens_surface_read(struct file_words *words, enum surface_kind kind,
                                "a stop is a plane: for a stop on glass put the word stop behind "
                                "the diameter of its surface");
     }
-    if (!lens_surface_read_cell(words, "thickness", variables, &surface->thickness,
-                                &surface->has_thickness, error) ||
-        !lens_surface_read_medium(words, before, surface, error) ||
-        !lens_surface_read_cell(words, "diameter", variables, &surface->diameter,
-                                &surface->has_diameter, error)) {
+    if (!read_gap_cell(words, "thickness", variables, &surface->thickness, &surface->has_thickness,
+                       error) ||
+        !read_surface_glass(words, before, surface, error) ||
+        !read_gap_cell(words, "diameter", variables, &surface->diameter, &surface->has_diameter,
+                       error)) {
         return false;
     }
     if (surface->has_diameter && surface->diameter.variable == LENS_NONE &&

@@ -22,7 +22,7 @@ struct tolerance_line_reader {
 /* -------- what it is of -------- */
 
 /* The kind that such a number of a surface is; TOLERANCE_KINDS: none. */
-static enum tolerance_kind lens_tolerance_kind_of(enum parameter_kind parameter)
+static enum tolerance_kind kind_by_word(enum parameter_kind parameter)
 {
     int kind = 0;
     while (kind < TOLERANCE_KINDS &&
@@ -32,13 +32,13 @@ static enum tolerance_kind lens_tolerance_kind_of(enum parameter_kind parameter)
     return (enum tolerance_kind)kind;
 }
 
-static bool lens_tolerance_takes(enum parameter_kind parameter)
+static bool takes_parameter(enum parameter_kind parameter)
 {
-    return lens_tolerance_kind_of(parameter) != TOLERANCE_KINDS;
+    return kind_by_word(parameter) != TOLERANCE_KINDS;
 }
 
-static bool lens_tolerance_check_surface(const struct tolerance_line_reader *reading,
-                                         struct text word, size_t surface, struct error *error)
+static bool check_owner(const struct tolerance_line_reader *reading, struct text word,
+                        size_t surface, struct error *error)
 {
     return surface < reading->lens->surface_count ||
            file_words_fail(reading->words, word, error,
@@ -47,8 +47,8 @@ static bool lens_tolerance_check_surface(const struct tolerance_line_reader *rea
 }
 
 /* A number from 1. */
-static bool lens_tolerance_read_surface(const struct tolerance_line_reader *reading,
-                                        struct text word, size_t *surface, struct error *error)
+static bool read_owner(const struct tolerance_line_reader *reading, struct text word,
+                       size_t *surface, struct error *error)
 {
     size_t number = 0;
     for (size_t i = 0; i < word.length; i++) {
@@ -60,7 +60,7 @@ static bool lens_tolerance_read_surface(const struct tolerance_line_reader *read
     }
     *surface = number - 1;
     return number > 0
-               ? lens_tolerance_check_surface(reading, word, *surface, error)
+               ? check_owner(reading, word, *surface, error)
                : file_words_fail(reading->words, word, error,
                                  "'%.*s' is no surface: they are counted from 1, as in 3 or 3..5",
                                  text_shown(word), word.start);
@@ -106,9 +106,8 @@ static bool read_owned(struct tolerance_line_reader *reading, enum tolerance_own
     struct lens_tolerance *one = reading->one;
     const struct text range = file_words_next(reading->words);
     struct text last = range, first = text_cut_range(&last);
-    if (!lens_tolerance_read_surface(reading, first, &one->first, error) ||
-        !lens_tolerance_read_surface(reading, last, &one->last, error) ||
-        !check_order(reading, range, error)) {
+    if (!read_owner(reading, first, &one->first, error) ||
+        !read_owner(reading, last, &one->last, error) || !check_order(reading, range, error)) {
         return false;
     }
     const struct text word = file_words_next(reading->words);
@@ -123,23 +122,23 @@ static bool read_owned(struct tolerance_line_reader *reading, enum tolerance_own
 }
 
 /* `R1`, `t3..t5` */
-static bool lens_tolerance_read_named(struct tolerance_line_reader *reading, struct text word,
-                                      struct error *error)
+static bool read_kind_named(struct tolerance_line_reader *reading, struct text word,
+                            struct error *error)
 {
     struct lens_tolerance *one = reading->one;
     struct parameter from, to;
     struct text last = word, first = text_cut_range(&last);
-    if (!lens_words_parameter(reading->words, first, lens_tolerance_takes, &from, error) ||
-        !lens_words_parameter(reading->words, last, lens_tolerance_takes, &to, error) ||
-        !lens_tolerance_check_surface(reading, first, from.surface, error) ||
-        !lens_tolerance_check_surface(reading, last, to.surface, error)) {
+    if (!lens_words_parameter(reading->words, first, takes_parameter, &from, error) ||
+        !lens_words_parameter(reading->words, last, takes_parameter, &to, error) ||
+        !check_owner(reading, first, from.surface, error) ||
+        !check_owner(reading, last, to.surface, error)) {
         return false;
     }
     if (from.kind != to.kind || from.order != to.order) {
         return file_words_fail(reading->words, word, error,
                                "a range is of one kind of numbers: R1..R11");
     }
-    one->kind = lens_tolerance_kind_of(from.kind);
+    one->kind = kind_by_word(from.kind);
     one->order = from.order;
     one->first = from.surface;
     one->last = to.surface;
@@ -184,7 +183,7 @@ static bool read_subject(struct tolerance_line_reader *reading, struct error *er
         one->kind = TOLERANCE_FOCUS;
         return true;
     }
-    if (lens_tolerance_read_named(reading, word, error)) {
+    if (read_kind_named(reading, word, error)) {
         return true;
     }
     struct nearest nearest = {.typed = word};
@@ -214,8 +213,7 @@ static const char *amounts_of(const struct tolerance_type *type, struct arena *a
 }
 
 /* What an amount was typed in; `named` is null without a unit, for percent and fringes. */
-static bool lens_tolerance_find_unit(struct text text, enum tolerance_unit *unit,
-                                     const struct unit **named)
+static bool unit_of_amount(struct text text, enum tolerance_unit *unit, const struct unit **named)
 {
     *named = NULL;
     if (text_equal(text, "%")) {
@@ -236,7 +234,7 @@ static bool lens_tolerance_find_unit(struct text text, enum tolerance_unit *unit
 }
 
 /* What a bare number is: of the kind's units the first but percent and fringes. */
-static bool lens_tolerance_bare_unit(const struct tolerance_type *type, enum tolerance_unit *unit)
+static bool bare_amount_unit(const struct tolerance_type *type, enum tolerance_unit *unit)
 {
     for (int i = 0; i < TOLERANCE_PERCENT; i++) {
         if ((type->units & 1U << i) != 0) {
@@ -262,9 +260,8 @@ static const char *bare_length(const struct file_words *words)
 }
 
 /* The number, in the unit that was found. */
-static bool lens_tolerance_read_number(const struct tolerance_line_reader *reading,
-                                       struct text digits, const struct unit *named,
-                                       struct error *error)
+static bool read_plain_amount(const struct tolerance_line_reader *reading, struct text digits,
+                              const struct unit *named, struct error *error)
 {
     struct file_words *words = reading->words;
     struct lens_tolerance *one = reading->one;
@@ -328,8 +325,8 @@ static bool read_amount(struct tolerance_line_reader *reading, struct error *err
     }
     const struct text digits = text_between(word.start, behind), name = text_between(behind, end);
     const struct unit *named = NULL;
-    if (name.length == 0 ? !lens_tolerance_bare_unit(type, &one->unit)
-                         : !lens_tolerance_find_unit(name, &one->unit, &named)) {
+    if (name.length == 0 ? !bare_amount_unit(type, &one->unit)
+                         : !unit_of_amount(name, &one->unit, &named)) {
         name.length == 0 ? file_words_fail(words, word, error, "'%.*s' has no unit",
                                            text_shown(word), word.start)
                          : file_words_fail(words, name, error, "unknown unit '%.*s'",
@@ -341,7 +338,7 @@ static bool read_amount(struct tolerance_line_reader *reading, struct error *err
                                type->word, text_shown(name), name.start,
                                amounts_of(type, words->arena));
     }
-    if (!lens_tolerance_read_number(reading, digits, named, error)) {
+    if (!read_plain_amount(reading, digits, named, error)) {
         return false;
     }
     if (name.length > 0) {
@@ -383,8 +380,7 @@ static bool read_pivot(struct tolerance_line_reader *reading, struct text word, 
         return file_words_fail(reading->words, word, error,
                                "a pivot belongs to the tilt, the roll or the wedge of one element");
     }
-    return lens_tolerance_read_surface(reading, file_words_next(reading->words),
-                                       &reading->one->pivot, error);
+    return read_owner(reading, file_words_next(reading->words), &reading->one->pivot, error);
 }
 
 static bool fail_word(const struct tolerance_line_reader *reading, struct text word,
@@ -395,7 +391,7 @@ static bool fail_word(const struct tolerance_line_reader *reading, struct text w
     const struct unit *named;
     file_words_fail(reading->words, word, error, "unknown distribution '%.*s'", text_shown(word),
                     word.start);
-    if (lens_tolerance_find_unit(word, &unit, &named)) {
+    if (unit_of_amount(word, &unit, &named)) {
         return error_hint(error, "no blank stands between a number and its unit");
     }
     for (const struct word *each = distribution_words; each->word != NULL; each++) {

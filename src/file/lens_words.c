@@ -98,9 +98,8 @@ bool lens_words_figures(struct file_words *words, struct number_scale scale, con
 }
 
 /* x,y:weight with x and weight left out where they are 0 and 1. */
-static bool lens_words_read_field(const struct file_words *words, struct text word,
-                                  enum field_kind kind, struct lens_field *field,
-                                  struct error *error)
+static bool read_field_point(const struct file_words *words, struct text word, enum field_kind kind,
+                             struct lens_field *field, struct error *error)
 {
     const bool angle = kind == FIELD_ANGLE;
     struct text weight = word, y = text_cut(&weight, ':'), x = text_cut(&y, ',');
@@ -143,7 +142,7 @@ bool lens_words_fields(struct file_words *words, enum field_kind kind, struct le
     for (struct text word = file_words_next(words); word.length > 0 || *count == 0;
          word = file_words_next(words)) {
         *fields = arena_grow(words->arena, *fields, *count, &room, sizeof **fields);
-        if (!lens_words_read_field(words, word, kind, &(*fields)[*count], error)) {
+        if (!read_field_point(words, word, kind, &(*fields)[*count], error)) {
             return false;
         }
         ++*count;
@@ -160,7 +159,7 @@ bool lens_words_points(const struct file_words *words, struct text list, enum fi
         const struct text word = text_cut(&list, ';');
         points->fields = arena_grow(words->arena, points->fields, points->count, &room,
                                     sizeof points->fields[0]);
-        if (!lens_words_read_field(words, word, kind, &points->fields[points->count++], error)) {
+        if (!read_field_point(words, word, kind, &points->fields[points->count++], error)) {
             return false;
         }
     }
@@ -226,8 +225,8 @@ bool lens_words_light(const struct file_words *words, struct text word,
     return true;
 }
 
-static bool lens_words_read_index(const struct file_words *words, struct text text,
-                                  const char *what, struct pair *value, struct error *error)
+static bool read_point_index(const struct file_words *words, struct text text, const char *what,
+                             struct pair *value, struct error *error)
 {
     struct figure figure;
     if (!lens_words_figure(words, text, NUMBER_UNSCALED, what, &figure, error)) {
@@ -241,7 +240,7 @@ static bool lens_words_read_index(const struct file_words *words, struct text te
     return true;
 }
 
-static int lens_words_by_wavelength(const void *a, const void *b)
+static int by_point_wave(const void *a, const void *b)
 {
     double left = ((const struct index_point *)a)->wavelength;
     double right = ((const struct index_point *)b)->wavelength;
@@ -269,12 +268,12 @@ static bool read_table(const struct file_words *words, struct text text, struct 
                     ? text_trim(index)
                     : text_between(name.start + name.length, name.start + name.length);
         if (!lens_words_wavelength(words, name, &points[count].wavelength, error) ||
-            !lens_words_read_index(words, index, "index", &points[count].index, error)) {
+            !read_point_index(words, index, "index", &points[count].index, error)) {
             return false;
         }
         count++;
     }
-    qsort(points, count, sizeof points[0], lens_words_by_wavelength);
+    qsort(points, count, sizeof points[0], by_point_wave);
     for (size_t i = 1; i < count; i++) {
         if (!(points[i].wavelength > points[i - 1].wavelength)) {
             return file_words_fail(words, text, error, "the table has one wavelength twice");
@@ -286,7 +285,7 @@ static bool read_table(const struct file_words *words, struct text text, struct 
     return true;
 }
 
-static bool lens_words_begins_number(struct text text)
+static bool begins_number(struct text text)
 {
     return text.length > 0 && text.start[0] != '\0' &&
            strchr("0123456789.+-", text.start[0]) != NULL;
@@ -306,14 +305,14 @@ bool lens_words_medium(const struct file_words *words, struct text text, struct 
         medium->kind = MEDIUM_CONSTANT;
         return true;
     }
-    if (!lens_words_begins_number(text)) {
+    if (!begins_number(text)) {
         return true;
     }
     struct text abbe = text, index = text_cut(&abbe, '/');
     medium->kind = abbe.start != NULL ? MEDIUM_MODEL : MEDIUM_CONSTANT;
-    return lens_words_read_index(words, index, "index", &medium->index, error) &&
+    return read_point_index(words, index, "index", &medium->index, error) &&
            (abbe.start == NULL ||
-            lens_words_read_index(words, abbe, "Abbe number", &medium->abbe, error));
+            read_point_index(words, abbe, "Abbe number", &medium->abbe, error));
 }
 
 bool lens_words_vector(const struct file_words *words, struct text text,

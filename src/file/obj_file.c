@@ -104,8 +104,8 @@ static struct text obj_file_next_word(struct obj *obj)
     return word;
 }
 
-static bool obj_file_read_number(const struct obj *obj, struct text word, double most,
-                                 double *value, struct error *error)
+static bool read_obj_number(const struct obj *obj, struct text word, double most, double *value,
+                            struct error *error)
 {
     const char *end = word.start + word.length;
     const char *behind =
@@ -132,7 +132,7 @@ static bool obj_file_read_part(struct obj *obj, enum obj_file_part part, struct 
     size_t count = 0;
     struct text word = obj_file_next_word(obj);
     for (; count < least[part] || (word.length > 0 && count < most[part]); count++) {
-        if (!obj_file_read_number(obj, word, farthest, &number[count], error)) {
+        if (!read_obj_number(obj, word, farthest, &number[count], error)) {
             return false;
         }
         word = obj_file_next_word(obj);

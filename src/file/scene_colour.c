@@ -35,8 +35,8 @@ static bool read_code(const struct file_words *words, struct text text, struct s
 }
 
 /* One number is a grey. */
-static bool scene_colour_read_parts(const struct file_words *words, struct text text,
-                                    struct spectrum *spectrum, struct error *error)
+static bool read_parts(const struct file_words *words, struct text text, struct spectrum *spectrum,
+                       struct error *error)
 {
     struct text rest = text;
     size_t count = 0;
@@ -76,9 +76,9 @@ static double largest(const struct spectrum *spectrum)
 }
 
 /* May a surface reflect this, or a lamp give it? */
-static bool scene_colour_check_use(const struct file_words *words, struct text text,
-                                   enum scene_colour_use use, const struct scene_colour *colour,
-                                   struct error *error)
+static bool check_colour_use(const struct file_words *words, struct text text,
+                             enum scene_colour_use use, const struct scene_colour *colour,
+                             struct error *error)
 {
     const struct spectrum *spectrum = &colour->spectrum;
     const bool has_numbers = spectrum->kind == SPECTRUM_RGB || spectrum->kind == SPECTRUM_TABLE;
@@ -99,9 +99,9 @@ static bool scene_colour_check_use(const struct file_words *words, struct text t
 }
 
 /* Of a line above, or a light that is known. */
-static bool scene_colour_find_named(const struct scene_reader *reader, struct text name,
-                                    enum scene_colour_use use, struct scene_colour *colour,
-                                    struct error *error)
+static bool colour_named(const struct scene_reader *reader, struct text name,
+                         enum scene_colour_use use, struct scene_colour *colour,
+                         struct error *error)
 {
     const size_t found = name_table_find(&reader->colours, name);
     struct error unknown;
@@ -126,15 +126,15 @@ static bool scene_colour_find_named(const struct scene_reader *reader, struct te
 }
 
 /* "0.5" and "0.2,0.5,0.1", but not "5600K". */
-static bool scene_colour_is_number(struct text text)
+static bool begins_colour(struct text text)
 {
     const char last = text.start[text.length - 1];
     return strchr("0123456789.+-", text.start[0]) != NULL && last != 'K';
 }
 
 /* Any grey is white light, and who writes a number above 1 means something else by it. */
-static bool scene_colour_check_grey(const struct file_words *words, struct text text,
-                                    const struct spectrum *spectrum, struct error *error)
+static bool check_grey_parts(const struct file_words *words, struct text text,
+                             const struct spectrum *spectrum, struct error *error)
 {
     const double least_kelvin = 100;
     if (spectrum->rgb[0] <= 1 || memchr(text.start, ',', text.length) != NULL) {
@@ -158,14 +158,14 @@ bool scene_colour_of(const struct scene_reader *reader, const struct scene_line 
         bool is_read;
         if (text.start[0] == '#') {
             is_read = read_code(words, text, &colour.spectrum, error);
-        } else if (scene_colour_is_number(text)) {
-            is_read = scene_colour_read_parts(words, text, &colour.spectrum, error);
+        } else if (begins_colour(text)) {
+            is_read = read_parts(words, text, &colour.spectrum, error);
         } else {
-            is_read = scene_colour_find_named(reader, text, use, &colour, error);
+            is_read = colour_named(reader, text, use, &colour, error);
         }
-        if (!is_read || !scene_colour_check_use(words, text, use, &colour, error) ||
-            (use == COLOUR_OF_LIGHT && scene_colour_is_number(text) &&
-             !scene_colour_check_grey(words, text, &colour.spectrum, error))) {
+        if (!is_read || !check_colour_use(words, text, use, &colour, error) ||
+            (use == COLOUR_OF_LIGHT && begins_colour(text) &&
+             !check_grey_parts(words, text, &colour.spectrum, error))) {
             return false;
         }
     }
@@ -178,20 +178,19 @@ static bool read_colour(struct scene_reader *reader, const struct scene_line *li
 {
     *colour = (struct scene_colour){.is_light = false};
     if (scene_line_has(line, KEY_RGB)) {
-        return scene_colour_read_parts(line->words, line->value[KEY_RGB], &colour->spectrum, error);
+        return read_parts(line->words, line->value[KEY_RGB], &colour->spectrum, error);
     }
     if (scene_line_has(line, KEY_TABLE)) {
         return scene_load_table(reader, line, &colour->spectrum, error);
     }
     return scene_line_has(line, KEY_SRGB)
                ? read_code(line->words, line->value[KEY_SRGB], &colour->spectrum, error)
-               : scene_colour_find_named(reader, line->value[KEY_SPECTRUM], COLOUR_OF_LIGHT, colour,
-                                         error);
+               : colour_named(reader, line->value[KEY_SPECTRUM], COLOUR_OF_LIGHT, colour, error);
 }
 
 /* A name that is no light's of the program. */
-static bool scene_colour_read_name(const struct scene_reader *reader, struct text name,
-                                   struct error *error)
+static bool read_colour_name(const struct scene_reader *reader, struct text name,
+                             struct error *error)
 {
     struct spectrum known;
     struct error unknown;
@@ -213,7 +212,7 @@ bool scene_colour_read(struct scene_reader *reader, struct text head, struct err
     if (reader->colours.count == SCENE_COLOURS_MOST) {
         return file_words_fail(words, head, error, "more than %d colours", SCENE_COLOURS_MOST);
     }
-    if (!scene_colour_read_name(reader, name, error) ||
+    if (!read_colour_name(reader, name, error) ||
         !scene_line_read(words, &reader->units, head, (struct scene_keys){ways, 0}, &line, error)) {
         return false;
     }

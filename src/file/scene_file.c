@@ -6,8 +6,7 @@
 
 #include <math.h>
 
-static bool scene_file_read_title(struct scene_reader *reader, struct text head,
-                                  struct error *error)
+static bool read_scene_title(struct scene_reader *reader, struct text head, struct error *error)
 {
     const struct text rest = file_words_rest(&reader->words);
     if (reader->scene->title != NULL) {
@@ -18,8 +17,7 @@ static bool scene_file_read_title(struct scene_reader *reader, struct text head,
 }
 
 /* Who made the scene, and from what: for those who read the file. */
-static bool scene_file_read_source(struct scene_reader *reader, struct text head,
-                                   struct error *error)
+static bool read_scene_source(struct scene_reader *reader, struct text head, struct error *error)
 {
     (void)head;
     (void)error;
@@ -34,7 +32,7 @@ static struct scene_units units_of(const struct unit *length)
     return (struct scene_units){*length, speed};
 }
 
-static bool scene_file_read_unit(struct scene_reader *reader, struct text head, struct error *error)
+static bool read_scene_unit(struct scene_reader *reader, struct text head, struct error *error)
 {
     const struct scene *scene = reader->scene;
     const struct text word = file_words_next(&reader->words);
@@ -105,14 +103,13 @@ static const struct {
     const char *word;
     bool (*read)(struct scene_reader *reader, struct text head, struct error *error);
 } keywords[] = {
-    {"scene", scene_file_read_title}, {"source", scene_file_read_source},
-    {"unit", scene_file_read_unit},   {"camera", read_camera},
-    {"colour", scene_colour_read},    {"material", scene_material_read},
+    {"scene", read_scene_title}, {"source", read_scene_source}, {"unit", read_scene_unit},
+    {"camera", read_camera},     {"colour", scene_colour_read}, {"material", scene_material_read},
     {"light", scene_light_read},
 };
 enum { KEYWORDS = sizeof keywords / sizeof keywords[0] };
 
-static bool scene_file_read_line(struct scene_reader *reader, struct error *error)
+static bool read_scene_line(struct scene_reader *reader, struct error *error)
 {
     const struct text word = file_words_next(&reader->words);
     struct nearest nearest = {.typed = word};
@@ -145,7 +142,7 @@ bool scene_file_read(const char *path, struct text content, const struct scene_f
     }
     reader.words.has_quotes = true;
     while (file_words_line(&reader.words)) {
-        if (!scene_file_read_line(&reader, error)) {
+        if (!read_scene_line(&reader, error)) {
             return false;
         }
     }

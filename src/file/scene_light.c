@@ -116,8 +116,8 @@ static bool read_sky(struct scene_reader *reader, const struct scene_line *line,
     return read_direction(line, &light->direction, error);
 }
 
-static bool scene_light_read_point(struct scene_reader *reader, const struct scene_line *line,
-                                   struct scene_light *light, struct error *error)
+static bool read_lamp(struct scene_reader *reader, const struct scene_line *line,
+                      struct scene_light *light, struct error *error)
 {
     (void)reader;
     light->amount = scene_line_has(line, KEY_POWER) ? line->number[KEY_POWER][0] / (4 * PI)
@@ -127,8 +127,8 @@ static bool scene_light_read_point(struct scene_reader *reader, const struct sce
     return scene_light_choose(line, KEY_INTENSITY, KEY_POWER, "intensity= or power=", error);
 }
 
-static bool scene_light_read_environment(struct scene_reader *reader, const struct scene_line *line,
-                                         struct scene_light *light, struct error *error)
+static bool read_surroundings(struct scene_reader *reader, const struct scene_line *line,
+                              struct scene_light *light, struct error *error)
 {
     light->amount = line->number[KEY_LUMINANCE][0];
     light->turn = -line->number[KEY_AZIMUTH][0];
@@ -145,8 +145,8 @@ static bool scene_light_read_environment(struct scene_reader *reader, const stru
                            light->picture->width, light->picture->height);
 }
 
-static bool scene_light_read_kind(struct scene_reader *reader, size_t *kind, enum scene_sky *sky,
-                                  struct error *error)
+static bool read_light_kind(struct scene_reader *reader, size_t *kind, enum scene_sky *sky,
+                            struct error *error)
 {
     struct file_words *words = &reader->words;
     struct text word = file_words_next(words);
@@ -175,10 +175,8 @@ bool scene_light_read(struct scene_reader *reader, struct text head, struct erro
 {
     static bool (*const readers[])(struct scene_reader * reader, const struct scene_line *line,
                                    struct scene_light *light, struct error *error) = {
-        [LIGHT_SUN] = read_sun,
-        [LIGHT_SKY] = read_sky,
-        [LIGHT_POINT] = scene_light_read_point,
-        [LIGHT_ENVIRONMENT] = scene_light_read_environment,
+        [LIGHT_SUN] = read_sun,    [LIGHT_SKY] = read_sky,
+        [LIGHT_POINT] = read_lamp, [LIGHT_ENVIRONMENT] = read_surroundings,
         [LIGHT_STAR] = read_star,
     };
     struct scene *scene = reader->scene;
@@ -189,7 +187,7 @@ bool scene_light_read(struct scene_reader *reader, struct text head, struct erro
     if (scene->light_count == SCENE_LIGHTS_MOST) {
         return file_words_fail(words, head, error, "more than %d lights", SCENE_LIGHTS_MOST);
     }
-    if (!scene_light_read_kind(reader, &kind, &light.sky, error) ||
+    if (!read_light_kind(reader, &kind, &light.sky, error) ||
         !scene_line_read(words, &reader->units, text_between(head.start, words->at),
                          kinds[kind].keys, &line, error)) {
         return false;

@@ -42,9 +42,8 @@ struct scene_load_wanted {
 };
 
 /* Read it, and let it count in the scene's digest. */
-static bool scene_load_read_file(struct scene_reader *reader,
-                                 const struct scene_load_wanted *wanted, struct text *content,
-                                 struct error *error)
+static bool read_path_beside(struct scene_reader *reader, const struct scene_load_wanted *wanted,
+                             struct text *content, struct error *error)
 {
     struct error found;
     if (reader->files == NULL) {
@@ -60,7 +59,7 @@ static bool scene_load_read_file(struct scene_reader *reader,
 
 /* -------- notes -------- */
 
-static void scene_load_take_note(struct scene_reader *reader, const char *note)
+static void take_load_note(struct scene_reader *reader, const char *note)
 {
     struct scene *scene = reader->scene;
     scene->notes = arena_grow(reader->words.arena, scene->notes, scene->note_count,
@@ -118,8 +117,8 @@ static bool find_beyond(const struct image *image, size_t first, size_t last, bo
     return false;
 }
 
-static bool scene_load_check_picture(const struct image *image, bool with_alpha,
-                                     enum scene_picture kind, struct error *error)
+static bool check_picture_rows(const struct image *image, bool with_alpha, enum scene_picture kind,
+                               struct error *error)
 {
     const bool may_have_alpha = kind == PICTURE_OF_CARD || kind == PICTURE_THAT_SHINES;
     const bool reflects = kind == PICTURE_OF_CARD || kind == PICTURE_OF_SURFACE;
@@ -161,7 +160,7 @@ static bool parse_picture(const struct scene_load_wanted *wanted, struct text co
         return false;
     }
     image->beyond_srgb = whole.beyond_srgb;
-    return scene_load_check_picture(image, with_alpha, kind, error);
+    return check_picture_rows(image, with_alpha, kind, error);
 }
 
 /* What the file holds is given up, and what it becomes at first: both are as large as pictures. */
@@ -172,7 +171,7 @@ static bool read_picture(struct scene_reader *reader, struct scene_load_wanted *
     struct text content;
     struct error found;
     wanted->arena = &own;
-    bool is_read = scene_load_read_file(reader, wanted, &content, error);
+    bool is_read = read_path_beside(reader, wanted, &content, error);
     if (is_read && !parse_picture(wanted, content, kind, reader->words.arena, image, &found)) {
         is_read = scene_line_fail(wanted->line, wanted->key, error, "%.200s: %s", wanted->path,
                                   found.message);
@@ -200,7 +199,7 @@ bool scene_load_picture(struct scene_reader *reader, const struct scene_line *li
     }
     const char *remark = image_file_remark(path, read, arena);
     if (remark != NULL) {
-        scene_load_take_note(reader, remark);
+        take_load_note(reader, remark);
     }
     reader->loaded = arena_grow(arena, reader->loaded, reader->images.count, &reader->image_room,
                                 sizeof reader->loaded[0]);
@@ -223,14 +222,14 @@ static void note_ends(struct scene_reader *reader, const char *path,
 {
     const double first = spectrum->wavelength[0], last = spectrum->wavelength[spectrum->count - 1];
     if (first > LEAST_WAVELENGTH || last < MOST_WAVELENGTH) {
-        scene_load_take_note(reader, arena_printf(reader->words.arena,
-                                                  "%s: from %g to %g nm, and 0 beside that", path,
-                                                  first / UM_PER_NM, last / UM_PER_NM));
+        take_load_note(reader,
+                       arena_printf(reader->words.arena, "%s: from %g to %g nm, and 0 beside that",
+                                    path, first / UM_PER_NM, last / UM_PER_NM));
     }
 }
 
 /* Are wavelengths above 0 and rise, and are values light or shares of it? */
-static bool scene_load_check_row(const struct number_table *table, size_t row, struct error *error)
+static bool check_picture_row(const struct number_table *table, size_t row, struct error *error)
 {
     const double nm = table->column[0][row], value = table->column[1][row];
     if (!(nm > 0 && nm < (double)INFINITY)) {
@@ -254,7 +253,7 @@ static bool take_spectrum(const char *path, const struct number_table *table,
         return error_locate(error, path, 0, 0);
     }
     for (size_t i = 0; i < table->rows; i++) {
-        if (!scene_load_check_row(table, i, error)) {
+        if (!check_picture_row(table, i, error)) {
             return error_locate(error, path, table->line[i], 0);
         }
     }
@@ -285,7 +284,7 @@ bool scene_load_table(struct scene_reader *reader, const struct scene_line *line
         *spectrum = reader->tabled[known];
         return true;
     }
-    if (!scene_load_read_file(reader, &wanted, &content, error) ||
+    if (!read_path_beside(reader, &wanted, &content, error) ||
         !number_table_parse(wanted.path, content, "wavelength_nm", arena, &table, error) ||
         !take_spectrum(wanted.path, &table, spectrum, error)) {
         return false;
@@ -309,21 +308,21 @@ static void note_passed(struct scene_reader *reader, const char *path,
                                  passed->colours ? ", colours of corners" : ""};
     const char *all = ARENA_JOIN(arena, words[0], words[1], words[2]);
     if (all[0] != '\0') {
-        scene_load_take_note(reader, arena_printf(arena, "%s: passed over: %s", path, all + 2));
+        take_load_note(reader, arena_printf(arena, "%s: passed over: %s", path, all + 2));
     }
     if (passed->crossed > 0) {
-        scene_load_take_note(
-            reader, arena_printf(arena, "%s: %zu face%s no area: %s about the first corner", path,
-                                 passed->crossed,
-                                 passed->crossed == 1 ? " crosses itself or has"
-                                                      : "s cross themselves or have",
-                                 passed->crossed == 1 ? "a fan" : "fans"));
+        take_load_note(reader,
+                       arena_printf(arena, "%s: %zu face%s no area: %s about the first corner",
+                                    path, passed->crossed,
+                                    passed->crossed == 1 ? " crosses itself or has"
+                                                         : "s cross themselves or have",
+                                    passed->crossed == 1 ? "a fan" : "fans"));
     }
     if (passed->twice > 0) {
-        scene_load_take_note(
-            reader, arena_printf(arena, "%s: %zu triangle%s where another does, and %s left out",
-                                 path, passed->twice, passed->twice == 1 ? " lies" : "s lie",
-                                 passed->twice == 1 ? "is" : "are"));
+        take_load_note(reader,
+                       arena_printf(arena, "%s: %zu triangle%s where another does, and %s left out",
+                                    path, passed->twice, passed->twice == 1 ? " lies" : "s lie",
+                                    passed->twice == 1 ? "is" : "are"));
     }
 }
 
@@ -331,20 +330,19 @@ static void note_passed(struct scene_reader *reader, const char *path,
 static void note_unplaced(struct scene_reader *reader, struct scene_model *model)
 {
     if (model->unplaced > 0) {
-        scene_load_take_note(reader,
-                             arena_printf(reader->words.arena,
-                                          "%s: %zu triangle%s no places in a texture, and take%s "
-                                          "its lower left corner",
-                                          model->mesh->file, model->unplaced,
-                                          model->unplaced == 1 ? " has" : "s have",
-                                          model->unplaced == 1 ? "s" : ""));
+        take_load_note(reader, arena_printf(reader->words.arena,
+                                            "%s: %zu triangle%s no places in a texture, and take%s "
+                                            "its lower left corner",
+                                            model->mesh->file, model->unplaced,
+                                            model->unplaced == 1 ? " has" : "s have",
+                                            model->unplaced == 1 ? "s" : ""));
     }
     model->unplaced = 0;
 }
 
 /* What the file holds is given up: it is as large as the mesh. */
-static bool scene_load_read_mesh(struct scene_reader *reader, struct scene_load_wanted *wanted,
-                                 double scale, struct scene_model *model, struct error *error)
+static bool load_mesh(struct scene_reader *reader, struct scene_load_wanted *wanted, double scale,
+                      struct scene_model *model, struct error *error)
 {
     struct scene_mesh *mesh = ARENA_NEW(reader->words.arena, struct scene_mesh);
     const struct obj_question question = {
@@ -357,7 +355,7 @@ static bool scene_load_read_mesh(struct scene_reader *reader, struct scene_load_
     struct text content;
     struct obj_passed passed;
     wanted->arena = &own;
-    const bool is_read = scene_load_read_file(reader, wanted, &content, error) &&
+    const bool is_read = read_path_beside(reader, wanted, &content, error) &&
                          obj_read(&question, content, reader->words.arena, mesh, &passed, error);
     arena_free(&own);
     if (is_read) {
@@ -380,7 +378,7 @@ bool scene_load_mesh(struct scene_reader *reader, const struct scene_line *line,
     size_t which = name_table_find(&reader->meshes, text_of(name));
     if (which == NAME_NONE) {
         struct scene_model read;
-        if (!scene_load_read_mesh(reader, &wanted, scale, &read, error)) {
+        if (!load_mesh(reader, &wanted, scale, &read, error)) {
             return false;
         }
         reader->models = arena_grow(arena, reader->models, reader->meshes.count, &reader->mesh_room,

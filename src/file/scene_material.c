@@ -24,7 +24,7 @@ static const struct {
 };
 enum { KINDS = sizeof kinds / sizeof kinds[0] };
 
-static bool scene_material_read_kind(struct scene_reader *reader, size_t *kind, struct error *error)
+static bool read_material_kind(struct scene_reader *reader, size_t *kind, struct error *error)
 {
     const struct text word = file_words_next(&reader->words);
     struct nearest nearest = {.typed = word};
@@ -77,7 +77,7 @@ bool scene_material_read(struct scene_reader *reader, struct text head, struct e
         return file_words_fail(words, head, error, "more than %d materials", SCENE_MATERIALS_MOST);
     }
     if (!scene_name_check(words, &reader->materials, name, "a material", error) ||
-        !scene_material_read_kind(reader, &kind, error) ||
+        !read_material_kind(reader, &kind, error) ||
         !scene_line_read(words, &reader->units, text_between(head.start, words->at),
                          kinds[kind].keys, &line, error)) {
         return false;

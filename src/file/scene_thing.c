@@ -54,8 +54,8 @@ static bool find_material(const struct scene_reader *reader, const struct scene_
     return scene_word_fail(line->words, name, &nearest, "no line above has the material", error);
 }
 
-static bool scene_thing_read_mesh(struct scene_reader *reader, const struct scene_line *line,
-                                  bool has_texture, struct scene_thing *thing, struct error *error)
+static bool read_mesh(struct scene_reader *reader, const struct scene_line *line, bool has_texture,
+                      struct scene_thing *thing, struct error *error)
 {
     if (!scene_load_mesh(reader, line, has_texture, &thing->mesh, error)) {
         return false;
@@ -95,8 +95,8 @@ static bool read_card(struct scene_reader *reader, const struct scene_line *line
 }
 
 /* A texture has the proportions of its picture. */
-static bool scene_thing_read_plane(const struct scene_line *line, const struct image *texture,
-                                   struct scene_thing *thing, struct error *error)
+static bool read_plane(const struct scene_line *line, const struct image *texture,
+                       struct scene_thing *thing, struct error *error)
 {
     if ((texture != NULL) != scene_line_has(line, KEY_REPEAT)) {
         return scene_line_fail(line, KEY_REPEAT, error, "%s",
@@ -113,8 +113,8 @@ static bool scene_thing_read_plane(const struct scene_line *line, const struct i
     return true;
 }
 
-static bool scene_thing_check_size(const struct scene_line *line, const struct shape *shape,
-                                   bool has_picture, struct error *error)
+static bool check_thing_size(const struct scene_line *line, const struct shape *shape,
+                             bool has_picture, struct error *error)
 {
     const size_t count = line->count[KEY_SIZE];
     if (count == shape->sizes || (has_picture && count == 1)) {
@@ -125,22 +125,22 @@ static bool scene_thing_check_size(const struct scene_line *line, const struct s
                            has_picture ? ", or the width of its picture" : "", count);
 }
 
-static bool scene_thing_read_shape(struct scene_reader *reader, const struct scene_line *line,
-                                   const struct shape *shape, struct scene_thing *thing,
-                                   struct error *error)
+static bool read_thing_shape(struct scene_reader *reader, const struct scene_line *line,
+                             const struct shape *shape, struct scene_thing *thing,
+                             struct error *error)
 {
     const struct image *texture =
         thing->material != SCENE_NONE ? reader->scene->materials[thing->material].texture : NULL;
-    if (!scene_thing_check_size(line, shape, scene_line_has(line, KEY_FILE), error)) {
+    if (!check_thing_size(line, shape, scene_line_has(line, KEY_FILE), error)) {
         return false;
     }
     switch (shape->shape) {
     case SHAPE_CARD:
         return read_card(reader, line, thing, error);
     case SHAPE_MESH:
-        return scene_thing_read_mesh(reader, line, texture != NULL, thing, error);
+        return read_mesh(reader, line, texture != NULL, thing, error);
     case SHAPE_PLANE:
-        return scene_thing_read_plane(line, texture, thing, error);
+        return read_plane(line, texture, thing, error);
     default:
         return true;
     }
@@ -169,7 +169,7 @@ bool scene_thing_read(struct scene_reader *reader, struct text head, struct erro
     };
     if (!scene_place_read(&line, &thing.where, error) ||
         !find_material(reader, &line, &thing.material, error) ||
-        !scene_thing_read_shape(reader, &line, &shapes[i], &thing, error)) {
+        !read_thing_shape(reader, &line, &shapes[i], &thing, error)) {
         return false;
     }
     scene->things = arena_grow(words->arena, scene->things, scene->thing_count, &reader->thing_room,

@@ -82,8 +82,8 @@ static const struct scene_words_form {
     [KEY_AZIMUTH] = {"azimuth", &dimension_angle, 1, 1, -100, 100, "-5729 deg to 5729 deg"},
 };
 
-static const struct unit *scene_words_bare_unit(const struct scene_units *units,
-                                                const struct dimension *dimension)
+static const struct unit *bare_scene_unit(const struct scene_units *units,
+                                          const struct dimension *dimension)
 {
     if (dimension == &dimension_length) {
         return &units->length;
@@ -141,9 +141,9 @@ bool scene_name_check(const struct file_words *words, const struct name_table *i
 }
 
 /* One number of a value; `text` is a part of the line. */
-static bool scene_words_read_number(const struct scene_line *line,
-                                    const struct scene_words_form *form, struct text text,
-                                    const struct unit *unit, double *value, struct error *error)
+static bool read_scene_number(const struct scene_line *line, const struct scene_words_form *form,
+                              struct text text, const struct unit *unit, double *value,
+                              struct error *error)
 {
     enum { LONGEST = 60 }; /* what messages show whole, so that carets are counted from its start */
     struct error found;
@@ -167,11 +167,11 @@ static bool scene_words_read_number(const struct scene_line *line,
     return true;
 }
 
-static bool scene_words_read_numbers(const struct scene_units *units, enum scene_key key,
-                                     struct scene_line *line, struct error *error)
+static bool read_scene_numbers(const struct scene_units *units, enum scene_key key,
+                               struct scene_line *line, struct error *error)
 {
     const struct scene_words_form *form = &forms[key];
-    const struct unit *unit = scene_words_bare_unit(units, form->dimension);
+    const struct unit *unit = bare_scene_unit(units, form->dimension);
     struct text rest = line->value[key];
     for (size_t i = 0; rest.start != NULL; i++) {
         const struct text part = text_cut(&rest, ',');
@@ -179,7 +179,7 @@ static bool scene_words_read_numbers(const struct scene_units *units, enum scene
             return file_words_fail(line->words, part, error, "%s= has more than %zu number%s",
                                    form->name, form->most, form->most == 1 ? "" : "s");
         }
-        if (!scene_words_read_number(line, form, part, unit, &line->number[key][i], error)) {
+        if (!read_scene_number(line, form, part, unit, &line->number[key][i], error)) {
             return false;
         }
         line->count[key] = i + 1;
@@ -232,8 +232,8 @@ static bool take_quotes(const struct scene_line *line, struct text *value, struc
     return true;
 }
 
-static bool scene_words_read_word(const struct scene_units *units, struct text word,
-                                  uint64_t allowed, struct scene_line *line, struct error *error)
+static bool read_scene_word(const struct scene_units *units, struct text word, uint64_t allowed,
+                            struct scene_line *line, struct error *error)
 {
     struct text value = word;
     const struct text name = text_cut(&value, '=');
@@ -257,7 +257,7 @@ static bool scene_words_read_word(const struct scene_units *units, struct text w
     line->given |= SCENE_BIT(key);
     line->value[key] = value;
     return forms[key].dimension == NULL ||
-           scene_words_read_numbers(units, (enum scene_key)key, line, error);
+           read_scene_numbers(units, (enum scene_key)key, line, error);
 }
 
 bool scene_line_read(struct file_words *words, const struct scene_units *units, struct text head,
@@ -266,7 +266,7 @@ bool scene_line_read(struct file_words *words, const struct scene_units *units, 
     *line = (struct scene_line){.words = words, .head = head};
     for (struct text word = file_words_next(words); word.length > 0;
          word = file_words_next(words)) {
-        if (!scene_words_read_word(units, word, keys.allowed, line, error)) {
+        if (!read_scene_word(units, word, keys.allowed, line, error)) {
             return false;
         }
     }

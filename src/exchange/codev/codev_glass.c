@@ -130,8 +130,8 @@ static const char *medium_of_numbers(struct text text, struct arena *arena)
 }
 
 /* NAME_CATALOG, or a name that one catalogue has; false with ERROR_NONE where there is none. */
-static bool codev_glass_catalog_glass(struct codev *codev, const struct file_words *place,
-                                      struct text text, struct medium *medium)
+static bool codev_named_glass(struct codev *codev, const struct file_words *place, struct text text,
+                              struct medium *medium)
 {
     size_t cut = text.length;
     while (cut > 0 && text.start[cut - 1] != '_') {
@@ -160,7 +160,7 @@ static bool compare_private(struct codev *codev, const struct codev_private *own
     if (codev->job->glasses == NULL) {
         return true;
     }
-    if (codev_glass_catalog_glass(codev, &place, surface->glass.text, &found)) {
+    if (codev_named_glass(codev, &place, surface->glass.text, &found)) {
         own_glass_compare(&glass, &found, &surface->medium);
         return true;
     }
@@ -189,7 +189,7 @@ bool codev_find_glass(struct codev *codev, struct sequence_surface *surface)
         return sequence_medium(&codev->commands, &surface->glass, made, &surface->medium) &&
                (own == NULL || compare_private(codev, own, surface));
     }
-    if (codev_glass_catalog_glass(codev, &place, text, &surface->medium)) {
+    if (codev_named_glass(codev, &place, text, &surface->medium)) {
         return true;
     }
     return codev->commands.error->code == ERROR_NONE &&

@@ -36,7 +36,7 @@ bool codev_set_positions(struct codev *codev)
 }
 
 /* Words from `first` on that are no numbers: CLR, L'rim', AR3. */
-static size_t codev_positions_next_value(const struct commands *commands, size_t first, size_t last)
+static size_t next_zoom_value(const struct commands *commands, size_t first, size_t last)
 {
     while (first < last && !commands->words[first].is_quoted) {
         const struct text word = commands->words[first].text;
@@ -63,8 +63,7 @@ static bool place_zoom(struct codev *codev, bool *is_here)
     if (!*is_here) {
         return true;
     }
-    if (count == 0 || given < count ||
-        codev_positions_next_value(commands, first, values) < values) {
+    if (count == 0 || given < count || next_zoom_value(commands, first, values) < values) {
         return commands_fail(commands, &commands->words[0], "%zu numbers for %zu positions", given,
                              count);
     }

@@ -58,7 +58,7 @@ static bool codev_read_lose(struct codev *codev, const struct word_group *group)
 }
 
 /* VUX, VLX, VUY, VLY: the first that is not 0 is kept until the diameters are known. */
-static bool codev_read_vignetting(struct codev *codev)
+static bool codev_factor(struct codev *codev)
 {
     if (!codev_is_zero(codev, codev->here.next) && codev->vignetting.text.length == 0) {
         codev->vignetting = codev->commands.words[0];
@@ -67,7 +67,7 @@ static bool codev_read_vignetting(struct codev *codev)
 }
 
 /* The factors narrow the beams as rims do; where all surfaces have diameters these do it here. */
-static void codev_read_check_vignetting(struct codev *codev)
+static void codev_vignettes(struct codev *codev)
 {
     const struct lens *lens = codev->build.lens;
     bool all = true;
@@ -91,7 +91,7 @@ static void codev_read_check_vignetting(struct codev *codev)
 }
 
 /* TEM in C, PRE in mm of mercury. */
-static bool codev_read_environment(struct codev *codev)
+static bool codev_air(struct codev *codev)
 {
     return sequence_environment(&codev->sequence, codev->what == 'T', 760);
 }
@@ -181,13 +181,13 @@ static const struct {
     {"PRV", codev_catalog, 'P', CODEV_LENS},
     {"PWL", codev_catalog, 'W', CODEV_LENS},
     {"END", codev_catalog, 'P', CODEV_LENS},
-    {"TEM", codev_read_environment, 'T', CODEV_LENS},
-    {"PRE", codev_read_environment, 'P', CODEV_LENS},
+    {"TEM", codev_air, 'T', CODEV_LENS},
+    {"PRE", codev_air, 'P', CODEV_LENS},
     {"GO", read_go, 0, CODEV_LENS},
-    {"VUX", codev_read_vignetting, 0, CODEV_PART},
-    {"VLX", codev_read_vignetting, 0, CODEV_PART},
-    {"VUY", codev_read_vignetting, 0, CODEV_PART},
-    {"VLY", codev_read_vignetting, 0, CODEV_PART},
+    {"VUX", codev_factor, 0, CODEV_PART},
+    {"VLX", codev_factor, 0, CODEV_PART},
+    {"VUY", codev_factor, 0, CODEV_PART},
+    {"VLY", codev_factor, 0, CODEV_PART},
 };
 
 /* Of a range of surfaces, S3..5, each gets what the command says. */
@@ -223,7 +223,7 @@ static bool run_group(struct codev *codev, struct text word)
                          : group->fate == WORD_HARMLESS || codev_read_lose(codev, group);
 }
 
-static bool codev_read_run_command(struct codev *codev)
+static bool codev_run(struct codev *codev)
 {
     const struct command_word *word = &codev->commands.words[0];
     bool is_here = true;
@@ -304,7 +304,7 @@ static bool codev_read_finish(struct codev *codev)
     if (!codev_finish_system(codev) || !finish_lens(codev)) {
         return false;
     }
-    codev_read_check_vignetting(codev);
+    codev_vignettes(codev);
     return codev_check_mode(codev);
 }
 
@@ -355,7 +355,7 @@ static bool codev_read_position(void *state, size_t position, struct text conten
                                         .has_positions = codev->positions > 0,
                                         .environment = {.temperature = 20, .pressure = 1}};
     while (commands_next(&codev->commands)) {
-        if (!codev_read_run_command(codev)) {
+        if (!codev_run(codev)) {
             return false;
         }
     }

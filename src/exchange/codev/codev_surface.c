@@ -9,14 +9,14 @@
 static const struct number_scale plain = {1, 0};
 
 /* The surface a command is about. */
-static struct sequence_surface *codev_surface_of(struct codev *codev)
+static struct sequence_surface *here_surface(struct codev *codev)
 {
     return &codev->sequence.surfaces[codev->here.surface];
 }
 
 static void set_curve(struct codev *codev, struct figure figure, bool is_radius)
 {
-    struct sequence_surface *surface = codev_surface_of(codev);
+    struct sequence_surface *surface = here_surface(codev);
     surface->curve = figure;
     surface->is_radius = is_radius;
     if (!is_radius) {
@@ -27,7 +27,7 @@ static void set_curve(struct codev *codev, struct figure figure, bool is_radius)
 /* REFL and REFR are no glasses; the rest is looked up in the end. */
 static void set_glass(struct codev *codev, const struct command_word *word)
 {
-    struct sequence_surface *surface = codev_surface_of(codev);
+    struct sequence_surface *surface = here_surface(codev);
     if (!word->is_quoted && text_same(word->text, "REFL")) {
         surface->reflects = true;
     } else if (word->is_quoted || !text_same(word->text, "REFR")) {
@@ -36,7 +36,7 @@ static void set_glass(struct codev *codev, const struct command_word *word)
 }
 
 /* SO must be the first and SI the last; a number after S must be that of the surface. */
-static bool codev_surface_check_place(struct codev *codev)
+static bool codev_begins(struct codev *codev)
 {
     struct commands *commands = &codev->commands;
     const struct command_word *word = &commands->words[0];
@@ -69,7 +69,7 @@ bool codev_surface(struct codev *codev)
 {
     struct commands *commands = &codev->commands;
     struct figure curve, thickness;
-    if (!codev_surface_check_place(codev) ||
+    if (!codev_begins(codev) ||
         !commands_figure(commands, 1, codev->radius_mode ? commands->scale : plain,
                          codev->radius_mode ? "radius" : "curvature", &curve) ||
         !(codev->sequence.count == 0
@@ -87,7 +87,7 @@ bool codev_surface(struct codev *codev)
 }
 
 /* A solve behind the qualifiers: CUY UMY u, THI HMY h. */
-static bool codev_surface_read_solve(struct codev *codev, bool is_thickness, bool *is_solve)
+static bool codev_solve(struct codev *codev, bool is_thickness, bool *is_solve)
 {
     static const struct {
         const char *name;
@@ -99,7 +99,7 @@ static bool codev_surface_read_solve(struct codev *codev, bool is_thickness, boo
                   {"UCY", true, SOLVE_CHIEF}};
     struct commands *commands = &codev->commands;
     const struct command_word word = commands_word(commands, codev->here.next);
-    struct sequence_surface *surface = codev_surface_of(codev);
+    struct sequence_surface *surface = here_surface(codev);
     char c = word.text.length > 0 ? word.text.start[0] : '0';
     *is_solve = (c >= 'A' && c <= 'Z') || (c >= 'a' && c <= 'z');
     if (!*is_solve) {
@@ -125,7 +125,7 @@ bool codev_curve(struct codev *codev)
 {
     bool is_radius = (codev->what | 32) == 'r', is_x = codev->what >= 'a', is_solve = false;
     struct figure figure;
-    if (!is_x && !codev_surface_read_solve(codev, false, &is_solve)) {
+    if (!is_x && !codev_solve(codev, false, &is_solve)) {
         return false;
     }
     if (is_solve) {
@@ -138,7 +138,7 @@ bool codev_curve(struct codev *codev)
     }
     if (is_x) {
         /* A curvature in x: that of a cylinder, the other way. */
-        struct sequence_surface *surface = codev_surface_of(codev);
+        struct sequence_surface *surface = here_surface(codev);
         if (surface->curved == CURVED_BOTH) {
             commands_lose(&codev->commands, LOSS_OF_RAYS, NULL,
                           "a curvature in x of a surface that is no cylinder");
@@ -158,13 +158,13 @@ bool codev_curve(struct codev *codev)
 
 bool codev_thickness(struct codev *codev)
 {
-    struct sequence_surface *surface = codev_surface_of(codev);
+    struct sequence_surface *surface = here_surface(codev);
     bool is_solve;
     if (surface == &codev->sequence.surfaces[0]) {
         return commands_object(&codev->commands, codev->here.next, &surface->thickness) &&
                commands_end(&codev->commands, codev->here.next + 1);
     }
-    return codev_surface_read_solve(codev, true, &is_solve) &&
+    return codev_solve(codev, true, &is_solve) &&
            (is_solve || commands_value(&codev->commands, codev->here.next, codev->commands.scale,
                                        "thickness", &surface->thickness));
 }
@@ -181,13 +181,13 @@ bool codev_glass(struct codev *codev)
 
 bool codev_shape(struct codev *codev)
 {
-    codev_surface_of(codev)->curved = CURVED_Y;
+    here_surface(codev)->curved = CURVED_Y;
     return commands_end(&codev->commands, codev->here.next);
 }
 
 bool codev_constant(struct codev *codev)
 {
-    return sequence_read_constant(&codev->sequence, codev->here.next, codev_surface_of(codev),
+    return sequence_read_constant(&codev->sequence, codev->here.next, here_surface(codev),
                                   codev->what);
 }
 
@@ -196,7 +196,7 @@ bool codev_special(struct codev *codev)
 {
     const struct command_word kind = commands_word(&codev->commands, codev->here.next);
     struct figure radius = sequence_nothing;
-    struct sequence_surface *surface = codev_surface_of(codev);
+    struct sequence_surface *surface = here_surface(codev);
     surface->is_special = text_same(kind.text, "ODD");
     if (!surface->is_special) {
         return commands_lose(&codev->commands, LOSS_OF_POWER, NULL,
@@ -234,7 +234,7 @@ bool codev_special_constant(struct codev *codev)
 {
     struct figure figure;
     struct commands *commands = &codev->commands;
-    struct sequence_surface *surface = codev_surface_of(codev);
+    struct sequence_surface *surface = here_surface(codev);
     const struct command_word name = commands_word(commands, codev->here.next);
     int order = name.text.length > 0 ? special_order(name.text) : -1;
     if (!commands_value(commands, codev->here.next + 1, plain, "coefficient", &figure)) {
@@ -269,20 +269,20 @@ bool codev_label(struct codev *codev)
 {
     const struct text label = commands_word(&codev->commands, codev->here.next).text;
     if (label.length > 0 && memchr(label.start, '"', label.length) == NULL) {
-        codev_surface_of(codev)->name = lens_build_string(&codev->build, label);
+        here_surface(codev)->name = lens_build_string(&codev->build, label);
     }
     return commands_end(&codev->commands, codev->here.next + 1);
 }
 
 bool codev_shift(struct codev *codev)
 {
-    return sequence_read_shift(&codev->sequence, codev->here.next, codev_surface_of(codev),
+    return sequence_read_shift(&codev->sequence, codev->here.next, here_surface(codev),
                                codev->what);
 }
 
 bool codev_move(struct codev *codev)
 {
-    struct sequence_surface *surface = codev_surface_of(codev);
+    struct sequence_surface *surface = here_surface(codev);
     surface->move = (enum sequence_move)codev->what;
     surface->decentred_at = codev->commands.words[0];
     return commands_end(&codev->commands, codev->here.next);

@@ -124,7 +124,7 @@ bool codev_reference(struct codev *codev)
            commands_end(&codev->commands, 2);
 }
 
-static bool codev_system_finish_waves(struct codev *codev)
+static bool codev_give_light(struct codev *codev)
 {
     size_t primary = codev->primary > 0 ? codev->primary - 1 : (codev->wavelength_count - 1) / 2;
     if (codev->wavelength_count == 0) {
@@ -169,8 +169,7 @@ bool codev_aperture_of_lens(struct codev *codev)
 }
 
 /* YAN F2 8: one of a list, or one more. */
-static bool codev_system_put_field(struct codev *codev, int row, size_t number,
-                                   const struct figure *field)
+static bool codev_one_field(struct codev *codev, int row, size_t number, const struct figure *field)
 {
     const struct command_word *word = &codev->commands.words[0];
     const size_t count = codev->field_count[row], next = count + 1;
@@ -208,7 +207,7 @@ bool codev_fields(struct codev *codev)
         }
     }
     if (codev->here.field > 0) {
-        return codev_system_put_field(codev, row, codev->here.field, &fields[0]) &&
+        return codev_one_field(codev, row, codev->here.field, &fields[0]) &&
                commands_end(commands, codev->here.next + 1);
     }
     for (int i = 0; i < FIELD_KINDS; i++) {
@@ -221,7 +220,7 @@ bool codev_fields(struct codev *codev)
 }
 
 /* One point of the field from its place in each of the lists. */
-static bool codev_system_finish_field(struct codev *codev, size_t at)
+static bool codev_put_field(struct codev *codev, size_t at)
 {
     struct lens_field *field = lens_build_field(&codev->build);
     for (int row = 0; row < CODEV_FIELD_WEIGHTS; row++) {
@@ -311,11 +310,11 @@ bool codev_pickup(struct codev *codev)
 
 bool codev_finish_system(struct codev *codev)
 {
-    if (!codev_system_finish_waves(codev)) {
+    if (!codev_give_light(codev)) {
         return false;
     }
     for (size_t i = 0; i < codev->field_count[0] || i < codev->field_count[1]; i++) {
-        if (!codev_system_finish_field(codev, i)) {
+        if (!codev_put_field(codev, i)) {
             return false;
         }
     }

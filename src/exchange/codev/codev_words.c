@@ -77,13 +77,13 @@ bool codev_is_zero(const struct codev *codev, size_t first)
     return true;
 }
 
-static bool codev_words_is_quote(char c)
+static bool is_any_quote(char c)
 {
     return c == '\'' || c == '"';
 }
 
 /* A number of a surface, in digits alone. */
-static bool codev_words_read_number(struct text text, size_t *number)
+static bool surface_digits(struct text text, size_t *number)
 {
     size_t value = 0;
     for (size_t i = 0; i < text.length; i++) {
@@ -115,21 +115,21 @@ static bool surface_named(const struct codev *codev, struct text name, size_t *s
     for (size_t i = 0; i < sequence->count; i++) {
         const struct sequence_surface *one = &sequence->surfaces[i];
         bool is_stop = is_place(name) && one->is_stop;
-        bool is_label = name.length > 2 && codev_words_is_quote(first) && one->name != NULL &&
+        bool is_label = name.length > 2 && is_any_quote(first) && one->name != NULL &&
                         text_same((struct text){name.start + 1, name.length - 2}, one->name);
         if (is_stop || is_label) {
             *surface = i;
             return true;
         }
     }
-    return codev_words_read_number(name, surface) && *surface < sequence->count;
+    return surface_digits(name, surface) && *surface < sequence->count;
 }
 
 /* "3..5" of S3..5 is "3", and "5" behind it; "3" is both. */
-static struct text codev_words_cut_range(struct text name, struct text *last)
+static struct text cut_surfaces(struct text name, struct text *last)
 {
     *last = name;
-    for (size_t i = 0; i + 1 < name.length && !codev_words_is_quote(name.start[0]); i++) {
+    for (size_t i = 0; i + 1 < name.length && !is_any_quote(name.start[0]); i++) {
         if (name.start[i] == '.' && name.start[i + 1] == '.') {
             const size_t behind = i + 2 < name.length && (name.start[i + 2] | 32) == 's' &&
                                   i + 3 < name.length; /* S3..S5 */
@@ -152,9 +152,9 @@ static bool is_digits(struct text text)
 /* Has what stands behind the S the form of a surface, whether there is such a one or not? */
 static bool is_surface_form(struct text name)
 {
-    struct text last, first = codev_words_cut_range(name, &last);
+    struct text last, first = cut_surfaces(name, &last);
     return name.length > 0 &&
-           (codev_words_is_quote(name.start[0]) ||
+           (is_any_quote(name.start[0]) ||
             ((is_digits(first) || is_place(first)) && (is_digits(last) || is_place(last))));
 }
 
@@ -209,7 +209,7 @@ bool codev_qualifiers(struct codev *codev, size_t first, struct codev_qualifiers
         size_t value = 0;
         if (kind == 's') {
             const struct text name = {word.text.start + 1, word.text.length - 1};
-            struct text stop, start = codev_words_cut_range(name, &stop);
+            struct text stop, start = cut_surfaces(name, &stop);
             if (!surface_named(codev, start, &qualifiers->surface) ||
                 !surface_named(codev, stop, &qualifiers->end) ||
                 !(qualifiers->surface <= qualifiers->end)) {

@@ -61,7 +61,7 @@ static void codev_put_catalog(struct codev_output *output)
 
 /* -------- the whole lens -------- */
 
-static void codev_put_system_aperture(struct lens_writer *writing)
+static void codev_put_stop_down(struct lens_writer *writing)
 {
     const struct lens *lens = writing->lens;
     enum aperture_kind kind = lens->aperture_kind;
@@ -118,8 +118,7 @@ static void codev_put_fields(struct lens_writer *writing)
 
 /* -------- surfaces -------- */
 
-static void codev_put_displacement(struct lens_writer *writing, const struct displacement *all,
-                                   bool back)
+static void codev_put_turns(struct lens_writer *writing, const struct displacement *all, bool back)
 {
     writing_put(writing, "  XDE %s; YDE %s; ZDE 0.0\n  ADE %s; BDE %s; CDE %s\n%s",
                 writing_length(writing, &all->decenter[0], 1),
@@ -234,7 +233,7 @@ static void codev_put_details(struct lens_writer *writing, const struct surface 
         codev_put_text(writing, "  SLB", surface->name);
     }
     if (moved != NULL) {
-        codev_put_displacement(writing, moved, surface->decentre != NULL);
+        codev_put_turns(writing, moved, surface->decentre != NULL);
     }
     if (surface->vary_count > 0) {
         foreign_lose(writing->job, LOSS_OF_NOTHING, "left out", "marks for the designer (R~, t~)");
@@ -252,7 +251,7 @@ static void codev_put_surface(struct codev_output *output, size_t index)
         writing_put(writing, "S 0.0 0.0"); /* the break on a plane of its own */
         codev_put_medium(output, before);
         writing_put(writing, "\n");
-        codev_put_displacement(writing, surface->coordinate_break, false);
+        codev_put_turns(writing, surface->coordinate_break, false);
     }
     writing_put(writing, "S %s %s",
                 has_radius ? writing_length(writing, &surface->radius, 1) : "0.0",
@@ -281,7 +280,7 @@ bool codev_write(struct foreign_job *job, const struct lens *lens, struct text *
     for (size_t i = 0; i < lens->note_count; i++) {
         writing_put(writing, CODEV_KEEP_NOTE CODEV_NOTE "%s\n", lens->notes[i]);
     }
-    codev_put_system_aperture(writing);
+    codev_put_stop_down(writing);
     writing_put(writing, "DIM %s\n", foreign_unit_word(codev_units, writing->unit));
     size_t column = 2;
     writing_put(writing, lens->wavelength_count == 0 ? "WL 587.5618" : "WL");

@@ -98,8 +98,8 @@ static bool is_turned_soundly(const struct oslo_special *one, const struct apert
 }
 
 /* The aperture; why a lens cannot hold it, or null. */
-static const char *oslo_aperture_shape_of(struct oslo *oslo, const struct oslo_special *one,
-                                          struct aperture *aperture)
+static const char *oslo_shape(struct oslo *oslo, const struct oslo_special *one,
+                              struct aperture *aperture)
 {
     const double type = one->number[OSLO_TYPE], action = one->number[OSLO_ACTION];
     const bool blocks = action == ACTION_OBSTRUCT;
@@ -149,9 +149,8 @@ void oslo_put_apertures(struct oslo *oslo)
         const struct oslo_special *one = &oslo->specials[i];
         struct sequence_surface *surface = &oslo->sequence.surfaces[one->surface];
         struct sequence_aperture to = {.at = one->at, .label = one->letter};
-        const char *wrong = is_of_several(oslo, one)
-                                ? "one of several groups of special apertures"
-                                : oslo_aperture_shape_of(oslo, one, &to.aperture);
+        const char *wrong = is_of_several(oslo, one) ? "one of several groups of special apertures"
+                                                     : oslo_shape(oslo, one, &to.aperture);
         const struct file_words place = commands_place(&oslo->commands, &one->at);
         if (wrong != NULL) {
             foreign_loss(oslo->job, &place, one->at.text, LOSS_OF_VIGNETTING, "left out", "%s",

@@ -4,7 +4,7 @@
 #include "exchange/oslo/oslo.h"
 
 /* Cut off the number of a surface; FOREIGN_MOST_SURFACES where there is none. */
-static size_t oslo_kept_cut_number(struct text *rest)
+static size_t cut_surface_number(struct text *rest)
 {
     size_t number = 0;
     for (struct text digits = text_cut(rest, ' '); digits.length > 0; digits.length--) {
@@ -23,7 +23,7 @@ void oslo_kept_glasses(struct oslo *oslo, struct text content)
     for (struct text rest = content; rest.start != NULL;) {
         const struct text line = text_trim(text_cut(&rest, '\n'));
         struct text glass = text_behind(line, OSLO_KEEP_NOTE OSLO_GLASS);
-        size_t number = glass.start != NULL ? oslo_kept_cut_number(&glass) : FOREIGN_MOST_SURFACES;
+        size_t number = glass.start != NULL ? cut_surface_number(&glass) : FOREIGN_MOST_SURFACES;
         if (number < FOREIGN_MOST_SURFACES && glass.start != NULL) {
             oslo->glasses[number] = glass;
         }
@@ -33,7 +33,7 @@ void oslo_kept_glasses(struct oslo *oslo, struct text content)
 /* 3 front: the name of surface 3 */
 static void name_surface(struct oslo *oslo, struct text rest)
 {
-    size_t number = oslo_kept_cut_number(&rest);
+    size_t number = cut_surface_number(&rest);
     if (number < oslo->sequence.count && rest.length > 0) {
         oslo->sequence.surfaces[number].name = lens_build_string(&oslo->build, rest);
     }

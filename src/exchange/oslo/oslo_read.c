@@ -42,7 +42,7 @@ static bool read_len(struct oslo *oslo)
 }
 
 /* EBR (radius of the beam), NAO, FNO */
-static bool oslo_read_aperture(struct oslo *oslo)
+static bool oslo_beam(struct oslo *oslo)
 {
     const bool is_radius = oslo->what == APERTURE_EPD;
     struct lens *lens = oslo->build.lens;
@@ -61,7 +61,7 @@ static bool oslo_read_aperture(struct oslo *oslo)
 }
 
 /* ANG, OBH, GIH: the field's edge; what it means depends on the object, so it is kept. */
-static bool oslo_read_field(struct oslo *oslo)
+static bool oslo_field_edge(struct oslo *oslo)
 {
     const int what = oslo->what;
     oslo->field_is = (enum oslo_field)what;
@@ -73,7 +73,7 @@ static bool oslo_read_field(struct oslo *oslo)
                           "a field angle is not beyond 180 degrees"));
 }
 
-static bool oslo_read_note(struct oslo *oslo)
+static bool oslo_note(struct oslo *oslo)
 {
     const struct text note = commands_word(&oslo->commands, 1).text;
     if (note.length > 0) {
@@ -94,7 +94,7 @@ static bool next_surface(struct oslo *oslo)
 }
 
 /* AIR, RFL, RFH and the glass are the last that was said. */
-static bool oslo_read_medium(struct oslo *oslo)
+static bool oslo_medium(struct oslo *oslo)
 {
     struct sequence_surface *surface = present(oslo);
     surface->reflects = oslo->what != 0;
@@ -103,7 +103,7 @@ static bool oslo_read_medium(struct oslo *oslo)
     return commands_end(&oslo->commands, 1);
 }
 
-static bool oslo_read_curve(struct oslo *oslo)
+static bool oslo_curve(struct oslo *oslo)
 {
     const int what = oslo->what;
     struct sequence_surface *surface = present(oslo);
@@ -118,7 +118,7 @@ static bool oslo_read_curve(struct oslo *oslo)
     return true;
 }
 
-static bool oslo_read_thickness(struct oslo *oslo)
+static bool oslo_gap(struct oslo *oslo)
 {
     if (oslo->surface == 0) {
         return commands_object(&oslo->commands, 1, &present(oslo)->thickness) &&
@@ -128,7 +128,7 @@ static bool oslo_read_thickness(struct oslo *oslo)
 }
 
 /* AP 5, AP CHK 5; an aperture of the size of the sky is none. */
-static bool oslo_read_diameter(struct oslo *oslo)
+static bool oslo_clear(struct oslo *oslo)
 {
     const struct command_word word = commands_word(&oslo->commands, 1);
     size_t at =
@@ -150,7 +150,7 @@ static bool oslo_read_diameter(struct oslo *oslo)
     return true;
 }
 
-static bool oslo_read_stop(struct oslo *oslo)
+static bool oslo_stop(struct oslo *oslo)
 {
     for (size_t i = 0; i < oslo->sequence.count; i++) {
         oslo->sequence.surfaces[i].is_stop = i == oslo->surface;
@@ -159,7 +159,7 @@ static bool oslo_read_stop(struct oslo *oslo)
     return commands_end(&oslo->commands, 1);
 }
 
-static bool oslo_read_constant(struct oslo *oslo)
+static bool oslo_constant(struct oslo *oslo)
 {
     return sequence_read_constant(&oslo->sequence, 1, present(oslo), oslo->what);
 }
@@ -180,7 +180,7 @@ static bool read_general(struct oslo *oslo)
 }
 
 /* AS1 is the coefficient of r^2, AS2 of r^4 .. of ASP ASR; of r, r^2 .. of ASP ARA. */
-static bool read_general_coefficient(struct oslo *oslo)
+static bool oslo_general_term(struct oslo *oslo)
 {
     const struct command_word *word = &oslo->commands.words[0];
     const struct text digits = {word->text.start + 2, word->text.length - 2};
@@ -203,7 +203,7 @@ static bool read_general_coefficient(struct oslo *oslo)
     return true;
 }
 
-static bool oslo_read_shift(struct oslo *oslo)
+static bool oslo_shift(struct oslo *oslo)
 {
     return sequence_read_shift(&oslo->sequence, 1, present(oslo), oslo->what);
 }
@@ -238,7 +238,7 @@ static bool read_move(struct oslo *oslo)
 enum { SOLVE_OF_CHIEF = 1, SOLVE_OF_ANGLE = 2 };
 
 /* PY, PYC: the height of a ray; PU, PUC: its angle. */
-static bool oslo_read_solve(struct oslo *oslo)
+static bool oslo_solve(struct oslo *oslo)
 {
     struct sequence_surface *surface = present(oslo);
     const bool of_angle = (oslo->what & SOLVE_OF_ANGLE) != 0;
@@ -261,20 +261,20 @@ static bool read_other_solve(struct oslo *oslo)
     return true;
 }
 
-static bool oslo_read_end(struct oslo *oslo)
+static bool oslo_end(struct oslo *oslo)
 {
     oslo->has_ended = true;
     return true;
 }
 
-static bool oslo_read_nothing(struct oslo *oslo)
+static bool oslo_nothing(struct oslo *oslo)
 {
     (void)oslo;
     return true;
 }
 
 /* A command that is lost by its group, but where its only number is 0. */
-static bool oslo_read_lose(struct oslo *oslo, const struct word_group *group)
+static bool oslo_lose(struct oslo *oslo, const struct word_group *group)
 {
     struct figure figure;
     bool checked = (group->flags & WORD_COUNTS_AT_0) == 0;
@@ -286,7 +286,7 @@ static bool oslo_read_lose(struct oslo *oslo, const struct word_group *group)
 }
 
 /* TEM in C, PRE in atmospheres. */
-static bool oslo_read_environment(struct oslo *oslo)
+static bool oslo_air(struct oslo *oslo)
 {
     return sequence_environment(&oslo->sequence, oslo->what == 'T', 1);
 }
@@ -299,56 +299,56 @@ struct oslo_keyword {
 
 static const struct oslo_keyword keywords[] = {
     {"LEN", read_len, 0},
-    {"EBR", oslo_read_aperture, APERTURE_EPD},
-    {"NAO", oslo_read_aperture, APERTURE_NA},
-    {"FNO", oslo_read_aperture, APERTURE_FNUMBER},
-    {"FNB", oslo_read_aperture, APERTURE_FNUMBER},
-    {"ANG", oslo_read_field, OSLO_ANGLE},
-    {"OBH", oslo_read_field, OSLO_OBJECT},
-    {"GIH", oslo_read_field, OSLO_IMAGE},
-    {"UNI", oslo_read_nothing, 0}, /* read before all others */
+    {"EBR", oslo_beam, APERTURE_EPD},
+    {"NAO", oslo_beam, APERTURE_NA},
+    {"FNO", oslo_beam, APERTURE_FNUMBER},
+    {"FNB", oslo_beam, APERTURE_FNUMBER},
+    {"ANG", oslo_field_edge, OSLO_ANGLE},
+    {"OBH", oslo_field_edge, OSLO_OBJECT},
+    {"GIH", oslo_field_edge, OSLO_IMAGE},
+    {"UNI", oslo_nothing, 0}, /* read before all others */
     {"NXT", next_surface, 0},
     {"SEF", next_surface, 0}, /* of old files */
-    {"AIR", oslo_read_medium, 0},
-    {"AIF", oslo_read_medium, 0},
-    {"RFL", oslo_read_medium, 1},
-    {"RFH", oslo_read_medium, 1},
+    {"AIR", oslo_medium, 0},
+    {"AIF", oslo_medium, 0},
+    {"RFL", oslo_medium, 1},
+    {"RFH", oslo_medium, 1},
     {"GLA", oslo_glass, 0},
     {"GLF", oslo_glass, 0},
-    {"RD", oslo_read_curve, 0},
-    {"RDF", oslo_read_curve, 0},
-    {"CV", oslo_read_curve, 1},
-    {"CVF", oslo_read_curve, 1},
-    {"TH", oslo_read_thickness, 0},
-    {"THF", oslo_read_thickness, 0},
-    {"AP", oslo_read_diameter, 0},
-    {"APF", oslo_read_diameter, 0},
-    {"AST", oslo_read_stop, 0},
-    {"CC", oslo_read_constant, 0},
-    {"AD", oslo_read_constant, 4},
-    {"AE", oslo_read_constant, 6},
-    {"AF", oslo_read_constant, 8},
-    {"AG", oslo_read_constant, 10},
+    {"RD", oslo_curve, 0},
+    {"RDF", oslo_curve, 0},
+    {"CV", oslo_curve, 1},
+    {"CVF", oslo_curve, 1},
+    {"TH", oslo_gap, 0},
+    {"THF", oslo_gap, 0},
+    {"AP", oslo_clear, 0},
+    {"APF", oslo_clear, 0},
+    {"AST", oslo_stop, 0},
+    {"CC", oslo_constant, 0},
+    {"AD", oslo_constant, 4},
+    {"AE", oslo_constant, 6},
+    {"AF", oslo_constant, 8},
+    {"AG", oslo_constant, 10},
     {"ASP", read_general, 0},
-    {"DCX", oslo_read_shift, 'X'},
-    {"DCY", oslo_read_shift, 'Y'},
-    {"DCZ", oslo_read_shift, 'Z'},
-    {"TLA", oslo_read_shift, 'A'},
-    {"TLB", oslo_read_shift, 'B'},
-    {"TLC", oslo_read_shift, 'C'},
+    {"DCX", oslo_shift, 'X'},
+    {"DCY", oslo_shift, 'Y'},
+    {"DCZ", oslo_shift, 'Z'},
+    {"TLA", oslo_shift, 'A'},
+    {"TLB", oslo_shift, 'B'},
+    {"TLC", oslo_shift, 'C'},
     {"DT", read_order, 0},
     {"BEN", read_move, SEQUENCE_BEND},
     {"RCO", read_move, SEQUENCE_BACK},
-    {"PY", oslo_read_solve, 0},
-    {"PYC", oslo_read_solve, SOLVE_OF_CHIEF},
-    {"PU", oslo_read_solve, SOLVE_OF_ANGLE},
-    {"PUC", oslo_read_solve, SOLVE_OF_ANGLE | SOLVE_OF_CHIEF},
+    {"PY", oslo_solve, 0},
+    {"PYC", oslo_solve, SOLVE_OF_CHIEF},
+    {"PU", oslo_solve, SOLVE_OF_ANGLE},
+    {"PUC", oslo_solve, SOLVE_OF_ANGLE | SOLVE_OF_CHIEF},
     {"PI", read_other_solve, 0},
     {"PIC", read_other_solve, 0},
     {"APA", read_other_solve, 0},
     {"EC", read_other_solve, 1},
     {"PK", oslo_pickup, 0},
-    {"APN", oslo_read_nothing, 0},
+    {"APN", oslo_nothing, 0},
     {"ATP", oslo_special_number, OSLO_TYPE},
     {"AAC", oslo_special_number, OSLO_ACTION},
     {"AGN", oslo_special_number, OSLO_GROUP},
@@ -368,10 +368,10 @@ static const struct oslo_keyword keywords[] = {
     {"APK", oslo_special_pickup, 0},
     {"WV", oslo_list, 0},
     {"WW", oslo_list, 1},
-    {"END", oslo_read_end, 0},
+    {"END", oslo_end, 0},
     {"F", oslo_point, 0},
-    {"TEM", oslo_read_environment, 'T'},
-    {"PRE", oslo_read_environment, 'P'},
+    {"TEM", oslo_air, 'T'},
+    {"PRE", oslo_air, 'P'},
     {"TELE", oslo_telecentric, 0},
     {"AMO", oslo_mode, 0},
 };
@@ -379,8 +379,8 @@ static const struct oslo_keyword keywords[] = {
 /* Those with a number behind them: WV2, SNO1. */
 static const struct oslo_keyword numbered[] = {{"WV", oslo_entry, 0},
                                                {"WW", oslo_entry, 1},
-                                               {"AS", read_general_coefficient, 0},
-                                               {"SNO", oslo_read_note, 0}};
+                                               {"AS", oslo_general_term, 0},
+                                               {"SNO", oslo_note, 0}};
 
 static const struct oslo_keyword *keyword_of(const struct command_word *word)
 {
@@ -410,7 +410,7 @@ static bool run_keyword(struct oslo *oslo)
     }
     const struct word_group *group = word_group_of(oslo_words, NULL, word->text);
     return group == NULL ? commands_lose(&oslo->commands, LOSS_OF_RAYS, NULL, "an unknown command")
-                         : group->fate == WORD_HARMLESS || oslo_read_lose(oslo, group);
+                         : group->fate == WORD_HARMLESS || oslo_lose(oslo, group);
 }
 
 /* Behind END stand blocks and single commands. */
@@ -437,7 +437,7 @@ static bool run_behind(struct oslo *oslo)
 }
 
 /* END, or that of a block, is the last command; before it the image has no glass. */
-static bool oslo_read_check_end(struct oslo *oslo)
+static bool oslo_check_end(struct oslo *oslo)
 {
     const size_t image = oslo->sequence.count - 1;
     const struct sequence_surface *last = &oslo->sequence.surfaces[image];
@@ -488,7 +488,7 @@ static bool oslo_read_position(void *state, size_t position, struct text content
             return false;
         }
     }
-    if (error->code != ERROR_NONE || !oslo_read_check_end(oslo)) {
+    if (error->code != ERROR_NONE || !oslo_check_end(oslo)) {
         return false;
     }
     if (!oslo->has_stop && oslo->sequence.count > 2) { /* OSLO's stop, where none is named */

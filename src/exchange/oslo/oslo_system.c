@@ -97,7 +97,7 @@ bool oslo_entry(struct oslo *oslo)
 }
 
 /* May it be the name of a glass before its indices, rather than a number gone wrong? */
-static bool oslo_system_is_name(const struct command_word *word)
+static bool names_glass(const struct command_word *word)
 {
     const struct text text = word->text;
     return word->is_quoted ||
@@ -114,7 +114,7 @@ static bool is_abbe(struct text text)
 }
 
 /* The indices at the wavelengths in force; a number before them is the glass's name. */
-static bool oslo_system_read_indices(struct oslo *oslo, size_t first, bool is_model)
+static bool oslo_indices(struct oslo *oslo, size_t first, bool is_model)
 {
     struct commands *commands = &oslo->commands;
     size_t waves = oslo->wave_count > 0 ? oslo->wave_count : 3;
@@ -178,8 +178,8 @@ static bool is_kept(const struct oslo *oslo, struct text word, struct foreign_na
  * A glass by name; those of Ohara and Hoya have a letter in front, those of Schott have none. False
  * with ERROR_NONE where there is none.
  */
-static bool oslo_system_catalog_glass(struct oslo *oslo, const struct command_word *word,
-                                      struct medium *medium)
+static bool oslo_named_glass(struct oslo *oslo, const struct command_word *word,
+                             struct medium *medium)
 {
     struct error *error = oslo->commands.error;
     static const struct {
@@ -213,13 +213,13 @@ static bool oslo_system_catalog_glass(struct oslo *oslo, const struct command_wo
     return false;
 }
 
-static bool oslo_system_find_glass(struct oslo *oslo, const struct command_word *word)
+static bool oslo_find_glass(struct oslo *oslo, const struct command_word *word)
 {
     struct error *error = oslo->commands.error;
     const struct file_words place = commands_place(&oslo->commands, word);
     struct medium *medium = &oslo->sequence.surfaces[oslo->surface].medium;
     error->code = ERROR_NONE;
-    if (oslo_system_catalog_glass(oslo, word, medium)) {
+    if (oslo_named_glass(oslo, word, medium)) {
         return true;
     }
     return error->code == ERROR_NONE &&
@@ -262,7 +262,7 @@ static bool compare_named(struct oslo *oslo, const struct command_word *word)
         own.rounding = fmax(own.rounding, own_glass_rounding(&index));
     }
     error->code = ERROR_NONE;
-    if (oslo_system_catalog_glass(oslo, word, &found)) {
+    if (oslo_named_glass(oslo, word, &found)) {
         own_glass_compare(&own, &found, &oslo->sequence.surfaces[oslo->surface].medium);
         return true;
     }
@@ -283,14 +283,14 @@ bool oslo_glass(struct oslo *oslo)
     }
     const bool has_indices = first + 1 < oslo->commands.count;
     double number;
-    if (text_number(word.text, plain, &number) || (has_indices && !oslo_system_is_name(&word))) {
-        return oslo_system_read_indices(oslo, first, is_model);
+    if (text_number(word.text, plain, &number) || (has_indices && !names_glass(&word))) {
+        return oslo_indices(oslo, first, is_model);
     }
     if (has_indices) {
-        return oslo_system_read_indices(oslo, first + 1, is_model) &&
+        return oslo_indices(oslo, first + 1, is_model) &&
                compare_named(oslo, &oslo->commands.words[first]);
     }
-    return oslo_system_find_glass(oslo, &oslo->commands.words[first]);
+    return oslo_find_glass(oslo, &oslo->commands.words[first]);
 }
 
 /* F n y x z yr xr y1 y2 x1 x2 weight: fractions of the field, and limits of the pupil. */
@@ -355,8 +355,8 @@ bool oslo_fields(struct oslo *oslo, struct text line)
 }
 
 /* A fraction of the largest field; of an angle that of its tangent. */
-static struct figure oslo_system_part_of(const struct oslo *oslo, enum field_kind kind,
-                                         const struct figure *edge, double fraction)
+static struct figure part_of_field(const struct oslo *oslo, enum field_kind kind,
+                                   const struct figure *edge, double fraction)
 {
     struct arena *arena = oslo->job->arena;
     if (fraction == 0) {
@@ -376,14 +376,14 @@ static struct figure oslo_system_part_of(const struct oslo *oslo, enum field_kin
 }
 
 /* The points of the field; without any its axis and its edge. */
-static void oslo_system_put_fields(struct oslo *oslo, enum field_kind kind, struct figure edge)
+static void oslo_put_fields(struct oslo *oslo, enum field_kind kind, struct figure edge)
 {
     oslo->build.lens->field_kind = kind;
     for (size_t i = 0; i < oslo->point_count; i++) {
         const struct oslo_point *point = &oslo->points[i];
         struct lens_field *field = lens_build_field(&oslo->build);
         for (int axis = 0; axis < 2; axis++) {
-            field->at[axis] = oslo_system_part_of(oslo, kind, &edge, point->at[axis].value.hi);
+            field->at[axis] = part_of_field(oslo, kind, &edge, point->at[axis].value.hi);
         }
         if (point->weight.value.hi != 1) {
             field->weight = point->weight.value.hi;
@@ -414,16 +414,16 @@ void oslo_finish_system(struct oslo *oslo)
     /* An object's height at infinity is an angle: tan w = -height/distance. */
     struct figure edge = oslo->field;
     if (oslo->field_is == OSLO_IMAGE) {
-        oslo_system_put_fields(oslo, FIELD_IMAGE, edge);
+        oslo_put_fields(oslo, FIELD_IMAGE, edge);
     } else if (oslo->field_is == OSLO_OBJECT && !is_infinite) {
-        oslo_system_put_fields(oslo, FIELD_HEIGHT, edge);
+        oslo_put_fields(oslo, FIELD_HEIGHT, edge);
     } else if (oslo->field_is != OSLO_NO_FIELD) {
         if (oslo->field_is == OSLO_OBJECT) {
             double far = oslo->sequence.surfaces[0].thickness.value.hi;
             edge = figure_of(atan(-edge.value.hi / far) / RADIANS_PER_DEGREE, oslo->job->arena);
         }
         edge.value = pair_multiply(edge.value, pair_of(RADIANS_PER_DEGREE));
-        oslo_system_put_fields(oslo, FIELD_ANGLE, edge);
+        oslo_put_fields(oslo, FIELD_ANGLE, edge);
     }
     if (!is_infinite && (is_beam || lens->aperture_kind == APERTURE_FNUMBER)) {
         oslo->near_aperture = is_beam ? PUPIL_BEAM_RADIUS : PUPIL_WORKING_FNUMBER;

@@ -26,7 +26,7 @@ static void oslo_put_text(struct lens_writer *writing, const char *name, const c
     }
 }
 
-static void oslo_put_system_aperture(struct lens_writer *writing)
+static void oslo_put_stop_down(struct lens_writer *writing)
 {
     const struct lens *lens = writing->lens;
     const enum aperture_kind kind = lens->aperture_kind;
@@ -212,7 +212,7 @@ static void oslo_put_medium(struct oslo_output *output, const struct medium *med
 
 /* -------- surfaces -------- */
 
-static void oslo_put_coefficients(struct lens_writer *writing, const struct surface *surface)
+static void oslo_put_terms(struct lens_writer *writing, const struct surface *surface)
 {
     static const char *const words[] = {NULL, "AD", "AE", "AF", "AG"};
     bool odd = surface_odd(surface) != 0, general = (surface->coefficients & ~0x1eu) != 0;
@@ -230,8 +230,7 @@ static void oslo_put_coefficients(struct lens_writer *writing, const struct surf
     }
 }
 
-static void oslo_put_displacement(struct lens_writer *writing, const struct displacement *all,
-                                  bool back)
+static void oslo_put_turns(struct lens_writer *writing, const struct displacement *all, bool back)
 {
     writing_put(writing, "DT 1\nDCX %s\nDCY %s\nTLA %s\nTLB %s\nTLC %s\n%s",
                 writing_length(writing, &all->decenter[0], 1),
@@ -323,7 +322,7 @@ static void oslo_put_surface(struct oslo_output *output, size_t index)
     }
     if (is_moved_twice) { /* the coordinate break needs a plane of its own */
         oslo_put_medium(output, before);
-        oslo_put_displacement(writing, surface->coordinate_break, false);
+        oslo_put_turns(writing, surface->coordinate_break, false);
         oslo_put_next(output);
     }
     if (surface_reflects(surface)) {
@@ -339,7 +338,7 @@ static void oslo_put_surface(struct oslo_output *output, size_t index)
     if (surface->conic.typed.start != NULL || surface->conic.value.hi != 0) {
         writing_put(writing, "CC %s\n", writing_length(writing, &surface->conic, 0));
     }
-    oslo_put_coefficients(writing, surface);
+    oslo_put_terms(writing, surface);
     if (!surface_is_round(surface)) {
         foreign_lose(writing->job, LOSS_OF_RAYS, "written as curved in both sections",
                      "a cylinder");
@@ -354,7 +353,7 @@ static void oslo_put_surface(struct oslo_output *output, size_t index)
     growing_string(&writing->text, surface->is_stop ? "AST\n" : "");
     oslo_write_apertures(writing, surface);
     if (moved != NULL) {
-        oslo_put_displacement(writing, moved, surface->decentre != NULL);
+        oslo_put_turns(writing, moved, surface->decentre != NULL);
     }
     if (surface->vary_count > 0) {
         foreign_lose(writing->job, LOSS_OF_NOTHING, "left out", "marks for the designer (R~, t~)");
@@ -382,7 +381,7 @@ bool oslo_write(struct foreign_job *job, const struct lens *lens, struct text *t
     keep_notes_write(&writing->text, lens, writing->scale, OSLO_KEEP_NOTE, "\n");
     oslo_put_text(writing, "LEN NEW", lens->title != NULL ? lens->title : "");
     writing_put(writing, " 100 %zu\n", lens->surface_count + 1);
-    oslo_put_system_aperture(writing);
+    oslo_put_stop_down(writing);
     oslo_put_field(writing);
     growing_string(&writing->text, lens->is_telecentric ? "TELE ON\n" : "");
     growing_string(&writing->text, lens->focus == FOCUS_AFOCAL ? "AMO AFO\n" : "");

@@ -51,7 +51,7 @@ static bool set_sizes(struct zemax_file *file, const struct zemax_line *line,
     return true;
 }
 
-static size_t zemax_aperture_word_of(struct text keyword)
+static size_t zmx_aperture_word(struct text keyword)
 {
     size_t i = 0;
     while (i < WORDS && !text_same(keyword, words[i].word)) {
@@ -61,8 +61,7 @@ static size_t zemax_aperture_word_of(struct text keyword)
 }
 
 /* Where a diameter stands beside apertures that pass, it is one about all of them. */
-static void zemax_aperture_put_apertures(struct surface *to, const struct aperture *apertures,
-                                         size_t count)
+static void give_apertures(struct surface *to, const struct aperture *apertures, size_t count)
 {
     const struct surface alone = {.apertures = apertures, .aperture_count = count};
     to->apertures = apertures;
@@ -99,7 +98,7 @@ static bool set_user_apertures(struct zemax_file *file, const struct zemax_surfa
     for (size_t i = 0; i < count; i++) {
         shift_aperture(file, from->aperture_shift, &apertures[i]);
     }
-    zemax_aperture_put_apertures(to, apertures, count);
+    give_apertures(to, apertures, count);
     return true;
 }
 
@@ -107,7 +106,7 @@ bool zemax_set_aperture(struct zemax_file *file, const struct zemax_surface *fro
                         struct surface *to)
 {
     const struct zemax_line *line = from->aperture, *shift = from->aperture_shift;
-    size_t word = line != NULL ? zemax_aperture_word_of(line->keyword) : WORDS;
+    size_t word = line != NULL ? zmx_aperture_word(line->keyword) : WORDS;
     struct error wrong;
     if (from->user_aperture != NULL) {
         return set_user_apertures(file, from, to);
@@ -132,14 +131,14 @@ bool zemax_set_aperture(struct zemax_file *file, const struct zemax_surface *fro
     if (!aperture->blocks && aperture->shape == SHAPE_CIRCLE && aperture_is_round(aperture)) {
         return true;
     }
-    zemax_aperture_put_apertures(to, aperture, 1);
+    give_apertures(to, aperture, 1);
     return true;
 }
 
 /* -------- writing -------- */
 
 /* Why the format cannot have it; null: it can. */
-static const char *zemax_aperture_refusal_of(const struct aperture *aperture)
+static const char *zmx_refusal(const struct aperture *aperture)
 {
     bool quarter = aperture->shape == SHAPE_CIRCLE || aperture->shape == SHAPE_RING;
     if (aperture->shape == SHAPE_POLYGON) {
@@ -161,7 +160,7 @@ const char *zemax_half(const struct lens_writer *writing, const struct figure *f
     return writing_length(writing, &half, 1);
 }
 
-static void zemax_aperture_put_one(struct lens_writer *writing, const struct aperture *aperture)
+static void put_zmx_aperture(struct lens_writer *writing, const struct aperture *aperture)
 {
     bool circle = aperture->shape == SHAPE_CIRCLE;
     size_t i = 0;
@@ -189,9 +188,9 @@ void zemax_put_aperture(struct lens_writer *writing, const struct surface *surfa
     for (size_t i = 0; i < surface->aperture_count; i++) {
         const struct aperture *aperture = &surface->apertures[i];
         const char *refusal =
-            kept != NULL ? "a surface has one aperture there" : zemax_aperture_refusal_of(aperture);
+            kept != NULL ? "a surface has one aperture there" : zmx_refusal(aperture);
         if (refusal == NULL) {
-            zemax_aperture_put_one(writing, aperture);
+            put_zmx_aperture(writing, aperture);
             kept = aperture;
         } else {
             writing_lose_aperture(writing, surface, aperture, refusal);

@@ -39,7 +39,7 @@ static bool solved_value(const struct solved_number *number, const struct lens *
 }
 
 /* |da| over the step, of a number that has just been changed. */
-static double solve_doubt_slope_of(const struct varied_lens *varied)
+static double slope_now(const struct varied_lens *varied)
 {
     double value;
     return solved_value(varied->number, &varied->lens, varied->arena, &value)
@@ -55,7 +55,7 @@ static double slope_of_figure(const struct varied_lens *varied, struct figure *f
         return 0;
     }
     figure->value = pair_multiply(was, pair_of(1 + step));
-    const double slope = solve_doubt_slope_of(varied);
+    const double slope = slope_now(varied);
     figure->value = was;
     return slope;
 }
@@ -87,7 +87,7 @@ static double doubt_of_index(const struct varied_lens *varied, struct surface *s
     }
     surface->medium = (struct medium){
         .kind = MEDIUM_CONSTANT, .written = was.written, .index = pair_add(index, pair_of(step))};
-    const double slope = solve_doubt_slope_of(varied);
+    const double slope = slope_now(varied);
     surface->medium = was;
     return slope * index_doubt(&was, index);
 }
@@ -128,7 +128,7 @@ static double solve_doubt(const struct solved_number *number, size_t surface, do
 }
 
 /* How far the two may be apart: of a pick-up or a sum by the digits of what it follows. */
-static double zemax_check_solves_doubt_of(const struct solved_number *number)
+static double solved_doubt(const struct solved_number *number)
 {
     const double digits = 10, coarsest = 5e-4; /* of less than three digits none is rounded */
     struct solver_state *solving = number->solving;
@@ -166,7 +166,7 @@ static void keep_number(const struct solved_number *number)
                number->was.typed.start);
 }
 
-static void zemax_check_solves_check_number(const struct solved_number *number)
+static void check_solved(const struct solved_number *number)
 {
     /* doubles lose digits on the way to a solve */
     const double relative = 1e-9, least = number->is_curvature ? 1e-15 : 1e-12;
@@ -179,7 +179,7 @@ static void zemax_check_solves_check_number(const struct solved_number *number)
     if (apart <= alike || (number->is_focus && file->has_other_distance)) {
         return;
     }
-    if (is_stored && !(apart <= alike + zemax_check_solves_doubt_of(number))) {
+    if (is_stored && !(apart <= alike + solved_doubt(number))) {
         keep_number(number);
         return;
     }
@@ -204,7 +204,7 @@ static void check_solve(struct solver_state *solving, size_t at, bool is_curvatu
             return;
         }
         number.was = figure_per_length(from->curvature->numbers[0], file->build.lens->unit, -1);
-        zemax_check_solves_check_number(&number);
+        check_solved(&number);
         return;
     }
     if (from->solve == NULL || from->thickness == NULL || from->thickness->count == 0) {
@@ -221,7 +221,7 @@ static void check_solve(struct solver_state *solving, size_t at, bool is_curvatu
         }
         number.is = figure_rounded(value, solving->unit, arena);
     }
-    zemax_check_solves_check_number(&number);
+    check_solved(&number);
 }
 
 /*
@@ -256,7 +256,7 @@ static bool read_thicknesses(struct zemax_file *file, struct figure *thickness)
     return true;
 }
 
-static bool zemax_gaps_is_same(const struct figure *a, const struct figure *b)
+static bool is_same_gap(const struct figure *a, const struct figure *b)
 {
     return fabs(pair_subtract(a->value, b->value).hi) <= 4e-16 * (fabs(a->value.hi) + 1e-9);
 }
@@ -275,8 +275,8 @@ static bool solve_all(struct solver_state *solving)
         }
         settled = true;
         for (size_t i = 0; i < count; i++) {
-            settled = settled && zemax_gaps_is_same(&before[i], &solving->thickness[i]) &&
-                      zemax_gaps_is_same(&before[count + i], &solving->curvature[i]);
+            settled = settled && is_same_gap(&before[i], &solving->thickness[i]) &&
+                      is_same_gap(&before[count + i], &solving->curvature[i]);
         }
     }
     if (!settled) {
@@ -303,7 +303,7 @@ static bool check_work(struct zemax_file *file)
 }
 
 /* Gaps and curvatures, solved, go to the surfaces of the lens. */
-static void zemax_gaps_put_numbers(struct solver_state *solving)
+static void put_solved(struct solver_state *solving)
 {
     struct zemax_file *file = solving->file;
     struct lens *lens = file->build.lens;
@@ -348,7 +348,7 @@ bool zemax_thicknesses(struct zemax_file *file, const size_t *places)
         return false;
     }
     zemax_check_solves(&solving);
-    zemax_gaps_put_numbers(&solving);
+    put_solved(&solving);
     zemax_keep_pickups(&solving);
     return true;
 }

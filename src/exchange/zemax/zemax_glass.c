@@ -152,8 +152,7 @@ static const char *converter_of(const struct zemax_file *file)
 }
 
 /* What counts where the name of a glass and the numbers beside it differ. */
-static enum glass_numbers zemax_glass_numbers_of(const struct zemax_file *file,
-                                                 const struct zemax_line *line)
+static enum glass_numbers which_counts(const struct zemax_file *file, const struct zemax_line *line)
 {
     if (file->job->glass_numbers != GLASS_NUMBERS_OF_FILE) {
         return file->job->glass_numbers;
@@ -168,7 +167,7 @@ static void settle_glass(struct zemax_file *file, const struct zemax_line *line,
                          const struct foreign_name *named, struct medium *medium)
 {
     const bool model = zemax_number(line, 0) == GLASS_MODEL;
-    const bool of_line = zemax_glass_numbers_of(file, line) == GLASS_NUMBERS_LINE;
+    const bool of_line = which_counts(file, line) == GLASS_NUMBERS_LINE;
     char *what = foreign_difference(file->job, named, medium);
     file->doubts->disputed += !model && zemax_number(line, 0) != GLASS_OFFSET;
     if (file->takes_numbers) {
@@ -189,8 +188,8 @@ static void settle_glass(struct zemax_file *file, const struct zemax_line *line,
 }
 
 /* The name of a line, and what it says of the glass. */
-static struct foreign_name zemax_glass_name_of(const struct zemax_file *file,
-                                               const struct zemax_line *line)
+static struct foreign_name zmx_glass_name(const struct zemax_file *file,
+                                          const struct zemax_line *line)
 {
     /* as patents print them at the least; fewer digits are numbers whose last ones are 0 */
     const double coarsest_nd = 5e-5, coarsest_Vd = 0.05;
@@ -214,7 +213,7 @@ static bool named_glass(struct zemax_file *file, const struct zemax_line *line,
                         struct medium *medium)
 {
     struct error *error = file->error;
-    const struct foreign_name named = zemax_glass_name_of(file, line);
+    const struct foreign_name named = zmx_glass_name(file, line);
     if (!foreign_glass(file->job, &line->words, &named, medium, error)) {
         if (error->code == ERROR_NONE) {
             unknown_glass(file, line, medium);
@@ -231,7 +230,7 @@ static bool named_glass(struct zemax_file *file, const struct zemax_line *line,
 static bool named_model(struct zemax_file *file, const struct zemax_line *line,
                         struct medium *medium)
 {
-    const struct foreign_name named = zemax_glass_name_of(file, line);
+    const struct foreign_name named = zmx_glass_name(file, line);
     struct medium found;
     struct error ignored;
     if (!model_medium(file, line, medium)) {
@@ -241,7 +240,7 @@ static bool named_model(struct zemax_file *file, const struct zemax_line *line,
         !foreign_glass(file->job, &line->words, &named, &found, &ignored)) {
         return true;
     }
-    if (zemax_glass_numbers_of(file, line) == GLASS_NUMBERS_CATALOG) {
+    if (which_counts(file, line) == GLASS_NUMBERS_CATALOG) {
         *medium = found;
         if (!foreign_is_rounded(medium, &named)) {
             settle_glass(file, line, &named, medium);
@@ -268,8 +267,8 @@ static bool named_model(struct zemax_file *file, const struct zemax_line *line,
  * Source    [OpticStudio25], temperature and pressure
  * Errors    ERROR_DATA: a glass without the data for it, unless lossy
  */
-static bool zemax_to_environment(struct zemax_file *file, const struct zemax_line *line,
-                                 struct medium *medium)
+static bool zmx_glass_there(struct zemax_file *file, const struct zemax_line *line,
+                            struct medium *medium)
 {
     /* ENVD temperature pressure adjust */
     const struct zemax_line *stated = file->environment;
@@ -311,5 +310,5 @@ bool zemax_glass(struct zemax_file *file, const struct zemax_line *line, struct 
         *medium = code_medium(file, line->keyword);
         return true;
     }
-    return named_glass(file, line, medium) && zemax_to_environment(file, line, medium);
+    return named_glass(file, line, medium) && zmx_glass_there(file, line, medium);
 }

@@ -5,14 +5,14 @@
 #include <math.h>
 #include <string.h>
 
-static struct zemax_surface *parse_surface_of(struct zemax_file *file)
+static struct zemax_surface *last_zmx_surface(struct zemax_file *file)
 {
     return &file->surfaces[file->surface_count - 1];
 }
 
 static bool read_surf(struct zemax_file *file, const struct zemax_line *line)
 {
-    size_t expected = file->surface_count > 0 ? parse_surface_of(file)->number + 1 : 0;
+    size_t expected = file->surface_count > 0 ? last_zmx_surface(file)->number + 1 : 0;
     double number = zemax_number(line, 0);
     bool is_next = number == (double)expected;
     bool is_later =
@@ -46,23 +46,23 @@ static bool read_type(struct zemax_file *file, const struct zemax_line *line)
                       "does not hold");
 }
 
-static bool parse_read_thickness(struct zemax_file *file, const struct zemax_line *line)
+static bool zmx_thickness(struct zemax_file *file, const struct zemax_line *line)
 {
     (void)file;
     return line->infinite || zemax_has_number(file, line);
 }
 
 /* CLAP, SQAP ..: two numbers, of which zemax_aperture.c knows the meaning. */
-static bool parse_read_aperture(struct zemax_file *file, const struct zemax_line *line)
+static bool zmx_aperture(struct zemax_file *file, const struct zemax_line *line)
 {
     if (line->count < 2) {
         return zemax_loss(file, line, LOSS_OF_VIGNETTING, "left out", "%.4s with one number",
                           line->keyword.start);
     }
     if (text_same(line->keyword, "CLAP")) {
-        parse_surface_of(file)->clear = line;
+        last_zmx_surface(file)->clear = line;
     }
-    parse_surface_of(file)->aperture = line;
+    last_zmx_surface(file)->aperture = line;
     return true;
 }
 
@@ -77,7 +77,7 @@ static bool read_floating(struct zemax_file *file, const struct zemax_line *line
 static bool read_aperture_shift(struct zemax_file *file, const struct zemax_line *line)
 {
     if (zemax_number(line, 0) != 0 || zemax_number(line, 1) != 0) {
-        parse_surface_of(file)->aperture_shift = line;
+        last_zmx_surface(file)->aperture_shift = line;
     }
     return true;
 }
@@ -85,7 +85,7 @@ static bool read_aperture_shift(struct zemax_file *file, const struct zemax_line
 /* UDAD 1 x y 0: the file that UDAD 0 names, row by row, as it was when the lens was saved. */
 static void add_user_row(struct zemax_file *file, const struct zemax_line *line)
 {
-    struct zemax_surface *surface = parse_surface_of(file);
+    struct zemax_surface *surface = last_zmx_surface(file);
     if (surface->has_lost_aperture) {
         return; /* its numbers would be scaled */
     }
@@ -103,7 +103,7 @@ static void add_user_row(struct zemax_file *file, const struct zemax_line *line)
  */
 static bool read_user_aperture(struct zemax_file *file, const struct zemax_line *line)
 {
-    struct zemax_surface *surface = parse_surface_of(file);
+    struct zemax_surface *surface = last_zmx_surface(file);
     if (text_same(line->keyword, "UDAD") && zemax_number(line, 0) != 0) {
         add_user_row(file, line);
         return true;
@@ -132,7 +132,7 @@ static bool read_user_aperture(struct zemax_file *file, const struct zemax_line 
                       line->keyword.start);
 }
 
-static bool parse_read_glass(struct zemax_file *file, const struct zemax_line *whole)
+static bool zmx_glass(struct zemax_file *file, const struct zemax_line *whole)
 {
     struct file_words words = file->words;
     struct text name = file_words_next(&file->words);
@@ -142,21 +142,21 @@ static bool parse_read_glass(struct zemax_file *file, const struct zemax_line *w
     struct zemax_line *line = zemax_line_of(file, name, NUMBER_UNSCALED);
     line->words = words;
     line->begin = whole->keyword;
-    parse_surface_of(file)->glass = line;
+    last_zmx_surface(file)->glass = line;
     return zemax_all_numbers(file, line);
 }
 
-static bool parse_read_stop(struct zemax_file *file, const struct zemax_line *line)
+static bool zmx_stop(struct zemax_file *file, const struct zemax_line *line)
 {
     (void)line;
-    parse_surface_of(file)->is_stop = true;
+    last_zmx_surface(file)->is_stop = true;
     return true;
 }
 
 static bool read_comment(struct zemax_file *file, const struct zemax_line *line)
 {
     (void)line;
-    parse_surface_of(file)->comment = file_words_rest(&file->words);
+    last_zmx_surface(file)->comment = file_words_rest(&file->words);
     return true;
 }
 
@@ -175,7 +175,7 @@ static bool read_coating(struct zemax_file *file, const struct zemax_line *line)
 /* PARM 1 .., XDAT 1 .., PPAR 1 ..: those beyond the last matter only where they are not 0. */
 static bool read_numbered(struct zemax_file *file, const struct zemax_line *line)
 {
-    struct zemax_surface *surface = parse_surface_of(file);
+    struct zemax_surface *surface = last_zmx_surface(file);
     const struct zemax_line **places = surface->parameters;
     double number = zemax_number(line, 0), most = ZEMAX_PARAMETERS;
     if (text_same(line->keyword, "XDAT")) {
@@ -197,9 +197,9 @@ static bool read_numbered(struct zemax_file *file, const struct zemax_line *line
 }
 
 /* SCBD which .. : what is shifted and turned before the surface (1) or behind it (2). */
-static bool parse_read_shift(struct zemax_file *file, const struct zemax_line *line)
+static bool zmx_shift(struct zemax_file *file, const struct zemax_line *line)
 {
-    struct zemax_surface *surface = parse_surface_of(file);
+    struct zemax_surface *surface = last_zmx_surface(file);
     const double which = zemax_number(line, 0);
     if (which == 1) {
         surface->shift_before = line;
@@ -216,20 +216,20 @@ static bool parse_read_shift(struct zemax_file *file, const struct zemax_line *l
 static const struct zemax_keyword surface_keywords[] = {
     {"TYPE", ZEMAX_ANY_WORDS, false, KEPT(type), read_type},
     {"CURV", ZEMAX_A_NUMBER, false, KEPT(curvature), NULL},
-    {"DISZ", ZEMAX_ANY_WORDS, true, KEPT(thickness), parse_read_thickness},
+    {"DISZ", ZEMAX_ANY_WORDS, true, KEPT(thickness), zmx_thickness},
     {"CONI", ZEMAX_A_NUMBER, false, KEPT(conic), NULL},
     {"DIAM", ZEMAX_A_NUMBER, true, KEPT(diameter), NULL},
-    {"GLAS", ZEMAX_ANY_WORDS, false, 0, parse_read_glass},
-    {"STOP", ZEMAX_ANY_WORDS, false, 0, parse_read_stop},
+    {"GLAS", ZEMAX_ANY_WORDS, false, 0, zmx_glass},
+    {"STOP", ZEMAX_ANY_WORDS, false, 0, zmx_stop},
     {"COMM", ZEMAX_ANY_WORDS, false, 0, read_comment},
     {"COAT", ZEMAX_ANY_WORDS, false, 0, read_coating},
     {"PARM XDAT PPAR", ZEMAX_ALL_NUMBERS, false, 0, read_numbered},
     {"MAZH CHZH PZUP TCOM TOLE EDGE", ZEMAX_ALL_NUMBERS, false, KEPT(solve), NULL},
-    {"CLAP SQAP ELAP OBSC SQOB ELOB SPID", ZEMAX_A_NUMBER, true, 0, parse_read_aperture},
+    {"CLAP SQAP ELAP OBSC SQOB ELOB SPID", ZEMAX_A_NUMBER, true, 0, zmx_aperture},
     {"FLAP", ZEMAX_A_NUMBER, true, 0, read_floating},
     {"USAP USOB UDAD", ZEMAX_ANY_WORDS, true, 0, read_user_aperture},
     {"OBDC", ZEMAX_ALL_NUMBERS, true, 0, read_aperture_shift},
-    {"SCBD", ZEMAX_ALL_NUMBERS, false, 0, parse_read_shift},
+    {"SCBD", ZEMAX_ALL_NUMBERS, false, 0, zmx_shift},
     {NULL, ZEMAX_ANY_WORDS, false, 0, NULL},
 };
 
@@ -263,8 +263,8 @@ static const struct zemax_keyword *find_keyword(const struct zemax_file *file, s
 }
 
 /* Read the present line; `owner`, the file or a surface, keeps it where the keyword says. */
-static bool parse_read_known(struct zemax_file *file, const struct zemax_keyword *keyword,
-                             struct text word, void *owner)
+static bool zmx_known(struct zemax_file *file, const struct zemax_keyword *keyword,
+                      struct text word, void *owner)
 {
     const struct zemax_line *line =
         zemax_line_of(file, word, keyword->is_length ? file->words.scale : NUMBER_UNSCALED);
@@ -280,7 +280,7 @@ static bool parse_read_known(struct zemax_file *file, const struct zemax_keyword
 }
 
 /* Are there numbers on the line, and all of them 0? `first` receives the first that is not. */
-static bool parse_is_zero(const struct zemax_line *line, struct text *first)
+static bool is_zero_line(const struct zemax_line *line, struct text *first)
 {
     *first = line->stray.start != NULL ? line->stray : line->keyword;
     for (size_t i = 0; i < line->count; i++) {
@@ -293,12 +293,12 @@ static bool parse_is_zero(const struct zemax_line *line, struct text *first)
 }
 
 /* A word of the table that has no reader. */
-static void parse_pass_over(struct zemax_file *file, const struct word_group *group,
-                            struct text word)
+static void pass_over_word(struct zemax_file *file, const struct word_group *group,
+                           struct text word)
 {
     const struct zemax_line *line = zemax_line_of(file, word, NUMBER_UNSCALED);
     struct text at;
-    bool is_off = parse_is_zero(line, &at) && (group->flags & WORD_COUNTS_AT_0) == 0;
+    bool is_off = is_zero_line(line, &at) && (group->flags & WORD_COUNTS_AT_0) == 0;
     if (group->fate != WORD_HARMLESS && !is_off) {
         foreign_loss(file->job, &line->words, at, word_group_effect(group), NULL, "%.4s: %s",
                      word.start, group->what);
@@ -332,7 +332,7 @@ static bool read_unknown(struct zemax_file *file, struct text word, bool behind)
         file->in_tail = true;
         return true;
     }
-    if (!behind && parse_is_zero(line, &at)) {
+    if (!behind && is_zero_line(line, &at)) {
         file->zeros = arena_grow(file->job->arena, file->zeros, file->zero_count, &file->zero_room,
                                  sizeof file->zeros[0]);
         file->zeros[file->zero_count++] = line;
@@ -367,7 +367,7 @@ static const struct word_group *group_behind(struct text word)
     return group != NULL ? group : word_group_of(zemax_words, ZEMAX_IN_TAIL, word);
 }
 
-static bool parse_read_line(struct zemax_file *file)
+static bool zmx_line(struct zemax_file *file)
 {
     struct text word = file_words_next(&file->words);
     bool indented = word.start > file->words.line.start, in_surface = file->surface_count > 0;
@@ -386,8 +386,8 @@ static bool parse_read_line(struct zemax_file *file)
     file->has_tail =
         file->has_tail || (behind && word_group_of(zemax_words, ZEMAX_IN_SURFACE, word) == NULL);
     if (keyword != NULL) {
-        void *owner = is_of_surface ? (void *)parse_surface_of(file) : (void *)file;
-        return parse_read_known(file, keyword, word, owner);
+        void *owner = is_of_surface ? (void *)last_zmx_surface(file) : (void *)file;
+        return zmx_known(file, keyword, word, owner);
     }
     if (group != NULL) {
         file->in_tail = true;
@@ -395,7 +395,7 @@ static bool parse_read_line(struct zemax_file *file)
     }
     group = word_group_of(zemax_words, NULL, word);
     if (group != NULL) {
-        parse_pass_over(file, group, word);
+        pass_over_word(file, group, word);
         return true;
     }
     return read_unknown(file, word, behind);
@@ -431,7 +431,7 @@ static void lose_references(struct zemax_file *file, struct zemax_surface *surfa
 }
 
 /* Numbers of surfaces where some are left out: the places of the surfaces, or a loss. */
-static void parse_close_gaps(struct zemax_file *file)
+static void close_number_gaps(struct zemax_file *file)
 {
     for (size_t i = 0; i < file->surface_count; i++) {
         lose_references(file, &file->surfaces[i]);
@@ -474,9 +474,9 @@ static void pick_up_glasses(struct zemax_file *file)
  * A file of the program goes on behind its surfaces, and behind several configurations too. One
  * that does not may be whole: then its last surface, the image, has no glass.
  */
-static bool parse_check_end(struct zemax_file *file)
+static bool check_zmx_end(struct zemax_file *file)
 {
-    const struct zemax_surface *image = parse_surface_of(file);
+    const struct zemax_surface *image = last_zmx_surface(file);
     const bool has_last = text_same(file->last_word, "CSUM") || text_same(file->last_word, "MOFF");
     if (!file->has_tail && image->glass != NULL) {
         return zemax_fail(file, image->surf, image->surf->keyword,
@@ -502,19 +502,19 @@ bool zemax_parse(struct zemax_file *file, struct text content)
     file->configurations = 1;
     while (file_words_line(&file->words)) {
         struct file_words start = file->words;
-        if (file_words_next(&start).length > 0 && !parse_read_line(file)) {
+        if (file_words_next(&start).length > 0 && !zmx_line(file)) {
             return false;
         }
     }
     if (file->surface_count < 3) {
         return foreign_fail(file->job, error, "the file has no surface between object and image");
     }
-    if (!parse_check_end(file)) {
+    if (!check_zmx_end(file)) {
         return false;
     }
     pass_zeros(file);
     if (file->has_gaps) {
-        parse_close_gaps(file);
+        close_number_gaps(file);
     }
     pick_up_glasses(file);
     return true;

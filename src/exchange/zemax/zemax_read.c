@@ -13,14 +13,14 @@
 #include <string.h>
 
 /* A figure of a line again, in another unit. */
-static struct figure zemax_read_in_unit(struct figure figure, struct number_scale scale)
+static struct figure again_in_unit(struct figure figure, struct number_scale scale)
 {
     text_pair(figure.typed, scale, &figure.value);
     return figure;
 }
 
 /* OBNA degrees 1: the marginal ray's angle at the object, n sin u. */
-static bool zemax_read_set_cone(struct zemax_file *file, const struct zemax_line *line)
+static bool set_zmx_cone(struct zemax_file *file, const struct zemax_line *line)
 {
     struct lens *lens = file->build.lens;
     struct pair index = {1, 0};
@@ -41,7 +41,7 @@ static bool zemax_read_set_cone(struct zemax_file *file, const struct zemax_line
     return true;
 }
 
-static bool zemax_read_set_aperture(struct zemax_file *file)
+static bool set_zmx_aperture(struct zemax_file *file)
 {
     const struct zemax_line *line = file->aperture;
     struct lens *lens = file->build.lens;
@@ -66,7 +66,7 @@ static bool zemax_read_set_aperture(struct zemax_file *file)
     }
     bool special = zemax_number(line, 1) != 0;
     if (lens->aperture_kind == APERTURE_NA && special) {
-        return zemax_read_set_cone(file, line);
+        return set_zmx_cone(file, line);
     }
     if (lens->aperture_kind == APERTURE_FNUMBER && special && !lens->object_is_infinite) {
         lens->aperture_kind = APERTURE_NONE; /* until its surfaces are known */
@@ -75,14 +75,14 @@ static bool zemax_read_set_aperture(struct zemax_file *file)
 }
 
 /* Field number `at`, from 0: its place in XFLN and YFLN, its weight in FWGN. */
-static bool zemax_read_add_field(struct zemax_file *file, size_t at, bool angle)
+static bool add_zmx_field(struct zemax_file *file, size_t at, bool angle)
 {
     struct number_scale scale = angle ? NUMBER_UNSCALED : lens_unit_scale(file->build.lens->unit);
     const struct zemax_line *lines[2] = {file->x, file->y}, *weights = file->field_weights;
     struct lens_field *field = lens_build_field(&file->build);
     for (int i = 0; i < 2; i++) {
         bool has = lines[i] != NULL && at < lines[i]->count;
-        field->at[i] = has ? zemax_read_in_unit(lines[i]->numbers[at], scale) : field->at[i];
+        field->at[i] = has ? again_in_unit(lines[i]->numbers[at], scale) : field->at[i];
         field->at[i].typed = has ? field->at[i].typed : text_of("0");
     }
     if (angle) {
@@ -116,7 +116,7 @@ static bool set_fields(struct zemax_file *file)
     }
     file->build.lens->field_kind = kinds[(int)type];
     for (size_t i = 0; i < count; i++) {
-        if (!zemax_read_add_field(file, i, type == 0)) {
+        if (!add_zmx_field(file, i, type == 0)) {
             return false;
         }
     }
@@ -207,8 +207,8 @@ static bool is_shaped(const struct zemax_surface *surface)
 }
 
 /* Object and image are planes across the axis; what the file says of them beyond that is lost. */
-static void zemax_read_check_flat(struct zemax_file *file, const struct zemax_surface *surface,
-                                  const char *curved, const char *tilted)
+static void check_flat_end(struct zemax_file *file, const struct zemax_surface *surface,
+                           const char *curved, const char *tilted)
 {
     if (zemax_number(surface->curvature, 0) != 0) {
         zemax_loss(file, surface->curvature, LOSS_OF_RAYS, "taken for a plane", "%s", curved);
@@ -259,7 +259,7 @@ static bool set_object(struct zemax_file *file)
     struct zemax_surface *object = &file->surfaces[0];
     const struct zemax_line *line = object->thickness;
     bool finite = line != NULL && !line->infinite && fabs(line->numbers[0].value.hi) < far;
-    zemax_read_check_flat(file, object, "a curved object", "a tilted object");
+    check_flat_end(file, object, "a curved object", "a tilted object");
     bool shifts = zemax_is_tilted(file, 0) || zemax_number(object->shift_behind, 2) != 0;
     for (size_t i = 3; i < 8; i++) {
         shifts = shifts || zemax_number(object->shift_behind, i) != 0;
@@ -283,7 +283,7 @@ static bool set_object(struct zemax_file *file)
 }
 
 /* A word of a .lens file that is no word of another meaning. */
-static bool zemax_read_is_position_name(struct text name)
+static bool is_zmx_position(struct text name)
 {
     for (size_t i = 0; i < name.length; i++) {
         char c = name.start[i], lower = (char)(c | 32);
@@ -309,7 +309,7 @@ static void name_positions(struct zemax_file *file)
     }
     for (size_t i = 0; i < count; i++) {
         struct text name = text_cut(&rest, ' ');
-        if (!zemax_read_is_position_name(name) || lens_position_find(lens, name) != LENS_NONE) {
+        if (!is_zmx_position(name) || lens_position_find(lens, name) != LENS_NONE) {
             return;
         }
         lens->positions[i] = arena_string(file->job->arena, name.start, name.length);
@@ -340,7 +340,7 @@ static bool check_image(struct zemax_file *file)
     bool turns = image->type != NULL && text_same(image->type->first, "TILTSURF") &&
                  zemax_is_tilted(file, file->surface_count - 1);
     if (!turns) {
-        zemax_read_check_flat(file, image, "a curved image", "");
+        check_flat_end(file, image, "a curved image", "");
     }
     if (image->is_stop) {
         return zemax_fail(file, image->surf, image->surf->keyword, "the image is the stop");
@@ -388,7 +388,7 @@ static void check_floating(struct zemax_file *file)
 }
 
 /* FNUM N 1 of a near object. */
-static void set_working_aperture(struct zemax_file *file)
+static void set_working_fnumber(struct zemax_file *file)
 {
     const struct zemax_line *line = file->aperture;
     struct lens *lens = file->build.lens;
@@ -404,7 +404,7 @@ static void set_working_aperture(struct zemax_file *file)
  * Vignetting factors narrow the beams of the fields as the rims of the surfaces do. Here the clear
  * diameters do it, if all surfaces that bend light have one; else the factors are lost.
  */
-static void zemax_read_check_vignetting(struct zemax_file *file)
+static void settle_vignetting(struct zemax_file *file)
 {
     bool all = true;
     if (file->vignetting == NULL) {
@@ -435,11 +435,11 @@ static bool build_lens(struct zemax_file *file)
         return false;
     }
     set_telecentric(file);
-    if (!check_image(file) || !zemax_read_set_aperture(file) || !set_fields(file) ||
-        !set_waves(file) || !zemax_surfaces(file)) {
+    if (!check_image(file) || !set_zmx_aperture(file) || !set_fields(file) || !set_waves(file) ||
+        !zemax_surfaces(file)) {
         return false;
     }
-    set_working_aperture(file);
+    set_working_fnumber(file);
     check_floating(file);
     set_focus(file);
     return true;
@@ -481,7 +481,7 @@ static bool read_as(struct foreign_job *job, struct text content, bool takes_num
     if (!zemax_parse(&file, content)) {
         return false;
     }
-    zemax_read_check_vignetting(&file);
+    settle_vignetting(&file);
     if (!file.has_gaps && !zemax_check_circles(&file)) {
         return false;
     }

@@ -37,8 +37,8 @@ enum {
 };
 
 /* A number that was read without a unit, as a length. */
-static struct pair zemax_solve_length_of(const struct solver_state *solving,
-                                         const struct zemax_line *line, size_t at)
+static struct pair length_at(const struct solver_state *solving, const struct zemax_line *line,
+                             size_t at)
 {
     struct pair value = {0, 0};
     if (at < line->count) {
@@ -48,7 +48,7 @@ static struct pair zemax_solve_length_of(const struct solver_state *solving,
     return value;
 }
 
-static struct figure zemax_solve_rounded(const struct solver_state *solving, struct pair value)
+static struct figure rounded_length(const struct solver_state *solving, struct pair value)
 {
     return figure_rounded(value, solving->unit, solving->file->job->arena);
 }
@@ -57,8 +57,8 @@ static const char through_loss[] = "follows rays through what is lost";
 static const char open_aperture[] = "follows a ray whose height follows from the lens";
 
 /* The number that stands in the file is kept, which is said once. */
-static void zemax_solve_keep(struct solver_state *solving, size_t at, const struct zemax_line *line,
-                             const char *why)
+static void keep_unsolved(struct solver_state *solving, size_t at, const struct zemax_line *line,
+                          const char *why)
 {
     struct zemax_surface *surface = &solving->file->surfaces[at];
     const struct zemax_line *number = line;
@@ -77,21 +77,20 @@ static void zemax_solve_keep(struct solver_state *solving, size_t at, const stru
 }
 
 /* The ray at a surface; false where there is none, and the file's number is kept. */
-static bool zemax_solve_follow(struct solver_state *solving, size_t at,
-                               const struct zemax_line *line, enum solve_ray ray,
-                               struct solve_state *state)
+static bool follow_to(struct solver_state *solving, size_t at, const struct zemax_line *line,
+                      enum solve_ray ray, struct solve_state *state)
 {
     struct arena *arena = solving->file->job->arena;
     struct error why;
     if (!solve_follow(&solving->lens, solving->places[at], ray, arena, state, &why)) {
-        zemax_solve_keep(solving, at, line, arena_printf(arena, "has no answer (%s)", why.message));
+        keep_unsolved(solving, at, line, arena_printf(arena, "has no answer (%s)", why.message));
         return false;
     }
     return true;
 }
 
 /* Is the size of the marginal ray one that only the whole lens gives? */
-static bool zemax_solve_is_open(const struct solver_state *solving)
+static bool has_open_beam(const struct solver_state *solving)
 {
     const struct zemax_line *line = solving->file->aperture;
     return line != NULL && text_same(line->keyword, "FNUM") && zemax_number(line, 1) != 0 &&
@@ -109,21 +108,21 @@ static void ray_height(struct solver_state *solving, size_t at, const struct zem
         why = "follows a real ray";
     } else if (solving->file->job->lost_power != NULL) {
         why = through_loss;
-    } else if (!chief && zemax_number(line, 0) != 0 && zemax_solve_is_open(solving)) {
+    } else if (!chief && zemax_number(line, 0) != 0 && has_open_beam(solving)) {
         why = open_aperture;
     }
     if (why != NULL) {
-        zemax_solve_keep(solving, at, line, why);
+        keep_unsolved(solving, at, line, why);
         return;
     }
-    if (!zemax_solve_follow(solving, at, line, chief ? SOLVE_CHIEF : SOLVE_MARGINAL, &state)) {
+    if (!follow_to(solving, at, line, chief ? SOLVE_CHIEF : SOLVE_MARGINAL, &state)) {
         return;
     }
-    struct pair value = solve_thickness(&state, zemax_solve_length_of(solving, line, 0));
+    struct pair value = solve_thickness(&state, length_at(solving, line, 0));
     if (fabs(value.hi) < 1e12) {
-        *figure = zemax_solve_rounded(solving, value);
+        *figure = rounded_length(solving, value);
     } else {
-        zemax_solve_keep(solving, at, line, "has its answer at infinity");
+        keep_unsolved(solving, at, line, "has its answer at infinity");
     }
 }
 
@@ -133,17 +132,17 @@ static void pick_up(struct solver_state *solving, size_t at, const struct zemax_
 {
     double from = zemax_number(line, 0);
     if (line->count < 2 || !(from >= 0 && from < (double)at)) {
-        zemax_solve_keep(solving, at, line, "follows no earlier surface");
+        keep_unsolved(solving, at, line, "follows no earlier surface");
         return;
     }
     if (zemax_number(line, 3) != 0) {
-        zemax_solve_keep(solving, at, line, "follows another column");
+        keep_unsolved(solving, at, line, "follows another column");
         return;
     }
     struct pair value =
         pair_multiply(solving->thickness[(size_t)from].value, line->numbers[1].value);
-    *figure = figure_computed(pair_add(value, zemax_solve_length_of(solving, line, 2)),
-                              solving->unit, solving->file->job->arena);
+    *figure = figure_computed(pair_add(value, length_at(solving, line, 2)), solving->unit,
+                              solving->file->job->arena);
 }
 
 /* TCOM i sum: t_i and this one; TOLE i sum: all from t_i to this one. */
@@ -153,10 +152,10 @@ static void compensate(struct solver_state *solving, size_t at, const struct zem
     double from = zemax_number(line, 0);
     bool all = text_same(line->keyword, "TOLE");
     if (line->count < 2 || !(from >= 1 && from < (double)at)) {
-        zemax_solve_keep(solving, at, line, "follows no earlier surface");
+        keep_unsolved(solving, at, line, "follows no earlier surface");
         return;
     }
-    struct pair value = zemax_solve_length_of(solving, line, 1);
+    struct pair value = length_at(solving, line, 1);
     for (size_t i = (size_t)from; i < (all ? at : (size_t)from + 1); i++) {
         value = pair_subtract(value, solving->thickness[i].value);
     }
@@ -164,12 +163,12 @@ static void compensate(struct solver_state *solving, size_t at, const struct zem
 }
 
 /* EDGE thickness height: 0 is the height of the surface's own clear aperture */
-static void zemax_solve_edge(struct solver_state *solving, size_t at, const struct zemax_line *line,
-                             struct figure *figure)
+static void edge_thickness(struct solver_state *solving, size_t at, const struct zemax_line *line,
+                           struct figure *figure)
 {
     size_t place = solving->places[at];
     const struct surface *surface = &solving->lens.surfaces[place];
-    double height = zemax_solve_length_of(solving, line, 1).hi;
+    double height = length_at(solving, line, 1).hi;
     if (height == 0 && surface->has_diameter) {
         height = surface->diameter.value.hi / 2;
     }
@@ -178,10 +177,10 @@ static void zemax_solve_edge(struct solver_state *solving, size_t at, const stru
     double sags = surface_sag(surface, height) -
                   (last ? 0 : surface_sag(&solving->lens.surfaces[next], height));
     if (height > 0 && isfinite(sags)) {
-        const struct pair edge = zemax_solve_length_of(solving, line, 0);
-        *figure = zemax_solve_rounded(solving, pair_add(edge, pair_of(sags)));
+        const struct pair edge = length_at(solving, line, 0);
+        *figure = rounded_length(solving, pair_add(edge, pair_of(sags)));
     } else {
-        zemax_solve_keep(solving, at, line, "has no clear aperture");
+        keep_unsolved(solving, at, line, "has no clear aperture");
     }
 }
 
@@ -190,7 +189,7 @@ static const struct {
     void (*solve)(struct solver_state *solving, size_t at, const struct zemax_line *line,
                   struct figure *figure);
 } solves[] = {{"MAZH", ray_height}, {"CHZH", ray_height}, {"PZUP", pick_up},
-              {"TCOM", compensate}, {"TOLE", compensate}, {"EDGE", zemax_solve_edge}};
+              {"TCOM", compensate}, {"TOLE", compensate}, {"EDGE", edge_thickness}};
 
 bool zemax_focuses(const struct zemax_file *file)
 {
@@ -301,7 +300,7 @@ static struct figure curvature_figure(const struct solver_state *solving, struct
     return figure_per_length(figure, unit, -1);
 }
 
-static bool zemax_solve_is_near(struct pair value, struct pair other, double relative, double more)
+static bool is_near_pair(struct pair value, struct pair other, double relative, double more)
 {
     return fabs(pair_subtract(value, other).hi) <= relative * fabs(value.hi) + more;
 }
@@ -322,10 +321,10 @@ static bool solved_curvature(struct solver_state *solving, size_t at, int code, 
     const char *why = NULL;
     if (is_of_ray(code) && solving->file->job->lost_power != NULL) {
         why = through_loss;
-    } else if (is_sized && zemax_solve_is_open(solving)) {
+    } else if (is_sized && has_open_beam(solving)) {
         why = open_aperture;
     } else if (is_of_ray(code)) {
-        if (!zemax_solve_follow(solving, at, line, chief ? SOLVE_CHIEF : SOLVE_MARGINAL, &state)) {
+        if (!follow_to(solving, at, line, chief ? SOLVE_CHIEF : SOLVE_MARGINAL, &state)) {
             return false;
         }
         *value = curvature_of_ray(solving, at, code, &state);
@@ -338,13 +337,13 @@ static bool solved_curvature(struct solver_state *solving, size_t at, int code, 
         why = "has no answer";
     }
     if (why != NULL) {
-        zemax_solve_keep(solving, at, line, why);
+        keep_unsolved(solving, at, line, why);
     }
     return why == NULL;
 }
 
 /* Which solve a curvature has; those beyond the last are all unknown. */
-static int zemax_solve_code_of(const struct zemax_line *line)
+static int curve_code(const struct zemax_line *line)
 {
     return (int)fmax(0, fmin(zemax_number(line, 1), F_NUMBER + 1));
 }
@@ -354,7 +353,7 @@ static void solve_curve(struct solver_state *solving, size_t at)
 {
     struct zemax_surface *from = &solving->file->surfaces[at];
     const struct zemax_line *line = from->curvature;
-    int code = line != NULL && !from->has_free_curvature ? zemax_solve_code_of(line) : 0;
+    int code = line != NULL && !from->has_free_curvature ? curve_code(line) : 0;
     struct pair value = {0, 0};
     if (code < MARGINAL_ANGLE || solving->places[at] == LENS_NONE ||
         !surface_has(&solving->lens.surfaces[solving->places[at]], SURFACE_HAS_CURVE) ||
@@ -362,7 +361,7 @@ static void solve_curve(struct solver_state *solving, size_t at)
         return;
     }
     struct figure figure = figure_per_length(line->numbers[0], solving->file->build.lens->unit, -1);
-    if (!zemax_solve_is_near(value, figure.value, 4e-15, 0)) {
+    if (!is_near_pair(value, figure.value, 4e-15, 0)) {
         figure = curvature_figure(solving, value, is_of_ray(code));
     }
     solving->curvature[at] = figure;
@@ -379,7 +378,7 @@ bool zemax_solve_in(const struct solver_state *solving, size_t at, bool is_curva
                     const struct lens *lens, struct arena *arena, struct pair *value)
 {
     const struct zemax_surface *from = &solving->file->surfaces[at];
-    const int code = is_curvature ? zemax_solve_code_of(from->curvature) : 0;
+    const int code = is_curvature ? curve_code(from->curvature) : 0;
     bool chief = is_curvature ? code == CHIEF_ANGLE || code == CHIEF_NORMAL
                               : text_same(from->solve->keyword, "CHZH");
     bool of_ray = is_curvature ? is_of_ray(code) : chief || text_same(from->solve->keyword, "MAZH");
@@ -392,7 +391,7 @@ bool zemax_solve_in(const struct solver_state *solving, size_t at, bool is_curva
         return false;
     }
     *value = is_curvature ? curvature_of_ray(solving, at, code, &state)
-                          : solve_thickness(&state, zemax_solve_length_of(solving, from->solve, 0));
+                          : solve_thickness(&state, length_at(solving, from->solve, 0));
     return isfinite(value->hi);
 }
 
@@ -424,7 +423,7 @@ static void keep_gap(const struct solver_state *solving, size_t at)
         size_t source = zemax_gap_place(file, places, (size_t)from);
         keep_pickup(file->build.lens, (struct parameter){what, PARAMETER_THICKNESS, 0},
                     (struct parameter){source, PARAMETER_THICKNESS, 0}, line->numbers[1].value,
-                    zemax_solve_length_of(solving, line, 2), file->job->arena);
+                    length_at(solving, line, 2), file->job->arena);
     }
 }
 

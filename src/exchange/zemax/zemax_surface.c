@@ -38,7 +38,7 @@ bool zemax_medium(struct zemax_file *file, const struct zemax_surface *surface,
 }
 
 /* A figure in the file's unit to a power, from one that was read without a unit. */
-static struct figure zemax_surface_in_unit(struct zemax_file *file, struct figure figure, int power)
+static struct figure zmx_in_unit(struct zemax_file *file, struct figure figure, int power)
 {
     return figure_per_length(figure, file->build.lens->unit, power);
 }
@@ -48,7 +48,7 @@ static void set_coefficient(struct zemax_file *file, struct surface *to, int ord
 {
     if (figure.value.hi != 0) {
         int i = surface_term(order);
-        to->coefficient[i] = zemax_surface_in_unit(file, figure, 1 - order);
+        to->coefficient[i] = zmx_in_unit(file, figure, 1 - order);
         to->coefficients |= 1u << i;
     }
 }
@@ -86,7 +86,7 @@ static void read_extended(struct zemax_file *file, size_t at, int step, struct s
 }
 
 /* The tangents of a plane z = x tan a + y tan b as turns about its vertex. */
-static const struct displacement *zemax_surface_tilt_of(struct zemax_file *file, size_t at)
+static const struct displacement *slopes_as_tilt(struct zemax_file *file, size_t at)
 {
     struct displacement *decentre = ARENA_NEW(file->job->arena, struct displacement);
     double a = zemax_parameter(file, at, 1).value.hi, b = zemax_parameter(file, at, 2).value.hi;
@@ -117,7 +117,7 @@ static void set_toroidal(struct zemax_file *file, size_t at, struct surface *to)
     if (radius.value.hi != 0 && !both) {
         to->curved = CURVED_X;
         to->is_plane = false;
-        to->radius = zemax_surface_in_unit(file, radius, 1);
+        to->radius = zmx_in_unit(file, radius, 1);
     }
 }
 
@@ -131,7 +131,7 @@ static void set_toroidal(struct zemax_file *file, size_t at, struct surface *to)
 static bool set_paraxial(struct zemax_file *file, size_t at, struct surface *to)
 {
     const struct zemax_surface *from = &file->surfaces[at];
-    const struct figure focal = zemax_surface_in_unit(file, zemax_parameter(file, at, 1), 1);
+    const struct figure focal = zmx_in_unit(file, zemax_parameter(file, at, 1), 1);
     const struct zemax_line *given = from->parameters[1];
     const struct zemax_line *place = given != NULL ? given : from->type;
     if (from->glass != NULL && text_same(from->glass->keyword, "MIRROR")) {
@@ -217,7 +217,7 @@ static bool set_type(struct zemax_file *file, size_t at, struct surface *to)
         return true;
     }
     if (is_type(from, "TILTSURF")) {
-        to->decentre = zemax_surface_tilt_of(file, at);
+        to->decentre = slopes_as_tilt(file, at);
         return true;
     }
     if (is_type(from, "TOROIDAL")) {
@@ -268,7 +268,7 @@ static bool is_parameter_astray(const struct zemax_line *line, size_t at)
  * The numbers of other pick-ups stand as the program stored them; where that is not what the
  * pick-up gives, it is said. CONI has no place for a scale.
  */
-static void zemax_surface_check_pickups(struct zemax_file *file, size_t at)
+static void check_astray(struct zemax_file *file, size_t at)
 {
     const struct zemax_surface *from = &file->surfaces[at];
     if (is_diameter_astray(file, at)) {
@@ -289,7 +289,7 @@ static void zemax_surface_check_pickups(struct zemax_file *file, size_t at)
  * none. Of an aperture that is lost only an automatic semi-diameter stands: it surrounds the beam,
  * and clips nothing that the aperture lets through.
  */
-static const struct figure *zemax_surface_radius_of(const struct zemax_surface *from)
+static const struct figure *clear_radius_of(const struct zemax_surface *from)
 {
     const struct figure *half = from->diameter != NULL ? &from->diameter->numbers[0] : NULL;
     if (from->has_lost_aperture) {
@@ -303,7 +303,7 @@ static const struct figure *zemax_surface_radius_of(const struct zemax_surface *
 static void set_diameter(struct zemax_file *file, const struct zemax_surface *from,
                          struct surface *to)
 {
-    const struct figure *radius = zemax_surface_radius_of(from);
+    const struct figure *radius = clear_radius_of(from);
     if (radius != NULL && radius->value.hi > 0) {
         struct pair twice = {2 * radius->value.hi, 2 * radius->value.lo};
         to->diameter =
@@ -325,7 +325,7 @@ static void set_comment(struct zemax_file *file, const struct zemax_surface *fro
     }
 }
 
-static bool zemax_surface_add_surface(struct zemax_file *file, size_t at)
+static bool add_zmx_surface(struct zemax_file *file, size_t at)
 {
     const struct zemax_surface *from = &file->surfaces[at];
     const struct medium before = zemax_medium_before(file->build.lens);
@@ -336,7 +336,7 @@ static bool zemax_surface_add_surface(struct zemax_file *file, size_t at)
         return false;
     }
     if (zemax_number(from->curvature, 0) != 0) {
-        zemax_set_curvature(file, zemax_surface_in_unit(file, from->curvature->numbers[0], -1), to);
+        zemax_set_curvature(file, zmx_in_unit(file, from->curvature->numbers[0], -1), to);
     }
     if (is_mirror(from)) {
         to->kind = SURFACE_REFLECT;
@@ -367,7 +367,7 @@ static bool add_next(struct zemax_file *file, size_t at, size_t *place)
         }
         zemax_add_plane(file);
         set_comment(file, surface, &lens->surfaces[lens->surface_count - 1]);
-    } else if (!zemax_surface_add_surface(file, at)) {
+    } else if (!add_zmx_surface(file, at)) {
         return false;
     }
     *place = lens->surface_count - 1;
@@ -382,7 +382,7 @@ static bool add_next(struct zemax_file *file, size_t at, size_t *place)
 }
 
 /* A plane that turns the axis at the image. */
-static void zemax_surface_add_image(struct zemax_file *file)
+static void add_image_plane(struct zemax_file *file)
 {
     const size_t at = file->surface_count - 1;
     if (!zemax_is_tilted(file, at)) {
@@ -390,7 +390,7 @@ static void zemax_surface_add_image(struct zemax_file *file)
     }
     zemax_add_shift(file, at, false);
     if (is_type(&file->surfaces[at], "TILTSURF")) {
-        zemax_hold_break(file, zemax_surface_tilt_of(file, at));
+        zemax_hold_break(file, slopes_as_tilt(file, at));
     }
     zemax_add_plane(file);
 }
@@ -401,7 +401,7 @@ bool zemax_surfaces(struct zemax_file *file)
     places[0] = places[file->surface_count - 1] = LENS_NONE;
     for (size_t i = 1; i + 1 < file->surface_count; i++) {
         places[i] = LENS_NONE;
-        zemax_surface_check_pickups(file, i);
+        check_astray(file, i);
         if (i > file->passed && !add_next(file, i, &places[i])) {
             return false;
         }
@@ -409,7 +409,7 @@ bool zemax_surfaces(struct zemax_file *file)
     if (!zemax_thicknesses(file, places)) {
         return false;
     }
-    zemax_surface_add_image(file);
+    add_image_plane(file);
     return true;
 }
 

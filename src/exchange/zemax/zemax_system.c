@@ -11,7 +11,7 @@ const struct foreign_unit zemax_units[] = {
     {"MM", "mm"}, {"CM", "cm"}, {"IN", "in"}, {"METER", "m"}, {"M", "m"}, {NULL, NULL},
 };
 
-static bool zemax_system_read_unit(struct zemax_file *file, const struct zemax_line *line)
+static bool zmx_unit(struct zemax_file *file, const struct zemax_line *line)
 {
     struct text word = file_words_next(&file->words);
     const char *unit = foreign_unit_named(zemax_units, word);
@@ -35,7 +35,7 @@ static bool read_mode(struct zemax_file *file, const struct zemax_line *line)
                            "each other");
 }
 
-static bool zemax_system_read_name(struct zemax_file *file, const struct zemax_line *line)
+static bool zmx_name(struct zemax_file *file, const struct zemax_line *line)
 {
     struct text rest = file_words_rest(&file->words);
     (void)line;
@@ -46,7 +46,7 @@ static bool zemax_system_read_name(struct zemax_file *file, const struct zemax_l
 }
 
 /* NOTE 0 has the text; other numbers are breaks of its lines. */
-static bool zemax_system_read_note(struct zemax_file *file, const struct zemax_line *line)
+static bool zmx_note(struct zemax_file *file, const struct zemax_line *line)
 {
     struct text number = file_words_next(&file->words), rest = file_words_rest(&file->words);
     struct text note = text_behind(rest, ZEMAX_KEEP_NOTE),
@@ -72,7 +72,7 @@ static bool read_version(struct zemax_file *file, const struct zemax_line *line)
     return true;
 }
 
-static bool zemax_system_read_catalogs(struct zemax_file *file, const struct zemax_line *line)
+static bool zmx_catalogs(struct zemax_file *file, const struct zemax_line *line)
 {
     (void)line;
     for (struct text word = file_words_next(&file->words);
@@ -92,7 +92,7 @@ static bool zemax_check_wave(struct zemax_file *file, const struct zemax_line *l
 }
 
 /* WAVM number wavelength weight */
-static bool zemax_system_read_wave(struct zemax_file *file, const struct zemax_line *line)
+static bool zmx_wave(struct zemax_file *file, const struct zemax_line *line)
 {
     double number = zemax_number(line, 0);
     if (!(number >= 1 && number < ZEMAX_WAVES) || line->count < 2) {
@@ -117,7 +117,7 @@ static bool zemax_check_wave_count(struct zemax_file *file, const struct zemax_l
 }
 
 /* WAVL and WAVN have all wavelengths in a row. */
-static bool zemax_system_read_waves(struct zemax_file *file, const struct zemax_line *line)
+static bool zmx_waves(struct zemax_file *file, const struct zemax_line *line)
 {
     if (!zemax_check_wave_count(file, line)) {
         return false;
@@ -136,7 +136,7 @@ static bool zemax_system_read_waves(struct zemax_file *file, const struct zemax_
 }
 
 /* WWGT and WWGN have their weights. */
-static bool zemax_system_read_weights(struct zemax_file *file, const struct zemax_line *line)
+static bool zmx_weights(struct zemax_file *file, const struct zemax_line *line)
 {
     if (!zemax_check_wave_count(file, line)) {
         return false;
@@ -157,7 +157,7 @@ static bool read_primary(struct zemax_file *file, const struct zemax_line *line)
 }
 
 /* VDYN 0 0.1 0.2: how the pupil of each field is shifted, scaled and turned. */
-static bool zemax_system_read_vignetting(struct zemax_file *file, const struct zemax_line *line)
+static bool zmx_vignetting(struct zemax_file *file, const struct zemax_line *line)
 {
     for (size_t i = 0; i < line->count && file->vignetting == NULL; i++) {
         file->vignetting = line->numbers[i].value.hi != 0 ? line : NULL;
@@ -180,7 +180,7 @@ static bool read_apodisation(struct zemax_file *file, const struct zemax_line *l
 }
 
 /* ENVD temperature pressure adjust */
-static bool zemax_system_read_environment(struct zemax_file *file, const struct zemax_line *line)
+static bool zmx_environment(struct zemax_file *file, const struct zemax_line *line)
 {
     (void)file;
     return zemax_number(line, 2) == 0 ||
@@ -193,25 +193,25 @@ static bool zemax_system_read_environment(struct zemax_file *file, const struct 
 #define KEPT(member) ZEMAX_KEPT(zemax_file, member)
 const struct zemax_keyword zemax_system_keywords[] = {
     {"MODE", ZEMAX_ANY_WORDS, false, 0, read_mode},
-    {"UNIT", ZEMAX_ANY_WORDS, false, 0, zemax_system_read_unit},
-    {"NAME", ZEMAX_ANY_WORDS, false, 0, zemax_system_read_name},
-    {"NOTE", ZEMAX_ANY_WORDS, false, 0, zemax_system_read_note},
-    {"GCAT", ZEMAX_ANY_WORDS, false, 0, zemax_system_read_catalogs},
+    {"UNIT", ZEMAX_ANY_WORDS, false, 0, zmx_unit},
+    {"NAME", ZEMAX_ANY_WORDS, false, 0, zmx_name},
+    {"NOTE", ZEMAX_ANY_WORDS, false, 0, zmx_note},
+    {"GCAT", ZEMAX_ANY_WORDS, false, 0, zmx_catalogs},
     {"ENPD", ZEMAX_A_NUMBER, true, KEPT(aperture), NULL},
     {"FNUM OBNA", ZEMAX_A_NUMBER, false, KEPT(aperture), NULL},
     {"FLOA", ZEMAX_ALL_NUMBERS, false, KEPT(aperture), NULL},
     {"FTYP", ZEMAX_A_NUMBER, false, KEPT(fields), NULL},
     {"XFLN XFLD", ZEMAX_ALL_NUMBERS, false, KEPT(x), NULL},
     {"YFLN YFLD", ZEMAX_ALL_NUMBERS, false, KEPT(y), NULL},
-    {"WAVM", ZEMAX_ALL_NUMBERS, false, 0, zemax_system_read_wave},
-    {"WAVL WAVN", ZEMAX_ALL_NUMBERS, false, 0, zemax_system_read_waves},
-    {"WWGT WWGN", ZEMAX_ALL_NUMBERS, false, 0, zemax_system_read_weights},
+    {"WAVM", ZEMAX_ALL_NUMBERS, false, 0, zmx_wave},
+    {"WAVL WAVN", ZEMAX_ALL_NUMBERS, false, 0, zmx_waves},
+    {"WWGT WWGN", ZEMAX_ALL_NUMBERS, false, 0, zmx_weights},
     {"PWAV", ZEMAX_ANY_WORDS, false, KEPT(primary_line), read_primary},
     {"FWGN", ZEMAX_ALL_NUMBERS, false, KEPT(field_weights), NULL},
     {"GFAC", ZEMAX_ALL_NUMBERS, false, 0, read_apodisation},
-    {"ENVD", ZEMAX_ALL_NUMBERS, false, KEPT(environment), zemax_system_read_environment},
+    {"ENVD", ZEMAX_ALL_NUMBERS, false, KEPT(environment), zmx_environment},
     {"VDXN VDYN VCXN VCYN VANN VDSX VDSY VCSX VCSY VANS ZVDX ZVDY ZVCX ZVCY ZVAN",
-     ZEMAX_ALL_NUMBERS, false, 0, zemax_system_read_vignetting},
+     ZEMAX_ALL_NUMBERS, false, 0, zmx_vignetting},
     {"VERS", ZEMAX_ANY_WORDS, false, 0, read_version},
     {NULL, ZEMAX_ANY_WORDS, false, 0, NULL},
 };
