@@ -208,9 +208,11 @@ struct zemax_keyword {
 /* Every word that is known. What is kept has a reader; what is lost may have one. */
 extern const struct word_group zemax_words[];
 
-/* Lines before the surfaces, and those behind them, which begin the line. */
+/* Lines before the surfaces, which begin the line. */
 extern const struct zemax_keyword zemax_system_keywords[];
-extern const struct zemax_keyword zemax_tail_keywords[];
+
+/* MNUM, behind the surfaces: how many configurations there are. */
+bool zemax_read_configurations(struct zemax_file *file, const struct zemax_line *line);
 
 /* A line of the multiple configurations; what the table has not is lost where it changes. */
 bool zemax_read_setting(struct zemax_file *file, struct text keyword);

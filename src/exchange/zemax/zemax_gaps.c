@@ -143,29 +143,6 @@ static double solved_doubt(const struct solved_number *number)
                : digits * rounding;
 }
 
-/* The file's number stays that of the lens. */
-static void keep_number(const struct solved_number *number)
-{
-    struct solver_state *solving = number->solving;
-    struct zemax_file *file = solving->file;
-    struct zemax_surface *from = &file->surfaces[number->at];
-    const struct zemax_line *line = number->is_curvature ? from->curvature : from->solve;
-    if (number->is_curvature) {
-        solving->curvature[number->at].typed.start = NULL;
-        from->has_free_curvature = true;
-    } else {
-        solving->thickness[number->at] = number->was;
-        from->solve = NULL;
-    }
-    file->doubts->contradicted++;
-    zemax_loss(file, line, LOSS_OF_POWER, "the file's number is kept",
-               "a solve contradicts the lens that is read: the %s of surface %zu is %.*s by "
-               "it, and %.*s in the file",
-               number->is_curvature ? "curvature" : "thickness", number->at,
-               text_shown(number->is.typed), number->is.typed.start, text_shown(number->was.typed),
-               number->was.typed.start);
-}
-
 static void check_solved(const struct solved_number *number)
 {
     /* doubles lose digits on the way to a solve */
@@ -180,7 +157,24 @@ static void check_solved(const struct solved_number *number)
         return;
     }
     if (is_stored && !(apart <= alike + solved_doubt(number))) {
-        keep_number(number);
+        /* The file's number stays that of the lens. */
+        struct solver_state *solving = number->solving;
+        struct zemax_surface *from = &file->surfaces[number->at];
+        const struct zemax_line *line = number->is_curvature ? from->curvature : from->solve;
+        if (number->is_curvature) {
+            solving->curvature[number->at].typed.start = NULL;
+            from->has_free_curvature = true;
+        } else {
+            solving->thickness[number->at] = number->was;
+            from->solve = NULL;
+        }
+        file->doubts->contradicted++;
+        zemax_loss(file, line, LOSS_OF_POWER, "the file's number is kept",
+                   "a solve contradicts the lens that is read: the %s of surface %zu is %.*s by "
+                   "it, and %.*s in the file",
+                   number->is_curvature ? "curvature" : "thickness", number->at,
+                   text_shown(number->is.typed), number->is.typed.start,
+                   text_shown(number->was.typed), number->was.typed.start);
         return;
     }
     if (!number->is_focus) {
@@ -241,21 +235,6 @@ static void zemax_check_solves(struct solver_state *solving)
 
 enum { MOST_PASSES = 20 };
 
-/* What stands in the file, before the solves. */
-static bool read_thicknesses(struct zemax_file *file, struct figure *thickness)
-{
-    for (size_t i = 0; i < file->surface_count; i++) {
-        const struct zemax_line *line = file->surfaces[i].thickness;
-        bool inside = i > 0 && i + 1 < file->surface_count;
-        if (inside && line != NULL && line->infinite && file->surfaces[i].solve == NULL) {
-            return zemax_fail(file, line, line->first, "an infinite distance behind surface %zu",
-                              i);
-        }
-        thickness[i] = line != NULL && line->count > 0 ? line->numbers[0] : figure_zero();
-    }
-    return true;
-}
-
 static bool is_same_gap(const struct figure *a, const struct figure *b)
 {
     return fabs(pair_subtract(a->value, b->value).hi) <= 4e-16 * (fabs(a->value.hi) + 1e-9);
@@ -286,9 +265,11 @@ static bool solve_all(struct solver_state *solving)
     return true;
 }
 
-/* Solves that follow a ray through many surfaces take their time. */
-static bool check_work(struct zemax_file *file)
+bool zemax_thicknesses(struct zemax_file *file, const size_t *places)
 {
+    struct arena *arena = file->job->arena;
+    struct solver_state solving = {.file = file, .places = places};
+    /* Solves that follow a ray through many surfaces take their time. */
     const double most = 1e6; /* about a second */
     double work = 0;
     for (size_t i = 0; i < file->surface_count; i++) {
@@ -299,40 +280,18 @@ static bool check_work(struct zemax_file *file)
     if (work > most) {
         return foreign_fail(file->job, file->error, "too many solves");
     }
-    return true;
-}
-
-/* Gaps and curvatures, solved, go to the surfaces of the lens. */
-static void put_solved(struct solver_state *solving)
-{
-    struct zemax_file *file = solving->file;
-    struct lens *lens = file->build.lens;
-    for (size_t i = 1; i + 1 < file->surface_count; i++) {
-        if (solving->places[i] == LENS_NONE) {
-            continue;
-        }
-        struct surface *to = &lens->surfaces[solving->places[i]];
-        lens->surfaces[zemax_gap_place(file, solving->places, i)].thickness = solving->thickness[i];
-        if (solving->curvature[i].typed.start != NULL && !file->surfaces[i].has_free_curvature) {
-            zemax_set_curvature(file, solving->curvature[i], to);
-        }
-    }
-    struct surface *last = &lens->surfaces[lens->surface_count - 1];
-    last->has_thickness = !zemax_focuses(file) || last->thickness.value.hi != 0;
-}
-
-bool zemax_thicknesses(struct zemax_file *file, const size_t *places)
-{
-    struct arena *arena = file->job->arena;
-    struct solver_state solving = {.file = file, .places = places};
-    if (!check_work(file)) {
-        return false;
-    }
     solving.thickness = ARENA_ARRAY(arena, file->surface_count, struct figure);
     solving.curvature = ARENA_ARRAY(arena, file->surface_count, struct figure);
     solving.unit = lens_unit_scale(file->build.lens->unit);
-    if (!read_thicknesses(file, solving.thickness)) {
-        return false;
+    /* What stands in the file, before the solves. */
+    for (size_t i = 0; i < file->surface_count; i++) {
+        const struct zemax_line *line = file->surfaces[i].thickness;
+        bool inside = i > 0 && i + 1 < file->surface_count;
+        if (inside && line != NULL && line->infinite && file->surfaces[i].solve == NULL) {
+            return zemax_fail(file, line, line->first, "an infinite distance behind surface %zu",
+                              i);
+        }
+        solving.thickness[i] = line != NULL && line->count > 0 ? line->numbers[0] : figure_zero();
     }
     solving.lens = *file->build.lens;
     solving.lens.surfaces = ARENA_ARRAY(arena, solving.lens.surface_count, struct surface);
@@ -348,7 +307,20 @@ bool zemax_thicknesses(struct zemax_file *file, const size_t *places)
         return false;
     }
     zemax_check_solves(&solving);
-    put_solved(&solving);
+    /* Gaps and curvatures, solved, go to the surfaces of the lens. */
+    struct lens *lens = file->build.lens;
+    for (size_t i = 1; i + 1 < file->surface_count; i++) {
+        if (solving.places[i] == LENS_NONE) {
+            continue;
+        }
+        struct surface *to = &lens->surfaces[solving.places[i]];
+        lens->surfaces[zemax_gap_place(file, solving.places, i)].thickness = solving.thickness[i];
+        if (solving.curvature[i].typed.start != NULL && !file->surfaces[i].has_free_curvature) {
+            zemax_set_curvature(file, solving.curvature[i], to);
+        }
+    }
+    struct surface *last = &lens->surfaces[lens->surface_count - 1];
+    last->has_thickness = !zemax_focuses(file) || last->thickness.value.hi != 0;
     zemax_keep_pickups(&solving);
     return true;
 }

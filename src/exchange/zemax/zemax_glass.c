@@ -20,32 +20,11 @@ static struct medium model_of(struct zemax_file *file, struct figure nd, struct 
         .abbe = Vd.value};
 }
 
-/* "517642" is nd = 1.517, Vd = 64.2. */
-static bool is_code(struct text name)
-{
-    bool digits = name.length == 6;
-    for (size_t i = 0; i < name.length; i++) {
-        digits = digits && name.start[i] >= '0' && name.start[i] <= '9';
-    }
-    return digits;
-}
-
 static struct figure figure_text(const char *typed)
 {
     struct figure figure = {.typed = text_of(typed), .variable = LENS_NONE};
     pair_read(typed, typed + strlen(typed), NUMBER_UNSCALED, &figure.value);
     return figure;
-}
-
-static struct medium code_medium(struct zemax_file *file, struct text name)
-{
-    struct arena *arena = file->job->arena;
-    struct figure nd = figure_text(arena_printf(arena, "1.%.3s", name.start));
-    struct figure Vd =
-        figure_text(arena_printf(arena, "%.2s.%.1s", name.start + 3, name.start + 5));
-    return Vd.value.hi > 0
-               ? model_of(file, nd, Vd)
-               : (struct medium){.kind = MEDIUM_CONSTANT, .written = nd.typed, .index = nd.value};
 }
 
 /* GLAS name mode pick-up nd Vd dPgF .. */
@@ -88,24 +67,20 @@ static bool has_index(const struct zemax_line *line)
     return nd > 1 && nd < 100 && Vd > 0 && !(nd == 1.5 && Vd == 40);
 }
 
-/* nd and Vd describe a glass where all of the file's light is visible. */
-static bool is_visible(const struct zemax_file *file)
-{
-    const double shortest = 0.4, longest = 0.8; /* um */
-    bool is = true;
-    const size_t count = zemax_wave_count(file);
-    for (size_t i = 0; i < count; i++) {
-        is = is && file->waves[i].value.hi >= shortest && file->waves[i].value.hi <= longest;
-    }
-    return is;
-}
-
 /* nd and Vd instead of the glass, of which `what` tells; behind visible light they are a loss. */
 static void numbers_instead(struct zemax_file *file, const struct zemax_line *line,
                             struct medium *medium, const char *what)
 {
     *medium = model_of(file, line->numbers[2], line->numbers[3]);
-    if (is_visible(file)) {
+    /* nd and Vd describe a glass where all of the file's light is visible. */
+    const double shortest = 0.4, longest = 0.8; /* um */
+    bool is_visible = true;
+    const size_t count = zemax_wave_count(file);
+    for (size_t i = 0; i < count; i++) {
+        is_visible =
+            is_visible && file->waves[i].value.hi >= shortest && file->waves[i].value.hi <= longest;
+    }
+    if (is_visible) {
         medium->warning = arena_printf(file->job->arena, "%s: nd and Vd are used instead", what);
         lens_build_note(&file->build, text_of(medium->warning));
         return;
@@ -306,8 +281,20 @@ bool zemax_glass(struct zemax_file *file, const struct zemax_line *line, struct 
     if (type == GLASS_MODEL && zemax_number(line, 2) > 0) {
         return named_model(file, line, medium);
     }
-    if (is_code(line->keyword)) {
-        *medium = code_medium(file, line->keyword);
+    /* "517642" is nd = 1.517, Vd = 64.2. */
+    bool digits = line->keyword.length == 6;
+    for (size_t i = 0; i < line->keyword.length; i++) {
+        digits = digits && line->keyword.start[i] >= '0' && line->keyword.start[i] <= '9';
+    }
+    if (digits) {
+        struct arena *arena = file->job->arena;
+        struct figure nd = figure_text(arena_printf(arena, "1.%.3s", line->keyword.start));
+        struct figure Vd = figure_text(
+            arena_printf(arena, "%.2s.%.1s", line->keyword.start + 3, line->keyword.start + 5));
+        *medium =
+            Vd.value.hi > 0
+                ? model_of(file, nd, Vd)
+                : (struct medium){.kind = MEDIUM_CONSTANT, .written = nd.typed, .index = nd.value};
         return true;
     }
     return named_glass(file, line, medium) && zmx_glass_there(file, line, medium);

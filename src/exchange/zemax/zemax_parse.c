@@ -82,21 +82,6 @@ static bool read_aperture_shift(struct zemax_file *file, const struct zemax_line
     return true;
 }
 
-/* UDAD 1 x y 0: the file that UDAD 0 names, row by row, as it was when the lens was saved. */
-static void add_user_row(struct zemax_file *file, const struct zemax_line *line)
-{
-    struct zemax_surface *surface = last_zmx_surface(file);
-    if (surface->has_lost_aperture) {
-        return; /* its numbers would be scaled */
-    }
-    surface->user_rows = arena_grow(file->job->arena, surface->user_rows, surface->user_row_count,
-                                    &surface->user_row_room, sizeof surface->user_rows[0]);
-    surface->user_rows[surface->user_row_count++] = line;
-    if (surface->user_aperture == NULL) {
-        surface->user_aperture = line;
-    }
-}
-
 /*
  * USAP passes, USOB blocks; they or UDAD have the name of the file, among numbers of which one may
  * be a scale: others than 0 and 1 are not known.
@@ -105,7 +90,16 @@ static bool read_user_aperture(struct zemax_file *file, const struct zemax_line 
 {
     struct zemax_surface *surface = last_zmx_surface(file);
     if (text_same(line->keyword, "UDAD") && zemax_number(line, 0) != 0) {
-        add_user_row(file, line);
+        /* UDAD 1 x y 0: the file that UDAD 0 names, row by row, as the lens was saved */
+        if (!surface->has_lost_aperture) {
+            surface->user_rows =
+                arena_grow(file->job->arena, surface->user_rows, surface->user_row_count,
+                           &surface->user_row_room, sizeof surface->user_rows[0]);
+            surface->user_rows[surface->user_row_count++] = line;
+            if (surface->user_aperture == NULL) {
+                surface->user_aperture = line;
+            }
+        }
         return true;
     }
     bool known = true;
@@ -245,16 +239,13 @@ static const struct zemax_keyword *parse_find(const struct zemax_keyword *table,
 
 /*
  * The reader of the present line, of one of `in_surface` where it is of a surface. Lines of the
- * system and those behind the surfaces begin the line, those of a surface do not.
+ * system begin the line, those of a surface do not.
  */
 static const struct zemax_keyword *find_keyword(const struct zemax_file *file, struct text word,
                                                 bool indented, bool *in_surface)
 {
     const struct zemax_keyword *keyword = parse_find(zemax_system_keywords, word);
     *in_surface = false;
-    if (keyword == NULL && file->surface_count > 0 && !indented) {
-        keyword = parse_find(zemax_tail_keywords, word);
-    }
     if (keyword == NULL && (!file->in_tail || indented)) {
         keyword = parse_find(surface_keywords, word);
         *in_surface = keyword != NULL;
@@ -292,43 +283,19 @@ static bool is_zero_line(const struct zemax_line *line, struct text *first)
     return line->count > 0 && line->stray.start == NULL;
 }
 
-/* A word of the table that has no reader. */
-static void pass_over_word(struct zemax_file *file, const struct word_group *group,
-                           struct text word)
-{
-    const struct zemax_line *line = zemax_line_of(file, word, NUMBER_UNSCALED);
-    struct text at;
-    bool is_off = is_zero_line(line, &at) && (group->flags & WORD_COUNTS_AT_0) == 0;
-    if (group->fate != WORD_HARMLESS && !is_off) {
-        foreign_loss(file->job, &line->words, at, word_group_effect(group), NULL, "%.4s: %s",
-                     word.start, group->what);
-    }
-}
-
-/* Every line of the merit function has the same form: a word, two integers and six numbers. */
-static bool is_like_operand(const struct zemax_line *line)
-{
-    return line->keyword.length == 4 && line->count >= 8;
-}
-
-static bool is_like_setting(const struct zemax_file *file, const struct zemax_line *line)
-{
-    double surface = zemax_number(line, 0), configuration = zemax_number(line, 1);
-    return file->has_configurations && line->count >= 2 && surface >= 0 &&
-           surface < FOREIGN_MOST_SURFACES && configuration >= 1 &&
-           configuration <= (double)file->configurations;
-}
-
 /* A word that is not in the table. Where all its numbers are 0, it says that something is off. */
 static bool read_unknown(struct zemax_file *file, struct text word, bool behind)
 {
     const struct zemax_line *line = zemax_line_of(file, word, NUMBER_UNSCALED);
     int length = text_shown_up_to(word, 40);
     struct text at;
-    if (behind && is_like_setting(file, line)) {
+    double surface = zemax_number(line, 0), configuration = zemax_number(line, 1);
+    if (behind && file->has_configurations && line->count >= 2 && surface >= 0 &&
+        surface < FOREIGN_MOST_SURFACES && configuration >= 1 &&
+        configuration <= (double)file->configurations) {
         return zemax_read_setting(file, word);
     }
-    if (behind && !file->has_configurations && is_like_operand(line)) {
+    if (behind && !file->has_configurations && line->keyword.length == 4 && line->count >= 8) {
         file->in_tail = true;
         return true;
     }
@@ -385,6 +352,9 @@ static bool zmx_line(struct zemax_file *file)
     }
     file->has_tail =
         file->has_tail || (behind && word_group_of(zemax_words, ZEMAX_IN_SURFACE, word) == NULL);
+    if (behind && text_same(word, "MNUM")) {
+        return zemax_read_configurations(file, zemax_line_of(file, word, NUMBER_UNSCALED));
+    }
     if (keyword != NULL) {
         void *owner = is_of_surface ? (void *)last_zmx_surface(file) : (void *)file;
         return zmx_known(file, keyword, word, owner);
@@ -395,7 +365,14 @@ static bool zmx_line(struct zemax_file *file)
     }
     group = word_group_of(zemax_words, NULL, word);
     if (group != NULL) {
-        pass_over_word(file, group, word);
+        /* A word of the table that has no reader. */
+        const struct zemax_line *line = zemax_line_of(file, word, NUMBER_UNSCALED);
+        struct text at;
+        bool is_off = is_zero_line(line, &at) && (group->flags & WORD_COUNTS_AT_0) == 0;
+        if (group->fate != WORD_HARMLESS && !is_off) {
+            foreign_loss(file->job, &line->words, at, word_group_effect(group), NULL, "%.4s: %s",
+                         word.start, group->what);
+        }
         return true;
     }
     return read_unknown(file, word, behind);
@@ -410,31 +387,27 @@ static void lose_reference(struct zemax_file *file, const struct zemax_line **li
                  "what follows another surface, in a file whose surface numbers have gaps");
 }
 
-/* Solves and pick-ups of a surface, in a file whose surface numbers have gaps. */
-static void lose_references(struct zemax_file *file, struct zemax_surface *surface)
-{
-    bool follows = surface->solve != NULL && !text_same(surface->solve->keyword, "MAZH") &&
-                   !text_same(surface->solve->keyword, "EDGE");
-    if (follows) {
-        lose_reference(file, &surface->solve);
-    }
-    for (size_t i = 0; i < ZEMAX_PARAMETERS; i++) {
-        if (surface->pickups[i] != NULL) {
-            lose_reference(file, &surface->pickups[i]);
-        }
-    }
-    const struct zemax_line *curvature = surface->curvature;
-    surface->has_free_curvature = zemax_number(curvature, 1) >= 2;
-    if (surface->has_free_curvature) {
-        lose_reference(file, &curvature);
-    }
-}
-
 /* Numbers of surfaces where some are left out: the places of the surfaces, or a loss. */
 static void close_number_gaps(struct zemax_file *file)
 {
     for (size_t i = 0; i < file->surface_count; i++) {
-        lose_references(file, &file->surfaces[i]);
+        /* Solves and pick-ups of a surface, in a file whose surface numbers have gaps. */
+        struct zemax_surface *surface = &file->surfaces[i];
+        bool follows = surface->solve != NULL && !text_same(surface->solve->keyword, "MAZH") &&
+                       !text_same(surface->solve->keyword, "EDGE");
+        if (follows) {
+            lose_reference(file, &surface->solve);
+        }
+        for (size_t k = 0; k < ZEMAX_PARAMETERS; k++) {
+            if (surface->pickups[k] != NULL) {
+                lose_reference(file, &surface->pickups[k]);
+            }
+        }
+        const struct zemax_line *curvature = surface->curvature;
+        surface->has_free_curvature = zemax_number(curvature, 1) >= 2;
+        if (surface->has_free_curvature) {
+            lose_reference(file, &curvature);
+        }
     }
     for (struct zemax_setting *one = file->settings; one != NULL; one = one->next) {
         size_t at = 0;

@@ -25,9 +25,9 @@ static struct zemax_line *line_with(struct zemax_file *file, const struct zemax_
     return line;
 }
 
-static bool place_thickness(struct zemax_file *file, const struct zemax_setting *setting,
-                            struct zemax_surface *surface)
+static bool place_thickness(struct zemax_file *file, const struct zemax_setting *setting)
 {
+    struct zemax_surface *surface = &file->surfaces[setting->surface];
     const double far = 1e10; /* what the program writes for infinity where it wants a number */
     struct zemax_line *line = line_with(file, setting, NULL, 0);
     line->infinite = setting->surface == 0 && fabs(line->numbers[0].value.hi) >= far;
@@ -35,23 +35,19 @@ static bool place_thickness(struct zemax_file *file, const struct zemax_setting 
     return true;
 }
 
-static bool place_curvature(struct zemax_file *file, const struct zemax_setting *setting,
-                            struct zemax_surface *surface)
+/* CRVT, CONN */
+static bool place_curve(struct zemax_file *file, const struct zemax_setting *setting)
 {
-    surface->curvature = line_with(file, setting, surface->curvature, 0);
+    struct zemax_surface *surface = &file->surfaces[setting->surface];
+    const struct zemax_line **place =
+        text_same(setting->line->keyword, "CONN") ? &surface->conic : &surface->curvature;
+    *place = line_with(file, setting, *place, 0);
     return true;
 }
 
-static bool place_conic(struct zemax_file *file, const struct zemax_setting *setting,
-                        struct zemax_surface *surface)
+static bool place_diameter(struct zemax_file *file, const struct zemax_setting *setting)
 {
-    surface->conic = line_with(file, setting, surface->conic, 0);
-    return true;
-}
-
-static bool place_diameter(struct zemax_file *file, const struct zemax_setting *setting,
-                           struct zemax_surface *surface)
-{
+    struct zemax_surface *surface = &file->surfaces[setting->surface];
     surface->diameter = line_with(file, setting, surface->diameter, 0);
     return setting->line->numbers[2].value.hi >= 0 || /* 0 is none */
            zemax_fail(file, setting->line, setting->line->numbers[2].typed,
@@ -59,9 +55,9 @@ static bool place_diameter(struct zemax_file *file, const struct zemax_setting *
 }
 
 /* CBDX .. before the surface, CADX .. behind it: a number of SCBD. */
-static bool place_shift(struct zemax_file *file, const struct zemax_setting *setting,
-                        struct zemax_surface *surface)
+static bool place_shift(struct zemax_file *file, const struct zemax_setting *setting)
 {
+    struct zemax_surface *surface = &file->surfaces[setting->surface];
     static const char *const numbers[] = {"OR", "", "DX", "DY", "TX", "TY", "TZ"};
     const struct text word = setting->line->keyword, last = {word.start + 2, 2};
     const struct zemax_line **place =
@@ -75,9 +71,9 @@ static bool place_shift(struct zemax_file *file, const struct zemax_setting *set
 }
 
 /* GLSS surface configuration NAME */
-static bool place_glass(struct zemax_file *file, const struct zemax_setting *setting,
-                        struct zemax_surface *surface)
+static bool place_glass(struct zemax_file *file, const struct zemax_setting *setting)
 {
+    struct zemax_surface *surface = &file->surfaces[setting->surface];
     const struct zemax_line *own = setting->line;
     struct file_words words = own->words;
     struct text name = {NULL, 0};
@@ -94,9 +90,9 @@ static bool place_glass(struct zemax_file *file, const struct zemax_setting *set
 }
 
 /* PAR1 .. PAR8 */
-static bool place_parameter(struct zemax_file *file, const struct zemax_setting *setting,
-                            struct zemax_surface *surface)
+static bool place_parameter(struct zemax_file *file, const struct zemax_setting *setting)
 {
+    struct zemax_surface *surface = &file->surfaces[setting->surface];
     size_t number = (size_t)(setting->line->keyword.start[3] - '0');
     surface->parameters[number] = line_with(file, setting, surface->parameters[number], 1);
     return true;
@@ -106,9 +102,9 @@ static bool place_parameter(struct zemax_file *file, const struct zemax_setting 
  * PRAM surface configuration value status NUMBER .., EDVA the same for extra data: behind the value
  * and its status the number of the parameter.
  */
-static bool place_numbered(struct zemax_file *file, const struct zemax_setting *setting,
-                           struct zemax_surface *surface)
+static bool place_numbered(struct zemax_file *file, const struct zemax_setting *setting)
 {
+    struct zemax_surface *surface = &file->surfaces[setting->surface];
     const struct zemax_line *own = setting->line;
     const bool extra = text_same(own->keyword, "EDVA");
     const double number = zemax_number(own, 4);
@@ -131,9 +127,9 @@ static bool place_numbered(struct zemax_file *file, const struct zemax_setting *
 }
 
 /* APMN, APMX: the two sizes of an aperture, APDX, APDY: its decentre; of none they say nothing. */
-static bool place_size(struct zemax_file *file, const struct zemax_setting *setting,
-                       struct zemax_surface *surface)
+static bool place_size(struct zemax_file *file, const struct zemax_setting *setting)
 {
+    struct zemax_surface *surface = &file->surfaces[setting->surface];
     const struct zemax_line *own = setting->line;
     const bool shifts = text_same(own->keyword, "APDX") || text_same(own->keyword, "APDY");
     const bool second = text_same(own->keyword, "APMX") || text_same(own->keyword, "APDY");
@@ -154,21 +150,6 @@ static bool place_size(struct zemax_file *file, const struct zemax_setting *sett
     *place = none ? NULL : line;
     return true;
 }
-
-/* Operands that belong to a surface; the others are of the system. */
-static const struct {
-    const char *words;
-    bool (*place)(struct zemax_file *file, const struct zemax_setting *setting,
-                  struct zemax_surface *surface);
-} places_of[] = {{"THIC", place_thickness},
-                 {"CRVT", place_curvature},
-                 {"CONN", place_conic},
-                 {"SDIA", place_diameter},
-                 {"APMN APMX APDX APDY", place_size},
-                 {"GLSS", place_glass},
-                 {"PRAM EDVA", place_numbered},
-                 {"PAR1 PAR2 PAR3 PAR4 PAR5 PAR6 PAR7 PAR8", place_parameter},
-                 {"CBOR CBDX CBDY CBTX CBTY CBTZ CAOR CADX CADY CATX CATY CATZ", place_shift}};
 
 /* STPS: the number of the surface that is the stop is the value. */
 static bool place_stop(struct zemax_file *file, const struct zemax_setting *setting)
@@ -271,73 +252,48 @@ static bool place_environment(struct zemax_file *file, const struct zemax_settin
                       "a temperature is above -273.15 C, a pressure 0 or more atmospheres");
 }
 
-static const struct {
+/* Operands of a surface, and those of the system. */
+static const struct setting_place {
     const char *words;
+    bool of_surface;
     bool (*place)(struct zemax_file *file, const struct zemax_setting *setting);
-} places_in_system[] = {{"STPS", place_stop},
-                        {"WAVE WLWT", place_wave},
-                        {"PRWV", place_primary},
-                        {"APER", place_aperture},
-                        {"XFIE YFIE FLWT", place_field},
-                        {"FLTP TELE AFOC", place_field_kind},
-                        {"TEMP PRES", place_environment}};
+} places[] = {{"THIC", true, place_thickness},
+              {"CRVT CONN", true, place_curve},
+              {"SDIA", true, place_diameter},
+              {"APMN APMX APDX APDY", true, place_size},
+              {"GLSS", true, place_glass},
+              {"PRAM EDVA", true, place_numbered},
+              {"PAR1 PAR2 PAR3 PAR4 PAR5 PAR6 PAR7 PAR8", true, place_parameter},
+              {"CBOR CBDX CBDY CBTX CBTY CBTZ CAOR CADX CADY CATX CATY CATZ", true, place_shift},
+              {"STPS", false, place_stop},
+              {"WAVE WLWT", false, place_wave},
+              {"PRWV", false, place_primary},
+              {"APER", false, place_aperture},
+              {"XFIE YFIE FLWT", false, place_field},
+              {"FLTP TELE AFOC", false, place_field_kind},
+              {"TEMP PRES", false, place_environment}};
 
-/* Is it one of those that may differ between the configurations? */
-static bool is_placed(struct text keyword)
+/* Null: it is none of those that may differ between the configurations. */
+static const struct setting_place *place_of(struct text keyword)
 {
-    bool found = false;
-    for (size_t i = 0; i < sizeof places_of / sizeof places_of[0]; i++) {
-        found = found || word_list_find(places_of[i].words, keyword) != NULL;
+    for (size_t i = 0; i < sizeof places / sizeof places[0]; i++) {
+        if (word_list_find(places[i].words, keyword) != NULL) {
+            return &places[i];
+        }
     }
-    for (size_t i = 0; i < sizeof places_in_system / sizeof places_in_system[0]; i++) {
-        found = found || word_list_find(places_in_system[i].words, keyword) != NULL;
-    }
-    return found;
+    return NULL;
 }
 
 /* One operand of this configuration; false without an error: it has no value. */
 static bool place_setting(struct zemax_file *file, const struct zemax_setting *setting)
 {
     const struct zemax_line *line = setting->line;
-    size_t surface = (size_t)setting->surface;
-    for (size_t i = 0; i < sizeof places_of / sizeof places_of[0]; i++) {
-        if (word_list_find(places_of[i].words, line->keyword) == NULL) {
-            continue;
-        }
-        if (surface >= file->surface_count) {
-            return true; /* of a surface that is gone */
-        }
-        return (places_of[i].place == place_glass ||
-                (zemax_all_numbers(file, line) && line->count > 2)) &&
-               places_of[i].place(file, setting, &file->surfaces[surface]);
+    const struct setting_place *place = place_of(line->keyword);
+    if (place == NULL || (place->of_surface && (size_t)setting->surface >= file->surface_count)) {
+        return true; /* of a surface that is gone */
     }
-    for (size_t i = 0; i < sizeof places_in_system / sizeof places_in_system[0]; i++) {
-        if (word_list_find(places_in_system[i].words, line->keyword) != NULL) {
-            return zemax_all_numbers(file, line) && line->count > 2 &&
-                   places_in_system[i].place(file, setting);
-        }
-    }
-    return true;
-}
-
-/* An operand that lenscalc has no positions of: its words must be the same in all of them. */
-static void check_constant(struct zemax_file *file, const struct zemax_setting *before,
-                           const struct zemax_setting *one)
-{
-    struct file_words a = one->line->words, b = before != NULL ? before->line->words : a;
-    bool same_operand = before != NULL && before->surface == one->surface &&
-                        memcmp(before->line->keyword.start, one->line->keyword.start, 4) == 0;
-    struct text left = {NULL, 0}, right = {NULL, 0};
-    for (int i = 0; i < 3; i++) {
-        left = file_words_next(&a);
-        right = file_words_next(&b);
-    }
-    if (same_operand && !text_identical(left, right)) {
-        zemax_loss(file, one->line, LOSS_OF_RAYS,
-                   "what the surfaces and the system of the file say is kept",
-                   "%.4s %ld changes between the configurations", one->line->keyword.start,
-                   one->surface);
-    }
+    return (place->place == place_glass || (zemax_all_numbers(file, line) && line->count > 2)) &&
+           place->place(file, setting);
 }
 
 /* The file as it is in one configuration. */
@@ -351,8 +307,23 @@ bool zemax_place_settings(struct zemax_file *file, size_t configuration)
                               "%.4s needs a surface, a configuration and its value",
                               one->line->keyword.start);
         }
-        if (configuration == 0 && !is_placed(one->line->keyword)) {
-            check_constant(file, before, one);
+        if (configuration == 0 && place_of(one->line->keyword) == NULL) {
+            /* lenscalc has no positions of it: its words must be the same in all of them */
+            struct file_words a = one->line->words, b = before != NULL ? before->line->words : a;
+            bool same_operand =
+                before != NULL && before->surface == one->surface &&
+                memcmp(before->line->keyword.start, one->line->keyword.start, 4) == 0;
+            struct text left = {NULL, 0}, right = {NULL, 0};
+            for (int i = 0; i < 3; i++) {
+                left = file_words_next(&a);
+                right = file_words_next(&b);
+            }
+            if (same_operand && !text_identical(left, right)) {
+                zemax_loss(file, one->line, LOSS_OF_RAYS,
+                           "what the surfaces and the system of the file say is kept",
+                           "%.4s %ld changes between the configurations", one->line->keyword.start,
+                           one->surface);
+            }
         }
         before = one;
     }

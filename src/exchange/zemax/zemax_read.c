@@ -12,13 +12,6 @@
 #include <math.h>
 #include <string.h>
 
-/* A figure of a line again, in another unit. */
-static struct figure again_in_unit(struct figure figure, struct number_scale scale)
-{
-    text_pair(figure.typed, scale, &figure.value);
-    return figure;
-}
-
 /* OBNA degrees 1: the marginal ray's angle at the object, n sin u. */
 static bool set_zmx_cone(struct zemax_file *file, const struct zemax_line *line)
 {
@@ -82,8 +75,11 @@ static bool add_zmx_field(struct zemax_file *file, size_t at, bool angle)
     struct lens_field *field = lens_build_field(&file->build);
     for (int i = 0; i < 2; i++) {
         bool has = lines[i] != NULL && at < lines[i]->count;
-        field->at[i] = has ? again_in_unit(lines[i]->numbers[at], scale) : field->at[i];
-        field->at[i].typed = has ? field->at[i].typed : text_of("0");
+        field->at[i].typed = text_of("0");
+        if (has) { /* read again, in the unit */
+            field->at[i] = lines[i]->numbers[at];
+            text_pair(field->at[i].typed, scale, &field->at[i].value);
+        }
     }
     if (angle) {
         const char *wrong = lens_field_from_degrees(field);
@@ -126,11 +122,6 @@ static bool set_fields(struct zemax_file *file)
                       "FTYP counts %g fields, XFLN and YFLN have %zu", stated, listed);
 }
 
-static struct text after_um(struct zemax_file *file, struct text number)
-{
-    return text_of(arena_printf(file->job->arena, "%.*sum", (int)number.length, number.start));
-}
-
 /* Points at PWAV where the file has it. */
 static bool fail_waves(const struct zemax_file *file, const char *message)
 {
@@ -159,7 +150,10 @@ static bool set_waves(struct zemax_file *file)
         }
         struct lens_wavelength *one = lens_build_wavelength(&file->build, wavelength, weight);
         bool is_line = one->typed.start[one->typed.length - 1] != 'm';
-        one->typed = is_line ? one->typed : after_um(file, file->waves[at].typed);
+        one->typed = is_line ? one->typed
+                             : text_of(arena_printf(file->job->arena, "%.*sum",
+                                                    (int)file->waves[at].typed.length,
+                                                    file->waves[at].typed.start));
     }
     return true;
 }
@@ -234,23 +228,6 @@ static bool is_virtual(const struct zemax_file *file)
     return is;
 }
 
-/* The distance of an object that is not far. */
-static void set_distance(struct zemax_file *file, const struct figure *figure)
-{
-    struct lens *lens = file->build.lens;
-    struct pair distance = figure->value;
-    lens->object_is_infinite = false;
-    lens->object = *figure;
-    if (!is_virtual(file)) {
-        return;
-    }
-    if (pass_planes(file, &distance)) {
-        lens->object = figure_computed(distance, lens_unit_scale(lens->unit), file->job->arena);
-    } else {
-        virtual_object_put(&file->build, figure->value);
-    }
-}
-
 /* The object's distance, and what lies before the first surface. */
 static bool set_object(struct zemax_file *file)
 {
@@ -275,7 +252,19 @@ static bool set_object(struct zemax_file *file)
         return false;
     }
     if (finite) {
-        set_distance(file, &line->numbers[0]);
+        /* The distance of an object that is not far. */
+        const struct figure *figure = &line->numbers[0];
+        struct pair distance = figure->value;
+        lens->object_is_infinite = false;
+        lens->object = *figure;
+        if (is_virtual(file)) {
+            if (pass_planes(file, &distance)) {
+                lens->object =
+                    figure_computed(distance, lens_unit_scale(lens->unit), file->job->arena);
+            } else {
+                virtual_object_put(&file->build, figure->value);
+            }
+        }
     } else if (is_virtual(file)) { /* in another configuration, which has this plane */
         lens_build_surface(&file->build)->medium = lens->object_medium;
     }
@@ -348,58 +337,6 @@ static bool check_image(struct zemax_file *file)
     return true;
 }
 
-/* The image plane lies where the marginal ray meets the axis, if the file says so. */
-static void set_focus(struct zemax_file *file)
-{
-    bool paraxial = zemax_focuses(file);
-    bool afocal = zemax_number(file->fields, 6) != 0;
-    if (afocal) {
-        file->build.lens->focus = FOCUS_AFOCAL;
-    } else if (paraxial) {
-        file->build.lens->focus = FOCUS_PARAXIAL;
-    } else {
-        file->build.lens->focus = FOCUS_TABLE;
-    }
-}
-
-/* FTYP says it of an object at infinity too, which has no such space. */
-static void set_telecentric(struct zemax_file *file)
-{
-    struct lens *lens = file->build.lens;
-    const bool stated = zemax_number(file->fields, 1) != 0;
-    lens->is_telecentric = stated && !lens->object_is_infinite;
-    if (lens->is_telecentric != stated) {
-        zemax_loss(file, file->fields, LOSS_OF_RAYS, "an ordinary one",
-                   "a telecentric object space of an object at infinity");
-    }
-}
-
-/* An aperture at a stop wants the stop's diameter. */
-static void check_floating(struct zemax_file *file)
-{
-    struct lens *lens = file->build.lens;
-    if (lens->aperture_kind != APERTURE_STOP ||
-        (lens->stop != LENS_NONE && lens->surfaces[lens->stop].has_diameter)) {
-        return;
-    }
-    lens->aperture_kind = APERTURE_NONE;
-    zemax_loss(file, file->aperture, LOSS_OF_RAYS, "the lens gets none",
-               "the aperture is that of the stop, which has no diameter");
-}
-
-/* FNUM N 1 of a near object. */
-static void set_working_fnumber(struct zemax_file *file)
-{
-    const struct zemax_line *line = file->aperture;
-    struct lens *lens = file->build.lens;
-    if (line != NULL && text_same(line->keyword, "FNUM") && zemax_number(line, 1) != 0 &&
-        !lens->object_is_infinite &&
-        !entrance_pupil_set(lens, PUPIL_WORKING_FNUMBER, zemax_number(line, 0), file->job->arena)) {
-        zemax_loss(file, line, LOSS_OF_RAYS, "the lens gets no aperture",
-                   "a working f-number that no entrance pupil gives");
-    }
-}
-
 /*
  * Vignetting factors narrow the beams of the fields as the rims of the surfaces do. Here the clear
  * diameters do it, if all surfaces that bend light have one; else the factors are lost.
@@ -434,14 +371,38 @@ static bool build_lens(struct zemax_file *file)
     if (!set_object(file)) {
         return false;
     }
-    set_telecentric(file);
+    /* FTYP says it of an object at infinity too, which has no such space. */
+    struct lens *lens = file->build.lens;
+    const bool stated = zemax_number(file->fields, 1) != 0;
+    lens->is_telecentric = stated && !lens->object_is_infinite;
+    if (lens->is_telecentric != stated) {
+        zemax_loss(file, file->fields, LOSS_OF_RAYS, "an ordinary one",
+                   "a telecentric object space of an object at infinity");
+    }
     if (!check_image(file) || !set_zmx_aperture(file) || !set_fields(file) || !set_waves(file) ||
         !zemax_surfaces(file)) {
         return false;
     }
-    set_working_fnumber(file);
-    check_floating(file);
-    set_focus(file);
+    /* FNUM N 1 of a near object. */
+    const struct zemax_line *line = file->aperture;
+    if (line != NULL && text_same(line->keyword, "FNUM") && zemax_number(line, 1) != 0 &&
+        !lens->object_is_infinite &&
+        !entrance_pupil_set(lens, PUPIL_WORKING_FNUMBER, zemax_number(line, 0), file->job->arena)) {
+        zemax_loss(file, line, LOSS_OF_RAYS, "the lens gets no aperture",
+                   "a working f-number that no entrance pupil gives");
+    }
+    /* An aperture at a stop wants the stop's diameter. */
+    if (lens->aperture_kind == APERTURE_STOP &&
+        (lens->stop == LENS_NONE || !lens->surfaces[lens->stop].has_diameter)) {
+        lens->aperture_kind = APERTURE_NONE;
+        zemax_loss(file, file->aperture, LOSS_OF_RAYS, "the lens gets none",
+                   "the aperture is that of the stop, which has no diameter");
+    }
+    /* The image plane lies where the marginal ray meets the axis, if the file says so. */
+    lens->focus = zemax_focuses(file) ? FOCUS_PARAXIAL : FOCUS_TABLE;
+    if (zemax_number(file->fields, 6) != 0) {
+        lens->focus = FOCUS_AFOCAL;
+    }
     return true;
 }
 

@@ -202,34 +202,6 @@ bool zemax_focuses(const struct zemax_file *file)
            zemax_number(solve, 1) == 0;
 }
 
-/* The last solve only says where the image is: the file's number stays beside it. */
-static void solve_thickness_of(struct solver_state *solving, size_t at)
-{
-    const struct zemax_file *file = solving->file;
-    bool focus = at + 2 == file->surface_count && zemax_focuses(file);
-    const struct zemax_line *line = focus ? NULL : file->surfaces[at].solve;
-    struct figure *figure = &solving->thickness[at];
-    for (size_t i = 0; line != NULL && i < sizeof solves / sizeof solves[0]; i++) {
-        if (text_same(line->keyword, solves[i].word)) {
-            solves[i].solve(solving, at, line, figure);
-        }
-    }
-    if (solving->places[at] != LENS_NONE) {
-        solving->lens.surfaces[zemax_gap_place(solving->file, solving->places, at)].thickness =
-            *figure;
-    }
-}
-
-/* The distance from an earlier surface's vertex to that of this one. */
-static struct pair distance_from(const struct solver_state *solving, size_t from, size_t at)
-{
-    struct pair sum = {0, 0};
-    for (size_t i = from; i < at; i++) {
-        sum = pair_add(sum, solving->thickness[i].value);
-    }
-    return sum;
-}
-
 /* A curvature that follows from an earlier surface; false: there is none such. */
 static bool curvature_of_surface(const struct solver_state *solving, size_t at, int code,
                                  struct pair *value)
@@ -252,8 +224,12 @@ static bool curvature_of_surface(const struct solver_state *solving, size_t at, 
     if (code == CONCENTRIC_RADIUS) {
         radius = pair_divide(pair_of(1), curvature);
     }
-    *value =
-        pair_divide(pair_of(1), pair_subtract(radius, distance_from(solving, (size_t)from, at)));
+    /* The distance from an earlier surface's vertex to that of this one. */
+    struct pair apart = {0, 0};
+    for (size_t i = (size_t)from; i < at; i++) {
+        apart = pair_add(apart, solving->thickness[i].value);
+    }
+    *value = pair_divide(pair_of(1), pair_subtract(radius, apart));
     return true;
 }
 
@@ -285,24 +261,6 @@ static struct pair curvature_of_ray(const struct solver_state *solving, size_t a
     default:
         return solve_curvature(state, target);
     }
-}
-
-/* Digits of 1/mm in the file's unit: of what a ray decides those of a double. */
-static struct figure curvature_figure(const struct solver_state *solving, struct pair value,
-                                      bool of_ray)
-{
-    const char *unit = solving->file->build.lens->unit;
-    const struct figure one = {.typed = text_of("1"), .variable = LENS_NONE};
-    struct arena *arena = solving->file->job->arena;
-    struct pair plain = pair_multiply(value, figure_per_length(one, unit, 1).value);
-    struct figure figure =
-        of_ray ? figure_of(plain.hi, arena) : figure_computed(plain, NUMBER_UNSCALED, arena);
-    return figure_per_length(figure, unit, -1);
-}
-
-static bool is_near_pair(struct pair value, struct pair other, double relative, double more)
-{
-    return fabs(pair_subtract(value, other).hi) <= relative * fabs(value.hi) + more;
 }
 
 static bool is_of_ray(int code)
@@ -361,8 +319,15 @@ static void solve_curve(struct solver_state *solving, size_t at)
         return;
     }
     struct figure figure = figure_per_length(line->numbers[0], solving->file->build.lens->unit, -1);
-    if (!is_near_pair(value, figure.value, 4e-15, 0)) {
-        figure = curvature_figure(solving, value, is_of_ray(code));
+    if (!(fabs(pair_subtract(value, figure.value).hi) <= 4e-15 * fabs(value.hi))) {
+        /* Digits of 1/mm in the file's unit: of what a ray decides those of a double. */
+        const char *unit = solving->file->build.lens->unit;
+        const struct figure one = {.typed = text_of("1"), .variable = LENS_NONE};
+        struct arena *arena = solving->file->job->arena;
+        struct pair plain = pair_multiply(value, figure_per_length(one, unit, 1).value);
+        figure = is_of_ray(code) ? figure_of(plain.hi, arena)
+                                 : figure_computed(plain, NUMBER_UNSCALED, arena);
+        figure = figure_per_length(figure, unit, -1);
     }
     solving->curvature[at] = figure;
     zemax_set_curvature(solving->file, figure, &solving->lens.surfaces[solving->places[at]]);
@@ -371,7 +336,20 @@ static void solve_curve(struct solver_state *solving, size_t at)
 void zemax_solve_surface(struct solver_state *solving, size_t at)
 {
     solve_curve(solving, at);
-    solve_thickness_of(solving, at);
+    /* The last solve only says where the image is: the file's number stays beside it. */
+    const struct zemax_file *file = solving->file;
+    bool focus = at + 2 == file->surface_count && zemax_focuses(file);
+    const struct zemax_line *line = focus ? NULL : file->surfaces[at].solve;
+    struct figure *figure = &solving->thickness[at];
+    for (size_t i = 0; line != NULL && i < sizeof solves / sizeof solves[0]; i++) {
+        if (text_same(line->keyword, solves[i].word)) {
+            solves[i].solve(solving, at, line, figure);
+        }
+    }
+    if (solving->places[at] != LENS_NONE) {
+        solving->lens.surfaces[zemax_gap_place(solving->file, solving->places, at)].thickness =
+            *figure;
+    }
 }
 
 bool zemax_solve_in(const struct solver_state *solving, size_t at, bool is_curvature,
@@ -393,20 +371,6 @@ bool zemax_solve_in(const struct solver_state *solving, size_t at, bool is_curva
     *value = is_curvature ? curvature_of_ray(solving, at, code, &state)
                           : solve_thickness(&state, length_at(solving, from->solve, 0));
     return isfinite(value->hi);
-}
-
-/* CURV c 4 surface scale */
-static void keep_curve(const struct solver_state *solving, size_t at)
-{
-    const struct zemax_line *line = solving->file->surfaces[at].curvature;
-    double from = zemax_number(line, 2);
-    if (line != NULL && line->count > 3 && zemax_number(line, 1) == PICK_UP &&
-        solving->curvature[at].typed.start != NULL && from >= 1 && from < (double)at) {
-        keep_pickup(solving->file->build.lens,
-                    (struct parameter){solving->places[at], PARAMETER_CURVATURE, 0},
-                    (struct parameter){solving->places[(size_t)from], PARAMETER_CURVATURE, 0},
-                    line->numbers[3].value, pair_of(0), solving->file->job->arena);
-    }
 }
 
 /* PZUP surface scale offset */
@@ -431,7 +395,16 @@ void zemax_keep_pickups(const struct solver_state *solving)
 {
     const struct zemax_file *file = solving->file;
     for (size_t i = 1; i + 1 < file->surface_count && file->configurations < 2; i++) {
-        keep_curve(solving, i);
+        /* CURV c 4 surface scale */
+        const struct zemax_line *line = solving->file->surfaces[i].curvature;
+        double from = zemax_number(line, 2);
+        if (line != NULL && line->count > 3 && zemax_number(line, 1) == PICK_UP &&
+            solving->curvature[i].typed.start != NULL && from >= 1 && from < (double)i) {
+            keep_pickup(solving->file->build.lens,
+                        (struct parameter){solving->places[i], PARAMETER_CURVATURE, 0},
+                        (struct parameter){solving->places[(size_t)from], PARAMETER_CURVATURE, 0},
+                        line->numbers[3].value, pair_of(0), solving->file->job->arena);
+        }
         keep_gap(solving, i);
     }
 }

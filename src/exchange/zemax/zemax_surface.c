@@ -100,27 +100,6 @@ static const struct displacement *slopes_as_tilt(struct zemax_file *file, size_t
     return decentre;
 }
 
-/* CURV is that of the y-z section, PARM 1 the radius of the other one, 0 a plane. */
-static void set_toroidal(struct zemax_file *file, size_t at, struct surface *to)
-{
-    struct figure radius = zemax_parameter(file, at, 1);
-    bool other = false;
-    for (size_t i = 2; i < ZEMAX_PARAMETERS; i++) {
-        other = other || zemax_parameter(file, at, i).value.hi != 0;
-    }
-    bool both = radius.value.hi != 0 && (!to->is_plane || to->has_curvature);
-    if (both || other) {
-        zemax_loss(file, file->surfaces[at].type, LOSS_OF_POWER,
-                   "its y-z section is used instead, as a cylinder", "a toroid");
-    }
-    to->curved = CURVED_Y;
-    if (radius.value.hi != 0 && !both) {
-        to->curved = CURVED_X;
-        to->is_plane = false;
-        to->radius = zmx_in_unit(file, radius, 1);
-    }
-}
-
 /*
  * A surface of the type PARAXIAL: a thick lens whose principal planes fall together, of the focal
  * length PARM 1, 1/power in any media. PARM 2 says how paths are counted, and moves no ray.
@@ -162,21 +141,6 @@ static bool set_paraxial(struct zemax_file *file, size_t at, struct surface *to)
     return true;
 }
 
-/* Are all numbers of the type 0, that stand behind the first two of XDAT: a count and a length? */
-static bool is_of_zeros(struct zemax_file *file, size_t at)
-{
-    const struct zemax_surface *from = &file->surfaces[at];
-    bool none = true, stated = from->extras[1] != NULL;
-    for (size_t i = 1; i < ZEMAX_PARAMETERS; i++) {
-        none = none && zemax_parameter(file, at, i).value.hi == 0;
-        stated = stated || from->parameters[i] != NULL;
-    }
-    for (size_t i = 3; i < ZEMAX_EXTRAS; i++) {
-        none = none && zemax_number(from->extras[i], 1) == 0;
-    }
-    return none && stated;
-}
-
 /*
  * Types that are what STANDARD is where their own numbers are 0; a grating without lines, or of the
  * order 0; a Jones matrix, which only acts on polarised light.
@@ -188,7 +152,15 @@ static bool is_standard_there(struct zemax_file *file, size_t at)
     const struct zemax_surface *from = &file->surfaces[at];
     for (size_t i = 0; i < sizeof shapes / sizeof shapes[0]; i++) {
         if (is_type(from, shapes[i])) {
-            return is_of_zeros(file, at);
+            bool none = true, stated = from->extras[1] != NULL;
+            for (size_t k = 1; k < ZEMAX_PARAMETERS; k++) {
+                none = none && zemax_parameter(file, at, k).value.hi == 0;
+                stated = stated || from->parameters[k] != NULL;
+            }
+            for (size_t k = 3; k < ZEMAX_EXTRAS; k++) {
+                none = none && zemax_number(from->extras[k], 1) == 0;
+            }
+            return none && stated;
         }
     }
     bool bends =
@@ -221,7 +193,23 @@ static bool set_type(struct zemax_file *file, size_t at, struct surface *to)
         return true;
     }
     if (is_type(from, "TOROIDAL")) {
-        set_toroidal(file, at, to);
+        /* CURV is that of the y-z section, PARM 1 the radius of the other one, 0 a plane. */
+        struct figure radius = zemax_parameter(file, at, 1);
+        bool other = false;
+        for (size_t i = 2; i < ZEMAX_PARAMETERS; i++) {
+            other = other || zemax_parameter(file, at, i).value.hi != 0;
+        }
+        bool both = radius.value.hi != 0 && (!to->is_plane || to->has_curvature);
+        if (both || other) {
+            zemax_loss(file, file->surfaces[at].type, LOSS_OF_POWER,
+                       "its y-z section is used instead, as a cylinder", "a toroid");
+        }
+        to->curved = CURVED_Y;
+        if (radius.value.hi != 0 && !both) {
+            to->curved = CURVED_X;
+            to->is_plane = false;
+            to->radius = zmx_in_unit(file, radius, 1);
+        }
         return true;
     }
     if (is_type(from, "PARAXIAL")) {
@@ -299,19 +287,6 @@ static const struct figure *clear_radius_of(const struct zemax_surface *from)
     return is_centred ? &from->clear->numbers[1] : half;
 }
 
-/* Twice the radius. */
-static void set_diameter(struct zemax_file *file, const struct zemax_surface *from,
-                         struct surface *to)
-{
-    const struct figure *radius = clear_radius_of(from);
-    if (radius != NULL && radius->value.hi > 0) {
-        struct pair twice = {2 * radius->value.hi, 2 * radius->value.lo};
-        to->diameter =
-            figure_computed(twice, lens_unit_scale(file->build.lens->unit), file->job->arena);
-        to->has_diameter = true;
-    }
-}
-
 static void set_comment(struct zemax_file *file, const struct zemax_surface *from,
                         struct surface *to)
 {
@@ -347,7 +322,14 @@ static bool add_zmx_surface(struct zemax_file *file, size_t at)
     if (!set_type(file, at, to)) {
         return false;
     }
-    set_diameter(file, from, to);
+    /* Twice the radius. */
+    const struct figure *radius = clear_radius_of(from);
+    if (radius != NULL && radius->value.hi > 0) {
+        struct pair twice = {2 * radius->value.hi, 2 * radius->value.lo};
+        to->diameter =
+            figure_computed(twice, lens_unit_scale(file->build.lens->unit), file->job->arena);
+        to->has_diameter = true;
+    }
     set_comment(file, from, to);
     to->is_stop = from->is_stop;
     return zemax_set_aperture(file, from, to);
@@ -381,20 +363,6 @@ static bool add_next(struct zemax_file *file, size_t at, size_t *place)
     return true;
 }
 
-/* A plane that turns the axis at the image. */
-static void add_image_plane(struct zemax_file *file)
-{
-    const size_t at = file->surface_count - 1;
-    if (!zemax_is_tilted(file, at)) {
-        return;
-    }
-    zemax_add_shift(file, at, false);
-    if (is_type(&file->surfaces[at], "TILTSURF")) {
-        zemax_hold_break(file, slopes_as_tilt(file, at));
-    }
-    zemax_add_plane(file);
-}
-
 bool zemax_surfaces(struct zemax_file *file)
 {
     size_t *places = ARENA_ARRAY(file->job->arena, file->surface_count, size_t);
@@ -409,7 +377,15 @@ bool zemax_surfaces(struct zemax_file *file)
     if (!zemax_thicknesses(file, places)) {
         return false;
     }
-    add_image_plane(file);
+    /* A plane that turns the axis at the image. */
+    const size_t at = file->surface_count - 1;
+    if (zemax_is_tilted(file, at)) {
+        zemax_add_shift(file, at, false);
+        if (is_type(&file->surfaces[at], "TILTSURF")) {
+            zemax_hold_break(file, slopes_as_tilt(file, at));
+        }
+        zemax_add_plane(file);
+    }
     return true;
 }
 

@@ -218,9 +218,12 @@ const struct zemax_keyword zemax_system_keywords[] = {
 
 /* -------- behind the surfaces -------- */
 
-static bool read_configurations(struct zemax_file *file, const struct zemax_line *line)
+bool zemax_read_configurations(struct zemax_file *file, const struct zemax_line *line)
 {
     double count = zemax_number(line, 0);
+    if (!zemax_all_numbers(file, line)) {
+        return false;
+    }
     if (!(count >= 1 && count <= ZEMAX_CONFIGURATIONS)) {
         return file_words_fail(&file->words, line->keyword, file->error,
                                "MNUM needs the number of configurations, 1 to %d",
@@ -266,8 +269,3 @@ bool zemax_read_setting(struct zemax_file *file, struct text keyword)
     file->last_setting = setting;
     return true;
 }
-
-const struct zemax_keyword zemax_tail_keywords[] = {
-    {"MNUM", ZEMAX_ALL_NUMBERS, false, 0, read_configurations},
-    {NULL, ZEMAX_ANY_WORDS, false, 0, NULL},
-};

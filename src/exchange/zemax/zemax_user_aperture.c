@@ -24,11 +24,6 @@ struct shapes {
     const char *wrong; /* what cannot be kept; null = nothing */
 };
 
-static bool is_same_point(const struct figure *a, const struct figure *b)
-{
-    return a[0].value.hi == b[0].value.hi && a[1].value.hi == b[1].value.hi;
-}
-
 static struct aperture *add_uda_shape(struct shapes *shapes, enum aperture_shape shape)
 {
     shapes->all =
@@ -41,12 +36,14 @@ static struct aperture *add_uda_shape(struct shapes *shapes, enum aperture_shape
 static void end_polygon(struct shapes *shapes)
 {
     size_t count = shapes->corner_count;
-    if (count > 1 && is_same_point(shapes->corners[0], shapes->corners[count - 1])) {
+    const struct figure(*corners)[2] = (const struct figure(*)[2])shapes->corners;
+    if (count > 1 && corners[0][0].value.hi == corners[count - 1][0].value.hi &&
+        corners[0][1].value.hi == corners[count - 1][1].value.hi) {
         count--;
     }
     if (count > 0) {
         struct aperture *polygon = add_uda_shape(shapes, SHAPE_POLYGON);
-        polygon->points = (const struct figure(*)[2])shapes->corners;
+        polygon->points = corners;
         polygon->point_count = count;
     }
     shapes->corners = NULL;
@@ -195,14 +192,6 @@ static void check_room(struct shapes *shapes)
     }
 }
 
-static void read_content(struct shapes *shapes, struct text content)
-{
-    for (struct text rest = content; rest.start != NULL && shapes->wrong == NULL;) {
-        uda_line(shapes, text_cut(&rest, '\n'));
-        check_room(shapes);
-    }
-}
-
 /* Rows 1, 2 .. of number, x, y and a 0, whose meaning otherwise is not known. */
 static void read_rows(struct shapes *shapes, const struct zemax_surface *from)
 {
@@ -233,19 +222,6 @@ static void uda_range(const struct aperture *polygon, int axis, double range[2])
     }
 }
 
-/* Does a line along x or y lie between them? */
-static bool are_boxes_apart(const struct aperture *a, const struct aperture *b)
-{
-    bool apart = false;
-    for (int axis = 0; axis < 2; axis++) {
-        double one[2], other[2];
-        uda_range(a, axis, one);
-        uda_range(b, axis, other);
-        apart = apart || one[1] <= other[0] || other[1] <= one[0];
-    }
-    return apart;
-}
-
 static bool are_polygons_apart(const struct shapes *shapes)
 {
     for (size_t i = 0; i < shapes->count; i++) {
@@ -253,23 +229,20 @@ static bool are_polygons_apart(const struct shapes *shapes)
             return false;
         }
         for (size_t k = 0; k < i; k++) {
-            if (!are_boxes_apart(&shapes->all[i], &shapes->all[k])) {
+            /* Does a line along x or y lie between them? */
+            bool apart = false;
+            for (int axis = 0; axis < 2; axis++) {
+                double one[2], other[2];
+                uda_range(&shapes->all[i], axis, one);
+                uda_range(&shapes->all[k], axis, other);
+                apart = apart || one[1] <= other[0] || other[1] <= one[0];
+            }
+            if (!apart) {
                 return false;
             }
         }
     }
     return true;
-}
-
-static bool is_clockwise(const struct aperture *polygon)
-{
-    double sum = 0;
-    for (size_t i = 0; i < polygon->point_count; i++) {
-        const struct figure *p = polygon->points[i];
-        const struct figure *q = polygon->points[(i + 1) % polygon->point_count];
-        sum += p[0].value.hi * q[1].value.hi - q[0].value.hi * p[1].value.hi;
-    }
-    return sum < 0;
 }
 
 /*
@@ -287,7 +260,13 @@ static void join_polygons(struct shapes *shapes)
     for (size_t k = 0; k < shapes->count; k++) {
         const struct aperture *polygon = &shapes->all[k];
         const size_t count = polygon->point_count;
-        const bool backwards = is_clockwise(polygon);
+        double sum = 0;
+        for (size_t i = 0; i < polygon->point_count; i++) {
+            const struct figure *p = polygon->points[i];
+            const struct figure *q = polygon->points[(i + 1) % polygon->point_count];
+            sum += p[0].value.hi * q[1].value.hi - q[0].value.hi * p[1].value.hi;
+        }
+        const bool backwards = sum < 0;
         for (size_t i = 0; i <= count; i++, used++) {
             const struct figure *corner = polygon->points[(backwards ? count - i : i) % count];
             corners[used][0] = corner[0];
@@ -356,7 +335,10 @@ bool zemax_user_apertures(struct zemax_file *file, const struct zemax_surface *f
     } else if (!encoding_to_utf8(file->job->source, content, file->job->arena, &content, &why)) {
         shapes.wrong = why.message;
     } else {
-        read_content(&shapes, content);
+        for (struct text rest = content; rest.start != NULL && shapes.wrong == NULL;) {
+            uda_line(&shapes, text_cut(&rest, '\n'));
+            check_room(&shapes);
+        }
     }
     if (shapes.wrong == NULL) {
         check_shapes(&shapes);
