@@ -25,23 +25,6 @@ static struct text catalog_of(const char *file)
     return (struct text){file + strlen(FOLDER), length - around};
 }
 
-/* The embedded catalogues. */
-static const char **embedded_names(struct arena *arena)
-{
-    size_t count = 0;
-    for (const struct embedded_file *at = embedded_files; at->name != NULL; at++) {
-        count += catalog_of(at->name).length > 0;
-    }
-    const char **names = ARENA_ARRAY(arena, count + 1, const char *);
-    count = 0;
-    for (const struct embedded_file *at = embedded_files; at->name != NULL; at++) {
-        if (catalog_of(at->name).length > 0) {
-            names[count++] = at->name;
-        }
-    }
-    return names;
-}
-
 /* Go to the catalogues of one place. */
 static bool enter_place(struct glass_catalogs *catalogs, enum lensdb_place place,
                         struct error *error)
@@ -49,7 +32,19 @@ static bool enter_place(struct glass_catalogs *catalogs, enum lensdb_place place
     catalogs->place = place;
     catalogs->is_open = false;
     if (place == LENSDB_EMBEDDED) {
-        catalogs->names = embedded_names(catalogs->arena);
+        /* The embedded catalogues. */
+        size_t count = 0;
+        for (const struct embedded_file *at = embedded_files; at->name != NULL; at++) {
+            count += catalog_of(at->name).length > 0;
+        }
+        const char **names = ARENA_ARRAY(catalogs->arena, count + 1, const char *);
+        count = 0;
+        for (const struct embedded_file *at = embedded_files; at->name != NULL; at++) {
+            if (catalog_of(at->name).length > 0) {
+                names[count++] = at->name;
+            }
+        }
+        catalogs->names = names;
         return true;
     }
     return lensdb_list(catalogs->db, "glass", ENDING, false, &catalogs->names, error);
@@ -133,20 +128,6 @@ static bool weigh_glass(struct glass_catalog_search *search, const struct glass_
     return glass_table_read(table, true, search->arena, &search->found[search->count++], error);
 }
 
-static void search_agf(struct glass_catalog_search *search, const struct agf_catalog *catalog)
-{
-    for (; catalog != NULL; catalog = catalog->next) {
-        if (search->catalog.length > 0 && !text_same_name(search->catalog, catalog->name)) {
-            continue;
-        }
-        for (size_t i = 0; i < catalog->count && search->count < MOST_HOMONYMS; i++) {
-            if (text_same_name(search->name, catalog->glasses[i].glass.name)) {
-                search->found[search->count++] = catalog->glasses[i];
-            }
-        }
-    }
-}
-
 /* A glass of the user's that is damaged hides those of its name in the program. */
 static bool is_damaged(const struct glass_catalog_search *search, const struct agf_catalog *catalog,
                        struct error *error)
@@ -173,7 +154,17 @@ static bool search_user(struct glass_catalog_search *search, struct error *error
     if (!agf_catalogs(search->db, &agf, error)) {
         return false;
     }
-    search_agf(search, agf);
+    const struct agf_catalog *catalog = agf;
+    for (; catalog != NULL; catalog = catalog->next) {
+        if (search->catalog.length > 0 && !text_same_name(search->catalog, catalog->name)) {
+            continue;
+        }
+        for (size_t i = 0; i < catalog->count && search->count < MOST_HOMONYMS; i++) {
+            if (text_same_name(search->name, catalog->glasses[i].glass.name)) {
+                search->found[search->count++] = catalog->glasses[i];
+            }
+        }
+    }
     if (!glass_catalogs_open(&catalogs, search->db, search->arena, true, error)) {
         return false;
     }
@@ -272,13 +263,6 @@ static void keep_exact(struct glass_catalog_search *search)
     search->count = exact > 0 ? exact : search->count;
 }
 
-static bool is_same_glass(const struct glass *a, const struct glass *b)
-{
-    return a->formula == b->formula && a->count == b->count && a->table_count == 0 &&
-           b->table_count == 0 &&
-           memcmp(a->coefficients, b->coefficients, a->count * sizeof a->coefficients[0]) == 0;
-}
-
 /* The glasses that were found but for one (null: all), as they have to be typed. */
 static const char *list_found(const struct glass_catalog_search *search,
                               const struct glass_record *but, bool current_only,
@@ -334,7 +318,11 @@ static bool glasses_agree(const struct glass_catalog_search *search, struct glas
     *record = search->found[0];
     for (size_t i = 1; i < search->count; i++) {
         const struct glass_record *one = &search->found[i];
-        if (!is_same_glass(&one->glass, &search->found[0].glass)) {
+        const struct glass *b = &search->found[0].glass;
+        if (one->glass.formula != b->formula || one->glass.count != b->count ||
+            one->glass.table_count != 0 || b->table_count != 0 ||
+            memcmp(one->glass.coefficients, b->coefficients,
+                   one->glass.count * sizeof one->glass.coefficients[0]) != 0) {
             return false;
         }
         if (text_equal(one->status, "current") && !text_equal(record->status, "current")) {
@@ -368,19 +356,6 @@ static bool choose_listed(const struct glass_catalog_search *search, enum glass_
     return current[0] != '\0' ? error_hint(error, "say %s", current) : false;
 }
 
-static void suggest_agf(const struct glass_catalog_search *search, struct nearest *nearest,
-                        struct nearest *other)
-{
-    for (const struct agf_catalog *agf = search->db->agf_catalogs; agf != NULL; agf = agf->next) {
-        nearest_offer(other, agf->name);
-        for (size_t i = 0; i < agf->count; i++) {
-            if (search->catalog.length == 0 || text_same_name(agf->name, search->catalog)) {
-                nearest_offer(nearest, agf->glasses[i].glass.name);
-            }
-        }
-    }
-}
-
 /* The nearest name among all glasses, with its catalogue if one was typed. */
 static void suggest_glass(struct glass_catalog_search *search, struct error *error)
 {
@@ -397,7 +372,14 @@ static void suggest_glass(struct glass_catalog_search *search, struct error *err
             nearest_offer(&nearest, name);
         }
     }
-    suggest_agf(search, &nearest, &other);
+    for (const struct agf_catalog *agf = search->db->agf_catalogs; agf != NULL; agf = agf->next) {
+        nearest_offer(&other, agf->name);
+        for (size_t i = 0; i < agf->count; i++) {
+            if (search->catalog.length == 0 || text_same_name(agf->name, search->catalog)) {
+                nearest_offer(&nearest, agf->glasses[i].glass.name);
+            }
+        }
+    }
     bool prefixed = search->catalog.length > 0 && nearest.best.start != NULL;
     if (nearest.best.start != NULL) {
         error_hint(error, "did you mean '%.*s%s%.*s'?", prefixed ? (int)search->catalog.length : 0,

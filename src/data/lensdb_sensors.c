@@ -243,20 +243,6 @@ static void offer_relative(struct lensdb_sensors_family *family, const struct le
     family->shared[at] = shared;
 }
 
-/* "maker model" stands nowhere in one piece; a name that is kept is copied. */
-static void offer_full_name(struct lensdb_sensors_family *family,
-                            const struct lensdb_sensor *sensor)
-{
-    char name[MOST_NAME];
-    snprintf(name, sizeof name, "%.*s %.*s", (int)sensor->maker.length, sensor->maker.start,
-             (int)sensor->name.length, sensor->name.start);
-    nearest_offer(&family->nearest, text_of(name));
-    if (family->nearest.best.start == name) {
-        memcpy(family->nearest_name, name, sizeof name);
-        family->nearest.best = text_of(family->nearest_name);
-    }
-}
-
 /* Offer all names of one table. */
 static void offer_sensors(struct lensdb *db, enum lensdb_place place, bool cameras,
                           struct lensdb_sensors_family *family)
@@ -277,7 +263,15 @@ static void offer_sensors(struct lensdb *db, enum lensdb_place place, bool camer
         if (cameras) {
             family->maker =
                 text_same_name(family->typed, sensor.maker) ? sensor.maker : family->maker;
-            offer_full_name(family, &sensor);
+            /* "maker model" stands nowhere in one piece; a name that is kept is copied. */
+            char name[MOST_NAME];
+            snprintf(name, sizeof name, "%.*s %.*s", (int)sensor.maker.length, sensor.maker.start,
+                     (int)sensor.name.length, sensor.name.start);
+            nearest_offer(&family->nearest, text_of(name));
+            if (family->nearest.best.start == name) {
+                memcpy(family->nearest_name, name, sizeof name);
+                family->nearest.best = text_of(family->nearest_name);
+            }
             offer_relative(family, &sensor);
         }
     }

@@ -6,14 +6,6 @@
 #include <stdio.h>
 #include <string.h>
 
-/* Would all of it be one line? */
-static bool has_returns_only(struct text content)
-{
-    const char *mark = content.length > 0 ? memchr(content.start, '\r', content.length) : NULL;
-    return mark != NULL && memchr(content.start, '\n', content.length) == NULL &&
-           text_trim(text_between(mark + 1, content.start + content.length)).length > 0;
-}
-
 bool file_words_open(struct file_words *words, const char *source, struct text content,
                      struct arena *arena, struct error *error)
 {
@@ -32,7 +24,11 @@ bool file_words_open(struct file_words *words, const char *source, struct text c
         fail(error, ERROR_DATA, "not plain text: %s", marked ? "a file in UTF-16" : "a NUL byte");
         return error_locate(error, source, 1, 1);
     }
-    if (has_returns_only(words->rest)) {
+    /* Would all of it be one line? */
+    const char *mark =
+        words->rest.length > 0 ? memchr(words->rest.start, '\r', words->rest.length) : NULL;
+    if (mark != NULL && memchr(words->rest.start, '\n', words->rest.length) == NULL &&
+        text_trim(text_between(mark + 1, words->rest.start + words->rest.length)).length > 0) {
         fail(error, ERROR_DATA, "its lines end in CR alone: LF or CR LF end a line");
         return error_locate(error, source, 1, 1);
     }

@@ -7,18 +7,6 @@
 
 #include <string.h>
 
-static bool refuse_shape(const struct file_words *words, struct text word, struct error *error)
-{
-    struct nearest nearest = {.typed = word};
-    for (size_t i = 0; i < APERTURE_SHAPES; i++) {
-        nearest_offer(&nearest, text_of(aperture_shapes[i].word));
-    }
-    file_words_fail(words, word, error,
-                    "the shape is circle, ring, rectangle, ellipse, polygon or spider");
-    return nearest.best.start != NULL &&
-           error_hint(error, "did you mean '%.*s'?", (int)nearest.best.length, nearest.best.start);
-}
-
 static bool read_sizes(struct file_words *words, const char *what, struct figure *size,
                        struct error *error)
 {
@@ -105,7 +93,15 @@ static bool read_shape(struct file_words *words, bool blocks, struct aperture *a
         shape++;
     }
     if (shape == APERTURE_SHAPES) {
-        return refuse_shape(words, word, error);
+        struct nearest nearest = {.typed = word};
+        for (size_t i = 0; i < APERTURE_SHAPES; i++) {
+            nearest_offer(&nearest, text_of(aperture_shapes[i].word));
+        }
+        file_words_fail(words, word, error,
+                        "the shape is circle, ring, rectangle, ellipse, polygon or spider");
+        return nearest.best.start != NULL &&
+               error_hint(error, "did you mean '%.*s'?", (int)nearest.best.length,
+                          nearest.best.start);
     }
     const struct aperture_traits *traits = &aperture_shapes[shape];
     *aperture = aperture_of((enum aperture_shape)shape, blocks);

@@ -267,23 +267,6 @@ static bool line_count_check(struct parser *parser, struct text name, size_t cou
                            parser->lens->position_count);
 }
 
-static bool let_objects(struct parser *parser, struct text name, struct error *error)
-{
-    struct lens *lens = parser->lens;
-    struct figure *values = ARENA_ARRAY(parser->words.arena, lens->position_count, struct figure);
-    size_t count = 0;
-    take_telecentric(parser);
-    struct text word = file_words_next(&parser->words);
-    for (; word.length > 0 && count < lens->position_count; count++) {
-        if (!read_object_gap(parser, word, &values[count], error)) {
-            return false;
-        }
-        word = file_words_next(&parser->words);
-    }
-    lens->objects = values;
-    return line_count_check(parser, name, count + (word.length > 0), error);
-}
-
 static bool let_apertures(struct parser *parser, struct text name, struct error *error)
 {
     struct lens *lens = parser->lens;
@@ -316,7 +299,19 @@ static bool read_let(struct parser *parser, int what, struct error *error)
                                "'let' needs a line with 'position' before it");
     }
     if (text_equal(name, "object")) {
-        return let_objects(parser, name, error);
+        struct figure *values =
+            ARENA_ARRAY(parser->words.arena, lens->position_count, struct figure);
+        size_t given = 0;
+        take_telecentric(parser);
+        struct text word = file_words_next(&parser->words);
+        for (; word.length > 0 && given < lens->position_count; given++) {
+            if (!read_object_gap(parser, word, &values[given], error)) {
+                return false;
+            }
+            word = file_words_next(&parser->words);
+        }
+        lens->objects = values;
+        return line_count_check(parser, name, given + (word.length > 0), error);
     }
     if (text_equal(name, "aperture")) {
         return let_apertures(parser, name, error);
@@ -462,19 +457,6 @@ static const struct {
     {"block", 0, read_aperture_line, true},
 };
 
-/* Not the beginning of a line: one of the table may have been meant. */
-static bool refuse_keyword(struct parser *parser, struct text word, struct error *error)
-{
-    struct nearest nearest = {.typed = word};
-    for (size_t i = 0; i < sizeof keywords / sizeof keywords[0]; i++) {
-        nearest_offer(&nearest, text_of(keywords[i].word));
-    }
-    file_words_fail(&parser->words, word, error, "unknown word '%.*s'", text_shown(word),
-                    word.start);
-    return nearest.best.start != NULL &&
-           error_hint(error, "did you mean '%.*s'?", (int)nearest.best.length, nearest.best.start);
-}
-
 static bool lens_file_read_line(struct parser *parser, struct error *error)
 {
     const struct text word = file_words_next(&parser->words);
@@ -483,7 +465,16 @@ static bool lens_file_read_line(struct parser *parser, struct error *error)
         i++;
     }
     if (i == count) {
-        return refuse_keyword(parser, word, error);
+        /* Not the beginning of a line: one of the table may have been meant. */
+        struct nearest nearest = {.typed = word};
+        for (size_t k = 0; k < sizeof keywords / sizeof keywords[0]; k++) {
+            nearest_offer(&nearest, text_of(keywords[k].word));
+        }
+        file_words_fail(&parser->words, word, error, "unknown word '%.*s'", text_shown(word),
+                        word.start);
+        return nearest.best.start != NULL &&
+               error_hint(error, "did you mean '%.*s'?", (int)nearest.best.length,
+                          nearest.best.start);
     }
     bool twice = (keywords[i].once & parser->given) != 0 && keywords[i].once != 16;
     twice = twice || (text_equal(word, "lens") && parser->lens->title != NULL) ||

@@ -42,15 +42,6 @@ static struct text cut_factor(struct sum *sum)
     return lens_pickup_cut(sum, behind != NULL ? (size_t)(behind - sum->rest.start) : 0);
 }
 
-static struct text cut_name(struct sum *sum)
-{
-    size_t length = 0;
-    while (length < sum->rest.length && lens_pickup_is_name(sum->rest.start[length])) {
-        length++;
-    }
-    return lens_pickup_cut(sum, length);
-}
-
 /* Digits of the term with its sign, so that it is written as it was typed. */
 static bool read_term_figure(struct sum *sum, bool minus, struct text digits, bool is_factor,
                              struct figure *figure, struct error *error)
@@ -70,7 +61,11 @@ static bool read_term(struct sum *sum, bool minus, struct error *error)
     if (digits.length > 0 && sum->rest.length > 0 && *sum->rest.start == '*') {
         lens_pickup_cut(sum, 1);
     }
-    const struct text name = cut_name(sum);
+    size_t length = 0;
+    while (length < sum->rest.length && lens_pickup_is_name(sum->rest.start[length])) {
+        length++;
+    }
+    const struct text name = lens_pickup_cut(sum, length);
     const struct text at = name.length > 0 || digits.length == 0 ? name : digits;
     if (at.length == 0) {
         return file_words_fail(sum->words, at, error,

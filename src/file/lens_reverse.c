@@ -96,15 +96,6 @@ static void add_breaks(struct turn *turn, const struct displacement *coordinate_
     }
 }
 
-static void turn_mark(const struct turn *turn, struct vary *vary)
-{
-    if (vary->has_bounds && lens_reverse_turns(turn, vary->kind)) {
-        struct figure low = vary->low;
-        vary->low = figure_negate(vary->high, turn->arena);
-        vary->high = figure_negate(low, turn->arena);
-    }
-}
-
 /* Marks of one owner, from a surface as it was to where the owner lies now. */
 static void add_own_marks(const struct turn *turn, struct surface *to, const struct surface *from,
                           enum owner owner)
@@ -117,24 +108,13 @@ static void add_own_marks(const struct turn *turn, struct surface *to, const str
     for (size_t i = 0; i < from->vary_count; i++) {
         if (owner_of(from->varies[i].kind) == owner) {
             all[to->vary_count] = from->varies[i];
-            turn_mark(turn, &all[to->vary_count++]);
+            struct vary *vary = &all[to->vary_count++];
+            if (vary->has_bounds && lens_reverse_turns(turn, vary->kind)) {
+                struct figure low = vary->low;
+                vary->low = figure_negate(vary->high, turn->arena);
+                vary->high = figure_negate(low, turn->arena);
+            }
         }
-    }
-}
-
-/* Marks of the gap before a surface, and of its medium, which mirrors have from before them. */
-static void add_marks_behind(struct turn *turn, struct surface *to, size_t index)
-{
-    const struct surface *surfaces = turn->from->surfaces;
-    size_t medium = index - 1;
-    add_own_marks(turn, to, &surfaces[index - 1], OWNED_BY_GAP);
-    while (medium > 0 && surface_reflects(&surfaces[medium])) {
-        medium--;
-    }
-    turn->places[OWNED_BY_GAP][index - 1] = turn->build.lens->surface_count - 1;
-    if (!surface_reflects(&surfaces[index])) {
-        add_own_marks(turn, to, &surfaces[medium], OWNED_BY_MEDIUM);
-        turn->places[OWNED_BY_MEDIUM][medium] = turn->build.lens->surface_count - 1;
     }
 }
 
@@ -198,20 +178,6 @@ static bool tolerance_has_place(const struct lens *lens, enum tolerance_kind kin
     return keeps_place(lens, one);
 }
 
-/* What is of one end of an element by itself is of the other end now, and must be named. */
-static size_t turn_pivot(const struct turn *turn, const struct lens_tolerance *from,
-                         const struct lens_tolerance *to)
-{
-    const bool is_wedge = from->kind == TOLERANCE_WEDGE;
-    const bool has_end = is_wedge || from->kind == TOLERANCE_ELEMENT_ROLL;
-    size_t pivot = from->pivot;
-    if (pivot == LENS_NONE && has_end) {
-        pivot = is_wedge ? from->last : from->first;
-    }
-    pivot = pivot == LENS_NONE ? LENS_NONE : turn->places[OWNED_BY_SURFACE][pivot];
-    return has_end && pivot == (is_wedge ? to->last : to->first) ? LENS_NONE : pivot;
-}
-
 /* Those of the lens turned around, in the making. */
 struct turned_tolerances {
     struct lens_tolerance *list;
@@ -242,7 +208,15 @@ static void turn_tolerance(const struct turn *turn, struct turned_tolerances *al
         }
     }
     if (to.first != LENS_NONE) {
-        to.pivot = turn_pivot(turn, from, &to);
+        /* What is of one end of an element by itself is of the other end now, and must be named. */
+        const bool is_wedge = from->kind == TOLERANCE_WEDGE;
+        const bool has_end = is_wedge || from->kind == TOLERANCE_ELEMENT_ROLL;
+        size_t pivot = from->pivot;
+        if (pivot == LENS_NONE && has_end) {
+            pivot = is_wedge ? from->last : from->first;
+        }
+        pivot = pivot == LENS_NONE ? LENS_NONE : turn->places[OWNED_BY_SURFACE][pivot];
+        to.pivot = has_end && pivot == (is_wedge ? to.last : to.first) ? LENS_NONE : pivot;
         add_turned_tolerance(turn, all, to);
     }
 }
@@ -282,23 +256,6 @@ static void turn_tolerances(const struct turn *turn)
     turn->build.lens->tolerance_count = all.count;
 }
 
-/* Those of the gap or the glass behind the lens, in words behind `all`. */
-static const char *join_tolerances(const char *all, const struct lens *lens, struct arena *arena)
-{
-    for (size_t i = 0; i < lens->tolerance_count; i++) {
-        struct lens_tolerance one = lens->tolerances[i];
-        for (size_t k = one.first; k <= one.last && one.kind != TOLERANCE_FOCUS; k++) {
-            struct lens_tolerance missing = one;
-            missing.first = missing.last = k;
-            if (!tolerance_has_place(lens, one.kind, k)) {
-                all = arena_printf(arena, "%s%sthe tolerance of %s", all != NULL ? all : "",
-                                   all != NULL ? ", " : "", tolerance_name(&missing, arena));
-            }
-        }
-    }
-    return all;
-}
-
 const char *lens_marks_left_out(const struct lens *lens, struct arena *arena)
 {
     size_t last = lens->surface_count - 1, medium = last;
@@ -314,7 +271,19 @@ const char *lens_marks_left_out(const struct lens *lens, struct arena *arena)
                                parameter_mark_write(lens->pickups[i].what, arena));
         }
     }
-    return join_tolerances(all, lens, arena);
+    /* Those of the gap or the glass behind the lens, in words behind `all`. */
+    for (size_t i = 0; i < lens->tolerance_count; i++) {
+        struct lens_tolerance one = lens->tolerances[i];
+        for (size_t k = one.first; k <= one.last && one.kind != TOLERANCE_FOCUS; k++) {
+            struct lens_tolerance missing = one;
+            missing.first = missing.last = k;
+            if (!tolerance_has_place(lens, one.kind, k)) {
+                all = arena_printf(arena, "%s%sthe tolerance of %s", all != NULL ? all : "",
+                                   all != NULL ? ", " : "", tolerance_name(&missing, arena));
+            }
+        }
+    }
+    return all;
 }
 
 /* A factor changes its sign where only one of the two numbers does. */
@@ -336,19 +305,6 @@ static void turn_pickups(const struct turn *turn)
         one.what.surface = turn->places[owner_of(one.what.kind)][one.what.surface];
         one.from.surface = turn->places[owner_of(one.from.kind)][one.from.surface];
         lens->pickups[lens->pickup_count++] = one;
-    }
-}
-
-/* What lies on the surface itself. */
-static void turn_numbers(const struct turn *turn, struct surface *surface)
-{
-    for (struct parameter each = {0}; each.kind < PARAMETER_KINDS; each = parameter_next(each)) {
-        const struct figure *figure = parameter_figure(surface, each.kind, each.order);
-        bool is_behind = (parameter_type(each.kind)->is & PARAMETER_IS_BEHIND) != 0;
-        if (figure != NULL && !is_behind && lens_reverse_turns(turn, each.kind)) {
-            parameter_put(surface, each.kind, each.order, figure_negate(*figure, turn->arena),
-                          turn->arena);
-        }
     }
 }
 
@@ -388,7 +344,15 @@ static void add_turned_surface(struct turn *turn, size_t index)
     *to = from->surfaces[index];
     to->medium = index > 0 ? from->surfaces[index - 1].medium : from->object_medium;
     to->coordinate_break = NULL;
-    turn_numbers(turn, to);
+    /* What lies on the surface itself. */
+    for (struct parameter each = {0}; each.kind < PARAMETER_KINDS; each = parameter_next(each)) {
+        const struct figure *figure = parameter_figure(to, each.kind, each.order);
+        bool is_behind = (parameter_type(each.kind)->is & PARAMETER_IS_BEHIND) != 0;
+        if (figure != NULL && !is_behind && lens_reverse_turns(turn, each.kind)) {
+            parameter_put(to, each.kind, each.order, figure_negate(*figure, turn->arena),
+                          turn->arena);
+        }
+    }
     to->apertures = turn->flips ? turn_apertures(turn, to) : to->apertures;
     to->varies = NULL;
     to->vary_count = 0;
@@ -405,7 +369,17 @@ static void add_turned_surface(struct turn *turn, size_t index)
         struct lens *lens = turn->build.lens;
         struct surface *last = &lens->surfaces[lens->surface_count - 1];
         set_turned_gap(turn, last, &from->surfaces[index - 1]);
-        add_marks_behind(turn, last, index);
+        const struct surface *surfaces = turn->from->surfaces;
+        size_t medium = index - 1;
+        add_own_marks(turn, last, &surfaces[index - 1], OWNED_BY_GAP);
+        while (medium > 0 && surface_reflects(&surfaces[medium])) {
+            medium--;
+        }
+        turn->places[OWNED_BY_GAP][index - 1] = turn->build.lens->surface_count - 1;
+        if (!surface_reflects(&surfaces[index])) {
+            add_own_marks(turn, last, &surfaces[medium], OWNED_BY_MEDIUM);
+            turn->places[OWNED_BY_MEDIUM][medium] = turn->build.lens->surface_count - 1;
+        }
     }
 }
 
@@ -500,15 +474,6 @@ static bool turn_aperture(struct turn *turn, struct error *error)
     return true;
 }
 
-static bool surface_distorts(const struct surface *surface)
-{
-    bool distorts = false;
-    for (int i = 0; i < 3 && surface_has(surface, SURFACE_HAS_FOCAL); i++) {
-        distorts = distorts || fabs(surface->distortion[i].value.hi) > 0;
-    }
-    return distorts;
-}
-
 static bool check_turnable(const struct turn *turn, struct error *error)
 {
     const struct lens *from = turn->from;
@@ -532,7 +497,11 @@ static bool check_turnable(const struct turn *turn, struct error *error)
                         "{reverse}: distances beside an odd number of mirrors change between the "
                         "positions: choose one with {position}");
         }
-        if (surface_distorts(&from->surfaces[i])) {
+        bool distorts = false;
+        for (int k = 0; k < 3 && surface_has(&from->surfaces[i], SURFACE_HAS_FOCAL); k++) {
+            distorts = distorts || fabs(from->surfaces[i].distortion[k].value.hi) > 0;
+        }
+        if (distorts) {
             return fail(error, ERROR_DOMAIN,
                         "{reverse}: surface %zu is a thick lens with distortion, which has no "
                         "reverse",

@@ -20,11 +20,6 @@ bool lens_words_glass(const struct file_words *words, const struct glass_source 
     return error_hint(error, "%s", found.hint);
 }
 
-static bool is_set_twice(const struct figure *a, const struct figure *b)
-{
-    return a->value.hi == b->value.hi && a->value.lo == b->value.lo;
-}
-
 /* Why the first value is not what the surface has; null where it is. */
 static const char *against_surface(const struct surface *surface,
                                    const struct lens_setting *setting, struct arena *arena)
@@ -50,7 +45,8 @@ static const char *against_surface(const struct surface *surface,
     if (figure != NULL && figure->variable != LENS_NONE) {
         return arena_printf(arena, "%s is a variable, which has its numbers by 'let'", name);
     }
-    return plane || is_set_twice(figure, &setting->figures[0])
+    return plane || (figure->value.hi == setting->figures[0].value.hi &&
+                     figure->value.lo == setting->figures[0].value.lo)
                ? NULL
                : arena_printf(arena, "%s: the first position has not the number of its surface",
                               name);

@@ -44,15 +44,11 @@ static bool is_name_word(struct text text)
     return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z');
 }
 
-static bool is_bare_plane(struct text text)
-{
-    return text_equal(text, "-") || text_equal(text, "inf") || text_equal(text, "-inf");
-}
-
 static bool read_radius(struct file_words *words, struct surface *surface, struct error *error)
 {
     struct text word = file_words_next(words);
-    surface->is_plane = is_bare_plane(word);
+    surface->is_plane =
+        text_equal(word, "-") || text_equal(word, "inf") || text_equal(word, "-inf");
     surface->radius = (struct figure){.typed = word, .variable = LENS_NONE};
     if (surface->is_plane) {
         return true;

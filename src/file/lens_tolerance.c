@@ -292,24 +292,6 @@ static bool read_plain_amount(const struct tolerance_line_reader *reading, struc
     return true;
 }
 
-static bool check_amount(const struct tolerance_line_reader *reading, struct text word,
-                         struct error *error)
-{
-    const struct lens_tolerance *one = reading->one;
-    const double value = one->amount.value.hi;
-    if (!(value > 0)) {
-        return file_words_fail(reading->words, word, error,
-                               "a tolerance is above 0: so much plus and minus");
-    }
-    if (one->unit == TOLERANCE_PERCENT && value >= 100) {
-        return file_words_fail(reading->words, word, error,
-                               "a tolerance of %.*s is as wide as the number itself",
-                               text_shown(word), word.start);
-    }
-    return one->unit != TOLERANCE_ANGLE || value < PI / 2 ||
-           file_words_fail(reading->words, word, error, "a tilt is below 90deg");
-}
-
 static bool read_amount(struct tolerance_line_reader *reading, struct error *error)
 {
     struct file_words *words = reading->words;
@@ -344,7 +326,18 @@ static bool read_amount(struct tolerance_line_reader *reading, struct error *err
     if (name.length > 0) {
         one->amount.typed = word;
     }
-    return check_amount(reading, word, error);
+    const double value = one->amount.value.hi;
+    if (!(value > 0)) {
+        return file_words_fail(reading->words, word, error,
+                               "a tolerance is above 0: so much plus and minus");
+    }
+    if (one->unit == TOLERANCE_PERCENT && value >= 100) {
+        return file_words_fail(reading->words, word, error,
+                               "a tolerance of %.*s is as wide as the number itself",
+                               text_shown(word), word.start);
+    }
+    return one->unit != TOLERANCE_ANGLE || value < PI / 2 ||
+           file_words_fail(reading->words, word, error, "a tilt is below 90deg");
 }
 
 /* -------- how it is spread -------- */
@@ -432,21 +425,6 @@ static bool read_rest(struct tolerance_line_reader *reading, struct error *error
     return true;
 }
 
-/* One more; the list, which nobody else grows, has room for the next power of two. */
-static void lens_tolerance_add(struct lens *lens, const struct lens_tolerance *one,
-                               struct arena *arena)
-{
-    const size_t count = lens->tolerance_count;
-    if ((count & (count - 1)) == 0) {
-        struct lens_tolerance *all = ARENA_ARRAY(arena, 2 * count + 1, struct lens_tolerance);
-        for (size_t i = 0; i < count; i++) {
-            all[i] = lens->tolerances[i];
-        }
-        lens->tolerances = all;
-    }
-    lens->tolerances[lens->tolerance_count++] = *one;
-}
-
 bool lens_tolerance_read(struct file_words *words, struct lens *lens, struct error *error)
 {
     struct lens_tolerance one = {.distribution = DISTRIBUTION_UNIFORM,
@@ -463,7 +441,17 @@ bool lens_tolerance_read(struct file_words *words, struct lens *lens, struct err
         !read_rest(&reading, error)) {
         return false;
     }
-    lens_tolerance_add(lens, &one, words->arena);
+    /* One more; the list, which nobody else grows, has room for the next power of two. */
+    const size_t count = lens->tolerance_count;
+    if ((count & (count - 1)) == 0) {
+        struct lens_tolerance *all =
+            ARENA_ARRAY(words->arena, 2 * count + 1, struct lens_tolerance);
+        for (size_t i = 0; i < count; i++) {
+            all[i] = lens->tolerances[i];
+        }
+        lens->tolerances = all;
+    }
+    lens->tolerances[lens->tolerance_count++] = one;
     return true;
 }
 
@@ -500,10 +488,11 @@ bool lens_tolerances_read(const char *source, struct text content, const struct 
 
 /* -------- and back -------- */
 
-/* A computed amount, in mm and degrees. */
-static void write_amount(const struct lens_tolerance *tolerance, const char *unit,
-                         struct text_buffer *text)
+void lens_tolerance_write(const struct lens_tolerance *tolerance, const char *unit,
+                          struct text_buffer *text)
 {
+    growing_format(text, "%s ", tolerance_name(tolerance, text->arena));
+    /* A computed amount, in mm and degrees. */
     static const char *const endings[TOLERANCE_UNITS] = {"mm", "deg", "", "%", "fringes"};
     const struct figure *amount = &tolerance->amount;
     if (tolerance->kind == TOLERANCE_COEFFICIENT && tolerance->unit == TOLERANCE_NUMBER) {
@@ -516,13 +505,6 @@ static void write_amount(const struct lens_tolerance *tolerance, const char *uni
                                  : amount->value.hi);
         growing_string(text, endings[tolerance->unit]);
     }
-}
-
-void lens_tolerance_write(const struct lens_tolerance *tolerance, const char *unit,
-                          struct text_buffer *text)
-{
-    growing_format(text, "%s ", tolerance_name(tolerance, text->arena));
-    write_amount(tolerance, unit, text);
     growing_format(text, " %s", distribution_words[tolerance->distribution].word);
     if (tolerance->sigmas != DISTRIBUTION_SIGMAS) {
         growing_string(text, " ");

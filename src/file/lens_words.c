@@ -285,12 +285,6 @@ static bool read_table(const struct file_words *words, struct text text, struct 
     return true;
 }
 
-static bool begins_number(struct text text)
-{
-    return text.length > 0 && text.start[0] != '\0' &&
-           strchr("0123456789.+-", text.start[0]) != NULL;
-}
-
 bool lens_words_medium(const struct file_words *words, struct text text, struct medium *medium,
                        struct error *error)
 {
@@ -305,7 +299,8 @@ bool lens_words_medium(const struct file_words *words, struct text text, struct 
         medium->kind = MEDIUM_CONSTANT;
         return true;
     }
-    if (!begins_number(text)) {
+    if (!(text.length > 0 && text.start[0] != '\0' &&
+          strchr("0123456789.+-", text.start[0]) != NULL)) {
         return true;
     }
     struct text abbe = text, index = text_cut(&abbe, '/');

@@ -83,22 +83,6 @@ static void put_displacement(struct lens_write_writer *writer, const struct disp
     put_vector(writer, " tilt=", all->tilt, turns, RADIANS_PER_DEGREE);
 }
 
-/* Of a thick lens, where they are not 0. */
-static void put_thick_extras(struct lens_write_writer *writer, const struct surface *surface)
-{
-    size_t terms = 3;
-    while (terms > 0 && surface->distortion[terms - 1].value.hi == 0) {
-        terms--;
-    }
-    if (surface->hiatus.variable != LENS_NONE || surface->hiatus.value.hi != 0) {
-        put_quoted(writer, " hiatus=");
-        put_cell(writer, true, &surface->hiatus);
-    }
-    if (terms > 0) {
-        put_vector(writer, " distortion=", surface->distortion, terms, 1);
-    }
-}
-
 /* In which a file has the number. */
 static double lens_write_unit_of(const struct lens_write_writer *writer, enum parameter_kind kind,
                                  int order)
@@ -111,7 +95,18 @@ static double lens_write_unit_of(const struct lens_write_writer *writer, enum pa
 static void put_extras(struct lens_write_writer *writer, const struct surface *surface)
 {
     if (surface_has(surface, SURFACE_HAS_FOCAL)) {
-        put_thick_extras(writer, surface);
+        /* Of a thick lens, where they are not 0. */
+        size_t terms = 3;
+        while (terms > 0 && surface->distortion[terms - 1].value.hi == 0) {
+            terms--;
+        }
+        if (surface->hiatus.variable != LENS_NONE || surface->hiatus.value.hi != 0) {
+            put_quoted(writer, " hiatus=");
+            put_cell(writer, true, &surface->hiatus);
+        }
+        if (terms > 0) {
+            put_vector(writer, " distortion=", surface->distortion, terms, 1);
+        }
     }
     if (surface->has_curvature) {
         put_quoted(writer, " c=");
@@ -174,40 +169,6 @@ static void put_in_table(struct lens_write_writer *writer, const struct surface 
     }
 }
 
-/* Columns as usual, wider where numbers are long. */
-static void set_tabs(struct lens_write_writer *writer)
-{
-    static const size_t usual[CELLS] = {12, 26, 38, 58};
-    const size_t end = writer->text.length;
-    for (int cell = 0; cell < CELLS; cell++) {
-        writer->tabs[cell] = usual[cell];
-    }
-    for (int cell = 0; cell + 1 < CELLS; cell++) {
-        size_t widest = 0;
-        for (size_t i = 0; i < writer->lens->surface_count; i++) {
-            put_in_table(writer, &writer->lens->surfaces[i], cell);
-            const size_t width = writer->text.length - end;
-            widest = width > widest ? width : widest;
-            writer->text.length = end;
-        }
-        if (writer->tabs[cell] + widest >= writer->tabs[cell + 1]) {
-            writer->tabs[cell + 1] = writer->tabs[cell] + widest + 1;
-        }
-    }
-}
-
-static void put_table_head(struct lens_write_writer *writer)
-{
-    static const char *const names[CELLS] = {"radius", "thickness", "medium", "diameter"};
-    const size_t start = writer->text.length;
-    put_quoted(writer, "#");
-    for (int cell = 0; cell < CELLS; cell++) {
-        put_tab(writer, start, writer->tabs[cell]);
-        put_quoted(writer, names[cell]);
-    }
-    lens_write_put(writer, "\n", 1);
-}
-
 static void put_surface_line(struct lens_write_writer *writer, const struct surface *surface)
 {
     if (surface->coordinate_break != NULL) {
@@ -268,33 +229,6 @@ static void put_field_point(struct lens_write_writer *writer, const char *betwee
     put_weight(writer, field->weight_typed);
 }
 
-static void put_field_points(struct lens_write_writer *writer)
-{
-    static const char *const kinds[] = {[FIELD_ANGLE] = "angle",
-                                        [FIELD_HEIGHT] = "height",
-                                        [FIELD_IMAGE] = "image",
-                                        [FIELD_REAL] = "real"};
-    const struct lens *lens = writer->lens;
-    put_quoted(writer, "field       ");
-    put_quoted(writer, kinds[lens->field_kind]);
-    for (size_t i = 0; i < lens->field_count; i++) {
-        put_field_point(writer, " ", &lens->fields[i]);
-    }
-    lens_write_put(writer, "\n", 1);
-}
-
-static void put_wavelengths(struct lens_write_writer *writer)
-{
-    const struct lens *lens = writer->lens;
-    for (size_t i = 0; i < lens->wavelength_count; i++) {
-        const struct lens_wavelength *one = &lens->wavelengths[i];
-        put_quoted(writer, i == 0 ? "wavelength  " : " ");
-        lens_write_put(writer, one->typed.start, one->typed.length);
-        put_weight(writer, one->weight_typed);
-    }
-    put_quoted(writer, lens->wavelength_count > 0 ? "\n" : "");
-}
-
 static void put_aperture_lines(struct lens_write_writer *writer, const char *before,
                                const struct figure *figures, size_t count)
 {
@@ -311,14 +245,6 @@ static void put_aperture_lines(struct lens_write_writer *writer, const char *bef
     }
 }
 
-static void put_object_line(struct lens_write_writer *writer)
-{
-    const struct lens *lens = writer->lens;
-    put_quoted(writer, "object      ");
-    put_figure(writer, &lens->object, writer->unit);
-    put_quoted(writer, lens->is_telecentric ? " telecentric\n" : "\n");
-}
-
 static void put_lens_header(struct lens_write_writer *writer)
 {
     static const char *const focuses[] = {"paraxial", "table", "best", "afocal"};
@@ -330,9 +256,17 @@ static void put_lens_header(struct lens_write_writer *writer)
         lens_write_put_line(writer, "note", lens->notes[i]);
     }
     lens_write_put_line(writer, "unit", lens->unit);
-    put_wavelengths(writer);
+    for (size_t i = 0; i < lens->wavelength_count; i++) {
+        const struct lens_wavelength *one = &lens->wavelengths[i];
+        put_quoted(writer, i == 0 ? "wavelength  " : " ");
+        lens_write_put(writer, one->typed.start, one->typed.length);
+        put_weight(writer, one->weight_typed);
+    }
+    put_quoted(writer, lens->wavelength_count > 0 ? "\n" : "");
     if (lens->objects == NULL) {
-        put_object_line(writer);
+        put_quoted(writer, "object      ");
+        put_figure(writer, &lens->object, writer->unit);
+        put_quoted(writer, lens->is_telecentric ? " telecentric\n" : "\n");
     }
     if (!text_equal(lens->object_medium.written, "air")) {
         put_quoted(writer, "medium      ");
@@ -341,7 +275,16 @@ static void put_lens_header(struct lens_write_writer *writer)
         put_quoted(writer, "\n");
     }
     if (lens->field_kind != FIELD_NONE) {
-        put_field_points(writer);
+        static const char *const kinds[] = {[FIELD_ANGLE] = "angle",
+                                            [FIELD_HEIGHT] = "height",
+                                            [FIELD_IMAGE] = "image",
+                                            [FIELD_REAL] = "real"};
+        put_quoted(writer, "field       ");
+        put_quoted(writer, kinds[lens->field_kind]);
+        for (size_t k = 0; k < lens->field_count; k++) {
+            put_field_point(writer, " ", &lens->fields[k]);
+        }
+        lens_write_put(writer, "\n", 1);
     }
     if (lens->aperture_kind != APERTURE_NONE && lens->apertures == NULL) {
         put_aperture_lines(writer, "aperture    ", &lens->aperture, 1);
@@ -398,21 +341,6 @@ static void put_set_lines(struct lens_write_writer *writer)
     put_system_settings(writer);
 }
 
-/* A word of the positions, with its marks. */
-static void put_variable(struct lens_write_writer *writer, const struct lens_variable *variable)
-{
-    put_quoted(writer, "let ");
-    lens_write_put(writer, variable->name.start, variable->name.length);
-    for (size_t p = 0; p < writer->lens->position_count; p++) {
-        lens_write_put(writer, " ", 1);
-        put_figure(writer, &variable->values[p], writer->unit);
-        if (variable->varies != NULL && variable->varies[p] != NULL) {
-            lens_mark_write(variable->varies[p], "", writer->lens->unit, &writer->text);
-        }
-    }
-    lens_write_put(writer, "\n", 1);
-}
-
 /* What follows what, what is wanted, and how well it is made. */
 static void put_design(struct lens_write_writer *writer)
 {
@@ -452,7 +380,18 @@ static void put_positions(struct lens_write_writer *writer)
         }
     }
     for (size_t i = 0; i < lens->variable_count; i++) {
-        put_variable(writer, &lens->variables[i]);
+        /* A word of the positions, with its marks. */
+        const struct lens_variable *variable = &lens->variables[i];
+        put_quoted(writer, "let ");
+        lens_write_put(writer, variable->name.start, variable->name.length);
+        for (size_t p = 0; p < writer->lens->position_count; p++) {
+            lens_write_put(writer, " ", 1);
+            put_figure(writer, &variable->values[p], writer->unit);
+            if (variable->varies != NULL && variable->varies[p] != NULL) {
+                lens_mark_write(variable->varies[p], "", writer->lens->unit, &writer->text);
+            }
+        }
+        lens_write_put(writer, "\n", 1);
     }
     put_set_lines(writer);
     if (lens->objects != NULL) {
@@ -471,8 +410,32 @@ struct text lens_write(const struct lens *lens, struct arena *arena)
     put_lens_header(&writer);
     put_positions(&writer);
     put_design(&writer);
-    set_tabs(&writer);
-    put_table_head(&writer);
+    /* Columns as usual, wider where numbers are long. */
+    static const size_t usual[CELLS] = {12, 26, 38, 58};
+    const size_t end = writer.text.length;
+    for (int cell = 0; cell < CELLS; cell++) {
+        writer.tabs[cell] = usual[cell];
+    }
+    for (int cell = 0; cell + 1 < CELLS; cell++) {
+        size_t widest = 0;
+        for (size_t i = 0; i < writer.lens->surface_count; i++) {
+            put_in_table(&writer, &writer.lens->surfaces[i], cell);
+            const size_t width = writer.text.length - end;
+            widest = width > widest ? width : widest;
+            writer.text.length = end;
+        }
+        if (writer.tabs[cell] + widest >= writer.tabs[cell + 1]) {
+            writer.tabs[cell + 1] = writer.tabs[cell] + widest + 1;
+        }
+    }
+    static const char *const names[CELLS] = {"radius", "thickness", "medium", "diameter"};
+    const size_t start = writer.text.length;
+    put_quoted(&writer, "#");
+    for (int cell = 0; cell < CELLS; cell++) {
+        put_tab(&writer, start, writer.tabs[cell]);
+        put_quoted(&writer, names[cell]);
+    }
+    lens_write_put(&writer, "\n", 1);
     for (size_t i = 0; i < lens->surface_count; i++) {
         put_surface_line(&writer, &lens->surfaces[i]);
     }

@@ -72,22 +72,6 @@ static size_t append_corner(struct obj *obj, const struct corner *corner)
     return obj->corner_count++;
 }
 
-static size_t corner_number(struct obj *obj, const struct corner *corner)
-{
-    if (2 * (obj->corner_count + 1) > obj->slot_count) {
-        obj->slot_count = obj->slot_count > 0 ? 2 * obj->slot_count : 1024;
-        obj->slots = ARENA_ARRAY(obj->arena, obj->slot_count, size_t);
-        for (size_t i = 0; i < obj->corner_count; i++) {
-            obj->slots[obj_file_slot_of(obj, &obj->corners[i])] = i + 1;
-        }
-    }
-    const size_t slot = obj_file_slot_of(obj, corner);
-    if (obj->slots[slot] == 0) {
-        obj->slots[slot] = append_corner(obj, corner) + 1;
-    }
-    return obj->slots[slot] - 1;
-}
-
 /* -------- words -------- */
 
 /* The next word of a line, which goes on behind a backslash; a comment ends it. */
@@ -104,24 +88,6 @@ static struct text obj_file_next_word(struct obj *obj)
     return word;
 }
 
-static bool read_obj_number(const struct obj *obj, struct text word, double most, double *value,
-                            struct error *error)
-{
-    const char *end = word.start + word.length;
-    const char *behind =
-        word.length > 0 ? number_read(word.start, end, NUMBER_UNSCALED, value) : NULL;
-    if (word.length == 0) {
-        return file_words_fail(&obj->words, word, error, "a number is missing");
-    }
-    if (behind != end) {
-        return file_words_fail(&obj->words, word, error, "'%.*s' is not a number", text_shown(word),
-                               word.start);
-    }
-    return fabs(*value) <= most ||
-           file_words_fail(&obj->words, word, error, "%.*s is not within -%.4g to %.4g",
-                           text_shown(word), word.start, most, most);
-}
-
 /* v x y z, with a weight or a colour behind; vt u, with v, and a depth; vn x y z. */
 static bool obj_file_read_part(struct obj *obj, enum obj_file_part part, struct error *error)
 {
@@ -132,8 +98,19 @@ static bool obj_file_read_part(struct obj *obj, enum obj_file_part part, struct 
     size_t count = 0;
     struct text word = obj_file_next_word(obj);
     for (; count < least[part] || (word.length > 0 && count < most[part]); count++) {
-        if (!read_obj_number(obj, word, farthest, &number[count], error)) {
-            return false;
+        const char *end = word.start + word.length;
+        const char *behind =
+            word.length > 0 ? number_read(word.start, end, NUMBER_UNSCALED, &number[count]) : NULL;
+        if (word.length == 0) {
+            return file_words_fail(&obj->words, word, error, "a number is missing");
+        }
+        if (behind != end) {
+            return file_words_fail(&obj->words, word, error, "'%.*s' is not a number",
+                                   text_shown(word), word.start);
+        }
+        if (!(fabs(number[count]) <= farthest)) {
+            return file_words_fail(&obj->words, word, error, "%.*s is not within -%.4g to %.4g",
+                                   text_shown(word), word.start, farthest, farthest);
         }
         word = obj_file_next_word(obj);
     }
@@ -187,7 +164,18 @@ static bool read_corner(struct obj *obj, struct text word, size_t *number, struc
         return file_words_fail(&obj->words, rest, error,
                                "a corner is position/place/normal: three numbers at most");
     }
-    *number = corner_number(obj, &corner);
+    if (2 * (obj->corner_count + 1) > obj->slot_count) {
+        obj->slot_count = obj->slot_count > 0 ? 2 * obj->slot_count : 1024;
+        obj->slots = ARENA_ARRAY(obj->arena, obj->slot_count, size_t);
+        for (size_t i = 0; i < obj->corner_count; i++) {
+            obj->slots[obj_file_slot_of(obj, &obj->corners[i])] = i + 1;
+        }
+    }
+    const size_t slot = obj_file_slot_of(obj, &corner);
+    if (obj->slots[slot] == 0) {
+        obj->slots[slot] = append_corner(obj, &corner) + 1;
+    }
+    *number = obj->slots[slot] - 1;
     return true;
 }
 
@@ -284,55 +272,11 @@ static bool obj_file_read_line(struct obj *obj, struct error *error)
     return read_other(obj, head, error);
 }
 
-/* How many parts of each kind there are. */
-static void count_parts(struct obj *obj)
-{
-    const struct file_words begin = obj->words;
-    while (file_words_line(&obj->words)) {
-        const struct text head = obj_file_next_word(obj);
-        for (int part = 0; part < PARTS; part++) {
-            obj->total[part] += text_equal(head, part_words[part]) ? 1 : 0;
-        }
-        while (obj_file_next_word(obj).length > 0) {
-        }
-    }
-    obj->words = begin;
-}
-
 /* -------- the mesh -------- */
 
 static struct vector obj_file_position(const struct obj *obj, size_t corner)
 {
     return obj->all[PART_POSITION][obj->corners[corner].of[PART_POSITION]];
-}
-
-/* Into other triangles, as many. */
-static void cut_face(struct obj *obj, const struct obj_file_fan *fan)
-{
-    size_t(*triangles)[3] = &obj->triangles[fan->first];
-    size_t(*cut)[3] = arena_array(obj->arena, fan->corner_count - 2, sizeof cut[0]);
-    size_t *corners = ARENA_ARRAY(obj->arena, fan->corner_count, size_t);
-    struct vector *at = ARENA_ARRAY(obj->arena, fan->corner_count, struct vector);
-    for (size_t i = 0; i < fan->corner_count; i++) {
-        corners[i] = i < 2 ? triangles[0][i] : triangles[i - 2][2];
-        at[i] = obj_file_position(obj, corners[i]);
-    }
-    const enum polygon_cut way = polygon_triangles(at, fan->corner_count, cut, obj->arena);
-    obj->passed->crossed += way == POLYGON_CROSSED ? 1 : 0;
-    for (size_t i = 0; i < fan->corner_count - 2; i++) {
-        for (int k = 0; k < 3; k++) {
-            triangles[i][k] = corners[cut[i][k]];
-        }
-    }
-}
-
-static void cut_faces(struct obj *obj)
-{
-    for (size_t i = 0; i < obj->fan_count; i++) {
-        const struct arena_mark mark = arena_mark(obj->arena);
-        cut_face(obj, &obj->fans[i]);
-        arena_reset(obj->arena, mark);
-    }
 }
 
 /* Where its corners lie, whichever comes first; bytes are equal where numbers are. */
@@ -366,16 +310,6 @@ static struct places places_of(const struct obj *obj, const size_t triangle[3])
     return places;
 }
 
-static uint64_t obj_file_hash_of(const struct places *places)
-{
-    uint64_t words[sizeof *places / sizeof(uint64_t)], hash = 0;
-    memcpy(words, places, sizeof words);
-    for (size_t i = 0; i < sizeof words / sizeof words[0]; i++) {
-        hash = mixed(hash, words[i]);
-    }
-    return hash;
-}
-
 /* Triangles that lie on each other would all be looked at by each ray, and shine each. */
 static void leave_out_twice(struct obj *obj)
 {
@@ -386,7 +320,12 @@ static void leave_out_twice(struct obj *obj)
     size_t *first = ARENA_ARRAY(obj->arena, slots, size_t); /* one more than its number */
     for (size_t i = 0; i < obj->triangle_count; i++) {
         const struct places here = places_of(obj, obj->triangles[i]);
-        size_t slot = (size_t)obj_file_hash_of(&here) & (slots - 1);
+        uint64_t words[sizeof here / sizeof(uint64_t)], hash = 0;
+        memcpy(words, &here, sizeof words);
+        for (size_t k = 0; k < sizeof words / sizeof words[0]; k++) {
+            hash = mixed(hash, words[k]);
+        }
+        size_t slot = (size_t)hash & (slots - 1);
         bool is_there = false;
         for (; first[slot] != 0 && !is_there; slot = (slot + 1) & (slots - 1)) {
             const struct places other = places_of(obj, obj->triangles[first[slot] - 1]);
@@ -399,17 +338,6 @@ static void leave_out_twice(struct obj *obj)
     }
     obj->passed->twice = obj->triangle_count - kept;
     obj->triangle_count = kept;
-}
-
-/* Any direction for a triangle without area, which nothing meets. */
-static struct vector face_normal(const struct obj *obj, const size_t triangle[3])
-{
-    const struct vector a = obj_file_position(obj, triangle[0]);
-    const struct vector across = vector_cross(vector_minus(obj_file_position(obj, triangle[1]), a),
-                                              vector_minus(obj_file_position(obj, triangle[2]), a));
-    const double length = vector_length(across);
-    return length > 0 && isfinite(length) ? vector_times(1 / length, across)
-                                          : (struct vector){0, 0, 1};
 }
 
 static bool has_normal(const struct obj *obj, size_t corner)
@@ -429,7 +357,15 @@ static void give_normals(struct obj *obj)
                 continue;
             }
             if (flat.of[PART_NORMAL] == NONE) {
-                const struct vector normal = face_normal(obj, triangle);
+                /* Any direction for a triangle without area, which nothing meets. */
+                const struct vector a = obj_file_position(obj, triangle[0]);
+                const struct vector across =
+                    vector_cross(vector_minus(obj_file_position(obj, triangle[1]), a),
+                                 vector_minus(obj_file_position(obj, triangle[2]), a));
+                const double length = vector_length(across);
+                const struct vector normal = length > 0 && isfinite(length)
+                                                 ? vector_times(1 / length, across)
+                                                 : (struct vector){0, 0, 1};
                 obj->all[PART_NORMAL] =
                     arena_grow(obj->arena, obj->all[PART_NORMAL], obj->count[PART_NORMAL],
                                &obj->room[PART_NORMAL], sizeof normal);
@@ -454,21 +390,29 @@ static bool has_part(const struct obj *obj, enum obj_file_part part)
     return false;
 }
 
-static void count_unplaced(struct obj *obj)
+static void make_mesh(struct obj *obj, struct arena *arena, struct scene_mesh *mesh)
 {
-    for (size_t i = 0; i < obj->triangle_count; i++) {
-        const size_t *triangle = obj->triangles[i];
-        bool lacks = false;
-        for (int k = 0; k < 3; k++) {
-            lacks = lacks || obj->corners[triangle[k]].of[PART_PLACE] == NONE;
-        }
-        obj->passed->unplaced += lacks ? 1 : 0;
+    const bool has_normals = has_part(obj, PART_NORMAL), has_places = has_part(obj, PART_PLACE);
+    if (has_normals) {
+        give_normals(obj);
     }
-}
-
-static void fill_corners(const struct obj *obj, struct vector *corners, struct vector *normals,
-                         double (*places)[2])
-{
+    if (has_places) {
+        for (size_t i = 0; i < obj->triangle_count; i++) {
+            const size_t *triangle = obj->triangles[i];
+            bool lacks = false;
+            for (int k = 0; k < 3; k++) {
+                lacks = lacks || obj->corners[triangle[k]].of[PART_PLACE] == NONE;
+            }
+            obj->passed->unplaced += lacks ? 1 : 0;
+        }
+    }
+    struct vector *corners = ARENA_ARRAY(arena, obj->corner_count, struct vector);
+    struct vector *normals =
+        has_normals ? ARENA_ARRAY(arena, obj->corner_count, struct vector) : NULL;
+    double(*places)[2] =
+        has_places ? arena_array(arena, obj->corner_count, sizeof places[0]) : NULL;
+    size_t(*triangles)[3] = arena_array(arena, obj->triangle_count, sizeof triangles[0]);
+    memcpy(triangles, obj->triangles, obj->triangle_count * sizeof triangles[0]);
     for (size_t i = 0; i < obj->corner_count; i++) {
         const size_t *of = obj->corners[i].of;
         corners[i] = vector_times(obj->question->scale, obj->all[PART_POSITION][of[PART_POSITION]]);
@@ -481,25 +425,6 @@ static void fill_corners(const struct obj *obj, struct vector *corners, struct v
             places[i][1] = obj->all[PART_PLACE][of[PART_PLACE]].y;
         }
     }
-}
-
-static void make_mesh(struct obj *obj, struct arena *arena, struct scene_mesh *mesh)
-{
-    const bool has_normals = has_part(obj, PART_NORMAL), has_places = has_part(obj, PART_PLACE);
-    if (has_normals) {
-        give_normals(obj);
-    }
-    if (has_places) {
-        count_unplaced(obj);
-    }
-    struct vector *corners = ARENA_ARRAY(arena, obj->corner_count, struct vector);
-    struct vector *normals =
-        has_normals ? ARENA_ARRAY(arena, obj->corner_count, struct vector) : NULL;
-    double(*places)[2] =
-        has_places ? arena_array(arena, obj->corner_count, sizeof places[0]) : NULL;
-    size_t(*triangles)[3] = arena_array(arena, obj->triangle_count, sizeof triangles[0]);
-    memcpy(triangles, obj->triangles, obj->triangle_count * sizeof triangles[0]);
-    fill_corners(obj, corners, normals, places);
     *mesh = (struct scene_mesh){
         .file = arena_string(arena, obj->question->source, strlen(obj->question->source)),
         .corner_count = obj->corner_count,
@@ -513,7 +438,17 @@ static void make_mesh(struct obj *obj, struct arena *arena, struct scene_mesh *m
 
 static bool obj_file_read_lines(struct obj *obj, struct error *error)
 {
-    count_parts(obj);
+    /* How many parts of each kind there are. */
+    const struct file_words begin = obj->words;
+    while (file_words_line(&obj->words)) {
+        const struct text head = obj_file_next_word(obj);
+        for (int part = 0; part < PARTS; part++) {
+            obj->total[part] += text_equal(head, part_words[part]) ? 1 : 0;
+        }
+        while (obj_file_next_word(obj).length > 0) {
+        }
+    }
+    obj->words = begin;
     while (file_words_line(&obj->words)) {
         if (!obj_file_read_line(obj, error)) {
             return false;
@@ -536,7 +471,27 @@ bool obj_read(const struct obj_question *question, struct text content, struct a
     obj.words.comment = NULL;
     is_read = is_read && obj_file_read_lines(&obj, error);
     if (is_read) {
-        cut_faces(&obj);
+        for (size_t i = 0; i < obj.fan_count; i++) {
+            const struct arena_mark mark = arena_mark(obj.arena);
+            /* Into other triangles, as many. */
+            const struct obj_file_fan *fan = &obj.fans[i];
+            size_t(*triangles)[3] = &obj.triangles[fan->first];
+            size_t(*cut)[3] = arena_array(obj.arena, fan->corner_count - 2, sizeof cut[0]);
+            size_t *corners = ARENA_ARRAY(obj.arena, fan->corner_count, size_t);
+            struct vector *at = ARENA_ARRAY(obj.arena, fan->corner_count, struct vector);
+            for (size_t j = 0; j < fan->corner_count; j++) {
+                corners[j] = j < 2 ? triangles[0][j] : triangles[j - 2][2];
+                at[j] = obj_file_position(&obj, corners[j]);
+            }
+            const enum polygon_cut way = polygon_triangles(at, fan->corner_count, cut, obj.arena);
+            obj.passed->crossed += way == POLYGON_CROSSED ? 1 : 0;
+            for (size_t j = 0; j < fan->corner_count - 2; j++) {
+                for (int k = 0; k < 3; k++) {
+                    triangles[j][k] = corners[cut[j][k]];
+                }
+            }
+            arena_reset(obj.arena, mark);
+        }
         leave_out_twice(&obj);
         make_mesh(&obj, arena, mesh);
     }

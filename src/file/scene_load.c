@@ -216,18 +216,6 @@ bool scene_load_picture(struct scene_reader *reader, const struct scene_line *li
 #define MOST_WAVELENGTH  0.71
 #define MOST_VALUE       1e9
 
-/* What bands of wavelengths lie within; a table that ends before is 0 there, which is said. */
-static void note_ends(struct scene_reader *reader, const char *path,
-                      const struct spectrum *spectrum)
-{
-    const double first = spectrum->wavelength[0], last = spectrum->wavelength[spectrum->count - 1];
-    if (first > LEAST_WAVELENGTH || last < MOST_WAVELENGTH) {
-        take_load_note(reader,
-                       arena_printf(reader->words.arena, "%s: from %g to %g nm, and 0 beside that",
-                                    path, first / UM_PER_NM, last / UM_PER_NM));
-    }
-}
-
 /* Are wavelengths above 0 and rise, and are values light or shares of it? */
 static bool check_picture_row(const struct number_table *table, size_t row, struct error *error)
 {
@@ -289,7 +277,12 @@ bool scene_load_table(struct scene_reader *reader, const struct scene_line *line
         !take_spectrum(wanted.path, &table, spectrum, error)) {
         return false;
     }
-    note_ends(reader, wanted.path, spectrum);
+    const double first = spectrum->wavelength[0], last = spectrum->wavelength[spectrum->count - 1];
+    if (first > LEAST_WAVELENGTH || last < MOST_WAVELENGTH) {
+        take_load_note(reader,
+                       arena_printf(reader->words.arena, "%s: from %g to %g nm, and 0 beside that",
+                                    wanted.path, first / UM_PER_NM, last / UM_PER_NM));
+    }
     reader->tabled = arena_grow(arena, reader->tabled, reader->tables.count, &reader->table_room,
                                 sizeof reader->tabled[0]);
     reader->tabled[reader->tables.count] = *spectrum;
@@ -324,20 +317,6 @@ static void note_passed(struct scene_reader *reader, const char *path,
                                     path, passed->twice, passed->twice == 1 ? " lies" : "s lie",
                                     passed->twice == 1 ? "is" : "are"));
     }
-}
-
-/* Once, of what is seen with a texture. */
-static void note_unplaced(struct scene_reader *reader, struct scene_model *model)
-{
-    if (model->unplaced > 0) {
-        take_load_note(reader, arena_printf(reader->words.arena,
-                                            "%s: %zu triangle%s no places in a texture, and take%s "
-                                            "its lower left corner",
-                                            model->mesh->file, model->unplaced,
-                                            model->unplaced == 1 ? " has" : "s have",
-                                            model->unplaced == 1 ? "s" : ""));
-    }
-    model->unplaced = 0;
 }
 
 /* What the file holds is given up: it is as large as the mesh. */
@@ -387,7 +366,18 @@ bool scene_load_mesh(struct scene_reader *reader, const struct scene_line *line,
         which = name_table_add(&reader->meshes, text_of(name), arena);
     }
     if (has_texture) {
-        note_unplaced(reader, &reader->models[which]);
+        /* Once, of what is seen with a texture. */
+        struct scene_model *model = &reader->models[which];
+        if (model->unplaced > 0) {
+            take_load_note(reader,
+                           arena_printf(reader->words.arena,
+                                        "%s: %zu triangle%s no places in a texture, and take%s "
+                                        "its lower left corner",
+                                        model->mesh->file, model->unplaced,
+                                        model->unplaced == 1 ? " has" : "s have",
+                                        model->unplaced == 1 ? "s" : ""));
+        }
+        model->unplaced = 0;
     }
     *mesh = reader->models[which].mesh;
     return true;
