@@ -3,8 +3,6 @@
 #include "data/agf.h"
 
 #include "base/number.h"
-#include "data/agf_formula.h"
-#include "data/agf_words.h"
 #include "data/encoding.h"
 
 #include <math.h>

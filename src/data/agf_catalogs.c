@@ -1,6 +1,6 @@
 /* data/agf_catalogs.c - the AGF files of the user. */
 /* SPDX-License-Identifier: MIT */
-#include "data/agf_catalogs.h"
+#include "data/agf.h"
 
 #include "data/whole_file.h"
 

@@ -1,6 +1,6 @@
 /* data/agf_formula.c - the thirteen dispersion formulas of AGF files. */
 /* SPDX-License-Identifier: MIT */
-#include "data/agf_formula.h"
+#include "data/agf.h"
 
 static void same(const struct pair *c, const signed char *powers, size_t count, struct glass *glass)
 {

@@ -3,7 +3,7 @@
 #include "data/glass_catalog.h"
 
 #include "base/number.h"
-#include "data/agf_catalogs.h"
+#include "data/agf.h"
 #include "data/embedded.h"
 #include "data/glass_alias.h"
 #include "data/glass_table.h"

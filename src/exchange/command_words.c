@@ -1,6 +1,6 @@
 /* exchange/command_words.c - the words of lens files that are made of commands: CODE V and OSLO. */
 /* SPDX-License-Identifier: MIT */
-#include "exchange/command_words.h"
+#include "exchange/sequence.h"
 
 #include "file/lens_words.h"
 

@@ -3,7 +3,7 @@
 #include "exchange/sequence.h"
 
 #include "base/constants.h"
-#include "exchange/virtual_object.h"
+#include "exchange/entrance_pupil.h"
 #include "file/decimal.h"
 #include "file/lens_words.h"
 

@@ -1,6 +1,6 @@
 /* exchange/sequence_pickup.c - numbers that follow those of other surfaces. */
 /* SPDX-License-Identifier: MIT */
-#include "exchange/keep_pickup.h"
+#include "exchange/keep_notes.h"
 #include "exchange/sequence.h"
 #include "file/lens_words.h"
 

@@ -1,6 +1,6 @@
 /* file/lens_aperture.c - `pass rectangle 20 10 decenter=0,1 turn=30`. */
 /* SPDX-License-Identifier: MIT */
-#include "file/lens_aperture.h"
+#include "file/lens_surface.h"
 
 #include "base/constants.h"
 #include "file/lens_words.h"

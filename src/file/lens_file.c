@@ -2,7 +2,6 @@
 /* SPDX-License-Identifier: MIT */
 #include "file/lens_file.h"
 
-#include "file/lens_aperture.h"
 #include "file/lens_mark.h"
 #include "file/lens_pickup.h"
 #include "file/lens_setting.h"

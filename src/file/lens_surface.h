@@ -4,6 +4,8 @@
 #define LENSCALC_FILE_LENS_SURFACE_H
 
 #include "file/file_words.h"
+#include "optics/aperture.h"
+#include "optics/growing.h"
 #include "optics/lens.h"
 
 /* The variables of a lens being read, and where each was first used. */
@@ -30,5 +32,19 @@ bool lens_surface_read(struct file_words *words, enum surface_kind kind,
 /* Read what follows `bend`, a coordinate break. */
 bool lens_coordinate_break_read(struct file_words *words,
                                 const struct displacement **coordinate_break, struct error *error);
+
+/*
+ * Read what follows `pass` or `block`: SHAPE SIZES decenter=x,y turn=a.
+ *
+ * Given     surface  the one above it, which has one aperture more then; null: there is none
+ *           room     of its list, 0 before the first
+ * Errors    ERROR_DATA with line and column
+ */
+bool lens_aperture_read(struct file_words *words, bool blocks, struct surface *surface,
+                        size_t *room, struct error *error);
+
+/* The line of an aperture, with its end; lengths in the unit of the lens. */
+void lens_aperture_write(const struct aperture *aperture, struct number_scale unit,
+                         struct text_buffer *text);
 
 #endif

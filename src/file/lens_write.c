@@ -4,9 +4,9 @@
 #include "optics/growing.h"
 
 #include "base/constants.h"
-#include "file/lens_aperture.h"
 #include "file/lens_mark.h"
 #include "file/lens_pickup.h"
+#include "file/lens_surface.h"
 #include "file/lens_tolerance.h"
 #include "file/lens_unit.h"
 

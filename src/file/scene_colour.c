@@ -2,7 +2,6 @@
 /* SPDX-License-Identifier: MIT */
 #include "base/image/srgb.h"
 #include "base/quantity.h"
-#include "file/scene_load.h"
 #include "file/scene_reader.h"
 #include "light/illuminant.h"
 

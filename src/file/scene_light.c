@@ -2,7 +2,7 @@
 /* SPDX-License-Identifier: MIT */
 #include "base/constants.h"
 #include "base/turns.h"
-#include "file/scene_load.h"
+#include "file/scene_reader.h"
 #include "light/illuminant.h"
 
 #include <math.h>

@@ -1,6 +1,6 @@
 /* file/scene_load.c - what a scene names beside it: pictures, tables, meshes. */
 /* SPDX-License-Identifier: MIT */
-#include "file/scene_load.h"
+#include "file/scene_reader.h"
 
 #include "data/number_table.h"
 #include "data/whole_file.h"

@@ -1,6 +1,6 @@
 /* file/scene_material.c - what things of a scene are made of. */
 /* SPDX-License-Identifier: MIT */
-#include "file/scene_load.h"
+#include "file/scene_reader.h"
 
 #include <math.h>
 

@@ -1,6 +1,6 @@
 /* file/scene_thing.c - things of a scene: planes, discs, cards, spheres, boxes, meshes. */
 /* SPDX-License-Identifier: MIT */
-#include "file/scene_load.h"
+#include "file/scene_reader.h"
 
 #define PLACED (SCENE_MOTION_KEYS | SCENE_BIT(KEY_NORMAL))
 #define MADE   SCENE_BIT(KEY_MATERIAL)

@@ -1,6 +1,6 @@
 /* file/scene_words.c - one line of a .scene file: key=value words, each read as its kind. */
 /* SPDX-License-Identifier: MIT */
-#include "file/scene_words.h"
+#include "file/scene_reader.h"
 
 #include "base/constants.h"
 #include "base/quantity.h"

@@ -150,4 +150,21 @@ bool codev_check_mode(struct codev *codev);
 bool codev_write(struct foreign_job *job, const struct lens *lens, struct text *text,
                  struct error *error);
 
+/* NA, beside the kinds of aperture that codev_aperture_of_lens knows by their numbers. */
+enum { CODEV_IMAGE_NA = -1 };
+
+codev_command codev_title;
+codev_command codev_radius_mode; /* RDM */
+codev_command codev_unit;        /* DIM */
+codev_command codev_waves;       /* WL WTW */
+codev_command codev_reference;   /* REF */
+codev_command codev_aperture_of_lens;
+codev_command codev_fields;
+
+/* Does this word only matter to displays, tolerances or optimisers? */
+bool codev_is_harmless(struct text word);
+
+/* Wavelengths and fields, when all of the file is read. */
+bool codev_finish_system(struct codev *codev);
+
 #endif

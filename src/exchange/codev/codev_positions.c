@@ -1,7 +1,6 @@
 /* exchange/codev/codev_positions.c - zoom positions of a CODE V file, command by command. */
 /* SPDX-License-Identifier: MIT */
 #include "exchange/codev/codev.h"
-#include "exchange/codev/codev_system.h"
 
 #include <string.h>
 

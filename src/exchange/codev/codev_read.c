@@ -2,7 +2,6 @@
 /* SPDX-License-Identifier: MIT */
 #include "exchange/codev/codev.h"
 
-#include "exchange/codev/codev_system.h"
 #include "exchange/entrance_pupil.h"
 #include "exchange/keep_notes.h"
 #include "exchange/merge_positions.h"

@@ -2,7 +2,6 @@
 /* SPDX-License-Identifier: MIT */
 #include "exchange/codev/codev.h"
 
-#include "exchange/codev/codev_system.h"
 #include "file/decimal.h"
 
 #include "file/lens_unit.h"

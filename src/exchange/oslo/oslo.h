@@ -116,9 +116,6 @@ bool oslo_reference(struct oslo *oslo, size_t word, size_t *surface);
 /* The special apertures go to their surfaces, when all of the file is read. */
 void oslo_put_apertures(struct oslo *oslo);
 
-/* The fields of a kept note that lenscalc wrote. */
-bool oslo_fields(struct oslo *oslo, struct text line);
-
 /* What lenscalc has kept in comments: glasses, ahead; all else, when the surfaces are there. */
 void oslo_kept_glasses(struct oslo *oslo, struct text content);
 bool oslo_keep_notes(struct oslo *oslo, struct text content);

@@ -1,6 +1,6 @@
 /* exchange/zemax/zemax_glass.c - the materials of a .zmx file: names of glasses, and numbers. */
 /* SPDX-License-Identifier: MIT */
-#include "exchange/environment.h"
+#include "exchange/own_glass.h"
 #include "exchange/zemax/zemax.h"
 
 #include <math.h>

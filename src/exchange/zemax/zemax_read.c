@@ -2,7 +2,6 @@
 /* SPDX-License-Identifier: MIT */
 #include "exchange/entrance_pupil.h"
 #include "exchange/merge_positions.h"
-#include "exchange/virtual_object.h"
 #include "exchange/zemax/zemax.h"
 
 #include "base/constants.h"

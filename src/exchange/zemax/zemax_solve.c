@@ -2,7 +2,7 @@
 /* SPDX-License-Identifier: MIT */
 #include "exchange/zemax/zemax.h"
 
-#include "exchange/keep_pickup.h"
+#include "exchange/keep_notes.h"
 #include "file/lens_solve.h"
 
 #include <math.h>
