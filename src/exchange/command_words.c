@@ -211,25 +211,27 @@ bool commands_lose(const struct commands *commands, enum loss_effect effect, con
                          text_shown_up_to(name->text, 20), name->text.start, what);
 }
 
-bool commands_figure(const struct commands *commands, size_t word, struct number_scale scale,
-                     const char *what, struct figure *figure)
+bool commands_figure(const struct commands *commands, size_t word, bool is_length, const char *what,
+                     struct figure *figure)
 {
     const struct command_word found = commands_word(commands, word);
     const struct file_words place = commands_place(commands, &found);
-    return lens_words_figure(&place, found.text, scale, what, figure, commands->error);
+    return lens_words_figure(&place, found.text, is_length ? commands->scale : NUMBER_UNSCALED,
+                             what, figure, commands->error);
 }
 
-bool commands_value(const struct commands *commands, size_t word, struct number_scale scale,
-                    const char *what, struct figure *figure)
+bool commands_value(const struct commands *commands, size_t word, bool is_length, const char *what,
+                    struct figure *figure)
 {
-    return commands_figure(commands, word, scale, what, figure) && commands_end(commands, word + 1);
+    return commands_figure(commands, word, is_length, what, figure) &&
+           commands_end(commands, word + 1);
 }
 
 bool commands_object(const struct commands *commands, size_t word, struct figure *figure)
 {
     const struct text text = commands_word(commands, word).text;
     if (!text_same(text, "INF") && !text_same(text, "INFINITY")) {
-        return commands_figure(commands, word, commands->scale, "thickness", figure);
+        return commands_figure(commands, word, true, "thickness", figure);
     }
     static const char far[] = "1e20"; /* as both programs write it */
     *figure = (struct figure){.typed = text_of(far), .variable = LENS_NONE};

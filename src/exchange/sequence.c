@@ -64,8 +64,8 @@ bool sequence_read_constant(const struct sequence *sequence, size_t word,
                             struct sequence_surface *surface, int order)
 {
     struct figure figure;
-    if (!commands_value(sequence->commands, word, NUMBER_UNSCALED,
-                        order == 0 ? "conic" : "coefficient", &figure)) {
+    if (!commands_value(sequence->commands, word, false, order == 0 ? "conic" : "coefficient",
+                        &figure)) {
         return false;
     }
     sequence_set_constant(sequence, surface, order, figure);
@@ -78,8 +78,7 @@ bool sequence_read_shift(const struct sequence *sequence, size_t word,
     const struct commands *commands = sequence->commands;
     bool is_turn = what < 'X';
     struct figure figure;
-    if (!commands_value(commands, word, is_turn ? NUMBER_UNSCALED : commands->scale,
-                        is_turn ? "tilt" : "decentre", &figure)) {
+    if (!commands_value(commands, word, !is_turn, is_turn ? "tilt" : "decentre", &figure)) {
         return false;
     }
     surface->decentred_at = sequence->commands->words[0];
@@ -262,7 +261,7 @@ bool sequence_environment(struct sequence *sequence, bool is_temperature, double
 {
     const struct commands *commands = sequence->commands;
     struct figure figure;
-    if (!commands_figure(commands, 1, NUMBER_UNSCALED, is_temperature ? "temperature" : "pressure",
+    if (!commands_figure(commands, 1, false, is_temperature ? "temperature" : "pressure",
                          &figure) ||
         !commands_end(commands, 2)) {
         return false;

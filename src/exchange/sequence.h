@@ -82,13 +82,13 @@ bool commands_loss(const struct commands *commands, const struct command_word *w
 bool commands_lose(const struct commands *commands, enum loss_effect effect, const char *instead,
                    const char *what);
 
-/* A number that stands in a word of the command, as lens_words_figure reads it. */
-bool commands_figure(const struct commands *commands, size_t word, struct number_scale scale,
-                     const char *what, struct figure *figure);
+/* A number that stands in a word of the command, as lens_words_figure reads it; a length in its unit. */
+bool commands_figure(const struct commands *commands, size_t word, bool is_length, const char *what,
+                     struct figure *figure);
 
 /* The same, and nothing stands behind it. */
-bool commands_value(const struct commands *commands, size_t word, struct number_scale scale,
-                    const char *what, struct figure *figure);
+bool commands_value(const struct commands *commands, size_t word, bool is_length, const char *what,
+                    struct figure *figure);
 
 /*
  * The distance of an object: `inf` and `infinity` too, which become as far as the grammar's

@@ -68,10 +68,9 @@ static void follow_profile(const struct sequence *sequence, const struct sequenc
 static void follow_turns(const struct sequence *sequence, const struct sequence_pickup *pickup,
                          const struct sequence_surface *source, struct sequence_surface *target)
 {
-    const struct number_scale plain = {1, 0};
     for (int i = 0; i < 3; i++) {
-        target->shift[i] = followed(sequence, source->shift[i], pickup, plain);
-        target->turn[i] = followed(sequence, source->turn[i], pickup, plain);
+        target->shift[i] = followed(sequence, source->shift[i], pickup, NUMBER_UNSCALED);
+        target->turn[i] = followed(sequence, source->turn[i], pickup, NUMBER_UNSCALED);
     }
     target->turns_first = source->turns_first != (pickup->scale.hi < 0);
     target->decentred_at = pickup->at;

@@ -24,13 +24,12 @@ struct solve_application {
 static struct figure figure_solved(const struct solve_application *solving, struct pair value)
 {
     const struct commands *commands = solving->sequence->commands;
-    const struct number_scale plain = {1, 0};
     struct arena *arena = solving->sequence->job->arena;
     if (solving->is_thickness) {
         return figure_computed(value, commands->scale, arena);
     }
     struct pair per_unit = lens_words_per_length(pair_of(1), commands->scale, 1);
-    struct figure figure = figure_computed(pair_divide(value, per_unit), plain, arena);
+    struct figure figure = figure_computed(pair_divide(value, per_unit), NUMBER_UNSCALED, arena);
     sequence_per_length(commands, 1, &figure);
     return figure;
 }

@@ -21,7 +21,7 @@ bool codev_catalog(struct codev *codev)
     for (size_t i = 0; i < count; i++) {
         struct figure wave;
         codev->catalog_waves[i] = commands->words[i + 1];
-        if (!commands_figure(commands, i + 1, commands->scale, "wavelength", &wave)) {
+        if (!commands_figure(commands, i + 1, true, "wavelength", &wave)) {
             return false;
         }
     }
@@ -51,7 +51,7 @@ bool codev_private_glass(struct codev *codev)
     for (size_t i = 1; i <= count; i++) {
         const struct text nm = codev->catalog_waves[i - 1].text;
         struct figure index;
-        if (!commands_figure(commands, i, (struct number_scale){1, 0}, "index", &index)) {
+        if (!commands_figure(commands, i, false, "index", &index)) {
             return false;
         }
         text_number(nm, (struct number_scale){1, -3}, &wavelengths[i - 1]);

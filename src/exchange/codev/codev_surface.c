@@ -6,8 +6,6 @@
 
 #include <string.h>
 
-static const struct number_scale plain = {1, 0};
-
 /* The surface a command is about. */
 static struct sequence_surface *here_surface(struct codev *codev)
 {
@@ -70,11 +68,11 @@ bool codev_surface(struct codev *codev)
     struct commands *commands = &codev->commands;
     struct figure curve, thickness;
     if (!codev_begins(codev) ||
-        !commands_figure(commands, 1, codev->radius_mode ? commands->scale : plain,
+        !commands_figure(commands, 1, codev->radius_mode,
                          codev->radius_mode ? "radius" : "curvature", &curve) ||
         !(codev->sequence.count == 0
               ? commands_object(commands, 2, &thickness)
-              : commands_figure(commands, 2, commands->scale, "thickness", &thickness))) {
+              : commands_figure(commands, 2, true, "thickness", &thickness))) {
         return false;
     }
     codev->here.surface = codev->surface = codev->sequence.count;
@@ -113,8 +111,7 @@ static bool codev_solve(struct codev *codev, bool is_thickness, bool *is_solve)
         }
         *solve = (struct sequence_solve){
             .is_set = true, .of_angle = solves[i].of_angle, .ray = solves[i].ray, .at = word};
-        return commands_value(commands, codev->here.next + 1,
-                              is_thickness ? commands->scale : plain, "target of the solve",
+        return commands_value(commands, codev->here.next + 1, is_thickness, "target of the solve",
                               &solve->target);
     }
     *solve = (struct sequence_solve){.is_set = true, .is_unknown = true, .at = word};
@@ -131,8 +128,7 @@ bool codev_curve(struct codev *codev)
     if (is_solve) {
         return true;
     }
-    if (!commands_value(&codev->commands, codev->here.next,
-                        is_radius ? codev->commands.scale : plain,
+    if (!commands_value(&codev->commands, codev->here.next, is_radius,
                         is_radius ? "radius" : "curvature", &figure)) {
         return false;
     }
@@ -165,8 +161,8 @@ bool codev_thickness(struct codev *codev)
                commands_end(&codev->commands, codev->here.next + 1);
     }
     return codev_solve(codev, true, &is_solve) &&
-           (is_solve || commands_value(&codev->commands, codev->here.next, codev->commands.scale,
-                                       "thickness", &surface->thickness));
+           (is_solve || commands_value(&codev->commands, codev->here.next, true, "thickness",
+                                       &surface->thickness));
 }
 
 bool codev_glass(struct codev *codev)
@@ -203,7 +199,7 @@ bool codev_special(struct codev *codev)
                              "a surface of a shape that lenscalc has not");
     }
     if (codev->here.next + 1 < codev->commands.count &&
-        !commands_figure(&codev->commands, codev->here.next + 1, plain, "radius", &radius)) {
+        !commands_figure(&codev->commands, codev->here.next + 1, false, "radius", &radius)) {
         return false;
     }
     return radius.value.hi == 0 || radius.value.hi == 1 ||
@@ -237,7 +233,7 @@ bool codev_special_constant(struct codev *codev)
     struct sequence_surface *surface = here_surface(codev);
     const struct command_word name = commands_word(commands, codev->here.next);
     int order = name.text.length > 0 ? special_order(name.text) : -1;
-    if (!commands_value(commands, codev->here.next + 1, plain, "coefficient", &figure)) {
+    if (!commands_value(commands, codev->here.next + 1, false, "coefficient", &figure)) {
         return false;
     }
     bool is_known = surface->is_special && (order == 0 || surface_term(order) >= 0);
@@ -348,7 +344,7 @@ bool codev_aperture(struct codev *codev)
     struct figure half;
     const struct aperture_words words = aperture_words(codev);
     const bool is_clear_circle = codev->what == 'C' && !words.blocks;
-    if (!commands_value(commands, words.next, commands->scale, "radius of the aperture", &half)) {
+    if (!commands_value(commands, words.next, true, "radius of the aperture", &half)) {
         return false;
     }
     if (!(half.value.hi >= 0)) {
@@ -377,8 +373,7 @@ bool codev_aperture_shift(struct codev *codev)
     struct commands *commands = &codev->commands;
     struct figure shift;
     const struct aperture_words words = aperture_words(codev);
-    if (!commands_value(commands, words.next, commands->scale, "decentre of the aperture",
-                        &shift)) {
+    if (!commands_value(commands, words.next, true, "decentre of the aperture", &shift)) {
         return false;
     }
     if (shift.value.hi != 0 && !words.is_edge) {

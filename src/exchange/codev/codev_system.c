@@ -9,8 +9,6 @@
 #include <math.h>
 #include <string.h>
 
-static const struct number_scale plain = {1, 0};
-
 bool codev_title(struct codev *codev)
 {
     struct lens *lens = codev->build.lens;
@@ -75,7 +73,7 @@ bool codev_waves(struct codev *codev)
     for (size_t i = 0; i < count; i++) {
         struct figure figure;
         words[i] = commands->words[codev->here.next + i];
-        if (!commands_figure(commands, codev->here.next + i, plain,
+        if (!commands_figure(commands, codev->here.next + i, false,
                              what == 'L' ? "wavelength" : "weight", &figure)) {
             return false;
         }
@@ -150,8 +148,7 @@ bool codev_aperture_of_lens(struct codev *codev)
     struct commands *commands = &codev->commands;
     const size_t word = codev->here.next;
     struct figure figure;
-    if (!commands_figure(commands, word, codev->what == APERTURE_EPD ? commands->scale : plain,
-                         "aperture", &figure)) {
+    if (!commands_figure(commands, word, codev->what == APERTURE_EPD, "aperture", &figure)) {
         return false;
     }
     if (!(figure.value.hi > 0)) {
@@ -160,7 +157,8 @@ bool codev_aperture_of_lens(struct codev *codev)
     lens->aperture_kind = (enum aperture_kind)codev->what;
     if (codev->what == CODEV_IMAGE_NA) {
         struct pair twice = {2 * figure.value.hi, 2 * figure.value.lo};
-        figure = figure_computed(pair_divide(pair_of(1), twice), plain, codev->job->arena);
+        figure =
+            figure_computed(pair_divide(pair_of(1), twice), NUMBER_UNSCALED, codev->job->arena);
         lens->aperture_kind = APERTURE_FNUMBER;
     }
     lens->aperture = figure;
@@ -198,9 +196,9 @@ bool codev_fields(struct codev *codev)
     int row = kind == 'w' ? CODEV_FIELD_WEIGHTS : codev->what >= 'a';
     size_t count = commands->count - codev->here.next;
     struct figure *fields = ARENA_ARRAY(commands->job->arena, count + 1, struct figure);
-    const struct number_scale scale = kind == 'a' || kind == 'w' ? plain : commands->scale;
+    const bool is_length = kind != 'a' && kind != 'w';
     for (size_t i = 0; i < count || i == 0; i++) {
-        if (!commands_figure(commands, codev->here.next + i, scale,
+        if (!commands_figure(commands, codev->here.next + i, is_length,
                              kind == 'w' ? "field's weight" : "field", &fields[i])) {
             return false;
         }
@@ -249,8 +247,8 @@ static bool read_change(struct codev *codev, size_t first, struct sequence_picku
     struct figure numbers[2] = {{.value = {1, 0}}, {.value = {0, 0}}};
     bool is_length = pickup->what == SEQUENCE_RADIUS || pickup->what == SEQUENCE_THICKNESS;
     for (size_t i = 0; i < 2 && first + i < commands->count; i++) {
-        if (!commands_figure(commands, first + i, i == 1 && is_length ? commands->scale : plain,
-                             i == 0 ? "scale" : "offset", &numbers[i])) {
+        if (!commands_figure(commands, first + i, i == 1 && is_length, i == 0 ? "scale" : "offset",
+                             &numbers[i])) {
             return false;
         }
     }

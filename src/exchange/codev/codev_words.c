@@ -65,11 +65,10 @@ struct codev_key codev_key(struct text word)
 
 bool codev_is_zero(const struct codev *codev, size_t first)
 {
-    const struct number_scale plain = {1, 0};
     for (size_t i = first; i < codev->commands.count; i++) {
         const struct text word = codev->commands.words[i].text;
         double value = 1;
-        if (number_read(word.start, word.start + word.length, plain, &value) == NULL ||
+        if (number_read(word.start, word.start + word.length, NUMBER_UNSCALED, &value) == NULL ||
             value != 0) {
             return false;
         }

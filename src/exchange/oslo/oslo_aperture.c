@@ -7,8 +7,6 @@
 #include <math.h>
 #include <string.h>
 
-static const struct number_scale plain = {1, 0};
-
 /* ATP, AAC */
 enum { TYPE_ELLIPSE = 1, TYPE_RECTANGLE, TYPE_TRIANGLE, TYPE_QUADRANGLE };
 enum { ACTION_HOLE = 1, ACTION_OBSTRUCT = 2, ACTION_TRANSMIT = 4 };
@@ -37,7 +35,7 @@ static struct oslo_special *special_of(struct oslo *oslo, size_t surface, struct
 bool oslo_special_number(struct oslo *oslo)
 {
     struct figure figure;
-    if (!commands_value(&oslo->commands, 2, plain, "number", &figure)) {
+    if (!commands_value(&oslo->commands, 2, false, "number", &figure)) {
         return false;
     }
     const struct text letter = commands_word(&oslo->commands, 1).text;
@@ -49,7 +47,7 @@ bool oslo_special_number(struct oslo *oslo)
 bool oslo_special_edge(struct oslo *oslo)
 {
     struct figure figure;
-    if (!commands_value(&oslo->commands, 2, oslo->commands.scale, "edge of an aperture", &figure)) {
+    if (!commands_value(&oslo->commands, 2, true, "edge of an aperture", &figure)) {
         return false;
     }
     const struct text letter = commands_word(&oslo->commands, 1).text;

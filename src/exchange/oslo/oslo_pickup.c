@@ -4,8 +4,6 @@
 
 #include "file/lens_words.h"
 
-static const struct number_scale plain = {1, 0};
-
 static const struct {
     const char *name;
     enum sequence_what what;
@@ -68,9 +66,7 @@ bool oslo_pickup(struct oslo *oslo)
         }
     }
     if (next < oslo->commands.count &&
-        !commands_figure(&oslo->commands, next,
-                         pickups[found].is_length ? oslo->commands.scale : plain, "offset",
-                         &offset)) {
+        !commands_figure(&oslo->commands, next, pickups[found].is_length, "offset", &offset)) {
         return false;
     }
     pickup.offset = offset.value;

@@ -9,7 +9,6 @@
 
 static const struct command_grammar grammar = {
     .comment = "//", .quotes = "\"", .separator = ';', .continuation = '\0', .infinity = 1e8};
-static const struct number_scale plain = {1, 0};
 
 /* The surface being read, and the words behind the command's name are what they should be. */
 static struct sequence_surface *present(struct oslo *oslo)
@@ -17,10 +16,9 @@ static struct sequence_surface *present(struct oslo *oslo)
     return &oslo->sequence.surfaces[oslo->surface];
 }
 
-static bool oslo_value(struct oslo *oslo, struct number_scale scale, const char *what,
-                       struct figure *figure)
+static bool oslo_value(struct oslo *oslo, bool is_length, const char *what, struct figure *figure)
 {
-    return commands_value(&oslo->commands, 1, scale, what, figure);
+    return commands_value(&oslo->commands, 1, is_length, what, figure);
 }
 
 static bool read_len(struct oslo *oslo)
@@ -47,7 +45,7 @@ static bool oslo_beam(struct oslo *oslo)
     const bool is_radius = oslo->what == APERTURE_EPD;
     struct lens *lens = oslo->build.lens;
     struct figure figure;
-    if (!oslo_value(oslo, is_radius ? oslo->commands.scale : plain, "aperture", &figure)) {
+    if (!oslo_value(oslo, is_radius, "aperture", &figure)) {
         return false;
     }
     if (!(figure.value.hi > 0)) {
@@ -66,8 +64,7 @@ static bool oslo_field_edge(struct oslo *oslo)
     const int what = oslo->what;
     oslo->field_is = (enum oslo_field)what;
     oslo->field_at = oslo->commands.words[0];
-    return oslo_value(oslo, what == OSLO_ANGLE ? plain : oslo->commands.scale, "field",
-                      &oslo->field) &&
+    return oslo_value(oslo, what != OSLO_ANGLE, "field", &oslo->field) &&
            (what != OSLO_ANGLE || fabs(oslo->field.value.hi) <= 180 ||
             commands_fail(&oslo->commands, &oslo->commands.words[1],
                           "a field angle is not beyond 180 degrees"));
@@ -108,8 +105,7 @@ static bool oslo_curve(struct oslo *oslo)
     const int what = oslo->what;
     struct sequence_surface *surface = present(oslo);
     surface->is_radius = what == 0;
-    if (!oslo_value(oslo, what == 0 ? oslo->commands.scale : plain,
-                    what == 0 ? "radius" : "curvature", &surface->curve)) {
+    if (!oslo_value(oslo, what == 0, what == 0 ? "radius" : "curvature", &surface->curve)) {
         return false;
     }
     if (what != 0) {
@@ -124,7 +120,7 @@ static bool oslo_gap(struct oslo *oslo)
         return commands_object(&oslo->commands, 1, &present(oslo)->thickness) &&
                commands_end(&oslo->commands, 2);
     }
-    return oslo_value(oslo, oslo->commands.scale, "thickness", &present(oslo)->thickness);
+    return oslo_value(oslo, true, "thickness", &present(oslo)->thickness);
 }
 
 /* AP 5, AP CHK 5; an aperture of the size of the sky is none. */
@@ -136,8 +132,7 @@ static bool oslo_clear(struct oslo *oslo)
             ? 2
             : 1;
     struct figure radius;
-    if (!commands_value(&oslo->commands, at, oslo->commands.scale, "radius of the aperture",
-                        &radius)) {
+    if (!commands_value(&oslo->commands, at, true, "radius of the aperture", &radius)) {
         return false;
     }
     if (!(radius.value.hi >= 0)) {
@@ -187,7 +182,7 @@ static bool oslo_general_term(struct oslo *oslo)
     struct figure figure;
     size_t index;
     if (!commands_count(&oslo->commands, word, digits, "number of the coefficient", 0, &index) ||
-        !oslo_value(oslo, plain, "coefficient", &figure)) {
+        !oslo_value(oslo, false, "coefficient", &figure)) {
         return false;
     }
     if (figure.value.hi == 0) {
@@ -212,7 +207,7 @@ static bool oslo_shift(struct oslo *oslo)
 static bool read_order(struct oslo *oslo)
 {
     struct figure figure;
-    if (!oslo_value(oslo, plain, "order of shift and turn", &figure)) {
+    if (!oslo_value(oslo, false, "order of shift and turn", &figure)) {
         return false;
     }
     present(oslo)->turns_first = figure.value.hi < 0;
@@ -248,8 +243,7 @@ static bool oslo_solve(struct oslo *oslo)
                                      .ray = (oslo->what & SOLVE_OF_CHIEF) != 0 ? SOLVE_CHIEF
                                                                                : SOLVE_MARGINAL,
                                      .at = oslo->commands.words[0]};
-    return oslo_value(oslo, of_angle ? plain : oslo->commands.scale, "target of the solve",
-                      &solve->target);
+    return oslo_value(oslo, !of_angle, "target of the solve", &solve->target);
 }
 
 /* Angles of incidence and aplanatic: curvatures; contact at the edge: a thickness. */
@@ -278,7 +272,7 @@ static bool oslo_lose(struct oslo *oslo, const struct word_group *group)
 {
     struct figure figure;
     bool checked = (group->flags & WORD_COUNTS_AT_0) == 0;
-    if (checked && !oslo_value(oslo, plain, "value", &figure)) {
+    if (checked && !oslo_value(oslo, false, "value", &figure)) {
         return false;
     }
     return (checked && figure.value.hi == 0) ||

@@ -13,12 +13,10 @@
 #include <math.h>
 #include <string.h>
 
-static const struct number_scale plain = {1, 0};
-
 bool oslo_unit(struct oslo *oslo)
 {
     struct figure figure;
-    if (!commands_figure(&oslo->commands, 1, plain, "unit in mm", &figure)) {
+    if (!commands_figure(&oslo->commands, 1, false, "unit in mm", &figure)) {
         return false;
     }
     const char *legal = "";
@@ -39,7 +37,7 @@ bool oslo_unit(struct oslo *oslo)
 static bool check_wave(struct oslo *oslo, size_t word, bool is_weight)
 {
     struct figure figure;
-    if (!commands_figure(&oslo->commands, word, plain, is_weight ? "weight" : "wavelength",
+    if (!commands_figure(&oslo->commands, word, false, is_weight ? "weight" : "wavelength",
                          &figure)) {
         return false;
     }
@@ -110,7 +108,7 @@ static bool names_glass(const struct command_word *word)
 static bool is_abbe(struct text text)
 {
     double value = 0;
-    text_number(text, plain, &value);
+    text_number(text, NUMBER_UNSCALED, &value);
     return value >= 10;
 }
 
@@ -124,7 +122,7 @@ static bool oslo_indices(struct oslo *oslo, size_t first, bool is_model)
     const char *written;
     for (size_t i = 0; i < count; i++) {
         struct figure index;
-        if (!commands_figure(commands, first + i, plain, "index", &index)) {
+        if (!commands_figure(commands, first + i, false, "index", &index)) {
             return false;
         }
     }
@@ -251,12 +249,12 @@ static bool compare_named(struct oslo *oslo, const struct command_word *word)
         wavelengths[i] = usual[i < 3 ? i : 0];
         if (oslo->wave_count > 0) {
             const struct text um = oslo->waves[i];
-            text_number(um, plain, &wavelengths[i]);
+            text_number(um, NUMBER_UNSCALED, &wavelengths[i]);
         }
     }
     for (const struct command_word *one = word + 1;
          one < oslo->commands.words + oslo->commands.count; one++) {
-        if (!commands_figure(&oslo->commands, (size_t)(one - oslo->commands.words), plain, "index",
+        if (!commands_figure(&oslo->commands, (size_t)(one - oslo->commands.words), false, "index",
                              &index)) {
             return false;
         }
@@ -284,7 +282,7 @@ bool oslo_glass(struct oslo *oslo)
     }
     const bool has_indices = first + 1 < oslo->commands.count;
     double number;
-    if (text_number(word.text, plain, &number) || (has_indices && !names_glass(&word))) {
+    if (text_number(word.text, NUMBER_UNSCALED, &number) || (has_indices && !names_glass(&word))) {
         return oslo_indices(oslo, first, is_model);
     }
     if (has_indices) {
@@ -304,11 +302,11 @@ bool oslo_point(struct oslo *oslo)
         return commands_fail(&oslo->commands, &oslo->commands.words[0],
                              "more than %d points of the field", OSLO_MOST_WAVES);
     }
-    if (!commands_figure(&oslo->commands, 2, plain, "point of the field", &point.at[1])) {
+    if (!commands_figure(&oslo->commands, 2, false, "point of the field", &point.at[1])) {
         return false;
     }
     for (size_t i = 3; i < oslo->commands.count && i < 12; i++) {
-        if (!commands_figure(&oslo->commands, i, plain, "point of the field", &figure)) {
+        if (!commands_figure(&oslo->commands, i, false, "point of the field", &figure)) {
             return false;
         }
         point.at[0] = i == 3 ? figure : point.at[0];
