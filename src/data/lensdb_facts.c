@@ -173,7 +173,7 @@ bool lensdb_nearest_conversion(struct lensdb *db, double mired, struct arena *ar
 }
 
 /* Is `typed` the name or one of the aliases? */
-static bool film_answers_to(struct text name, struct text aliases, struct text typed)
+static bool answers_to_name(struct text name, struct text aliases, struct text typed)
 {
     bool same = text_same_name(name, typed);
     while (!same && aliases.start != NULL && aliases.length > 0) {
@@ -182,7 +182,7 @@ static bool film_answers_to(struct text name, struct text aliases, struct text t
     return same;
 }
 
-static void offer_films(struct nearest *nearest, struct text name, struct text aliases)
+static void offer_all_names(struct nearest *nearest, struct text name, struct text aliases)
 {
     nearest_offer(nearest, name);
     while (aliases.start != NULL && aliases.length > 0) {
@@ -286,13 +286,13 @@ double lensdb_film_speed(const struct lensdb_film *film, struct text typed)
 static bool is_film_called(const struct lensdb_film *film, struct text typed)
 {
     struct text rest = typed;
-    if (film_answers_to(film->name, film->aliases, typed)) {
+    if (answers_to_name(film->name, film->aliases, typed)) {
         return true;
     }
     for (size_t i = 1; film->maker.length > 0 && i < typed.length; i++) {
         if (text_same_name((struct text){typed.start, i}, film->maker)) {
             rest = (struct text){typed.start + i, typed.length - i};
-            return film_answers_to(film->name, film->aliases, text_trim(rest));
+            return answers_to_name(film->name, film->aliases, text_trim(rest));
         }
     }
     return false;
@@ -334,7 +334,7 @@ static bool search_films(struct lensdb *db, enum lensdb_place place,
         return error->code == ERROR_NONE;
     }
     while (lensdb_films_next(&facts, &film, error)) {
-        offer_films(&found->nearest, film.name, film.aliases);
+        offer_all_names(&found->nearest, film.name, film.aliases);
         if (answers(&film, found->typed)) {
             add_candidate(found, &film);
         }
@@ -342,7 +342,7 @@ static bool search_films(struct lensdb *db, enum lensdb_place place,
     return error->code == ERROR_NONE;
 }
 
-static bool unknown_film(const char *what, const char *topic, struct nearest *nearest,
+static bool unknown_fact(const char *what, const char *topic, struct nearest *nearest,
                          struct error *error)
 {
     struct text typed = nearest->typed;
@@ -366,7 +366,7 @@ bool lensdb_find_film(struct lensdb *db, struct text name, struct lensdb_film *f
         return false;
     }
     if (found.count == 0) {
-        return unknown_film("film", "films", &found.nearest, error);
+        return unknown_fact("film", "films", &found.nearest, error);
     }
     if (found.count > 1) {
         fail(error, ERROR_USAGE, "'%.*s' names %zu films: %s", shown_length(typed, 60), typed.start,
@@ -433,16 +433,16 @@ bool lensdb_find_scene(struct lensdb *db, struct text name, struct lensdb_scene 
         struct lensdb_table facts;
         bool open = lensdb_scenes_open(&facts, db, (enum lensdb_place)place, error);
         while (open && lensdb_scenes_next(&facts, scene, error)) {
-            if (film_answers_to(scene->name, scene->aliases, nearest.typed)) {
+            if (answers_to_name(scene->name, scene->aliases, nearest.typed)) {
                 return true;
             }
-            offer_films(&nearest, scene->name, scene->aliases);
+            offer_all_names(&nearest, scene->name, scene->aliases);
         }
         if (error->code != ERROR_NONE) {
             return false;
         }
     }
-    return unknown_film("scene", "scenes", &nearest, error);
+    return unknown_fact("scene", "scenes", &nearest, error);
 }
 
 bool lensdb_find_filter(struct lensdb *db, struct text name, struct lensdb_filter *filter,
@@ -453,14 +453,14 @@ bool lensdb_find_filter(struct lensdb *db, struct text name, struct lensdb_filte
         struct lensdb_table facts;
         bool open = lensdb_filters_open(&facts, db, (enum lensdb_place)place, error);
         while (open && lensdb_filters_next(&facts, filter, error)) {
-            if (film_answers_to(filter->name, filter->aliases, nearest.typed)) {
+            if (answers_to_name(filter->name, filter->aliases, nearest.typed)) {
                 return true;
             }
-            offer_films(&nearest, filter->name, filter->aliases);
+            offer_all_names(&nearest, filter->name, filter->aliases);
         }
         if (error->code != ERROR_NONE) {
             return false;
         }
     }
-    return unknown_film("filter", "filters", &nearest, error);
+    return unknown_fact("filter", "filters", &nearest, error);
 }

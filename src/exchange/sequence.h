@@ -82,7 +82,7 @@ bool commands_loss(const struct commands *commands, const struct command_word *w
 bool commands_lose(const struct commands *commands, enum loss_effect effect, const char *instead,
                    const char *what);
 
-/* A number that stands in a word of the command, as lens_words_figure reads it; a length in its unit. */
+/* A number in a word of the command, as lens_words_figure reads it: a length in the unit. */
 bool commands_figure(const struct commands *commands, size_t word, bool is_length, const char *what,
                      struct figure *figure);
 

@@ -29,7 +29,7 @@ static void lens_write_put(struct lens_write_writer *writer, const char *start, 
     growing_put(&writer->text, start, length);
 }
 
-static void put_quoted(struct lens_write_writer *writer, const char *string)
+static void put_string(struct lens_write_writer *writer, const char *string)
 {
     lens_write_put(writer, string, strlen(string));
 }
@@ -69,7 +69,7 @@ static void put_cell(struct lens_write_writer *writer, bool is_given, const stru
 static void put_vector(struct lens_write_writer *writer, const char *key,
                        const struct figure *figures, size_t count, double unit)
 {
-    put_quoted(writer, key);
+    put_string(writer, key);
     for (size_t i = 0; i < count; i++) {
         lens_write_put(writer, ",", i > 0);
         put_figure(writer, &figures[i], unit);
@@ -101,7 +101,7 @@ static void put_extras(struct lens_write_writer *writer, const struct surface *s
             terms--;
         }
         if (surface->hiatus.variable != LENS_NONE || surface->hiatus.value.hi != 0) {
-            put_quoted(writer, " hiatus=");
+            put_string(writer, " hiatus=");
             put_cell(writer, true, &surface->hiatus);
         }
         if (terms > 0) {
@@ -109,11 +109,11 @@ static void put_extras(struct lens_write_writer *writer, const struct surface *s
         }
     }
     if (surface->has_curvature) {
-        put_quoted(writer, " c=");
+        put_string(writer, " c=");
         put_figure(writer, &surface->curvature, 1 / writer->unit);
     }
     if (surface->conic.typed.start != NULL || surface->conic.value.hi != 0) {
-        put_quoted(writer, " k=");
+        put_string(writer, " k=");
         put_figure(writer, &surface->conic, 1);
     }
     for (int order = 1; order <= LENS_COEFFICIENTS; order++) {
@@ -121,19 +121,19 @@ static void put_extras(struct lens_write_writer *writer, const struct surface *s
         const struct figure *figure = parameter_figure(surface, kind, order);
         if (figure != NULL) {
             const char *name = parameter_name(kind, order, writer->arena);
-            put_quoted(writer, arena_printf(writer->arena, " %s=", name));
+            put_string(writer, arena_printf(writer->arena, " %s=", name));
             put_figure(writer, figure, pow(writer->unit, parameter_length(kind, order)));
         }
     }
     if (surface->is_stop && surface->kind != SURFACE_STOP) {
-        put_quoted(writer, " stop");
+        put_string(writer, " stop");
     }
     if (surface->decentre != NULL) {
         put_displacement(writer, surface->decentre, 2);
     }
     if (!surface_is_round(surface)) {
-        put_quoted(writer, " cyl=");
-        put_quoted(writer, surface_section(surface)->word);
+        put_string(writer, " cyl=");
+        put_string(writer, surface_section(surface)->word);
     }
     for (size_t i = 0; i < surface->vary_count; i++) {
         const struct vary *vary = &surface->varies[i];
@@ -142,7 +142,7 @@ static void put_extras(struct lens_write_writer *writer, const struct surface *s
         lens_mark_write(vary, name, writer->lens->unit, &writer->text);
     }
     if (surface->name != NULL) {
-        put_quoted(writer, arena_printf(writer->arena, " name=\"%s\"", surface->name));
+        put_string(writer, arena_printf(writer->arena, " name=\"%s\"", surface->name));
     }
 }
 
@@ -159,7 +159,7 @@ static void put_in_table(struct lens_write_writer *writer, const struct surface 
         break;
     case CELL_MEDIUM:
         if (surface_reflects(surface)) {
-            put_quoted(writer, "mirror");
+            put_string(writer, "mirror");
         } else {
             lens_write_put(writer, surface->medium.written.start, surface->medium.written.length);
         }
@@ -172,12 +172,12 @@ static void put_in_table(struct lens_write_writer *writer, const struct surface 
 static void put_surface_line(struct lens_write_writer *writer, const struct surface *surface)
 {
     if (surface->coordinate_break != NULL) {
-        put_quoted(writer, "bend");
+        put_string(writer, "bend");
         put_displacement(writer, surface->coordinate_break, 3);
         lens_write_put(writer, "\n", 1);
     }
     size_t start = writer->text.length;
-    put_quoted(writer, surface_traits(surface)->word);
+    put_string(writer, surface_traits(surface)->word);
     for (int cell = 0; cell < CELLS; cell++) {
         put_tab(writer, start, writer->tabs[cell]);
         put_in_table(writer, surface, cell);
@@ -195,14 +195,14 @@ static void lens_write_put_line(struct lens_write_writer *writer, const char *ke
                                 const char *text)
 {
     if (text != NULL) {
-        put_quoted(writer, arena_printf(writer->arena, "%-11s %s\n", keyword, text));
+        put_string(writer, arena_printf(writer->arena, "%-11s %s\n", keyword, text));
     }
 }
 
 static void put_figures(struct lens_write_writer *writer, const char *keyword,
                         const struct figure *figures, size_t count, double unit)
 {
-    put_quoted(writer, keyword);
+    put_string(writer, keyword);
     for (size_t i = 0; i < count; i++) {
         lens_write_put(writer, " ", 1);
         put_figure(writer, &figures[i], unit);
@@ -235,13 +235,13 @@ static void put_aperture_lines(struct lens_write_writer *writer, const char *bef
     static const char *const words[] = {"", "stop", "f/", "epd ", "na "};
     enum aperture_kind kind = writer->lens->aperture_kind;
     double unit = kind == APERTURE_EPD ? writer->unit : 1;
-    put_quoted(writer, before);
+    put_string(writer, before);
     for (size_t i = 0; i < count; i++) {
-        put_quoted(writer, i == 0 || kind != APERTURE_STOP ? words[kind] : "");
+        put_string(writer, i == 0 || kind != APERTURE_STOP ? words[kind] : "");
         if (kind != APERTURE_STOP) {
             put_figure(writer, &figures[i], unit);
         }
-        put_quoted(writer, i + 1 < count ? " " : "\n");
+        put_string(writer, i + 1 < count ? " " : "\n");
     }
 }
 
@@ -258,29 +258,29 @@ static void put_lens_header(struct lens_write_writer *writer)
     lens_write_put_line(writer, "unit", lens->unit);
     for (size_t i = 0; i < lens->wavelength_count; i++) {
         const struct lens_wavelength *one = &lens->wavelengths[i];
-        put_quoted(writer, i == 0 ? "wavelength  " : " ");
+        put_string(writer, i == 0 ? "wavelength  " : " ");
         lens_write_put(writer, one->typed.start, one->typed.length);
         put_weight(writer, one->weight_typed);
     }
-    put_quoted(writer, lens->wavelength_count > 0 ? "\n" : "");
+    put_string(writer, lens->wavelength_count > 0 ? "\n" : "");
     if (lens->objects == NULL) {
-        put_quoted(writer, "object      ");
+        put_string(writer, "object      ");
         put_figure(writer, &lens->object, writer->unit);
-        put_quoted(writer, lens->is_telecentric ? " telecentric\n" : "\n");
+        put_string(writer, lens->is_telecentric ? " telecentric\n" : "\n");
     }
     if (!text_equal(lens->object_medium.written, "air")) {
-        put_quoted(writer, "medium      ");
+        put_string(writer, "medium      ");
         lens_write_put(writer, lens->object_medium.written.start,
                        lens->object_medium.written.length);
-        put_quoted(writer, "\n");
+        put_string(writer, "\n");
     }
     if (lens->field_kind != FIELD_NONE) {
         static const char *const kinds[] = {[FIELD_ANGLE] = "angle",
                                             [FIELD_HEIGHT] = "height",
                                             [FIELD_IMAGE] = "image",
                                             [FIELD_REAL] = "real"};
-        put_quoted(writer, "field       ");
-        put_quoted(writer, kinds[lens->field_kind]);
+        put_string(writer, "field       ");
+        put_string(writer, kinds[lens->field_kind]);
         for (size_t k = 0; k < lens->field_count; k++) {
             put_field_point(writer, " ", &lens->fields[k]);
         }
@@ -298,21 +298,21 @@ static void put_system_settings(struct lens_write_writer *writer)
     const struct lens *lens = writer->lens;
     struct arena *arena = writer->arena;
     for (size_t p = 0; p < lens->position_count && lens->stops != NULL; p++) {
-        put_quoted(writer,
+        put_string(writer,
                    arena_printf(arena, "%s %zu%s", p == 0 ? "set stop" : "", lens->stops[p] + 1,
                                 p + 1 == lens->position_count ? "\n" : ""));
     }
     for (size_t p = 0; p < lens->position_count && lens->lights != NULL; p++) {
-        put_quoted(writer, arena_printf(arena, "%s %s%s", p == 0 ? "set wavelength" : "",
+        put_string(writer, arena_printf(arena, "%s %s%s", p == 0 ? "set wavelength" : "",
                                         lens_light_write(&lens->lights[p], arena),
                                         p + 1 == lens->position_count ? "\n" : ""));
     }
     for (size_t p = 0; p < lens->position_count && lens->points != NULL; p++) {
-        put_quoted(writer, p == 0 ? "set field" : "");
+        put_string(writer, p == 0 ? "set field" : "");
         for (size_t i = 0; i < lens->points[p].count; i++) {
             put_field_point(writer, i == 0 ? " " : ";", &lens->points[p].fields[i]);
         }
-        put_quoted(writer, p + 1 == lens->position_count ? "\n" : "");
+        put_string(writer, p + 1 == lens->position_count ? "\n" : "");
     }
 }
 
@@ -331,7 +331,7 @@ static void put_set_lines(struct lens_write_writer *writer)
                         lens_write_unit_of(writer, parameter.kind, parameter.order));
             continue;
         }
-        put_quoted(writer, begin);
+        put_string(writer, begin);
         for (size_t p = 0; p < lens->position_count; p++) {
             lens_write_put(writer, " ", 1);
             lens_write_put(writer, one->media[p].written.start, one->media[p].written.length);
@@ -346,17 +346,17 @@ static void put_design(struct lens_write_writer *writer)
 {
     const struct lens *lens = writer->lens;
     for (size_t i = 0; i < lens->pickup_count; i++) {
-        put_quoted(writer, "pickup      ");
+        put_string(writer, "pickup      ");
         lens_pickup_write(&lens->pickups[i], lens->unit, &writer->text);
         lens_write_put(writer, "\n", 1);
     }
     for (size_t i = 0; i < lens->goal_count; i++) {
-        put_quoted(writer, "goal        ");
+        put_string(writer, "goal        ");
         lens_write_put(writer, lens->goals[i].text.start, lens->goals[i].text.length);
         lens_write_put(writer, "\n", 1);
     }
     for (size_t i = 0; i < lens->tolerance_count; i++) {
-        put_quoted(writer, "tolerance   ");
+        put_string(writer, "tolerance   ");
         lens_tolerance_write(&lens->tolerances[i], lens->unit, &writer->text);
         lens_write_put(writer, "\n", 1);
     }
@@ -369,10 +369,10 @@ static void put_positions(struct lens_write_writer *writer)
     const struct lens *lens = writer->lens;
     size_t count = lens->position_count;
     for (size_t i = 0; i < count; i++) {
-        put_quoted(writer, arena_printf(writer->arena, "%s %s", i == 0 ? "position   " : "",
+        put_string(writer, arena_printf(writer->arena, "%s %s", i == 0 ? "position   " : "",
                                         lens->positions[i]));
     }
-    put_quoted(writer, count > 0 ? "\n" : "");
+    put_string(writer, count > 0 ? "\n" : "");
     for (int i = 0; i < STATED_COUNT; i++) {
         if (lens->stated[i] != NULL) {
             put_figures(writer, stated[i], lens->stated[i], lens->stated_count[i],
@@ -382,7 +382,7 @@ static void put_positions(struct lens_write_writer *writer)
     for (size_t i = 0; i < lens->variable_count; i++) {
         /* A word of the positions, with its marks. */
         const struct lens_variable *variable = &lens->variables[i];
-        put_quoted(writer, "let ");
+        put_string(writer, "let ");
         lens_write_put(writer, variable->name.start, variable->name.length);
         for (size_t p = 0; p < writer->lens->position_count; p++) {
             lens_write_put(writer, " ", 1);
@@ -430,10 +430,10 @@ struct text lens_write(const struct lens *lens, struct arena *arena)
     }
     static const char *const names[CELLS] = {"radius", "thickness", "medium", "diameter"};
     const size_t start = writer.text.length;
-    put_quoted(&writer, "#");
+    put_string(&writer, "#");
     for (int cell = 0; cell < CELLS; cell++) {
         put_tab(&writer, start, writer.tabs[cell]);
-        put_quoted(&writer, names[cell]);
+        put_string(&writer, names[cell]);
     }
     lens_write_put(&writer, "\n", 1);
     for (size_t i = 0; i < lens->surface_count; i++) {

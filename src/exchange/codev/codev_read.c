@@ -66,7 +66,7 @@ static bool codev_factor(struct codev *codev)
 }
 
 /* The factors narrow the beams as rims do; where all surfaces have diameters these do it here. */
-static void codev_vignettes(struct codev *codev)
+static void settle_factors(struct codev *codev)
 {
     const struct lens *lens = codev->build.lens;
     bool all = true;
@@ -303,7 +303,7 @@ static bool codev_read_finish(struct codev *codev)
     if (!codev_finish_system(codev) || !finish_lens(codev)) {
         return false;
     }
-    codev_vignettes(codev);
+    settle_factors(codev);
     return codev_check_mode(codev);
 }
 

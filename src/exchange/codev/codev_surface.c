@@ -34,7 +34,7 @@ static void set_glass(struct codev *codev, const struct command_word *word)
 }
 
 /* SO must be the first and SI the last; a number after S must be that of the surface. */
-static bool codev_begins(struct codev *codev)
+static bool check_codev_place(struct codev *codev)
 {
     struct commands *commands = &codev->commands;
     const struct command_word *word = &commands->words[0];
@@ -67,7 +67,7 @@ bool codev_surface(struct codev *codev)
 {
     struct commands *commands = &codev->commands;
     struct figure curve, thickness;
-    if (!codev_begins(codev) ||
+    if (!check_codev_place(codev) ||
         !commands_figure(commands, 1, codev->radius_mode,
                          codev->radius_mode ? "radius" : "curvature", &curve) ||
         !(codev->sequence.count == 0

@@ -61,7 +61,7 @@ static void codev_put_catalog(struct codev_output *output)
 
 /* -------- the whole lens -------- */
 
-static void codev_put_stop_down(struct lens_writer *writing)
+static void codev_put_beam(struct lens_writer *writing)
 {
     const struct lens *lens = writing->lens;
     enum aperture_kind kind = lens->aperture_kind;
@@ -280,7 +280,7 @@ bool codev_write(struct foreign_job *job, const struct lens *lens, struct text *
     for (size_t i = 0; i < lens->note_count; i++) {
         writing_put(writing, CODEV_KEEP_NOTE CODEV_NOTE "%s\n", lens->notes[i]);
     }
-    codev_put_stop_down(writing);
+    codev_put_beam(writing);
     writing_put(writing, "DIM %s\n", foreign_unit_word(codev_units, writing->unit));
     size_t column = 2;
     writing_put(writing, lens->wavelength_count == 0 ? "WL 587.5618" : "WL");

@@ -26,7 +26,7 @@ static void oslo_put_text(struct lens_writer *writing, const char *name, const c
     }
 }
 
-static void oslo_put_stop_down(struct lens_writer *writing)
+static void oslo_put_beam(struct lens_writer *writing)
 {
     const struct lens *lens = writing->lens;
     const enum aperture_kind kind = lens->aperture_kind;
@@ -381,7 +381,7 @@ bool oslo_write(struct foreign_job *job, const struct lens *lens, struct text *t
     keep_notes_write(&writing->text, lens, writing->scale, OSLO_KEEP_NOTE, "\n");
     oslo_put_text(writing, "LEN NEW", lens->title != NULL ? lens->title : "");
     writing_put(writing, " 100 %zu\n", lens->surface_count + 1);
-    oslo_put_stop_down(writing);
+    oslo_put_beam(writing);
     oslo_put_field(writing);
     growing_string(&writing->text, lens->is_telecentric ? "TELE ON\n" : "");
     growing_string(&writing->text, lens->focus == FOCUS_AFOCAL ? "AMO AFO\n" : "");
