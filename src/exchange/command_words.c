@@ -172,6 +172,7 @@ struct command_word commands_word(const struct commands *commands, size_t word)
 struct file_words commands_place(const struct commands *commands, const struct command_word *word)
 {
     return (struct file_words){.source = commands->job->source,
+                               .error = commands->error,
                                .line = word->line,
                                .number = word->number,
                                .at = word->line.start,
@@ -188,7 +189,7 @@ bool commands_fail(const struct commands *commands, const struct command_word *w
     va_start(arguments, format);
     vsnprintf(message, sizeof message, format, arguments);
     va_end(arguments);
-    return file_words_fail(&place, word->text, commands->error, "%s", message);
+    return file_words_fail(&place, word->text, "%s", message);
 }
 
 bool commands_loss(const struct commands *commands, const struct command_word *word,
@@ -217,7 +218,7 @@ bool commands_figure(const struct commands *commands, size_t word, bool is_lengt
     const struct command_word found = commands_word(commands, word);
     const struct file_words place = commands_place(commands, &found);
     return lens_words_figure(&place, found.text, is_length ? commands->scale : NUMBER_UNSCALED,
-                             what, figure, commands->error);
+                             what, figure);
 }
 
 bool commands_value(const struct commands *commands, size_t word, bool is_length, const char *what,

@@ -245,7 +245,9 @@ bool foreign_settle(const struct foreign_job *job, bool done, struct error *erro
     const struct foreign_loss *first = all[0].first[0];
     const char *prefix = first->effect == LOSS_OF_LENS ? "" : "cannot be kept: ";
     if (first->line > 0) {
-        file_words_fail(&first->line_of, first->word, error, "%s%s", prefix, first->message);
+        struct file_words line = first->line_of;
+        line.error = error;
+        file_words_fail(&line, first->word, "%s%s", prefix, first->message);
     } else {
         foreign_fail(job, error, "%s%s", prefix, first->message);
     }
@@ -486,11 +488,13 @@ bool foreign_glass(struct foreign_job *job, const struct file_words *words,
                    const struct foreign_name *named, struct medium *medium, struct error *error)
 {
     const struct text name = named->name;
+    struct file_words place = *words;
     struct glass_search search = {.job = job, .named = named, .medium = medium};
+    place.error = error;
     if (job->glasses == NULL) {
         *medium = (struct medium){.kind = MEDIUM_GLASS, .written = name, .index = {1, 0}};
         return is_glass_word(name) ||
-               file_words_fail(words, name, error, "this cannot be the name of a glass");
+               file_words_fail(&place, name, "this cannot be the name of a glass");
     }
     error->code = ERROR_NONE;
     for (size_t i = 0; i < named->catalog_count && error->code == ERROR_NONE; i++) {
@@ -514,6 +518,6 @@ bool foreign_glass(struct foreign_job *job, const struct file_words *words,
         error->code = ERROR_NONE; /* not a homonym: unknown */
         return false;
     }
-    file_words_fail(words, name, error, "%s", found.message);
+    file_words_fail(&place, name, "%s", found.message);
     return error_hint(error, "%s", found.hint);
 }

@@ -33,8 +33,9 @@ static bool json_wave(struct json_reader *reading, const struct json_value *item
     double named = 0;
     struct file_words words = json_place(reading, item);
     struct error ignored;
+    words.error = &ignored;
     if (!json_is_null(name) && name->kind == JSON_STRING &&
-        lens_words_wavelength(&words, name->text, &named, &ignored) && named == micrometres) {
+        lens_words_wavelength(&words, name->text, &named) && named == micrometres) {
         one->typed = name->text; /* as it was typed, if it is this one */
     }
     return true;

@@ -28,6 +28,7 @@ struct file_words json_place(struct json_reader *reading, const struct json_valu
     }
     const char *last = end != NULL ? end : start + length;
     return (struct file_words){.source = reading->job->source,
+                               .error = reading->error,
                                .line = text_between(start + reading->line_start, last),
                                .number = reading->line,
                                .scale = NUMBER_UNSCALED,
@@ -44,7 +45,7 @@ bool json_wrong(struct json_reader *reading, const struct json_value *value, con
     va_start(arguments, format);
     vsnprintf(message, sizeof message, format, arguments);
     va_end(arguments);
-    return file_words_fail(&words, word, reading->error, "%s", message);
+    return file_words_fail(&words, word, "%s", message);
 }
 
 /* Each key once, and none that is not in the list: that is a loss. */
@@ -216,7 +217,7 @@ bool json_read_medium(struct json_reader *reading, const struct json_value *valu
         }
     }
     words.line = value->text;
-    if (!lens_words_medium(&words, value->text, medium, reading->error)) {
+    if (!lens_words_medium(&words, value->text, medium)) {
         return false;
     }
     if (medium->kind == MEDIUM_GLASS && job->glasses != NULL &&

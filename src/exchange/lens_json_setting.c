@@ -76,11 +76,10 @@ static bool json_set_values(struct json_reader *reading, const struct json_value
             read = json_set_stop(reading, item, &set.stops[i]);
             break;
         case SET_LIGHTS:
-            read = lens_light_read(&words, item->text, &set.lights[i], reading->error);
+            read = lens_light_read(&words, item->text, &set.lights[i]);
             break;
         case SET_POINTS:
-            read = lens_words_points(&words, item->text, lens->field_kind, &set.points[i],
-                                     reading->error);
+            read = lens_words_points(&words, item->text, lens->field_kind, &set.points[i]);
             break;
         }
         if (!read) {
@@ -130,8 +129,7 @@ bool json_read_settings(struct json_reader *reading, const struct json_value *va
 
 /* Texts as the lines of a .lens file in mm have them. */
 static bool json_lines(struct json_reader *reading, const struct json_value *value,
-                       bool (*read)(struct file_words *words, struct lens *lens,
-                                    struct error *error))
+                       bool (*read)(struct file_words *words, struct lens *lens))
 {
     if (!json_check_array(reading, value, "texts")) {
         return false;
@@ -145,7 +143,7 @@ static bool json_lines(struct json_reader *reading, const struct json_value *val
         words.line = item->text;
         words.at = item->text.start;
         words.scale = lens_unit_scale("mm");
-        if (!read(&words, reading->build.lens, reading->error)) {
+        if (!read(&words, reading->build.lens)) {
             return false;
         }
     }

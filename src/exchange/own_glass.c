@@ -147,7 +147,7 @@ static const char *table_there(const struct environment *environment, const stru
 }
 
 bool environment_apply(const struct environment *environment, const struct file_words *words,
-                       struct text word, struct medium *medium, struct error *error)
+                       struct text word, struct medium *medium)
 {
     const struct glass *glass = lens_glass_of(medium);
     const double temperature = environment->temperature, pressure = environment->pressure;
@@ -168,7 +168,7 @@ bool environment_apply(const struct environment *environment, const struct file_
                         job->arena, "line %ld: the indices of %.*s at %.6g C and %.6g atmospheres",
                         words->number, text_shown(medium->written), medium->written.start,
                         temperature, pressure)));
-    if (!lens_words_medium(words, text_of(written), medium, error)) {
+    if (!lens_words_medium(words, text_of(written), medium)) {
         return false;
     }
     medium->warning = warning;

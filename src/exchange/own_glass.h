@@ -56,6 +56,6 @@ struct environment {
  * Errors    a loss where the catalogue lacks what it takes
  */
 bool environment_apply(const struct environment *environment, const struct file_words *words,
-                       struct text word, struct medium *medium, struct error *error);
+                       struct text word, struct medium *medium);
 
 #endif

@@ -80,12 +80,12 @@ static bool pbrt_read_stop(struct lens_build *build, const struct file_words *wo
     if (!(row->figures[INDEX].value.hi > 0)) {
         surface->medium = *before;
     } else if (!is_same_index(before, &surface->medium)) {
-        file_words_fail(words, row->words[RADIUS], error,
+        file_words_fail(words, row->words[RADIUS],
                         "radius 0 is the stop, which does not refract, but the index changes here");
         return error_hint(error, "write a plane as a very long radius");
     }
     if (build->lens->stop != LENS_NONE) {
-        return file_words_fail(words, row->words[RADIUS], error,
+        return file_words_fail(words, row->words[RADIUS],
                                "a second stop: surface %zu is one already", build->lens->stop + 1);
     }
     lens_build_stop(build, at);
@@ -98,14 +98,14 @@ static bool pbrt_add_surface(struct lens_build *build, const struct file_words *
 {
     for (int i = INDEX; i < CELLS; i++) {
         if (!(row->figures[i].value.hi >= 0)) {
-            return file_words_fail(words, row->words[i], error, "a negative %s", names[i]);
+            return file_words_fail(words, row->words[i], "a negative %s", names[i]);
         }
     }
     if (!(row->figures[DIAMETER].value.hi > 0)) {
-        return file_words_fail(words, row->words[DIAMETER], error, "a surface without diameter");
+        return file_words_fail(words, row->words[DIAMETER], "a surface without diameter");
     }
     if (build->lens->surface_count == LENS_MOST_SURFACES) {
-        return file_words_fail(words, row->words[RADIUS], error, "more than %d surfaces",
+        return file_words_fail(words, row->words[RADIUS], "more than %d surfaces",
                                LENS_MOST_SURFACES);
     }
     struct surface *surface = lens_build_surface(build);
@@ -133,8 +133,7 @@ static bool pbrt_read_words(struct lens_build *build, struct file_words *words, 
              word = file_words_next(words)) {
             row.words[cell] = last = word;
             there = *words;
-            if (!lens_words_figure(words, word, NUMBER_UNSCALED, names[cell], &row.figures[cell],
-                                   error)) {
+            if (!lens_words_figure(words, word, NUMBER_UNSCALED, names[cell], &row.figures[cell])) {
                 return false;
             }
             if (++cell == CELLS) {
@@ -150,7 +149,7 @@ static bool pbrt_read_words(struct lens_build *build, struct file_words *words, 
         }
     }
     if (cell != RADIUS) {
-        return file_words_fail(&there, last, error, "the last surface has no %s", names[cell]);
+        return file_words_fail(&there, last, "the last surface has no %s", names[cell]);
     }
     return build->lens->surface_count > 0 ||
            (fail(error, ERROR_DATA, "no surface: a line is radius, thickness, index, diameter") ||

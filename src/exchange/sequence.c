@@ -43,7 +43,7 @@ bool sequence_medium(const struct commands *commands, const struct command_word 
 {
     struct file_words words = commands_place(commands, at);
     words.line = text_of(written);
-    return lens_words_medium(&words, words.line, medium, commands->error);
+    return lens_words_medium(&words, words.line, medium);
 }
 
 void sequence_set_constant(const struct sequence *sequence, struct sequence_surface *surface,
@@ -292,8 +292,7 @@ static bool glasses_there(struct sequence *sequence)
         const struct command_word *at =
             surface->glass.text.length > 0 ? &surface->glass : &surface->at;
         const struct file_words place = commands_place(sequence->commands, at);
-        if (!environment_apply(environment, &place, at->text, &surface->medium,
-                               sequence->commands->error)) {
+        if (!environment_apply(environment, &place, at->text, &surface->medium)) {
             return false;
         }
     }
@@ -302,10 +301,9 @@ static bool glasses_there(struct sequence *sequence)
 
 bool sequence_finish(struct sequence *sequence)
 {
-    struct error *error = sequence->commands->error;
     const struct commands *commands = sequence->commands;
     if (sequence->count < 3) {
-        return foreign_fail(commands->job, error,
+        return foreign_fail(commands->job, sequence->commands->error,
                             "the file has no surface between object and image");
     }
     if (!sequence_apply_pickups(sequence) || !glasses_there(sequence)) {

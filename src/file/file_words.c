@@ -10,6 +10,7 @@ bool file_words_open(struct file_words *words, const char *source, struct text c
                      struct arena *arena, struct error *error)
 {
     *words = (struct file_words){.source = source,
+                                 .error = error,
                                  .rest = content,
                                  .scale = NUMBER_UNSCALED,
                                  .comment = "#",
@@ -126,9 +127,9 @@ struct typed_place file_words_place(const struct file_words *words, struct text 
                                 text_column(words->line, file_word_byte(words, word))};
 }
 
-bool file_words_fail(const struct file_words *words, struct text word, struct error *error,
-                     const char *format, ...)
+bool file_words_fail(const struct file_words *words, struct text word, const char *format, ...)
 {
+    struct error *error = words->error;
     char message[sizeof error->message];
     const size_t column = file_word_byte(words, word) + 1;
     va_list arguments;
@@ -140,10 +141,10 @@ bool file_words_fail(const struct file_words *words, struct text word, struct er
     return error_count_characters(error, words->line);
 }
 
-bool file_words_end(struct file_words *words, struct error *error)
+bool file_words_end(struct file_words *words)
 {
     struct text word = file_words_next(words);
-    return word.length == 0 || file_words_fail(words, word, error, "'%.*s' does not belong here",
+    return word.length == 0 || file_words_fail(words, word, "'%.*s' does not belong here",
                                                text_shown_up_to(word, 40), word.start);
 }
 

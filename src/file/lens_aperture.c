@@ -7,30 +7,28 @@
 
 #include <string.h>
 
-static bool read_sizes(struct file_words *words, const char *what, struct figure *size,
-                       struct error *error)
+static bool read_sizes(struct file_words *words, const char *what, struct figure *size)
 {
     struct text word = file_words_next(words);
-    return lens_words_figure(words, word, words->scale, what, size, error) &&
-           (size->value.hi > 0 ||
-            file_words_fail(words, word, error, "the %s must be above 0", what));
+    return lens_words_figure(words, word, words->scale, what, size) &&
+           (size->value.hi > 0 || file_words_fail(words, word, "the %s must be above 0", what));
 }
 
-static bool read_arms(struct file_words *words, unsigned *arms, struct error *error)
+static bool read_arms(struct file_words *words, unsigned *arms)
 {
     struct text word = file_words_next(words);
     struct figure figure;
-    if (!lens_words_figure(words, word, NUMBER_UNSCALED, "number of arms", &figure, error)) {
+    if (!lens_words_figure(words, word, NUMBER_UNSCALED, "number of arms", &figure)) {
         return false;
     }
     double count = figure.value.hi;
     *arms = count >= 1 && count <= APERTURE_MOST_ARMS ? (unsigned)count : 0;
     return (*arms > 0 && *arms == count) ||
-           file_words_fail(words, word, error, "a spider has 1 to %d arms", APERTURE_MOST_ARMS);
+           file_words_fail(words, word, "a spider has 1 to %d arms", APERTURE_MOST_ARMS);
 }
 
 /* x,y as far as words have no '='. */
-static bool read_corners(struct file_words *words, struct aperture *aperture, struct error *error)
+static bool read_corners(struct file_words *words, struct aperture *aperture)
 {
     const struct vector_form form = {"corner", 2, words->scale, 0};
     struct figure(*points)[2] = NULL;
@@ -43,9 +41,9 @@ static bool read_corners(struct file_words *words, struct aperture *aperture, st
         points = arena_grow(words->arena, points, count, &room, sizeof *points);
         points[count][0] = points[count][1] = (struct figure){.variable = LENS_NONE};
         if (memchr(word.start, ',', word.length) == NULL) {
-            return file_words_fail(words, word, error, "a corner of a polygon is written x,y");
+            return file_words_fail(words, word, "a corner of a polygon is written x,y");
         }
-        if (!lens_words_vector(words, word, &form, points[count], error)) {
+        if (!lens_words_vector(words, word, &form, points[count])) {
             return false;
         }
         count++;
@@ -56,7 +54,7 @@ static bool read_corners(struct file_words *words, struct aperture *aperture, st
 }
 
 /* decenter=x,y and turn=a, each once. */
-static bool read_places(struct file_words *words, struct aperture *aperture, struct error *error)
+static bool read_places(struct file_words *words, struct aperture *aperture)
 {
     const struct vector_form shift = {"decentre", 2, words->scale, 0};
     const struct vector_form turn = {"turn", 1, NUMBER_UNSCALED, RADIANS_PER_DEGREE};
@@ -68,24 +66,22 @@ static bool read_places(struct file_words *words, struct aperture *aperture, str
         unsigned bit = decenter ? 1 : 2;
         if (value.start == NULL || (!decenter && !turned)) {
             return file_words_fail(
-                words, word, error,
-                "behind the sizes an aperture has decenter=x,y and turn=degrees");
+                words, word, "behind the sizes an aperture has decenter=x,y and turn=degrees");
         }
         if ((seen & bit) != 0) {
-            return file_words_fail(words, word, error, "'%.*s=' is there twice", text_shown(key),
+            return file_words_fail(words, word, "'%.*s=' is there twice", text_shown(key),
                                    key.start);
         }
         seen |= bit;
-        if (decenter ? !lens_words_vector(words, value, &shift, aperture->decenter, error)
-                     : !lens_words_vector(words, value, &turn, &aperture->turn, error)) {
+        if (decenter ? !lens_words_vector(words, value, &shift, aperture->decenter)
+                     : !lens_words_vector(words, value, &turn, &aperture->turn)) {
             return false;
         }
     }
     return true;
 }
 
-static bool read_shape(struct file_words *words, bool blocks, struct aperture *aperture,
-                       struct error *error)
+static bool read_shape(struct file_words *words, bool blocks, struct aperture *aperture)
 {
     struct text word = file_words_next(words);
     size_t shape = 0;
@@ -97,40 +93,38 @@ static bool read_shape(struct file_words *words, bool blocks, struct aperture *a
         for (size_t i = 0; i < APERTURE_SHAPES; i++) {
             nearest_offer(&nearest, text_of(aperture_shapes[i].word));
         }
-        file_words_fail(words, word, error,
+        file_words_fail(words, word,
                         "the shape is circle, ring, rectangle, ellipse, polygon or spider");
         return nearest.best.start != NULL &&
-               error_hint(error, "did you mean '%.*s'?", (int)nearest.best.length,
+               error_hint(words->error, "did you mean '%.*s'?", (int)nearest.best.length,
                           nearest.best.start);
     }
     const struct aperture_traits *traits = &aperture_shapes[shape];
     *aperture = aperture_of((enum aperture_shape)shape, blocks);
     for (int i = 0; i < aperture_sizes(aperture->shape); i++) {
-        if (!read_sizes(words, traits->sizes[i], &aperture->size[i], error)) {
+        if (!read_sizes(words, traits->sizes[i], &aperture->size[i])) {
             return false;
         }
     }
-    if ((traits->has_arms && !read_arms(words, &aperture->arms, error)) ||
-        (traits->has_points && !read_corners(words, aperture, error)) ||
-        !read_places(words, aperture, error)) {
+    if ((traits->has_arms && !read_arms(words, &aperture->arms)) ||
+        (traits->has_points && !read_corners(words, aperture)) || !read_places(words, aperture)) {
         return false;
     }
     struct error wrong = {.code = ERROR_NONE};
-    return aperture_check(aperture, &wrong) ||
-           file_words_fail(words, word, error, "%s", wrong.message);
+    return aperture_check(aperture, &wrong) || file_words_fail(words, word, "%s", wrong.message);
 }
 
 bool lens_aperture_read(struct file_words *words, bool blocks, struct surface *surface,
-                        size_t *room, struct error *error)
+                        size_t *room)
 {
     if (surface == NULL) {
-        return file_words_fail(words, words->line, error,
+        return file_words_fail(words, words->line,
                                "an aperture stands below the line of its surface");
     }
     struct aperture *all = arena_grow(words->arena, (void *)surface->apertures,
                                       surface->aperture_count, room, sizeof *all);
     surface->apertures = all;
-    return read_shape(words, blocks, &all[surface->aperture_count++], error);
+    return read_shape(words, blocks, &all[surface->aperture_count++]);
 }
 
 static void put_place(struct text_buffer *text, const char *before, const struct figure *figures,

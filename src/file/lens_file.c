@@ -20,8 +20,7 @@ enum lens_file_kept { KEPT_SETTING, KEPT_PICKUP, KEPT_TOLERANCE, KEPT_KINDS };
 /* A file being read. Arrays grow by doubling in the arena. */
 struct parser {
     struct file_words words;
-    struct error *error; /* receives what is wrong */
-    int what;            /* of the present keyword, which tells relatives apart */
+    int what; /* of the present keyword, which tells relatives apart */
     struct lens *lens;
     const struct glass_source *glasses;
     size_t surface_room, note_room, aperture_room;
@@ -37,9 +36,7 @@ struct parser {
 };
 
 /* Report something wrong with a word of the present line. False */
-#define parser_fail(parser, word, ...)                                                             \
-    file_words_fail(&(parser)->words, (word), (parser)->error, __VA_ARGS__)
-
+#define parser_fail(parser, word, ...) file_words_fail(&(parser)->words, (word), __VA_ARGS__)
 static const char *rest_string(struct parser *parser)
 {
     struct text rest = file_words_rest(&parser->words);
@@ -78,7 +75,7 @@ static bool lens_file_read_unit(struct parser *parser)
     }
     parser->words.scale = lens_unit_scale(unit);
     parser->lens->unit = unit;
-    return file_words_end(&parser->words, parser->error);
+    return file_words_end(&parser->words);
 }
 
 static bool read_wavelengths(struct parser *parser)
@@ -90,8 +87,7 @@ static bool read_wavelengths(struct parser *parser)
          word = file_words_next(words)) {
         lens->wavelengths = arena_grow(words->arena, lens->wavelengths, lens->wavelength_count,
                                        &room, sizeof lens->wavelengths[0]);
-        if (!lens_words_light(words, word, &lens->wavelengths[lens->wavelength_count++],
-                              parser->error)) {
+        if (!lens_words_light(words, word, &lens->wavelengths[lens->wavelength_count++])) {
             return false;
         }
     }
@@ -105,8 +101,8 @@ static bool read_object_gap(struct parser *parser, struct text word, struct figu
         *figure = (struct figure){{INFINITY, 0}, word, LENS_NONE};
         return true;
     }
-    if (!lens_words_figure(&parser->words, word, parser->words.scale, "object's distance", figure,
-                           parser->error)) {
+    if (!lens_words_figure(&parser->words, word, parser->words.scale, "object's distance",
+                           figure)) {
         return false;
     }
     return figure->value.hi > 0 ||
@@ -133,7 +129,7 @@ static bool read_object_line(struct parser *parser)
     }
     lens->object_is_infinite = isinf(lens->object.value.hi);
     take_telecentric(parser);
-    return file_words_end(&parser->words, parser->error);
+    return file_words_end(&parser->words);
 }
 
 static bool read_object_glass(struct parser *parser)
@@ -143,10 +139,9 @@ static bool read_object_glass(struct parser *parser)
                            "the object's medium must come before the surfaces");
     }
     struct medium *medium = &parser->lens->object_medium;
-    return lens_words_medium(&parser->words, file_words_next(&parser->words), medium,
-                             parser->error) &&
-           lens_words_glass(&parser->words, parser->glasses, medium, parser->error) &&
-           file_words_end(&parser->words, parser->error);
+    return lens_words_medium(&parser->words, file_words_next(&parser->words), medium) &&
+           lens_words_glass(&parser->words, parser->glasses, medium) &&
+           file_words_end(&parser->words);
 }
 
 static bool read_fields_line(struct parser *parser)
@@ -170,8 +165,7 @@ static bool read_fields_line(struct parser *parser)
                            "a field is an angle, an object's height, or that of its paraxial "
                            "or real image: angle, height, image or real");
     }
-    return lens_words_fields(&parser->words, lens->field_kind, &lens->fields, &lens->field_count,
-                             parser->error);
+    return lens_words_fields(&parser->words, lens->field_kind, &lens->fields, &lens->field_count);
 }
 
 static const struct {
@@ -202,7 +196,7 @@ static bool read_aperture_value(struct parser *parser, struct text word, struct 
         return parser_fail(parser, word, "an aperture is stop, f/2, epd 50 or na 0.25");
     }
     if (!lens_words_figure(words, word, *kind == APERTURE_EPD ? words->scale : NUMBER_UNSCALED,
-                           "aperture", figure, parser->error)) {
+                           "aperture", figure)) {
         return false;
     }
     return figure->value.hi > 0 || parser_fail(parser, word, "the aperture must be above 0");
@@ -214,7 +208,7 @@ static bool read_lens_aperture(struct parser *parser)
     parser->aperture_line = parser->words;
     return read_aperture_value(parser, parser->aperture_word, &parser->lens->aperture,
                                &parser->lens->aperture_kind) &&
-           file_words_end(&parser->words, parser->error);
+           file_words_end(&parser->words);
 }
 
 static bool read_focus_line(struct parser *parser)
@@ -224,7 +218,7 @@ static bool read_focus_line(struct parser *parser)
     for (int i = 0; i < FOCUS_KINDS; i++) {
         if (text_equal(word, names[i])) {
             parser->lens->focus = (enum focus_kind)i;
-            return file_words_end(&parser->words, parser->error);
+            return file_words_end(&parser->words);
         }
     }
     return parser_fail(parser, word, "the focus is paraxial, table, best or afocal");
@@ -315,7 +309,7 @@ static bool read_let(struct parser *parser)
         return parser_fail(parser, name, "'%.*s' has its numbers already", text_shown(name),
                            name.start);
     }
-    return lens_let_read(&parser->words, lens->position_count, variable, &count, parser->error) &&
+    return lens_let_read(&parser->words, lens->position_count, variable, &count) &&
            line_count_check(parser, name, count);
 }
 
@@ -330,7 +324,7 @@ static bool keep_line(struct parser *parser)
 
 static bool lens_file_read_goal(struct parser *parser)
 {
-    return lens_goal_read(&parser->words, parser->lens, parser->error);
+    return lens_goal_read(&parser->words, parser->lens);
 }
 
 static bool read_stated(struct parser *parser)
@@ -345,7 +339,7 @@ static bool read_stated(struct parser *parser)
         }
         struct figure *values;
         if (!lens_words_figures(words, stated_is_length(i) ? words->scale : NUMBER_UNSCALED,
-                                names[i], &values, &lens->stated_count[i], parser->error)) {
+                                names[i], &values, &lens->stated_count[i])) {
             return false;
         }
         lens->stated[i] = values;
@@ -372,8 +366,8 @@ static bool read_surface_line(struct parser *parser)
     struct surface *surface = &lens->surfaces[last];
     const struct medium *before = last > 0 ? &surface[-1].medium : &lens->object_medium;
     if (!lens_surface_read(&parser->words, (enum surface_kind)parser->what, before,
-                           &parser->variables, surface, parser->error) ||
-        !lens_words_glass(&parser->words, parser->glasses, &surface->medium, parser->error)) {
+                           &parser->variables, surface) ||
+        !lens_words_glass(&parser->words, parser->glasses, &surface->medium)) {
         return false;
     }
     surface->coordinate_break = parser->coordinate_break;
@@ -396,8 +390,7 @@ static bool read_aperture_line(struct parser *parser)
     struct lens *lens = parser->lens;
     bool is_below = lens->surface_count > 0 && parser->coordinate_break == NULL;
     struct surface *above = is_below ? &lens->surfaces[lens->surface_count - 1] : NULL;
-    return lens_aperture_read(&parser->words, parser->what != 0, above, &parser->aperture_room,
-                              parser->error);
+    return lens_aperture_read(&parser->words, parser->what != 0, above, &parser->aperture_room);
 }
 
 static bool read_coordinate_break(struct parser *parser)
@@ -405,7 +398,7 @@ static bool read_coordinate_break(struct parser *parser)
     if (parser->coordinate_break != NULL) {
         return parser_fail(parser, parser->words.line, "two coordinate breaks before one surface");
     }
-    return lens_coordinate_break_read(&parser->words, &parser->coordinate_break, parser->error);
+    return lens_coordinate_break_read(&parser->words, &parser->coordinate_break);
 }
 
 /* The bits of those that may stand once; unit is the first, so that it sees what came before. */
@@ -456,7 +449,7 @@ static bool lens_file_read_line(struct parser *parser)
         }
         parser_fail(parser, word, "unknown word '%.*s'", text_shown(word), word.start);
         return nearest.best.start != NULL &&
-               error_hint(parser->error, "did you mean '%.*s'?", (int)nearest.best.length,
+               error_hint(parser->words.error, "did you mean '%.*s'?", (int)nearest.best.length,
                           nearest.best.start);
     }
     bool twice = (keywords[i].once & parser->given) != 0 && keywords[i].once != 16;
@@ -474,19 +467,18 @@ static bool lens_file_read_line(struct parser *parser)
 /* What only the whole file shows. */
 static bool lens_file_finish(struct parser *parser)
 {
-    struct error *error = parser->error;
     struct lens *lens = parser->lens;
     if (lens->surface_count == 0) {
-        fail(error, ERROR_DATA, "the file has no surface");
-        return error_locate(error, parser->words.source, 0, 0);
+        fail(parser->words.error, ERROR_DATA, "the file has no surface");
+        return error_locate(parser->words.error, parser->words.source, 0, 0);
     }
     for (size_t i = 0; i < lens->variable_count; i++) {
-        if (!lens_let_check(&parser->variables.lines[i], lens, i, error)) {
+        if (!lens_let_check(&parser->variables.lines[i], lens, i)) {
             return false;
         }
     }
     if (lens->aperture_kind == APERTURE_STOP && lens->stop == LENS_NONE) {
-        return file_words_fail(&parser->aperture_line, parser->aperture_word, error,
+        return file_words_fail(&parser->aperture_line, parser->aperture_word,
                                "'aperture stop' needs a stop, and the lens has none");
     }
     for (int kind = 0; kind < KEPT_KINDS; kind++) {
@@ -495,13 +487,13 @@ static bool lens_file_finish(struct parser *parser)
             bool read = false;
             switch (kind) {
             case KEPT_SETTING:
-                read = lens_setting_read(line, parser->glasses, lens, error);
+                read = lens_setting_read(line, parser->glasses, lens);
                 break;
             case KEPT_PICKUP:
-                read = lens_pickup_read(line, lens, error);
+                read = lens_pickup_read(line, lens);
                 break;
             default:
-                read = lens_tolerance_read(line, lens, error);
+                read = lens_tolerance_read(line, lens);
                 break;
             }
             if (!read) {
@@ -516,8 +508,7 @@ static bool lens_file_finish(struct parser *parser)
 bool lens_read(const char *source, struct text content, const struct glass_source *glasses,
                struct arena *arena, struct lens *lens, struct error *error)
 {
-    struct parser parser = {
-        .error = error, .lens = lens, .glasses = glasses, .variables.lens = lens};
+    struct parser parser = {.lens = lens, .glasses = glasses, .variables.lens = lens};
     *lens = (struct lens){.unit = lens_units[0].word,
                           .object_is_infinite = true,
                           .object = {{INFINITY, 0}, {NULL, 0}, LENS_NONE},

@@ -18,12 +18,13 @@ static bool lens_grade_add_row(const struct lensdb_tolerance *row, struct lens *
         row->amount.start, (int)row->unit.length, row->unit.start, (int)row->distribution.length,
         row->distribution.start);
     struct file_words words = {.source = row->file,
+                               .error = error,
                                .line = text_of(line),
                                .number = row->line,
                                .at = line,
                                .scale = lens_unit_scale("mm"),
                                .arena = arena};
-    if (!lens_tolerance_read(&words, lens, error)) {
+    if (!lens_tolerance_read(&words, lens)) {
         return false;
     }
     lens->tolerances[lens->tolerance_count - 1].is_range = true; /* of a single surface too */

@@ -27,11 +27,11 @@ size_t lens_variable_find(struct lens_variables *variables, const struct file_wo
  */
 bool lens_surface_read(struct file_words *words, enum surface_kind kind,
                        const struct medium *before, struct lens_variables *variables,
-                       struct surface *surface, struct error *error);
+                       struct surface *surface);
 
 /* Read what follows `bend`, a coordinate break. */
 bool lens_coordinate_break_read(struct file_words *words,
-                                const struct displacement **coordinate_break, struct error *error);
+                                const struct displacement **coordinate_break);
 
 /*
  * Read what follows `pass` or `block`: SHAPE SIZES decenter=x,y turn=a.
@@ -41,7 +41,7 @@ bool lens_coordinate_break_read(struct file_words *words,
  * Errors    ERROR_DATA with line and column
  */
 bool lens_aperture_read(struct file_words *words, bool blocks, struct surface *surface,
-                        size_t *room, struct error *error);
+                        size_t *room);
 
 /* The line of an aperture, with its end; lengths in the unit of the lens. */
 void lens_aperture_write(const struct aperture *aperture, struct number_scale unit,

@@ -89,7 +89,7 @@ static struct text obj_file_next_word(struct obj *obj)
 }
 
 /* v x y z, with a weight or a colour behind; vt u, with v, and a depth; vn x y z. */
-static bool obj_file_read_part(struct obj *obj, enum obj_file_part part, struct error *error)
+static bool obj_file_read_part(struct obj *obj, enum obj_file_part part)
 {
     static const size_t least[PARTS] = {3, 1, 3}, most[PARTS] = {7, 3, 3};
     const double farthest =
@@ -102,21 +102,21 @@ static bool obj_file_read_part(struct obj *obj, enum obj_file_part part, struct 
         const char *behind =
             word.length > 0 ? number_read(word.start, end, NUMBER_UNSCALED, &number[count]) : NULL;
         if (word.length == 0) {
-            return file_words_fail(&obj->words, word, error, "a number is missing");
+            return file_words_fail(&obj->words, word, "a number is missing");
         }
         if (behind != end) {
-            return file_words_fail(&obj->words, word, error, "'%.*s' is not a number",
-                                   text_shown(word), word.start);
+            return file_words_fail(&obj->words, word, "'%.*s' is not a number", text_shown(word),
+                                   word.start);
         }
         if (!(fabs(number[count]) <= farthest)) {
-            return file_words_fail(&obj->words, word, error, "%.*s is not within -%.4g to %.4g",
+            return file_words_fail(&obj->words, word, "%.*s is not within -%.4g to %.4g",
                                    text_shown(word), word.start, farthest, farthest);
         }
         word = obj_file_next_word(obj);
     }
     if (word.length > 0) {
-        return file_words_fail(&obj->words, word, error, "'%.*s' does not belong here",
-                               text_shown(word), word.start);
+        return file_words_fail(&obj->words, word, "'%.*s' does not belong here", text_shown(word),
+                               word.start);
     }
     obj->passed->colours = obj->passed->colours || (part == PART_POSITION && count >= 6);
     obj->all[part] = arena_grow(obj->arena, obj->all[part], obj->count[part], &obj->room[part],
@@ -127,7 +127,7 @@ static bool obj_file_read_part(struct obj *obj, enum obj_file_part part, struct 
 
 /* A number from 1, or from -1 for the last one so far. */
 static bool obj_file_read_index(const struct obj *obj, struct text text, enum obj_file_part part,
-                                size_t *index, struct error *error)
+                                size_t *index)
 {
     const bool is_behind = text.length > 0 && text.start[0] == '-';
     size_t value = 0, i = is_behind ? 1 : 0;
@@ -135,12 +135,12 @@ static bool obj_file_read_index(const struct obj *obj, struct text text, enum ob
         value = 10 * value + (size_t)(text.start[i] - '0');
     }
     if (i < text.length || text.length == (is_behind ? 1 : 0)) {
-        return file_words_fail(&obj->words, text, error, "'%.*s' is not the number of a '%s'",
+        return file_words_fail(&obj->words, text, "'%.*s' is not the number of a '%s'",
                                text_shown(text), text.start, part_words[part]);
     }
     const size_t have = is_behind ? obj->count[part] : obj->total[part];
     if (value == 0 || value > have) {
-        return file_words_fail(&obj->words, text, error, "there is no '%s' %.*s: %s has %zu",
+        return file_words_fail(&obj->words, text, "there is no '%s' %.*s: %s has %zu",
                                part_words[part], text_shown(text), text.start,
                                is_behind ? "up to here the file" : "the file", have);
     }
@@ -149,19 +149,19 @@ static bool obj_file_read_index(const struct obj *obj, struct text text, enum ob
 }
 
 /* 3, 3/4, 3//5 or 3/4/5 */
-static bool read_corner(struct obj *obj, struct text word, size_t *number, struct error *error)
+static bool read_corner(struct obj *obj, struct text word, size_t *number)
 {
     struct corner corner = {{NONE, NONE, NONE}};
     struct text rest = word;
     for (int part = 0; part < PARTS && rest.start != NULL; part++) {
         const struct text text = text_cut(&rest, '/');
         if ((part == PART_POSITION || text.length > 0) &&
-            !obj_file_read_index(obj, text, (enum obj_file_part)part, &corner.of[part], error)) {
+            !obj_file_read_index(obj, text, (enum obj_file_part)part, &corner.of[part])) {
             return false;
         }
     }
     if (rest.start != NULL) {
-        return file_words_fail(&obj->words, rest, error,
+        return file_words_fail(&obj->words, rest,
                                "a corner is position/place/normal: three numbers at most");
     }
     if (2 * (obj->corner_count + 1) > obj->slot_count) {
@@ -179,20 +179,20 @@ static bool read_corner(struct obj *obj, struct text word, size_t *number, struc
     return true;
 }
 
-static bool read_face(struct obj *obj, struct error *error)
+static bool read_face(struct obj *obj)
 {
     size_t corner[3], count = 0;
     for (struct text word = obj_file_next_word(obj); word.length > 0;
          word = obj_file_next_word(obj)) {
         const size_t here = count < 2 ? count : 2;
-        if (!read_corner(obj, word, &corner[here], error)) {
+        if (!read_corner(obj, word, &corner[here])) {
             return false;
         }
         if (++count < 3) {
             continue;
         }
         if (obj->triangle_count == obj->question->most) {
-            return file_words_fail(&obj->words, word, error, "more than %zu triangles",
+            return file_words_fail(&obj->words, word, "more than %zu triangles",
                                    obj->question->most);
         }
         obj->triangles = arena_grow(obj->arena, obj->triangles, obj->triangle_count,
@@ -207,8 +207,8 @@ static bool read_face(struct obj *obj, struct error *error)
             (struct obj_file_fan){obj->triangle_count - (count - 2), count};
     }
     const struct text end = {obj->words.line.start + obj->words.line.length, 0};
-    return count >= 3 || file_words_fail(&obj->words, end, error,
-                                         "a face needs three corners, and has %zu", count);
+    return count >= 3 ||
+           file_words_fail(&obj->words, end, "a face needs three corners, and has %zu", count);
 }
 
 /* -------- lines -------- */
@@ -234,14 +234,14 @@ static const struct {
     {"curv", ACTION_REFUSE},     {"curv2", ACTION_REFUSE},    {"surf", ACTION_REFUSE},
 };
 
-static bool read_other(struct obj *obj, struct text head, struct error *error)
+static bool read_other(struct obj *obj, struct text head)
 {
     for (size_t i = 0; i < sizeof others / sizeof others[0]; i++) {
         if (!text_equal(head, others[i].word)) {
             continue;
         }
         if (others[i].action == ACTION_REFUSE) {
-            return file_words_fail(&obj->words, head, error,
+            return file_words_fail(&obj->words, head,
                                    "'%s': free-form curves and surfaces are not read",
                                    others[i].word);
         }
@@ -251,25 +251,24 @@ static bool read_other(struct obj *obj, struct text head, struct error *error)
         }
         return true;
     }
-    return file_words_fail(&obj->words, head, error, "unknown word '%.*s'", text_shown(head),
-                           head.start);
+    return file_words_fail(&obj->words, head, "unknown word '%.*s'", text_shown(head), head.start);
 }
 
-static bool obj_file_read_line(struct obj *obj, struct error *error)
+static bool obj_file_read_line(struct obj *obj)
 {
     const struct text head = obj_file_next_word(obj);
     if (head.length == 0) {
         return true;
     }
     if (text_equal(head, "f")) {
-        return read_face(obj, error);
+        return read_face(obj);
     }
     for (int part = 0; part < PARTS; part++) {
         if (text_equal(head, part_words[part])) {
-            return obj_file_read_part(obj, (enum obj_file_part)part, error);
+            return obj_file_read_part(obj, (enum obj_file_part)part);
         }
     }
-    return read_other(obj, head, error);
+    return read_other(obj, head);
 }
 
 /* -------- the mesh -------- */
@@ -436,7 +435,7 @@ static void make_mesh(struct obj *obj, struct arena *arena, struct scene_mesh *m
     };
 }
 
-static bool obj_file_read_lines(struct obj *obj, struct error *error)
+static bool obj_file_read_lines(struct obj *obj)
 {
     /* How many parts of each kind there are. */
     const struct file_words begin = obj->words;
@@ -450,13 +449,13 @@ static bool obj_file_read_lines(struct obj *obj, struct error *error)
     }
     obj->words = begin;
     while (file_words_line(&obj->words)) {
-        if (!obj_file_read_line(obj, error)) {
+        if (!obj_file_read_line(obj)) {
             return false;
         }
     }
     if (obj->triangle_count == 0) {
-        fail(error, ERROR_DATA, "the mesh has no face");
-        return error_locate(error, obj->question->source, 0, 0);
+        fail(obj->words.error, ERROR_DATA, "the mesh has no face");
+        return error_locate(obj->words.error, obj->question->source, 0, 0);
     }
     return true;
 }
@@ -469,7 +468,7 @@ bool obj_read(const struct obj_question *question, struct text content, struct a
     *passed = (struct obj_passed){.unplaced = 0};
     bool is_read = file_words_open(&obj.words, question->source, content, &own, error);
     obj.words.comment = NULL;
-    is_read = is_read && obj_file_read_lines(&obj, error);
+    is_read = is_read && obj_file_read_lines(&obj);
     if (is_read) {
         for (size_t i = 0; i < obj.fan_count; i++) {
             const struct arena_mark mark = arena_mark(obj.arena);

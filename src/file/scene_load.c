@@ -43,15 +43,15 @@ struct scene_load_wanted {
 
 /* Read it, and let it count in the scene's digest. */
 static bool read_path_beside(struct scene_reader *reader, const struct scene_load_wanted *wanted,
-                             struct text *content, struct error *error)
+                             struct text *content)
 {
     struct error found;
     if (reader->files == NULL) {
-        return scene_line_fail(wanted->line, wanted->key, error, "no file may be named here");
+        return scene_line_fail(wanted->line, wanted->key, "no file may be named here");
     }
     if (!reader->files->read(reader->files->context, wanted->path, wanted->arena, content,
                              &found)) {
-        return scene_line_fail(wanted->line, wanted->key, error, "%s", found.message);
+        return scene_line_fail(wanted->line, wanted->key, "%s", found.message);
     }
     digest_item(&reader->digest, *content);
     return true;
@@ -165,24 +165,23 @@ static bool parse_picture(const struct scene_load_wanted *wanted, struct text co
 
 /* What the file holds is given up, and what it becomes at first: both are as large as pictures. */
 static bool read_picture(struct scene_reader *reader, struct scene_load_wanted *wanted,
-                         enum scene_picture kind, struct image *image, struct error *error)
+                         enum scene_picture kind, struct image *image)
 {
     struct arena own = {0};
     struct text content;
     struct error found;
     wanted->arena = &own;
-    bool is_read = read_path_beside(reader, wanted, &content, error);
+    bool is_read = read_path_beside(reader, wanted, &content);
     if (is_read && !parse_picture(wanted, content, kind, reader->words.arena, image, &found)) {
-        is_read = scene_line_fail(wanted->line, wanted->key, error, "%.200s: %s", wanted->path,
-                                  found.message);
+        is_read =
+            scene_line_fail(wanted->line, wanted->key, "%.200s: %s", wanted->path, found.message);
     }
     arena_free(&own);
     return is_read;
 }
 
 bool scene_load_picture(struct scene_reader *reader, const struct scene_line *line,
-                        enum scene_key key, enum scene_picture kind, struct scene_loaded *loaded,
-                        struct error *error)
+                        enum scene_key key, enum scene_picture kind, struct scene_loaded *loaded)
 {
     struct arena *arena = reader->words.arena;
     const char *path = path_beside(reader, line->value[key]);
@@ -193,8 +192,7 @@ bool scene_load_picture(struct scene_reader *reader, const struct scene_line *li
         return true;
     }
     struct image *read = ARENA_NEW(arena, struct image);
-    if (!read_picture(reader, &(struct scene_load_wanted){line, key, path, arena}, kind, read,
-                      error)) {
+    if (!read_picture(reader, &(struct scene_load_wanted){line, key, path, arena}, kind, read)) {
         return false;
     }
     const char *remark = image_file_remark(path, read, arena);
@@ -260,7 +258,7 @@ static bool take_spectrum(const char *path, const struct number_table *table,
 }
 
 bool scene_load_table(struct scene_reader *reader, const struct scene_line *line,
-                      struct spectrum *spectrum, struct error *error)
+                      struct spectrum *spectrum)
 {
     struct arena *arena = reader->words.arena;
     const struct scene_load_wanted wanted = {line, KEY_TABLE,
@@ -272,9 +270,10 @@ bool scene_load_table(struct scene_reader *reader, const struct scene_line *line
         *spectrum = reader->tabled[known];
         return true;
     }
-    if (!read_path_beside(reader, &wanted, &content, error) ||
-        !number_table_parse(wanted.path, content, "wavelength_nm", arena, &table, error) ||
-        !take_spectrum(wanted.path, &table, spectrum, error)) {
+    if (!read_path_beside(reader, &wanted, &content) ||
+        !number_table_parse(wanted.path, content, "wavelength_nm", arena, &table,
+                            reader->words.error) ||
+        !take_spectrum(wanted.path, &table, spectrum, reader->words.error)) {
         return false;
     }
     const double first = spectrum->wavelength[0], last = spectrum->wavelength[spectrum->count - 1];
@@ -321,7 +320,7 @@ static void note_passed(struct scene_reader *reader, const char *path,
 
 /* What the file holds is given up: it is as large as the mesh. */
 static bool load_mesh(struct scene_reader *reader, struct scene_load_wanted *wanted, double scale,
-                      struct scene_model *model, struct error *error)
+                      struct scene_model *model)
 {
     struct scene_mesh *mesh = ARENA_NEW(reader->words.arena, struct scene_mesh);
     const struct obj_question question = {
@@ -334,8 +333,9 @@ static bool load_mesh(struct scene_reader *reader, struct scene_load_wanted *wan
     struct text content;
     struct obj_passed passed;
     wanted->arena = &own;
-    const bool is_read = read_path_beside(reader, wanted, &content, error) &&
-                         obj_read(&question, content, reader->words.arena, mesh, &passed, error);
+    const bool is_read =
+        read_path_beside(reader, wanted, &content) &&
+        obj_read(&question, content, reader->words.arena, mesh, &passed, reader->words.error);
     arena_free(&own);
     if (is_read) {
         reader->triangles += mesh->triangle_count;
@@ -346,7 +346,7 @@ static bool load_mesh(struct scene_reader *reader, struct scene_load_wanted *wan
 }
 
 bool scene_load_mesh(struct scene_reader *reader, const struct scene_line *line, bool has_texture,
-                     const struct scene_mesh **mesh, struct error *error)
+                     const struct scene_mesh **mesh)
 {
     struct arena *arena = reader->words.arena;
     struct scene_load_wanted wanted = {line, KEY_FILE, path_beside(reader, line->value[KEY_FILE]),
@@ -357,7 +357,7 @@ bool scene_load_mesh(struct scene_reader *reader, const struct scene_line *line,
     size_t which = name_table_find(&reader->meshes, text_of(name));
     if (which == NAME_NONE) {
         struct scene_model read;
-        if (!load_mesh(reader, &wanted, scale, &read, error)) {
+        if (!load_mesh(reader, &wanted, scale, &read)) {
             return false;
         }
         reader->models = arena_grow(arena, reader->models, reader->meshes.count, &reader->mesh_room,

@@ -79,7 +79,7 @@ struct scene_keys {
     uint64_t allowed, needed;
 };
 bool scene_line_read(struct file_words *words, const struct scene_units *units, struct text head,
-                     struct scene_keys keys, struct scene_line *line, struct error *error);
+                     struct scene_keys keys, struct scene_line *line);
 
 static inline bool scene_line_has(const struct scene_line *line, enum scene_key key)
 {
@@ -97,20 +97,19 @@ static inline struct vector scene_line_vector(const struct scene_line *line, enu
  *
  * Errors    ERROR_DATA: it has no length
  */
-bool scene_line_direction(const struct scene_line *line, enum scene_key key, struct vector *way,
-                          struct error *error);
+bool scene_line_direction(const struct scene_line *line, enum scene_key key, struct vector *way);
 
 /* Report something wrong with the value of a key, or with the line if it is not given. */
-bool scene_line_fail(const struct scene_line *line, enum scene_key key, struct error *error,
-                     const char *format, ...) __attribute__((format(printf, 4, 5)));
+bool scene_line_fail(const struct scene_line *line, enum scene_key key, const char *format, ...)
+    __attribute__((format(printf, 3, 4)));
 
 /* Of a word that is none of a list: the nearest is offered. */
 bool scene_word_fail(const struct file_words *words, struct text word, const struct nearest *meant,
-                     const char *what, struct error *error);
+                     const char *what);
 
 /* May this be the name of another one of a list? */
 bool scene_name_check(const struct file_words *words, const struct name_table *index,
-                      struct text name, const char *what, struct error *error);
+                      struct text name, const char *what);
 
 /* A colour that has a name. */
 struct scene_colour {
@@ -157,8 +156,7 @@ struct scene_reader {
  * Errors    ERROR_DATA: a direction without length, up along the normal or the view, an axis of
  *           what does not spin
  */
-bool scene_place_read(const struct scene_line *line, struct scene_place *place,
-                      struct error *error);
+bool scene_place_read(const struct scene_line *line, struct scene_place *place);
 #define SCENE_MOTION_KEYS                                                                          \
     (SCENE_BIT(KEY_AT) | SCENE_BIT(KEY_UP) | SCENE_BIT(KEY_TURN) | SCENE_BIT(KEY_MOVE) |           \
      SCENE_BIT(KEY_SPIN) | SCENE_BIT(KEY_AXIS))
@@ -167,7 +165,7 @@ bool scene_place_read(const struct scene_line *line, struct scene_place *place,
 enum scene_colour_use { COLOUR_OF_SURFACE, COLOUR_OF_LIGHT };
 
 /* A line with a colour, behind its first word. */
-bool scene_colour_read(struct scene_reader *reader, struct text head, struct error *error);
+bool scene_colour_read(struct scene_reader *reader, struct text head);
 
 /*
  * The colour that is the value of a key: a grey, red, green and blue, #rrggbb, a name; of light
@@ -176,19 +174,18 @@ bool scene_colour_read(struct scene_reader *reader, struct text head, struct err
  * Result    white where the key is not given
  */
 bool scene_colour_of(const struct scene_reader *reader, const struct scene_line *line,
-                     enum scene_key key, enum scene_colour_use use, struct spectrum *spectrum,
-                     struct error *error);
+                     enum scene_key key, enum scene_colour_use use, struct spectrum *spectrum);
 
 /* Lines with a material, a thing of some shape, a light. */
-bool scene_material_read(struct scene_reader *reader, struct text head, struct error *error);
-bool scene_thing_read(struct scene_reader *reader, struct text head, struct error *error);
-bool scene_light_read(struct scene_reader *reader, struct text head, struct error *error);
+bool scene_material_read(struct scene_reader *reader, struct text head);
+bool scene_thing_read(struct scene_reader *reader, struct text head);
+bool scene_light_read(struct scene_reader *reader, struct text head);
 
 /* What begins a line with a thing: the first is 0, null behind the last. */
 const char *scene_shape_word(size_t i);
 
 /* Of a clear sky whose line does not say where the sun stands. */
-bool scene_lights_finish(struct scene_reader *reader, struct error *error);
+bool scene_lights_finish(struct scene_reader *reader);
 
 /* What a picture is for. */
 enum scene_picture {
@@ -205,8 +202,7 @@ enum scene_picture {
  *           range, an alpha that means nothing here
  */
 bool scene_load_picture(struct scene_reader *reader, const struct scene_line *line,
-                        enum scene_key key, enum scene_picture kind, struct scene_loaded *loaded,
-                        struct error *error);
+                        enum scene_key key, enum scene_picture kind, struct scene_loaded *loaded);
 
 /*
  * A spectrum out of a table whose first column is wavelength_nm, and the second its values; one
@@ -216,7 +212,7 @@ bool scene_load_picture(struct scene_reader *reader, const struct scene_line *li
  *           below 0
  */
 bool scene_load_table(struct scene_reader *reader, const struct scene_line *line,
-                      struct spectrum *spectrum, struct error *error);
+                      struct spectrum *spectrum);
 
 /*
  * The mesh of file= in the size of scale=.
@@ -225,6 +221,6 @@ bool scene_load_table(struct scene_reader *reader, const struct scene_line *line
  * Errors    as obj_read; more triangles than may be
  */
 bool scene_load_mesh(struct scene_reader *reader, const struct scene_line *line, bool has_texture,
-                     const struct scene_mesh **mesh, struct error *error);
+                     const struct scene_mesh **mesh);
 
 #endif

@@ -214,14 +214,13 @@ static bool oslo_named_glass(struct oslo *oslo, const struct command_word *word,
 
 static bool oslo_find_glass(struct oslo *oslo, const struct command_word *word)
 {
-    struct error *error = oslo->commands.error;
     const struct file_words place = commands_place(&oslo->commands, word);
     struct medium *medium = &oslo->sequence.surfaces[oslo->surface].medium;
-    error->code = ERROR_NONE;
+    oslo->commands.error->code = ERROR_NONE;
     if (oslo_named_glass(oslo, word, medium)) {
         return true;
     }
-    return error->code == ERROR_NONE &&
+    return oslo->commands.error->code == ERROR_NONE &&
            foreign_lack(oslo->job, &place, word->text, medium,
                         arena_printf(oslo->job->arena, "glass '%.*s' is in no catalogue",
                                      (int)(word->text.length < 60 ? word->text.length : 60),
@@ -345,13 +344,13 @@ static bool oslo_fields(struct oslo *oslo, struct text line)
 {
     struct lens *lens = oslo->build.lens;
     struct file_words words = {.source = oslo->job->source,
+                               .error = oslo->commands.error,
                                .line = line,
                                .at = line.start,
                                .scale = oslo->commands.scale,
                                .arena = oslo->job->arena};
     return lens->field_kind == FIELD_NONE ||
-           lens_words_fields(&words, lens->field_kind, &lens->fields, &lens->field_count,
-                             oslo->commands.error);
+           lens_words_fields(&words, lens->field_kind, &lens->fields, &lens->field_count);
 }
 
 /* A fraction of the largest field; of an angle that of its tangent. */

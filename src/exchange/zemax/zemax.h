@@ -174,9 +174,7 @@ void zemax_remark(struct zemax_file *file, const char *format, ...)
 bool zemax_stands(struct zemax_file *file, const struct zemax_line *line, const char *what);
 
 /* Report something wrong with a word of a line. False */
-#define zemax_fail(file, line, word, ...)                                                          \
-    file_words_fail(&(line)->words, (word), (file)->error, __VA_ARGS__)
-
+#define zemax_fail(line, word, ...) file_words_fail(&(line)->words, (word), __VA_ARGS__)
 /* Record a loss at a line. */
 #define zemax_loss(file, line, effect, instead, ...)                                               \
     foreign_loss((file)->job, &(line)->words, (line)->keyword, (effect), (instead), __VA_ARGS__)
@@ -226,10 +224,10 @@ struct zemax_line *zemax_line_of(struct zemax_file *file, struct text keyword,
  *
  * Errors    ERROR_DATA at the first that is none, or is beyond 1e100
  */
-bool zemax_all_numbers(struct zemax_file *file, const struct zemax_line *line);
+bool zemax_all_numbers(const struct zemax_line *line);
 
 /* The same, and there is one. */
-bool zemax_has_number(struct zemax_file *file, const struct zemax_line *line);
+bool zemax_has_number(const struct zemax_line *line);
 
 /* -------- a file as a lens -------- */
 

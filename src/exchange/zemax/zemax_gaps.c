@@ -288,8 +288,7 @@ bool zemax_thicknesses(struct zemax_file *file, const size_t *places)
         const struct zemax_line *line = file->surfaces[i].thickness;
         bool inside = i > 0 && i + 1 < file->surface_count;
         if (inside && line != NULL && line->infinite && file->surfaces[i].solve == NULL) {
-            return zemax_fail(file, line, line->first, "an infinite distance behind surface %zu",
-                              i);
+            return zemax_fail(line, line->first, "an infinite distance behind surface %zu", i);
         }
         solving.thickness[i] = line != NULL && line->count > 0 ? line->numbers[0] : figure_zero();
     }

@@ -32,7 +32,7 @@ static bool model_medium(struct zemax_file *file, const struct zemax_line *line,
                          struct medium *medium)
 {
     if (!(zemax_number(line, 2) > 0 && zemax_number(line, 2) < 100)) {
-        return zemax_fail(file, line, line->keyword, "a model glass without an index");
+        return zemax_fail(line, line->keyword, "a model glass without an index");
     }
     bool constant = zemax_number(line, 3) == 0;
     *medium = constant ? (struct medium){.kind = MEDIUM_CONSTANT,
@@ -40,7 +40,7 @@ static bool model_medium(struct zemax_file *file, const struct zemax_line *line,
                                          .index = line->numbers[2].value}
                        : model_of(file, line->numbers[2], line->numbers[3]);
     if (!constant && zemax_number(line, 3) < 0) {
-        return zemax_fail(file, line, line->numbers[3].typed, "the Abbe number is below 0");
+        return zemax_fail(line, line->numbers[3].typed, "the Abbe number is below 0");
     }
     return zemax_number(line, 4) == 0 ||
            zemax_loss(file, line, LOSS_OF_RAYS, NULL,
@@ -259,7 +259,7 @@ static bool zmx_glass_there(struct zemax_file *file, const struct zemax_line *li
         environment.waves[environment.wave_count] = file->waves[environment.wave_count].value.hi;
         environment.wave_count++;
     }
-    return environment_apply(&environment, &line->words, line->keyword, medium, file->error);
+    return environment_apply(&environment, &line->words, line->keyword, medium);
 }
 
 bool zemax_glass(struct zemax_file *file, const struct zemax_line *line, struct medium *medium)

@@ -76,23 +76,22 @@ struct zemax_line *zemax_line_of(struct zemax_file *file, struct text keyword,
     return line;
 }
 
-bool zemax_all_numbers(struct zemax_file *file, const struct zemax_line *line)
+bool zemax_all_numbers(const struct zemax_line *line)
 {
     char what[100];
     struct figure figure;
     snprintf(what, sizeof what, "value behind %.*s", text_shown(line->begin), line->begin.start);
     return line->stray.start == NULL ||
-           lens_words_figure(&line->words, line->stray, NUMBER_UNSCALED, what, &figure,
-                             file->error);
+           lens_words_figure(&line->words, line->stray, NUMBER_UNSCALED, what, &figure);
 }
 
-bool zemax_has_number(struct zemax_file *file, const struct zemax_line *line)
+bool zemax_has_number(const struct zemax_line *line)
 {
     if (line->count > 0) {
-        return zemax_all_numbers(file, line);
+        return zemax_all_numbers(line);
     }
     struct text word = line->first.start != NULL ? line->first : line->keyword;
-    return zemax_fail(file, line, word, "%.4s needs a number", line->keyword.start);
+    return zemax_fail(line, word, "%.4s needs a number", line->keyword.start);
 }
 
 bool zemax_is_tilted(const struct zemax_file *file, size_t at)

@@ -18,10 +18,10 @@ static bool read_surf(struct zemax_file *file, const struct zemax_line *line)
     bool is_later =
         expected > 0 && number > (double)expected && number < 1e6 && number == floor(number);
     if (!(is_next || is_later) || line->count == 0) {
-        return zemax_fail(file, line, line->keyword, "SURF %zu is expected here", expected);
+        return zemax_fail(line, line->keyword, "SURF %zu is expected here", expected);
     }
     if (file->surface_count == FOREIGN_MOST_SURFACES) {
-        return zemax_fail(file, line, line->keyword, "more than %d surfaces", LENS_MOST_SURFACES);
+        return zemax_fail(line, line->keyword, "more than %d surfaces", LENS_MOST_SURFACES);
     }
     file->surfaces = arena_grow(file->job->arena, file->surfaces, file->surface_count,
                                 &file->surface_room, sizeof file->surfaces[0]);
@@ -36,12 +36,12 @@ static bool read_type(struct zemax_file *file, const struct zemax_line *line)
 {
     (void)file;
     if (text_same(line->first, "NONSEQCO")) {
-        return zemax_fail(file, line, line->first,
+        return zemax_fail(line, line->first,
                           "a non-sequential group: lenscalc has lenses whose surfaces follow "
                           "each other");
     }
     return !text_same(line->first, "USERSURF") ||
-           zemax_fail(file, line, line->first,
+           zemax_fail(line, line->first,
                       "a surface computed by a program (DLL) of the user's, which the file "
                       "does not hold");
 }
@@ -49,7 +49,7 @@ static bool read_type(struct zemax_file *file, const struct zemax_line *line)
 static bool zmx_thickness(struct zemax_file *file, const struct zemax_line *line)
 {
     (void)file;
-    return line->infinite || zemax_has_number(file, line);
+    return line->infinite || zemax_has_number(line);
 }
 
 /* CLAP, SQAP ..: two numbers, of which zemax_aperture.c knows the meaning. */
@@ -131,13 +131,13 @@ static bool zmx_glass(struct zemax_file *file, const struct zemax_line *whole)
     struct file_words words = file->words;
     struct text name = file_words_next(&file->words);
     if (name.length == 0) {
-        return file_words_fail(&file->words, name, file->error, "the glass is missing");
+        return file_words_fail(&file->words, name, "the glass is missing");
     }
     struct zemax_line *line = zemax_line_of(file, name, NUMBER_UNSCALED);
     line->words = words;
     line->begin = whole->keyword;
     last_zmx_surface(file)->glass = line;
-    return zemax_all_numbers(file, line);
+    return zemax_all_numbers(line);
 }
 
 static bool zmx_stop(struct zemax_file *file, const struct zemax_line *line)
@@ -179,8 +179,8 @@ static bool read_numbered(struct zemax_file *file, const struct zemax_line *line
         places = surface->pickups;
     }
     if (line->count < 2 || !(number >= 0 && number < 1e6)) {
-        return file_words_fail(&file->words, line->keyword, file->error,
-                               "%.4s needs a number and a value", line->keyword.start);
+        return file_words_fail(&file->words, line->keyword, "%.4s needs a number and a value",
+                               line->keyword.start);
     }
     if (number >= most && zemax_number(line, 1) != 0) {
         return zemax_loss(file, line, LOSS_OF_RAYS, NULL,
@@ -263,8 +263,7 @@ static bool zmx_known(struct zemax_file *file, const struct zemax_keyword *keywo
         *(const struct zemax_line **)((char *)owner + keyword->kept) = line;
     }
     if (keyword->wants != ZEMAX_ANY_WORDS &&
-        !(keyword->wants == ZEMAX_A_NUMBER ? zemax_has_number(file, line)
-                                           : zemax_all_numbers(file, line))) {
+        !(keyword->wants == ZEMAX_A_NUMBER ? zemax_has_number(line) : zemax_all_numbers(line))) {
         return false;
     }
     return keyword->read == NULL || keyword->read(file, line);
@@ -347,7 +346,7 @@ static bool zmx_line(struct zemax_file *file)
         return read_surf(file, zemax_line_of(file, word, NUMBER_UNSCALED));
     }
     if (is_of_surface && !in_surface) {
-        return file_words_fail(&file->words, word, file->error, "'%.4s' stands before any surface",
+        return file_words_fail(&file->words, word, "'%.4s' stands before any surface",
                                word_list_find(keyword->words, word));
     }
     file->has_tail =
@@ -452,7 +451,7 @@ static bool check_zmx_end(struct zemax_file *file)
     const struct zemax_surface *image = last_zmx_surface(file);
     const bool has_last = text_same(file->last_word, "CSUM") || text_same(file->last_word, "MOFF");
     if (!file->has_tail && image->glass != NULL) {
-        return zemax_fail(file, image->surf, image->surf->keyword,
+        return zemax_fail(image->surf, image->surf->keyword,
                           "the file ends inside surface %zu: it was cut short", image->number);
     }
     if (image->thickness == NULL) {
@@ -467,8 +466,7 @@ static bool check_zmx_end(struct zemax_file *file)
 
 bool zemax_parse(struct zemax_file *file, struct text content)
 {
-    struct error *error = file->error;
-    if (!file_words_open(&file->words, file->job->source, content, file->job->arena, error)) {
+    if (!file_words_open(&file->words, file->job->source, content, file->job->arena, file->error)) {
         return false;
     }
     file->words.comment = NULL;
@@ -480,7 +478,8 @@ bool zemax_parse(struct zemax_file *file, struct text content)
         }
     }
     if (file->surface_count < 3) {
-        return foreign_fail(file->job, error, "the file has no surface between object and image");
+        return foreign_fail(file->job, file->error,
+                            "the file has no surface between object and image");
     }
     if (!check_zmx_end(file)) {
         return false;

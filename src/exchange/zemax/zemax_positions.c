@@ -50,7 +50,7 @@ static bool place_diameter(struct zemax_file *file, const struct zemax_setting *
     struct zemax_surface *surface = &file->surfaces[setting->surface];
     surface->diameter = line_with(file, setting, surface->diameter, 0);
     return setting->line->numbers[2].value.hi >= 0 || /* 0 is none */
-           zemax_fail(file, setting->line, setting->line->numbers[2].typed,
+           zemax_fail(setting->line, setting->line->numbers[2].typed,
                       "a semi-diameter is not below 0");
 }
 
@@ -110,7 +110,7 @@ static bool place_numbered(struct zemax_file *file, const struct zemax_setting *
     const double number = zemax_number(own, 4);
     const size_t most = extra ? ZEMAX_EXTRAS : ZEMAX_PARAMETERS;
     if (own->count < 5 || !(number >= 0 && number < 1e6 && number == floor(number))) {
-        return zemax_fail(file, own, own->keyword,
+        return zemax_fail(own, own->keyword,
                           "%.4s needs a surface, a configuration, its value and behind a "
                           "status the number of the parameter",
                           own->keyword.start);
@@ -157,8 +157,8 @@ static bool place_stop(struct zemax_file *file, const struct zemax_setting *sett
     const struct zemax_line *line = setting->line;
     double stop = zemax_number(line, 2);
     if (!(stop >= 1 && stop + 1 < (double)file->surface_count && stop == floor(stop))) {
-        return zemax_fail(file, line, line->numbers[2].typed,
-                          "the stop is one of the surfaces 1 to %zu", file->surface_count - 2);
+        return zemax_fail(line, line->numbers[2].typed, "the stop is one of the surfaces 1 to %zu",
+                          file->surface_count - 2);
     }
     for (size_t i = 0; i < file->surface_count; i++) {
         file->surfaces[i].is_stop = i == (size_t)stop;
@@ -185,8 +185,8 @@ static bool place_primary(struct zemax_file *file, const struct zemax_setting *s
     const struct zemax_line *line = setting->line;
     double number = zemax_number(line, 2);
     if (!(number >= 1 && number <= (double)file->wave_count && number == floor(number))) {
-        return zemax_fail(file, line, line->numbers[2].typed,
-                          "wavelengths have the numbers 1 to %zu", file->wave_count);
+        return zemax_fail(line, line->numbers[2].typed, "wavelengths have the numbers 1 to %zu",
+                          file->wave_count);
     }
     file->primary = (size_t)number - 1;
     return true;
@@ -219,7 +219,7 @@ static bool place_field(struct zemax_file *file, const struct zemax_setting *set
     const struct zemax_line *old = *place;
     const long number = setting->surface;
     if (!(number >= 1 && number <= ZEMAX_WAVES)) {
-        return zemax_fail(file, own, own->first, "fields have the numbers 1 to %d", ZEMAX_WAVES);
+        return zemax_fail(own, own->first, "fields have the numbers 1 to %d", ZEMAX_WAVES);
     }
     struct zemax_line *line = line_with(file, setting, old, (size_t)number - 1);
     for (size_t i = old != NULL ? old->count : 0; old != NULL && i + 1 < (size_t)number; i++) {
@@ -248,7 +248,7 @@ static bool place_environment(struct zemax_file *file, const struct zemax_settin
     file->environment = line_with(file, setting, file->environment, second);
     return (zemax_number(file->environment, 0) > -273.15 &&
             zemax_number(file->environment, 1) >= 0) ||
-           zemax_fail(file, setting->line, setting->line->keyword,
+           zemax_fail(setting->line, setting->line->keyword,
                       "a temperature is above -273.15 C, a pressure 0 or more atmospheres");
 }
 
@@ -292,7 +292,7 @@ static bool place_setting(struct zemax_file *file, const struct zemax_setting *s
     if (place == NULL || (place->of_surface && (size_t)setting->surface >= file->surface_count)) {
         return true; /* of a surface that is gone */
     }
-    return (place->place == place_glass || (zemax_all_numbers(file, line) && line->count > 2)) &&
+    return (place->place == place_glass || (zemax_all_numbers(line) && line->count > 2)) &&
            place->place(file, setting);
 }
 
@@ -303,7 +303,7 @@ bool zemax_place_settings(struct zemax_file *file, size_t configuration)
     for (const struct zemax_setting *one = file->settings; one != NULL; one = one->next) {
         if (one->configuration == (long)configuration + 1 && !place_setting(file, one)) {
             return file->error->code == ERROR_NONE &&
-                   zemax_fail(file, one->line, one->line->keyword,
+                   zemax_fail(one->line, one->line->keyword,
                               "%.4s needs a surface, a configuration and its value",
                               one->line->keyword.start);
         }

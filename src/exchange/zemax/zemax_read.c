@@ -19,7 +19,7 @@ static bool set_zmx_cone(struct zemax_file *file, const struct zemax_line *line)
     const double angle = zemax_number(line, 0);
     const double primary = file->wave_count > 0 ? file->waves[file->primary].value.hi : 0;
     if (!(angle < 90)) {
-        return zemax_fail(file, line, line->numbers[0].typed,
+        return zemax_fail(line, line->numbers[0].typed,
                           "the angle of the cone must be below 90 degrees");
     }
     if (!medium_index(&lens->object_medium, primary > 0 ? primary : WAVELENGTH_D, &index,
@@ -46,7 +46,7 @@ static bool set_zmx_aperture(struct zemax_file *file)
         return true;
     }
     if (!(line->numbers[0].value.hi > 0)) {
-        return zemax_fail(file, line, line->numbers[0].typed, "the aperture must be above 0");
+        return zemax_fail(line, line->numbers[0].typed, "the aperture must be above 0");
     }
     lens->aperture = line->numbers[0];
     if (text_same(line->keyword, "ENPD")) {
@@ -84,7 +84,7 @@ static bool add_zmx_field(struct zemax_file *file, size_t at, bool angle)
         const char *wrong = lens_field_from_degrees(field);
         const struct zemax_line *line = field->at[1].value.hi != 0 ? file->y : file->x;
         if (wrong != NULL) {
-            return zemax_fail(file, line, line->numbers[at].typed, "%s", wrong);
+            return zemax_fail(line, line->numbers[at].typed, "%s", wrong);
         }
     }
     if (weights != NULL && at < weights->count && weights->numbers[at].value.hi != 1) {
@@ -92,7 +92,7 @@ static bool add_zmx_field(struct zemax_file *file, size_t at, bool angle)
         field->weight_typed = weights->numbers[at].typed;
     }
     return field->weight >= 0 ||
-           zemax_fail(file, weights, field->weight_typed, "a weight is not below 0");
+           zemax_fail(weights, field->weight_typed, "a weight is not below 0");
 }
 
 static bool set_fields(struct zemax_file *file)
@@ -125,7 +125,7 @@ static bool set_fields(struct zemax_file *file)
 static bool fail_waves(const struct zemax_file *file, const char *message)
 {
     if (file->primary_line != NULL) {
-        return zemax_fail(file, file->primary_line, file->primary_line->keyword, "%s", message);
+        return zemax_fail(file->primary_line, file->primary_line->keyword, "%s", message);
     }
     return foreign_fail(file->job, file->error, "%s", message);
 }
@@ -245,7 +245,7 @@ static bool set_object(struct zemax_file *file)
                    "SCBD: a shifted or tilted object");
     }
     if (object->is_stop) {
-        return zemax_fail(file, object->surf, object->surf->keyword, "the object is the stop");
+        return zemax_fail(object->surf, object->surf->keyword, "the object is the stop");
     }
     if (object->glass != NULL && !zemax_medium(file, object, &medium_air, &lens->object_medium)) {
         return false;
@@ -331,7 +331,7 @@ static bool check_image(struct zemax_file *file)
         check_flat_end(file, image, "a curved image", "");
     }
     if (image->is_stop) {
-        return zemax_fail(file, image->surf, image->surf->keyword, "the image is the stop");
+        return zemax_fail(image->surf, image->surf->keyword, "the image is the stop");
     }
     return true;
 }

@@ -117,7 +117,7 @@ static bool set_paraxial(struct zemax_file *file, size_t at, struct surface *to)
         return zemax_loss(file, from->glass, LOSS_OF_LENS, NULL, "an ideal lens that is a mirror");
     }
     if (focal.value.hi == 0) {
-        return zemax_fail(file, place, given != NULL ? place->keyword : place->first,
+        return zemax_fail(place, given != NULL ? place->keyword : place->first,
                           given != NULL ? "an ideal lens of the focal length 0"
                                         : "an ideal lens without a focal length");
     }
@@ -354,7 +354,7 @@ static bool add_next(struct zemax_file *file, size_t at, size_t *place)
     }
     *place = lens->surface_count - 1;
     if (surface->is_stop && lens->stop != LENS_NONE) {
-        return zemax_fail(file, surface->surf, surface->surf->keyword, "a second stop");
+        return zemax_fail(surface->surf, surface->surf->keyword, "a second stop");
     }
     if (surface->is_stop) {
         lens_build_stop(&file->build, *place);
@@ -444,7 +444,7 @@ static bool check_from(const struct zemax_file *file, size_t at, size_t kind)
     }
     for (size_t i = 0; i < file->surface_count && walk < file->surface_count; i++) {
         if (walk == at) {
-            return zemax_fail(file, line, line->keyword,
+            return zemax_fail(line, line->keyword,
                               "the pick-ups go in a circle: surface %zu follows surface %zu, "
                               "which follows it",
                               at, source);

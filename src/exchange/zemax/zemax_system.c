@@ -17,8 +17,7 @@ static bool zmx_unit(struct zemax_file *file, const struct zemax_line *line)
     const char *unit = foreign_unit_named(zemax_units, word);
     (void)line;
     if (unit == NULL) {
-        return file_words_fail(&file->words, word, file->error,
-                               "the unit is one of MM, CM, IN, METER");
+        return file_words_fail(&file->words, word, "the unit is one of MM, CM, IN, METER");
     }
     file->build.lens->unit = unit;
     file->words.scale = lens_unit_scale(unit);
@@ -30,7 +29,7 @@ static bool read_mode(struct zemax_file *file, const struct zemax_line *line)
     struct text word = file_words_next(&file->words);
     (void)line;
     return text_same(word, "SEQ") ||
-           file_words_fail(&file->words, word, file->error,
+           file_words_fail(&file->words, word,
                            "a non-sequential system: lenscalc has lenses whose surfaces follow "
                            "each other");
 }
@@ -83,11 +82,11 @@ static bool zmx_catalogs(struct zemax_file *file, const struct zemax_line *line)
     return true;
 }
 
-static bool zemax_check_wave(struct zemax_file *file, const struct zemax_line *line, size_t at)
+static bool zemax_check_wave(const struct zemax_line *line, size_t at)
 {
     double wavelength = zemax_number(line, at);
     return (wavelength >= WAVELENGTH_SHORTEST && wavelength <= WAVELENGTH_LONGEST) ||
-           zemax_fail(file, line, line->numbers[at].typed,
+           zemax_fail(line, line->numbers[at].typed,
                       "the wavelength is not within 0.001 to 100000 um");
 }
 
@@ -96,10 +95,10 @@ static bool zmx_wave(struct zemax_file *file, const struct zemax_line *line)
 {
     double number = zemax_number(line, 0);
     if (!(number >= 1 && number < ZEMAX_WAVES) || line->count < 2) {
-        return zemax_fail(file, line, line->keyword,
+        return zemax_fail(line, line->keyword,
                           "WAVM needs the number, the wavelength and its weight");
     }
-    if (!zemax_check_wave(file, line, 1)) {
+    if (!zemax_check_wave(line, 1)) {
         return false;
     }
     size_t at = (size_t)number - 1;
@@ -110,20 +109,20 @@ static bool zmx_wave(struct zemax_file *file, const struct zemax_line *line)
     return true;
 }
 
-static bool zemax_check_wave_count(struct zemax_file *file, const struct zemax_line *line)
+static bool zemax_check_wave_count(const struct zemax_line *line)
 {
-    return line->count <= ZEMAX_WAVES || zemax_fail(file, line, line->numbers[ZEMAX_WAVES].typed,
+    return line->count <= ZEMAX_WAVES || zemax_fail(line, line->numbers[ZEMAX_WAVES].typed,
                                                     "more than %d wavelengths", ZEMAX_WAVES);
 }
 
 /* WAVL and WAVN have all wavelengths in a row. */
 static bool zmx_waves(struct zemax_file *file, const struct zemax_line *line)
 {
-    if (!zemax_check_wave_count(file, line)) {
+    if (!zemax_check_wave_count(line)) {
         return false;
     }
     for (size_t i = 0; i < line->count; i++) {
-        if (!zemax_check_wave(file, line, i)) {
+        if (!zemax_check_wave(line, i)) {
             return false;
         }
         file->waves[i] = line->numbers[i];
@@ -138,7 +137,7 @@ static bool zmx_waves(struct zemax_file *file, const struct zemax_line *line)
 /* WWGT and WWGN have their weights. */
 static bool zmx_weights(struct zemax_file *file, const struct zemax_line *line)
 {
-    if (!zemax_check_wave_count(file, line)) {
+    if (!zemax_check_wave_count(line)) {
         return false;
     }
     memcpy(file->weights, line->numbers, line->count * sizeof line->numbers[0]);
@@ -149,11 +148,10 @@ static bool read_primary(struct zemax_file *file, const struct zemax_line *line)
 {
     double number = zemax_number(line, 0);
     if (!(number >= 1 && number < ZEMAX_WAVES)) {
-        return file_words_fail(&file->words, line->keyword, file->error,
-                               "PWAV needs a wavelength's number");
+        return file_words_fail(&file->words, line->keyword, "PWAV needs a wavelength's number");
     }
     file->primary = (size_t)number - 1;
-    return zemax_all_numbers(file, line);
+    return zemax_all_numbers(line);
 }
 
 /* VDYN 0 0.1 0.2: how the pupil of each field is shifted, scaled and turned. */
@@ -185,7 +183,7 @@ static bool zmx_environment(struct zemax_file *file, const struct zemax_line *li
     (void)file;
     return zemax_number(line, 2) == 0 ||
            (zemax_number(line, 0) > -273.15 && zemax_number(line, 1) >= 0) ||
-           zemax_fail(file, line, line->keyword,
+           zemax_fail(line, line->keyword,
                       "ENVD needs a temperature above -273.15 C and a pressure of 0 or more "
                       "atmospheres");
 }
@@ -221,11 +219,11 @@ const struct zemax_keyword zemax_system_keywords[] = {
 bool zemax_read_configurations(struct zemax_file *file, const struct zemax_line *line)
 {
     double count = zemax_number(line, 0);
-    if (!zemax_all_numbers(file, line)) {
+    if (!zemax_all_numbers(line)) {
         return false;
     }
     if (!(count >= 1 && count <= ZEMAX_CONFIGURATIONS)) {
-        return file_words_fail(&file->words, line->keyword, file->error,
+        return file_words_fail(&file->words, line->keyword,
                                "MNUM needs the number of configurations, 1 to %d",
                                ZEMAX_CONFIGURATIONS);
     }
@@ -253,7 +251,7 @@ bool zemax_read_setting(struct zemax_file *file, struct text keyword)
     double surface = zemax_number(line, 0), configuration = zemax_number(line, 1);
     if (line->count < 2 || !(surface >= 0 && surface < FOREIGN_MOST_SURFACES) ||
         !(configuration >= 1 && configuration <= (double)file->configurations)) {
-        return file_words_fail(&file->words, keyword, file->error,
+        return file_words_fail(&file->words, keyword,
                                "%.4s needs a surface, a configuration and its value",
                                keyword.start);
     }
