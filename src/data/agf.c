@@ -3,8 +3,6 @@
 #include "data/agf.h"
 
 #include "base/number.h"
-#include "data/agf_formula.h"
-#include "data/agf_words.h"
 #include "data/encoding.h"
 
 #include <math.h>
@@ -49,25 +47,18 @@ static bool read_pair(const struct agf_reader *reader, struct text word, struct 
            agf_words_fail(&reader->words, word, error, "is not a number");
 }
 
-/* The next number; NaN at the end of the line. */
-static bool agf_read_number(struct agf_reader *reader, double *value, struct error *error)
-{
-    struct text word = agf_words_next(&reader->words);
-    struct pair read = {NAN, 0};
-    if (word.length > 0 && !read_pair(reader, word, &read, error)) {
-        return false;
-    }
-    *value = read.hi;
-    return true;
-}
-
 static bool agf_read_numbers(struct agf_reader *reader, double *const *values, size_t count,
                              struct error *error)
 {
     for (size_t i = 0; i < count; i++) {
-        if (!agf_read_number(reader, values[i], error)) {
+        /* The next number; NaN at the end of the line. */
+        double *value = values[i];
+        struct text word = agf_words_next(&reader->words);
+        struct pair read = {NAN, 0};
+        if (word.length > 0 && !read_pair(reader, word, &read, error)) {
             return false;
         }
+        *value = read.hi;
     }
     return true;
 }
@@ -110,56 +101,12 @@ static const char *agf_place(const struct agf_reader *reader, long line)
     return arena_printf(reader->arena, "%s:%ld", reader->words.source, line);
 }
 
-static void check_stated(struct agf_reader *reader)
-{
-    struct glass_record *glass = reader->glass;
-    const struct glass_summary summary = glass_summary(&glass->glass);
-    double room = fmax(3e-5, reader->nd_unit);
-    int length = (int)(glass->glass.name.length < 60 ? glass->glass.name.length : 60);
-    if (fabs(summary.nd - glass->nd) > room) {
-        agf_warn(reader,
-                 arena_printf(reader->arena, "%s: %.*s: the formula gives nd %.6f, stated %.10g",
-                              agf_place(reader, glass->line), length, glass->glass.name.start,
-                              summary.nd, glass->nd));
-    }
-    room = fmax(fmax(0.06, 0.0012 * fabs(glass->Vd)), reader->Vd_unit);
-    if (fabs(summary.Vd - glass->Vd) > room) {
-        agf_warn(reader,
-                 arena_printf(reader->arena, "%s: %.*s: the formula gives Vd %.4f, stated %.10g",
-                              agf_place(reader, glass->line), length, glass->glass.name.start,
-                              summary.Vd, glass->Vd));
-    }
-}
-
-/* The coefficients with the number that the end of a line has cut as one. */
-static void agf_join(struct agf_reader *reader)
-{
-    struct pair *c = reader->coefficients;
-    size_t at = reader->cut - 1;
-    c[at] = reader->joined;
-    memmove(c + at + 1, c + at + 2, (AGF_COEFFICIENTS - at - 1) * sizeof c[0]);
-    c[AGF_COEFFICIENTS] = pair_of(0);
-}
-
 /* Does the formula, with the coefficients as they are, have the stated nd? */
 static bool has_stated(struct agf_reader *reader)
 {
     struct glass_record *glass = reader->glass;
     agf_formula_set(reader->formula, reader->coefficients, &glass->glass);
     return fabs(glass_summary(&glass->glass).nd - glass->nd) <= fmax(3e-5, reader->nd_unit);
-}
-
-/* A number that may have been cut in two is one where only that has the stated nd. */
-static void decide_cut(struct agf_reader *reader)
-{
-    struct pair as_two[AGF_COEFFICIENTS + 1];
-    bool is_full = fabs(reader->coefficients[AGF_COEFFICIENTS].hi) > 0;
-    bool two = has_stated(reader);
-    memcpy(as_two, reader->coefficients, sizeof as_two);
-    agf_join(reader);
-    if (!is_full && (two || !has_stated(reader))) {
-        memcpy(reader->coefficients, as_two, sizeof as_two);
-    }
 }
 
 /* The glass whose lines have been read is complete. */
@@ -176,7 +123,20 @@ static bool finish_glass(struct agf_reader *reader, struct error *error)
         return error_locate(error, reader->words.source, glass->line, 0);
     }
     if (reader->cut > 0) {
-        decide_cut(reader);
+        /* A number that may have been cut in two is one where only that has the stated nd. */
+        struct pair as_two[AGF_COEFFICIENTS + 1];
+        bool is_full = fabs(reader->coefficients[AGF_COEFFICIENTS].hi) > 0;
+        bool two = has_stated(reader);
+        memcpy(as_two, reader->coefficients, sizeof as_two);
+        /* The coefficients with the number that the end of a line has cut as one. */
+        struct pair *c = reader->coefficients;
+        size_t at = reader->cut - 1;
+        c[at] = reader->joined;
+        memmove(c + at + 1, c + at + 2, (AGF_COEFFICIENTS - at - 1) * sizeof c[0]);
+        c[AGF_COEFFICIENTS] = pair_of(0);
+        if (!is_full && (two || !has_stated(reader))) {
+            memcpy(reader->coefficients, as_two, sizeof as_two);
+        }
     }
     agf_formula_set(reader->formula, reader->coefficients, &glass->glass);
     for (size_t i = agf_formula_count(reader->formula); i < AGF_COEFFICIENTS; i++) {
@@ -189,14 +149,23 @@ static bool finish_glass(struct agf_reader *reader, struct error *error)
     }
     reader->points += glass->glass.transmittance_count;
     reader->all_thicknesses += glass->glass.transmittance_count;
-    check_stated(reader);
+    const struct glass_summary summary = glass_summary(&glass->glass);
+    double room = fmax(3e-5, reader->nd_unit);
+    int length = (int)(glass->glass.name.length < 60 ? glass->glass.name.length : 60);
+    if (fabs(summary.nd - glass->nd) > room) {
+        agf_warn(reader,
+                 arena_printf(reader->arena, "%s: %.*s: the formula gives nd %.6f, stated %.10g",
+                              agf_place(reader, glass->line), length, glass->glass.name.start,
+                              summary.nd, glass->nd));
+    }
+    room = fmax(fmax(0.06, 0.0012 * fabs(glass->Vd)), reader->Vd_unit);
+    if (fabs(summary.Vd - glass->Vd) > room) {
+        agf_warn(reader,
+                 arena_printf(reader->arena, "%s: %.*s: the formula gives Vd %.4f, stated %.10g",
+                              agf_place(reader, glass->line), length, glass->glass.name.start,
+                              summary.Vd, glass->Vd));
+    }
     return true;
-}
-
-static struct text agf_status_of(double status)
-{
-    static const char *const words[] = {"standard", "preferred", "obsolete", "special", "melt"};
-    return text_of(status >= 0 && status < 5 ? words[(int)status] : "");
 }
 
 /* NM name formula glass-code nd Vd exclude status melts */
@@ -248,7 +217,8 @@ static bool agf_read_name(struct agf_reader *reader, struct error *error)
     }
     glass->nd = glass->nd > 0 && fabs(glass->nd - 1) > 0 ? glass->nd : NAN;
     glass->Vd = fabs(glass->Vd) > 0 ? glass->Vd : NAN;
-    glass->status = agf_status_of(status);
+    static const char *const words[] = {"standard", "preferred", "obsolete", "special", "melt"};
+    glass->status = text_of(status >= 0 && status < 5 ? words[(int)status] : "");
     return true;
 }
 
@@ -350,30 +320,6 @@ static bool agf_read_range(struct agf_reader *reader, struct error *error)
                                "the range of wavelengths, in um, ends before it begins");
 }
 
-/* Keep a point, by rising wavelength; of two at one wavelength the one of nearly 10 mm. */
-static void keep_point(struct agf_reader *reader, struct glass_point point, double thickness)
-{
-    struct glass *glass = &reader->glass->glass;
-    struct glass_point *points = reader->transmittance;
-    double *thicknesses = reader->thicknesses;
-    size_t at = glass->transmittance_count;
-    while (at > 0 && !(points[at - 1].wavelength.hi < point.wavelength.hi)) {
-        at--;
-    }
-    bool twice =
-        at < glass->transmittance_count && !(points[at].wavelength.hi > point.wavelength.hi);
-    if (twice && !(fabs(thickness - 10) < fabs(thicknesses[at] - 10))) {
-        return;
-    }
-    if (!twice) {
-        size_t behind = glass->transmittance_count++ - at;
-        memmove(points + at + 1, points + at, behind * sizeof *points);
-        memmove(thicknesses + at + 1, thicknesses + at, behind * sizeof *thicknesses);
-    }
-    points[at] = point;
-    thicknesses[at] = thickness;
-}
-
 /* IT wavelength transmittance thickness */
 static bool read_transmittance(struct agf_reader *reader, struct error *error)
 {
@@ -395,7 +341,25 @@ static bool read_transmittance(struct agf_reader *reader, struct error *error)
     }
     double at_10 = fabs(thickness - 10) > 0 ? pow(tau, 10 / thickness) : tau;
     const struct glass_point point = {pair_of(wavelength), pair_of(at_10)};
-    keep_point(reader, point, thickness);
+    /* Keep a point, by rising wavelength; of two at one wavelength the one of nearly 10 mm. */
+    struct glass *glass = &reader->glass->glass;
+    struct glass_point *points = reader->transmittance;
+    double *thicknesses = reader->thicknesses;
+    size_t at = glass->transmittance_count;
+    while (at > 0 && !(points[at - 1].wavelength.hi < point.wavelength.hi)) {
+        at--;
+    }
+    bool twice =
+        at < glass->transmittance_count && !(points[at].wavelength.hi > point.wavelength.hi);
+    if (!twice || (fabs(thickness - 10) < fabs(thicknesses[at] - 10))) {
+        if (!twice) {
+            size_t behind = glass->transmittance_count++ - at;
+            memmove(points + at + 1, points + at, behind * sizeof *points);
+            memmove(thicknesses + at + 1, thicknesses + at, behind * sizeof *thicknesses);
+        }
+        points[at] = point;
+        thicknesses[at] = thickness;
+    }
     return true;
 }
 
@@ -458,20 +422,6 @@ static bool agf_read_line(struct agf_reader *reader, struct error *error)
                                   agf_place(reader, reader->words.number),
                                   text_shown_up_to(keyword, 20), keyword.start));
     return true;
-}
-
-/* Room for as many glasses and points as there are lines NM and IT. */
-static void agf_make_room(struct agf_reader *reader)
-{
-    size_t glasses = 0, points = 0;
-    for (struct text rest = reader->words.rest; rest.start != NULL && rest.length > 0;) {
-        struct text line = text_trim(text_cut(&rest, '\n'));
-        glasses += line.length >= 2 && memcmp(line.start, "NM", 2) == 0;
-        points += line.length >= 2 && memcmp(line.start, "IT", 2) == 0;
-    }
-    reader->glasses = ARENA_ARRAY(reader->arena, glasses + 1, struct glass_record);
-    reader->points = ARENA_ARRAY(reader->arena, points + 1, struct glass_point);
-    reader->all_thicknesses = ARENA_ARRAY(reader->arena, points + 1, double);
 }
 
 /* A name without its case, and whose it is. */
@@ -538,7 +488,16 @@ bool agf_read(const char *source, struct text content, struct arena *arena,
     if (!encoding_to_utf8(source, content, arena, &reader.words.rest, error)) {
         return false;
     }
-    agf_make_room(&reader);
+    /* Room for as many glasses and points as there are lines NM and IT. */
+    size_t glasses = 0, points = 0;
+    for (struct text rest = reader.words.rest; rest.start != NULL && rest.length > 0;) {
+        struct text line = text_trim(text_cut(&rest, '\n'));
+        glasses += line.length >= 2 && memcmp(line.start, "NM", 2) == 0;
+        points += line.length >= 2 && memcmp(line.start, "IT", 2) == 0;
+    }
+    reader.glasses = ARENA_ARRAY(reader.arena, glasses + 1, struct glass_record);
+    reader.points = ARENA_ARRAY(reader.arena, points + 1, struct glass_point);
+    reader.all_thicknesses = ARENA_ARRAY(reader.arena, points + 1, double);
     while (agf_words_line(&reader.words)) {
         if (!agf_read_line(&reader, error) && !agf_leave_out(&reader, error)) {
             return false;

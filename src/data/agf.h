@@ -3,7 +3,11 @@
 #ifndef LENSCALC_DATA_AGF_H
 #define LENSCALC_DATA_AGF_H
 
+#include "base/error.h"
+#include "base/text.h"
 #include "data/glass_catalog.h"
+#include "optics/glass.h"
+#include <stdbool.h>
 
 /* A glass that is left out, and what is wrong with it. */
 struct agf_damage {
@@ -58,5 +62,53 @@ struct agf_catalog {
  */
 bool agf_read(const char *source, struct text content, struct arena *arena,
               struct agf_catalog *catalog, struct error *error);
+
+enum { AGF_FORMULAS = 13, AGF_COEFFICIENTS = 10 };
+
+/* How many numbers behind CD formula 1 .. 13 uses. */
+size_t agf_formula_count(int number);
+
+/*
+ * Give a glass one of the formulas that agf_read lists.
+ *
+ * Given     number        1 .. 13
+ *           coefficients  AGF_COEFFICIENTS numbers
+ *           glass         receives formula, count and coefficients
+ */
+void agf_formula_set(int number, const struct pair *coefficients, struct glass *glass);
+
+/* A file while it is read. */
+struct agf_words {
+    const char *source;
+    struct text rest, line, at; /* lines to come, the present one, what is left of that */
+    long number;                /* of the line, 1-based */
+    bool touches;               /* only the end of a line parts the last word from the one before */
+};
+
+/* Go to the next line; false at the end. */
+bool agf_words_line(struct agf_words *words);
+
+/*
+ * The next word. A line that begins with a number goes on with the one before it, for no keyword
+ * does: so editors and mail wrap long lines.
+ *
+ * Result    empty at the end of the line, or of the last one that goes on with it
+ */
+struct text agf_words_next(struct agf_words *words);
+
+/* A bad word, or a bad line: ERROR_DATA with its place. Returns false. */
+bool agf_words_fail(const struct agf_words *words, struct text word, struct error *error,
+                    const char *what);
+bool agf_words_fail_line(const struct agf_words *words, struct error *error, const char *what);
+
+/*
+ * The user's AGF files, read once: those of db->agf in their order, then glass/NAME.agf of the
+ * user's folder, by name.
+ *
+ * Given     first  receives the first; null if there is none
+ * Errors    ERROR_IO: a file of db->agf that is not there, a file that cannot be read; ERROR_USAGE:
+ *           two of db->agf make catalogues of one name; ERROR_DATA as agf_read
+ */
+bool agf_catalogs(struct lensdb *db, const struct agf_catalog **first, struct error *error);
 
 #endif

@@ -1,6 +1,6 @@
 /* data/agf_catalogs.c - the AGF files of the user. */
 /* SPDX-License-Identifier: MIT */
-#include "data/agf_catalogs.h"
+#include "data/agf.h"
 
 #include "data/whole_file.h"
 
@@ -12,24 +12,6 @@ struct agf_catalogs_list {
     const struct agf_catalog *first;
     struct agf_catalog *last;
 };
-
-/* Say which glasses are left out. */
-static void tell_damaged(struct lensdb *db, const struct agf_catalog *catalog)
-{
-    const size_t most = 20;
-    db->losses.arena = db->arena;
-    for (size_t i = 0; i < catalog->damaged_count && i < most; i++) {
-        const struct error *one = &catalog->damaged[i].error;
-        struct error line; /* printable */
-        fail(&line, one->code, "%s:%ld: %s; the glass '%.*s' is left out", one->source, one->line,
-             one->message, text_shown(catalog->damaged[i].name), catalog->damaged[i].name.start);
-        growing_format(&db->losses, "%s\n", line.message);
-    }
-    if (catalog->damaged_count > most) {
-        growing_format(&db->losses, "%s: %zu more glasses are left out\n", catalog->source,
-                       catalog->damaged_count - most);
-    }
-}
 
 static bool agf_catalogs_add(struct lensdb *db, const char *path, struct agf_catalogs_list *list,
                              struct error *error)
@@ -50,7 +32,20 @@ static bool agf_catalogs_add(struct lensdb *db, const char *path, struct agf_cat
             return error_hint(error, "a catalogue has the name of its file");
         }
     }
-    tell_damaged(db, catalog);
+    /* Say which glasses are left out. */
+    const size_t most = 20;
+    db->losses.arena = db->arena;
+    for (size_t i = 0; i < catalog->damaged_count && i < most; i++) {
+        const struct error *one = &catalog->damaged[i].error;
+        struct error line; /* printable */
+        fail(&line, one->code, "%s:%ld: %s; the glass '%.*s' is left out", one->source, one->line,
+             one->message, text_shown(catalog->damaged[i].name), catalog->damaged[i].name.start);
+        growing_format(&db->losses, "%s\n", line.message);
+    }
+    if (catalog->damaged_count > most) {
+        growing_format(&db->losses, "%s: %zu more glasses are left out\n", catalog->source,
+                       catalog->damaged_count - most);
+    }
     if (list->last != NULL) {
         list->last->next = catalog;
     } else {

@@ -1,6 +1,6 @@
 /* data/agf_formula.c - the thirteen dispersion formulas of AGF files. */
 /* SPDX-License-Identifier: MIT */
-#include "data/agf_formula.h"
+#include "data/agf.h"
 
 static void same(const struct pair *c, const signed char *powers, size_t count, struct glass *glass)
 {
@@ -24,8 +24,7 @@ static void with_powers(const struct pair *c, const signed char *powers, size_t 
 }
 
 /* One resonance of GLASS_RESONANCES: (p l^2 + q)/(l^2 - c). */
-static void agf_formula_add_resonance(struct glass *glass, struct pair p, struct pair q,
-                                      struct pair c)
+static void add_resonance(struct glass *glass, struct pair p, struct pair q, struct pair c)
 {
     glass->coefficients[glass->count++] = p;
     glass->coefficients[glass->count++] = q;
@@ -47,8 +46,8 @@ static void sellmeier_2(const struct pair *c, const signed char *powers, size_t 
     (void)powers;
     (void)count;
     agf_formula_begin(glass, pair_add(pair_of(1), c[0]), zero);
-    agf_formula_add_resonance(glass, c[1], zero, pair_multiply(c[2], c[2]));
-    agf_formula_add_resonance(glass, zero, c[3], pair_multiply(c[4], c[4]));
+    add_resonance(glass, c[1], zero, pair_multiply(c[2], c[2]));
+    add_resonance(glass, zero, c[3], pair_multiply(c[4], c[4]));
 }
 
 static void handbook_1(const struct pair *c, const signed char *powers, size_t count,
@@ -57,7 +56,7 @@ static void handbook_1(const struct pair *c, const signed char *powers, size_t c
     (void)powers;
     (void)count;
     agf_formula_begin(glass, c[0], pair_negate(c[3]));
-    agf_formula_add_resonance(glass, zero, c[1], c[2]);
+    add_resonance(glass, zero, c[1], c[2]);
 }
 
 static void handbook_2(const struct pair *c, const signed char *powers, size_t count,
@@ -66,7 +65,7 @@ static void handbook_2(const struct pair *c, const signed char *powers, size_t c
     (void)powers;
     (void)count;
     agf_formula_begin(glass, c[0], pair_negate(c[3]));
-    agf_formula_add_resonance(glass, c[1], zero, c[2]);
+    add_resonance(glass, c[1], zero, c[2]);
 }
 
 static void sellmeier_4(const struct pair *c, const signed char *powers, size_t count,
@@ -75,8 +74,8 @@ static void sellmeier_4(const struct pair *c, const signed char *powers, size_t 
     (void)powers;
     (void)count;
     agf_formula_begin(glass, c[0], zero);
-    agf_formula_add_resonance(glass, c[1], zero, c[2]);
-    agf_formula_add_resonance(glass, c[3], zero, c[4]);
+    add_resonance(glass, c[1], zero, c[2]);
+    add_resonance(glass, c[3], zero, c[4]);
 }
 
 /* In the order of their numbers. */

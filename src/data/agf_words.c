@@ -1,6 +1,6 @@
 /* data/agf_words.c - the words of an AGF file, line by line. */
 /* SPDX-License-Identifier: MIT */
-#include "data/agf_words.h"
+#include "data/agf.h"
 
 bool agf_words_line(struct agf_words *words)
 {

@@ -42,30 +42,6 @@ static bool embed_read_file(struct source *source)
     return good;
 }
 
-/* Where the rows begin: behind the first line that is neither blank nor a comment. */
-static void find_rows(struct source *source)
-{
-    const char *at = source->data, *end = at + source->length;
-    for (bool names = false; at < end && !names;) {
-        names = *at != '#' && *at != '\n';
-        source->line++;
-        const char *stop = memchr(at, '\n', (size_t)(end - at));
-        at = stop != NULL ? stop + 1 : end;
-    }
-    source->rows = (size_t)(at - source->data);
-}
-
-static void write_array(const struct source *source, int index)
-{
-    printf("static const char file_%d[] = {", index);
-    for (size_t i = 0; i < source->length; i++) {
-        unsigned byte = (unsigned char)source->data[i];
-        /* beyond ASCII as a character constant, which fits a char whether or not it has a sign */
-        printf(byte < 128 ? "%s%u," : "%s'\\%o',", i % 24 == 0 ? "\n" : "", byte);
-    }
-    printf("0};\n\n");
-}
-
 /* The path inside lensdb. */
 static const char *inner_name(const char *path)
 {
@@ -130,16 +106,6 @@ static bool index_glasses(const struct source *source, unsigned file, struct emb
     return true;
 }
 
-static void write_index(const struct embedded_glass *all, size_t count)
-{
-    printf("const size_t embedded_glass_count = %zu;\n", count);
-    printf("const struct embedded_glass embedded_glasses[] = {\n");
-    for (size_t i = 0; i < count; i++) {
-        printf("    {\"%s\", %u, %u, %u},\n", all[i].key, all[i].file, all[i].offset, all[i].line);
-    }
-    printf("    {\"\", 0, 0, 0},\n};\n");
-}
-
 int main(int argc, char **argv)
 {
     static struct source sources[MOST_FILES];
@@ -157,8 +123,22 @@ int main(int argc, char **argv)
         if (!embed_read_file(source)) {
             return 1;
         }
-        find_rows(source);
-        write_array(source, i);
+        /* Where the rows begin: behind the first line that is neither blank nor a comment. */
+        const char *at = source->data, *end = at + source->length;
+        for (bool names = false; at < end && !names;) {
+            names = *at != '#' && *at != '\n';
+            source->line++;
+            const char *stop = memchr(at, '\n', (size_t)(end - at));
+            at = stop != NULL ? stop + 1 : end;
+        }
+        source->rows = (size_t)(at - source->data);
+        printf("static const char file_%d[] = {", i);
+        for (size_t k = 0; k < source->length; k++) {
+            unsigned byte = (unsigned char)source->data[k];
+            /* beyond ASCII a character constant, which fits a char with a sign or without */
+            printf(byte < 128 ? "%s%u," : "%s'\\%o',", k % 24 == 0 ? "\n" : "", byte);
+        }
+        printf("0};\n\n");
         if (strncmp(source->name, "glass/", 6) == 0 &&
             !index_glasses(source, (unsigned)(i - 1), glasses, &glass_count)) {
             return 1;
@@ -172,6 +152,12 @@ int main(int argc, char **argv)
     }
     printf("    {0, 0, 0, 0, 0},\n};\n\n");
     qsort(glasses, glass_count, sizeof glasses[0], embed_by_key);
-    write_index(glasses, glass_count);
+    printf("const size_t embedded_glass_count = %zu;\n", glass_count);
+    printf("const struct embedded_glass embedded_glasses[] = {\n");
+    for (size_t i = 0; i < glass_count; i++) {
+        printf("    {\"%s\", %u, %u, %u},\n", glasses[i].key, glasses[i].file, glasses[i].offset,
+               glasses[i].line);
+    }
+    printf("    {\"\", 0, 0, 0},\n};\n");
     return fflush(stdout) == 0 && !ferror(stdout) ? 0 : 1;
 }

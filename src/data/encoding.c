@@ -111,19 +111,15 @@ static bool next_code(struct text content, enum scheme scheme, size_t *at, unsig
     return (unit[0] & 0xfc00) != 0xdc00;
 }
 
-static bool needs_no_change(struct text content)
-{
-    return memchr(content.start, '\r', content.length) == NULL &&
-           memchr(content.start, '\0', content.length) == NULL;
-}
-
 bool encoding_to_utf8(const char *source, struct text content, struct arena *arena,
                       struct text *text, struct error *error)
 {
     size_t whole = content.length;
     enum scheme scheme = scheme_of(&content);
     size_t mark = whole - content.length;
-    if (content.length == 0 || (scheme == UTF_8 && needs_no_change(content))) {
+    if (content.length == 0 ||
+        (scheme == UTF_8 && (memchr(content.start, '\r', content.length) == NULL &&
+                             memchr(content.start, '\0', content.length) == NULL))) {
         *text = content;
         return true;
     }

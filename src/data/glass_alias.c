@@ -23,8 +23,7 @@ static struct text cut_catalog(struct text *text)
 }
 
 /* A row of a table; the first one that is meant counts. */
-static void glass_alias_consider(struct glass_alias_search *search, struct text typed,
-                                 struct text real)
+static void weigh_alias(struct glass_alias_search *search, struct text typed, struct text real)
 {
     struct text name = real, own = cut_catalog(&typed), catalog = cut_catalog(&name);
     bool is_own = own.length > 0 && text_same_name(own, search->catalog);
@@ -38,8 +37,7 @@ static void glass_alias_consider(struct glass_alias_search *search, struct text 
     }
 }
 
-static bool glass_alias_look_through(struct glass_alias_search *search, struct tsv *tsv,
-                                     struct error *error)
+static bool each_alias(struct glass_alias_search *search, struct tsv *tsv, struct error *error)
 {
     static const char *const names[] = {"alias", "material"};
     size_t columns[2];
@@ -47,7 +45,7 @@ static bool glass_alias_look_through(struct glass_alias_search *search, struct t
         return false;
     }
     while (tsv_next(tsv, error)) {
-        glass_alias_consider(search, tsv->cells[columns[0]], tsv->cells[columns[1]]);
+        weigh_alias(search, tsv->cells[columns[0]], tsv->cells[columns[1]]);
     }
     return error->code == ERROR_NONE;
 }
@@ -60,7 +58,7 @@ static bool glass_alias_look(struct lensdb *db, struct glass_alias_search *searc
     for (enum lensdb_place place = LENSDB_USER; place < LENSDB_PLACES; place++) {
         struct tsv tsv;
         bool open = lensdb_open(db, place, FILE_NAME, &tsv, error);
-        if (open ? !glass_alias_look_through(search, &tsv, error) : error->code != ERROR_NONE) {
+        if (open ? !each_alias(search, &tsv, error) : error->code != ERROR_NONE) {
             return false;
         }
     }

@@ -3,7 +3,7 @@
 #include "data/glass_catalog.h"
 
 #include "base/number.h"
-#include "data/agf_catalogs.h"
+#include "data/agf.h"
 #include "data/embedded.h"
 #include "data/glass_alias.h"
 #include "data/glass_table.h"
@@ -25,23 +25,6 @@ static struct text catalog_of(const char *file)
     return (struct text){file + strlen(FOLDER), length - around};
 }
 
-/* The embedded catalogues. */
-static const char **embedded_names(struct arena *arena)
-{
-    size_t count = 0;
-    for (const struct embedded_file *at = embedded_files; at->name != NULL; at++) {
-        count += catalog_of(at->name).length > 0;
-    }
-    const char **names = ARENA_ARRAY(arena, count + 1, const char *);
-    count = 0;
-    for (const struct embedded_file *at = embedded_files; at->name != NULL; at++) {
-        if (catalog_of(at->name).length > 0) {
-            names[count++] = at->name;
-        }
-    }
-    return names;
-}
-
 /* Go to the catalogues of one place. */
 static bool enter_place(struct glass_catalogs *catalogs, enum lensdb_place place,
                         struct error *error)
@@ -49,7 +32,19 @@ static bool enter_place(struct glass_catalogs *catalogs, enum lensdb_place place
     catalogs->place = place;
     catalogs->is_open = false;
     if (place == LENSDB_EMBEDDED) {
-        catalogs->names = embedded_names(catalogs->arena);
+        /* The embedded catalogues. */
+        size_t count = 0;
+        for (const struct embedded_file *at = embedded_files; at->name != NULL; at++) {
+            count += catalog_of(at->name).length > 0;
+        }
+        const char **names = ARENA_ARRAY(catalogs->arena, count + 1, const char *);
+        count = 0;
+        for (const struct embedded_file *at = embedded_files; at->name != NULL; at++) {
+            if (catalog_of(at->name).length > 0) {
+                names[count++] = at->name;
+            }
+        }
+        catalogs->names = names;
         return true;
     }
     return lensdb_list(catalogs->db, "glass", ENDING, false, &catalogs->names, error);
@@ -123,28 +118,14 @@ struct glass_catalog_search {
 };
 
 /* Keep the glass in the present row of a table if it answers to the name. */
-static bool glass_catalog_consider(struct glass_catalog_search *search,
-                                   const struct glass_table *table, struct error *error)
+static bool weigh_glass(struct glass_catalog_search *search, const struct glass_table *table,
+                        struct error *error)
 {
     if ((search->catalog.length > 0 && !text_same_name(search->catalog, table->catalog)) ||
         !text_same_name(search->name, glass_table_name(table)) || search->count == MOST_HOMONYMS) {
         return true;
     }
     return glass_table_read(table, true, search->arena, &search->found[search->count++], error);
-}
-
-static void search_agf(struct glass_catalog_search *search, const struct agf_catalog *catalog)
-{
-    for (; catalog != NULL; catalog = catalog->next) {
-        if (search->catalog.length > 0 && !text_same_name(search->catalog, catalog->name)) {
-            continue;
-        }
-        for (size_t i = 0; i < catalog->count && search->count < MOST_HOMONYMS; i++) {
-            if (text_same_name(search->name, catalog->glasses[i].glass.name)) {
-                search->found[search->count++] = catalog->glasses[i];
-            }
-        }
-    }
 }
 
 /* A glass of the user's that is damaged hides those of its name in the program. */
@@ -173,13 +154,22 @@ static bool search_user(struct glass_catalog_search *search, struct error *error
     if (!agf_catalogs(search->db, &agf, error)) {
         return false;
     }
-    search_agf(search, agf);
+    const struct agf_catalog *catalog = agf;
+    for (; catalog != NULL; catalog = catalog->next) {
+        if (search->catalog.length > 0 && !text_same_name(search->catalog, catalog->name)) {
+            continue;
+        }
+        for (size_t i = 0; i < catalog->count && search->count < MOST_HOMONYMS; i++) {
+            if (text_same_name(search->name, catalog->glasses[i].glass.name)) {
+                search->found[search->count++] = catalog->glasses[i];
+            }
+        }
+    }
     if (!glass_catalogs_open(&catalogs, search->db, search->arena, true, error)) {
         return false;
     }
     while (catalogs.place == LENSDB_USER && next_row(&catalogs, error)) {
-        if (catalogs.place == LENSDB_USER &&
-            !glass_catalog_consider(search, &catalogs.table, error)) {
+        if (catalogs.place == LENSDB_USER && !weigh_glass(search, &catalogs.table, error)) {
             return false;
         }
     }
@@ -187,7 +177,7 @@ static bool search_user(struct glass_catalog_search *search, struct error *error
 }
 
 /* The name as the index has it; false if it is too long for any. */
-static bool glass_catalog_make_key(struct text name, char key[EMBEDDED_KEY])
+static bool make_glass_key(struct text name, char key[EMBEDDED_KEY])
 {
     size_t used = 0;
     for (size_t i = 0; i < name.length; i++) {
@@ -204,7 +194,7 @@ static bool glass_catalog_make_key(struct text name, char key[EMBEDDED_KEY])
 }
 
 /* The first entry of the index that does not come before the key. */
-static size_t glass_catalog_first_of(const char *key)
+static size_t first_listed(const char *key)
 {
     size_t low = 0, high = embedded_glass_count;
     while (low < high) {
@@ -236,13 +226,12 @@ static bool search_embedded(struct glass_catalog_search *search, struct error *e
 {
     char key[EMBEDDED_KEY];
     struct glass_table table;
-    if (!glass_catalog_make_key(search->name, key)) {
+    if (!make_glass_key(search->name, key)) {
         return true;
     }
-    for (size_t i = glass_catalog_first_of(key);
+    for (size_t i = first_listed(key);
          i < embedded_glass_count && strcmp(embedded_glasses[i].key, key) == 0; i++) {
-        if (!open_row(&embedded_glasses[i], &table, error) ||
-            !glass_catalog_consider(search, &table, error)) {
+        if (!open_row(&embedded_glasses[i], &table, error) || !weigh_glass(search, &table, error)) {
             return false;
         }
     }
@@ -272,13 +261,6 @@ static void keep_exact(struct glass_catalog_search *search)
         }
     }
     search->count = exact > 0 ? exact : search->count;
-}
-
-static bool is_same_glass(const struct glass *a, const struct glass *b)
-{
-    return a->formula == b->formula && a->count == b->count && a->table_count == 0 &&
-           b->table_count == 0 &&
-           memcmp(a->coefficients, b->coefficients, a->count * sizeof a->coefficients[0]) == 0;
 }
 
 /* The glasses that were found but for one (null: all), as they have to be typed. */
@@ -331,13 +313,16 @@ static const struct glass_record *current_of(const struct glass_catalog_search *
 }
 
 /* The first of the same glasses, but rather a current one; false if they are not the same. */
-static bool glass_catalog_are_same(const struct glass_catalog_search *search,
-                                   struct glass_record *record)
+static bool glasses_agree(const struct glass_catalog_search *search, struct glass_record *record)
 {
     *record = search->found[0];
     for (size_t i = 1; i < search->count; i++) {
         const struct glass_record *one = &search->found[i];
-        if (!is_same_glass(&one->glass, &search->found[0].glass)) {
+        const struct glass *b = &search->found[0].glass;
+        if (one->glass.formula != b->formula || one->glass.count != b->count ||
+            one->glass.table_count != 0 || b->table_count != 0 ||
+            memcmp(one->glass.coefficients, b->coefficients,
+                   one->glass.count * sizeof one->glass.coefficients[0]) != 0) {
             return false;
         }
         if (text_equal(one->status, "current") && !text_equal(record->status, "current")) {
@@ -348,11 +333,10 @@ static bool glass_catalog_are_same(const struct glass_catalog_search *search,
 }
 
 /* One name, several glasses: refuse, naming them, unless the current one may be taken. */
-static bool glass_catalog_choose(const struct glass_catalog_search *search,
-                                 enum glass_naming naming, struct glass_record *record,
-                                 struct error *error)
+static bool choose_listed(const struct glass_catalog_search *search, enum glass_naming naming,
+                          struct glass_record *record, struct error *error)
 {
-    if (glass_catalog_are_same(search, record)) {
+    if (glasses_agree(search, record)) {
         return true;
     }
     const struct glass_record *one = current_of(search);
@@ -372,21 +356,8 @@ static bool glass_catalog_choose(const struct glass_catalog_search *search,
     return current[0] != '\0' ? error_hint(error, "say %s", current) : false;
 }
 
-static void suggest_agf(const struct glass_catalog_search *search, struct nearest *nearest,
-                        struct nearest *other)
-{
-    for (const struct agf_catalog *agf = search->db->agf_catalogs; agf != NULL; agf = agf->next) {
-        nearest_offer(other, agf->name);
-        for (size_t i = 0; i < agf->count; i++) {
-            if (search->catalog.length == 0 || text_same_name(agf->name, search->catalog)) {
-                nearest_offer(nearest, agf->glasses[i].glass.name);
-            }
-        }
-    }
-}
-
 /* The nearest name among all glasses, with its catalogue if one was typed. */
-static void glass_catalog_suggest(struct glass_catalog_search *search, struct error *error)
+static void suggest_glass(struct glass_catalog_search *search, struct error *error)
 {
     struct nearest nearest = {.typed = search->name}, other = {.typed = search->catalog};
     for (size_t i = 0; i < embedded_glass_count; i++) {
@@ -401,7 +372,14 @@ static void glass_catalog_suggest(struct glass_catalog_search *search, struct er
             nearest_offer(&nearest, name);
         }
     }
-    suggest_agf(search, &nearest, &other);
+    for (const struct agf_catalog *agf = search->db->agf_catalogs; agf != NULL; agf = agf->next) {
+        nearest_offer(&other, agf->name);
+        for (size_t i = 0; i < agf->count; i++) {
+            if (search->catalog.length == 0 || text_same_name(agf->name, search->catalog)) {
+                nearest_offer(&nearest, agf->glasses[i].glass.name);
+            }
+        }
+    }
     bool prefixed = search->catalog.length > 0 && nearest.best.start != NULL;
     if (nearest.best.start != NULL) {
         error_hint(error, "did you mean '%.*s%s%.*s'?", prefixed ? (int)search->catalog.length : 0,
@@ -451,7 +429,7 @@ static bool find_meant(struct glass_catalog_search *search, struct text material
     if (search->count == 0) {
         return is_unknown(typed, error) && false;
     }
-    if (!glass_catalog_choose(search, GLASS_ALIASES, record, error)) {
+    if (!choose_listed(search, GLASS_ALIASES, record, error)) {
         return false;
     }
     const struct glass *glass = &record->glass;
@@ -469,7 +447,7 @@ static bool find_alias(struct glass_catalog_search *search, enum glass_naming na
     struct text typed = search->typed, material;
     if (!glass_alias(search->db, typed, search->arena, &material, error)) {
         if (error->code == ERROR_NONE && is_unknown(typed, error)) {
-            glass_catalog_suggest(search, error);
+            suggest_glass(search, error);
         }
         return false;
     }
@@ -499,7 +477,7 @@ bool glass_find(struct lensdb *db, struct text name, enum glass_naming naming, s
     if (naming == GLASS_HOMONYMS && !own && error->code != ERROR_NONE) {
         return false;
     }
-    return search->count > 0 ? glass_catalog_choose(search, naming, record, error)
+    return search->count > 0 ? choose_listed(search, naming, record, error)
                              : find_alias(search, naming, record, error);
 }
 

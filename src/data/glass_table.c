@@ -75,15 +75,15 @@ static bool bad(const struct glass_table *table, enum glass_table_column column,
     return tsv_fail(&table->rows.tsv, table->rows.columns[column], error, what);
 }
 
-static bool glass_table_read_number(const struct glass_table *table, enum glass_table_column column,
-                                    double *value, struct error *error)
+static bool read_table_number(const struct glass_table *table, enum glass_table_column column,
+                              double *value, struct error *error)
 {
     return tsv_number(&table->rows.tsv, table->rows.columns[column], value, error) &&
            (!isinf(*value) || bad(table, column, "must be finite", error));
 }
 
-static bool glass_table_read_coefficients(const struct glass_table *table, struct glass *glass,
-                                          struct error *error)
+static bool read_table_terms(const struct glass_table *table, struct glass *glass,
+                             struct error *error)
 {
     struct text rest = glass_table_cell(table, COEFFICIENTS);
     while (rest.start != NULL && rest.length > 0) {
@@ -111,7 +111,7 @@ static bool glass_table_read_coefficients(const struct glass_table *table, struc
     return true;
 }
 
-static bool glass_table_read_point(struct text pair, struct glass_point *point)
+static bool read_table_point(struct text pair, struct glass_point *point)
 {
     struct text value = pair;
     struct text at = text_cut(&value, ':');
@@ -121,10 +121,9 @@ static bool glass_table_read_point(struct text pair, struct glass_point *point)
 }
 
 /* "um:value" pairs by rising wavelength, values from 0 to `highest`. */
-static bool glass_table_read_points(const struct glass_table *table, enum glass_table_column column,
-                                    double highest, struct arena *arena,
-                                    const struct glass_point **points, size_t *count,
-                                    struct error *error)
+static bool read_table_points(const struct glass_table *table, enum glass_table_column column,
+                              double highest, struct arena *arena,
+                              const struct glass_point **points, size_t *count, struct error *error)
 {
     struct text rest = glass_table_cell(table, column);
     size_t most = 1;
@@ -139,7 +138,7 @@ static bool glass_table_read_points(const struct glass_table *table, enum glass_
             continue;
         }
         struct glass_point *point = &all[*count];
-        if (!glass_table_read_point(pair, point) ||
+        if (!read_table_point(pair, point) ||
             !(point->value.hi >= 0 && point->value.hi <= highest)) {
             return bad(table, column, "are not um:value pairs of possible values", error);
         }
@@ -157,8 +156,8 @@ static bool read_index_table(const struct glass_table *table, struct glass *glas
                              struct arena *arena, struct error *error)
 {
     const double highest = 1e3;
-    if (!glass_table_read_points(table, COEFFICIENTS, highest, arena, &glass->table,
-                                 &glass->table_count, error)) {
+    if (!read_table_points(table, COEFFICIENTS, highest, arena, &glass->table, &glass->table_count,
+                           error)) {
         return false;
     }
     if (glass->table_count == 0) {
@@ -169,11 +168,11 @@ static bool read_index_table(const struct glass_table *table, struct glass *glas
     return true;
 }
 
-static bool glass_table_read_range(const struct glass_table *table, struct glass *glass,
-                                   struct error *error)
+static bool read_table_range(const struct glass_table *table, struct glass *glass,
+                             struct error *error)
 {
-    if (!glass_table_read_number(table, FROM, &glass->shortest, error) ||
-        !glass_table_read_number(table, TO, &glass->longest, error)) {
+    if (!read_table_number(table, FROM, &glass->shortest, error) ||
+        !read_table_number(table, TO, &glass->longest, error)) {
         return false;
     }
     bool absent = isnan(glass->shortest) && isnan(glass->longest);
@@ -195,11 +194,11 @@ static bool read_formula(const struct glass_table *table, struct glass *glass, s
     if (glass->formula == GLASS_FORMULAS) {
         return bad(table, FORMULA, "is not a formula", error);
     }
-    if (!glass_table_read_range(table, glass, error)) {
+    if (!read_table_range(table, glass, error)) {
         return false;
     }
     return glass->formula == GLASS_TABLE ? read_index_table(table, glass, arena, error)
-                                         : glass_table_read_coefficients(table, glass, error);
+                                         : read_table_terms(table, glass, error);
 }
 
 static bool read_facts(const struct glass_table *table, struct glass_record *record,
@@ -224,7 +223,7 @@ static bool read_facts(const struct glass_table *table, struct glass_record *rec
         {RESONANCE, &thermal->resonance},
     };
     for (size_t i = 0; i < sizeof facts / sizeof facts[0]; i++) {
-        if (!glass_table_read_number(table, facts[i].column, facts[i].value, error)) {
+        if (!read_table_number(table, facts[i].column, facts[i].value, error)) {
             return false;
         }
     }
@@ -253,8 +252,8 @@ bool glass_table_read(const struct glass_table *table, bool complete, struct are
     }
     return read_formula(table, &record->glass, arena, error) && read_facts(table, record, error) &&
            (!complete ||
-            glass_table_read_points(table, TRANSMITTANCE, 1, arena, &record->glass.transmittance,
-                                    &record->glass.transmittance_count, error));
+            read_table_points(table, TRANSMITTANCE, 1, arena, &record->glass.transmittance,
+                              &record->glass.transmittance_count, error));
 }
 
 struct text glass_table_name(const struct glass_table *table)

@@ -64,9 +64,9 @@ static bool find_columns(const struct tsv *tsv, struct index_table_columns *colu
     return true;
 }
 
-static bool index_table_read_wavelength(struct lensdb *db, const struct tsv *tsv,
-                                        const struct index_table_columns *columns, double *um,
-                                        struct error *error)
+static bool read_index_wave(struct lensdb *db, const struct tsv *tsv,
+                            const struct index_table_columns *columns, double *um,
+                            struct error *error)
 {
     size_t at = columns->at[WAVELENGTH];
     bool is_line;
@@ -84,14 +84,14 @@ static bool index_table_read_wavelength(struct lensdb *db, const struct tsv *tsv
     return true;
 }
 
-static bool index_table_read_entry(struct lensdb *db, const struct tsv *tsv,
-                                   const struct index_table_columns *columns,
-                                   struct index_table_entry *entry, struct error *error)
+static bool read_index_entry(struct lensdb *db, const struct tsv *tsv,
+                             const struct index_table_columns *columns,
+                             struct index_table_entry *entry, struct error *error)
 {
     double weight = NAN;
     entry->deviation = NAN;
     entry->line = tsv->line;
-    if (!index_table_read_wavelength(db, tsv, columns, &entry->wavelength, error) ||
+    if (!read_index_wave(db, tsv, columns, &entry->wavelength, error) ||
         !tsv_number(tsv, columns->at[INDEX], &entry->index, error)) {
         return false;
     }
@@ -118,7 +118,7 @@ static bool index_table_read_entry(struct lensdb *db, const struct tsv *tsv,
            tsv_fail(tsv, columns->at[INDEX], error, "must be above 0");
 }
 
-static int index_table_by_wavelength(const void *a, const void *b)
+static int by_table_wave(const void *a, const void *b)
 {
     const struct index_table_entry *first = a, *second = b;
     return (first->wavelength > second->wavelength) - (first->wavelength < second->wavelength);
@@ -128,7 +128,7 @@ static bool set_table(const char *source, struct index_table_entry *entries, siz
                       struct arena *arena, struct index_table *table, struct error *error)
 {
     if (count > 0) {
-        qsort(entries, count, sizeof entries[0], index_table_by_wavelength);
+        qsort(entries, count, sizeof entries[0], by_table_wave);
     }
     *table = (struct index_table){count, ARENA_ARRAY(arena, count + 1, double),
                                   ARENA_ARRAY(arena, count + 1, double), NULL};
@@ -162,7 +162,7 @@ bool index_table_read(struct lensdb *db, const char *source, struct text content
     }
     while (tsv_next(&tsv, error)) {
         entries = arena_grow(arena, entries, count, &room, sizeof entries[0]);
-        if (!index_table_read_entry(db, &tsv, &columns, &entries[count++], error)) {
+        if (!read_index_entry(db, &tsv, &columns, &entries[count++], error)) {
             return false;
         }
     }

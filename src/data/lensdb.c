@@ -46,26 +46,6 @@ struct lensdb_folder {
     struct lensdb_folder *next;
 };
 
-static bool lensdb_ends_with(const char *name, const char *ending)
-{
-    size_t length = strlen(name), last = strlen(ending);
-    return length > last && text_same(text_of(name + length - last), ending);
-}
-
-static void lensdb_keep(struct lensdb *db, struct lensdb_folder *known,
-                        const struct folder_entry *entry)
-{
-    const char *name = ARENA_JOIN(db->arena, known->folder, "/", entry->name);
-    const struct text bare = {entry->name, strlen(entry->name) - strlen(known->ending)};
-    known->all[known->count++] = name;
-    if (name_table_find(&known->names, bare) == NAME_NONE) {
-        known->named[name_table_add(&known->names, bare, db->arena)] = name;
-    }
-    if (entry->kind == FOLDER_FILE && access(entry->path, R_OK) == 0) {
-        known->files[known->file_count++] = name;
-    }
-}
-
 static void lensdb_make_room(struct lensdb *db, struct lensdb_folder *known, size_t count)
 {
     known->all = ARENA_ARRAY(db->arena, count + 1, const char *);
@@ -86,8 +66,18 @@ static bool read_folder(struct lensdb *db, struct lensdb_folder *known, struct e
     }
     lensdb_make_room(db, known, count);
     for (size_t i = 0; i < count; i++) {
-        if (lensdb_ends_with(entries[i].name, known->ending)) {
-            lensdb_keep(db, known, &entries[i]);
+        size_t length = strlen(entries[i].name), last = strlen(known->ending);
+        if (length > last && text_same(text_of(entries[i].name + length - last), known->ending)) {
+            const struct folder_entry *entry = &entries[i];
+            const char *name = ARENA_JOIN(db->arena, known->folder, "/", entry->name);
+            const struct text bare = {entry->name, strlen(entry->name) - strlen(known->ending)};
+            known->all[known->count++] = name;
+            if (name_table_find(&known->names, bare) == NAME_NONE) {
+                known->named[name_table_add(&known->names, bare, db->arena)] = name;
+            }
+            if (entry->kind == FOLDER_FILE && access(entry->path, R_OK) == 0) {
+                known->files[known->file_count++] = name;
+            }
         }
     }
     return true;
@@ -115,26 +105,6 @@ static struct lensdb_folder *folder_of(struct lensdb *db, const char *folder, co
     return known;
 }
 
-/* Say once what is left out. */
-static void tell_broken(struct lensdb *db, struct lensdb_folder *known)
-{
-    db->losses.arena = db->arena;
-    for (size_t i = 0, file = 0; i < known->count && !known->is_told; i++) {
-        const char *path = ARENA_JOIN(db->arena, db->directory, "/", known->all[i]);
-        struct text content;
-        struct error line;
-        if (known->files[file] == known->all[i]) {
-            file++;
-        } else if (!regular_file(path, WHOLE_FILE_MOST, db->arena, &content, &line)) {
-            growing_format(&db->losses, "%s; it is left out\n",
-                           line.code != ERROR_NONE ? line.message
-                                                   : arena_printf(db->arena, "cannot read %s: %s",
-                                                                  path, strerror(ENOENT)));
-        }
-    }
-    known->is_told = true;
-}
-
 bool lensdb_list(struct lensdb *db, const char *folder, const char *ending, bool all,
                  const char *const **names, struct error *error)
 {
@@ -143,7 +113,23 @@ bool lensdb_list(struct lensdb *db, const char *folder, const char *ending, bool
         return false;
     }
     if (!all) {
-        tell_broken(db, known);
+        /* Say once what is left out. */
+        db->losses.arena = db->arena;
+        for (size_t i = 0, file = 0; i < known->count && !known->is_told; i++) {
+            const char *path = ARENA_JOIN(db->arena, db->directory, "/", known->all[i]);
+            struct text content;
+            struct error line;
+            if (known->files[file] == known->all[i]) {
+                file++;
+            } else if (!regular_file(path, WHOLE_FILE_MOST, db->arena, &content, &line)) {
+                growing_format(
+                    &db->losses, "%s; it is left out\n",
+                    line.code != ERROR_NONE
+                        ? line.message
+                        : arena_printf(db->arena, "cannot read %s: %s", path, strerror(ENOENT)));
+            }
+        }
+        known->is_told = true;
     }
     *names = all ? known->all : known->files;
     return true;
@@ -237,7 +223,7 @@ bool lensdb_table_number(const struct lensdb_table *table, int column, double lo
 }
 
 /* "1/125" or "0.3" or "5.6". */
-static bool lensdb_label_value(struct text label, double *value)
+static bool value_in_label(struct text label, double *value)
 {
     const char *end = label.start + label.length;
     const char *after = number_read(label.start, end, NUMBER_UNSCALED, value);
@@ -284,7 +270,7 @@ static bool lensdb_read_stop(const struct tsv *tsv, const size_t *columns, const
                                  .step = (int)step,
                                  .divisor = divisor_of(series)};
     stop->exact = exact_stop(file, stop->step, stop->divisor);
-    if (!lensdb_label_value(stop->label, &stop->value)) {
+    if (!value_in_label(stop->label, &stop->value)) {
         return tsv_fail(tsv, columns[2], error, "is not a label of a stop series");
     }
     return true;

@@ -173,7 +173,7 @@ bool lensdb_nearest_conversion(struct lensdb *db, double mired, struct arena *ar
 }
 
 /* Is `typed` the name or one of the aliases? */
-static bool lensdb_facts_answers_to(struct text name, struct text aliases, struct text typed)
+static bool answers_to_name(struct text name, struct text aliases, struct text typed)
 {
     bool same = text_same_name(name, typed);
     while (!same && aliases.start != NULL && aliases.length > 0) {
@@ -182,7 +182,7 @@ static bool lensdb_facts_answers_to(struct text name, struct text aliases, struc
     return same;
 }
 
-static void lensdb_facts_offer_names(struct nearest *nearest, struct text name, struct text aliases)
+static void offer_all_names(struct nearest *nearest, struct text name, struct text aliases)
 {
     nearest_offer(nearest, name);
     while (aliases.start != NULL && aliases.length > 0) {
@@ -191,7 +191,7 @@ static void lensdb_facts_offer_names(struct nearest *nearest, struct text name, 
 }
 
 /* Cut the next word off a name: blanks, '/', ',' and parentheses are between words. */
-static bool lensdb_facts_next_word(struct text *rest, struct text *word)
+static bool next_film_word(struct text *rest, struct text *word)
 {
     static const char between[] = " /,()";
     while (rest->length > 0 && memchr(between, rest->start[0], sizeof between - 1) != NULL) {
@@ -207,10 +207,10 @@ static bool lensdb_facts_next_word(struct text *rest, struct text *word)
     return length > 0;
 }
 
-static bool lensdb_facts_has_word(struct text name, struct text wanted)
+static bool has_whole_word(struct text name, struct text wanted)
 {
     struct text word;
-    while (lensdb_facts_next_word(&name, &word)) {
+    while (next_film_word(&name, &word)) {
         if (text_same_name(word, wanted)) {
             return true;
         }
@@ -224,17 +224,17 @@ static bool has_words_of(const struct lensdb_film *film, struct text name, struc
     struct text rest = typed, word;
     bool one_speed = memchr(film->speeds.start, ' ', film->speeds.length) == NULL;
     bool all = true, any = false;
-    while (all && lensdb_facts_next_word(&rest, &word)) {
-        bool here = lensdb_facts_has_word(name, word);
+    while (all && next_film_word(&rest, &word)) {
+        bool here = has_whole_word(name, word);
         any = any || here;
-        all = here || lensdb_facts_has_word(film->maker, word) ||
+        all = here || has_whole_word(film->maker, word) ||
               (one_speed && text_identical(film->speeds, word));
     }
     return all && any;
 }
 
 /* Are the typed words those of one of the names between commas, or of an alias? */
-static bool lensdb_facts_has_all_words(const struct lensdb_film *film, struct text typed)
+static bool has_all_words(const struct lensdb_film *film, struct text typed)
 {
     struct text names = film->name, aliases = film->aliases;
     bool found = false;
@@ -283,16 +283,16 @@ double lensdb_film_speed(const struct lensdb_film *film, struct text typed)
     return named == 1 ? speed : (double)NAN;
 }
 
-static bool lensdb_facts_is_called(const struct lensdb_film *film, struct text typed)
+static bool is_film_called(const struct lensdb_film *film, struct text typed)
 {
     struct text rest = typed;
-    if (lensdb_facts_answers_to(film->name, film->aliases, typed)) {
+    if (answers_to_name(film->name, film->aliases, typed)) {
         return true;
     }
     for (size_t i = 1; film->maker.length > 0 && i < typed.length; i++) {
         if (text_same_name((struct text){typed.start, i}, film->maker)) {
             rest = (struct text){typed.start + i, typed.length - i};
-            return lensdb_facts_answers_to(film->name, film->aliases, text_trim(rest));
+            return answers_to_name(film->name, film->aliases, text_trim(rest));
         }
     }
     return false;
@@ -334,7 +334,7 @@ static bool search_films(struct lensdb *db, enum lensdb_place place,
         return error->code == ERROR_NONE;
     }
     while (lensdb_films_next(&facts, &film, error)) {
-        lensdb_facts_offer_names(&found->nearest, film.name, film.aliases);
+        offer_all_names(&found->nearest, film.name, film.aliases);
         if (answers(&film, found->typed)) {
             add_candidate(found, &film);
         }
@@ -342,8 +342,8 @@ static bool search_films(struct lensdb *db, enum lensdb_place place,
     return error->code == ERROR_NONE;
 }
 
-static bool lensdb_facts_unknown(const char *what, const char *topic, struct nearest *nearest,
-                                 struct error *error)
+static bool unknown_fact(const char *what, const char *topic, struct nearest *nearest,
+                         struct error *error)
 {
     struct text typed = nearest->typed;
     fail(error, ERROR_USAGE, "there is no %s '%.*s'", what, shown_length(typed, 80), typed.start);
@@ -359,17 +359,14 @@ bool lensdb_find_film(struct lensdb *db, struct text name, struct lensdb_film *f
 {
     struct text typed = text_trim(name);
     struct candidates found = {.typed = typed, .nearest = {.typed = typed}};
-    if (!search_films(db, LENSDB_USER, lensdb_facts_is_called, &found, error) ||
-        (found.count == 0 &&
-         !search_films(db, LENSDB_EMBEDDED, lensdb_facts_is_called, &found, error)) ||
-        (found.count == 0 &&
-         !search_films(db, LENSDB_USER, lensdb_facts_has_all_words, &found, error)) ||
-        (found.count == 0 &&
-         !search_films(db, LENSDB_EMBEDDED, lensdb_facts_has_all_words, &found, error))) {
+    if (!search_films(db, LENSDB_USER, is_film_called, &found, error) ||
+        (found.count == 0 && !search_films(db, LENSDB_EMBEDDED, is_film_called, &found, error)) ||
+        (found.count == 0 && !search_films(db, LENSDB_USER, has_all_words, &found, error)) ||
+        (found.count == 0 && !search_films(db, LENSDB_EMBEDDED, has_all_words, &found, error))) {
         return false;
     }
     if (found.count == 0) {
-        return lensdb_facts_unknown("film", "films", &found.nearest, error);
+        return unknown_fact("film", "films", &found.nearest, error);
     }
     if (found.count > 1) {
         fail(error, ERROR_USAGE, "'%.*s' names %zu films: %s", shown_length(typed, 60), typed.start,
@@ -380,7 +377,7 @@ bool lensdb_find_film(struct lensdb *db, struct text name, struct lensdb_film *f
     return true;
 }
 
-static void lensdb_facts_add_point(struct reciprocity *model, double metered, double stops)
+static void add_step_point(struct reciprocity *model, double metered, double stops)
 {
     model->metered[model->points] = metered;
     model->corrected[model->points++] = metered * exp2(stops);
@@ -408,13 +405,12 @@ static bool read_steps(const struct lensdb_film *film, struct reciprocity *model
                         shown_length(film->parameters, 60), film->parameters.start);
         }
         if (from > 0) {
-            lensdb_facts_add_point(model, nextafter(from, 0),
-                                   stops); /* the step before ends here */
-            lensdb_facts_add_point(model, from, more);
+            add_step_point(model, nextafter(from, 0), stops); /* the step before ends here */
+            add_step_point(model, from, more);
         }
         stops = more;
     }
-    lensdb_facts_add_point(model, film->valid_to, stops);
+    add_step_point(model, film->valid_to, stops);
     model->onset = model->metered[0];
     return true;
 }
@@ -437,16 +433,16 @@ bool lensdb_find_scene(struct lensdb *db, struct text name, struct lensdb_scene 
         struct lensdb_table facts;
         bool open = lensdb_scenes_open(&facts, db, (enum lensdb_place)place, error);
         while (open && lensdb_scenes_next(&facts, scene, error)) {
-            if (lensdb_facts_answers_to(scene->name, scene->aliases, nearest.typed)) {
+            if (answers_to_name(scene->name, scene->aliases, nearest.typed)) {
                 return true;
             }
-            lensdb_facts_offer_names(&nearest, scene->name, scene->aliases);
+            offer_all_names(&nearest, scene->name, scene->aliases);
         }
         if (error->code != ERROR_NONE) {
             return false;
         }
     }
-    return lensdb_facts_unknown("scene", "scenes", &nearest, error);
+    return unknown_fact("scene", "scenes", &nearest, error);
 }
 
 bool lensdb_find_filter(struct lensdb *db, struct text name, struct lensdb_filter *filter,
@@ -457,14 +453,14 @@ bool lensdb_find_filter(struct lensdb *db, struct text name, struct lensdb_filte
         struct lensdb_table facts;
         bool open = lensdb_filters_open(&facts, db, (enum lensdb_place)place, error);
         while (open && lensdb_filters_next(&facts, filter, error)) {
-            if (lensdb_facts_answers_to(filter->name, filter->aliases, nearest.typed)) {
+            if (answers_to_name(filter->name, filter->aliases, nearest.typed)) {
                 return true;
             }
-            lensdb_facts_offer_names(&nearest, filter->name, filter->aliases);
+            offer_all_names(&nearest, filter->name, filter->aliases);
         }
         if (error->code != ERROR_NONE) {
             return false;
         }
     }
-    return lensdb_facts_unknown("filter", "filters", &nearest, error);
+    return unknown_fact("filter", "filters", &nearest, error);
 }

@@ -54,8 +54,8 @@ static bool read_positive(const struct lensdb_table *sensors, int column, double
            tsv_fail(&sensors->tsv, at, error, "must be a number above 0");
 }
 
-static bool lensdb_sensors_read_sensor(struct lensdb_table *sensors, struct lensdb_sensor *sensor,
-                                       struct error *error)
+static bool read_sensor_row(struct lensdb_table *sensors, struct lensdb_sensor *sensor,
+                            struct error *error)
 {
     double pitch_um;
     if (!read_positive(sensors, WIDTH, &sensor->size.width, error) ||
@@ -96,7 +96,7 @@ static bool next_words(struct lensdb_table *sensors, struct lensdb_sensor *senso
 bool lensdb_sensors_next(struct lensdb_table *sensors, struct lensdb_sensor *sensor,
                          struct error *error)
 {
-    return next_words(sensors, sensor, error) && lensdb_sensors_read_sensor(sensors, sensor, error);
+    return next_words(sensors, sensor, error) && read_sensor_row(sensors, sensor, error);
 }
 
 /* Is `name` one of the words between separators? */
@@ -152,8 +152,8 @@ struct lensdb_sensors_search {
 };
 
 /* How well does a sensor answer to a name? 0 not at all, 1 by model, 2 fully. */
-static int lensdb_sensors_answers_to(const struct lensdb_sensor *sensor,
-                                     struct lensdb_sensors_search *search)
+static int sensor_answers_to(const struct lensdb_sensor *sensor,
+                             struct lensdb_sensors_search *search)
 {
     if (sensor->maker.length == 0) {
         bool named = text_same_name(sensor->name, search->name);
@@ -184,10 +184,9 @@ static bool search_table(struct lensdb *db, enum lensdb_place place, bool camera
         return error->code == ERROR_NONE;
     }
     while (search->quality < 2 && next_words(&sensors, &sensor, error)) {
-        int quality = lensdb_sensors_answers_to(&sensor, search);
+        int quality = sensor_answers_to(&sensor, search);
         bool counts = quality > search->quality || (quality == 1 && search->quality == 1);
-        if ((counts || place == LENSDB_USER) &&
-            !lensdb_sensors_read_sensor(&sensors, &sensor, error)) {
+        if ((counts || place == LENSDB_USER) && !read_sensor_row(&sensors, &sensor, error)) {
             return false;
         }
         if (quality > search->quality) {
@@ -244,23 +243,9 @@ static void offer_relative(struct lensdb_sensors_family *family, const struct le
     family->shared[at] = shared;
 }
 
-/* "maker model" stands nowhere in one piece; a name that is kept is copied. */
-static void offer_full_name(struct lensdb_sensors_family *family,
-                            const struct lensdb_sensor *sensor)
-{
-    char name[MOST_NAME];
-    snprintf(name, sizeof name, "%.*s %.*s", (int)sensor->maker.length, sensor->maker.start,
-             (int)sensor->name.length, sensor->name.start);
-    nearest_offer(&family->nearest, text_of(name));
-    if (family->nearest.best.start == name) {
-        memcpy(family->nearest_name, name, sizeof name);
-        family->nearest.best = text_of(family->nearest_name);
-    }
-}
-
 /* Offer all names of one table. */
-static void lensdb_sensors_offer_names(struct lensdb *db, enum lensdb_place place, bool cameras,
-                                       struct lensdb_sensors_family *family)
+static void offer_sensors(struct lensdb *db, enum lensdb_place place, bool cameras,
+                          struct lensdb_sensors_family *family)
 {
     struct lensdb_table sensors;
     struct lensdb_sensor sensor;
@@ -278,7 +263,15 @@ static void lensdb_sensors_offer_names(struct lensdb *db, enum lensdb_place plac
         if (cameras) {
             family->maker =
                 text_same_name(family->typed, sensor.maker) ? sensor.maker : family->maker;
-            offer_full_name(family, &sensor);
+            /* "maker model" stands nowhere in one piece; a name that is kept is copied. */
+            char name[MOST_NAME];
+            snprintf(name, sizeof name, "%.*s %.*s", (int)sensor.maker.length, sensor.maker.start,
+                     (int)sensor.name.length, sensor.name.start);
+            nearest_offer(&family->nearest, text_of(name));
+            if (family->nearest.best.start == name) {
+                memcpy(family->nearest_name, name, sizeof name);
+                family->nearest.best = text_of(family->nearest_name);
+            }
             offer_relative(family, &sensor);
         }
     }
@@ -308,8 +301,8 @@ static bool not_found(struct lensdb *db, struct text name, struct error *error)
     struct lensdb_sensors_family family = {
         .typed = name, .format = {.typed = name}, .nearest = {.typed = name}};
     for (enum lensdb_place place = LENSDB_USER; place < LENSDB_PLACES; place++) {
-        lensdb_sensors_offer_names(db, place, false, &family);
-        lensdb_sensors_offer_names(db, place, true, &family);
+        offer_sensors(db, place, false, &family);
+        offer_sensors(db, place, true, &family);
     }
     name_relatives(&family, relatives, sizeof relatives);
     fail(error, ERROR_USAGE, "there is no format or camera '%.*s'", text_shown(name), name.start);

@@ -6,26 +6,17 @@
 
 #include <math.h>
 
-static bool number_table_begin(const char *path, struct text content, const char *first,
-                               struct tsv *tsv, struct error *error)
-{
-    if (!tsv_open_foreign(tsv, path, content, error)) {
-        return false;
-    }
-    if (!text_equal(tsv->names[0], first)) {
-        fail(error, ERROR_DATA, "the first column is '%.*s', not '%s'", text_shown(tsv->names[0]),
-             tsv->names[0].start, first);
-        return error_locate(error, path, tsv->line, 0);
-    }
-    return true;
-}
-
 bool number_table_parse(const char *path, struct text content, const char *first,
                         struct arena *arena, struct number_table *table, struct error *error)
 {
     struct tsv tsv;
-    if (!number_table_begin(path, content, first, &tsv, error)) {
+    if (!tsv_open_foreign(&tsv, path, content, error)) {
         return false;
+    }
+    if (!text_equal(tsv.names[0], first)) {
+        fail(error, ERROR_DATA, "the first column is '%.*s', not '%s'", text_shown(tsv.names[0]),
+             tsv.names[0].start, first);
+        return error_locate(error, path, tsv.line, 0);
     }
     *table = (struct number_table){.columns = tsv.columns};
     size_t room[TSV_MOST_COLUMNS] = {0}, line_room = 0;

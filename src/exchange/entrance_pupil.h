@@ -1,9 +1,10 @@
-/* exchange/entrance_pupil.h - apertures of near objects that files state in other words. */
+/* exchange/entrance_pupil.h - near objects: apertures that files state in other words, virtual ones. */
 /* SPDX-License-Identifier: MIT */
 #ifndef LENSCALC_EXCHANGE_ENTRANCE_PUPIL_H
 #define LENSCALC_EXCHANGE_ENTRANCE_PUPIL_H
 
 #include "base/arena.h"
+#include "file/lens_build.h"
 #include "optics/lens.h"
 
 #include <stdbool.h>
@@ -26,5 +27,15 @@ enum pupil_stated {
  */
 bool entrance_pupil_set(struct lens *lens, enum pupil_stated stated, double value,
                         struct arena *arena);
+
+/*
+ * An object at any finite distance of the first surface: rays start at it, one unit of the file
+ * before a plane in the object's medium, and go from there to the first surface, forwards or back.
+ *
+ * Given     build     without surfaces: receives the plane; its object's medium is set
+ *           distance  of the object, left of the first surface, mm; 0 and less: it lies in the
+ *                     surface or behind it, where rays would meet (a virtual object)
+ */
+void virtual_object_put(struct lens_build *build, struct pair distance);
 
 #endif

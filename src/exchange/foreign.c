@@ -225,34 +225,6 @@ void foreign_summary(const struct foreign_job *job, struct text_buffer *line)
     }
 }
 
-/* The loss that changes most, as an error at its place. */
-static void fail_first(const struct foreign_job *job, const struct foreign_loss *first,
-                       struct error *error)
-{
-    const char *prefix = first->effect == LOSS_OF_LENS ? "" : "cannot be kept: ";
-    if (first->line > 0) {
-        file_words_fail(&first->line_of, first->word, error, "%s%s", prefix, first->message);
-    } else {
-        fail(error, ERROR_DATA, "%s%s", prefix, first->message);
-        error_locate(error, job->source, 0, 0);
-    }
-}
-
-/* What can be done about it. */
-static bool advise(const struct foreign_job *job, enum loss_effect effect, struct error *error)
-{
-    if (effect == LOSS_OF_LENS) { /* only a glass is such a loss */
-        return error_hint(error, "{agf} FILE adds a catalogue");
-    }
-    return job->lacks_glass
-               ? error_hint(error,
-                            "{agf} FILE adds a catalogue; {lossy} leaves %s out and lists "
-                            "what is lost",
-                            job->loss_count > 1 ? "them" : "it")
-               : error_hint(error, "{lossy} leaves %s out and lists what is lost",
-                            job->loss_count > 1 ? "them" : "it");
-}
-
 bool foreign_settle(const struct foreign_job *job, bool done, struct error *error)
 {
     bool fatal = false;
@@ -269,13 +241,32 @@ bool foreign_settle(const struct foreign_job *job, bool done, struct error *erro
         return false;
     }
     const char *then = done ? NULL : arena_printf(job->arena, "    and then: %s\n", error->message);
-    fail_first(job, all[0].first[0], error);
+    /* The loss that changes most, as an error at its place. */
+    const struct foreign_loss *first = all[0].first[0];
+    const char *prefix = first->effect == LOSS_OF_LENS ? "" : "cannot be kept: ";
+    if (first->line > 0) {
+        struct file_words line = first->line_of;
+        line.error = error;
+        file_words_fail(&line, first->word, "%s%s", prefix, first->message);
+    } else {
+        foreign_fail(job, error, "%s%s", prefix, first->message);
+    }
     error->more = list_of(job, all, count, 1);
     if (then != NULL) { /* what has no place may well follow from what is left out */
         error->more = ARENA_JOIN(job->arena, error->more != NULL ? error->more : "", then);
         return false;
     }
-    return advise(job, all[0].first[0]->effect, error);
+    /* What can be done about it. */
+    if (all[0].first[0]->effect == LOSS_OF_LENS) { /* only a glass is such a loss */
+        return error_hint(error, "{agf} FILE adds a catalogue");
+    }
+    return job->lacks_glass
+               ? error_hint(error,
+                            "{agf} FILE adds a catalogue; {lossy} leaves %s out and lists "
+                            "what is lost",
+                            job->loss_count > 1 ? "them" : "it")
+               : error_hint(error, "{lossy} leaves %s out and lists what is lost",
+                            job->loss_count > 1 ? "them" : "it");
 }
 
 bool foreign_lack(struct foreign_job *job, const struct file_words *words, struct text word,
@@ -299,18 +290,6 @@ void foreign_losses(const struct foreign_job *job, struct text_buffer *list)
         growing_string(list, printable(losses[i]->what, job->arena));
         growing_string(list, "\n");
     }
-}
-
-/* A word of a .lens file has no blanks; names of glasses are the same without them. */
-static struct text without_blanks(struct arena *arena, const char *name)
-{
-    char *word = arena_string(arena, name, strlen(name)), *to = word;
-    for (const char *from = name; *from != '\0'; from++) {
-        *to = *from;
-        to += *from != ' ';
-    }
-    *to = '\0';
-    return text_of(word);
 }
 
 /* Without what a .lens file refuses: blanks, delete and the control characters of C0 and C1. */
@@ -359,13 +338,6 @@ static bool foreign_is_within(const struct medium *medium, const struct foreign_
     }
     return foreign_is_near(glass_abbe(glass), named, most_nd, most_Vd) ||
            foreign_is_near(lens_glass_printed(medium), named, most_nd, most_Vd);
-}
-
-/* Within 6e-5 and 0.1 % of what the formula gives or the catalogue prints. */
-static bool glass_agrees(const struct medium *medium, const struct foreign_name *named)
-{
-    return foreign_is_within(medium, named, fmax(6e-5, named->nd_rounding),
-                             fmax(1e-3 * fabs(named->Vd), named->Vd_rounding));
 }
 
 bool foreign_is_rounded(const struct medium *medium, const struct foreign_name *named)
@@ -431,12 +403,21 @@ static bool foreign_ask(struct glass_search *search, find_function *find, const 
     }
     const struct glass *glass = lens_glass_of(medium);
     if (glass != NULL && glass->catalog.length > 0) { /* as the catalogue spells it */
-        medium->written = without_blanks(
-            job->arena,
+        /* A word of a .lens file has no blanks; names of glasses are the same without them. */
+        const char *name =
             arena_printf(job->arena, "%.*s:%.*s", (int)glass->catalog.length, glass->catalog.start,
-                         (int)glass->name.length, glass->name.start));
+                         (int)glass->name.length, glass->name.start);
+        char *word = arena_string(job->arena, name, strlen(name)), *to = word;
+        for (const char *from = name; *from != '\0'; from++) {
+            *to = *from;
+            to += *from != ' ';
+        }
+        *to = '\0';
+        medium->written = text_of(word);
     }
-    if (glass_agrees(medium, named)) {
+    /* Within 6e-5 and 0.1 % of what the formula gives or the catalogue prints. */
+    if (foreign_is_within(medium, named, fmax(6e-5, named->nd_rounding),
+                          fmax(1e-3 * fabs(named->Vd), named->Vd_rounding))) {
         if (search->has_other) {
             warn_of_homonym(search);
         }
@@ -507,11 +488,13 @@ bool foreign_glass(struct foreign_job *job, const struct file_words *words,
                    const struct foreign_name *named, struct medium *medium, struct error *error)
 {
     const struct text name = named->name;
+    struct file_words place = *words;
     struct glass_search search = {.job = job, .named = named, .medium = medium};
+    place.error = error;
     if (job->glasses == NULL) {
         *medium = (struct medium){.kind = MEDIUM_GLASS, .written = name, .index = {1, 0}};
         return is_glass_word(name) ||
-               file_words_fail(words, name, error, "this cannot be the name of a glass");
+               file_words_fail(&place, name, "this cannot be the name of a glass");
     }
     error->code = ERROR_NONE;
     for (size_t i = 0; i < named->catalog_count && error->code == ERROR_NONE; i++) {
@@ -535,6 +518,6 @@ bool foreign_glass(struct foreign_job *job, const struct file_words *words,
         error->code = ERROR_NONE; /* not a homonym: unknown */
         return false;
     }
-    file_words_fail(words, name, error, "%s", found.message);
+    file_words_fail(&place, name, "%s", found.message);
     return error_hint(error, "%s", found.hint);
 }

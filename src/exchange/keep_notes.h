@@ -1,4 +1,4 @@
-/* exchange/keep_notes.h - what lenscalc keeps in comments of other programs' files. */
+/* exchange/keep_notes.h - what lenscalc keeps of other programs' files: comments, pick-ups. */
 /* SPDX-License-Identifier: MIT */
 #ifndef LENSCALC_EXCHANGE_KEEP_NOTES_H
 #define LENSCALC_EXCHANGE_KEEP_NOTES_H
@@ -41,5 +41,14 @@ bool keep_notes_take(struct keep_notes *notes, struct text text);
  * Limits    what is stated counts if it is one number or one a position
  */
 void keep_notes_apply(const struct keep_notes *notes, struct lens_build *build);
+
+/*
+ * Give a lens that is whole a pick-up, where it says what the lens has, to the last bit: what other
+ * programs understand by one may be more, and then the number stands alone.
+ *
+ * Given     factor, offset  what = factor from + offset; offset in mm, 1/mm, rad or 1
+ */
+void keep_pickup(struct lens *lens, struct parameter what, struct parameter from,
+                 struct pair factor, struct pair offset, struct arena *arena);
 
 #endif

@@ -51,7 +51,7 @@ static const struct foreign_format *by_ending(struct text path)
  * Given     source   its name; one that ends in .lens is never foreign
  *           content  UTF-8
  */
-static const struct foreign_format *lens_formats_format_of(struct text source, struct text content)
+static const struct foreign_format *format_by_look(struct text source, struct text content)
 {
     if (file_type_ends(source, lens_file_type.ending)) {
         return NULL;
@@ -101,7 +101,7 @@ const char *foreign_format_name(const char *source, struct text content, struct 
     if (!encoding_to_utf8(source, content, arena, &text, &error)) {
         text = content;
     }
-    const struct foreign_format *format = lens_formats_format_of(text_of(source), text);
+    const struct foreign_format *format = format_by_look(text_of(source), text);
     return format != NULL ? format->type.word.word : lens_file_type.word.word;
 }
 
@@ -120,8 +120,7 @@ static bool check_glass_numbers(const struct foreign_job *job, const struct fore
                                    (*one)->type.ending);
         }
     }
-    fail(error, ERROR_DATA, "a file without indices beside the names of its glasses");
-    error_locate(error, job->source, 0, 0);
+    foreign_fail(job, error, "a file without indices beside the names of its glasses");
     return error_hint(error, "leave {glass numbers} out: it is for files as %s", endings);
 }
 
@@ -132,7 +131,7 @@ static bool has_last_end(struct text content)
 }
 
 /* What the end of a file that was read says of its being whole. */
-static void lens_formats_check_end(struct foreign_job *job, struct text content, struct lens *lens)
+static void check_whole(struct foreign_job *job, struct text content, struct lens *lens)
 {
     if (!job->has_end && !has_last_end(content)) {
         foreign_cut_short(job, "its last line has no end");
@@ -159,8 +158,8 @@ static bool ends_in_glass(const struct lens *lens)
 }
 
 /* A .lens file is a list of surfaces without a last word. */
-static bool lens_formats_read_list(struct foreign_job *job, struct text content, struct lens *lens,
-                                   struct error *error)
+static bool read_list_file(struct foreign_job *job, struct text content, struct lens *lens,
+                           struct error *error)
 {
     if (!lens_read(job->source, content, job->glasses, job->arena, lens, error)) {
         return false;
@@ -170,7 +169,7 @@ static bool lens_formats_read_list(struct foreign_job *job, struct text content,
         foreign_cut_short(job, arena_printf(job->arena, "the glass %.*s lies before the image",
                                             text_shown(glass), glass.start));
     }
-    lens_formats_check_end(job, content, lens);
+    check_whole(job, content, lens);
     return true;
 }
 
@@ -179,38 +178,35 @@ bool foreign_read(struct foreign_job *job, struct text content, struct lens *len
 {
     struct text source = text_of(job->source), text = content;
     if (file_type_ends(source, lens_file_type.ending)) {
-        return check_glass_numbers(job, NULL, error) &&
-               lens_formats_read_list(job, content, lens, error);
+        return check_glass_numbers(job, NULL, error) && read_list_file(job, content, lens, error);
     }
     if (file_type_ends(source, ".agf")) {
-        fail(error, ERROR_DATA, "an AGF file is a catalogue of glasses, not a lens");
-        error_locate(error, job->source, 0, 0);
+        foreign_fail(job, error, "an AGF file is a catalogue of glasses, not a lens");
         return error_hint(error, "{agf} FILE adds its glasses");
     }
     const struct closed *other = closed_of(source);
     if (other != NULL) {
-        fail(error, ERROR_DATA, "%s", other->what);
-        error_locate(error, job->source, 0, 0);
+        foreign_fail(job, error, "%s", other->what);
         return error_hint(error, "%s", other->advice);
     }
     bool is_text = encoding_to_utf8(job->source, content, job->arena, &text, error);
-    const struct foreign_format *format = lens_formats_format_of(source, is_text ? text : content);
+    const struct foreign_format *format = format_by_look(source, is_text ? text : content);
     if (!check_glass_numbers(job, format, error)) {
         return false;
     }
     if (format == NULL) {
-        return lens_formats_read_list(job, is_text ? text : content, lens, error);
+        return read_list_file(job, is_text ? text : content, lens, error);
     }
     if (!is_text) {
         return false;
     }
     if (format->read == NULL) {
-        fail(error, ERROR_DATA, "lenscalc writes files of the format '%s' but does not read them",
-             format->type.word.word);
-        return error_locate(error, job->source, 0, 0);
+        return foreign_fail(job, error,
+                            "lenscalc writes files of the format '%s' but does not read them",
+                            format->type.word.word);
     }
     const bool done = format->read(job, text, lens, error);
-    lens_formats_check_end(job, text, lens);
+    check_whole(job, text, lens);
     return foreign_settle(job, done, error);
 }
 
@@ -225,45 +221,6 @@ static const char *endings_with_thick(struct arena *arena)
         last = (*one)->type.ending;
     }
     return last != NULL ? arena_printf(arena, "%s and %s", endings, last) : endings;
-}
-
-/* What the positions set anew, where the file has no words for it. */
-static void lose_settings(struct foreign_job *job, const struct foreign_format *format,
-                          const struct lens *lens)
-{
-    struct arena *arena = job->arena;
-    const char *all = lens->stops != NULL ? " stop" : "";
-    all = lens->lights != NULL ? arena_printf(arena, "%s wavelength", all) : all;
-    all = lens->points != NULL ? arena_printf(arena, "%s field", all) : all;
-    for (size_t i = 0; i < lens->setting_count; i++) {
-        all =
-            arena_printf(arena, "%s %s", all, parameter_write(lens->settings[i].parameter, arena));
-    }
-    if (all[0] != '\0') {
-        foreign_lose(job, LOSS_OF_RAYS, "the first position's is kept",
-                     "what the positions set anew in a %s file:%s", format->type.ending, all);
-    }
-}
-
-/* What is wanted, allowed, and varies in a position, where the file has no words for it. */
-static void lose_design(struct foreign_job *job, const struct foreign_format *format,
-                        const struct lens *lens)
-{
-    const char *ending = format->type.ending;
-    bool is_marked = false;
-    for (size_t i = 0; i < lens->variable_count; i++) {
-        is_marked = is_marked || lens->variables[i].varies != NULL;
-    }
-    if (lens->goal_count > 0) {
-        foreign_lose(job, LOSS_OF_NOTHING, "left out", "goals in a %s file", ending);
-    }
-    if (lens->tolerance_count > 0) {
-        foreign_lose(job, LOSS_OF_NOTHING, "left out", "tolerances in a %s file", ending);
-    }
-    if (is_marked) {
-        foreign_lose(job, LOSS_OF_NOTHING, "left out",
-                     "marks of what varies in a position in a %s file", ending);
-    }
 }
 
 bool foreign_write(struct foreign_job *job, const struct foreign_format *format,
@@ -283,10 +240,37 @@ bool foreign_write(struct foreign_job *job, const struct foreign_format *format,
         }
     }
     if (!format->has_settings) {
-        lose_settings(job, format, lens);
+        /* What the positions set anew, where the file has no words for it. */
+        struct arena *arena = job->arena;
+        const char *all = lens->stops != NULL ? " stop" : "";
+        all = lens->lights != NULL ? arena_printf(arena, "%s wavelength", all) : all;
+        all = lens->points != NULL ? arena_printf(arena, "%s field", all) : all;
+        for (size_t k = 0; k < lens->setting_count; k++) {
+            all = arena_printf(arena, "%s %s", all,
+                               parameter_write(lens->settings[k].parameter, arena));
+        }
+        if (all[0] != '\0') {
+            foreign_lose(job, LOSS_OF_RAYS, "the first position's is kept",
+                         "what the positions set anew in a %s file:%s", format->type.ending, all);
+        }
     }
     if (!format->has_design) {
-        lose_design(job, format, lens);
+        /* What is wanted, allowed, and varies in a position, where the file has no words for it. */
+        const char *ending = format->type.ending;
+        bool is_marked = false;
+        for (size_t j = 0; j < lens->variable_count; j++) {
+            is_marked = is_marked || lens->variables[j].varies != NULL;
+        }
+        if (lens->goal_count > 0) {
+            foreign_lose(job, LOSS_OF_NOTHING, "left out", "goals in a %s file", ending);
+        }
+        if (lens->tolerance_count > 0) {
+            foreign_lose(job, LOSS_OF_NOTHING, "left out", "tolerances in a %s file", ending);
+        }
+        if (is_marked) {
+            foreign_lose(job, LOSS_OF_NOTHING, "left out",
+                         "marks of what varies in a position in a %s file", ending);
+        }
     }
     return foreign_settle(job, format->write(job, lens, text, error), error);
 }

@@ -4,14 +4,63 @@
 
 #include "base/constants.h"
 #include "base/number.h"
-#include "exchange/json_write.h"
-#include "exchange/lens_json_design.h"
 #include "exchange/writing.h"
+#include "file/lens_change.h"
+#include "file/lens_pickup.h"
 #include "file/lens_setting.h"
+#include "file/lens_tolerance.h"
 #include "optics/aperture.h"
 
 #include <math.h>
 #include <string.h>
+
+/* In quotes, escaped; what is no UTF-8 becomes the replacement character. A null one is null. */
+static const char *json_of_text(struct arena *arena, struct text text)
+{
+    struct text_buffer to = {.arena = arena};
+    growing_string(&to, "\"");
+    for (size_t i = 0; i < text.length;) {
+        const unsigned char *at = (const unsigned char *)text.start + i;
+        size_t length = text_utf8_length(text.start + i, text.length - i);
+        if (length == 0) {
+            growing_string(&to, "\xef\xbf\xbd"); /* the replacement character */
+        } else if (*at == '"' || *at == '\\') {
+            growing_format(&to, "\\%c", *at);
+        } else if (*at < 0x20) {
+            growing_format(&to, "\\u%04x", *at);
+        } else {
+            growing_text(&to, (struct text){text.start + i, length});
+        }
+        i += length > 0 ? length : 1;
+    }
+    growing_put(&to, "\"", sizeof "\"");
+    return to.data;
+}
+
+static const char *json_of_string(struct arena *arena, const char *string)
+{
+    return string != NULL ? json_of_text(arena, text_of(string)) : "null";
+}
+
+/* With the shortest digits that read back to the same bits; null where it is not finite. */
+static const char *json_of_number(struct arena *arena, double value)
+{
+    char text[NUMBER_LENGTH];
+    return isfinite(value)
+               ? arena_string(arena, text, (size_t)(number_write_shortest(text, value) - text))
+               : "null";
+}
+
+/* All digits that a pair has: what is read again has the same bits. */
+static const char *json_of_pair(struct arena *arena, struct pair value)
+{
+    char text[PAIR_LENGTH];
+    if (!isfinite(value.hi)) {
+        return "null";
+    }
+    const char *end = pair_write_shortest(text, value, NUMBER_UNSCALED);
+    return arena_string(arena, text, (size_t)(end - text));
+}
 
 static const char *json_bool(bool value)
 {
@@ -69,44 +118,6 @@ static double nanometres(double micrometres)
     return value;
 }
 
-static void json_put_waves(struct lens_writer *writing)
-{
-    const struct lens *lens = writing->lens;
-    struct arena *arena = writing->arena;
-    writing_put(writing, ",\"unit\":%s,\"wavelengths\":[", json_of_string(arena, lens->unit));
-    for (size_t i = 0; i < lens->wavelength_count; i++) {
-        const struct lens_wavelength *one = &lens->wavelengths[i];
-        writing_put(writing, "%s{\"name\":%s,\"wavelength_nm\":%s,\"weight\":%s}", i > 0 ? "," : "",
-                    json_of_text(arena, one->typed),
-                    json_of_number(arena, nanometres(one->wavelength)),
-                    json_of_number(arena, one->weight));
-    }
-    writing_put(writing, "]");
-}
-
-static void json_put_object(struct lens_writer *writing)
-{
-    const struct lens *lens = writing->lens;
-    if (lens->objects != NULL) {
-        writing_put(writing, ",\"object_mm\":%s,\"object_is_infinite\":",
-                    json_values(writing, lens->objects, lens->position_count, 1));
-        for (size_t i = 0; i < lens->position_count; i++) {
-            writing_put(writing, "%s%s", i == 0 ? "[" : ",",
-                        json_bool(isinf(lens->objects[i].value.hi)));
-        }
-        writing_put(writing, "]");
-    } else {
-        const struct pair far = pair_of(INFINITY);
-        writing_put(
-            writing, ",\"object_mm\":%s,\"object_is_infinite\":%s",
-            json_of_pair(writing->arena, lens->object_is_infinite ? far : lens->object.value),
-            json_bool(lens->object_is_infinite));
-    }
-    writing_put(writing, "%s,\"object_medium\":%s",
-                lens->is_telecentric ? ",\"object_is_telecentric\":true" : "",
-                json_of_text(writing->arena, lens->object_medium.written));
-}
-
 /* The x or y of all fields. */
 static void json_put_axis(struct lens_writer *writing, const char *key, int axis)
 {
@@ -162,29 +173,14 @@ static void json_put_use(struct lens_writer *writing)
                 apertures[lens->aperture_kind], aperture, focuses[lens->focus]);
 }
 
-static void json_put_displacement(struct lens_writer *writing, const char *key,
-                                  const struct displacement *displacement)
+static void json_put_turns(struct lens_writer *writing, const char *key,
+                           const struct displacement *displacement)
 {
     if (displacement != NULL) {
         writing_put(writing, ",\"%s\":{\"decenter_mm\":%s,\"tilt_deg\":%s}", key,
                     json_values(writing, displacement->decenter, 2, 1),
                     json_values(writing, displacement->tilt, 3, RADIANS_PER_DEGREE));
     }
-}
-
-static void json_put_coefficients(struct lens_writer *writing, const struct surface *surface)
-{
-    const enum parameter_kind kind = PARAMETER_COEFFICIENT;
-    const char *before = ",\"coefficients_mm\":{";
-    for (int order = 1; order <= LENS_COEFFICIENTS && surface->coefficients != 0; order++) {
-        const struct figure *figure = parameter_figure(surface, kind, order);
-        if (figure != NULL) {
-            writing_put(writing, "%s\"%s\":%s", before, parameter_name(kind, order, writing->arena),
-                        json_figure(writing, figure));
-            before = ",";
-        }
-    }
-    growing_string(&writing->text, surface->coefficients != 0 ? "}" : "");
 }
 
 /* One more mark; bounds in mm, 1/mm .., null is none. */
@@ -253,21 +249,6 @@ static bool json_put_medium(struct lens_writer *writing, const struct surface *s
     return true;
 }
 
-/* What only a thick lens has. */
-static void json_put_thick(struct lens_writer *writing, const struct surface *surface)
-{
-    if (!surface_has(surface, SURFACE_HAS_FOCAL)) {
-        return;
-    }
-    json_put_optional(writing, "focal_mm", true, &surface->focal);
-    json_put_optional(writing, "hiatus_mm", true, &surface->hiatus);
-    for (int i = 0; i < 3; i++) {
-        writing_put(writing, "%s%s", i == 0 ? ",\"distortion\":[" : ",",
-                    json_of_number(writing->arena, surface->distortion[i].value.hi));
-    }
-    writing_put(writing, "]");
-}
-
 static void json_put_aperture(struct lens_writer *writing, const struct aperture *aperture)
 {
     const struct aperture_traits *traits = &aperture_shapes[aperture->shape];
@@ -305,14 +286,33 @@ static bool json_put_surface(struct lens_writer *writing, size_t i, struct error
     }
     json_put_optional(writing, "diameter_mm", surface->has_diameter, &surface->diameter);
     json_put_optional(writing, "conic", true, &surface->conic);
-    json_put_coefficients(writing, surface);
-    json_put_thick(writing, surface);
+    const enum parameter_kind kind = PARAMETER_COEFFICIENT;
+    const char *before = ",\"coefficients_mm\":{";
+    for (int order = 1; order <= LENS_COEFFICIENTS && surface->coefficients != 0; order++) {
+        const struct figure *figure = parameter_figure(surface, kind, order);
+        if (figure != NULL) {
+            writing_put(writing, "%s\"%s\":%s", before, parameter_name(kind, order, writing->arena),
+                        json_figure(writing, figure));
+            before = ",";
+        }
+    }
+    growing_string(&writing->text, surface->coefficients != 0 ? "}" : "");
+    /* What only a thick lens has. */
+    if (surface_has(surface, SURFACE_HAS_FOCAL)) {
+        json_put_optional(writing, "focal_mm", true, &surface->focal);
+        json_put_optional(writing, "hiatus_mm", true, &surface->hiatus);
+        for (int j = 0; j < 3; j++) {
+            writing_put(writing, "%s%s", j == 0 ? ",\"distortion\":[" : ",",
+                        json_of_number(writing->arena, surface->distortion[j].value.hi));
+        }
+        writing_put(writing, "]");
+    }
     if (!surface_is_round(surface)) {
         writing_put(writing, ",\"cylinder\":%s",
                     json_of_string(writing->arena, surface_section(surface)->key));
     }
-    json_put_displacement(writing, "moved", surface->decentre);
-    json_put_displacement(writing, "bend_before", surface->coordinate_break);
+    json_put_turns(writing, "moved", surface->decentre);
+    json_put_turns(writing, "bend_before", surface->coordinate_break);
     for (size_t k = 0; k < surface->aperture_count; k++) {
         growing_string(&writing->text, k == 0 ? ",\"apertures\":[" : ",");
         json_put_aperture(writing, &surface->apertures[k]);
@@ -419,8 +419,33 @@ static void json_put_header(struct lens_writer *writing)
     json_put_strings(writing, "notes", lens->notes, lens->note_count);
     json_put_strings(writing, "positions", lens->positions, lens->position_count);
     writing_put(writing, "\n");
-    json_put_waves(writing);
-    json_put_object(writing);
+    writing_put(writing, ",\"unit\":%s,\"wavelengths\":[", json_of_string(arena, lens->unit));
+    for (size_t i = 0; i < lens->wavelength_count; i++) {
+        const struct lens_wavelength *one = &lens->wavelengths[i];
+        writing_put(writing, "%s{\"name\":%s,\"wavelength_nm\":%s,\"weight\":%s}", i > 0 ? "," : "",
+                    json_of_text(arena, one->typed),
+                    json_of_number(arena, nanometres(one->wavelength)),
+                    json_of_number(arena, one->weight));
+    }
+    writing_put(writing, "]");
+    if (lens->objects != NULL) {
+        writing_put(writing, ",\"object_mm\":%s,\"object_is_infinite\":",
+                    json_values(writing, lens->objects, lens->position_count, 1));
+        for (size_t i = 0; i < lens->position_count; i++) {
+            writing_put(writing, "%s%s", i == 0 ? "[" : ",",
+                        json_bool(isinf(lens->objects[i].value.hi)));
+        }
+        writing_put(writing, "]");
+    } else {
+        const struct pair far = pair_of(INFINITY);
+        writing_put(
+            writing, ",\"object_mm\":%s,\"object_is_infinite\":%s",
+            json_of_pair(writing->arena, lens->object_is_infinite ? far : lens->object.value),
+            json_bool(lens->object_is_infinite));
+    }
+    writing_put(writing, "%s,\"object_medium\":%s",
+                lens->is_telecentric ? ",\"object_is_telecentric\":true" : "",
+                json_of_text(writing->arena, lens->object_medium.written));
     json_put_use(writing);
     writing_put(writing, ",\"stop_surface\":%s",
                 lens->stop == LENS_NONE ? "null" : arena_printf(arena, "%zu", lens->stop + 1));
@@ -428,6 +453,35 @@ static void json_put_header(struct lens_writer *writing)
         writing_put(writing, ",\"%s\":%s", stated[i],
                     json_values(writing, lens->stated[i], lens->stated_count[i], 1));
     }
+}
+
+/* One more line of a list. */
+static void json_put_line(struct text_buffer *text, const char *key, size_t i, struct text line)
+{
+    growing_string(text, i == 0 ? key : ",");
+    growing_string(text, json_of_text(text->arena, line));
+}
+
+/* Pick-ups, goals and tolerances: the lines that a .lens file in mm has of them. */
+static void json_put_design(struct text_buffer *text, const struct lens *lens, struct arena *arena)
+{
+    const struct lens *in_mm = lens_in_unit(lens, "mm", arena);
+    for (size_t i = 0; i < lens->pickup_count; i++) {
+        struct text_buffer line = {.arena = arena};
+        lens_pickup_write(&in_mm->pickups[i], "mm", &line);
+        json_put_line(text, ",\"pickups\":[", i, growing_done(&line));
+    }
+    growing_string(text, lens->pickup_count > 0 ? "]" : "");
+    for (size_t i = 0; i < lens->goal_count; i++) {
+        json_put_line(text, ",\"goals\":[", i, lens->goals[i].text);
+    }
+    growing_string(text, lens->goal_count > 0 ? "]" : "");
+    for (size_t i = 0; i < lens->tolerance_count; i++) {
+        struct text_buffer line = {.arena = arena};
+        lens_tolerance_write(&in_mm->tolerances[i], "mm", &line);
+        json_put_line(text, ",\"tolerances\":[", i, growing_done(&line));
+    }
+    growing_string(text, lens->tolerance_count > 0 ? "]" : "");
 }
 
 /* In JSON each cell has numbers of its own: a marked word in two of them would vary twice. */

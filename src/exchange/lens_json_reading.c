@@ -1,6 +1,6 @@
 /* exchange/lens_json_reading.c - numbers, texts and media of a lens in JSON. */
 /* SPDX-License-Identifier: MIT */
-#include "exchange/lens_json_reading.h"
+#include "exchange/lens_json.h"
 
 #include "base/constants.h"
 #include "file/lens_unit.h"
@@ -10,8 +10,6 @@
 #include <stdarg.h>
 #include <stdio.h>
 #include <string.h>
-
-enum { MOST_KEYS = 32 };
 
 /* The line of a value, for messages. */
 struct file_words json_place(struct json_reader *reading, const struct json_value *value)
@@ -30,14 +28,15 @@ struct file_words json_place(struct json_reader *reading, const struct json_valu
     }
     const char *last = end != NULL ? end : start + length;
     return (struct file_words){.source = reading->job->source,
+                               .error = reading->error,
                                .line = text_between(start + reading->line_start, last),
                                .number = reading->line,
                                .scale = NUMBER_UNSCALED,
                                .arena = reading->job->arena};
 }
 
-bool json_wrong(struct json_reader *reading, const struct json_value *value, struct error *error,
-                const char *format, ...)
+bool json_wrong(struct json_reader *reading, const struct json_value *value, const char *format,
+                ...)
 {
     char message[200];
     const struct file_words words = json_place(reading, value);
@@ -46,25 +45,24 @@ bool json_wrong(struct json_reader *reading, const struct json_value *value, str
     va_start(arguments, format);
     vsnprintf(message, sizeof message, format, arguments);
     va_end(arguments);
-    return file_words_fail(&words, word, error, "%s", message);
+    return file_words_fail(&words, word, "%s", message);
 }
 
 /* Each key once, and none that is not in the list: that is a loss. */
-bool json_check_keys(struct json_reader *reading, const struct json_value *object,
-                     const char *const *keys, struct error *error)
+bool json_check_keys(struct json_reader *reading, const struct json_value *object, const char *keys)
 {
-    const struct json_value *seen[MOST_KEYS] = {NULL};
     for (const struct json_value *item = object->first; item != NULL; item = item->next) {
-        size_t i = 0;
-        while (keys[i] != NULL && !text_equal(item->key, keys[i])) {
-            i++;
+        struct text rest = text_of(keys);
+        bool is_known = false;
+        while (rest.start != NULL && !is_known) {
+            is_known = text_identical(text_cut(&rest, ' '), item->key);
         }
-        if (keys[i] != NULL && seen[i] != NULL) {
-            return json_wrong(reading, item, error, "the key '%s' appears twice", keys[i]);
+        const char *key = arena_string(reading->job->arena, item->key.start, item->key.length);
+        if (is_known && json_item(object, key) != item) {
+            return json_wrong(reading, item, "the key '%s' appears twice", key);
         }
-        seen[i] = keys[i] != NULL ? item : NULL;
         const struct file_words words = json_place(reading, item);
-        if (keys[i] == NULL) {
+        if (!is_known) {
             foreign_loss(reading->job, &words,
                          (struct text){reading->content.start + item->at - 1, 0}, LOSS_OF_RAYS,
                          NULL, "unknown key '%.*s'", text_shown(item->key), item->key.start);
@@ -79,15 +77,14 @@ bool json_is_null(const struct json_value *value)
 }
 
 /* A text, or null where there is none; as a .lens file can hold it. */
-bool json_read_text(struct json_reader *reading, const struct json_value *value, const char **text,
-                    struct error *error)
+bool json_read_text(struct json_reader *reading, const struct json_value *value, const char **text)
 {
     *text = NULL;
     if (json_is_null(value)) {
         return true;
     }
     if (value->kind != JSON_STRING) {
-        return json_wrong(reading, value, error, "expected a text here");
+        return json_wrong(reading, value, "expected a text here");
     }
     *text = lens_build_string(&reading->build, value->text);
     return true;
@@ -95,7 +92,7 @@ bool json_read_text(struct json_reader *reading, const struct json_value *value,
 
 /* Which of the words a text is. */
 bool json_read_choice(struct json_reader *reading, const struct json_value *value,
-                      const char *const *words, size_t count, int *choice, struct error *error)
+                      const char *const *words, size_t count, int *choice)
 {
     if (json_is_null(value)) {
         return true;
@@ -106,20 +103,17 @@ bool json_read_choice(struct json_reader *reading, const struct json_value *valu
             return true;
         }
     }
-    return json_wrong(reading, value, error, "expected one of %s .. %s here", words[0],
-                      words[count - 1]);
+    return json_wrong(reading, value, "expected one of %s .. %s here", words[0], words[count - 1]);
 }
 
-bool json_read_truth(struct json_reader *reading, const struct json_value *value, bool *truth,
-                     struct error *error)
+bool json_read_truth(struct json_reader *reading, const struct json_value *value, bool *truth)
 {
     *truth = value->kind == JSON_BARE && text_equal(value->text, "true");
     return *truth || (value->kind == JSON_BARE && text_equal(value->text, "false")) ||
-           json_wrong(reading, value, error, "expected true or false here");
+           json_wrong(reading, value, "expected true or false here");
 }
 
-static struct figure lens_json_reading_in_unit(const struct json_reader *reading, struct pair value,
-                                               int power)
+static struct figure json_in_unit(const struct json_reader *reading, struct pair value, int power)
 {
     static const struct figure one = {.typed = {"1", 1}, .variable = LENS_NONE};
     const char *unit = reading->build.lens->unit;
@@ -134,16 +128,16 @@ static struct figure lens_json_reading_in_unit(const struct json_reader *reading
 }
 
 bool json_read_figure(struct json_reader *reading, const struct json_value *value, int power,
-                      struct figure *figure, struct error *error)
+                      struct figure *figure)
 {
     struct pair number = {0, 0};
     struct text text = value->text;
     if (value->kind != JSON_BARE || !text_pair(text, NUMBER_UNSCALED, &number) ||
         !(fabs(number.hi) < 1e100)) {
-        return json_wrong(reading, value, error, "expected a number below 1e100 here");
+        return json_wrong(reading, value, "expected a number below 1e100 here");
     }
     if (power != JSON_PLAIN && power != JSON_ANGLE) {
-        *figure = lens_json_reading_in_unit(reading, number, power);
+        *figure = json_in_unit(reading, number, power);
         return true;
     }
     *figure = (struct figure){number, text, LENS_NONE};
@@ -153,77 +147,84 @@ bool json_read_figure(struct json_reader *reading, const struct json_value *valu
     return true;
 }
 
-/* An array of numbers. */
-bool json_read_figures(struct json_reader *reading, const struct json_value *value, int power,
-                       struct figure **figures, struct error *error)
+bool json_read_row(struct json_reader *reading, const struct json_value *value, int power,
+                   struct figure *figures, size_t count, const char *what)
 {
-    if (value->kind != JSON_ARRAY) {
-        return json_wrong(reading, value, error, "expected an array of numbers here");
+    if (json_is_null(value)) {
+        return true;
     }
-    *figures = ARENA_ARRAY(reading->job->arena, value->count, struct figure);
-    size_t i = 0;
+    if (value->kind != JSON_ARRAY || value->count != count) {
+        return json_wrong(reading, value, "%s",
+                          what != NULL ? what : "expected an array of numbers here");
+    }
     for (const struct json_value *item = value->first; item != NULL; item = item->next) {
-        if (!json_read_figure(reading, item, power, &(*figures)[i++], error)) {
+        if (!json_read_figure(reading, item, power, figures++)) {
             return false;
         }
     }
     return true;
 }
 
-bool json_check_array(struct json_reader *reading, const struct json_value *value, const char *what,
-                      struct error *error)
+/* An array of numbers. */
+bool json_read_figures(struct json_reader *reading, const struct json_value *value, int power,
+                       struct figure **figures)
+{
+    *figures = ARENA_ARRAY(reading->job->arena, value->count, struct figure);
+    return json_read_row(reading, value, power, *figures, value->count, NULL);
+}
+
+bool json_check_array(struct json_reader *reading, const struct json_value *value, const char *what)
 {
     return json_is_null(value) || value->kind == JSON_ARRAY ||
-           json_wrong(reading, value, error, "expected an array of %s here", what);
+           json_wrong(reading, value, "expected an array of %s here", what);
 }
 
 bool json_check_truth(struct json_reader *reading, const struct json_value *value, bool truth,
-                      const char *key, const char *other, struct error *error)
+                      const char *key, const char *other)
 {
     bool said;
     if (json_is_null(value)) {
         return true;
     }
-    return json_read_truth(reading, value, &said, error) &&
-           (said == truth || json_wrong(reading, value, error, "%s contradicts %s", key, other));
+    return json_read_truth(reading, value, &said) &&
+           (said == truth || json_wrong(reading, value, "%s contradicts %s", key, other));
 }
 
-bool json_check_count(struct json_reader *reading, const struct json_value *value,
-                      struct error *error)
+bool json_check_count(struct json_reader *reading, const struct json_value *value)
 {
     size_t count = reading->build.lens->position_count;
     return (value->count == count && count > 0) ||
-           json_wrong(reading, value, error, "%zu values, but the lens has %zu positions",
-                      value->count, count);
+           json_wrong(reading, value, "%zu values, but the lens has %zu positions", value->count,
+                      count);
 }
 
 bool json_read_medium(struct json_reader *reading, const struct json_value *value,
-                      struct medium *medium, struct error *error)
+                      struct medium *medium)
 {
     struct foreign_job *job = reading->job;
     if (json_is_null(value)) {
         return true;
     }
     if (value->kind != JSON_STRING) {
-        return json_wrong(reading, value, error, "a medium is a text, as in a .lens file");
+        return json_wrong(reading, value, "a medium is a text, as in a .lens file");
     }
     struct file_words words = json_place(reading, value);
     bool table = value->text.length > 0 && value->text.start[0] == '{';
     for (size_t i = 0; i < value->text.length; i++) {
         unsigned char c = (unsigned char)value->text.start[i];
         if (c < ' ' || c == '"' || c == '#' || (c == ' ' && !table)) {
-            return json_wrong(reading, value, error, "no medium of a .lens file");
+            return json_wrong(reading, value, "no medium of a .lens file");
         }
     }
     words.line = value->text;
-    if (!lens_words_medium(&words, value->text, medium, error)) {
+    if (!lens_words_medium(&words, value->text, medium)) {
         return false;
     }
     if (medium->kind == MEDIUM_GLASS && job->glasses != NULL &&
-        !job->glasses->find(job->glasses->context, medium, error)) {
-        const struct error found = *error;
-        json_wrong(reading, value, error, "%s", found.message);
-        return error_hint(error, "%s", found.hint);
+        !job->glasses->find(job->glasses->context, medium, reading->error)) {
+        const struct error found = *reading->error;
+        json_wrong(reading, value, "%s", found.message);
+        return error_hint(reading->error, "%s", found.hint);
     }
     return true;
 }

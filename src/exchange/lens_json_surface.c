@@ -1,15 +1,15 @@
 /* exchange/lens_json_surface.c - a surface of a lens in JSON. */
 /* SPDX-License-Identifier: MIT */
-#include "exchange/lens_json_reading.h"
+#include "exchange/lens_json.h"
 #include "file/lens_mark.h"
+#include "optics/aperture.h"
 
 #include <math.h>
 #include <string.h>
 
-/* A number, or one for each position as a variable; null or absent is not given. */
-static bool lens_json_surface_read_cell(struct json_reader *reading, const struct json_value *value,
-                                        const char *name, struct figure *figure, bool *is_given,
-                                        struct error *error)
+/* A number, or one for each position as a variable d3; null or absent is not given. */
+static bool json_cell(struct json_reader *reading, const struct json_value *value,
+                      const char *prefix, struct figure *figure, bool *is_given)
 {
     struct figure *values = NULL;
     *is_given = !json_is_null(value);
@@ -17,10 +17,12 @@ static bool lens_json_surface_read_cell(struct json_reader *reading, const struc
         return true;
     }
     if (value->kind != JSON_ARRAY) {
-        return json_read_figure(reading, value, JSON_LENGTH, figure, error);
+        return json_read_figure(reading, value, JSON_LENGTH, figure);
     }
-    if (!json_check_count(reading, value, error) ||
-        !json_read_figures(reading, value, JSON_LENGTH, &values, error)) {
+    const char *name =
+        arena_printf(reading->job->arena, "%s%zu", prefix, reading->build.lens->surface_count);
+    if (!json_check_count(reading, value) ||
+        !json_read_figures(reading, value, JSON_LENGTH, &values)) {
         return false;
     }
     *figure = (struct figure){.typed = text_of(name),
@@ -29,74 +31,172 @@ static bool lens_json_surface_read_cell(struct json_reader *reading, const struc
 }
 
 static bool read_displacement(struct json_reader *reading, const struct json_value *value,
-                              size_t turns, const struct displacement **displacement,
-                              struct error *error)
+                              size_t turns, const struct displacement **displacement)
 {
-    static const char *const keys[] = {"decenter_mm", "tilt_deg", NULL};
-    struct figure *figures = NULL;
     if (json_is_null(value)) {
         return true;
     }
     struct displacement *all = ARENA_NEW(reading->job->arena, struct displacement);
-    const struct json_value *shift = json_item(value, keys[0]), *turn = json_item(value, keys[1]);
+    const struct json_value *shift = json_item(value, "decenter_mm"),
+                            *turn = json_item(value, "tilt_deg");
     if (value->kind != JSON_OBJECT || shift == NULL || shift->count != 2 || turn == NULL ||
         turn->count != 3) {
-        return json_wrong(reading, value, error, "expected two decentres and three tilts here");
+        return json_wrong(reading, value, "expected two decentres and three tilts here");
     }
-    if (!json_check_keys(reading, value, keys, error) ||
-        !json_read_figures(reading, shift, JSON_LENGTH, &figures, error)) {
+    if (!json_check_keys(reading, value, "decenter_mm tilt_deg") ||
+        !json_read_row(reading, shift, JSON_LENGTH, all->decenter, 2, NULL) ||
+        !json_read_row(reading, turn, JSON_ANGLE, all->tilt, 3, NULL)) {
         return false;
     }
-    memcpy(all->decenter, figures, sizeof all->decenter);
-    if (!json_read_figures(reading, turn, JSON_ANGLE, &figures, error)) {
-        return false;
-    }
-    memcpy(all->tilt, figures, sizeof all->tilt);
     *displacement = all;
     return turns == 3 || all->tilt[2].value.hi == 0 ||
-           json_wrong(reading, turn, error, "a surface is not turned about z");
+           json_wrong(reading, turn, "a surface is not turned about z");
 }
 
-static bool lens_json_surface_read_coefficients(struct json_reader *reading,
-                                                const struct json_value *value,
-                                                struct surface *surface, struct error *error)
+static bool json_coefficients(struct json_reader *reading, const struct json_value *value,
+                              struct surface *surface)
 {
     if (json_is_null(value)) {
         return true;
     }
     if (value->kind != JSON_OBJECT) {
-        return json_wrong(reading, value, error, "expected an object with A1 .. A20 here");
+        return json_wrong(reading, value, "expected an object with A1 .. A20 here");
     }
-    const char *keys[LENS_COEFFICIENTS + 1] = {NULL};
+    struct arena *arena = reading->job->arena;
+    const char *keys = "";
     for (int order = 1; order <= LENS_COEFFICIENTS; order++) {
         const enum parameter_kind kind = PARAMETER_COEFFICIENT;
-        struct arena *arena = reading->job->arena;
+        const char *key = parameter_name(kind, order, arena);
+        const struct json_value *item = json_item(value, key);
         struct figure figure;
-        keys[order - 1] = parameter_name(kind, order, arena);
-        const struct json_value *item = json_item(value, keys[order - 1]);
+        keys = arena_printf(arena, "%s %s", keys, key);
         if (item == NULL) {
             continue;
         }
-        if (!json_read_figure(reading, item, parameter_length(kind, order), &figure, error)) {
+        if (!json_read_figure(reading, item, parameter_length(kind, order), &figure)) {
             return false;
         }
         parameter_put(surface, kind, order, figure, arena);
     }
-    return json_check_keys(reading, value, keys, error);
+    return json_check_keys(reading, value, keys);
+}
+
+static const char x_and_y[] = "expected x and y here";
+
+static bool json_corners(struct json_reader *reading, const struct json_value *value,
+                         struct aperture *aperture)
+{
+    if (json_is_null(value)) {
+        return true;
+    }
+    if (!json_check_array(reading, value, "corners")) {
+        return false;
+    }
+    struct figure(*points)[2] = arena_array(reading->job->arena, value->count, sizeof *points);
+    for (const struct json_value *item = value->first; item != NULL; item = item->next) {
+        if (!json_read_row(reading, item, JSON_LENGTH, points[aperture->point_count++], 2,
+                           x_and_y)) {
+            return false;
+        }
+    }
+    aperture->points = (const struct figure(*)[2])points;
+    return true;
+}
+
+static bool json_arms(struct json_reader *reading, const struct json_value *value,
+                      struct aperture *aperture)
+{
+    struct figure figure;
+    if (json_is_null(value)) {
+        return true;
+    }
+    if (!json_read_figure(reading, value, JSON_PLAIN, &figure)) {
+        return false;
+    }
+    double count = figure.value.hi;
+    aperture->arms = count >= 1 && count <= APERTURE_MOST_ARMS ? (unsigned)count : 0;
+    return (double)aperture->arms == count ||
+           json_wrong(reading, value, "a spider has 1 to %d arms", APERTURE_MOST_ARMS);
+}
+
+/* Shape and sizes. */
+static bool json_shape(struct json_reader *reading, const struct json_value *object,
+                       struct aperture *aperture)
+{
+    const char *words[APERTURE_SHAPES];
+    const struct json_value *shape = json_item(object, "shape"),
+                            *blocks = json_item(object, "blocks"),
+                            *sizes = json_item(object, "size_mm");
+    int choice = 0;
+    bool dark = false;
+    for (size_t i = 0; i < APERTURE_SHAPES; i++) {
+        words[i] = aperture_shapes[i].word;
+    }
+    if (shape == NULL || blocks == NULL) {
+        return json_wrong(reading, object, "an aperture has \"shape\" and \"blocks\"");
+    }
+    if (!json_read_choice(reading, shape, words, APERTURE_SHAPES, &choice) ||
+        !json_read_truth(reading, blocks, &dark)) {
+        return false;
+    }
+    *aperture = aperture_of((enum aperture_shape)choice, dark);
+    const size_t count = (size_t)aperture_sizes(aperture->shape);
+    if ((json_is_null(sizes) ? 0 : sizes->count) != count) {
+        return json_wrong(reading, json_is_null(sizes) ? object : sizes, "a %s has %zu sizes",
+                          words[choice], count);
+    }
+    return count == 0 || json_read_row(reading, sizes, JSON_LENGTH, aperture->size, count, NULL);
+}
+
+static bool read_json_aperture(struct json_reader *reading, const struct json_value *object,
+                               struct aperture *aperture)
+{
+    static const char keys[] = "shape blocks size_mm arms points_mm decenter_mm turn_deg";
+    const struct json_value *turn = json_item(object, "turn_deg");
+    struct error wrong;
+    if (object->kind != JSON_OBJECT) {
+        return json_wrong(reading, object, "an aperture is an object");
+    }
+    if (!json_check_keys(reading, object, keys) || !json_shape(reading, object, aperture) ||
+        !json_arms(reading, json_item(object, "arms"), aperture) ||
+        !json_corners(reading, json_item(object, "points_mm"), aperture) ||
+        !json_read_row(reading, json_item(object, "decenter_mm"), JSON_LENGTH, aperture->decenter,
+                       2, x_and_y) ||
+        (!json_is_null(turn) && !json_read_figure(reading, turn, JSON_ANGLE, &aperture->turn))) {
+        return false;
+    }
+    return aperture_check(aperture, &wrong) || json_wrong(reading, object, "%s", wrong.message);
+}
+
+static bool json_apertures(struct json_reader *reading, const struct json_value *value,
+                           struct surface *surface)
+{
+    if (json_is_null(value)) {
+        return true;
+    }
+    if (!json_check_array(reading, value, "apertures")) {
+        return false;
+    }
+    struct aperture *all = ARENA_ARRAY(reading->job->arena, value->count, struct aperture);
+    surface->apertures = all;
+    for (const struct json_value *item = value->first; item != NULL; item = item->next) {
+        if (!read_json_aperture(reading, item, &all[surface->aperture_count++])) {
+            return false;
+        }
+    }
+    return true;
 }
 
 /* A bound; null is none. */
-static bool lens_json_surface_read_bound(struct json_reader *reading,
-                                         const struct json_value *value, int power, double none,
-                                         struct figure *figure, struct error *error)
+static bool json_bound(struct json_reader *reading, const struct json_value *value, int power,
+                       double none, struct figure *figure)
 {
     *figure = (struct figure){{none, 0}, text_of(none < 0 ? "-inf" : "inf"), LENS_NONE};
-    return value->kind == JSON_NULL || json_read_figure(reading, value, power, figure, error);
+    return value->kind == JSON_NULL || json_read_figure(reading, value, power, figure);
 }
 
-static bool lens_json_surface_read_bounds(struct json_reader *reading,
-                                          const struct json_value *value, struct vary *vary,
-                                          struct error *error)
+static bool json_bounds(struct json_reader *reading, const struct json_value *value,
+                        struct vary *vary)
 {
     const struct json_value *low = json_item(value, "low"), *high = json_item(value, "high");
     bool angle = (parameter_type(vary->kind)->is & PARAMETER_IS_ANGLE) != 0;
@@ -106,42 +206,39 @@ static bool lens_json_surface_read_bounds(struct json_reader *reading,
         return true;
     }
     if (vary->kind == PARAMETER_GLASS) {
-        return json_wrong(reading, low, error, "a glass has no bounds");
+        return json_wrong(reading, low, "a glass has no bounds");
     }
-    return lens_json_surface_read_bound(reading, low, power, -INFINITY, &vary->low, error) &&
-           lens_json_surface_read_bound(reading, high, power, INFINITY, &vary->high, error) &&
+    return json_bound(reading, low, power, -INFINITY, &vary->low) &&
+           json_bound(reading, high, power, INFINITY, &vary->high) &&
            (lens_bounds_are_sound(vary) ||
-            json_wrong(reading, low, error, "the lower bound is above the upper"));
+            json_wrong(reading, low, "the lower bound is above the upper"));
 }
 
 /* A mark of what the surface has, and where it has one: the position. */
-static bool lens_json_surface_read_vary(struct json_reader *reading, const struct json_value *value,
-                                        const struct surface *surface, struct vary *vary,
-                                        struct error *error)
+static bool json_vary(struct json_reader *reading, const struct json_value *value,
+                      const struct surface *surface, struct vary *vary)
 {
-    static const char *const keys[] = {"what", "low", "high", "position", NULL};
     const struct json_value *what = json_item(value, "what"), *low = json_item(value, "low"),
                             *high = json_item(value, "high");
     *vary = (struct vary){.has_bounds = false};
     if (value->kind != JSON_OBJECT || what == NULL || what->kind != JSON_STRING ||
         !parameter_name_read(what->text, &vary->kind, &vary->order) ||
         !parameter_is_mark(vary->kind, surface) || (low == NULL) != (high == NULL)) {
-        return json_wrong(reading, value, error, "what varies is %s",
+        return json_wrong(reading, value, "what varies is %s",
                           parameter_marks(surface, reading->job->arena));
     }
     if (json_item(value, "position") == NULL &&
         parameter_is_marked(vary->kind, vary->order, surface)) {
-        return json_wrong(reading, value, error, "'%.*s' is marked twice", text_shown(what->text),
+        return json_wrong(reading, value, "'%.*s' is marked twice", text_shown(what->text),
                           what->text.start);
     }
-    return json_check_keys(reading, value, keys, error) &&
-           lens_json_surface_read_bounds(reading, value, vary, error);
+    return json_check_keys(reading, value, "what low high position") &&
+           json_bounds(reading, value, vary);
 }
 
 /* The mark of a number of one position. */
 static bool add_to_position(struct json_reader *reading, const struct json_value *position,
-                            const struct surface *surface, const struct vary *vary,
-                            struct error *error)
+                            const struct surface *surface, const struct vary *vary)
 {
     struct lens *lens = reading->build.lens;
     struct arena *arena = reading->job->arena;
@@ -149,8 +246,7 @@ static bool add_to_position(struct json_reader *reading, const struct json_value
         position->kind == JSON_STRING ? lens_position_find(lens, position->text) : LENS_NONE;
     const struct figure *cell = parameter_figure(surface, vary->kind, vary->order);
     if (at == LENS_NONE || cell == NULL || cell->variable == LENS_NONE) {
-        return json_wrong(reading, position, error,
-                          "no position in which the number is another one");
+        return json_wrong(reading, position, "no position in which the number is another one");
     }
     struct lens_variable *word = &lens->variables[cell->variable];
     const struct vary **marks = ARENA_ARRAY(arena, lens->position_count, const struct vary *);
@@ -158,7 +254,7 @@ static bool add_to_position(struct json_reader *reading, const struct json_value
         marks[p] = word->varies != NULL ? word->varies[p] : NULL;
     }
     if (marks[at] != NULL) {
-        return json_wrong(reading, position, error, "a number that is marked twice");
+        return json_wrong(reading, position, "a number that is marked twice");
     }
     struct vary *mark = ARENA_NEW(arena, struct vary);
     *mark = *vary;
@@ -168,21 +264,21 @@ static bool add_to_position(struct json_reader *reading, const struct json_value
 }
 
 static bool read_varies(struct json_reader *reading, const struct json_value *value,
-                        struct surface *surface, struct error *error)
+                        struct surface *surface)
 {
     if (json_is_null(value)) {
         return true;
     }
     if (value->kind != JSON_ARRAY) {
-        return json_wrong(reading, value, error, "expected an array here");
+        return json_wrong(reading, value, "expected an array here");
     }
     struct vary *varies = ARENA_ARRAY(reading->job->arena, value->count + 1, struct vary);
     surface->varies = varies;
     for (const struct json_value *item = value->first; item != NULL; item = item->next) {
         const struct json_value *position = json_item(item, "position");
         struct vary *vary = &varies[surface->vary_count];
-        if (!lens_json_surface_read_vary(reading, item, surface, vary, error) ||
-            (position != NULL && !add_to_position(reading, position, surface, vary, error))) {
+        if (!json_vary(reading, item, surface, vary) ||
+            (position != NULL && !add_to_position(reading, position, surface, vary))) {
             return false;
         }
         surface->vary_count += position == NULL ? 1 : 0;
@@ -191,52 +287,37 @@ static bool read_varies(struct json_reader *reading, const struct json_value *va
 }
 
 /* A radius or a curvature; neither is a plane. */
-static bool lens_json_surface_read_curve(struct json_reader *reading,
-                                         const struct json_value *object, struct surface *surface,
-                                         struct error *error)
+static bool json_curve(struct json_reader *reading, const struct json_value *object,
+                       struct surface *surface)
 {
     const struct json_value *radius = json_item(object, "radius_mm"),
                             *curvature = json_item(object, "curvature_per_mm");
     surface->is_plane = json_is_null(radius);
     surface->has_curvature = !json_is_null(curvature);
     if (!surface->is_plane && surface->has_curvature) {
-        return json_wrong(reading, curvature, error, "a curvature beside a radius");
+        return json_wrong(reading, curvature, "a curvature beside a radius");
     }
     return json_check_truth(reading, json_item(object, "radius_is_infinite"),
                             surface->is_plane && !surface->has_curvature, "radius_is_infinite",
-                            "radius_mm", error) &&
+                            "radius_mm") &&
            (surface->is_plane ||
-            json_read_figure(reading, radius, JSON_LENGTH, &surface->radius, error)) &&
+            json_read_figure(reading, radius, JSON_LENGTH, &surface->radius)) &&
            (!surface->has_curvature ||
-            json_read_figure(reading, curvature, -1, &surface->curvature, error));
+            json_read_figure(reading, curvature, -1, &surface->curvature));
 }
 
 /* A .lens file has names in double quotes. */
-static bool lens_json_surface_read_name(struct json_reader *reading, const struct json_value *value,
-                                        struct surface *surface, struct error *error)
+static bool json_surface_name(struct json_reader *reading, const struct json_value *value,
+                              struct surface *surface)
 {
     bool quoted = !json_is_null(value) && value->kind == JSON_STRING && value->text.length > 0 &&
                   memchr(value->text.start, '"', value->text.length) != NULL;
-    return quoted ? json_wrong(reading, value, error, "a name of a surface has no double quotes")
-                  : json_read_text(reading, value, &surface->name, error);
+    return quoted ? json_wrong(reading, value, "a name of a surface has no double quotes")
+                  : json_read_text(reading, value, &surface->name);
 }
 
-/* 0 is no conic. */
-static bool lens_json_surface_read_conic(struct json_reader *reading,
-                                         const struct json_value *value, struct figure *conic,
-                                         struct error *error)
-{
-    struct figure figure;
-    if (!json_read_figure(reading, value, JSON_PLAIN, &figure, error)) {
-        return false;
-    }
-    *conic = figure.value.hi != 0 ? figure : *conic;
-    return true;
-}
-
-static bool lens_json_surface_read_kind(struct json_reader *reading,
-                                        const struct json_value *object, struct surface *surface,
-                                        struct error *error)
+static bool json_surface_kind(struct json_reader *reading, const struct json_value *object,
+                              struct surface *surface)
 {
     enum { SECTIONS = sizeof surface_sections / sizeof surface_sections[0] };
     const char *kinds[SURFACE_KINDS], *curved[SECTIONS];
@@ -250,87 +331,66 @@ static bool lens_json_surface_read_kind(struct json_reader *reading,
         curved[i] = surface_sections[i].key;
     }
     if (kind == NULL) {
-        return json_wrong(reading, object, error, "the kind of the surface is missing");
+        return json_wrong(reading, object, "the kind of the surface is missing");
     }
-    if (!json_read_choice(reading, kind, kinds, SURFACE_KINDS, &choice, error) ||
-        (!json_is_null(stop) && !json_read_truth(reading, stop, &surface->is_stop, error)) ||
+    if (!json_read_choice(reading, kind, kinds, SURFACE_KINDS, &choice) ||
+        (!json_is_null(stop) && !json_read_truth(reading, stop, &surface->is_stop)) ||
         (!json_is_null(cylinder) &&
-         !json_read_choice(reading, cylinder, curved, SECTIONS, &sections, error))) {
+         !json_read_choice(reading, cylinder, curved, SECTIONS, &sections))) {
         return false;
     }
     surface->kind = (enum surface_kind)choice;
     surface->curved = (enum curved)sections;
     bool bare = surface->is_plane && !surface->has_curvature && surface->is_stop;
     return surface->kind != SURFACE_STOP || bare ||
-           json_wrong(reading, kind, error, "a stop is a plane with \"is_stop\": true");
+           json_wrong(reading, kind, "a stop is a plane with \"is_stop\": true");
 }
 
 /* What only a thick lens has, and must have. */
-static bool lens_json_surface_read_thick(struct json_reader *reading,
-                                         const struct json_value *object, struct surface *surface,
-                                         struct error *error)
+static bool json_thick(struct json_reader *reading, const struct json_value *object,
+                       struct surface *surface)
 {
     const struct json_value *focal = json_item(object, "focal_mm");
     const struct json_value *hiatus = json_item(object, "hiatus_mm");
     const struct json_value *distortion = json_item(object, "distortion");
-    struct figure *terms = NULL;
     bool is_given;
     if (!surface_has(surface, SURFACE_HAS_FOCAL)) {
         const struct json_value *odd = focal != NULL ? focal : hiatus;
         odd = odd != NULL ? odd : distortion;
-        return odd == NULL || json_wrong(reading, odd, error, "only a thick lens has this");
+        return odd == NULL || json_wrong(reading, odd, "only a thick lens has this");
     }
     if (json_is_null(focal) || !surface->is_plane || surface->has_curvature) {
-        return json_wrong(reading, object, error, "a thick lens has a focal length and no radius");
+        return json_wrong(reading, object, "a thick lens has a focal length and no radius");
     }
-    if (!lens_json_surface_read_cell(
-            reading, focal,
-            arena_printf(reading->job->arena, "f%zu", reading->build.lens->surface_count),
-            &surface->focal, &is_given, error) ||
-        !lens_json_surface_read_cell(
-            reading, hiatus,
-            arena_printf(reading->job->arena, "h%zu", reading->build.lens->surface_count),
-            &surface->hiatus, &is_given, error)) {
-        return false;
-    }
-    if (json_is_null(distortion)) {
-        return true;
-    }
-    if (distortion->kind != JSON_ARRAY || distortion->count != 3) {
-        return json_wrong(reading, distortion, error, "expected three terms of distortion here");
-    }
-    if (!json_read_figures(reading, distortion, JSON_PLAIN, &terms, error)) {
-        return false;
-    }
-    memcpy(surface->distortion, terms, sizeof surface->distortion);
-    return true;
+    return json_cell(reading, focal, "f", &surface->focal, &is_given) &&
+           json_cell(reading, hiatus, "h", &surface->hiatus, &is_given) &&
+           json_read_row(reading, distortion, JSON_PLAIN, surface->distortion, 3,
+                         "expected three terms of distortion here");
 }
 
 /* Surfaces are counted from 1. */
-static bool lens_json_surface_check_number(struct json_reader *reading,
-                                           const struct json_value *value, struct error *error)
+static bool json_check_number(struct json_reader *reading, const struct json_value *value)
 {
     struct figure number;
     size_t count = reading->build.lens->surface_count;
     if (json_is_null(value)) {
         return true;
     }
-    return json_read_figure(reading, value, JSON_PLAIN, &number, error) &&
+    return json_read_figure(reading, value, JSON_PLAIN, &number) &&
            (number.value.hi == (double)count ||
-            json_wrong(reading, value, error, "another surface, where surface %zu is expected",
-                       count));
+            json_wrong(reading, value, "another surface, where surface %zu is expected", count));
 }
 
 /* What a surface without a curve has not. */
 static bool check_curve(struct json_reader *reading, const struct json_value *object,
-                        const struct surface *surface, struct error *error)
+                        const struct surface *surface)
 {
     static const char *const keys[] = {"conic", "coefficients_mm", "cylinder"};
     const bool odd[] = {surface->conic.value.hi != 0, !json_is_null(json_item(object, keys[1])),
                         !surface_is_round(surface)};
     for (size_t i = 0; i < sizeof keys / sizeof keys[0]; i++) {
         if (odd[i] && !surface_has(surface, SURFACE_HAS_CURVE)) {
-            return json_wrong(reading, json_item(object, keys[i]), error,
+            return json_wrong(reading, json_item(object, keys[i]),
                               "%s belongs to a surface that is curved", keys[i]);
         }
     }
@@ -338,9 +398,8 @@ static bool check_curve(struct json_reader *reading, const struct json_value *ob
 }
 
 /* The indices are for others: the medium decides, and must not say anything else. */
-static bool lens_json_surface_check_index(struct json_reader *reading,
-                                          const struct json_value *value,
-                                          const struct surface *surface, struct error *error)
+static bool json_check_index(struct json_reader *reading, const struct json_value *value,
+                             const struct surface *surface)
 {
     const struct lens *lens = reading->build.lens;
     const double rounding = 1e-9; /* of another program that has written them again */
@@ -349,7 +408,7 @@ static bool lens_json_surface_check_index(struct json_reader *reading,
         return true;
     }
     if (value->kind != JSON_ARRAY || value->count != count) {
-        return json_wrong(reading, value, error, "expected an array of %zu indices here", count);
+        return json_wrong(reading, value, "expected an array of %zu indices here", count);
     }
     for (const struct json_value *item = value->first; item != NULL; item = item->next, i++) {
         double wavelength = lens->wavelength_count > 0 ? lens->wavelengths[i].wavelength
@@ -357,12 +416,12 @@ static bool lens_json_surface_check_index(struct json_reader *reading,
         struct figure figure;
         struct pair index;
         struct error unknown;
-        if (!json_read_figure(reading, item, JSON_PLAIN, &figure, error)) {
+        if (!json_read_figure(reading, item, JSON_PLAIN, &figure)) {
             return false;
         }
         if (medium_index(&surface->medium, wavelength, &index, &unknown) &&
             !(fabs(figure.value.hi - index.hi) <= rounding)) {
-            return json_wrong(reading, item, error, "the index of %.*s is %.10g here",
+            return json_wrong(reading, item, "the index of %.*s is %.10g here",
                               text_shown(surface->medium.written), surface->medium.written.start,
                               index.hi);
         }
@@ -371,92 +430,71 @@ static bool lens_json_surface_check_index(struct json_reader *reading,
 }
 
 /* A mirror has no medium of its own. */
-static bool lens_json_surface_read_medium(struct json_reader *reading,
-                                          const struct json_value *object, struct surface *surface,
-                                          struct error *error)
+static bool json_surface_medium(struct json_reader *reading, const struct json_value *object,
+                                struct surface *surface)
 {
     const struct json_value *medium = json_item(object, "medium");
     bool is_mirror =
         medium != NULL && medium->kind == JSON_STRING && text_equal(medium->text, "mirror");
     if (!json_is_null(medium) && is_mirror != surface_reflects(surface)) {
-        return json_wrong(reading, medium, error,
+        return json_wrong(reading, medium,
                           "the kind \"reflect\" and the medium \"mirror\" go together");
     }
     if (surface_reflects(surface)) {
         return true;
     }
-    return json_read_medium(reading, medium, &surface->medium, error) &&
-           lens_json_surface_check_index(reading, json_item(object, "index"), surface, error);
-}
-
-/* Thickness and diameter: numbers, or d3 and a3 in the positions. */
-static bool lens_json_surface_read_sizes(struct json_reader *reading,
-                                         const struct json_value *object, struct surface *surface,
-                                         struct error *error)
-{
-    struct arena *arena = reading->job->arena;
-    size_t number = reading->build.lens->surface_count;
-    return lens_json_surface_read_cell(reading, json_item(object, "thickness_mm"),
-                                       arena_printf(arena, "d%zu", number), &surface->thickness,
-                                       &surface->has_thickness, error) &&
-           lens_json_surface_read_cell(reading, json_item(object, "diameter_mm"),
-                                       arena_printf(arena, "a%zu", number), &surface->diameter,
-                                       &surface->has_diameter, error);
+    return json_read_medium(reading, medium, &surface->medium) &&
+           json_check_index(reading, json_item(object, "index"), surface);
 }
 
 /* What may stand beside: it shapes, moves or marks the surface. */
-static bool lens_json_surface_read_beside(struct json_reader *reading,
-                                          const struct json_value *object, struct surface *surface,
-                                          struct error *error)
+static bool json_details(struct json_reader *reading, const struct json_value *object,
+                         struct surface *surface)
 {
     const struct json_value *conic = json_item(object, "conic");
-    return (json_is_null(conic) ||
-            lens_json_surface_read_conic(reading, conic, &surface->conic, error)) &&
-           check_curve(reading, object, surface, error) &&
-           lens_json_surface_read_coefficients(reading, json_item(object, "coefficients_mm"),
-                                               surface, error) &&
-           read_displacement(reading, json_item(object, "moved"), 2, &surface->decentre, error) &&
+    struct figure figure = surface->conic;
+    if (!json_is_null(conic) && !json_read_figure(reading, conic, JSON_PLAIN, &figure)) {
+        return false;
+    }
+    surface->conic = figure.value.hi != 0 ? figure : surface->conic; /* 0 is no conic */
+    return check_curve(reading, object, surface) &&
+           json_coefficients(reading, json_item(object, "coefficients_mm"), surface) &&
+           read_displacement(reading, json_item(object, "moved"), 2, &surface->decentre) &&
            read_displacement(reading, json_item(object, "bend_before"), 3,
-                             &surface->coordinate_break, error) &&
-           json_read_apertures(reading, json_item(object, "apertures"), surface, error) &&
-           lens_json_surface_read_thick(reading, object, surface, error) &&
-           read_varies(reading, json_item(object, "vary"), surface, error);
+                             &surface->coordinate_break) &&
+           json_apertures(reading, json_item(object, "apertures"), surface) &&
+           json_thick(reading, object, surface) &&
+           read_varies(reading, json_item(object, "vary"), surface);
 }
 
-bool json_read_surface(struct json_reader *reading, const struct json_value *object,
-                       struct error *error)
+bool json_read_surface(struct json_reader *reading, const struct json_value *object)
 {
-    static const char *const keys[] = {"surface",          "kind",
-                                       "is_stop",          "name",
-                                       "radius_mm",        "radius_is_infinite",
-                                       "medium",           "thickness_mm",
-                                       "curvature_per_mm", "index",
-                                       "diameter_mm",      "conic",
-                                       "cylinder",         "moved",
-                                       "bend_before",      "apertures",
-                                       "coefficients_mm",  "vary",
-                                       "focal_mm",         "hiatus_mm",
-                                       "distortion",       NULL};
+    static const char keys[] =
+        "surface kind is_stop name radius_mm radius_is_infinite medium thickness_mm "
+        "curvature_per_mm index diameter_mm conic cylinder moved bend_before apertures "
+        "coefficients_mm vary focal_mm hiatus_mm distortion";
     struct lens *lens = reading->build.lens;
     if (object->kind != JSON_OBJECT) {
-        return json_wrong(reading, object, error, "a surface is an object");
+        return json_wrong(reading, object, "a surface is an object");
     }
     struct medium medium = lens->surface_count > 0 ? lens->surfaces[lens->surface_count - 1].medium
                                                    : lens->object_medium;
     struct surface *surface = lens_build_surface(&reading->build);
-    if (!json_check_keys(reading, object, keys, error) ||
-        !lens_json_surface_check_number(reading, json_item(object, "surface"), error) ||
-        !lens_json_surface_read_curve(reading, object, surface, error) ||
-        !lens_json_surface_read_kind(reading, object, surface, error)) {
+    if (!json_check_keys(reading, object, keys) ||
+        !json_check_number(reading, json_item(object, "surface")) ||
+        !json_curve(reading, object, surface) || !json_surface_kind(reading, object, surface)) {
         return false;
     }
     surface->medium = surface_reflects(surface) ? medium : medium_air;
     if (surface->is_stop && lens->stop != LENS_NONE) {
-        return json_wrong(reading, object, error, "a second stop");
+        return json_wrong(reading, object, "a second stop");
     }
     lens->stop = surface->is_stop ? lens->surface_count - 1 : lens->stop;
-    return lens_json_surface_read_medium(reading, object, surface, error) &&
-           lens_json_surface_read_name(reading, json_item(object, "name"), surface, error) &&
-           lens_json_surface_read_sizes(reading, object, surface, error) &&
-           lens_json_surface_read_beside(reading, object, surface, error);
+    return json_surface_medium(reading, object, surface) &&
+           json_surface_name(reading, json_item(object, "name"), surface) &&
+           json_cell(reading, json_item(object, "thickness_mm"), "d", &surface->thickness,
+                     &surface->has_thickness) &&
+           json_cell(reading, json_item(object, "diameter_mm"), "a", &surface->diameter,
+                     &surface->has_diameter) &&
+           json_details(reading, object, surface);
 }

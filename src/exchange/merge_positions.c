@@ -18,19 +18,18 @@ struct merge {
     size_t setting_count, setting_room;
 };
 
-static bool merge_positions_is_same_value(const struct figure *a, const struct figure *b)
+static bool is_equal_pair(const struct figure *a, const struct figure *b)
 {
     return a->value.hi == b->value.hi && a->value.lo == b->value.lo;
 }
 
-static const struct surface *merge_positions_surface_at(const struct merge *merge, size_t position,
-                                                        size_t index)
+static const struct surface *surface_in(const struct merge *merge, size_t position, size_t index)
 {
     return &merge->lenses[position].surfaces[index];
 }
 
 /* A plane that is only the stop counts as any other: it may be the stop in one position. */
-static enum surface_kind merge_positions_kind_of(const struct surface *surface)
+static enum surface_kind kind_in_positions(const struct surface *surface)
 {
     return surface->kind == SURFACE_STOP ? SURFACE_REFRACT : surface->kind;
 }
@@ -38,15 +37,14 @@ static enum surface_kind merge_positions_kind_of(const struct surface *surface)
 static bool is_same_aperture(const struct aperture *a, const struct aperture *b)
 {
     bool same = a->shape == b->shape && a->blocks == b->blocks && a->arms == b->arms &&
-                a->point_count == b->point_count &&
-                merge_positions_is_same_value(&a->turn, &b->turn);
+                a->point_count == b->point_count && is_equal_pair(&a->turn, &b->turn);
     for (int i = 0; i < 2; i++) {
-        same = same && merge_positions_is_same_value(&a->size[i], &b->size[i]) &&
-               merge_positions_is_same_value(&a->decenter[i], &b->decenter[i]);
+        same = same && is_equal_pair(&a->size[i], &b->size[i]) &&
+               is_equal_pair(&a->decenter[i], &b->decenter[i]);
     }
     for (size_t i = 0; same && i < a->point_count; i++) {
-        same = merge_positions_is_same_value(&a->points[i][0], &b->points[i][0]) &&
-               merge_positions_is_same_value(&a->points[i][1], &b->points[i][1]);
+        same = is_equal_pair(&a->points[i][0], &b->points[i][0]) &&
+               is_equal_pair(&a->points[i][1], &b->points[i][1]);
     }
     return same;
 }
@@ -61,22 +59,22 @@ static bool are_same_apertures(const struct surface *a, const struct surface *b)
 }
 
 /* What no position can set. */
-static bool merge_positions_is_alike(const struct surface *a, const struct surface *b)
+static bool is_surface_alike(const struct surface *a, const struct surface *b)
 {
-    bool same = merge_positions_kind_of(a) == merge_positions_kind_of(b) &&
-                a->curved == b->curved && a->has_thickness == b->has_thickness;
+    bool same = kind_in_positions(a) == kind_in_positions(b) && a->curved == b->curved &&
+                a->has_thickness == b->has_thickness;
     for (int i = 0; i < 3 && same && surface_has(a, SURFACE_HAS_FOCAL); i++) {
-        same = merge_positions_is_same_value(&a->distortion[i], &b->distortion[i]);
+        same = is_equal_pair(&a->distortion[i], &b->distortion[i]);
     }
     return same;
 }
 
 /* One number a position, all the same? */
-static bool merge_positions_are_same(const struct figure *figures, size_t count)
+static bool are_all_same(const struct figure *figures, size_t count)
 {
     bool same = true;
     for (size_t p = 1; p < count; p++) {
-        same = same && merge_positions_is_same_value(&figures[p], &figures[0]);
+        same = same && is_equal_pair(&figures[p], &figures[0]);
     }
     return same;
 }
@@ -96,17 +94,17 @@ static void merge_cells(struct merge *merge, size_t index)
     struct figure *gaps = ARENA_ARRAY(merge->arena, merge->count, struct figure);
     struct figure *diameters = ARENA_ARRAY(merge->arena, merge->count, struct figure);
     for (size_t p = 0; p < merge->count; p++) {
-        gaps[p] = merge_positions_surface_at(merge, p, index)->thickness;
-        diameters[p] = merge_positions_surface_at(merge, p, index)->diameter;
+        gaps[p] = surface_in(merge, p, index)->thickness;
+        diameters[p] = surface_in(merge, p, index)->diameter;
     }
-    if (to->has_thickness && !merge_positions_are_same(gaps, merge->count)) {
+    if (to->has_thickness && !are_all_same(gaps, merge->count)) {
         to->thickness = variable(merge, "d", index + 1, gaps);
     }
     size_t clear = 0;
     for (size_t p = 0; p < merge->count; p++) {
-        clear += merge_positions_surface_at(merge, p, index)->has_diameter;
+        clear += surface_in(merge, p, index)->has_diameter;
     }
-    if (clear == merge->count && !merge_positions_are_same(diameters, merge->count)) {
+    if (clear == merge->count && !are_all_same(diameters, merge->count)) {
         to->diameter = variable(merge, "D", index + 1, diameters);
     }
     to->has_diameter = clear == merge->count;
@@ -130,11 +128,10 @@ static void merge_curve(struct merge *merge, size_t index)
     struct figure *figures = ARENA_ARRAY(merge->arena, merge->count, struct figure);
     enum parameter_kind kind = PARAMETER_RADIUS;
     for (size_t p = 0; p < merge->count; p++) {
-        kind =
-            merge_positions_surface_at(merge, p, index)->has_curvature ? PARAMETER_CURVATURE : kind;
+        kind = surface_in(merge, p, index)->has_curvature ? PARAMETER_CURVATURE : kind;
     }
     for (size_t p = 0; p < merge->count; p++) {
-        const struct surface *from = merge_positions_surface_at(merge, p, index);
+        const struct surface *from = surface_in(merge, p, index);
         const struct figure *figure = parameter_figure(from, kind, 0);
         struct figure flat = {{INFINITY, 0}, text_of("inf"), LENS_NONE};
         if (figure != NULL) {
@@ -146,24 +143,11 @@ static void merge_curve(struct merge *merge, size_t index)
                 (struct figure){.value = surface_base_curvature(from), .variable = LENS_NONE};
         }
     }
-    if (merge_positions_are_same(figures, merge->count)) {
+    if (are_all_same(figures, merge->count)) {
         return;
     }
     parameter_put(to, kind, 0, figures[0], merge->arena);
     add_setting(merge, (struct lens_setting){{index, kind, 0}, figures, NULL});
-}
-
-static void merge_medium(struct merge *merge, size_t index)
-{
-    struct medium *media = ARENA_ARRAY(merge->arena, merge->count, struct medium);
-    bool same = true;
-    for (size_t p = 0; p < merge->count; p++) {
-        media[p] = merge_positions_surface_at(merge, p, index)->medium;
-        same = same && medium_is_same(&media[p], &media[0]);
-    }
-    if (!same && !surface_reflects(merge_positions_surface_at(merge, 0, index))) {
-        add_setting(merge, (struct lens_setting){{index, PARAMETER_GLASS, 0}, NULL, media});
-    }
 }
 
 /* All other numbers that a surface may have; where one position has one, it is 0 in the others. */
@@ -174,11 +158,11 @@ static void merge_number(struct merge *merge, size_t index, struct parameter eac
     bool any = false;
     for (size_t p = 0; p < merge->count; p++) {
         const struct figure *figure =
-            parameter_figure(merge_positions_surface_at(merge, p, index), each.kind, each.order);
+            parameter_figure(surface_in(merge, p, index), each.kind, each.order);
         any = any || figure != NULL;
         figures[p] = figure != NULL ? *figure : figure_zero();
     }
-    if (any && !merge_positions_are_same(figures, merge->count)) {
+    if (any && !are_all_same(figures, merge->count)) {
         parameter_put(to, each.kind, each.order, figures[0], merge->arena);
         each.surface = index;
         add_setting(merge, (struct lens_setting){each, figures, NULL});
@@ -186,7 +170,7 @@ static void merge_number(struct merge *merge, size_t index, struct parameter eac
 }
 
 /* What no position can set: the first alone is kept. */
-static void merge_positions_keep_first(const struct merge *merge, const char *in)
+static void keep_first_lens(const struct merge *merge, const char *in)
 {
     struct lens *to = merge->build->lens;
     *to = merge->lenses[0];
@@ -204,14 +188,14 @@ static void merge_positions_keep_first(const struct merge *merge, const char *in
 /* False where only the first is kept. */
 static bool merge_surface(struct merge *merge, size_t index)
 {
-    const struct surface *first = merge_positions_surface_at(merge, 0, index);
+    const struct surface *first = surface_in(merge, 0, index);
     for (size_t p = 1; p < merge->count; p++) {
-        if (!merge_positions_is_alike(first, merge_positions_surface_at(merge, p, index))) {
-            merge_positions_keep_first(
-                merge, arena_printf(merge->arena, "the kind of surface %zu", index + 1));
+        if (!is_surface_alike(first, surface_in(merge, p, index))) {
+            keep_first_lens(merge,
+                            arena_printf(merge->arena, "the kind of surface %zu", index + 1));
             return false;
         }
-        if (!are_same_apertures(first, merge_positions_surface_at(merge, p, index))) {
+        if (!are_same_apertures(first, surface_in(merge, p, index))) {
             foreign_lose(merge->job, LOSS_OF_VIGNETTING, "those of the first are kept",
                          "the apertures of surface %zu differ between the configurations",
                          index + 1);
@@ -221,7 +205,15 @@ static bool merge_surface(struct merge *merge, size_t index)
     if (surface_has(first, SURFACE_HAS_CURVE)) {
         merge_curve(merge, index);
     }
-    merge_medium(merge, index);
+    struct medium *media = ARENA_ARRAY(merge->arena, merge->count, struct medium);
+    bool same = true;
+    for (size_t p = 0; p < merge->count; p++) {
+        media[p] = surface_in(merge, p, index)->medium;
+        same = same && medium_is_same(&media[p], &media[0]);
+    }
+    if (!same && !surface_reflects(surface_in(merge, 0, index))) {
+        add_setting(merge, (struct lens_setting){{index, PARAMETER_GLASS, 0}, NULL, media});
+    }
     for (struct parameter each = {0}; each.kind < PARAMETER_KINDS; each = parameter_next(each)) {
         bool other = each.kind != PARAMETER_RADIUS && each.kind != PARAMETER_CURVATURE &&
                      each.kind != PARAMETER_THICKNESS;
@@ -230,25 +222,6 @@ static bool merge_surface(struct merge *merge, size_t index)
         }
     }
     return true;
-}
-
-/* The object's distance and the aperture. */
-static void merge_system(struct merge *merge)
-{
-    struct lens *lens = merge->build->lens;
-    struct figure *objects = ARENA_ARRAY(merge->arena, merge->count, struct figure);
-    struct figure *apertures = ARENA_ARRAY(merge->arena, merge->count, struct figure);
-    for (size_t p = 0; p < merge->count; p++) {
-        objects[p] = merge->lenses[p].object;
-        apertures[p] = merge->lenses[p].aperture;
-        if (merge->lenses[p].object_is_infinite) {
-            objects[p] = (struct figure){{INFINITY, 0}, text_of("inf"), LENS_NONE};
-        }
-    }
-    lens->objects = merge_positions_are_same(objects, merge->count) ? NULL : objects;
-    bool one =
-        lens->aperture_kind <= APERTURE_STOP || merge_positions_are_same(apertures, merge->count);
-    lens->apertures = one ? NULL : apertures;
 }
 
 static bool is_same_light(const struct lens *a, const struct lens *b)
@@ -261,7 +234,7 @@ static bool is_same_light(const struct lens *a, const struct lens *b)
     return same;
 }
 
-static void merge_light_and_stop(struct merge *merge)
+static void merge_lights(struct merge *merge)
 {
     struct lens *lens = merge->build->lens;
     struct lens_light *lights = ARENA_ARRAY(merge->arena, merge->count, struct lens_light);
@@ -347,7 +320,7 @@ void merge_positions(struct lens_build *build, const struct lens *lenses, struct
     for (size_t p = 1; p < merge.count; p++) {
         const char *why = against(first, &lenses[p]);
         if (why != NULL) {
-            merge_positions_keep_first(&merge, why);
+            keep_first_lens(&merge, why);
             return;
         }
     }
@@ -367,14 +340,27 @@ void merge_positions(struct lens_build *build, const struct lens *lenses, struct
     }
     to->settings = merge.settings;
     to->setting_count = merge.setting_count;
-    merge_system(&merge);
-    merge_light_and_stop(&merge);
+    /* The object's distance and the aperture. */
+    struct lens *lens = merge.build->lens;
+    struct figure *objects = ARENA_ARRAY(merge.arena, merge.count, struct figure);
+    struct figure *apertures = ARENA_ARRAY(merge.arena, merge.count, struct figure);
+    for (size_t p = 0; p < merge.count; p++) {
+        objects[p] = merge.lenses[p].object;
+        apertures[p] = merge.lenses[p].aperture;
+        if (merge.lenses[p].object_is_infinite) {
+            objects[p] = (struct figure){{INFINITY, 0}, text_of("inf"), LENS_NONE};
+        }
+    }
+    lens->objects = are_all_same(objects, merge.count) ? NULL : objects;
+    bool one = lens->aperture_kind <= APERTURE_STOP || are_all_same(apertures, merge.count);
+    lens->apertures = one ? NULL : apertures;
+    merge_lights(&merge);
     merge_fields(&merge);
 }
 
 /* Position 0: the file has none. */
-static bool merge_positions_read_one(const struct merge_file *file, size_t position,
-                                     struct lens *lens, struct arena *arena, struct error *error)
+static bool read_one_position(const struct merge_file *file, size_t position, struct lens *lens,
+                              struct arena *arena, struct error *error)
 {
     void *state = arena_array(arena, 1, file->size);
     memcpy(state, file->state, file->size);
@@ -385,14 +371,14 @@ bool merge_read(struct lens_build *build, struct foreign_job *job, const struct 
                 struct error *error)
 {
     if (file->count == 0) {
-        return merge_positions_read_one(file, 0, build->lens, job->arena, error);
+        return read_one_position(file, 0, build->lens, job->arena, error);
     }
     struct lens *lenses = ARENA_ARRAY(job->arena, file->count, struct lens);
     const char **numbers = ARENA_ARRAY(job->arena, file->count, const char *);
     for (size_t p = 0; p < file->count; p++) {
         const size_t losses = job->loss_count;
         numbers[p] = arena_printf(job->arena, "%zu", p + 1);
-        if (!merge_positions_read_one(file, p + 1, &lenses[p], job->arena, error)) {
+        if (!read_one_position(file, p + 1, &lenses[p], job->arena, error)) {
             return false;
         }
         foreign_forget_repeated(job, p > 0 ? losses : job->loss_count);

@@ -20,7 +20,4 @@
  */
 extern const struct foreign_format pbrt_format;
 
-bool pbrt_write(struct foreign_job *job, const struct lens *lens, struct text *text,
-                struct error *error);
-
 #endif

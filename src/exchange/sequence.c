@@ -3,12 +3,19 @@
 #include "exchange/sequence.h"
 
 #include "base/constants.h"
-#include "exchange/sequence_move.h"
-#include "exchange/virtual_object.h"
+#include "exchange/entrance_pupil.h"
+#include "file/decimal.h"
 #include "file/lens_words.h"
 
 #include <math.h>
 #include <string.h>
+
+struct figure sequence_diameter(const struct figure *radius, struct arena *arena)
+{
+    return (struct figure){.value = {2 * radius->value.hi, 2 * radius->value.lo},
+                           .typed = decimal_double(radius->typed, arena),
+                           .variable = LENS_NONE};
+}
 
 struct sequence_surface *sequence_add(struct sequence *sequence, struct command_word at)
 {
@@ -32,11 +39,11 @@ struct sequence_surface *sequence_add(struct sequence *sequence, struct command_
 }
 
 bool sequence_medium(const struct commands *commands, const struct command_word *at,
-                     const char *written, struct medium *medium, struct error *error)
+                     const char *written, struct medium *medium)
 {
     struct file_words words = commands_place(commands, at);
     words.line = text_of(written);
-    return lens_words_medium(&words, words.line, medium, error);
+    return lens_words_medium(&words, words.line, medium);
 }
 
 void sequence_set_constant(const struct sequence *sequence, struct sequence_surface *surface,
@@ -53,16 +60,35 @@ void sequence_set_constant(const struct sequence *sequence, struct sequence_surf
     surface->coefficients = (surface->coefficients & ~(1u << at)) | (is_some << at);
 }
 
-void sequence_set_shift(const struct sequence *sequence, struct sequence_surface *surface, int what,
-                        struct figure figure)
+bool sequence_read_constant(const struct sequence *sequence, size_t word,
+                            struct sequence_surface *surface, int order)
 {
+    struct figure figure;
+    if (!commands_value(sequence->commands, word, false, order == 0 ? "conic" : "coefficient",
+                        &figure)) {
+        return false;
+    }
+    sequence_set_constant(sequence, surface, order, figure);
+    return true;
+}
+
+bool sequence_read_shift(const struct sequence *sequence, size_t word,
+                         struct sequence_surface *surface, int what)
+{
+    const struct commands *commands = sequence->commands;
+    bool is_turn = what < 'X';
+    struct figure figure;
+    if (!commands_value(commands, word, !is_turn, is_turn ? "tilt" : "decentre", &figure)) {
+        return false;
+    }
     surface->decentred_at = sequence->commands->words[0];
-    if (what >= 'X') {
+    if (!is_turn) {
         surface->shift[what - 'X'] = figure;
-        return;
+        return true;
     }
     figure.value = pair_multiply(figure.value, pair_of(RADIANS_PER_DEGREE));
     surface->turn[what - 'A'] = what == 'C' ? figure : figure_negate(figure, sequence->job->arena);
+    return true;
 }
 
 void sequence_add_wave(const struct sequence *sequence, struct text wave, const char *unit,
@@ -89,33 +115,8 @@ static struct figure with_extra(const struct sequence *sequence, const struct fi
                                            sequence->job->arena);
 }
 
-static void sequence_put_curve(const struct sequence *sequence, const struct sequence_surface *from,
-                               struct surface *surface)
-{
-    const char *unit = sequence->build->lens->unit;
-    if (!sequence_is_some(&from->curve)) {
-        return;
-    }
-    if (from->is_radius) {
-        surface->is_plane = false;
-        surface->radius = from->curve;
-    } else if (figure_radius_of(&from->curve, unit, sequence->job->arena, &surface->radius)) {
-        surface->is_plane = false;
-    } else {
-        surface->has_curvature = true;
-        surface->curvature = from->curve;
-    }
-}
-
-/* A decentred one is none, where its decentre is lost. */
-static bool has_circle(const struct sequence_surface *from)
-{
-    return from->diameter.typed.start != NULL && from->diameter.value.hi != 0 &&
-           !from->has_lost_aperture;
-}
-
 /* One that passes as a circle about the vertex is the diameter, and another takes it along. */
-static void sequence_put_aperture(const struct sequence *sequence, struct sequence_aperture *one,
+static void put_sequence_aperture(const struct sequence *sequence, struct sequence_aperture *one,
                                   struct surface *surface, struct aperture *to)
 {
     struct error wrong;
@@ -140,13 +141,13 @@ static void sequence_put_apertures(const struct sequence *sequence,
     struct aperture *all = ARENA_ARRAY(arena, from->aperture_count, struct aperture);
     surface->apertures = all;
     for (size_t i = 0; i < from->aperture_count; i++) {
-        sequence_put_aperture(sequence, &from->apertures[i], surface,
+        put_sequence_aperture(sequence, &from->apertures[i], surface,
                               &all[surface->aperture_count]);
     }
 }
 
 /* The surface, and behind a bend a plane that turns the axis. */
-static void sequence_put_surface(const struct sequence *sequence, size_t index, size_t *lens_index)
+static void put_sequence_surface(const struct sequence *sequence, size_t index, size_t *lens_index)
 {
     struct sequence_surface *from = &sequence->surfaces[index];
     struct lens_build *build = sequence->build;
@@ -158,7 +159,18 @@ static void sequence_put_surface(const struct sequence *sequence, size_t index, 
     sequence_turn_first(sequence, from);
     struct surface *surface = lens_build_surface(build);
     *lens_index = from->place = lens->surface_count - 1;
-    sequence_put_curve(sequence, from, surface);
+    const char *unit = sequence->build->lens->unit;
+    if (sequence_is_some(&from->curve)) {
+        if (from->is_radius) {
+            surface->is_plane = false;
+            surface->radius = from->curve;
+        } else if (figure_radius_of(&from->curve, unit, sequence->job->arena, &surface->radius)) {
+            surface->is_plane = false;
+        } else {
+            surface->has_curvature = true;
+            surface->curvature = from->curve;
+        }
+    }
     const struct medium *before = *lens_index > 0 ? &surface[-1].medium : &lens->object_medium;
     surface->kind = from->reflects ? SURFACE_REFLECT : SURFACE_REFRACT;
     surface->medium = from->reflects ? *before : from->medium;
@@ -172,7 +184,9 @@ static void sequence_put_surface(const struct sequence *sequence, size_t index, 
         zero = from->thickness;
     }
     const struct figure thickness = with_extra(sequence, &zero, from->extra);
-    surface->has_diameter = has_circle(from);
+    /* A decentred one is none, where its decentre is lost. */
+    surface->has_diameter = from->diameter.typed.start != NULL && from->diameter.value.hi != 0 &&
+                            !from->has_lost_aperture;
     if (surface->has_diameter) {
         surface->diameter = from->diameter;
     }
@@ -217,17 +231,6 @@ static void sequence_put_object(const struct sequence *sequence)
     }
 }
 
-/* The files say it of an object at infinity too, which has no such space. */
-static void check_telecentric(const struct sequence *sequence)
-{
-    struct lens *lens = sequence->build->lens;
-    if (lens->is_telecentric && lens->object_is_infinite) {
-        lens->is_telecentric = false;
-        commands_loss(sequence->commands, &sequence->surfaces[0].at, LOSS_OF_RAYS,
-                      "an ordinary one", "a telecentric object space of an object at infinity");
-    }
-}
-
 /* The image plane: its distance is the last thickness; a tilted or bent one stays as a surface. */
 static void sequence_put_image(const struct sequence *sequence, bool is_solved)
 {
@@ -250,41 +253,31 @@ static void sequence_put_image(const struct sequence *sequence, bool is_solved)
         image->extra = pair_of(0);
         image->medium = lens->surfaces[last - 1].medium;
         lens->focus = FOCUS_TABLE;
-        sequence_put_surface(sequence, sequence->count - 1, &last);
+        put_sequence_surface(sequence, sequence->count - 1, &last);
     }
 }
 
-/* Does the last solve bring the marginal ray to the axis, with no light lost on its way? */
-static bool is_focus(const struct sequence *sequence, const struct sequence_surface *last)
-{
-    const struct sequence_solve *solve = &last->thickness_solve;
-    bool is_kept = sequence->job->lost_power != NULL && last->thickness.typed.start != NULL;
-    return !is_kept && solve->is_set && !solve->is_unknown && !solve->of_angle &&
-           solve->ray == SOLVE_MARGINAL && solve->target.value.hi == 0 && last->extra.hi == 0;
-}
-
-bool sequence_environment(struct sequence *sequence, bool is_temperature, double per_atmosphere,
-                          struct error *error)
+bool sequence_environment(struct sequence *sequence, bool is_temperature, double per_atmosphere)
 {
     const struct commands *commands = sequence->commands;
     struct figure figure;
-    if (!commands_figure(commands, 1, NUMBER_UNSCALED, is_temperature ? "temperature" : "pressure",
-                         &figure, error) ||
-        !commands_end(commands, 2, error)) {
+    if (!commands_figure(commands, 1, false, is_temperature ? "temperature" : "pressure",
+                         &figure) ||
+        !commands_end(commands, 2)) {
         return false;
     }
     if (is_temperature) {
         sequence->environment.temperature = figure.value.hi;
-        return figure.value.hi > -273.15 || commands_fail(commands, &commands->words[1], error,
-                                                          "a temperature is above -273.15 C");
+        return figure.value.hi > -273.15 ||
+               commands_fail(commands, &commands->words[1], "a temperature is above -273.15 C");
     }
     sequence->environment.pressure = figure.value.hi / per_atmosphere;
     return figure.value.hi >= 0 ||
-           commands_fail(commands, &commands->words[1], error, "a pressure is not below 0");
+           commands_fail(commands, &commands->words[1], "a pressure is not below 0");
 }
 
 /* The glasses in the air of the file. */
-static bool sequence_to_environment(struct sequence *sequence, struct error *error)
+static bool glasses_there(struct sequence *sequence)
 {
     struct environment *environment = &sequence->environment;
     const struct lens *lens = sequence->build->lens;
@@ -299,21 +292,21 @@ static bool sequence_to_environment(struct sequence *sequence, struct error *err
         const struct command_word *at =
             surface->glass.text.length > 0 ? &surface->glass : &surface->at;
         const struct file_words place = commands_place(sequence->commands, at);
-        if (!environment_apply(environment, &place, at->text, &surface->medium, error)) {
+        if (!environment_apply(environment, &place, at->text, &surface->medium)) {
             return false;
         }
     }
     return true;
 }
 
-bool sequence_finish(struct sequence *sequence, struct error *error)
+bool sequence_finish(struct sequence *sequence)
 {
     const struct commands *commands = sequence->commands;
     if (sequence->count < 3) {
-        fail(error, ERROR_DATA, "the file has no surface between object and image");
-        return error_locate(error, commands->job->source, 0, 0);
+        return foreign_fail(commands->job, sequence->commands->error,
+                            "the file has no surface between object and image");
     }
-    if (!sequence_apply_pickups(sequence, error) || !sequence_to_environment(sequence, error)) {
+    if (!sequence_apply_pickups(sequence) || !glasses_there(sequence)) {
         return false;
     }
     struct sequence_surface *image = &sequence->surfaces[sequence->count - 1], *last = image - 1;
@@ -323,18 +316,28 @@ bool sequence_finish(struct sequence *sequence, struct error *error)
     sequence_spread_z(sequence);
     size_t *indices = ARENA_ARRAY(sequence->job->arena, sequence->count, size_t);
     sequence_put_object(sequence);
-    check_telecentric(sequence);
+    /* The files say it of an object at infinity too, which has no such space. */
+    struct lens *lens = sequence->build->lens;
+    if (lens->is_telecentric && lens->object_is_infinite) {
+        lens->is_telecentric = false;
+        commands_loss(sequence->commands, &sequence->surfaces[0].at, LOSS_OF_RAYS,
+                      "an ordinary one", "a telecentric object space of an object at infinity");
+    }
     for (size_t i = 1; i + 1 < sequence->count; i++) {
-        sequence_put_surface(sequence, i, &indices[i]);
+        put_sequence_surface(sequence, i, &indices[i]);
     }
     struct sequence_solve *solve = &last->thickness_solve;
-    bool is_solved = is_focus(sequence, last);
+    /* Does the last solve bring the marginal ray to the axis, with no light lost on its way? */
+    bool is_kept = sequence->job->lost_power != NULL && last->thickness.typed.start != NULL;
+    bool is_solved = !is_kept && solve->is_set && !solve->is_unknown && !solve->of_angle &&
+                     solve->ray == SOLVE_MARGINAL && solve->target.value.hi == 0 &&
+                     last->extra.hi == 0;
     if (is_solved && last->thickness.typed.start != NULL) {
         solve->is_set = false; /* 'focus paraxial' solves it whenever it is asked for */
     }
     foreign_mark_power(sequence->job, sequence->build);
     sequence_put_image(sequence, is_solved);
-    if (!sequence_solve_all(sequence, indices, error)) {
+    if (!sequence_solve_all(sequence, indices)) {
         return false;
     }
     sequence_keep_pickups(sequence);

@@ -1,6 +1,6 @@
 /* exchange/sequence_move.c - shifted and turned surfaces of CODE V and OSLO files. */
 /* SPDX-License-Identifier: MIT */
-#include "exchange/sequence_move.h"
+#include "exchange/sequence.h"
 
 bool sequence_is_decentred(const struct sequence_surface *surface)
 {
@@ -22,9 +22,8 @@ static bool is_turned_first(const struct sequence_surface *surface)
 }
 
 /* Shift and turns. */
-static const struct displacement *sequence_move_displacement_of(const struct sequence *sequence,
-                                                                const struct sequence_surface *from,
-                                                                bool turn_only)
+static const struct displacement *moves_of(const struct sequence *sequence,
+                                           const struct sequence_surface *from, bool turn_only)
 {
     struct displacement *all = ARENA_NEW(sequence->job->arena, struct displacement);
     for (int i = 0; i < 2; i++) {
@@ -76,10 +75,9 @@ void sequence_check_move(const struct sequence *sequence, const struct sequence_
 }
 
 /* A plane behind a surface; the surface's distance is to be the plane's. */
-static struct surface *sequence_move_add_plane(const struct sequence *sequence,
-                                               struct sequence_surface *from,
-                                               struct surface *surface,
-                                               const struct displacement *moved)
+static struct surface *add_plane_behind(const struct sequence *sequence,
+                                        struct sequence_surface *from, struct surface *surface,
+                                        const struct displacement *moved)
 {
     const struct medium medium = surface->medium;
     surface->thickness = figure_of(0, sequence->job->arena);
@@ -91,9 +89,8 @@ static struct surface *sequence_move_add_plane(const struct sequence *sequence,
 }
 
 /* Turned back, then shifted back; null: by nothing. */
-static const struct displacement *sequence_move_undone(const struct sequence *sequence,
-                                                       const struct sequence_surface *from,
-                                                       bool turn)
+static const struct displacement *moves_undone(const struct sequence *sequence,
+                                               const struct sequence_surface *from, bool turn)
 {
     struct displacement *all = ARENA_NEW(sequence->job->arena, struct displacement);
     bool some = false;
@@ -110,18 +107,6 @@ static const struct displacement *sequence_move_undone(const struct sequence *se
         }
     }
     return some ? all : NULL;
-}
-
-static struct surface *put_back(const struct sequence *sequence, struct sequence_surface *from,
-                                struct surface *surface)
-{
-    for (int i = 0; i < 2; i++) {
-        const struct displacement *moved = sequence_move_undone(sequence, from, i == 0);
-        if (moved != NULL || sequence->has_positions) {
-            surface = sequence_move_add_plane(sequence, from, surface, moved);
-        }
-    }
-    return surface;
 }
 
 /* One turn, or a shift; `undo` is the other way. */
@@ -186,12 +171,12 @@ static struct surface *shift_turned(const struct sequence *sequence, struct sequ
     if (from->move != SEQUENCE_BACK) {
         return surface;
     }
-    surface = sequence_move_add_plane(sequence, from, surface, step_of(sequence, from, -1, true));
+    surface = add_plane_behind(sequence, from, surface, step_of(sequence, from, -1, true));
     const size_t back = lens->surface_count - 1;
     for (int axis = 0; axis < 3; axis++) {
         if (takes_plane(sequence, from, axis)) {
-            surface = sequence_move_add_plane(sequence, from, surface,
-                                              step_of(sequence, from, axis, true));
+            surface =
+                add_plane_behind(sequence, from, surface, step_of(sequence, from, axis, true));
         }
     }
     lens->surfaces[back].thickness = figure_negate(
@@ -206,17 +191,22 @@ struct surface *sequence_move_surface(const struct sequence *sequence,
         return shift_turned(sequence, from, surface);
     }
     if (from->move == SEQUENCE_RETURN) {
-        return put_back(sequence, from, surface);
+        for (int i = 0; i < 2; i++) {
+            const struct displacement *moved = moves_undone(sequence, from, i == 0);
+            if (moved != NULL || sequence->has_positions) {
+                surface = add_plane_behind(sequence, from, surface, moved);
+            }
+        }
+        return surface;
     }
     if (sequence_is_decentred(from) && from->move == SEQUENCE_BACK) {
-        surface->decentre = sequence_move_displacement_of(sequence, from, false);
+        surface->decentre = moves_of(sequence, from, false);
     } else if (sequence_is_decentred(from)) {
-        surface->coordinate_break = sequence_move_displacement_of(sequence, from, false);
+        surface->coordinate_break = moves_of(sequence, from, false);
     }
     bool bends =
         from->move == SEQUENCE_BEND && (sequence_is_decentred(from) || sequence->has_positions);
-    const struct displacement *again = bends && sequence_is_decentred(from)
-                                           ? sequence_move_displacement_of(sequence, from, true)
-                                           : NULL;
-    return bends ? sequence_move_add_plane(sequence, from, surface, again) : surface;
+    const struct displacement *again =
+        bends && sequence_is_decentred(from) ? moves_of(sequence, from, true) : NULL;
+    return bends ? add_plane_behind(sequence, from, surface, again) : surface;
 }

@@ -1,6 +1,6 @@
 /* exchange/sequence_pickup.c - numbers that follow those of other surfaces. */
 /* SPDX-License-Identifier: MIT */
-#include "exchange/keep_pickup.h"
+#include "exchange/keep_notes.h"
 #include "exchange/sequence.h"
 #include "file/lens_words.h"
 
@@ -14,9 +14,8 @@ void sequence_pick_up(struct sequence *sequence, struct sequence_pickup pickup)
 }
 
 /* scale * figure + offset; digits are kept where nothing but the sign changes. */
-static struct figure sequence_pickup_follow(const struct sequence *sequence, struct figure source,
-                                            const struct sequence_pickup *pickup,
-                                            struct number_scale unit)
+static struct figure followed(const struct sequence *sequence, struct figure source,
+                              const struct sequence_pickup *pickup, struct number_scale unit)
 {
     if (pickup->offset.hi == 0 && fabs(pickup->scale.hi) == 1 && pickup->scale.lo == 0) {
         return pickup->scale.hi == 1 ? source : figure_negate(source, sequence->job->arena);
@@ -37,12 +36,12 @@ static void follow_curve(const struct sequence *sequence, const struct sequence_
     }
     if (plain) {
         target->is_radius = source->is_radius;
-        target->curve = sequence_pickup_follow(sequence, curve, pickup, scale);
+        target->curve = followed(sequence, curve, pickup, scale);
         return;
     }
     const struct number_scale inverse = {1, 0}; /* digits of a computed curvature are of 1/mm */
     target->is_radius = as_radius;
-    target->curve = sequence_pickup_follow(sequence, curve, pickup, as_radius ? scale : inverse);
+    target->curve = followed(sequence, curve, pickup, as_radius ? scale : inverse);
     if (!as_radius) {
         struct pair per_unit = lens_words_per_length(pair_of(1), scale, 1);
         target->curve = figure_computed(pair_divide(target->curve.value, per_unit), inverse,
@@ -69,10 +68,9 @@ static void follow_profile(const struct sequence *sequence, const struct sequenc
 static void follow_turns(const struct sequence *sequence, const struct sequence_pickup *pickup,
                          const struct sequence_surface *source, struct sequence_surface *target)
 {
-    const struct number_scale plain = {1, 0};
     for (int i = 0; i < 3; i++) {
-        target->shift[i] = sequence_pickup_follow(sequence, source->shift[i], pickup, plain);
-        target->turn[i] = sequence_pickup_follow(sequence, source->turn[i], pickup, plain);
+        target->shift[i] = followed(sequence, source->shift[i], pickup, NUMBER_UNSCALED);
+        target->turn[i] = followed(sequence, source->turn[i], pickup, NUMBER_UNSCALED);
     }
     target->turns_first = source->turns_first != (pickup->scale.hi < 0);
     target->decentred_at = pickup->at;
@@ -89,12 +87,11 @@ static void follow_length(const struct sequence *sequence, const struct sequence
     target->thickness = figure_computed(sum, sequence->commands->scale, sequence->job->arena);
 }
 
-static bool apply_pickup(const struct sequence *sequence, const struct sequence_pickup *pickup,
-                         struct error *error)
+static bool apply_pickup(const struct sequence *sequence, const struct sequence_pickup *pickup)
 {
     if (pickup->source >= sequence->count || pickup->target >= sequence->count ||
         pickup->source == pickup->target) {
-        return commands_fail(sequence->commands, &pickup->at, error,
+        return commands_fail(sequence->commands, &pickup->at,
                              "a pick-up between surfaces %zu and %zu of %zu", pickup->source,
                              pickup->target, sequence->count);
     }
@@ -110,17 +107,16 @@ static bool apply_pickup(const struct sequence *sequence, const struct sequence_
         follow_profile(sequence, pickup, source, target);
         break;
     case SEQUENCE_THICKNESS:
-        target->thickness = sequence_pickup_follow(sequence, source->thickness, pickup, scale);
+        target->thickness = followed(sequence, source->thickness, pickup, scale);
         break;
     case SEQUENCE_LENGTH:
         follow_length(sequence, pickup, target);
         break;
     case SEQUENCE_DIAMETER:
-        target->diameter = sequence_pickup_follow(sequence, source->diameter, pickup, scale);
+        target->diameter = followed(sequence, source->diameter, pickup, scale);
         break;
     case SEQUENCE_CONIC:
-        target->conic =
-            sequence_pickup_follow(sequence, source->conic, pickup, (struct number_scale){1, 0});
+        target->conic = followed(sequence, source->conic, pickup, (struct number_scale){1, 0});
         break;
     case SEQUENCE_TURNS:
         follow_turns(sequence, pickup, source, target);
@@ -133,20 +129,16 @@ static bool apply_pickup(const struct sequence *sequence, const struct sequence_
 }
 
 /* What a pick-up changes, and so what it follows: bits. */
-static unsigned sequence_pickup_kinds_of(enum sequence_what what)
-{
-    enum { CURVE = 1, CONIC = 2, THICKNESS = 4, DIAMETER = 8, MEDIUM = 16, TURNS = 32 };
-    static const unsigned kinds[] = {[SEQUENCE_RADIUS] = CURVE,
-                                     [SEQUENCE_CURVATURE] = CURVE,
-                                     [SEQUENCE_THICKNESS] = THICKNESS,
-                                     [SEQUENCE_DIAMETER] = DIAMETER,
-                                     [SEQUENCE_CONIC] = CONIC,
-                                     [SEQUENCE_MEDIUM] = MEDIUM,
-                                     [SEQUENCE_PROFILE] = CURVE | CONIC,
-                                     [SEQUENCE_LENGTH] = THICKNESS,
-                                     [SEQUENCE_TURNS] = TURNS};
-    return kinds[what];
-}
+enum { CURVE = 1, CONIC = 2, THICKNESS = 4, DIAMETER = 8, MEDIUM = 16, TURNS = 32 };
+static const unsigned pickup_kinds[] = {[SEQUENCE_RADIUS] = CURVE,
+                                        [SEQUENCE_CURVATURE] = CURVE,
+                                        [SEQUENCE_THICKNESS] = THICKNESS,
+                                        [SEQUENCE_DIAMETER] = DIAMETER,
+                                        [SEQUENCE_CONIC] = CONIC,
+                                        [SEQUENCE_MEDIUM] = MEDIUM,
+                                        [SEQUENCE_PROFILE] = CURVE | CONIC,
+                                        [SEQUENCE_LENGTH] = THICKNESS,
+                                        [SEQUENCE_TURNS] = TURNS};
 
 /* The pick-ups of a file while they are put in order. */
 struct pickup_order {
@@ -156,51 +148,37 @@ struct pickup_order {
     enum { WAITING, BEGUN, DONE } * state;
 };
 
-static bool apply_in_order(const struct pickup_order *ordering, size_t at, struct error *error);
-
-/* What the pick-up follows may be picked up too. */
-static bool apply_sources(const struct pickup_order *ordering, size_t at, struct error *error)
-{
-    const struct sequence *sequence = ordering->sequence;
-    const struct sequence_pickup *pickup = &sequence->pickups[at];
-    size_t end = pickup->what == SEQUENCE_LENGTH ? pickup->end : pickup->source + 1;
-    for (size_t surface = pickup->source; surface < end && surface < sequence->count; surface++) {
-        for (size_t i = ordering->first[surface]; i < sequence->pickup_count;
-             i = ordering->next[i]) {
-            const struct sequence_pickup *other = &sequence->pickups[i];
-            if ((sequence_pickup_kinds_of(other->what) & sequence_pickup_kinds_of(pickup->what)) !=
-                    0 &&
-                !apply_in_order(ordering, i, error)) {
-                return false;
-            }
-        }
-    }
-    return true;
-}
-
-static bool apply_in_order(const struct pickup_order *ordering, size_t at, struct error *error)
+/* Behind those that it follows. */
+static bool apply_in_order(const struct pickup_order *ordering, size_t at)
 {
     const struct sequence *sequence = ordering->sequence;
     const struct sequence_pickup *pickup = &sequence->pickups[at];
     if (ordering->state[at] == BEGUN) {
-        return commands_fail(sequence->commands, &pickup->at, error,
+        return commands_fail(sequence->commands, &pickup->at,
                              "the pick-ups go in a circle: surface %zu follows surface %zu, which "
                              "follows it",
                              pickup->target, pickup->source);
     }
-    if (ordering->state[at] == WAITING) {
-        ordering->state[at] = BEGUN;
-        bool of_itself = pickup->source == pickup->target; /* which is refused */
-        if ((!of_itself && !apply_sources(ordering, at, error)) ||
-            !apply_pickup(sequence, pickup, error)) {
-            return false;
-        }
-        ordering->state[at] = DONE;
+    if (ordering->state[at] == DONE) {
+        return true;
     }
-    return true;
+    ordering->state[at] = BEGUN;
+    size_t end = pickup->what == SEQUENCE_LENGTH ? pickup->end : pickup->source + 1;
+    end = pickup->source == pickup->target ? 0 : end; /* of itself: refused */
+    for (size_t surface = pickup->source; surface < end && surface < sequence->count; surface++) {
+        for (size_t i = ordering->first[surface]; i < sequence->pickup_count;
+             i = ordering->next[i]) {
+            if ((pickup_kinds[sequence->pickups[i].what] & pickup_kinds[pickup->what]) != 0 &&
+                !apply_in_order(ordering, i)) {
+                return false;
+            }
+        }
+    }
+    ordering->state[at] = DONE;
+    return apply_pickup(sequence, pickup);
 }
 
-bool sequence_apply_pickups(const struct sequence *sequence, struct error *error)
+bool sequence_apply_pickups(const struct sequence *sequence)
 {
     struct arena *arena = sequence->job->arena;
     size_t count = sequence->pickup_count;
@@ -219,16 +197,15 @@ bool sequence_apply_pickups(const struct sequence *sequence, struct error *error
         }
     }
     for (size_t i = 0; i < count; i++) {
-        if (!apply_in_order(&ordering, i, error)) {
+        if (!apply_in_order(&ordering, i)) {
             return false;
         }
     }
     return true;
 }
 
-static void sequence_pickup_keep(const struct sequence *sequence,
-                                 const struct sequence_pickup *pickup, enum parameter_kind kind,
-                                 int order, struct pair factor)
+static void keep_same(const struct sequence *sequence, const struct sequence_pickup *pickup,
+                      enum parameter_kind kind, int order, struct pair factor)
 {
     const struct parameter what = {sequence->surfaces[pickup->target].place, kind, order};
     const struct parameter from = {sequence->surfaces[pickup->source].place, kind, order};
@@ -239,14 +216,14 @@ static void sequence_pickup_keep(const struct sequence *sequence,
 static void keep_profile(const struct sequence *sequence, const struct sequence_pickup *pickup)
 {
     const struct sequence_surface *source = &sequence->surfaces[pickup->source];
-    sequence_pickup_keep(sequence, pickup, PARAMETER_CURVATURE, 0, pickup->scale);
+    keep_same(sequence, pickup, PARAMETER_CURVATURE, 0, pickup->scale);
     if (sequence_is_some(&source->conic)) {
-        sequence_pickup_keep(sequence, pickup, PARAMETER_CONIC, 0, pair_of(1));
+        keep_same(sequence, pickup, PARAMETER_CONIC, 0, pair_of(1));
     }
     for (int i = 0; i < LENS_COEFFICIENTS; i++) {
         if ((source->coefficients & 1u << i) != 0) {
-            sequence_pickup_keep(sequence, pickup, PARAMETER_COEFFICIENT, surface_order(i),
-                                 pair_of(pickup->scale.hi < 0 ? -1 : 1));
+            keep_same(sequence, pickup, PARAMETER_COEFFICIENT, surface_order(i),
+                      pair_of(pickup->scale.hi < 0 ? -1 : 1));
         }
     }
 }
@@ -266,25 +243,25 @@ void sequence_keep_pickups(const struct sequence *sequence)
         }
         switch (pickup->what) {
         case SEQUENCE_RADIUS:
-            sequence_pickup_keep(sequence, pickup, PARAMETER_RADIUS, 0, pickup->scale);
+            keep_same(sequence, pickup, PARAMETER_RADIUS, 0, pickup->scale);
             break;
         case SEQUENCE_CURVATURE:
-            sequence_pickup_keep(sequence, pickup, PARAMETER_CURVATURE, 0, pickup->scale);
+            keep_same(sequence, pickup, PARAMETER_CURVATURE, 0, pickup->scale);
             break;
         case SEQUENCE_PROFILE:
             keep_profile(sequence, pickup);
             break;
         case SEQUENCE_CONIC:
-            sequence_pickup_keep(sequence, pickup, PARAMETER_CONIC, 0, pickup->scale);
+            keep_same(sequence, pickup, PARAMETER_CONIC, 0, pickup->scale);
             break;
         case SEQUENCE_THICKNESS:
         case SEQUENCE_LENGTH:
             if (gaps && one) {
-                sequence_pickup_keep(sequence, pickup, PARAMETER_THICKNESS, 0, pickup->scale);
+                keep_same(sequence, pickup, PARAMETER_THICKNESS, 0, pickup->scale);
             }
             break;
         case SEQUENCE_MEDIUM:
-            sequence_pickup_keep(sequence, pickup, PARAMETER_GLASS, 0, pair_of(1));
+            keep_same(sequence, pickup, PARAMETER_GLASS, 0, pair_of(1));
             break;
         case SEQUENCE_DIAMETER:
         case SEQUENCE_TURNS:

@@ -20,69 +20,18 @@ struct solve_application {
     bool is_thickness;
 };
 
-static bool solve_one(const struct solve_application *solving, struct pair *value,
-                      struct error *error)
-{
-    struct arena *arena = solving->sequence->job->arena;
-    const struct lens *lens = solving->sequence->build->lens;
-    struct solve_state state;
-    const struct arena_mark mark = arena_mark(arena);
-    bool followed = solve_follow(lens, solving->surface, solving->solve->ray, arena, &state, error);
-    arena_reset(arena, mark);
-    if (!followed) {
-        return false;
-    }
-    const struct pair target = solving->solve->target.value;
-    *value =
-        solving->is_thickness ? solve_thickness(&state, target) : solve_curvature(&state, target);
-    if (solving->is_thickness) {
-        *value = pair_add(*value, solving->from->extra);
-    }
-    return fabs(value->hi) < 1e100 ||
-           fail(error, ERROR_DOMAIN, "the ray runs parallel, or the surface does not bend it");
-}
-
 /* A curvature comes with the digits of the file's unit. */
 static struct figure figure_solved(const struct solve_application *solving, struct pair value)
 {
     const struct commands *commands = solving->sequence->commands;
-    const struct number_scale plain = {1, 0};
     struct arena *arena = solving->sequence->job->arena;
     if (solving->is_thickness) {
         return figure_computed(value, commands->scale, arena);
     }
     struct pair per_unit = lens_words_per_length(pair_of(1), commands->scale, 1);
-    struct figure figure = figure_computed(pair_divide(value, per_unit), plain, arena);
+    struct figure figure = figure_computed(pair_divide(value, per_unit), NUMBER_UNSCALED, arena);
     sequence_per_length(commands, 1, &figure);
     return figure;
-}
-
-static bool sequence_solve_is_near(struct pair a, struct pair b)
-{
-    return fabs(pair_subtract(a, b).hi) <= same_enough * (fabs(a.hi) + 1);
-}
-
-/* Result: was it so already? */
-static bool sequence_solve_set_thickness(const struct solve_application *solving,
-                                         struct figure value)
-{
-    struct lens *lens = solving->sequence->build->lens;
-    struct figure *figure = &lens->surfaces[solving->surface].thickness;
-    const bool near = sequence_solve_is_near(figure->value, value.value);
-    *figure = value;
-    return near;
-}
-
-static bool sequence_solve_set_curvature(const struct solve_application *solving,
-                                         struct figure value)
-{
-    struct surface *surface = &solving->sequence->build->lens->surfaces[solving->surface];
-    const struct pair old = surface_curvature(surface, SECTION_Y);
-    surface->is_plane = true;
-    surface->radius = sequence_nothing;
-    surface->has_curvature = value.value.hi != 0;
-    surface->curvature = value;
-    return sequence_solve_is_near(old, value.value);
 }
 
 static const char through_loss[] = "it follows rays through what is lost";
@@ -99,59 +48,73 @@ static bool is_stored(const struct solve_application *solving)
     return stored_of(solving)->typed.start != NULL;
 }
 
-/*
- * The number of the file stands; false with ERROR_NONE, or the error where that is refused. Of one
- * position it is what the program solved, and a note says so.
- */
-static bool sequence_solve_keep(const struct solve_application *solving, const char *why,
-                                struct error *error)
+/* The number of the file stands: of one position it is what the program solved, else a loss. */
+static void keep_stored(const struct solve_application *solving, const char *why)
 {
     const struct sequence *sequence = solving->sequence;
     const struct file_words place = commands_place(sequence->commands, &solving->solve->at);
-    error->code = ERROR_NONE;
     if (!sequence->has_positions && is_stored(solving) && why != through_loss) {
         const char *note = arena_printf(sequence->job->arena,
                                         "line %ld: a solve: %s; the number in the file is kept",
                                         place.number, why);
         lens_build_note(sequence->build, text_of(note));
-        return false;
+    } else {
+        foreign_loss(sequence->job, &place, solving->solve->at.text, LOSS_OF_RAYS,
+                     "the number in the file is kept", "a solve: %s", why);
     }
-    return foreign_loss(sequence->job, &place, solving->solve->at.text, LOSS_OF_RAYS,
-                        "the number in the file is kept", "a solve: %s", why) &&
-           (error->code = ERROR_NONE, false);
 }
 
-/* Result: false with ERROR_NONE where the stored number stands, as a loss that is listed. */
-static bool sequence_solve_apply(const struct solve_application *solving, bool *near,
-                                 struct error *error)
+/* Result: why there is no number of the solve, or null: then it is the lens's. */
+static const char *apply_solve(const struct solve_application *solving, bool *near)
 {
-    struct pair value;
-    if (solving->sequence->job->lost_power != NULL && is_stored(solving)) {
-        return sequence_solve_keep(solving, through_loss, error);
-    }
+    const struct sequence *sequence = solving->sequence;
     bool by_size = solving->solve->of_angle || solving->solve->target.value.hi != 0;
-    if (solving->sequence->is_open && solving->solve->ray == SOLVE_MARGINAL && by_size) {
-        return sequence_solve_keep(solving, "it follows a ray whose height follows from the lens",
-                                   error);
+    struct arena *arena = sequence->job->arena;
+    const struct lens *lens = sequence->build->lens;
+    struct solve_state state;
+    struct error why;
+    if (sequence->job->lost_power != NULL && is_stored(solving)) {
+        return through_loss;
+    }
+    if (sequence->is_open && solving->solve->ray == SOLVE_MARGINAL && by_size) {
+        return "it follows a ray whose height follows from the lens";
     }
     if (solving->solve->is_unknown) {
-        return sequence_solve_keep(solving, "it is not known", error);
+        return "it is not known";
     }
-    if (!solve_one(solving, &value, error)) {
-        const struct error found = *error;
-        return sequence_solve_keep(solving, found.message, error);
+    const struct arena_mark mark = arena_mark(arena);
+    bool has_ray = solve_follow(lens, solving->surface, solving->solve->ray, arena, &state, &why);
+    arena_reset(arena, mark);
+    if (!has_ray) {
+        return arena_printf(arena, "%s", why.message);
+    }
+    const struct pair target = solving->solve->target.value;
+    const struct pair value = solving->is_thickness
+                                  ? pair_add(solve_thickness(&state, target), solving->from->extra)
+                                  : solve_curvature(&state, target);
+    if (!(fabs(value.hi) < 1e100)) {
+        return "the ray runs parallel, or the surface does not bend it";
     }
     const struct figure figure = figure_solved(solving, value);
-    *near = solving->is_thickness ? sequence_solve_set_thickness(solving, figure)
-                                  : sequence_solve_set_curvature(solving, figure);
-    return true;
+    struct surface *surface = &lens->surfaces[solving->surface];
+    const struct pair old =
+        solving->is_thickness ? surface->thickness.value : surface_curvature(surface, SECTION_Y);
+    if (solving->is_thickness) {
+        surface->thickness = figure;
+    } else {
+        surface->is_plane = true;
+        surface->radius = sequence_nothing;
+        surface->has_curvature = figure.value.hi != 0;
+        surface->curvature = figure;
+    }
+    *near = fabs(pair_subtract(old, figure.value).hi) <= same_enough * (fabs(old.hi) + 1);
+    return NULL;
 }
 
-/* Result: whether nothing moved any more; false with a code where it failed. */
-static bool sequence_solve_pass(const struct sequence *sequence, const size_t *indices,
-                                bool *settled, struct error *error)
+/* Result: whether nothing moved any more. */
+static bool sequence_solve_pass(const struct sequence *sequence, const size_t *indices)
 {
-    *settled = true;
+    bool settled = true;
     for (size_t i = 1; i + 1 < sequence->count; i++) {
         struct sequence_surface *from = &sequence->surfaces[i];
         struct sequence_solve *solves[] = {&from->curvature_solve, &from->thickness_solve};
@@ -160,19 +123,15 @@ static bool sequence_solve_pass(const struct sequence *sequence, const size_t *i
             size_t surface = indices[i] + (j == 1 ? from->planes_behind : 0);
             struct solve_application solving = {sequence, from, solves[j], surface, j == 1};
             bool near = true;
-            if (!solves[j]->is_set) {
-                continue;
-            }
-            if (!sequence_solve_apply(&solving, &near, error)) {
+            const char *why = solves[j]->is_set ? apply_solve(&solving, &near) : NULL;
+            if (why != NULL) {
+                keep_stored(&solving, why);
                 solves[j]->is_set = false;
-                if (error->code != ERROR_NONE) {
-                    return false;
-                }
             }
-            *settled = *settled && near;
+            settled = settled && near;
         }
     }
-    return true;
+    return settled;
 }
 
 /* A note where a solve gives another number than the file has, beyond its rounding. */
@@ -205,35 +164,30 @@ static void remark(const struct solve_application *solving, size_t number)
     }
 }
 
-static void remark_all(const struct sequence *sequence, const size_t *indices)
-{
-    for (size_t i = 1; i + 1 < sequence->count; i++) {
-        const struct sequence_surface *from = &sequence->surfaces[i];
-        const struct solve_application curve = {sequence, from, &from->curvature_solve, indices[i],
-                                                false};
-        const struct solve_application gap = {sequence, from, &from->thickness_solve,
-                                              indices[i] + from->planes_behind, true};
-        bool is_image = i + 2 == sequence->count && sequence->build->lens->focus == FOCUS_PARAXIAL;
-        if (curve.solve->is_set && is_stored(&curve)) {
-            remark(&curve, i);
-        }
-        if (gap.solve->is_set && is_stored(&gap) && !is_image) {
-            remark(&gap, i);
-        }
-    }
-}
-
-bool sequence_solve_all(const struct sequence *sequence, const size_t *indices, struct error *error)
+bool sequence_solve_all(const struct sequence *sequence, const size_t *indices)
 {
     bool settled = false;
     for (int i = 0; i < MOST_PASSES && !settled; i++) {
-        if (!sequence_solve_pass(sequence, indices, &settled, error)) {
-            return false;
-        }
+        settled = sequence_solve_pass(sequence, indices);
     }
     if (settled) {
-        remark_all(sequence, indices);
+        for (size_t k = 1; k + 1 < sequence->count; k++) {
+            const struct sequence_surface *from = &sequence->surfaces[k];
+            const struct solve_application curve = {sequence, from, &from->curvature_solve,
+                                                    indices[k], false};
+            const struct solve_application gap = {sequence, from, &from->thickness_solve,
+                                                  indices[k] + from->planes_behind, true};
+            bool is_image =
+                k + 2 == sequence->count && sequence->build->lens->focus == FOCUS_PARAXIAL;
+            if (curve.solve->is_set && is_stored(&curve)) {
+                remark(&curve, k);
+            }
+            if (gap.solve->is_set && is_stored(&gap) && !is_image) {
+                remark(&gap, k);
+            }
+        }
     }
-    return settled || fail(error, ERROR_DATA, "%s: the solves of the file do not settle",
-                           sequence->commands->job->source);
+    return settled ||
+           fail(sequence->commands->error, ERROR_DATA, "%s: the solves of the file do not settle",
+                sequence->commands->job->source);
 }

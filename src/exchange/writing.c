@@ -46,8 +46,7 @@ static struct text writing_length_text(const struct lens_writer *writing,
     return figure_computed(pair_divide(figure->value, unit), NUMBER_UNSCALED, writing->arena).typed;
 }
 
-static struct text writing_degrees_text(const struct lens_writer *writing,
-                                        const struct figure *figure)
+static struct text degrees_text(const struct lens_writer *writing, const struct figure *figure)
 {
     return figure->typed.start != NULL
                ? figure->typed
@@ -75,12 +74,12 @@ const char *writing_half(const struct lens_writer *writing, const struct figure 
 
 const char *writing_degrees(const struct lens_writer *writing, const struct figure *figure)
 {
-    return writing_string(writing, writing_degrees_text(writing, figure));
+    return writing_string(writing, degrees_text(writing, figure));
 }
 
 const char *writing_turned(const struct lens_writer *writing, const struct figure *figure)
 {
-    const struct text degrees = writing_degrees_text(writing, figure);
+    const struct text degrees = degrees_text(writing, figure);
     return writing_string(writing, decimal_negate(degrees, writing->arena));
 }
 
@@ -155,19 +154,6 @@ static const struct glass *meaning(const struct foreign_job *job, const char *na
     return found ? lens_glass_of(&medium) : NULL;
 }
 
-/* The name without '-', '_' and blanks. */
-static const char *bare_name(struct text name, struct arena *arena)
-{
-    char *bare = arena_string(arena, name.start, name.length), *to = bare;
-    for (size_t i = 0; i < name.length; i++) {
-        bool keep = strchr("-_ ", name.start[i]) == NULL;
-        *to = name.start[i];
-        to += keep;
-    }
-    *to = '\0';
-    return bare;
-}
-
 void writing_glass(const struct lens_writer *writing, const struct medium *medium,
                    struct text *name, struct text *catalog)
 {
@@ -183,7 +169,15 @@ void writing_glass(const struct lens_writer *writing, const struct medium *mediu
     }
     *name = glass->name;
     *catalog = glass->catalog;
-    const char *bare = bare_name(*name, writing->arena);
+    /* The name without '-', '_' and blanks. */
+    const struct text from = *name;
+    char *bare = arena_string(writing->arena, from.start, from.length), *to = bare;
+    for (size_t i = 0; i < from.length; i++) {
+        bool keep = strchr("-_ ", from.start[i]) == NULL;
+        *to = from.start[i];
+        to += keep;
+    }
+    *to = '\0';
     const struct glass *found =
         meaning(writing->job, arena_printf(writing->arena, "%.*s:%s", (int)catalog->length,
                                            catalog->start, bare));

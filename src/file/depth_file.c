@@ -24,7 +24,7 @@ static size_t channel_of(const struct image *image, struct arena *arena)
 }
 
 /* Are what may be red, green and blue the same everywhere? */
-static bool depth_file_check_grey(const char *path, const struct image *image, struct error *error)
+static bool check_grey_map(const char *path, const struct image *image, struct error *error)
 {
     for (size_t i = 0; i < image->width * image->height; i++) {
         const float *pixel = image->pixels + i * image->channels;
@@ -45,7 +45,7 @@ static bool take_channel(const char *path, const struct image *image, struct are
 {
     const size_t channel = channel_of(image, arena);
     const bool is_named = strcmp(image_channel(image, channel, arena), "Z") == 0;
-    if (!is_named && image->channels >= COLOURS && !depth_file_check_grey(path, image, error)) {
+    if (!is_named && image->channels >= COLOURS && !check_grey_map(path, image, error)) {
         return false;
     }
     *map = (struct image){
@@ -63,8 +63,8 @@ static bool take_channel(const char *path, const struct image *image, struct are
     return true;
 }
 
-static bool depth_file_check_format(const char *path, struct text bytes,
-                                    const struct depth_range *range, struct error *error)
+static bool check_depth_map(const char *path, struct text bytes, const struct depth_range *range,
+                            struct error *error)
 {
     const bool has_range = !isnan(range->near);
     if (png_is(bytes)) {
@@ -91,7 +91,7 @@ bool depth_file_read(const char *path, const struct depth_range *range, struct a
         return error->code == ERROR_NONE ? fail(error, ERROR_IO, "there is no file %s", path)
                                          : false;
     }
-    if (!depth_file_check_format(path, bytes, range, error) ||
+    if (!check_depth_map(path, bytes, range, error) ||
         !image_file_parse(path, bytes, &wish, arena, &image, error) ||
         !take_channel(path, &image, arena, map, error)) {
         return false;

@@ -6,18 +6,11 @@
 #include <stdio.h>
 #include <string.h>
 
-/* Would all of it be one line? */
-static bool has_returns_only(struct text content)
-{
-    const char *mark = content.length > 0 ? memchr(content.start, '\r', content.length) : NULL;
-    return mark != NULL && memchr(content.start, '\n', content.length) == NULL &&
-           text_trim(text_between(mark + 1, content.start + content.length)).length > 0;
-}
-
 bool file_words_open(struct file_words *words, const char *source, struct text content,
                      struct arena *arena, struct error *error)
 {
     *words = (struct file_words){.source = source,
+                                 .error = error,
                                  .rest = content,
                                  .scale = NUMBER_UNSCALED,
                                  .comment = "#",
@@ -32,7 +25,11 @@ bool file_words_open(struct file_words *words, const char *source, struct text c
         fail(error, ERROR_DATA, "not plain text: %s", marked ? "a file in UTF-16" : "a NUL byte");
         return error_locate(error, source, 1, 1);
     }
-    if (has_returns_only(words->rest)) {
+    /* Would all of it be one line? */
+    const char *mark =
+        words->rest.length > 0 ? memchr(words->rest.start, '\r', words->rest.length) : NULL;
+    if (mark != NULL && memchr(words->rest.start, '\n', words->rest.length) == NULL &&
+        text_trim(text_between(mark + 1, words->rest.start + words->rest.length)).length > 0) {
         fail(error, ERROR_DATA, "its lines end in CR alone: LF or CR LF end a line");
         return error_locate(error, source, 1, 1);
     }
@@ -53,7 +50,7 @@ static size_t behind_quotes(struct text line, size_t at)
 }
 
 /* A comment begins where a word may begin. */
-static struct text file_words_without_comment(struct text line, const char *mark, bool has_quotes)
+static struct text cut_comment(struct text line, const char *mark, bool has_quotes)
 {
     size_t length = mark != NULL ? strlen(mark) : 0;
     for (size_t i = 0; length > 0 && i + length <= line.length; i++) {
@@ -69,8 +66,8 @@ static struct text file_words_without_comment(struct text line, const char *mark
 bool file_words_line(struct file_words *words)
 {
     while (words->rest.start != NULL && words->rest.length > 0) {
-        struct text line = file_words_without_comment(text_cut(&words->rest, '\n'), words->comment,
-                                                      words->has_quotes);
+        struct text line =
+            cut_comment(text_cut(&words->rest, '\n'), words->comment, words->has_quotes);
         words->number++;
         while (line.length > 0 && file_words_is_blank(line.start[line.length - 1])) {
             line.length--;
@@ -130,9 +127,9 @@ struct typed_place file_words_place(const struct file_words *words, struct text 
                                 text_column(words->line, file_word_byte(words, word))};
 }
 
-bool file_words_fail(const struct file_words *words, struct text word, struct error *error,
-                     const char *format, ...)
+bool file_words_fail(const struct file_words *words, struct text word, const char *format, ...)
 {
+    struct error *error = words->error;
     char message[sizeof error->message];
     const size_t column = file_word_byte(words, word) + 1;
     va_list arguments;
@@ -144,10 +141,10 @@ bool file_words_fail(const struct file_words *words, struct text word, struct er
     return error_count_characters(error, words->line);
 }
 
-bool file_words_end(struct file_words *words, struct error *error)
+bool file_words_end(struct file_words *words)
 {
     struct text word = file_words_next(words);
-    return word.length == 0 || file_words_fail(words, word, error, "'%.*s' does not belong here",
+    return word.length == 0 || file_words_fail(words, word, "'%.*s' does not belong here",
                                                text_shown_up_to(word, 40), word.start);
 }
 

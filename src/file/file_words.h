@@ -14,6 +14,7 @@
 /* A file while it is read, line by line. Texts point into the content. */
 struct file_words {
     const char *source;        /* for messages */
+    struct error *error;       /* receives what is wrong */
     struct text rest;          /* lines that are still to read */
     struct text line;          /* the present one, without its end and its comment */
     long number;               /* of that line, 1-based */
@@ -56,13 +57,13 @@ struct text file_words_next(struct file_words *words);
 struct text file_words_rest(struct file_words *words);
 
 /* Is the line at its end? Says what does not belong there. */
-bool file_words_end(struct file_words *words, struct error *error);
+bool file_words_end(struct file_words *words);
 
 /* Where a word of the line stands. */
 struct typed_place file_words_place(const struct file_words *words, struct text word);
 
 /* Report something wrong with a word of the line; `word` may lie behind its end. Returns false. */
-bool file_words_fail(const struct file_words *words, struct text word, struct error *error,
-                     const char *format, ...) __attribute__((format(printf, 4, 5)));
+bool file_words_fail(const struct file_words *words, struct text word, const char *format, ...)
+    __attribute__((format(printf, 3, 4)));
 
 #endif

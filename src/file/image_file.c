@@ -70,7 +70,7 @@ bool image_file_is(struct text first)
 static const double least_negative = 1e-6;
 
 /* Light of other primaries becomes that of sRGB, as near to grey as that has it. */
-static bool image_file_take_primaries(struct image *image, struct error *error)
+static bool take_primaries(struct image *image, struct error *error)
 {
     struct colour_matrix matrix;
     struct error found;
@@ -118,7 +118,7 @@ bool image_file_parse(const char *path, struct text bytes, const struct image_wi
         return error_locate(error, path, 0, 0);
     }
     return (formats[i].read(bytes, wish, arena, image, error) &&
-            (!image->has_primaries || image_file_take_primaries(image, error))) ||
+            (!image->has_primaries || take_primaries(image, error))) ||
            error_locate(error, path, 0, 0);
 }
 

@@ -1,49 +1,34 @@
 /* file/lens_aperture.c - `pass rectangle 20 10 decenter=0,1 turn=30`. */
 /* SPDX-License-Identifier: MIT */
-#include "file/lens_aperture.h"
+#include "file/lens_surface.h"
 
 #include "base/constants.h"
 #include "file/lens_words.h"
 
 #include <string.h>
 
-static bool refuse_shape(const struct file_words *words, struct text word, struct error *error)
-{
-    struct nearest nearest = {.typed = word};
-    for (size_t i = 0; i < APERTURE_SHAPES; i++) {
-        nearest_offer(&nearest, text_of(aperture_shapes[i].word));
-    }
-    file_words_fail(words, word, error,
-                    "the shape is circle, ring, rectangle, ellipse, polygon or spider");
-    return nearest.best.start != NULL &&
-           error_hint(error, "did you mean '%.*s'?", (int)nearest.best.length, nearest.best.start);
-}
-
-static bool lens_aperture_read_size(struct file_words *words, const char *what, struct figure *size,
-                                    struct error *error)
+static bool read_sizes(struct file_words *words, const char *what, struct figure *size)
 {
     struct text word = file_words_next(words);
-    return lens_words_figure(words, word, words->scale, what, size, error) &&
-           (size->value.hi > 0 ||
-            file_words_fail(words, word, error, "the %s must be above 0", what));
+    return lens_words_figure(words, word, words->scale, what, size) &&
+           (size->value.hi > 0 || file_words_fail(words, word, "the %s must be above 0", what));
 }
 
-static bool lens_aperture_read_arms(struct file_words *words, unsigned *arms, struct error *error)
+static bool read_arms(struct file_words *words, unsigned *arms)
 {
     struct text word = file_words_next(words);
     struct figure figure;
-    if (!lens_words_figure(words, word, NUMBER_UNSCALED, "number of arms", &figure, error)) {
+    if (!lens_words_figure(words, word, NUMBER_UNSCALED, "number of arms", &figure)) {
         return false;
     }
     double count = figure.value.hi;
     *arms = count >= 1 && count <= APERTURE_MOST_ARMS ? (unsigned)count : 0;
     return (*arms > 0 && *arms == count) ||
-           file_words_fail(words, word, error, "a spider has 1 to %d arms", APERTURE_MOST_ARMS);
+           file_words_fail(words, word, "a spider has 1 to %d arms", APERTURE_MOST_ARMS);
 }
 
 /* x,y as far as words have no '='. */
-static bool lens_aperture_read_points(struct file_words *words, struct aperture *aperture,
-                                      struct error *error)
+static bool read_corners(struct file_words *words, struct aperture *aperture)
 {
     const struct vector_form form = {"corner", 2, words->scale, 0};
     struct figure(*points)[2] = NULL;
@@ -56,9 +41,9 @@ static bool lens_aperture_read_points(struct file_words *words, struct aperture 
         points = arena_grow(words->arena, points, count, &room, sizeof *points);
         points[count][0] = points[count][1] = (struct figure){.variable = LENS_NONE};
         if (memchr(word.start, ',', word.length) == NULL) {
-            return file_words_fail(words, word, error, "a corner of a polygon is written x,y");
+            return file_words_fail(words, word, "a corner of a polygon is written x,y");
         }
-        if (!lens_words_vector(words, word, &form, points[count], error)) {
+        if (!lens_words_vector(words, word, &form, points[count])) {
             return false;
         }
         count++;
@@ -69,8 +54,7 @@ static bool lens_aperture_read_points(struct file_words *words, struct aperture 
 }
 
 /* decenter=x,y and turn=a, each once. */
-static bool lens_aperture_read_place(struct file_words *words, struct aperture *aperture,
-                                     struct error *error)
+static bool read_places(struct file_words *words, struct aperture *aperture)
 {
     const struct vector_form shift = {"decentre", 2, words->scale, 0};
     const struct vector_form turn = {"turn", 1, NUMBER_UNSCALED, RADIANS_PER_DEGREE};
@@ -82,24 +66,22 @@ static bool lens_aperture_read_place(struct file_words *words, struct aperture *
         unsigned bit = decenter ? 1 : 2;
         if (value.start == NULL || (!decenter && !turned)) {
             return file_words_fail(
-                words, word, error,
-                "behind the sizes an aperture has decenter=x,y and turn=degrees");
+                words, word, "behind the sizes an aperture has decenter=x,y and turn=degrees");
         }
         if ((seen & bit) != 0) {
-            return file_words_fail(words, word, error, "'%.*s=' is there twice", text_shown(key),
+            return file_words_fail(words, word, "'%.*s=' is there twice", text_shown(key),
                                    key.start);
         }
         seen |= bit;
-        if (decenter ? !lens_words_vector(words, value, &shift, aperture->decenter, error)
-                     : !lens_words_vector(words, value, &turn, &aperture->turn, error)) {
+        if (decenter ? !lens_words_vector(words, value, &shift, aperture->decenter)
+                     : !lens_words_vector(words, value, &turn, &aperture->turn)) {
             return false;
         }
     }
     return true;
 }
 
-static bool lens_aperture_read_shape(struct file_words *words, bool blocks,
-                                     struct aperture *aperture, struct error *error)
+static bool read_shape(struct file_words *words, bool blocks, struct aperture *aperture)
 {
     struct text word = file_words_next(words);
     size_t shape = 0;
@@ -107,41 +89,46 @@ static bool lens_aperture_read_shape(struct file_words *words, bool blocks,
         shape++;
     }
     if (shape == APERTURE_SHAPES) {
-        return refuse_shape(words, word, error);
+        struct nearest nearest = {.typed = word};
+        for (size_t i = 0; i < APERTURE_SHAPES; i++) {
+            nearest_offer(&nearest, text_of(aperture_shapes[i].word));
+        }
+        file_words_fail(words, word,
+                        "the shape is circle, ring, rectangle, ellipse, polygon or spider");
+        return nearest.best.start != NULL &&
+               error_hint(words->error, "did you mean '%.*s'?", (int)nearest.best.length,
+                          nearest.best.start);
     }
     const struct aperture_traits *traits = &aperture_shapes[shape];
     *aperture = aperture_of((enum aperture_shape)shape, blocks);
     for (int i = 0; i < aperture_sizes(aperture->shape); i++) {
-        if (!lens_aperture_read_size(words, traits->sizes[i], &aperture->size[i], error)) {
+        if (!read_sizes(words, traits->sizes[i], &aperture->size[i])) {
             return false;
         }
     }
-    if ((traits->has_arms && !lens_aperture_read_arms(words, &aperture->arms, error)) ||
-        (traits->has_points && !lens_aperture_read_points(words, aperture, error)) ||
-        !lens_aperture_read_place(words, aperture, error)) {
+    if ((traits->has_arms && !read_arms(words, &aperture->arms)) ||
+        (traits->has_points && !read_corners(words, aperture)) || !read_places(words, aperture)) {
         return false;
     }
     struct error wrong = {.code = ERROR_NONE};
-    return aperture_check(aperture, &wrong) ||
-           file_words_fail(words, word, error, "%s", wrong.message);
+    return aperture_check(aperture, &wrong) || file_words_fail(words, word, "%s", wrong.message);
 }
 
 bool lens_aperture_read(struct file_words *words, bool blocks, struct surface *surface,
-                        size_t *room, struct error *error)
+                        size_t *room)
 {
     if (surface == NULL) {
-        return file_words_fail(words, words->line, error,
+        return file_words_fail(words, words->line,
                                "an aperture stands below the line of its surface");
     }
     struct aperture *all = arena_grow(words->arena, (void *)surface->apertures,
                                       surface->aperture_count, room, sizeof *all);
     surface->apertures = all;
-    return lens_aperture_read_shape(words, blocks, &all[surface->aperture_count++], error);
+    return read_shape(words, blocks, &all[surface->aperture_count++]);
 }
 
-static void lens_aperture_put_vector(struct text_buffer *text, const char *before,
-                                     const struct figure *figures, size_t count,
-                                     struct number_scale unit)
+static void put_place(struct text_buffer *text, const char *before, const struct figure *figures,
+                      size_t count, struct number_scale unit)
 {
     for (size_t i = 0; i < count; i++) {
         growing_string(text, i == 0 ? before : ",");
@@ -149,7 +136,7 @@ static void lens_aperture_put_vector(struct text_buffer *text, const char *befor
     }
 }
 
-static bool lens_aperture_is_zero(const struct figure *figure)
+static bool is_zero_figure(const struct figure *figure)
 {
     return figure->value.hi == 0;
 }
@@ -160,20 +147,18 @@ void lens_aperture_write(const struct aperture *aperture, struct number_scale un
     static const double degree = RADIANS_PER_DEGREE;
     growing_format(text, "%-12s%s", aperture->blocks ? "block" : "pass",
                    aperture_shapes[aperture->shape].word);
-    lens_aperture_put_vector(text, " ", aperture->size, aperture_sizes(aperture->shape) > 0, unit);
-    lens_aperture_put_vector(text, " ", aperture->size + 1, aperture_sizes(aperture->shape) > 1,
-                             unit);
+    put_place(text, " ", aperture->size, aperture_sizes(aperture->shape) > 0, unit);
+    put_place(text, " ", aperture->size + 1, aperture_sizes(aperture->shape) > 1, unit);
     if (aperture_shapes[aperture->shape].has_arms) {
         growing_format(text, " %u", aperture->arms);
     }
     for (size_t i = 0; i < aperture->point_count; i++) {
-        lens_aperture_put_vector(text, " ", aperture->points[i], 2, unit);
+        put_place(text, " ", aperture->points[i], 2, unit);
     }
-    if (!lens_aperture_is_zero(&aperture->decenter[0]) ||
-        !lens_aperture_is_zero(&aperture->decenter[1])) {
-        lens_aperture_put_vector(text, " decenter=", aperture->decenter, 2, unit);
+    if (!is_zero_figure(&aperture->decenter[0]) || !is_zero_figure(&aperture->decenter[1])) {
+        put_place(text, " decenter=", aperture->decenter, 2, unit);
     }
-    if (!lens_aperture_is_zero(&aperture->turn)) {
+    if (!is_zero_figure(&aperture->turn)) {
         growing_string(text, " turn=");
         if (aperture->turn.typed.start != NULL) {
             growing_text(text, aperture->turn.typed);

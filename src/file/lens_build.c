@@ -219,38 +219,17 @@ double figure_rounding(const struct figure *figure)
     return typed != 0 ? fabs(power * (figure->value.hi / typed)) : 0;
 }
 
-/* Significant digits of a typed number. */
-static int count_digits(struct text typed)
-{
-    int count = 0;
-    for (size_t i = 0; i < typed.length && (typed.start[i] | 32) != 'e'; i++) {
-        bool digit = typed.start[i] >= '0' && typed.start[i] <= '9';
-        count += digit && (count > 0 || typed.start[i] != '0');
-    }
-    return count;
-}
-
-/* Is the curvature what a program that works with doubles makes of this radius? */
-static bool is_reciprocal(struct text curvature, struct text radius)
-{
-    double c = 0, r = 0;
-    text_number(curvature, NUMBER_UNSCALED, &c);
-    text_number(radius, NUMBER_UNSCALED, &r);
-    return c == 1 / r;
-}
-
-/* The same to all digits that a pair has. */
-static bool is_exact_reciprocal(struct pair curvature, struct pair radius)
-{
-    struct pair rest = pair_subtract(pair_multiply(curvature, radius), pair_of(1));
-    return fabs(rest.hi) <= 1e-28;
-}
-
 bool figure_radius_of(const struct figure *curvature, const char *unit, struct arena *arena,
                       struct figure *radius)
 {
     enum { FEW = 12, MANY = 20, DOUBLE = 15, LONG = 25 };
-    int digits = count_digits(curvature->typed);
+    /* Significant digits of a typed number. */
+    int digits = 0;
+    for (size_t i = 0; i < curvature->typed.length && (curvature->typed.start[i] | 32) != 'e';
+         i++) {
+        bool digit = curvature->typed.start[i] >= '0' && curvature->typed.start[i] <= '9';
+        digits += digit && (digits > 0 || curvature->typed.start[i] != '0');
+    }
     if (curvature->value.hi == 0) {
         return false;
     }
@@ -261,8 +240,13 @@ bool figure_radius_of(const struct figure *curvature, const char *unit, struct a
         char text[PAIR_LENGTH];
         struct figure figure =
             figure_typed(text, pair_write_digits(text, exact, scale, count), scale, arena);
-        if (is_double ? is_reciprocal(curvature->typed, figure.typed)
-                      : is_exact_reciprocal(curvature->value, figure.value)) {
+        /* Is the curvature what a program that works with doubles makes of this radius? */
+        double c = 0, r = 0;
+        text_number(curvature->typed, NUMBER_UNSCALED, &c);
+        text_number(figure.typed, NUMBER_UNSCALED, &r);
+        /* The same to all digits that a pair has. */
+        struct pair rest = pair_subtract(pair_multiply(curvature->value, figure.value), pair_of(1));
+        if (is_double ? (c == 1 / r) : (fabs(rest.hi) <= 1e-28)) {
             *radius = figure_computed(figure.value, scale, arena);
             return true;
         }

@@ -19,7 +19,7 @@ struct change {
     bool rounded;
 };
 
-static struct pair lens_change_power_of(struct pair base, int power)
+static struct pair power_of_length(struct pair base, int power)
 {
     struct pair product = {1, 0};
     for (int i = 0; i < (power < 0 ? -power : power); i++) {
@@ -34,22 +34,6 @@ static struct pair unit_length(const char *unit)
     return figure_per_length(one, unit, 1).value;
 }
 
-/* The digits of a value in unit^power. */
-static void write_digits(const struct change *change, int power, struct figure *figure)
-{
-    struct pair value = figure->value;
-    if (power == 1) {
-        *figure = change->rounded
-                      ? figure_rounded(value, lens_unit_scale(change->unit), change->arena)
-                      : figure_computed(value, lens_unit_scale(change->unit), change->arena);
-        return;
-    }
-    value = pair_multiply(value, lens_change_power_of(unit_length(change->unit), -power));
-    *figure = change->rounded ? figure_rounded(value, NUMBER_UNSCALED, change->arena)
-                              : figure_computed(value, NUMBER_UNSCALED, change->arena);
-    *figure = figure_per_length(*figure, change->unit, power);
-}
-
 static void change_figure(const struct change *change, int power, struct figure *figure)
 {
     if (figure->variable != LENS_NONE || !isfinite(figure->value.hi) ||
@@ -58,11 +42,22 @@ static void change_figure(const struct change *change, int power, struct figure 
     }
     struct pair k = change->factor;
     if (power > 0) {
-        figure->value = pair_multiply(figure->value, lens_change_power_of(k, power));
+        figure->value = pair_multiply(figure->value, power_of_length(k, power));
     } else if (k.hi != 1 || k.lo != 0) {
-        figure->value = pair_divide(figure->value, lens_change_power_of(k, -power));
+        figure->value = pair_divide(figure->value, power_of_length(k, -power));
     }
-    write_digits(change, power, figure);
+    /* The digits of a value in unit^power. */
+    struct pair value = figure->value;
+    if (power == 1) {
+        *figure = change->rounded
+                      ? figure_rounded(value, lens_unit_scale(change->unit), change->arena)
+                      : figure_computed(value, lens_unit_scale(change->unit), change->arena);
+        return;
+    }
+    value = pair_multiply(value, power_of_length(unit_length(change->unit), -power));
+    *figure = change->rounded ? figure_rounded(value, NUMBER_UNSCALED, change->arena)
+                              : figure_computed(value, NUMBER_UNSCALED, change->arena);
+    *figure = figure_per_length(*figure, change->unit, power);
 }
 
 /* A list of numbers of the dimension length^power. */
@@ -84,19 +79,6 @@ static const struct figure *change_all(const struct change *change, const struct
                                        size_t count)
 {
     return change_list(change, 1, figures, count);
-}
-
-static void change_settings(const struct change *change, struct lens *lens)
-{
-    struct lens_setting *copy =
-        ARENA_ARRAY(change->arena, lens->setting_count, struct lens_setting);
-    for (size_t i = 0; i < lens->setting_count; i++) {
-        const struct parameter one = lens->settings[i].parameter;
-        copy[i] = lens->settings[i];
-        copy[i].figures = change_list(change, parameter_length(one.kind, one.order),
-                                      copy[i].figures, lens->position_count);
-    }
-    lens->settings = copy;
 }
 
 /* Lengths and fringes, which are lengths of sag; the others are shares, angles and numbers. */
@@ -131,20 +113,6 @@ static struct lens_field *change_fields(const struct change *change,
     return copy;
 }
 
-/* The fields that are lengths, of all positions. */
-static void change_points(const struct change *change, struct lens *lens)
-{
-    struct lens_points *points =
-        ARENA_ARRAY(change->arena, lens->position_count, struct lens_points);
-    lens->fields = change_fields(change, lens->fields, lens->field_count);
-    for (size_t p = 0; p < lens->position_count && lens->points != NULL; p++) {
-        const struct lens_points *from = &lens->points[p];
-        points[p] =
-            (struct lens_points){change_fields(change, from->fields, from->count), from->count};
-    }
-    lens->points = lens->points != NULL ? points : NULL;
-}
-
 static void change_vary(const struct change *change, struct vary *vary)
 {
     int power = parameter_length(vary->kind, vary->order);
@@ -152,16 +120,6 @@ static void change_vary(const struct change *change, struct vary *vary)
         change_figure(change, power, &vary->low);
         change_figure(change, power, &vary->high);
     }
-}
-
-static const struct vary *change_varies(const struct change *change, const struct surface *surface)
-{
-    struct vary *copy = ARENA_ARRAY(change->arena, surface->vary_count, struct vary);
-    for (size_t i = 0; i < surface->vary_count; i++) {
-        copy[i] = surface->varies[i];
-        change_vary(change, &copy[i]);
-    }
-    return copy;
 }
 
 /* Marks of a word, one a position. */
@@ -183,42 +141,10 @@ static const struct vary *const *change_word(const struct change *change,
     return copy;
 }
 
-static struct lens_pickup *change_pickups(const struct change *change, const struct lens *lens)
-{
-    struct lens_pickup *copy = ARENA_ARRAY(change->arena, lens->pickup_count, struct lens_pickup);
-    for (size_t i = 0; i < lens->pickup_count; i++) {
-        copy[i] = lens->pickups[i];
-        int power = parameter_length(copy[i].what.kind, copy[i].what.order);
-        if (power != 0 && copy[i].offset.value.hi != 0) {
-            change_figure(change, power, &copy[i].offset);
-        }
-    }
-    return copy;
-}
-
 static void change_pair(const struct change *change, struct figure pair[2])
 {
     change_figure(change, 1, &pair[0]);
     change_figure(change, 1, &pair[1]);
-}
-
-static const struct aperture *change_apertures(const struct change *change,
-                                               const struct surface *surface)
-{
-    struct aperture *copy = ARENA_ARRAY(change->arena, surface->aperture_count, struct aperture);
-    for (size_t i = 0; i < surface->aperture_count; i++) {
-        const size_t count = surface->apertures[i].point_count;
-        struct figure(*points)[2] = arena_array(change->arena, count, sizeof *points);
-        copy[i] = surface->apertures[i];
-        change_pair(change, copy[i].size);
-        change_pair(change, copy[i].decenter);
-        for (size_t k = 0; k < count; k++) {
-            memcpy(points[k], copy[i].points[k], sizeof points[k]);
-            change_pair(change, points[k]);
-        }
-        copy[i].points = (const struct figure(*)[2])points;
-    }
-    return copy;
 }
 
 static void change_surface(const struct change *change, struct surface *surface)
@@ -235,8 +161,26 @@ static void change_surface(const struct change *change, struct surface *surface)
     if (surface->has_diameter) {
         change_figure(change, 1, &surface->diameter);
     }
-    surface->varies = change_varies(change, surface);
-    surface->apertures = change_apertures(change, surface);
+    struct vary *marks = ARENA_ARRAY(change->arena, surface->vary_count, struct vary);
+    for (size_t i = 0; i < surface->vary_count; i++) {
+        marks[i] = surface->varies[i];
+        change_vary(change, &marks[i]);
+    }
+    surface->varies = marks;
+    struct aperture *holes = ARENA_ARRAY(change->arena, surface->aperture_count, struct aperture);
+    for (size_t i = 0; i < surface->aperture_count; i++) {
+        const size_t count = surface->apertures[i].point_count;
+        struct figure(*points)[2] = arena_array(change->arena, count, sizeof *points);
+        holes[i] = surface->apertures[i];
+        change_pair(change, holes[i].size);
+        change_pair(change, holes[i].decenter);
+        for (size_t k = 0; k < count; k++) {
+            memcpy(points[k], holes[i].points[k], sizeof points[k]);
+            change_pair(change, points[k]);
+        }
+        holes[i].points = (const struct figure(*)[2])points;
+    }
+    surface->apertures = holes;
 }
 
 static void change_system(const struct change *change, struct lens *lens)
@@ -245,7 +189,16 @@ static void change_system(const struct change *change, struct lens *lens)
     change_figure(change, 1, &lens->object);
     lens->objects = change_all(change, lens->objects, positions);
     if (lens->field_kind != FIELD_NONE && lens->field_kind != FIELD_ANGLE) {
-        change_points(change, lens);
+        /* The fields that are lengths, of all positions. */
+        struct lens_points *points =
+            ARENA_ARRAY(change->arena, lens->position_count, struct lens_points);
+        lens->fields = change_fields(change, lens->fields, lens->field_count);
+        for (size_t p = 0; p < lens->position_count && lens->points != NULL; p++) {
+            const struct lens_points *from = &lens->points[p];
+            points[p] =
+                (struct lens_points){change_fields(change, from->fields, from->count), from->count};
+        }
+        lens->points = lens->points != NULL ? points : NULL;
     }
     if (lens->aperture_kind == APERTURE_EPD) {
         change_figure(change, 1, &lens->aperture);
@@ -264,8 +217,23 @@ static void change_system(const struct change *change, struct lens *lens)
         variables[i].varies = change_word(change, lens->variables[i].varies, positions);
     }
     lens->variables = variables;
-    lens->pickups = change_pickups(change, lens);
-    change_settings(change, lens);
+    struct lens_pickup *follow = ARENA_ARRAY(change->arena, lens->pickup_count, struct lens_pickup);
+    for (size_t i = 0; i < lens->pickup_count; i++) {
+        follow[i] = lens->pickups[i];
+        int power = parameter_length(follow[i].what.kind, follow[i].what.order);
+        if (power != 0 && follow[i].offset.value.hi != 0) {
+            change_figure(change, power, &follow[i].offset);
+        }
+    }
+    lens->pickups = follow;
+    struct lens_setting *set = ARENA_ARRAY(change->arena, lens->setting_count, struct lens_setting);
+    for (size_t i = 0; i < lens->setting_count; i++) {
+        const struct parameter one = lens->settings[i].parameter;
+        set[i] = lens->settings[i];
+        set[i].figures = change_list(change, parameter_length(one.kind, one.order), set[i].figures,
+                                     lens->position_count);
+    }
+    lens->settings = set;
     change_tolerances(change, lens);
 }
 
@@ -299,19 +267,6 @@ const struct lens *lens_in_unit(const struct lens *lens, const char *unit, struc
     return strcmp(unit, lens->unit) == 0 ? lens : changed(&change, lens);
 }
 
-/* The mark of a word, on the surface whose cell it stands in. */
-static void lens_change_add_mark(struct surface *surface, const struct vary *mark,
-                                 enum parameter_kind kind, struct arena *arena)
-{
-    struct vary *copy = ARENA_ARRAY(arena, surface->vary_count + 1, struct vary);
-    for (size_t i = 0; i < surface->vary_count; i++) {
-        copy[i] = surface->varies[i];
-    }
-    copy[surface->vary_count] = *mark;
-    copy[surface->vary_count++].kind = kind;
-    surface->varies = copy;
-}
-
 /* The first cell of a marked word has its mark, and the others follow it. */
 static void mark_cells(const struct lens *from, size_t word, const struct vary *mark,
                        struct lens *to, struct arena *arena)
@@ -327,7 +282,15 @@ static void mark_cells(const struct lens *from, size_t word, const struct vary *
             continue;
         }
         if (pickup.from.surface == LENS_NONE) {
-            lens_change_add_mark(&to->surfaces[what.surface], mark, what.kind, arena);
+            /* The mark of a word, on the surface whose cell it stands in. */
+            struct surface *surface = &to->surfaces[what.surface];
+            struct vary *copy = ARENA_ARRAY(arena, surface->vary_count + 1, struct vary);
+            for (size_t k = 0; k < surface->vary_count; k++) {
+                copy[k] = surface->varies[k];
+            }
+            copy[surface->vary_count] = *mark;
+            copy[surface->vary_count++].kind = what.kind;
+            surface->varies = copy;
             pickup.from = what;
         } else {
             pickup.what = what;

@@ -2,7 +2,6 @@
 /* SPDX-License-Identifier: MIT */
 #include "file/lens_file.h"
 
-#include "file/lens_aperture.h"
 #include "file/lens_mark.h"
 #include "file/lens_pickup.h"
 #include "file/lens_setting.h"
@@ -21,6 +20,7 @@ enum lens_file_kept { KEPT_SETTING, KEPT_PICKUP, KEPT_TOLERANCE, KEPT_KINDS };
 /* A file being read. Arrays grow by doubling in the arena. */
 struct parser {
     struct file_words words;
+    int what; /* of the present keyword, which tells relatives apart */
     struct lens *lens;
     const struct glass_source *glasses;
     size_t surface_room, note_room, aperture_room;
@@ -35,6 +35,8 @@ struct parser {
     unsigned given;     /* keywords that may stand once */
 };
 
+/* Report something wrong with a word of the present line. False */
+#define parser_fail(parser, word, ...) file_words_fail(&(parser)->words, (word), __VA_ARGS__)
 static const char *rest_string(struct parser *parser)
 {
     struct text rest = file_words_rest(&parser->words);
@@ -43,46 +45,41 @@ static const char *rest_string(struct parser *parser)
 
 enum lens_file_text { TEXT_TITLE, TEXT_SOURCE, TEXT_KIND };
 
-static bool lens_file_read_text(struct parser *parser, int what, struct error *error)
+static bool lens_file_read_text(struct parser *parser)
 {
     const char **const texts[] = {[TEXT_TITLE] = &parser->lens->title,
                                   [TEXT_SOURCE] = &parser->lens->source,
                                   [TEXT_KIND] = &parser->lens->kind};
-    (void)error;
-    *texts[what] = rest_string(parser);
+    *texts[parser->what] = rest_string(parser);
     return true;
 }
 
-static bool lens_file_read_note(struct parser *parser, int what, struct error *error)
+static bool lens_file_read_note(struct parser *parser)
 {
     struct lens *lens = parser->lens;
-    (void)what, (void)error;
     lens->notes = arena_grow(parser->words.arena, lens->notes, lens->note_count, &parser->note_room,
                              sizeof lens->notes[0]);
     lens->notes[lens->note_count++] = rest_string(parser);
     return true;
 }
 
-static bool lens_file_read_unit(struct parser *parser, int what, struct error *error)
+static bool lens_file_read_unit(struct parser *parser)
 {
-    (void)what;
     struct text word = file_words_next(&parser->words);
     const char *unit = lens_unit_named(word);
     if (parser->lens->surface_count > 0 || parser->given > 1) {
-        return file_words_fail(&parser->words, word, error,
-                               "the unit must come before all lengths");
+        return parser_fail(parser, word, "the unit must come before all lengths");
     }
     if (unit == NULL) {
-        return file_words_fail(&parser->words, word, error, "the unit is one of mm, cm, m, in");
+        return parser_fail(parser, word, "the unit is one of mm, cm, m, in");
     }
     parser->words.scale = lens_unit_scale(unit);
     parser->lens->unit = unit;
-    return file_words_end(&parser->words, error);
+    return file_words_end(&parser->words);
 }
 
-static bool read_wavelengths(struct parser *parser, int what, struct error *error)
+static bool read_wavelengths(struct parser *parser)
 {
-    (void)what;
     struct lens *lens = parser->lens;
     struct file_words *words = &parser->words;
     size_t room = 0;
@@ -90,7 +87,7 @@ static bool read_wavelengths(struct parser *parser, int what, struct error *erro
          word = file_words_next(words)) {
         lens->wavelengths = arena_grow(words->arena, lens->wavelengths, lens->wavelength_count,
                                        &room, sizeof lens->wavelengths[0]);
-        if (!lens_words_light(words, word, &lens->wavelengths[lens->wavelength_count++], error)) {
+        if (!lens_words_light(words, word, &lens->wavelengths[lens->wavelength_count++])) {
             return false;
         }
     }
@@ -98,20 +95,19 @@ static bool read_wavelengths(struct parser *parser, int what, struct error *erro
 }
 
 /* A distance of the object: positive, or inf. */
-static bool lens_file_read_distance(struct parser *parser, struct text word, struct figure *figure,
-                                    struct error *error)
+static bool read_object_gap(struct parser *parser, struct text word, struct figure *figure)
 {
     if (text_equal(word, "inf")) {
         *figure = (struct figure){{INFINITY, 0}, word, LENS_NONE};
         return true;
     }
-    if (!lens_words_figure(&parser->words, word, parser->words.scale, "object's distance", figure,
-                           error)) {
+    if (!lens_words_figure(&parser->words, word, parser->words.scale, "object's distance",
+                           figure)) {
         return false;
     }
     return figure->value.hi > 0 ||
-           file_words_fail(&parser->words, word, error,
-                           "the object's distance is counted to the left: it is above 0, or inf");
+           parser_fail(parser, word,
+                       "the object's distance is counted to the left: it is above 0, or inf");
 }
 
 /* `object 100 telecentric`, `let object telecentric 100 200`. */
@@ -125,34 +121,31 @@ static void take_telecentric(struct parser *parser)
     }
 }
 
-static bool lens_file_read_object(struct parser *parser, int what, struct error *error)
+static bool read_object_line(struct parser *parser)
 {
-    (void)what;
     struct lens *lens = parser->lens;
-    if (!lens_file_read_distance(parser, file_words_next(&parser->words), &lens->object, error)) {
+    if (!read_object_gap(parser, file_words_next(&parser->words), &lens->object)) {
         return false;
     }
     lens->object_is_infinite = isinf(lens->object.value.hi);
     take_telecentric(parser);
-    return file_words_end(&parser->words, error);
+    return file_words_end(&parser->words);
 }
 
-static bool lens_file_read_medium(struct parser *parser, int what, struct error *error)
+static bool read_object_glass(struct parser *parser)
 {
-    (void)what;
     if (parser->lens->surface_count > 0) {
-        return file_words_fail(&parser->words, parser->words.line, error,
-                               "the object's medium must come before the surfaces");
+        return parser_fail(parser, parser->words.line,
+                           "the object's medium must come before the surfaces");
     }
     struct medium *medium = &parser->lens->object_medium;
-    return lens_words_medium(&parser->words, file_words_next(&parser->words), medium, error) &&
-           lens_words_glass(&parser->words, parser->glasses, medium, error) &&
-           file_words_end(&parser->words, error);
+    return lens_words_medium(&parser->words, file_words_next(&parser->words), medium) &&
+           lens_words_glass(&parser->words, parser->glasses, medium) &&
+           file_words_end(&parser->words);
 }
 
-static bool lens_file_read_field(struct parser *parser, int what, struct error *error)
+static bool read_fields_line(struct parser *parser)
 {
-    (void)what;
     static const struct {
         const char *name;
         enum field_kind kind;
@@ -168,12 +161,11 @@ static bool lens_file_read_field(struct parser *parser, int what, struct error *
         }
     }
     if (lens->field_kind == FIELD_NONE) {
-        return file_words_fail(&parser->words, word, error,
-                               "a field is an angle, an object's height, or that of its paraxial "
-                               "or real image: angle, height, image or real");
+        return parser_fail(parser, word,
+                           "a field is an angle, an object's height, or that of its paraxial "
+                           "or real image: angle, height, image or real");
     }
-    return lens_words_fields(&parser->words, lens->field_kind, &lens->fields, &lens->field_count,
-                             error);
+    return lens_words_fields(&parser->words, lens->field_kind, &lens->fields, &lens->field_count);
 }
 
 static const struct {
@@ -183,7 +175,7 @@ static const struct {
 
 /* `f/2`, or `epd`, `na`, `stop` with what follows them. */
 static bool read_aperture_value(struct parser *parser, struct text word, struct figure *figure,
-                                enum aperture_kind *kind, struct error *error)
+                                enum aperture_kind *kind)
 {
     struct file_words *words = &parser->words;
     for (size_t i = 0; i < sizeof aperture_words / sizeof aperture_words[0]; i++) {
@@ -201,44 +193,39 @@ static bool read_aperture_value(struct parser *parser, struct text word, struct 
         *kind = APERTURE_FNUMBER;
         word = (struct text){word.start + 2, word.length - 2};
     } else if (*kind == APERTURE_NONE || *kind == APERTURE_FNUMBER) {
-        return file_words_fail(words, word, error, "an aperture is stop, f/2, epd 50 or na 0.25");
+        return parser_fail(parser, word, "an aperture is stop, f/2, epd 50 or na 0.25");
     }
     if (!lens_words_figure(words, word, *kind == APERTURE_EPD ? words->scale : NUMBER_UNSCALED,
-                           "aperture", figure, error)) {
+                           "aperture", figure)) {
         return false;
     }
-    return figure->value.hi > 0 ||
-           file_words_fail(words, word, error, "the aperture must be above 0");
+    return figure->value.hi > 0 || parser_fail(parser, word, "the aperture must be above 0");
 }
 
-static bool lens_file_read_aperture(struct parser *parser, int what, struct error *error)
+static bool read_lens_aperture(struct parser *parser)
 {
-    (void)what;
     parser->aperture_word = file_words_next(&parser->words);
     parser->aperture_line = parser->words;
     return read_aperture_value(parser, parser->aperture_word, &parser->lens->aperture,
-                               &parser->lens->aperture_kind, error) &&
-           file_words_end(&parser->words, error);
+                               &parser->lens->aperture_kind) &&
+           file_words_end(&parser->words);
 }
 
-static bool lens_file_read_focus(struct parser *parser, int what, struct error *error)
+static bool read_focus_line(struct parser *parser)
 {
-    (void)what;
     static const char *const names[] = {"paraxial", "table", "best", "afocal"};
     struct text word = file_words_next(&parser->words);
     for (int i = 0; i < FOCUS_KINDS; i++) {
         if (text_equal(word, names[i])) {
             parser->lens->focus = (enum focus_kind)i;
-            return file_words_end(&parser->words, error);
+            return file_words_end(&parser->words);
         }
     }
-    return file_words_fail(&parser->words, word, error,
-                           "the focus is paraxial, table, best or afocal");
+    return parser_fail(parser, word, "the focus is paraxial, table, best or afocal");
 }
 
-static bool lens_file_read_positions(struct parser *parser, int what, struct error *error)
+static bool read_position_names(struct parser *parser)
 {
-    (void)what;
     struct lens *lens = parser->lens;
     struct file_words *words = &parser->words;
     size_t room = 0;
@@ -246,10 +233,10 @@ static bool lens_file_read_positions(struct parser *parser, int what, struct err
          word = file_words_next(words)) {
         if (word.length == 0 || text_equal(word, "all") ||
             lens_position_find(lens, word) != LENS_NONE) {
-            return file_words_fail(words, word, error, "%s",
-                                   word.length == 0
-                                       ? "the positions have no names"
-                                       : "a position's name that cannot be used: twice, or 'all'");
+            return parser_fail(parser, word, "%s",
+                               word.length == 0
+                                   ? "the positions have no names"
+                                   : "a position's name that cannot be used: twice, or 'all'");
         }
         lens->positions = arena_grow(words->arena, lens->positions, lens->position_count, &room,
                                      sizeof lens->positions[0]);
@@ -259,32 +246,14 @@ static bool lens_file_read_positions(struct parser *parser, int what, struct err
     return true;
 }
 
-static bool line_count_check(struct parser *parser, struct text name, size_t count,
-                             struct error *error)
+static bool line_count_check(struct parser *parser, struct text name, size_t count)
 {
     return count == parser->lens->position_count ||
-           file_words_fail(&parser->words, name, error, "%zu numbers for %zu positions", count,
-                           parser->lens->position_count);
+           parser_fail(parser, name, "%zu numbers for %zu positions", count,
+                       parser->lens->position_count);
 }
 
-static bool let_objects(struct parser *parser, struct text name, struct error *error)
-{
-    struct lens *lens = parser->lens;
-    struct figure *values = ARENA_ARRAY(parser->words.arena, lens->position_count, struct figure);
-    size_t count = 0;
-    take_telecentric(parser);
-    struct text word = file_words_next(&parser->words);
-    for (; word.length > 0 && count < lens->position_count; count++) {
-        if (!lens_file_read_distance(parser, word, &values[count], error)) {
-            return false;
-        }
-        word = file_words_next(&parser->words);
-    }
-    lens->objects = values;
-    return line_count_check(parser, name, count + (word.length > 0), error);
-}
-
-static bool let_apertures(struct parser *parser, struct text name, struct error *error)
+static bool let_apertures(struct parser *parser, struct text name)
 {
     struct lens *lens = parser->lens;
     struct figure *values = ARENA_ARRAY(parser->words.arena, lens->position_count, struct figure);
@@ -293,66 +262,73 @@ static bool let_apertures(struct parser *parser, struct text name, struct error 
     lens->aperture_kind = APERTURE_NONE;
     for (; word.length > 0 && count < lens->position_count; count++) {
         if (text_equal(word, "stop") ||
-            !read_aperture_value(parser, word, &values[count], &lens->aperture_kind, error)) {
+            !read_aperture_value(parser, word, &values[count], &lens->aperture_kind)) {
             return text_equal(word, "stop")
-                       ? file_words_fail(&parser->words, word, error,
-                                         "give the stop's diameter in every position by a "
-                                         "variable in its line")
+                       ? parser_fail(parser, word,
+                                     "give the stop's diameter in every position by a "
+                                     "variable in its line")
                        : false;
         }
         word = file_words_next(&parser->words);
     }
     lens->apertures = values;
-    return line_count_check(parser, name, count + (word.length > 0), error);
+    return line_count_check(parser, name, count + (word.length > 0));
 }
 
-static bool read_let(struct parser *parser, int what, struct error *error)
+static bool read_let(struct parser *parser)
 {
-    (void)what;
     struct lens *lens = parser->lens;
     struct text name = file_words_next(&parser->words);
     if (lens->position_count == 0) {
-        return file_words_fail(&parser->words, name, error,
-                               "'let' needs a line with 'position' before it");
+        return parser_fail(parser, name, "'let' needs a line with 'position' before it");
     }
     if (text_equal(name, "object")) {
-        return let_objects(parser, name, error);
+        struct figure *values =
+            ARENA_ARRAY(parser->words.arena, lens->position_count, struct figure);
+        size_t given = 0;
+        take_telecentric(parser);
+        struct text word = file_words_next(&parser->words);
+        for (; word.length > 0 && given < lens->position_count; given++) {
+            if (!read_object_gap(parser, word, &values[given])) {
+                return false;
+            }
+            word = file_words_next(&parser->words);
+        }
+        lens->objects = values;
+        return line_count_check(parser, name, given + (word.length > 0));
     }
     if (text_equal(name, "aperture")) {
-        return let_apertures(parser, name, error);
+        return let_apertures(parser, name);
     }
     if (name.length == 0 || (name.start[0] | 32) < 'a' || (name.start[0] | 32) > 'z') {
-        return file_words_fail(&parser->words, name, error, "the name of a variable is missing");
+        return parser_fail(parser, name, "the name of a variable is missing");
     }
     size_t index = lens_variable_find(&parser->variables, &parser->words, name), count;
     struct lens_variable *variable = &lens->variables[index];
     if (variable->values != NULL) {
-        return file_words_fail(&parser->words, name, error, "'%.*s' has its numbers already",
-                               text_shown(name), name.start);
+        return parser_fail(parser, name, "'%.*s' has its numbers already", text_shown(name),
+                           name.start);
     }
-    return lens_let_read(&parser->words, lens->position_count, variable, &count, error) &&
-           line_count_check(parser, name, count, error);
+    return lens_let_read(&parser->words, lens->position_count, variable, &count) &&
+           line_count_check(parser, name, count);
 }
 
-static bool keep_line(struct parser *parser, int what, struct error *error)
+static bool keep_line(struct parser *parser)
 {
-    struct lines *lines = &parser->kept[what];
-    (void)error;
+    struct lines *lines = &parser->kept[parser->what];
     lines->all = arena_grow(parser->words.arena, lines->all, lines->count, &lines->room,
                             sizeof lines->all[0]);
     lines->all[lines->count++] = parser->words;
     return true;
 }
 
-static bool lens_file_read_goal(struct parser *parser, int what, struct error *error)
+static bool lens_file_read_goal(struct parser *parser)
 {
-    (void)what;
-    return lens_goal_read(&parser->words, parser->lens, error);
+    return lens_goal_read(&parser->words, parser->lens);
 }
 
-static bool lens_file_read_stated(struct parser *parser, int what, struct error *error)
+static bool read_stated(struct parser *parser)
 {
-    (void)what;
     static const char *const names[STATED_COUNT] = {"efl", "bfl", "fnumber", "tstop"};
     struct lens *lens = parser->lens;
     struct file_words *words = &parser->words;
@@ -363,37 +339,35 @@ static bool lens_file_read_stated(struct parser *parser, int what, struct error 
         }
         struct figure *values;
         if (!lens_words_figures(words, stated_is_length(i) ? words->scale : NUMBER_UNSCALED,
-                                names[i], &values, &lens->stated_count[i], error)) {
+                                names[i], &values, &lens->stated_count[i])) {
             return false;
         }
         lens->stated[i] = values;
         size_t count = lens->stated_count[i];
-        return count == 1 || line_count_check(parser, word, count, error);
+        return count == 1 || line_count_check(parser, word, count);
     }
-    return file_words_fail(words, word, error, "what is stated is efl, bfl, fnumber or tstop");
+    return parser_fail(parser, word, "what is stated is efl, bfl, fnumber or tstop");
 }
 
 /* One surface more, with the coordinate break before it. */
-static bool lens_file_read_surface(struct parser *parser, int kind, struct error *error)
+static bool read_surface_line(struct parser *parser)
 {
     struct lens *lens = parser->lens;
     struct text word = {parser->words.line.start, 0};
     size_t last = lens->surface_count;
     if (last > 0 && !lens->surfaces[last - 1].has_thickness) {
-        return file_words_fail(&parser->words, word, error,
-                               "a surface after one without a thickness");
+        return parser_fail(parser, word, "a surface after one without a thickness");
     }
     if (last == LENS_MOST_SURFACES) {
-        return file_words_fail(&parser->words, word, error, "more than %d surfaces",
-                               LENS_MOST_SURFACES);
+        return parser_fail(parser, word, "more than %d surfaces", LENS_MOST_SURFACES);
     }
     lens->surfaces = arena_grow(parser->words.arena, lens->surfaces, last, &parser->surface_room,
                                 sizeof lens->surfaces[0]);
     struct surface *surface = &lens->surfaces[last];
     const struct medium *before = last > 0 ? &surface[-1].medium : &lens->object_medium;
-    if (!lens_surface_read(&parser->words, (enum surface_kind)kind, before, &parser->variables,
-                           surface, error) ||
-        !lens_words_glass(&parser->words, parser->glasses, &surface->medium, error)) {
+    if (!lens_surface_read(&parser->words, (enum surface_kind)parser->what, before,
+                           &parser->variables, surface) ||
+        !lens_words_glass(&parser->words, parser->glasses, &surface->medium)) {
         return false;
     }
     surface->coordinate_break = parser->coordinate_break;
@@ -402,8 +376,8 @@ static bool lens_file_read_surface(struct parser *parser, int kind, struct error
     lens->surface_count++;
     if (surface->is_stop) {
         if (lens->stop != LENS_NONE) {
-            return file_words_fail(&parser->words, word, error,
-                                   "a second stop: surface %zu is one already", lens->stop + 1);
+            return parser_fail(parser, word, "a second stop: surface %zu is one already",
+                               lens->stop + 1);
         }
         lens->stop = last;
     }
@@ -411,71 +385,56 @@ static bool lens_file_read_surface(struct parser *parser, int kind, struct error
 }
 
 /* `pass` and `block` */
-static bool read_aperture_line(struct parser *parser, int blocks, struct error *error)
+static bool read_aperture_line(struct parser *parser)
 {
     struct lens *lens = parser->lens;
     bool is_below = lens->surface_count > 0 && parser->coordinate_break == NULL;
     struct surface *above = is_below ? &lens->surfaces[lens->surface_count - 1] : NULL;
-    return lens_aperture_read(&parser->words, blocks != 0, above, &parser->aperture_room, error);
+    return lens_aperture_read(&parser->words, parser->what != 0, above, &parser->aperture_room);
 }
 
-static bool read_coordinate_break(struct parser *parser, int what, struct error *error)
+static bool read_coordinate_break(struct parser *parser)
 {
-    (void)what;
     if (parser->coordinate_break != NULL) {
-        return file_words_fail(&parser->words, parser->words.line, error,
-                               "two coordinate breaks before one surface");
+        return parser_fail(parser, parser->words.line, "two coordinate breaks before one surface");
     }
-    return lens_coordinate_break_read(&parser->words, &parser->coordinate_break, error);
+    return lens_coordinate_break_read(&parser->words, &parser->coordinate_break);
 }
 
 /* The bits of those that may stand once; unit is the first, so that it sees what came before. */
 static const struct {
     const char *word;
     unsigned once;
-    bool (*read)(struct parser *parser, int what, struct error *error);
+    bool (*read)(struct parser *parser);
     int what; /* tells relatives apart */
 } keywords[] = {
     {"unit", 1, lens_file_read_unit, 0},
-    {"object", 2, lens_file_read_object, 0},
-    {"field", 4, lens_file_read_field, 0},
-    {"aperture", 8, lens_file_read_aperture, 0},
+    {"object", 2, read_object_line, 0},
+    {"field", 4, read_fields_line, 0},
+    {"aperture", 8, read_lens_aperture, 0},
     {"lens", 0, lens_file_read_text, TEXT_TITLE},
     {"source", 0, lens_file_read_text, TEXT_SOURCE},
     {"kind", 0, lens_file_read_text, TEXT_KIND},
     {"note", 0, lens_file_read_note, 0},
     {"wavelength", 0, read_wavelengths, 0},
-    {"focus", 0, lens_file_read_focus, 0},
-    {"medium", 0, lens_file_read_medium, 0},
-    {"position", 0, lens_file_read_positions, 0},
+    {"focus", 0, read_focus_line, 0},
+    {"medium", 0, read_object_glass, 0},
+    {"position", 0, read_position_names, 0},
     {"let", 0, read_let, 0},
     {"set", 0, keep_line, KEPT_SETTING},
     {"pickup", 0, keep_line, KEPT_PICKUP},
     {"goal", 0, lens_file_read_goal, 0},
     {"tolerance", 0, keep_line, KEPT_TOLERANCE},
-    {"stated", 16, lens_file_read_stated, 0},
-    {"surface", 0, lens_file_read_surface, SURFACE_REFRACT},
-    {"stop", 0, lens_file_read_surface, SURFACE_STOP},
-    {"thick", 0, lens_file_read_surface, SURFACE_THICK},
+    {"stated", 16, read_stated, 0},
+    {"surface", 0, read_surface_line, SURFACE_REFRACT},
+    {"stop", 0, read_surface_line, SURFACE_STOP},
+    {"thick", 0, read_surface_line, SURFACE_THICK},
     {"bend", 0, read_coordinate_break, 0},
     {"pass", 0, read_aperture_line, false},
     {"block", 0, read_aperture_line, true},
 };
 
-/* Not the beginning of a line: one of the table may have been meant. */
-static bool refuse_keyword(struct parser *parser, struct text word, struct error *error)
-{
-    struct nearest nearest = {.typed = word};
-    for (size_t i = 0; i < sizeof keywords / sizeof keywords[0]; i++) {
-        nearest_offer(&nearest, text_of(keywords[i].word));
-    }
-    file_words_fail(&parser->words, word, error, "unknown word '%.*s'", text_shown(word),
-                    word.start);
-    return nearest.best.start != NULL &&
-           error_hint(error, "did you mean '%.*s'?", (int)nearest.best.length, nearest.best.start);
-}
-
-static bool lens_file_read_line(struct parser *parser, struct error *error)
+static bool lens_file_read_line(struct parser *parser)
 {
     const struct text word = file_words_next(&parser->words);
     size_t i = 0, count = sizeof keywords / sizeof keywords[0];
@@ -483,35 +442,43 @@ static bool lens_file_read_line(struct parser *parser, struct error *error)
         i++;
     }
     if (i == count) {
-        return refuse_keyword(parser, word, error);
+        /* Not the beginning of a line: one of the table may have been meant. */
+        struct nearest nearest = {.typed = word};
+        for (size_t k = 0; k < sizeof keywords / sizeof keywords[0]; k++) {
+            nearest_offer(&nearest, text_of(keywords[k].word));
+        }
+        parser_fail(parser, word, "unknown word '%.*s'", text_shown(word), word.start);
+        return nearest.best.start != NULL &&
+               error_hint(parser->words.error, "did you mean '%.*s'?", (int)nearest.best.length,
+                          nearest.best.start);
     }
     bool twice = (keywords[i].once & parser->given) != 0 && keywords[i].once != 16;
     twice = twice || (text_equal(word, "lens") && parser->lens->title != NULL) ||
             (keywords[i].read == read_wavelengths && parser->lens->wavelength_count > 0) ||
-            (keywords[i].read == lens_file_read_positions && parser->lens->position_count > 0);
+            (keywords[i].read == read_position_names && parser->lens->position_count > 0);
     if (twice) {
-        return file_words_fail(&parser->words, word, error, "'%s' stands here twice",
-                               keywords[i].word);
+        return parser_fail(parser, word, "'%s' stands here twice", keywords[i].word);
     }
     parser->given |= keywords[i].once;
-    return keywords[i].read(parser, keywords[i].what, error);
+    parser->what = keywords[i].what;
+    return keywords[i].read(parser);
 }
 
 /* What only the whole file shows. */
-static bool lens_file_finish(struct parser *parser, struct error *error)
+static bool lens_file_finish(struct parser *parser)
 {
     struct lens *lens = parser->lens;
     if (lens->surface_count == 0) {
-        fail(error, ERROR_DATA, "the file has no surface");
-        return error_locate(error, parser->words.source, 0, 0);
+        fail(parser->words.error, ERROR_DATA, "the file has no surface");
+        return error_locate(parser->words.error, parser->words.source, 0, 0);
     }
     for (size_t i = 0; i < lens->variable_count; i++) {
-        if (!lens_let_check(&parser->variables.lines[i], lens, i, error)) {
+        if (!lens_let_check(&parser->variables.lines[i], lens, i)) {
             return false;
         }
     }
     if (lens->aperture_kind == APERTURE_STOP && lens->stop == LENS_NONE) {
-        return file_words_fail(&parser->aperture_line, parser->aperture_word, error,
+        return file_words_fail(&parser->aperture_line, parser->aperture_word,
                                "'aperture stop' needs a stop, and the lens has none");
     }
     for (int kind = 0; kind < KEPT_KINDS; kind++) {
@@ -520,13 +487,13 @@ static bool lens_file_finish(struct parser *parser, struct error *error)
             bool read = false;
             switch (kind) {
             case KEPT_SETTING:
-                read = lens_setting_read(line, parser->glasses, lens, error);
+                read = lens_setting_read(line, parser->glasses, lens);
                 break;
             case KEPT_PICKUP:
-                read = lens_pickup_read(line, lens, error);
+                read = lens_pickup_read(line, lens);
                 break;
             default:
-                read = lens_tolerance_read(line, lens, error);
+                read = lens_tolerance_read(line, lens);
                 break;
             }
             if (!read) {
@@ -552,9 +519,9 @@ bool lens_read(const char *source, struct text content, const struct glass_sourc
         return false;
     }
     while (file_words_line(&parser.words)) {
-        if (!lens_file_read_line(&parser, error)) {
+        if (!lens_file_read_line(&parser)) {
             return false;
         }
     }
-    return lens_file_finish(&parser, error);
+    return lens_file_finish(&parser);
 }

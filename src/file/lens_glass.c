@@ -28,8 +28,8 @@ static bool index_of_named(const void *named, double wavelength, struct pair *in
     return index_of(&found->glass, wavelength, index, error);
 }
 
-static bool lens_glass_find_named(const struct lens_glasses *glasses, enum glass_naming naming,
-                                  struct medium *medium, struct error *error)
+static bool find_by_name(const struct lens_glasses *glasses, enum glass_naming naming,
+                         struct medium *medium, struct error *error)
 {
     struct glass_record record;
     if (!glass_find(glasses->db, medium->written, naming, glasses->arena, &record, error)) {
@@ -51,17 +51,17 @@ static bool lens_glass_find_named(const struct lens_glasses *glasses, enum glass
 
 static bool lens_glass_find(void *context, struct medium *medium, struct error *error)
 {
-    return lens_glass_find_named(context, GLASS_OWN_NAMES, medium, error);
+    return find_by_name(context, GLASS_OWN_NAMES, medium, error);
 }
 
 static bool find_foreign(void *context, struct medium *medium, struct error *error)
 {
-    return lens_glass_find_named(context, GLASS_ALIASES, medium, error);
+    return find_by_name(context, GLASS_ALIASES, medium, error);
 }
 
 static bool find_homonym(void *context, struct medium *medium, struct error *error)
 {
-    return lens_glass_find_named(context, GLASS_HOMONYMS, medium, error);
+    return find_by_name(context, GLASS_HOMONYMS, medium, error);
 }
 
 struct medium lens_glass_medium(const struct glass *glass)

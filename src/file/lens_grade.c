@@ -18,34 +18,17 @@ static bool lens_grade_add_row(const struct lensdb_tolerance *row, struct lens *
         row->amount.start, (int)row->unit.length, row->unit.start, (int)row->distribution.length,
         row->distribution.start);
     struct file_words words = {.source = row->file,
+                               .error = error,
                                .line = text_of(line),
                                .number = row->line,
                                .at = line,
                                .scale = lens_unit_scale("mm"),
                                .arena = arena};
-    if (!lens_tolerance_read(&words, lens, error)) {
+    if (!lens_tolerance_read(&words, lens)) {
         return false;
     }
     lens->tolerances[lens->tolerance_count - 1].is_range = true; /* of a single surface too */
     return true;
-}
-
-/* Those of one place; `names` receives all grades that it has. */
-static bool lens_grade_read_place(struct lensdb *db, enum lensdb_place place,
-                                  struct nearest *nearest, struct lens *lens, struct arena *arena,
-                                  struct error *error)
-{
-    struct lensdb_table grades;
-    struct lensdb_tolerance row;
-    bool open = lensdb_grades_open(&grades, db, place, error);
-    while (open && lensdb_grades_next(&grades, &row, error)) {
-        nearest_offer(nearest, row.grade);
-        if (text_same_name(row.grade, nearest->typed) &&
-            !lens_grade_add_row(&row, lens, arena, error)) {
-            return false;
-        }
-    }
-    return error->code == ERROR_NONE;
 }
 
 bool lens_grade_read(struct lensdb *db, struct text name, const struct lens *lens,
@@ -57,7 +40,18 @@ bool lens_grade_read(struct lensdb *db, struct text name, const struct lens *len
     graded.tolerance_count = 0;
     error->code = ERROR_NONE;
     for (int place = 0; place < LENSDB_PLACES && graded.tolerance_count == 0; place++) {
-        if (!lens_grade_read_place(db, (enum lensdb_place)place, &nearest, &graded, arena, error)) {
+        /* Those of one place; `names` receives all grades that it has. */
+        struct lensdb_table grades;
+        struct lensdb_tolerance row;
+        bool open = lensdb_grades_open(&grades, db, (enum lensdb_place)place, error);
+        while (open && lensdb_grades_next(&grades, &row, error)) {
+            nearest_offer(&nearest, row.grade);
+            if (text_same_name(row.grade, nearest.typed) &&
+                !lens_grade_add_row(&row, &graded, arena, error)) {
+                return false;
+            }
+        }
+        if (error->code != ERROR_NONE) {
             return false;
         }
     }

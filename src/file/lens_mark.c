@@ -17,40 +17,38 @@ bool lens_bounds_are_sound(const struct vary *mark)
     return low <= high || through_plane;
 }
 
-static bool lens_mark_read_bound(const struct file_words *words, struct text text,
-                                 const struct vary *mark, struct figure *figure,
-                                 struct error *error)
+static bool read_mark_bound(const struct file_words *words, struct text text,
+                            const struct vary *mark, struct figure *figure)
 {
     const bool below = text_equal(text, "-inf");
     if (below || text_equal(text, "inf")) {
         *figure = (struct figure){{below ? -INFINITY : INFINITY, 0}, text, LENS_NONE};
         return true;
     }
-    return lens_words_number(words, text, mark->kind, mark->order, figure, error);
+    return lens_words_number(words, text, mark->kind, mark->order, figure);
 }
 
-bool lens_bounds_read(const struct file_words *words, struct text bounds, struct vary *mark,
-                      struct error *error)
+bool lens_bounds_read(const struct file_words *words, struct text bounds, struct vary *mark)
 {
     if (bounds.length == 0) {
         return true;
     }
     if (mark->kind == PARAMETER_GLASS) {
-        return file_words_fail(words, bounds, error,
+        return file_words_fail(words, bounds,
                                "a glass has no bounds: it stays within the map of optical glasses");
     }
     struct text high = {bounds.start + 1, bounds.length >= 2 ? bounds.length - 2 : 0};
     struct text low = text_cut(&high, ',');
     if (bounds.start[0] != '[' || bounds.start[bounds.length - 1] != ']' || high.start == NULL) {
-        return file_words_fail(words, bounds, error, "bounds are written [low,high]");
+        return file_words_fail(words, bounds, "bounds are written [low,high]");
     }
-    if (!lens_mark_read_bound(words, low, mark, &mark->low, error) ||
-        !lens_mark_read_bound(words, high, mark, &mark->high, error)) {
+    if (!read_mark_bound(words, low, mark, &mark->low) ||
+        !read_mark_bound(words, high, mark, &mark->high)) {
         return false;
     }
     mark->has_bounds = true;
     return lens_bounds_are_sound(mark) ||
-           file_words_fail(words, bounds, error, "the lower bound is above the upper");
+           file_words_fail(words, bounds, "the lower bound is above the upper");
 }
 
 void lens_number_write(struct text_buffer *text, const struct figure *figure,
@@ -82,10 +80,10 @@ void lens_mark_write(const struct vary *mark, const char *name, const char *unit
 
 /* 15.2, 15.2~, 15.2~[10,20] */
 static bool read_marked(const struct file_words *words, struct text word, struct figure *value,
-                        const struct vary **mark, struct error *error)
+                        const struct vary **mark)
 {
     struct text bounds = word, number = text_cut(&bounds, '~');
-    if (!lens_words_figure(words, number, words->scale, "value", value, error)) {
+    if (!lens_words_figure(words, number, words->scale, "value", value)) {
         return false;
     }
     if (bounds.start == NULL) {
@@ -95,11 +93,11 @@ static bool read_marked(const struct file_words *words, struct text word, struct
     struct vary *made = ARENA_NEW(words->arena, struct vary);
     *made = (struct vary){.kind = PARAMETER_THICKNESS, .place = file_words_place(words, word)};
     *mark = made;
-    return lens_bounds_read(words, bounds, made, error);
+    return lens_bounds_read(words, bounds, made);
 }
 
 bool lens_let_read(struct file_words *words, size_t positions, struct lens_variable *variable,
-                   size_t *count, struct error *error)
+                   size_t *count)
 {
     struct figure *values = ARENA_ARRAY(words->arena, positions + 1, struct figure);
     const struct vary **marks = ARENA_ARRAY(words->arena, positions + 1, const struct vary *);
@@ -108,7 +106,7 @@ bool lens_let_read(struct file_words *words, size_t positions, struct lens_varia
     for (struct text word = file_words_next(words); word.length > 0 || *count == 0;
          word = file_words_next(words)) {
         size_t at = *count < positions ? *count : positions;
-        if (!read_marked(words, word, &values[at], &marks[at], error)) {
+        if (!read_marked(words, word, &values[at], &marks[at])) {
             return false;
         }
         is_marked = is_marked || marks[at] != NULL;
@@ -119,16 +117,14 @@ bool lens_let_read(struct file_words *words, size_t positions, struct lens_varia
     return true;
 }
 
-bool lens_let_check(const struct file_words *words, const struct lens *lens, size_t word,
-                    struct error *error)
+bool lens_let_check(const struct file_words *words, const struct lens *lens, size_t word)
 {
     const struct lens_variable *one = &lens->variables[word];
     const struct text name = one->name;
     if (one->values == NULL) {
-        file_words_fail(words, name, error,
-                        "'%.*s' is not a number, and no line with 'let' gives it any",
+        file_words_fail(words, name, "'%.*s' is not a number, and no line with 'let' gives it any",
                         text_shown(name), name.start);
-        return error_hint(error, "a zoom has 'position wide tele' and 'let %.*s 2.4 8.3'",
+        return error_hint(words->error, "a zoom has 'position wide tele' and 'let %.*s 2.4 8.3'",
                           text_shown(name), name.start);
     }
     for (size_t i = 0; i < lens->surface_count && one->varies != NULL; i++) {
@@ -139,16 +135,16 @@ bool lens_let_check(const struct file_words *words, const struct lens *lens, siz
         }
     }
     return one->varies == NULL ||
-           file_words_fail(words, name, error,
+           file_words_fail(words, name,
                            "'%.*s' is marked, but stands for no thickness and no focal length",
                            text_shown(name), name.start);
 }
 
-bool lens_goal_read(struct file_words *words, struct lens *lens, struct error *error)
+bool lens_goal_read(struct file_words *words, struct lens *lens)
 {
     const struct text text = file_words_rest(words);
     if (text.length == 0) {
-        return file_words_fail(words, text, error, "the goal is missing: efl = 100");
+        return file_words_fail(words, text, "the goal is missing: efl = 100");
     }
     struct lens_goal *all = ARENA_ARRAY(words->arena, lens->goal_count + 1, struct lens_goal);
     for (size_t i = 0; i < lens->goal_count; i++) {

@@ -14,8 +14,7 @@
  * Errors    ERROR_DATA with line and column: not two numbers, a glass, the lower above the upper.
  *           Of a radius or focal length [50,-100] leads through a plane
  */
-bool lens_bounds_read(const struct file_words *words, struct text bounds, struct vary *mark,
-                      struct error *error);
+bool lens_bounds_read(const struct file_words *words, struct text bounds, struct vary *mark);
 
 /* "t~[2,10]"; without a name "~[2,10]". */
 void lens_mark_write(const struct vary *mark, const char *name, const char *unit,
@@ -30,17 +29,16 @@ bool lens_bounds_are_sound(const struct vary *mark);
 
 /* Read the numbers of a word behind `let d5`, one a position: 2.4 8.3~ 15.2~[10,20]. */
 bool lens_let_read(struct file_words *words, size_t positions, struct lens_variable *variable,
-                   size_t *count, struct error *error);
+                   size_t *count);
 
 /*
  * Has a word its numbers, and may it vary where it is marked?
  *
  * Given     words  the line that it was first used in
  */
-bool lens_let_check(const struct file_words *words, const struct lens *lens, size_t word,
-                    struct error *error);
+bool lens_let_check(const struct file_words *words, const struct lens *lens, size_t word);
 
 /* A line with `goal`, kept as it is: cli/options/goals.h reads it. */
-bool lens_goal_read(struct file_words *words, struct lens *lens, struct error *error);
+bool lens_goal_read(struct file_words *words, struct lens *lens);
 
 #endif

@@ -31,7 +31,7 @@ static struct text lens_pickup_cut(struct sum *sum, size_t length)
 }
 
 /* The plain number that the rest begins with; its length is 0 where there is none. */
-static struct text lens_pickup_cut_number(struct sum *sum)
+static struct text cut_factor(struct sum *sum)
 {
     double ignored;
     const char *end = sum->rest.start + sum->rest.length;
@@ -42,57 +42,50 @@ static struct text lens_pickup_cut_number(struct sum *sum)
     return lens_pickup_cut(sum, behind != NULL ? (size_t)(behind - sum->rest.start) : 0);
 }
 
-static struct text cut_name(struct sum *sum)
-{
-    size_t length = 0;
-    while (length < sum->rest.length && lens_pickup_is_name(sum->rest.start[length])) {
-        length++;
-    }
-    return lens_pickup_cut(sum, length);
-}
-
 /* Digits of the term with its sign, so that it is written as it was typed. */
-static bool lens_pickup_read_figure(struct sum *sum, bool minus, struct text digits, bool is_factor,
-                                    struct figure *figure, struct error *error)
+static bool read_term_figure(struct sum *sum, bool minus, struct text digits, bool is_factor,
+                             struct figure *figure)
 {
     const struct parameter what = sum->pickup->what;
-    bool read =
-        is_factor ? lens_words_figure(sum->words, digits, NUMBER_UNSCALED, "factor", figure, error)
-                  : lens_words_number(sum->words, digits, what.kind, what.order, figure, error);
+    bool read = is_factor ? lens_words_figure(sum->words, digits, NUMBER_UNSCALED, "factor", figure)
+                          : lens_words_number(sum->words, digits, what.kind, what.order, figure);
     *figure = read && minus ? figure_negate(*figure, sum->words->arena) : *figure;
     return read;
 }
 
-static bool read_term(struct sum *sum, bool minus, struct error *error)
+static bool read_term(struct sum *sum, bool minus)
 {
     struct lens_pickup *pickup = sum->pickup;
-    const struct text digits = lens_pickup_cut_number(sum);
+    const struct text digits = cut_factor(sum);
     if (digits.length > 0 && sum->rest.length > 0 && *sum->rest.start == '*') {
         lens_pickup_cut(sum, 1);
     }
-    const struct text name = cut_name(sum);
+    size_t length = 0;
+    while (length < sum->rest.length && lens_pickup_is_name(sum->rest.start[length])) {
+        length++;
+    }
+    const struct text name = lens_pickup_cut(sum, length);
     const struct text at = name.length > 0 || digits.length == 0 ? name : digits;
     if (at.length == 0) {
-        return file_words_fail(sum->words, at, error,
-                               "a pick-up is written R6 = -R3 or t9 = 0.5 t4 + 2");
+        return file_words_fail(sum->words, at, "a pick-up is written R6 = -R3 or t9 = 0.5 t4 + 2");
     }
     if (name.length > 0 ? sum->has_from : sum->has_offset) {
-        return file_words_fail(sum->words, at, error,
+        return file_words_fail(sum->words, at,
                                "a second %s: a pick-up is a factor times one number of the lens, "
                                "plus one plain number",
                                name.length > 0 ? "number that is followed" : "plain number");
     }
     if (name.length == 0) {
         sum->has_offset = true;
-        return lens_pickup_read_figure(sum, minus, digits, false, &pickup->offset, error);
+        return read_term_figure(sum, minus, digits, false, &pickup->offset);
     }
     sum->has_from = true;
     const struct text one = digits.length > 0 ? digits : text_of("1");
-    return lens_words_parameter(sum->words, name, NULL, &pickup->from, error) &&
-           lens_pickup_read_figure(sum, minus, one, true, &pickup->factor, error);
+    return lens_words_parameter(sum->words, name, NULL, &pickup->from) &&
+           read_term_figure(sum, minus, one, true, &pickup->factor);
 }
 
-static bool read_sum(struct sum *sum, struct error *error)
+static bool read_sum(struct sum *sum)
 {
     const struct text whole = sum->rest;
     do {
@@ -100,40 +93,38 @@ static bool read_sum(struct sum *sum, struct error *error)
             sum->rest.length > 0 && (*sum->rest.start == '-' || *sum->rest.start == '+');
         bool minus = is_signed && *sum->rest.start == '-';
         if (!is_signed && sum->rest.start != whole.start) {
-            return file_words_fail(sum->words, sum->rest, error, "expected '+' or '-' here");
+            return file_words_fail(sum->words, sum->rest, "expected '+' or '-' here");
         }
         lens_pickup_cut(sum, is_signed ? 1 : 0);
-        if (!read_term(sum, minus, error)) {
+        if (!read_term(sum, minus)) {
             return false;
         }
     } while (sum->rest.length > 0);
-    return sum->has_from || file_words_fail(sum->words, whole, error,
-                                            "a pick-up follows a number of the lens: R6 = -R3");
+    return sum->has_from ||
+           file_words_fail(sum->words, whole, "a pick-up follows a number of the lens: R6 = -R3");
 }
 
-bool lens_pickup_read(struct file_words *words, struct lens *lens, struct error *error)
+bool lens_pickup_read(struct file_words *words, struct lens *lens)
 {
     struct lens_pickup pickup = {.factor = figure_of(1, words->arena), .offset = figure_zero()};
     struct text value = file_words_rest(words), name = text_trim(text_cut(&value, '='));
     if (value.start == NULL) {
-        return file_words_fail(words, name, error,
-                               "a pick-up is written R6 = -R3 or t9 = 0.5 t4 + 2");
+        return file_words_fail(words, name, "a pick-up is written R6 = -R3 or t9 = 0.5 t4 + 2");
     }
     struct sum sum = {.words = words, .rest = text_trim(value), .pickup = &pickup};
-    if (!lens_words_parameter(words, name, NULL, &pickup.what, error) || !read_sum(&sum, error)) {
+    if (!lens_words_parameter(words, name, NULL, &pickup.what) || !read_sum(&sum)) {
         return false;
     }
     bool plain = pickup.factor.value.hi == 1 && pickup.offset.value.hi == 0;
     if (pickup.what.kind == PARAMETER_GLASS && !plain) {
-        return file_words_fail(words, name, error,
-                               "a glass follows another as it is: %.*s = glass1", text_shown(name),
-                               name.start);
+        return file_words_fail(words, name, "a glass follows another as it is: %.*s = glass1",
+                               text_shown(name), name.start);
     }
     if (!(fabs(pickup.factor.value.hi) > 0)) {
-        return file_words_fail(words, name, error, "the factor is 0: nothing is followed");
+        return file_words_fail(words, name, "the factor is 0: nothing is followed");
     }
     const char *against = lens_pickup_add(lens, pickup, words->arena);
-    return against == NULL || file_words_fail(words, name, error, "%s", against);
+    return against == NULL || file_words_fail(words, name, "%s", against);
 }
 
 void lens_pickup_write(const struct lens_pickup *pickup, const char *unit, struct text_buffer *text)
@@ -173,9 +164,8 @@ static struct before lens_pickup_look(const struct lens *lens, struct parameter 
     return before;
 }
 
-static const char *lens_pickup_warning_of(const struct lens_pickup *pickup,
-                                          const struct before *was, const struct before *is,
-                                          struct arena *arena)
+static const char *order_warning(const struct lens_pickup *pickup, const struct before *was,
+                                 const struct before *is, struct arena *arena)
 {
     const char *name = parameter_mark_write(pickup->what, arena);
     const unsigned angle = PARAMETER_IS_ANGLE;
@@ -217,7 +207,7 @@ void lens_pickups_begin(struct lens *lens, struct arena *arena)
         const struct parameter what = pickup->what;
         const struct before is = lens_pickup_look(lens, what);
         const struct figure *typed = &all[i].figure;
-        pickup->warning = lens_pickup_warning_of(pickup, &all[i], &is, arena);
+        pickup->warning = order_warning(pickup, &all[i], &is, arena);
         if (typed->typed.start != NULL && typed->value.hi == is.figure.value.hi &&
             typed->value.lo == is.figure.value.lo) {
             parameter_put(&lens->surfaces[what.surface], what.kind, what.order, *typed, arena);

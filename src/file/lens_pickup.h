@@ -14,7 +14,7 @@
  * Errors    ERROR_DATA with line and column: unknown names, no number that is followed, two of
  *           them, and what lens_pickup_add refuses
  */
-bool lens_pickup_read(struct file_words *words, struct lens *lens, struct error *error);
+bool lens_pickup_read(struct file_words *words, struct lens *lens);
 void lens_pickup_write(const struct lens_pickup *pickup, const char *unit,
                        struct text_buffer *text);
 

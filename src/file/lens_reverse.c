@@ -55,15 +55,14 @@ static struct figure lens_reverse_undone(const struct turn *turn, enum parameter
     return lens_reverse_turns(turn, kind) ? figure : figure_negate(figure, turn->arena);
 }
 
-static void lens_reverse_set_thickness(const struct turn *turn, struct surface *to,
-                                       const struct surface *from)
+static void set_turned_gap(const struct turn *turn, struct surface *to, const struct surface *from)
 {
     to->has_thickness = from->has_thickness;
     to->thickness = lens_reverse_turned(turn, PARAMETER_THICKNESS, from->thickness);
 }
 
 /* The plane behind a surface on which one part of a coordinate break is undone. */
-static struct displacement *lens_reverse_add_plane(struct turn *turn)
+static struct displacement *add_turned_plane(struct turn *turn)
 {
     const struct lens *lens = turn->build.lens;
     const struct medium medium = lens->surfaces[lens->surface_count - 1].medium;
@@ -83,13 +82,13 @@ static void add_breaks(struct turn *turn, const struct displacement *coordinate_
     for (int i = 2; i >= 0; i--) {
         if (coordinate_break->tilt[i].value.hi != 0) {
             const enum parameter_kind kind = (enum parameter_kind)(PARAMETER_BREAK_TILT_X + i);
-            lens_reverse_add_plane(turn)->tilt[i] =
+            add_turned_plane(turn)->tilt[i] =
                 lens_reverse_undone(turn, kind, coordinate_break->tilt[i]);
         }
     }
     if (coordinate_break->decenter[0].value.hi != 0 ||
         coordinate_break->decenter[1].value.hi != 0) {
-        struct displacement *shift = lens_reverse_add_plane(turn);
+        struct displacement *shift = add_turned_plane(turn);
         shift->decenter[0] =
             lens_reverse_undone(turn, PARAMETER_BREAK_DECENTER_X, coordinate_break->decenter[0]);
         shift->decenter[1] =
@@ -97,18 +96,9 @@ static void add_breaks(struct turn *turn, const struct displacement *coordinate_
     }
 }
 
-static void turn_mark(const struct turn *turn, struct vary *vary)
-{
-    if (vary->has_bounds && lens_reverse_turns(turn, vary->kind)) {
-        struct figure low = vary->low;
-        vary->low = figure_negate(vary->high, turn->arena);
-        vary->high = figure_negate(low, turn->arena);
-    }
-}
-
 /* Marks of one owner, from a surface as it was to where the owner lies now. */
-static void lens_reverse_add_marks(const struct turn *turn, struct surface *to,
-                                   const struct surface *from, enum owner owner)
+static void add_own_marks(const struct turn *turn, struct surface *to, const struct surface *from,
+                          enum owner owner)
 {
     struct vary *all = ARENA_ARRAY(turn->arena, to->vary_count + from->vary_count + 1, struct vary);
     for (size_t i = 0; i < to->vary_count; i++) {
@@ -118,24 +108,13 @@ static void lens_reverse_add_marks(const struct turn *turn, struct surface *to,
     for (size_t i = 0; i < from->vary_count; i++) {
         if (owner_of(from->varies[i].kind) == owner) {
             all[to->vary_count] = from->varies[i];
-            turn_mark(turn, &all[to->vary_count++]);
+            struct vary *vary = &all[to->vary_count++];
+            if (vary->has_bounds && lens_reverse_turns(turn, vary->kind)) {
+                struct figure low = vary->low;
+                vary->low = figure_negate(vary->high, turn->arena);
+                vary->high = figure_negate(low, turn->arena);
+            }
         }
-    }
-}
-
-/* Marks of the gap before a surface, and of its medium, which mirrors have from before them. */
-static void add_marks_behind(struct turn *turn, struct surface *to, size_t index)
-{
-    const struct surface *surfaces = turn->from->surfaces;
-    size_t medium = index - 1;
-    lens_reverse_add_marks(turn, to, &surfaces[index - 1], OWNED_BY_GAP);
-    while (medium > 0 && surface_reflects(&surfaces[medium])) {
-        medium--;
-    }
-    turn->places[OWNED_BY_GAP][index - 1] = turn->build.lens->surface_count - 1;
-    if (!surface_reflects(&surfaces[index])) {
-        lens_reverse_add_marks(turn, to, &surfaces[medium], OWNED_BY_MEDIUM);
-        turn->places[OWNED_BY_MEDIUM][medium] = turn->build.lens->surface_count - 1;
     }
 }
 
@@ -155,7 +134,7 @@ static const char *join_marks(const char *all, const struct surface *surface, si
 }
 
 /* What lies behind the whole lens comes before it, and a coordinate break becomes planes. */
-static bool lens_reverse_has_place(const struct lens *lens, struct parameter one)
+static bool keeps_place(const struct lens *lens, struct parameter one)
 {
     size_t last = lens->surface_count - 1;
     enum owner owner = owner_of(one.kind);
@@ -170,7 +149,7 @@ static bool lens_reverse_has_place(const struct lens *lens, struct parameter one
 
 static bool pickup_has_place(const struct lens *lens, const struct lens_pickup *pickup)
 {
-    return lens_reverse_has_place(lens, pickup->what) && lens_reverse_has_place(lens, pickup->from);
+    return keeps_place(lens, pickup->what) && keeps_place(lens, pickup->from);
 }
 
 /* -------- tolerances -------- */
@@ -196,21 +175,7 @@ static bool tolerance_has_place(const struct lens *lens, enum tolerance_kind kin
         [OWNED_BY_MEDIUM] = PARAMETER_INDEX,
     };
     const struct parameter one = {surface, of_owner[owner_of_tolerance(kind)], 0};
-    return lens_reverse_has_place(lens, one);
-}
-
-/* What is of one end of an element by itself is of the other end now, and must be named. */
-static size_t turn_pivot(const struct turn *turn, const struct lens_tolerance *from,
-                         const struct lens_tolerance *to)
-{
-    const bool is_wedge = from->kind == TOLERANCE_WEDGE;
-    const bool has_end = is_wedge || from->kind == TOLERANCE_ELEMENT_ROLL;
-    size_t pivot = from->pivot;
-    if (pivot == LENS_NONE && has_end) {
-        pivot = is_wedge ? from->last : from->first;
-    }
-    pivot = pivot == LENS_NONE ? LENS_NONE : turn->places[OWNED_BY_SURFACE][pivot];
-    return has_end && pivot == (is_wedge ? to->last : to->first) ? LENS_NONE : pivot;
+    return keeps_place(lens, one);
 }
 
 /* Those of the lens turned around, in the making. */
@@ -219,8 +184,8 @@ struct turned_tolerances {
     size_t count, room;
 };
 
-static void lens_reverse_add_tolerance(const struct turn *turn, struct turned_tolerances *all,
-                                       struct lens_tolerance one)
+static void add_turned_tolerance(const struct turn *turn, struct turned_tolerances *all,
+                                 struct lens_tolerance one)
 {
     all->list = arena_grow(turn->arena, all->list, all->count, &all->room, sizeof all->list[0]);
     all->list[all->count++] = one;
@@ -243,8 +208,16 @@ static void turn_tolerance(const struct turn *turn, struct turned_tolerances *al
         }
     }
     if (to.first != LENS_NONE) {
-        to.pivot = turn_pivot(turn, from, &to);
-        lens_reverse_add_tolerance(turn, all, to);
+        /* What is of one end of an element by itself is of the other end now, and must be named. */
+        const bool is_wedge = from->kind == TOLERANCE_WEDGE;
+        const bool has_end = is_wedge || from->kind == TOLERANCE_ELEMENT_ROLL;
+        size_t pivot = from->pivot;
+        if (pivot == LENS_NONE && has_end) {
+            pivot = is_wedge ? from->last : from->first;
+        }
+        pivot = pivot == LENS_NONE ? LENS_NONE : turn->places[OWNED_BY_SURFACE][pivot];
+        to.pivot = has_end && pivot == (is_wedge ? to.last : to.first) ? LENS_NONE : pivot;
+        add_turned_tolerance(turn, all, to);
     }
 }
 
@@ -271,7 +244,7 @@ static void turn_tolerances(const struct turn *turn)
     for (size_t i = 0; i < turn->from->tolerance_count; i++) {
         const struct lens_tolerance *one = &turn->from->tolerances[i];
         if (one->kind == TOLERANCE_FOCUS) {
-            lens_reverse_add_tolerance(turn, &all, *one);
+            add_turned_tolerance(turn, &all, *one);
         } else if (one->is_range &&
                    (one->kind == TOLERANCE_WEDGE || one->kind == TOLERANCE_ELEMENT_ROLL)) {
             turn_elements(turn, &all, one);
@@ -281,23 +254,6 @@ static void turn_tolerances(const struct turn *turn)
     }
     turn->build.lens->tolerances = all.list;
     turn->build.lens->tolerance_count = all.count;
-}
-
-/* Those of the gap or the glass behind the lens, in words behind `all`. */
-static const char *join_tolerances(const char *all, const struct lens *lens, struct arena *arena)
-{
-    for (size_t i = 0; i < lens->tolerance_count; i++) {
-        struct lens_tolerance one = lens->tolerances[i];
-        for (size_t k = one.first; k <= one.last && one.kind != TOLERANCE_FOCUS; k++) {
-            struct lens_tolerance missing = one;
-            missing.first = missing.last = k;
-            if (!tolerance_has_place(lens, one.kind, k)) {
-                all = arena_printf(arena, "%s%sthe tolerance of %s", all != NULL ? all : "",
-                                   all != NULL ? ", " : "", tolerance_name(&missing, arena));
-            }
-        }
-    }
-    return all;
 }
 
 const char *lens_marks_left_out(const struct lens *lens, struct arena *arena)
@@ -315,7 +271,19 @@ const char *lens_marks_left_out(const struct lens *lens, struct arena *arena)
                                parameter_mark_write(lens->pickups[i].what, arena));
         }
     }
-    return join_tolerances(all, lens, arena);
+    /* Those of the gap or the glass behind the lens, in words behind `all`. */
+    for (size_t i = 0; i < lens->tolerance_count; i++) {
+        struct lens_tolerance one = lens->tolerances[i];
+        for (size_t k = one.first; k <= one.last && one.kind != TOLERANCE_FOCUS; k++) {
+            struct lens_tolerance missing = one;
+            missing.first = missing.last = k;
+            if (!tolerance_has_place(lens, one.kind, k)) {
+                all = arena_printf(arena, "%s%sthe tolerance of %s", all != NULL ? all : "",
+                                   all != NULL ? ", " : "", tolerance_name(&missing, arena));
+            }
+        }
+    }
+    return all;
 }
 
 /* A factor changes its sign where only one of the two numbers does. */
@@ -337,19 +305,6 @@ static void turn_pickups(const struct turn *turn)
         one.what.surface = turn->places[owner_of(one.what.kind)][one.what.surface];
         one.from.surface = turn->places[owner_of(one.from.kind)][one.from.surface];
         lens->pickups[lens->pickup_count++] = one;
-    }
-}
-
-/* What lies on the surface itself. */
-static void turn_numbers(const struct turn *turn, struct surface *surface)
-{
-    for (struct parameter each = {0}; each.kind < PARAMETER_KINDS; each = parameter_next(each)) {
-        const struct figure *figure = parameter_figure(surface, each.kind, each.order);
-        bool is_behind = (parameter_type(each.kind)->is & PARAMETER_IS_BEHIND) != 0;
-        if (figure != NULL && !is_behind && lens_reverse_turns(turn, each.kind)) {
-            parameter_put(surface, each.kind, each.order, figure_negate(*figure, turn->arena),
-                          turn->arena);
-        }
     }
 }
 
@@ -381,7 +336,7 @@ static const struct aperture *turn_apertures(const struct turn *turn, const stru
     return copy;
 }
 
-static void lens_reverse_add_surface(struct turn *turn, size_t index)
+static void add_turned_surface(struct turn *turn, size_t index)
 {
     const struct lens *from = turn->from;
     struct surface *to = lens_build_surface(&turn->build);
@@ -389,11 +344,19 @@ static void lens_reverse_add_surface(struct turn *turn, size_t index)
     *to = from->surfaces[index];
     to->medium = index > 0 ? from->surfaces[index - 1].medium : from->object_medium;
     to->coordinate_break = NULL;
-    turn_numbers(turn, to);
+    /* What lies on the surface itself. */
+    for (struct parameter each = {0}; each.kind < PARAMETER_KINDS; each = parameter_next(each)) {
+        const struct figure *figure = parameter_figure(to, each.kind, each.order);
+        bool is_behind = (parameter_type(each.kind)->is & PARAMETER_IS_BEHIND) != 0;
+        if (figure != NULL && !is_behind && lens_reverse_turns(turn, each.kind)) {
+            parameter_put(to, each.kind, each.order, figure_negate(*figure, turn->arena),
+                          turn->arena);
+        }
+    }
     to->apertures = turn->flips ? turn_apertures(turn, to) : to->apertures;
     to->varies = NULL;
     to->vary_count = 0;
-    lens_reverse_add_marks(turn, to, &from->surfaces[index], OWNED_BY_SURFACE);
+    add_own_marks(turn, to, &from->surfaces[index], OWNED_BY_SURFACE);
     to->has_thickness = true;
     to->thickness = figure_zero();
     if (from->surfaces[index].is_stop) {
@@ -405,8 +368,18 @@ static void lens_reverse_add_surface(struct turn *turn, size_t index)
     if (index > 0) {
         struct lens *lens = turn->build.lens;
         struct surface *last = &lens->surfaces[lens->surface_count - 1];
-        lens_reverse_set_thickness(turn, last, &from->surfaces[index - 1]);
-        add_marks_behind(turn, last, index);
+        set_turned_gap(turn, last, &from->surfaces[index - 1]);
+        const struct surface *surfaces = turn->from->surfaces;
+        size_t medium = index - 1;
+        add_own_marks(turn, last, &surfaces[index - 1], OWNED_BY_GAP);
+        while (medium > 0 && surface_reflects(&surfaces[medium])) {
+            medium--;
+        }
+        turn->places[OWNED_BY_GAP][index - 1] = turn->build.lens->surface_count - 1;
+        if (!surface_reflects(&surfaces[index])) {
+            add_own_marks(turn, last, &surfaces[medium], OWNED_BY_MEDIUM);
+            turn->places[OWNED_BY_MEDIUM][medium] = turn->build.lens->surface_count - 1;
+        }
     }
 }
 
@@ -501,16 +474,7 @@ static bool turn_aperture(struct turn *turn, struct error *error)
     return true;
 }
 
-static bool surface_distorts(const struct surface *surface)
-{
-    bool distorts = false;
-    for (int i = 0; i < 3 && surface_has(surface, SURFACE_HAS_FOCAL); i++) {
-        distorts = distorts || fabs(surface->distortion[i].value.hi) > 0;
-    }
-    return distorts;
-}
-
-static bool lens_reverse_check(const struct turn *turn, struct error *error)
+static bool check_turnable(const struct turn *turn, struct error *error)
 {
     const struct lens *from = turn->from;
     if (from->objects != NULL || from->apertures != NULL) {
@@ -533,7 +497,11 @@ static bool lens_reverse_check(const struct turn *turn, struct error *error)
                         "{reverse}: distances beside an odd number of mirrors change between the "
                         "positions: choose one with {position}");
         }
-        if (surface_distorts(&from->surfaces[i])) {
+        bool distorts = false;
+        for (int k = 0; k < 3 && surface_has(&from->surfaces[i], SURFACE_HAS_FOCAL); k++) {
+            distorts = distorts || fabs(from->surfaces[i].distortion[k].value.hi) > 0;
+        }
+        if (distorts) {
             return fail(error, ERROR_DOMAIN,
                         "{reverse}: surface %zu is a thick lens with distortion, which has no "
                         "reverse",
@@ -550,7 +518,7 @@ const struct lens *lens_reversed(const struct lens *lens, struct arena *arena, s
     for (size_t i = 0; i < lens->surface_count; i++) {
         turn.flips = turn.flips != surface_reflects(&lens->surfaces[i]);
     }
-    if (!lens_reverse_check(&turn, error)) {
+    if (!check_turnable(&turn, error)) {
         return NULL;
     }
     for (int i = 0; i < OWNERS; i++) {
@@ -564,7 +532,7 @@ const struct lens *lens_reversed(const struct lens *lens, struct arena *arena, s
     to->stated[STATED_BFL] = NULL;
     to->stated_count[STATED_BFL] = 0;
     for (size_t i = lens->surface_count; i-- > 0;) {
-        lens_reverse_add_surface(&turn, i);
+        add_turned_surface(&turn, i);
     }
     turn_pickups(&turn);
     turn_tolerances(&turn);

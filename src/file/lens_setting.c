@@ -9,20 +9,16 @@
 #include <string.h>
 
 bool lens_words_glass(const struct file_words *words, const struct glass_source *glasses,
-                      struct medium *medium, struct error *error)
+                      struct medium *medium)
 {
+    struct error *error = words->error;
     if (medium->kind != MEDIUM_GLASS || glasses == NULL || medium->glass_index != NULL ||
         glasses->find(glasses->context, medium, error)) {
         return true;
     }
     const struct error found = *error;
-    file_words_fail(words, medium->written, error, "%s", found.message);
+    file_words_fail(words, medium->written, "%s", found.message);
     return error_hint(error, "%s", found.hint);
-}
-
-static bool lens_setting_is_same_value(const struct figure *a, const struct figure *b)
-{
-    return a->value.hi == b->value.hi && a->value.lo == b->value.lo;
 }
 
 /* Why the first value is not what the surface has; null where it is. */
@@ -50,7 +46,8 @@ static const char *against_surface(const struct surface *surface,
     if (figure != NULL && figure->variable != LENS_NONE) {
         return arena_printf(arena, "%s is a variable, which has its numbers by 'let'", name);
     }
-    return plane || lens_setting_is_same_value(figure, &setting->figures[0])
+    return plane || (figure->value.hi == setting->figures[0].value.hi &&
+                     figure->value.lo == setting->figures[0].value.lo)
                ? NULL
                : arena_printf(arena, "%s: the first position has not the number of its surface",
                               name);
@@ -140,20 +137,19 @@ static const char *lens_setting_lights(struct lens *lens, const struct lens_ligh
 }
 
 /* The next value of the line: there is one for each position and no more. */
-static bool lens_setting_next_value(struct file_words *words, const struct lens *lens, size_t at,
-                                    struct text *word, struct error *error)
+static bool next_set_word(struct file_words *words, const struct lens *lens, size_t at,
+                          struct text *word)
 {
     *word = file_words_next(words);
     if ((word->length > 0) == (at < lens->position_count)) {
         return true;
     }
-    return file_words_fail(words, *word, error, "one value for each of the %zu positions",
+    return file_words_fail(words, *word, "one value for each of the %zu positions",
                            lens->position_count);
 }
 
-static bool lens_setting_read_number(struct file_words *words, struct text word,
-                                     struct parameter parameter, struct figure *figure,
-                                     struct error *error)
+static bool read_set_number(struct file_words *words, struct text word, struct parameter parameter,
+                            struct figure *figure)
 {
     const struct parameter_type *type = parameter_type(parameter.kind);
     bool flat = text_equal(word, "inf") || text_equal(word, "-inf") || text_equal(word, "-");
@@ -162,24 +158,24 @@ static bool lens_setting_read_number(struct file_words *words, struct text word,
         return true;
     }
     *figure = (struct figure){.variable = LENS_NONE};
-    if (!lens_words_number(words, word, parameter.kind, parameter.order, figure, error)) {
+    if (!lens_words_number(words, word, parameter.kind, parameter.order, figure)) {
         return false;
     }
     return (parameter.kind != PARAMETER_RADIUS && parameter.kind != PARAMETER_FOCAL) ||
-           figure->value.hi != 0 || file_words_fail(words, word, error, "the %s is 0", type->words);
+           figure->value.hi != 0 || file_words_fail(words, word, "the %s is 0", type->words);
 }
 
 /* The number of a surface, which is kept from 0. */
-static bool lens_setting_read_stop(struct file_words *words, struct text word,
-                                   const struct lens *lens, size_t *stop, struct error *error)
+static bool read_set_stop(struct file_words *words, struct text word, const struct lens *lens,
+                          size_t *stop)
 {
     struct figure number = {.variable = LENS_NONE};
-    if (!lens_words_figure(words, word, NUMBER_UNSCALED, "surface", &number, error)) {
+    if (!lens_words_figure(words, word, NUMBER_UNSCALED, "surface", &number)) {
         return false;
     }
     double value = number.value.hi;
     if (!(value >= 1 && value <= (double)lens->surface_count && value == floor(value))) {
-        return file_words_fail(words, word, error, "surfaces have the numbers 1 to %zu",
+        return file_words_fail(words, word, "surfaces have the numbers 1 to %zu",
                                lens->surface_count);
     }
     *stop = (size_t)value - 1;
@@ -199,8 +195,7 @@ const char *lens_light_write(const struct lens_light *light, struct arena *arena
     return all;
 }
 
-bool lens_light_read(const struct file_words *words, struct text list, struct lens_light *light,
-                     struct error *error)
+bool lens_light_read(const struct file_words *words, struct text list, struct lens_light *light)
 {
     size_t room = 0;
     *light = (struct lens_light){NULL, 0};
@@ -208,7 +203,7 @@ bool lens_light_read(const struct file_words *words, struct text list, struct le
         const struct text one = text_cut(&list, ',');
         light->wavelengths = arena_grow(words->arena, light->wavelengths, light->count, &room,
                                         sizeof light->wavelengths[0]);
-        if (!lens_words_light(words, one, &light->wavelengths[light->count++], error)) {
+        if (!lens_words_light(words, one, &light->wavelengths[light->count++])) {
             return false;
         }
     }
@@ -258,42 +253,42 @@ const char *lens_setting_put(struct lens *lens, enum set_what what, struct param
 }
 
 /* The values of all positions, and what speaks against them. */
-static bool lens_setting_read_values(struct file_words *words, struct text name, enum set_what what,
-                                     struct parameter parameter, const struct glass_source *glasses,
-                                     struct lens *lens, struct error *error)
+static bool read_set_values(struct file_words *words, struct text name, enum set_what what,
+                            struct parameter parameter, const struct glass_source *glasses,
+                            struct lens *lens)
 {
     const size_t count = lens->position_count;
     const struct set_values values = lens_setting_values(count, words->arena);
     struct text word;
     bool read = true;
     for (size_t i = 0; i < count && read; i++) {
-        if (!lens_setting_next_value(words, lens, i, &word, error)) {
+        if (!next_set_word(words, lens, i, &word)) {
             return false;
         }
         switch (what) {
         case SET_FIGURES:
-            read = lens_setting_read_number(words, word, parameter, &values.figures[i], error);
+            read = read_set_number(words, word, parameter, &values.figures[i]);
             break;
         case SET_MEDIA:
-            read = lens_words_medium(words, word, &values.media[i], error) &&
-                   lens_words_glass(words, glasses, &values.media[i], error);
+            read = lens_words_medium(words, word, &values.media[i]) &&
+                   lens_words_glass(words, glasses, &values.media[i]);
             break;
         case SET_STOPS:
-            read = lens_setting_read_stop(words, word, lens, &values.stops[i], error);
+            read = read_set_stop(words, word, lens, &values.stops[i]);
             break;
         case SET_LIGHTS:
-            read = lens_light_read(words, word, &values.lights[i], error);
+            read = lens_light_read(words, word, &values.lights[i]);
             break;
         case SET_POINTS:
-            read = lens_words_points(words, word, lens->field_kind, &values.points[i], error);
+            read = lens_words_points(words, word, lens->field_kind, &values.points[i]);
             break;
         }
     }
-    if (!read || !lens_setting_next_value(words, lens, count, &word, error)) {
+    if (!read || !next_set_word(words, lens, count, &word)) {
         return false;
     }
     const char *why = lens_setting_put(lens, what, parameter, &values, words->arena);
-    return why == NULL || file_words_fail(words, name, error, "%s", why);
+    return why == NULL || file_words_fail(words, name, "%s", why);
 }
 
 bool lens_setting_takes(enum parameter_kind kind)
@@ -302,27 +297,28 @@ bool lens_setting_takes(enum parameter_kind kind)
 }
 
 bool lens_setting_read(struct file_words *words, const struct glass_source *glasses,
-                       struct lens *lens, struct error *error)
+                       struct lens *lens)
 {
+    struct error *error = words->error;
     struct text name = file_words_next(words);
     struct parameter parameter = {0};
     enum set_what what;
     if (lens->position_count == 0) {
-        return file_words_fail(words, name, error, "'set' needs a line with 'position' before it");
+        return file_words_fail(words, name, "'set' needs a line with 'position' before it");
     }
     if (lens_setting_is_word(name, &what)) {
-        return lens_setting_read_values(words, name, what, parameter, glasses, lens, error);
+        return read_set_values(words, name, what, parameter, glasses, lens);
     }
     if (!parameter_read(name, lens_setting_takes, &parameter, error)) {
         const struct error found = *error;
-        file_words_fail(words, name, error, "%s", found.message);
+        file_words_fail(words, name, "%s", found.message);
         return found.hint[0] != '\0' && error_hint(error, "%s", found.hint);
     }
     if (!lens_setting_takes(parameter.kind)) {
-        return file_words_fail(words, name, error,
+        return file_words_fail(words, name,
                                "the positions set a medium as a whole: glass%zu 1.5/60 1.6/40",
                                parameter.surface + 1);
     }
     what = parameter.kind == PARAMETER_GLASS ? SET_MEDIA : SET_FIGURES;
-    return lens_setting_read_values(words, name, what, parameter, glasses, lens, error);
+    return read_set_values(words, name, what, parameter, glasses, lens);
 }

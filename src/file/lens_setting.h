@@ -15,7 +15,7 @@
  *           a first value that is not that of the surface's own line, and what a cell would refuse
  */
 bool lens_setting_read(struct file_words *words, const struct glass_source *glasses,
-                       struct lens *lens, struct error *error);
+                       struct lens *lens);
 
 /* All kinds but the index and the Abbe number, for which the medium is set as a whole. */
 bool lens_setting_takes(enum parameter_kind kind);
@@ -48,12 +48,11 @@ const char *lens_setting_put(struct lens *lens, enum set_what what, struct param
                              const struct set_values *values, struct arena *arena);
 
 /* The wavelengths of a position as one word, "d,F:0.5,656.3nm", and back. */
-bool lens_light_read(const struct file_words *words, struct text list, struct lens_light *light,
-                     struct error *error);
+bool lens_light_read(const struct file_words *words, struct text list, struct lens_light *light);
 const char *lens_light_write(const struct lens_light *light, struct arena *arena);
 
 /* A medium of a catalogue gets its glass; false with the reason at the word. */
 bool lens_words_glass(const struct file_words *words, const struct glass_source *glasses,
-                      struct medium *medium, struct error *error);
+                      struct medium *medium);
 
 #endif

@@ -27,8 +27,8 @@ static double edge_of_field(const struct lens *lens)
 }
 
 /* Height and n u before the first vertex. */
-static bool lens_solve_start_of(const struct lens *lens, enum solve_ray ray, struct arena *arena,
-                                double *height, double *slope, struct error *error)
+static bool solve_start(const struct lens *lens, enum solve_ray ray, struct arena *arena,
+                        double *height, double *slope, struct error *error)
 {
     struct first_order first;
     struct aperture_setting aperture = lens_aperture(lens);
@@ -59,12 +59,12 @@ static bool lens_solve_start_of(const struct lens *lens, enum solve_ray ray, str
     return true;
 }
 
-static bool lens_solve_follow(const struct lens *lens, size_t surface, enum solve_ray ray,
-                              struct arena *arena, struct solve_state *state, struct error *error)
+static bool follow_paraxial(const struct lens *lens, size_t surface, enum solve_ray ray,
+                            struct arena *arena, struct solve_state *state, struct error *error)
 {
     struct paraxial_system system;
     double height, slope;
-    if (!lens_solve_start_of(lens, ray, arena, &height, &slope, error) ||
+    if (!solve_start(lens, ray, arena, &height, &slope, error) ||
         !paraxial_compile(lens, lens_primary_wavelength(lens), SECTION_Y, arena, &system, error)) {
         return false;
     }
@@ -87,7 +87,7 @@ bool solve_follow(const struct lens *lens, size_t surface, enum solve_ray ray, s
                   struct solve_state *state, struct error *error)
 {
     struct arena_mark mark = arena_mark(arena);
-    bool done = lens_solve_follow(lens, surface, ray, arena, state, error);
+    bool done = follow_paraxial(lens, surface, ray, arena, state, error);
     arena_reset(arena, mark);
     return done;
 }
@@ -99,7 +99,7 @@ bool solve_heights(const struct lens *lens, enum solve_ray ray, struct arena *ar
     struct paraxial_system system;
     double height, slope;
     bool done =
-        lens_solve_start_of(lens, ray, arena, &height, &slope, error) &&
+        solve_start(lens, ray, arena, &height, &slope, error) &&
         paraxial_compile(lens, lens_primary_wavelength(lens), SECTION_Y, arena, &system, error);
     struct pair y = pair_of(done ? height : 0), v = pair_of(done ? slope : 0);
     for (size_t i = 0; done && i < lens->surface_count; i++) {

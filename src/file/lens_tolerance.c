@@ -22,7 +22,7 @@ struct tolerance_line_reader {
 /* -------- what it is of -------- */
 
 /* The kind that such a number of a surface is; TOLERANCE_KINDS: none. */
-static enum tolerance_kind lens_tolerance_kind_of(enum parameter_kind parameter)
+static enum tolerance_kind kind_by_word(enum parameter_kind parameter)
 {
     int kind = 0;
     while (kind < TOLERANCE_KINDS &&
@@ -32,23 +32,22 @@ static enum tolerance_kind lens_tolerance_kind_of(enum parameter_kind parameter)
     return (enum tolerance_kind)kind;
 }
 
-static bool lens_tolerance_takes(enum parameter_kind parameter)
+static bool takes_parameter(enum parameter_kind parameter)
 {
-    return lens_tolerance_kind_of(parameter) != TOLERANCE_KINDS;
+    return kind_by_word(parameter) != TOLERANCE_KINDS;
 }
 
-static bool lens_tolerance_check_surface(const struct tolerance_line_reader *reading,
-                                         struct text word, size_t surface, struct error *error)
+static bool check_owner(const struct tolerance_line_reader *reading, struct text word,
+                        size_t surface)
 {
     return surface < reading->lens->surface_count ||
-           file_words_fail(reading->words, word, error,
-                           "there is no surface %.*s: the lens has %zu", text_shown(word),
-                           word.start, reading->lens->surface_count);
+           file_words_fail(reading->words, word, "there is no surface %.*s: the lens has %zu",
+                           text_shown(word), word.start, reading->lens->surface_count);
 }
 
 /* A number from 1. */
-static bool lens_tolerance_read_surface(const struct tolerance_line_reader *reading,
-                                        struct text word, size_t *surface, struct error *error)
+static bool read_owner(const struct tolerance_line_reader *reading, struct text word,
+                       size_t *surface)
 {
     size_t number = 0;
     for (size_t i = 0; i < word.length; i++) {
@@ -60,23 +59,22 @@ static bool lens_tolerance_read_surface(const struct tolerance_line_reader *read
     }
     *surface = number - 1;
     return number > 0
-               ? lens_tolerance_check_surface(reading, word, *surface, error)
-               : file_words_fail(reading->words, word, error,
+               ? check_owner(reading, word, *surface)
+               : file_words_fail(reading->words, word,
                                  "'%.*s' is no surface: they are counted from 1, as in 3 or 3..5",
                                  text_shown(word), word.start);
 }
 
-static bool check_order(const struct tolerance_line_reader *reading, struct text word,
-                        struct error *error)
+static bool check_order(const struct tolerance_line_reader *reading, struct text word)
 {
     return reading->one->first <= reading->one->last ||
-           file_words_fail(reading->words, word, error, "the range %.*s ends before it begins",
+           file_words_fail(reading->words, word, "the range %.*s ends before it begins",
                            text_shown(word), word.start);
 }
 
 /* Kinds of an owner, for messages. */
 static bool fail_kind(const struct tolerance_line_reader *reading, enum tolerance_owner owner,
-                      struct text word, struct error *error)
+                      struct text word)
 {
     struct text_buffer all = {.arena = reading->words->arena};
     struct nearest nearest = {.typed = word};
@@ -90,25 +88,22 @@ static bool fail_kind(const struct tolerance_line_reader *reading, enum toleranc
     const struct text done = growing_done(&all);
     const char *list = arena_string(all.arena, done.start, done.length);
     const char *what = owner == TOLERANCE_OF_ELEMENT ? "an element" : "a surface";
-    word.length == 0
-        ? file_words_fail(reading->words, word, error, "what of %s is missing", what)
-        : file_words_fail(reading->words, word, error, "unknown tolerance '%.*s' of %s",
-                          text_shown(word), word.start, what);
-    return nearest.best.start != NULL ? error_hint(error, "did you mean '%.*s'?",
+    word.length == 0 ? file_words_fail(reading->words, word, "what of %s is missing", what)
+                     : file_words_fail(reading->words, word, "unknown tolerance '%.*s' of %s",
+                                       text_shown(word), word.start, what);
+    return nearest.best.start != NULL ? error_hint(reading->words->error, "did you mean '%.*s'?",
                                                    text_shown(nearest.best), nearest.best.start)
-                                      : error_hint(error, "%s has %s", what, list);
+                                      : error_hint(reading->words->error, "%s has %s", what, list);
 }
 
 /* `surface 3..5 tilt`, `element 3..5 tilt`, `elements 1..11 tilt` */
-static bool read_owned(struct tolerance_line_reader *reading, enum tolerance_owner owner,
-                       struct error *error)
+static bool read_owned(struct tolerance_line_reader *reading, enum tolerance_owner owner)
 {
     struct lens_tolerance *one = reading->one;
     const struct text range = file_words_next(reading->words);
     struct text last = range, first = text_cut_range(&last);
-    if (!lens_tolerance_read_surface(reading, first, &one->first, error) ||
-        !lens_tolerance_read_surface(reading, last, &one->last, error) ||
-        !check_order(reading, range, error)) {
+    if (!read_owner(reading, first, &one->first) || !read_owner(reading, last, &one->last) ||
+        !check_order(reading, range)) {
         return false;
     }
     const struct text word = file_words_next(reading->words);
@@ -119,43 +114,40 @@ static bool read_owned(struct tolerance_line_reader *reading, enum tolerance_own
             return true;
         }
     }
-    return fail_kind(reading, owner, word, error);
+    return fail_kind(reading, owner, word);
 }
 
 /* `R1`, `t3..t5` */
-static bool lens_tolerance_read_named(struct tolerance_line_reader *reading, struct text word,
-                                      struct error *error)
+static bool read_kind_named(struct tolerance_line_reader *reading, struct text word)
 {
     struct lens_tolerance *one = reading->one;
     struct parameter from, to;
     struct text last = word, first = text_cut_range(&last);
-    if (!lens_words_parameter(reading->words, first, lens_tolerance_takes, &from, error) ||
-        !lens_words_parameter(reading->words, last, lens_tolerance_takes, &to, error) ||
-        !lens_tolerance_check_surface(reading, first, from.surface, error) ||
-        !lens_tolerance_check_surface(reading, last, to.surface, error)) {
+    if (!lens_words_parameter(reading->words, first, takes_parameter, &from) ||
+        !lens_words_parameter(reading->words, last, takes_parameter, &to) ||
+        !check_owner(reading, first, from.surface) || !check_owner(reading, last, to.surface)) {
         return false;
     }
     if (from.kind != to.kind || from.order != to.order) {
-        return file_words_fail(reading->words, word, error,
-                               "a range is of one kind of numbers: R1..R11");
+        return file_words_fail(reading->words, word, "a range is of one kind of numbers: R1..R11");
     }
-    one->kind = lens_tolerance_kind_of(from.kind);
+    one->kind = kind_by_word(from.kind);
     one->order = from.order;
     one->first = from.surface;
     one->last = to.surface;
     one->is_range = one->first != one->last;
     if (one->kind == TOLERANCE_KINDS) {
-        file_words_fail(reading->words, word, error, "'%.*s' has no tolerance by this name",
+        file_words_fail(reading->words, word, "'%.*s' has no tolerance by this name",
                         text_shown(word), word.start);
-        return error_hint(error,
+        return error_hint(reading->words->error,
                           "numbers are R, t, n, V, k and A4; tilts and decentres 'surface "
                           "%zu tilt', 'surface %zu decenter'",
                           one->first + 1, one->first + 1);
     }
-    return check_order(reading, word, error);
+    return check_order(reading, word);
 }
 
-static bool read_subject(struct tolerance_line_reader *reading, struct error *error)
+static bool read_subject(struct tolerance_line_reader *reading)
 {
     static const struct {
         const char *word;
@@ -170,12 +162,11 @@ static bool read_subject(struct tolerance_line_reader *reading, struct error *er
     one->column = (size_t)(word.start - line.start) + 1;
     one->text = line;
     if (word.length == 0) {
-        return file_words_fail(reading->words, word, error,
-                               "the tolerance is missing: R1 0.1%% uniform");
+        return file_words_fail(reading->words, word, "the tolerance is missing: R1 0.1%% uniform");
     }
     for (size_t i = 0; i < sizeof owners / sizeof owners[0]; i++) {
         if (text_equal(word, owners[i].word)) {
-            bool read = read_owned(reading, owners[i].owner, error);
+            bool read = read_owned(reading, owners[i].owner);
             one->is_range = owners[i].each && (one->first != one->last || i == 2);
             return read;
         }
@@ -184,15 +175,16 @@ static bool read_subject(struct tolerance_line_reader *reading, struct error *er
         one->kind = TOLERANCE_FOCUS;
         return true;
     }
-    if (lens_tolerance_read_named(reading, word, error)) {
+    if (read_kind_named(reading, word)) {
         return true;
     }
     struct nearest nearest = {.typed = word};
     for (size_t i = 0; i < sizeof owners / sizeof owners[0]; i++) {
         nearest_offer(&nearest, text_of(owners[i].word));
     }
-    return error->hint[0] == '\0' && nearest.best.start != NULL &&
-           error_hint(error, "did you mean '%.*s'?", text_shown(nearest.best), nearest.best.start);
+    return reading->words->error->hint[0] == '\0' && nearest.best.start != NULL &&
+           error_hint(reading->words->error, "did you mean '%.*s'?", text_shown(nearest.best),
+                      nearest.best.start);
 }
 
 /* -------- by how much -------- */
@@ -214,8 +206,7 @@ static const char *amounts_of(const struct tolerance_type *type, struct arena *a
 }
 
 /* What an amount was typed in; `named` is null without a unit, for percent and fringes. */
-static bool lens_tolerance_find_unit(struct text text, enum tolerance_unit *unit,
-                                     const struct unit **named)
+static bool unit_of_amount(struct text text, enum tolerance_unit *unit, const struct unit **named)
 {
     *named = NULL;
     if (text_equal(text, "%")) {
@@ -236,7 +227,7 @@ static bool lens_tolerance_find_unit(struct text text, enum tolerance_unit *unit
 }
 
 /* What a bare number is: of the kind's units the first but percent and fringes. */
-static bool lens_tolerance_bare_unit(const struct tolerance_type *type, enum tolerance_unit *unit)
+static bool bare_amount_unit(const struct tolerance_type *type, enum tolerance_unit *unit)
 {
     for (int i = 0; i < TOLERANCE_PERCENT; i++) {
         if ((type->units & 1U << i) != 0) {
@@ -262,16 +253,15 @@ static const char *bare_length(const struct file_words *words)
 }
 
 /* The number, in the unit that was found. */
-static bool lens_tolerance_read_number(const struct tolerance_line_reader *reading,
-                                       struct text digits, const struct unit *named,
-                                       struct error *error)
+static bool read_plain_amount(const struct tolerance_line_reader *reading, struct text digits,
+                              const struct unit *named)
 {
     struct file_words *words = reading->words;
     struct lens_tolerance *one = reading->one;
     struct figure *amount = &one->amount;
     const bool is_length = one->unit == TOLERANCE_LENGTH;
     if (one->kind == TOLERANCE_COEFFICIENT && one->unit == TOLERANCE_NUMBER) {
-        return lens_words_number(words, digits, PARAMETER_COEFFICIENT, one->order, amount, error);
+        return lens_words_number(words, digits, PARAMETER_COEFFICIENT, one->order, amount);
     }
     struct number_scale scale = is_length ? words->scale : NUMBER_UNSCALED;
     double factor = one->unit == TOLERANCE_ANGLE ? RADIANS_PER_DEGREE : 1;
@@ -279,11 +269,12 @@ static bool lens_tolerance_read_number(const struct tolerance_line_reader *readi
         scale = named->scale;
         factor = named->factor;
     }
-    if (!lens_words_figure(words, digits, scale, "tolerance", amount, error)) {
+    if (!lens_words_figure(words, digits, scale, "tolerance", amount)) {
         const bool is_huge = !(fabs(amount->value.hi) < 1e100);
         return is_huge && one->kind <= TOLERANCE_ABBE &&
-               error_hint(error, "a tolerance is less than the radius, thickness or index that "
-                                 "it is of");
+               error_hint(reading->words->error,
+                          "a tolerance is less than the radius, thickness or index that "
+                          "it is of");
     }
     if (factor != 1) {
         amount->value = pair_multiply(amount->value, pair_of(factor));
@@ -295,25 +286,7 @@ static bool lens_tolerance_read_number(const struct tolerance_line_reader *readi
     return true;
 }
 
-static bool check_amount(const struct tolerance_line_reader *reading, struct text word,
-                         struct error *error)
-{
-    const struct lens_tolerance *one = reading->one;
-    const double value = one->amount.value.hi;
-    if (!(value > 0)) {
-        return file_words_fail(reading->words, word, error,
-                               "a tolerance is above 0: so much plus and minus");
-    }
-    if (one->unit == TOLERANCE_PERCENT && value >= 100) {
-        return file_words_fail(reading->words, word, error,
-                               "a tolerance of %.*s is as wide as the number itself",
-                               text_shown(word), word.start);
-    }
-    return one->unit != TOLERANCE_ANGLE || value < PI / 2 ||
-           file_words_fail(reading->words, word, error, "a tilt is below 90deg");
-}
-
-static bool read_amount(struct tolerance_line_reader *reading, struct error *error)
+static bool read_amount(struct tolerance_line_reader *reading)
 {
     struct file_words *words = reading->words;
     struct lens_tolerance *one = reading->one;
@@ -323,79 +296,85 @@ static bool read_amount(struct tolerance_line_reader *reading, struct error *err
     const char *end = word.start + word.length;
     const char *behind = number_read(word.start, end, NUMBER_UNSCALED, &ignored);
     if (behind == NULL) {
-        return file_words_fail(words, word, error, "by how much is missing: %s",
+        return file_words_fail(words, word, "by how much is missing: %s",
                                amounts_of(type, words->arena));
     }
     const struct text digits = text_between(word.start, behind), name = text_between(behind, end);
     const struct unit *named = NULL;
-    if (name.length == 0 ? !lens_tolerance_bare_unit(type, &one->unit)
-                         : !lens_tolerance_find_unit(name, &one->unit, &named)) {
-        name.length == 0 ? file_words_fail(words, word, error, "'%.*s' has no unit",
-                                           text_shown(word), word.start)
-                         : file_words_fail(words, name, error, "unknown unit '%.*s'",
-                                           text_shown(name), name.start);
-        return error_hint(error, "it is %s", amounts_of(type, words->arena));
+    if (name.length == 0 ? !bare_amount_unit(type, &one->unit)
+                         : !unit_of_amount(name, &one->unit, &named)) {
+        name.length == 0
+            ? file_words_fail(words, word, "'%.*s' has no unit", text_shown(word), word.start)
+            : file_words_fail(words, name, "unknown unit '%.*s'", text_shown(name), name.start);
+        return error_hint(reading->words->error, "it is %s", amounts_of(type, words->arena));
     }
     if ((type->units & 1U << one->unit) == 0) {
-        return file_words_fail(words, name, error, "the %s has no tolerance in %.*s: it is %s",
-                               type->word, text_shown(name), name.start,
-                               amounts_of(type, words->arena));
+        return file_words_fail(words, name, "the %s has no tolerance in %.*s: it is %s", type->word,
+                               text_shown(name), name.start, amounts_of(type, words->arena));
     }
-    if (!lens_tolerance_read_number(reading, digits, named, error)) {
+    if (!read_plain_amount(reading, digits, named)) {
         return false;
     }
     if (name.length > 0) {
         one->amount.typed = word;
     }
-    return check_amount(reading, word, error);
+    const double value = one->amount.value.hi;
+    if (!(value > 0)) {
+        return file_words_fail(reading->words, word,
+                               "a tolerance is above 0: so much plus and minus");
+    }
+    if (one->unit == TOLERANCE_PERCENT && value >= 100) {
+        return file_words_fail(reading->words, word,
+                               "a tolerance of %.*s is as wide as the number itself",
+                               text_shown(word), word.start);
+    }
+    return one->unit != TOLERANCE_ANGLE || value < PI / 2 ||
+           file_words_fail(reading->words, word, "a tilt is below 90deg");
 }
 
 /* -------- how it is spread -------- */
 
 /* "3sigma" */
-static bool read_sigmas(struct tolerance_line_reader *reading, struct text word,
-                        struct error *error)
+static bool read_sigmas(struct tolerance_line_reader *reading, struct text word)
 {
     struct lens_tolerance *one = reading->one;
     struct figure figure;
     const struct text digits = {word.start, word.length - strlen("sigma")};
     if (!lens_words_figure(reading->words, digits, NUMBER_UNSCALED, "number of standard deviations",
-                           &figure, error)) {
+                           &figure)) {
         return false;
     }
     one->sigmas = figure.value.hi;
     if (one->distribution != DISTRIBUTION_NORMAL && one->distribution != DISTRIBUTION_TRUNCATED) {
-        return file_words_fail(reading->words, word, error,
+        return file_words_fail(reading->words, word,
                                "only normal and truncated have standard deviations: normal %.*s",
                                text_shown(word), word.start);
     }
     return (one->sigmas >= DISTRIBUTION_SIGMAS_LEAST && one->sigmas <= DISTRIBUTION_SIGMAS_MOST) ||
-           file_words_fail(reading->words, word, error,
-                           "the amount is %g to %g standard deviations", DISTRIBUTION_SIGMAS_LEAST,
-                           DISTRIBUTION_SIGMAS_MOST);
+           file_words_fail(reading->words, word, "the amount is %g to %g standard deviations",
+                           DISTRIBUTION_SIGMAS_LEAST, DISTRIBUTION_SIGMAS_MOST);
 }
 
-static bool read_pivot(struct tolerance_line_reader *reading, struct text word, struct error *error)
+static bool read_pivot(struct tolerance_line_reader *reading, struct text word)
 {
     const struct lens_tolerance *one = reading->one;
     if (tolerance_type(one->kind)->owner != TOLERANCE_OF_ELEMENT || one->is_range ||
         one->kind == TOLERANCE_ELEMENT_DECENTER) {
-        return file_words_fail(reading->words, word, error,
+        return file_words_fail(reading->words, word,
                                "a pivot belongs to the tilt, the roll or the wedge of one element");
     }
-    return lens_tolerance_read_surface(reading, file_words_next(reading->words),
-                                       &reading->one->pivot, error);
+    return read_owner(reading, file_words_next(reading->words), &reading->one->pivot);
 }
 
-static bool fail_word(const struct tolerance_line_reader *reading, struct text word,
-                      struct error *error)
+static bool fail_word(const struct tolerance_line_reader *reading, struct text word)
 {
+    struct error *error = reading->words->error;
     struct nearest nearest = {.typed = word};
     enum tolerance_unit unit;
     const struct unit *named;
-    file_words_fail(reading->words, word, error, "unknown distribution '%.*s'", text_shown(word),
+    file_words_fail(reading->words, word, "unknown distribution '%.*s'", text_shown(word),
                     word.start);
-    if (lens_tolerance_find_unit(word, &unit, &named)) {
+    if (unit_of_amount(word, &unit, &named)) {
         return error_hint(error, "no blank stands between a number and its unit");
     }
     for (const struct word *each = distribution_words; each->word != NULL; each++) {
@@ -409,7 +388,7 @@ static bool fail_word(const struct tolerance_line_reader *reading, struct text w
 }
 
 /* How it is spread, and about what: up to the end of the line. */
-static bool read_rest(struct tolerance_line_reader *reading, struct error *error)
+static bool read_rest(struct tolerance_line_reader *reading)
 {
     struct lens_tolerance *one = reading->one;
     bool has_distribution = false;
@@ -422,36 +401,21 @@ static bool read_rest(struct tolerance_line_reader *reading, struct error *error
         const bool has_sigma =
             word.length > 5 && memcmp(word.start + word.length - 5, "sigma", 5) == 0;
         if (i < DISTRIBUTIONS && has_distribution) {
-            return file_words_fail(reading->words, word, error, "a second distribution");
+            return file_words_fail(reading->words, word, "a second distribution");
         }
         if (i < DISTRIBUTIONS) {
             has_distribution = true;
             one->distribution = (enum distribution)i;
-        } else if (text_equal(word, "pivot") ? !read_pivot(reading, word, error)
-                   : has_sigma               ? !read_sigmas(reading, word, error)
-                                             : !fail_word(reading, word, error)) {
+        } else if (text_equal(word, "pivot") ? !read_pivot(reading, word)
+                   : has_sigma               ? !read_sigmas(reading, word)
+                                             : !fail_word(reading, word)) {
             return false;
         }
     }
     return true;
 }
 
-/* One more; the list, which nobody else grows, has room for the next power of two. */
-static void lens_tolerance_add(struct lens *lens, const struct lens_tolerance *one,
-                               struct arena *arena)
-{
-    const size_t count = lens->tolerance_count;
-    if ((count & (count - 1)) == 0) {
-        struct lens_tolerance *all = ARENA_ARRAY(arena, 2 * count + 1, struct lens_tolerance);
-        for (size_t i = 0; i < count; i++) {
-            all[i] = lens->tolerances[i];
-        }
-        lens->tolerances = all;
-    }
-    lens->tolerances[lens->tolerance_count++] = *one;
-}
-
-bool lens_tolerance_read(struct file_words *words, struct lens *lens, struct error *error)
+bool lens_tolerance_read(struct file_words *words, struct lens *lens)
 {
     struct lens_tolerance one = {.distribution = DISTRIBUTION_UNIFORM,
                                  .sigmas = DISTRIBUTION_SIGMAS,
@@ -460,14 +424,23 @@ bool lens_tolerance_read(struct file_words *words, struct lens *lens, struct err
                                  .line = words->number};
     struct tolerance_line_reader reading = {words, lens, &one};
     if (lens->tolerance_count == MOST_TOLERANCES) {
-        return file_words_fail(words, file_words_next(words), error, "more than %d tolerances",
+        return file_words_fail(words, file_words_next(words), "more than %d tolerances",
                                MOST_TOLERANCES);
     }
-    if (!read_subject(&reading, error) || !read_amount(&reading, error) ||
-        !read_rest(&reading, error)) {
+    if (!read_subject(&reading) || !read_amount(&reading) || !read_rest(&reading)) {
         return false;
     }
-    lens_tolerance_add(lens, &one, words->arena);
+    /* One more; the list, which nobody else grows, has room for the next power of two. */
+    const size_t count = lens->tolerance_count;
+    if ((count & (count - 1)) == 0) {
+        struct lens_tolerance *all =
+            ARENA_ARRAY(words->arena, 2 * count + 1, struct lens_tolerance);
+        for (size_t i = 0; i < count; i++) {
+            all[i] = lens->tolerances[i];
+        }
+        lens->tolerances = all;
+    }
+    lens->tolerances[lens->tolerance_count++] = one;
     return true;
 }
 
@@ -486,11 +459,11 @@ bool lens_tolerances_read(const char *source, struct text content, const struct 
     while (file_words_line(&words)) {
         const struct text word = file_words_next(&words);
         if (!text_equal(word, "tolerance")) {
-            return file_words_fail(&words, word, error,
+            return file_words_fail(&words, word,
                                    "unknown word '%.*s': lines of this file begin with 'tolerance'",
                                    text_shown(word), word.start);
         }
-        if (!lens_tolerance_read(&words, &marked, error)) {
+        if (!lens_tolerance_read(&words, &marked)) {
             return false;
         }
     }
@@ -504,10 +477,11 @@ bool lens_tolerances_read(const char *source, struct text content, const struct 
 
 /* -------- and back -------- */
 
-/* A computed amount, in mm and degrees. */
-static void write_amount(const struct lens_tolerance *tolerance, const char *unit,
-                         struct text_buffer *text)
+void lens_tolerance_write(const struct lens_tolerance *tolerance, const char *unit,
+                          struct text_buffer *text)
 {
+    growing_format(text, "%s ", tolerance_name(tolerance, text->arena));
+    /* A computed amount, in mm and degrees. */
     static const char *const endings[TOLERANCE_UNITS] = {"mm", "deg", "", "%", "fringes"};
     const struct figure *amount = &tolerance->amount;
     if (tolerance->kind == TOLERANCE_COEFFICIENT && tolerance->unit == TOLERANCE_NUMBER) {
@@ -520,13 +494,6 @@ static void write_amount(const struct lens_tolerance *tolerance, const char *uni
                                  : amount->value.hi);
         growing_string(text, endings[tolerance->unit]);
     }
-}
-
-void lens_tolerance_write(const struct lens_tolerance *tolerance, const char *unit,
-                          struct text_buffer *text)
-{
-    growing_format(text, "%s ", tolerance_name(tolerance, text->arena));
-    write_amount(tolerance, unit, text);
     growing_format(text, " %s", distribution_words[tolerance->distribution].word);
     if (tolerance->sigmas != DISTRIBUTION_SIGMAS) {
         growing_string(text, " ");

@@ -17,7 +17,7 @@
  *           or does not belong to it, a surface that the lens has not, an amount of 0 or less, or
  *           of 100 % and more, more than 1000 lines
  */
-bool lens_tolerance_read(struct file_words *words, struct lens *lens, struct error *error);
+bool lens_tolerance_read(struct file_words *words, struct lens *lens);
 
 /* The same, as a line of a file in this unit has it. */
 void lens_tolerance_write(const struct lens_tolerance *tolerance, const char *unit,

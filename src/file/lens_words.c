@@ -13,25 +13,25 @@
 #include <string.h>
 
 bool lens_words_figure(const struct file_words *words, struct text text, struct number_scale scale,
-                       const char *what, struct figure *figure, struct error *error)
+                       const char *what, struct figure *figure)
 {
     const char *end = text.start + text.length;
     *figure = (struct figure){.typed = text, .variable = LENS_NONE};
     const char *behind = text.length > 0 ? pair_read(text.start, end, scale, &figure->value) : NULL;
     if (text.length == 0) {
-        return file_words_fail(words, text, error, "the %s is missing", what);
+        return file_words_fail(words, text, "the %s is missing", what);
     }
     if (behind != end) {
         struct text wrong = {behind != NULL ? behind : text.start, 1};
-        file_words_fail(words, wrong, error, "the %s '%.*s' is not a number", what,
-                        text_shown(text), text.start);
+        file_words_fail(words, wrong, "the %s '%.*s' is not a number", what, text_shown(text),
+                        text.start);
         if (behind != NULL && *behind == ',') {
-            error_hint(error, "the decimal separator must be a point");
+            error_hint(words->error, "the decimal separator must be a point");
         }
         return false;
     }
     if (!(fabs(figure->value.hi) < 1e100)) {
-        return file_words_fail(words, text, error, "the %s must be finite and below 1e100", what);
+        return file_words_fail(words, text, "the %s must be finite and below 1e100", what);
     }
     return true;
 }
@@ -52,11 +52,11 @@ struct pair lens_words_per_length(struct pair value, struct number_scale scale, 
 }
 
 bool lens_words_number(const struct file_words *words, struct text text, enum parameter_kind kind,
-                       int order, struct figure *figure, struct error *error)
+                       int order, struct figure *figure)
 {
     int length = parameter_length(kind, order);
     if (!lens_words_figure(words, text, length == 1 ? words->scale : NUMBER_UNSCALED,
-                           parameter_type(kind)->words, figure, error)) {
+                           parameter_type(kind)->words, figure)) {
         return false;
     }
     if (length < 0) {
@@ -69,19 +69,19 @@ bool lens_words_number(const struct file_words *words, struct text text, enum pa
 }
 
 bool lens_words_parameter(const struct file_words *words, struct text name,
-                          bool (*takes)(enum parameter_kind kind), struct parameter *parameter,
-                          struct error *error)
+                          bool (*takes)(enum parameter_kind kind), struct parameter *parameter)
 {
+    struct error *error = words->error;
     if (parameter_read(name, takes, parameter, error)) {
         return true;
     }
     const struct error found = *error;
-    file_words_fail(words, name, error, "%s", found.message);
+    file_words_fail(words, name, "%s", found.message);
     return found.hint[0] != '\0' && error_hint(error, "%s", found.hint);
 }
 
 bool lens_words_figures(struct file_words *words, struct number_scale scale, const char *what,
-                        struct figure **figures, size_t *count, struct error *error)
+                        struct figure **figures, size_t *count)
 {
     size_t room = 0;
     *figures = NULL;
@@ -89,7 +89,7 @@ bool lens_words_figures(struct file_words *words, struct number_scale scale, con
     for (struct text word = file_words_next(words); word.length > 0 || *count == 0;
          word = file_words_next(words)) {
         *figures = arena_grow(words->arena, *figures, *count, &room, sizeof **figures);
-        if (!lens_words_figure(words, word, scale, what, &(*figures)[*count], error)) {
+        if (!lens_words_figure(words, word, scale, what, &(*figures)[*count])) {
             return false;
         }
         ++*count;
@@ -98,9 +98,8 @@ bool lens_words_figures(struct file_words *words, struct number_scale scale, con
 }
 
 /* x,y:weight with x and weight left out where they are 0 and 1. */
-static bool lens_words_read_field(const struct file_words *words, struct text word,
-                                  enum field_kind kind, struct lens_field *field,
-                                  struct error *error)
+static bool read_field_point(const struct file_words *words, struct text word, enum field_kind kind,
+                             struct lens_field *field)
 {
     const bool angle = kind == FIELD_ANGLE;
     struct text weight = word, y = text_cut(&weight, ':'), x = text_cut(&y, ',');
@@ -112,22 +111,22 @@ static bool lens_words_read_field(const struct file_words *words, struct text wo
         struct text text = y.start != NULL ? coordinates[i] : x;
         if ((i == 1 || y.start != NULL) &&
             !lens_words_figure(words, text, angle ? NUMBER_UNSCALED : words->scale, "field",
-                               &field->at[i], error)) {
+                               &field->at[i])) {
             return false;
         }
     }
     if (angle) {
         const char *wrong = lens_field_from_degrees(field);
         if (wrong != NULL) {
-            return file_words_fail(words, word, error, "%s", wrong);
+            return file_words_fail(words, word, "%s", wrong);
         }
     }
     if (weight.start != NULL &&
-        !lens_words_figure(words, weight, NUMBER_UNSCALED, "weight", &figure, error)) {
+        !lens_words_figure(words, weight, NUMBER_UNSCALED, "weight", &figure)) {
         return false;
     }
     if (!(figure.value.hi >= 0)) {
-        return file_words_fail(words, weight, error, "a weight is not below 0");
+        return file_words_fail(words, weight, "a weight is not below 0");
     }
     field->weight = figure.value.hi;
     field->weight_typed = weight;
@@ -135,7 +134,7 @@ static bool lens_words_read_field(const struct file_words *words, struct text wo
 }
 
 bool lens_words_fields(struct file_words *words, enum field_kind kind, struct lens_field **fields,
-                       size_t *count, struct error *error)
+                       size_t *count)
 {
     size_t room = 0;
     *fields = NULL;
@@ -143,7 +142,7 @@ bool lens_words_fields(struct file_words *words, enum field_kind kind, struct le
     for (struct text word = file_words_next(words); word.length > 0 || *count == 0;
          word = file_words_next(words)) {
         *fields = arena_grow(words->arena, *fields, *count, &room, sizeof **fields);
-        if (!lens_words_read_field(words, word, kind, &(*fields)[*count], error)) {
+        if (!read_field_point(words, word, kind, &(*fields)[*count])) {
             return false;
         }
         ++*count;
@@ -152,7 +151,7 @@ bool lens_words_fields(struct file_words *words, enum field_kind kind, struct le
 }
 
 bool lens_words_points(const struct file_words *words, struct text list, enum field_kind kind,
-                       struct lens_points *points, struct error *error)
+                       struct lens_points *points)
 {
     size_t room = 0;
     *points = (struct lens_points){NULL, 0};
@@ -160,15 +159,14 @@ bool lens_words_points(const struct file_words *words, struct text list, enum fi
         const struct text word = text_cut(&list, ';');
         points->fields = arena_grow(words->arena, points->fields, points->count, &room,
                                     sizeof points->fields[0]);
-        if (!lens_words_read_field(words, word, kind, &points->fields[points->count++], error)) {
+        if (!read_field_point(words, word, kind, &points->fields[points->count++])) {
             return false;
         }
     }
     return true;
 }
 
-bool lens_words_wavelength(const struct file_words *words, struct text text, double *wavelength,
-                           struct error *error)
+bool lens_words_wavelength(const struct file_words *words, struct text text, double *wavelength)
 {
     static const char *const units[] = {"nm", "um"};
     if (lines_standard(text, wavelength)) {
@@ -179,7 +177,7 @@ bool lens_words_wavelength(const struct file_words *words, struct text text, dou
     const char *behind =
         text.length > 0 ? number_read(text.start, end, NUMBER_UNSCALED, &bare) : NULL;
     if (behind == NULL) {
-        return file_words_fail(words, text, error,
+        return file_words_fail(words, text,
                                "'%.*s' is not a wavelength: a line such as d F C, "
                                "or a number with nm or um",
                                text_shown(text), text.start);
@@ -192,33 +190,32 @@ bool lens_words_wavelength(const struct file_words *words, struct text text, dou
             if (*wavelength >= WAVELENGTH_SHORTEST && *wavelength <= WAVELENGTH_LONGEST) {
                 return true;
             }
-            return file_words_fail(words, text, error,
-                                   "the wavelength is not within 1 nm to 100 mm");
+            return file_words_fail(words, text, "the wavelength is not within 1 nm to 100 mm");
         }
     }
-    file_words_fail(words, text_between(behind, end), error,
+    file_words_fail(words, text_between(behind, end),
                     unit.length == 0 ? "the wavelength %.*s has no unit: nm or um"
                                      : "the wavelength %.*s has an unknown unit: nm or um",
                     text_shown(text), text.start);
     if (unit.length == 0) {
-        error_hint(error, "did you mean '%.*s%s'?", text_shown(text), text.start,
+        error_hint(words->error, "did you mean '%.*s%s'?", text_shown(text), text.start,
                    bare < 100 ? "um" : "nm");
     }
     return false;
 }
 
 bool lens_words_light(const struct file_words *words, struct text word,
-                      struct lens_wavelength *wavelength, struct error *error)
+                      struct lens_wavelength *wavelength)
 {
     struct text weight = word, name = text_cut(&weight, ':');
     struct figure figure = {.value = {1, 0}};
-    if (!lens_words_wavelength(words, name, &wavelength->wavelength, error) ||
+    if (!lens_words_wavelength(words, name, &wavelength->wavelength) ||
         (weight.start != NULL &&
-         !lens_words_figure(words, weight, NUMBER_UNSCALED, "weight", &figure, error))) {
+         !lens_words_figure(words, weight, NUMBER_UNSCALED, "weight", &figure))) {
         return false;
     }
     if (!(figure.value.hi >= 0)) {
-        return file_words_fail(words, weight, error, "a weight is not below 0");
+        return file_words_fail(words, weight, "a weight is not below 0");
     }
     wavelength->typed = name;
     wavelength->weight = figure.value.hi;
@@ -226,22 +223,22 @@ bool lens_words_light(const struct file_words *words, struct text word,
     return true;
 }
 
-static bool lens_words_read_index(const struct file_words *words, struct text text,
-                                  const char *what, struct pair *value, struct error *error)
+static bool read_point_index(const struct file_words *words, struct text text, const char *what,
+                             struct pair *value)
 {
     struct figure figure;
-    if (!lens_words_figure(words, text, NUMBER_UNSCALED, what, &figure, error)) {
+    if (!lens_words_figure(words, text, NUMBER_UNSCALED, what, &figure)) {
         return false;
     }
     if (!(figure.value.hi > 0)) {
-        return file_words_fail(words, text, error, "the %s %.*s is not above 0", what,
-                               text_shown(text), text.start);
+        return file_words_fail(words, text, "the %s %.*s is not above 0", what, text_shown(text),
+                               text.start);
     }
     *value = figure.value;
     return true;
 }
 
-static int lens_words_by_wavelength(const void *a, const void *b)
+static int by_point_wave(const void *a, const void *b)
 {
     double left = ((const struct index_point *)a)->wavelength;
     double right = ((const struct index_point *)b)->wavelength;
@@ -249,11 +246,10 @@ static int lens_words_by_wavelength(const void *a, const void *b)
 }
 
 /* {587.56nm 1.5168, F 1.5224} */
-static bool read_table(const struct file_words *words, struct text text, struct medium *medium,
-                       struct error *error)
+static bool read_table(const struct file_words *words, struct text text, struct medium *medium)
 {
     if (text.length < 2 || text.start[text.length - 1] != '}') {
-        return file_words_fail(words, text, error, "the table of indices does not end with '}'");
+        return file_words_fail(words, text, "the table of indices does not end with '}'");
     }
     struct text rest = {text.start + 1, text.length - 2};
     size_t most = 1;
@@ -268,16 +264,16 @@ static bool read_table(const struct file_words *words, struct text text, struct 
         index = index.start != NULL
                     ? text_trim(index)
                     : text_between(name.start + name.length, name.start + name.length);
-        if (!lens_words_wavelength(words, name, &points[count].wavelength, error) ||
-            !lens_words_read_index(words, index, "index", &points[count].index, error)) {
+        if (!lens_words_wavelength(words, name, &points[count].wavelength) ||
+            !read_point_index(words, index, "index", &points[count].index)) {
             return false;
         }
         count++;
     }
-    qsort(points, count, sizeof points[0], lens_words_by_wavelength);
+    qsort(points, count, sizeof points[0], by_point_wave);
     for (size_t i = 1; i < count; i++) {
         if (!(points[i].wavelength > points[i - 1].wavelength)) {
-            return file_words_fail(words, text, error, "the table has one wavelength twice");
+            return file_words_fail(words, text, "the table has one wavelength twice");
         }
     }
     medium->kind = MEDIUM_TABLE;
@@ -286,43 +282,35 @@ static bool read_table(const struct file_words *words, struct text text, struct 
     return true;
 }
 
-static bool lens_words_begins_number(struct text text)
-{
-    return text.length > 0 && text.start[0] != '\0' &&
-           strchr("0123456789.+-", text.start[0]) != NULL;
-}
-
-bool lens_words_medium(const struct file_words *words, struct text text, struct medium *medium,
-                       struct error *error)
+bool lens_words_medium(const struct file_words *words, struct text text, struct medium *medium)
 {
     *medium = (struct medium){.kind = MEDIUM_GLASS, .written = text, .index = {1, 0}};
     if (text.length == 0) {
-        return file_words_fail(words, text, error, "the medium is missing");
+        return file_words_fail(words, text, "the medium is missing");
     }
     if (text.start[0] == '{') {
-        return read_table(words, text, medium, error);
+        return read_table(words, text, medium);
     }
     if (text_equal(text, "air")) {
         medium->kind = MEDIUM_CONSTANT;
         return true;
     }
-    if (!lens_words_begins_number(text)) {
+    if (!(text.length > 0 && text.start[0] != '\0' &&
+          strchr("0123456789.+-", text.start[0]) != NULL)) {
         return true;
     }
     struct text abbe = text, index = text_cut(&abbe, '/');
     medium->kind = abbe.start != NULL ? MEDIUM_MODEL : MEDIUM_CONSTANT;
-    return lens_words_read_index(words, index, "index", &medium->index, error) &&
-           (abbe.start == NULL ||
-            lens_words_read_index(words, abbe, "Abbe number", &medium->abbe, error));
+    return read_point_index(words, index, "index", &medium->index) &&
+           (abbe.start == NULL || read_point_index(words, abbe, "Abbe number", &medium->abbe));
 }
 
 bool lens_words_vector(const struct file_words *words, struct text text,
-                       const struct vector_form *form, struct figure *figures, struct error *error)
+                       const struct vector_form *form, struct figure *figures)
 {
     struct text rest = text;
     for (size_t i = 0; i < form->count && rest.start != NULL; i++) {
-        if (!lens_words_figure(words, text_cut(&rest, ','), form->scale, form->what, &figures[i],
-                               error)) {
+        if (!lens_words_figure(words, text_cut(&rest, ','), form->scale, form->what, &figures[i])) {
             return false;
         }
         if (form->factor != 0) {
@@ -330,7 +318,7 @@ bool lens_words_vector(const struct file_words *words, struct text text,
         }
     }
     if (rest.start != NULL) {
-        return file_words_fail(words, rest, error, "the %s has more than %zu numbers", form->what,
+        return file_words_fail(words, rest, "the %s has more than %zu numbers", form->what,
                                form->count);
     }
     return true;

@@ -4,9 +4,9 @@
 #include "optics/growing.h"
 
 #include "base/constants.h"
-#include "file/lens_aperture.h"
 #include "file/lens_mark.h"
 #include "file/lens_pickup.h"
+#include "file/lens_surface.h"
 #include "file/lens_tolerance.h"
 #include "file/lens_unit.h"
 
@@ -29,7 +29,7 @@ static void lens_write_put(struct lens_write_writer *writer, const char *start, 
     growing_put(&writer->text, start, length);
 }
 
-static void lens_write_put_string(struct lens_write_writer *writer, const char *string)
+static void put_string(struct lens_write_writer *writer, const char *string)
 {
     lens_write_put(writer, string, strlen(string));
 }
@@ -43,8 +43,7 @@ static void put_tab(struct lens_write_writer *writer, size_t line_start, size_t 
 }
 
 /* As typed; a computed value with the shortest digits. */
-static void lens_write_put_figure(struct lens_write_writer *writer, const struct figure *figure,
-                                  double unit)
+static void put_figure(struct lens_write_writer *writer, const struct figure *figure, double unit)
 {
     char number[NUMBER_LENGTH];
     if (figure->typed.start != NULL) {
@@ -63,41 +62,25 @@ static void put_cell(struct lens_write_writer *writer, bool is_given, const stru
         struct text name = writer->lens->variables[figure->variable].name;
         lens_write_put(writer, name.start, name.length);
     } else {
-        lens_write_put_figure(writer, figure, writer->unit);
+        put_figure(writer, figure, writer->unit);
     }
 }
 
-static void lens_write_put_vector(struct lens_write_writer *writer, const char *key,
-                                  const struct figure *figures, size_t count, double unit)
+static void put_vector(struct lens_write_writer *writer, const char *key,
+                       const struct figure *figures, size_t count, double unit)
 {
-    lens_write_put_string(writer, key);
+    put_string(writer, key);
     for (size_t i = 0; i < count; i++) {
         lens_write_put(writer, ",", i > 0);
-        lens_write_put_figure(writer, &figures[i], unit);
+        put_figure(writer, &figures[i], unit);
     }
 }
 
-static void lens_write_put_displacement(struct lens_write_writer *writer,
-                                        const struct displacement *all, size_t turns)
+static void put_displacement(struct lens_write_writer *writer, const struct displacement *all,
+                             size_t turns)
 {
-    lens_write_put_vector(writer, " decenter=", all->decenter, 2, writer->unit);
-    lens_write_put_vector(writer, " tilt=", all->tilt, turns, RADIANS_PER_DEGREE);
-}
-
-/* Of a thick lens, where they are not 0. */
-static void lens_write_put_thick(struct lens_write_writer *writer, const struct surface *surface)
-{
-    size_t terms = 3;
-    while (terms > 0 && surface->distortion[terms - 1].value.hi == 0) {
-        terms--;
-    }
-    if (surface->hiatus.variable != LENS_NONE || surface->hiatus.value.hi != 0) {
-        lens_write_put_string(writer, " hiatus=");
-        put_cell(writer, true, &surface->hiatus);
-    }
-    if (terms > 0) {
-        lens_write_put_vector(writer, " distortion=", surface->distortion, terms, 1);
-    }
+    put_vector(writer, " decenter=", all->decenter, 2, writer->unit);
+    put_vector(writer, " tilt=", all->tilt, turns, RADIANS_PER_DEGREE);
 }
 
 /* In which a file has the number. */
@@ -112,34 +95,45 @@ static double lens_write_unit_of(const struct lens_write_writer *writer, enum pa
 static void put_extras(struct lens_write_writer *writer, const struct surface *surface)
 {
     if (surface_has(surface, SURFACE_HAS_FOCAL)) {
-        lens_write_put_thick(writer, surface);
+        /* Of a thick lens, where they are not 0. */
+        size_t terms = 3;
+        while (terms > 0 && surface->distortion[terms - 1].value.hi == 0) {
+            terms--;
+        }
+        if (surface->hiatus.variable != LENS_NONE || surface->hiatus.value.hi != 0) {
+            put_string(writer, " hiatus=");
+            put_cell(writer, true, &surface->hiatus);
+        }
+        if (terms > 0) {
+            put_vector(writer, " distortion=", surface->distortion, terms, 1);
+        }
     }
     if (surface->has_curvature) {
-        lens_write_put_string(writer, " c=");
-        lens_write_put_figure(writer, &surface->curvature, 1 / writer->unit);
+        put_string(writer, " c=");
+        put_figure(writer, &surface->curvature, 1 / writer->unit);
     }
     if (surface->conic.typed.start != NULL || surface->conic.value.hi != 0) {
-        lens_write_put_string(writer, " k=");
-        lens_write_put_figure(writer, &surface->conic, 1);
+        put_string(writer, " k=");
+        put_figure(writer, &surface->conic, 1);
     }
     for (int order = 1; order <= LENS_COEFFICIENTS; order++) {
         const enum parameter_kind kind = PARAMETER_COEFFICIENT;
         const struct figure *figure = parameter_figure(surface, kind, order);
         if (figure != NULL) {
             const char *name = parameter_name(kind, order, writer->arena);
-            lens_write_put_string(writer, arena_printf(writer->arena, " %s=", name));
-            lens_write_put_figure(writer, figure, pow(writer->unit, parameter_length(kind, order)));
+            put_string(writer, arena_printf(writer->arena, " %s=", name));
+            put_figure(writer, figure, pow(writer->unit, parameter_length(kind, order)));
         }
     }
     if (surface->is_stop && surface->kind != SURFACE_STOP) {
-        lens_write_put_string(writer, " stop");
+        put_string(writer, " stop");
     }
     if (surface->decentre != NULL) {
-        lens_write_put_displacement(writer, surface->decentre, 2);
+        put_displacement(writer, surface->decentre, 2);
     }
     if (!surface_is_round(surface)) {
-        lens_write_put_string(writer, " cyl=");
-        lens_write_put_string(writer, surface_section(surface)->word);
+        put_string(writer, " cyl=");
+        put_string(writer, surface_section(surface)->word);
     }
     for (size_t i = 0; i < surface->vary_count; i++) {
         const struct vary *vary = &surface->varies[i];
@@ -148,7 +142,7 @@ static void put_extras(struct lens_write_writer *writer, const struct surface *s
         lens_mark_write(vary, name, writer->lens->unit, &writer->text);
     }
     if (surface->name != NULL) {
-        lens_write_put_string(writer, arena_printf(writer->arena, " name=\"%s\"", surface->name));
+        put_string(writer, arena_printf(writer->arena, " name=\"%s\"", surface->name));
     }
 }
 
@@ -165,7 +159,7 @@ static void put_in_table(struct lens_write_writer *writer, const struct surface 
         break;
     case CELL_MEDIUM:
         if (surface_reflects(surface)) {
-            lens_write_put_string(writer, "mirror");
+            put_string(writer, "mirror");
         } else {
             lens_write_put(writer, surface->medium.written.start, surface->medium.written.length);
         }
@@ -175,49 +169,15 @@ static void put_in_table(struct lens_write_writer *writer, const struct surface 
     }
 }
 
-/* Columns as usual, wider where numbers are long. */
-static void set_tabs(struct lens_write_writer *writer)
-{
-    static const size_t usual[CELLS] = {12, 26, 38, 58};
-    const size_t end = writer->text.length;
-    for (int cell = 0; cell < CELLS; cell++) {
-        writer->tabs[cell] = usual[cell];
-    }
-    for (int cell = 0; cell + 1 < CELLS; cell++) {
-        size_t widest = 0;
-        for (size_t i = 0; i < writer->lens->surface_count; i++) {
-            put_in_table(writer, &writer->lens->surfaces[i], cell);
-            const size_t width = writer->text.length - end;
-            widest = width > widest ? width : widest;
-            writer->text.length = end;
-        }
-        if (writer->tabs[cell] + widest >= writer->tabs[cell + 1]) {
-            writer->tabs[cell + 1] = writer->tabs[cell] + widest + 1;
-        }
-    }
-}
-
-static void put_table_head(struct lens_write_writer *writer)
-{
-    static const char *const names[CELLS] = {"radius", "thickness", "medium", "diameter"};
-    const size_t start = writer->text.length;
-    lens_write_put_string(writer, "#");
-    for (int cell = 0; cell < CELLS; cell++) {
-        put_tab(writer, start, writer->tabs[cell]);
-        lens_write_put_string(writer, names[cell]);
-    }
-    lens_write_put(writer, "\n", 1);
-}
-
-static void lens_write_put_surface(struct lens_write_writer *writer, const struct surface *surface)
+static void put_surface_line(struct lens_write_writer *writer, const struct surface *surface)
 {
     if (surface->coordinate_break != NULL) {
-        lens_write_put_string(writer, "bend");
-        lens_write_put_displacement(writer, surface->coordinate_break, 3);
+        put_string(writer, "bend");
+        put_displacement(writer, surface->coordinate_break, 3);
         lens_write_put(writer, "\n", 1);
     }
     size_t start = writer->text.length;
-    lens_write_put_string(writer, surface_traits(surface)->word);
+    put_string(writer, surface_traits(surface)->word);
     for (int cell = 0; cell < CELLS; cell++) {
         put_tab(writer, start, writer->tabs[cell]);
         put_in_table(writer, surface, cell);
@@ -235,17 +195,17 @@ static void lens_write_put_line(struct lens_write_writer *writer, const char *ke
                                 const char *text)
 {
     if (text != NULL) {
-        lens_write_put_string(writer, arena_printf(writer->arena, "%-11s %s\n", keyword, text));
+        put_string(writer, arena_printf(writer->arena, "%-11s %s\n", keyword, text));
     }
 }
 
 static void put_figures(struct lens_write_writer *writer, const char *keyword,
                         const struct figure *figures, size_t count, double unit)
 {
-    lens_write_put_string(writer, keyword);
+    put_string(writer, keyword);
     for (size_t i = 0; i < count; i++) {
         lens_write_put(writer, " ", 1);
-        lens_write_put_figure(writer, &figures[i], unit);
+        put_figure(writer, &figures[i], unit);
     }
     lens_write_put(writer, "\n", 1);
 }
@@ -260,68 +220,32 @@ static void put_weight(struct lens_write_writer *writer, struct text weight)
 }
 
 /* A point of the field, behind what stands between it and the one before. */
-static void lens_write_put_field(struct lens_write_writer *writer, const char *between,
-                                 const struct lens_field *field)
+static void put_field_point(struct lens_write_writer *writer, const char *between,
+                            const struct lens_field *field)
 {
     double unit = writer->lens->field_kind == FIELD_ANGLE ? RADIANS_PER_DEGREE : writer->unit;
     bool beside = field->at[0].value.hi != 0;
-    lens_write_put_vector(writer, between, beside ? field->at : &field->at[1], beside ? 2 : 1,
-                          unit);
+    put_vector(writer, between, beside ? field->at : &field->at[1], beside ? 2 : 1, unit);
     put_weight(writer, field->weight_typed);
 }
 
-static void lens_write_put_fields(struct lens_write_writer *writer)
-{
-    static const char *const kinds[] = {[FIELD_ANGLE] = "angle",
-                                        [FIELD_HEIGHT] = "height",
-                                        [FIELD_IMAGE] = "image",
-                                        [FIELD_REAL] = "real"};
-    const struct lens *lens = writer->lens;
-    lens_write_put_string(writer, "field       ");
-    lens_write_put_string(writer, kinds[lens->field_kind]);
-    for (size_t i = 0; i < lens->field_count; i++) {
-        lens_write_put_field(writer, " ", &lens->fields[i]);
-    }
-    lens_write_put(writer, "\n", 1);
-}
-
-static void put_wavelengths(struct lens_write_writer *writer)
-{
-    const struct lens *lens = writer->lens;
-    for (size_t i = 0; i < lens->wavelength_count; i++) {
-        const struct lens_wavelength *one = &lens->wavelengths[i];
-        lens_write_put_string(writer, i == 0 ? "wavelength  " : " ");
-        lens_write_put(writer, one->typed.start, one->typed.length);
-        put_weight(writer, one->weight_typed);
-    }
-    lens_write_put_string(writer, lens->wavelength_count > 0 ? "\n" : "");
-}
-
-static void lens_write_put_apertures(struct lens_write_writer *writer, const char *before,
-                                     const struct figure *figures, size_t count)
+static void put_aperture_lines(struct lens_write_writer *writer, const char *before,
+                               const struct figure *figures, size_t count)
 {
     static const char *const words[] = {"", "stop", "f/", "epd ", "na "};
     enum aperture_kind kind = writer->lens->aperture_kind;
     double unit = kind == APERTURE_EPD ? writer->unit : 1;
-    lens_write_put_string(writer, before);
+    put_string(writer, before);
     for (size_t i = 0; i < count; i++) {
-        lens_write_put_string(writer, i == 0 || kind != APERTURE_STOP ? words[kind] : "");
+        put_string(writer, i == 0 || kind != APERTURE_STOP ? words[kind] : "");
         if (kind != APERTURE_STOP) {
-            lens_write_put_figure(writer, &figures[i], unit);
+            put_figure(writer, &figures[i], unit);
         }
-        lens_write_put_string(writer, i + 1 < count ? " " : "\n");
+        put_string(writer, i + 1 < count ? " " : "\n");
     }
 }
 
-static void lens_write_put_object(struct lens_write_writer *writer)
-{
-    const struct lens *lens = writer->lens;
-    lens_write_put_string(writer, "object      ");
-    lens_write_put_figure(writer, &lens->object, writer->unit);
-    lens_write_put_string(writer, lens->is_telecentric ? " telecentric\n" : "\n");
-}
-
-static void lens_write_put_header(struct lens_write_writer *writer)
+static void put_lens_header(struct lens_write_writer *writer)
 {
     static const char *const focuses[] = {"paraxial", "table", "best", "afocal"};
     const struct lens *lens = writer->lens;
@@ -332,21 +256,38 @@ static void lens_write_put_header(struct lens_write_writer *writer)
         lens_write_put_line(writer, "note", lens->notes[i]);
     }
     lens_write_put_line(writer, "unit", lens->unit);
-    put_wavelengths(writer);
+    for (size_t i = 0; i < lens->wavelength_count; i++) {
+        const struct lens_wavelength *one = &lens->wavelengths[i];
+        put_string(writer, i == 0 ? "wavelength  " : " ");
+        lens_write_put(writer, one->typed.start, one->typed.length);
+        put_weight(writer, one->weight_typed);
+    }
+    put_string(writer, lens->wavelength_count > 0 ? "\n" : "");
     if (lens->objects == NULL) {
-        lens_write_put_object(writer);
+        put_string(writer, "object      ");
+        put_figure(writer, &lens->object, writer->unit);
+        put_string(writer, lens->is_telecentric ? " telecentric\n" : "\n");
     }
     if (!text_equal(lens->object_medium.written, "air")) {
-        lens_write_put_string(writer, "medium      ");
+        put_string(writer, "medium      ");
         lens_write_put(writer, lens->object_medium.written.start,
                        lens->object_medium.written.length);
-        lens_write_put_string(writer, "\n");
+        put_string(writer, "\n");
     }
     if (lens->field_kind != FIELD_NONE) {
-        lens_write_put_fields(writer);
+        static const char *const kinds[] = {[FIELD_ANGLE] = "angle",
+                                            [FIELD_HEIGHT] = "height",
+                                            [FIELD_IMAGE] = "image",
+                                            [FIELD_REAL] = "real"};
+        put_string(writer, "field       ");
+        put_string(writer, kinds[lens->field_kind]);
+        for (size_t k = 0; k < lens->field_count; k++) {
+            put_field_point(writer, " ", &lens->fields[k]);
+        }
+        lens_write_put(writer, "\n", 1);
     }
     if (lens->aperture_kind != APERTURE_NONE && lens->apertures == NULL) {
-        lens_write_put_apertures(writer, "aperture    ", &lens->aperture, 1);
+        put_aperture_lines(writer, "aperture    ", &lens->aperture, 1);
     }
     lens_write_put_line(writer, "focus", focuses[lens->focus]);
 }
@@ -357,26 +298,26 @@ static void put_system_settings(struct lens_write_writer *writer)
     const struct lens *lens = writer->lens;
     struct arena *arena = writer->arena;
     for (size_t p = 0; p < lens->position_count && lens->stops != NULL; p++) {
-        lens_write_put_string(writer, arena_printf(arena, "%s %zu%s", p == 0 ? "set stop" : "",
-                                                   lens->stops[p] + 1,
-                                                   p + 1 == lens->position_count ? "\n" : ""));
+        put_string(writer,
+                   arena_printf(arena, "%s %zu%s", p == 0 ? "set stop" : "", lens->stops[p] + 1,
+                                p + 1 == lens->position_count ? "\n" : ""));
     }
     for (size_t p = 0; p < lens->position_count && lens->lights != NULL; p++) {
-        lens_write_put_string(writer, arena_printf(arena, "%s %s%s", p == 0 ? "set wavelength" : "",
-                                                   lens_light_write(&lens->lights[p], arena),
-                                                   p + 1 == lens->position_count ? "\n" : ""));
+        put_string(writer, arena_printf(arena, "%s %s%s", p == 0 ? "set wavelength" : "",
+                                        lens_light_write(&lens->lights[p], arena),
+                                        p + 1 == lens->position_count ? "\n" : ""));
     }
     for (size_t p = 0; p < lens->position_count && lens->points != NULL; p++) {
-        lens_write_put_string(writer, p == 0 ? "set field" : "");
+        put_string(writer, p == 0 ? "set field" : "");
         for (size_t i = 0; i < lens->points[p].count; i++) {
-            lens_write_put_field(writer, i == 0 ? " " : ";", &lens->points[p].fields[i]);
+            put_field_point(writer, i == 0 ? " " : ";", &lens->points[p].fields[i]);
         }
-        lens_write_put_string(writer, p + 1 == lens->position_count ? "\n" : "");
+        put_string(writer, p + 1 == lens->position_count ? "\n" : "");
     }
 }
 
 /* What the positions set anew. */
-static void lens_write_put_settings(struct lens_write_writer *writer)
+static void put_set_lines(struct lens_write_writer *writer)
 {
     const struct lens *lens = writer->lens;
     struct arena *arena = writer->arena;
@@ -390,7 +331,7 @@ static void lens_write_put_settings(struct lens_write_writer *writer)
                         lens_write_unit_of(writer, parameter.kind, parameter.order));
             continue;
         }
-        lens_write_put_string(writer, begin);
+        put_string(writer, begin);
         for (size_t p = 0; p < lens->position_count; p++) {
             lens_write_put(writer, " ", 1);
             lens_write_put(writer, one->media[p].written.start, one->media[p].written.length);
@@ -400,37 +341,22 @@ static void lens_write_put_settings(struct lens_write_writer *writer)
     put_system_settings(writer);
 }
 
-/* A word of the positions, with its marks. */
-static void put_variable(struct lens_write_writer *writer, const struct lens_variable *variable)
-{
-    lens_write_put_string(writer, "let ");
-    lens_write_put(writer, variable->name.start, variable->name.length);
-    for (size_t p = 0; p < writer->lens->position_count; p++) {
-        lens_write_put(writer, " ", 1);
-        lens_write_put_figure(writer, &variable->values[p], writer->unit);
-        if (variable->varies != NULL && variable->varies[p] != NULL) {
-            lens_mark_write(variable->varies[p], "", writer->lens->unit, &writer->text);
-        }
-    }
-    lens_write_put(writer, "\n", 1);
-}
-
 /* What follows what, what is wanted, and how well it is made. */
 static void put_design(struct lens_write_writer *writer)
 {
     const struct lens *lens = writer->lens;
     for (size_t i = 0; i < lens->pickup_count; i++) {
-        lens_write_put_string(writer, "pickup      ");
+        put_string(writer, "pickup      ");
         lens_pickup_write(&lens->pickups[i], lens->unit, &writer->text);
         lens_write_put(writer, "\n", 1);
     }
     for (size_t i = 0; i < lens->goal_count; i++) {
-        lens_write_put_string(writer, "goal        ");
+        put_string(writer, "goal        ");
         lens_write_put(writer, lens->goals[i].text.start, lens->goals[i].text.length);
         lens_write_put(writer, "\n", 1);
     }
     for (size_t i = 0; i < lens->tolerance_count; i++) {
-        lens_write_put_string(writer, "tolerance   ");
+        put_string(writer, "tolerance   ");
         lens_tolerance_write(&lens->tolerances[i], lens->unit, &writer->text);
         lens_write_put(writer, "\n", 1);
     }
@@ -443,11 +369,10 @@ static void put_positions(struct lens_write_writer *writer)
     const struct lens *lens = writer->lens;
     size_t count = lens->position_count;
     for (size_t i = 0; i < count; i++) {
-        lens_write_put_string(
-            writer,
-            arena_printf(writer->arena, "%s %s", i == 0 ? "position   " : "", lens->positions[i]));
+        put_string(writer, arena_printf(writer->arena, "%s %s", i == 0 ? "position   " : "",
+                                        lens->positions[i]));
     }
-    lens_write_put_string(writer, count > 0 ? "\n" : "");
+    put_string(writer, count > 0 ? "\n" : "");
     for (int i = 0; i < STATED_COUNT; i++) {
         if (lens->stated[i] != NULL) {
             put_figures(writer, stated[i], lens->stated[i], lens->stated_count[i],
@@ -455,15 +380,26 @@ static void put_positions(struct lens_write_writer *writer)
         }
     }
     for (size_t i = 0; i < lens->variable_count; i++) {
-        put_variable(writer, &lens->variables[i]);
+        /* A word of the positions, with its marks. */
+        const struct lens_variable *variable = &lens->variables[i];
+        put_string(writer, "let ");
+        lens_write_put(writer, variable->name.start, variable->name.length);
+        for (size_t p = 0; p < writer->lens->position_count; p++) {
+            lens_write_put(writer, " ", 1);
+            put_figure(writer, &variable->values[p], writer->unit);
+            if (variable->varies != NULL && variable->varies[p] != NULL) {
+                lens_mark_write(variable->varies[p], "", writer->lens->unit, &writer->text);
+            }
+        }
+        lens_write_put(writer, "\n", 1);
     }
-    lens_write_put_settings(writer);
+    put_set_lines(writer);
     if (lens->objects != NULL) {
         put_figures(writer, lens->is_telecentric ? "let object telecentric" : "let object",
                     lens->objects, count, writer->unit);
     }
     if (lens->apertures != NULL) {
-        lens_write_put_apertures(writer, "let aperture ", lens->apertures, count);
+        put_aperture_lines(writer, "let aperture ", lens->apertures, count);
     }
 }
 
@@ -471,13 +407,37 @@ struct text lens_write(const struct lens *lens, struct arena *arena)
 {
     struct lens_write_writer writer = {
         .arena = arena, .lens = lens, .text = {.arena = arena}, .unit = lens_unit_mm(lens->unit)};
-    lens_write_put_header(&writer);
+    put_lens_header(&writer);
     put_positions(&writer);
     put_design(&writer);
-    set_tabs(&writer);
-    put_table_head(&writer);
+    /* Columns as usual, wider where numbers are long. */
+    static const size_t usual[CELLS] = {12, 26, 38, 58};
+    const size_t end = writer.text.length;
+    for (int cell = 0; cell < CELLS; cell++) {
+        writer.tabs[cell] = usual[cell];
+    }
+    for (int cell = 0; cell + 1 < CELLS; cell++) {
+        size_t widest = 0;
+        for (size_t i = 0; i < writer.lens->surface_count; i++) {
+            put_in_table(&writer, &writer.lens->surfaces[i], cell);
+            const size_t width = writer.text.length - end;
+            widest = width > widest ? width : widest;
+            writer.text.length = end;
+        }
+        if (writer.tabs[cell] + widest >= writer.tabs[cell + 1]) {
+            writer.tabs[cell + 1] = writer.tabs[cell] + widest + 1;
+        }
+    }
+    static const char *const names[CELLS] = {"radius", "thickness", "medium", "diameter"};
+    const size_t start = writer.text.length;
+    put_string(&writer, "#");
+    for (int cell = 0; cell < CELLS; cell++) {
+        put_tab(&writer, start, writer.tabs[cell]);
+        put_string(&writer, names[cell]);
+    }
+    lens_write_put(&writer, "\n", 1);
     for (size_t i = 0; i < lens->surface_count; i++) {
-        lens_write_put_surface(&writer, &lens->surfaces[i]);
+        put_surface_line(&writer, &lens->surfaces[i]);
     }
     return growing_done(&writer.text);
 }

@@ -72,22 +72,6 @@ static size_t append_corner(struct obj *obj, const struct corner *corner)
     return obj->corner_count++;
 }
 
-static size_t corner_number(struct obj *obj, const struct corner *corner)
-{
-    if (2 * (obj->corner_count + 1) > obj->slot_count) {
-        obj->slot_count = obj->slot_count > 0 ? 2 * obj->slot_count : 1024;
-        obj->slots = ARENA_ARRAY(obj->arena, obj->slot_count, size_t);
-        for (size_t i = 0; i < obj->corner_count; i++) {
-            obj->slots[obj_file_slot_of(obj, &obj->corners[i])] = i + 1;
-        }
-    }
-    const size_t slot = obj_file_slot_of(obj, corner);
-    if (obj->slots[slot] == 0) {
-        obj->slots[slot] = append_corner(obj, corner) + 1;
-    }
-    return obj->slots[slot] - 1;
-}
-
 /* -------- words -------- */
 
 /* The next word of a line, which goes on behind a backslash; a comment ends it. */
@@ -104,26 +88,8 @@ static struct text obj_file_next_word(struct obj *obj)
     return word;
 }
 
-static bool obj_file_read_number(const struct obj *obj, struct text word, double most,
-                                 double *value, struct error *error)
-{
-    const char *end = word.start + word.length;
-    const char *behind =
-        word.length > 0 ? number_read(word.start, end, NUMBER_UNSCALED, value) : NULL;
-    if (word.length == 0) {
-        return file_words_fail(&obj->words, word, error, "a number is missing");
-    }
-    if (behind != end) {
-        return file_words_fail(&obj->words, word, error, "'%.*s' is not a number", text_shown(word),
-                               word.start);
-    }
-    return fabs(*value) <= most ||
-           file_words_fail(&obj->words, word, error, "%.*s is not within -%.4g to %.4g",
-                           text_shown(word), word.start, most, most);
-}
-
 /* v x y z, with a weight or a colour behind; vt u, with v, and a depth; vn x y z. */
-static bool obj_file_read_part(struct obj *obj, enum obj_file_part part, struct error *error)
+static bool obj_file_read_part(struct obj *obj, enum obj_file_part part)
 {
     static const size_t least[PARTS] = {3, 1, 3}, most[PARTS] = {7, 3, 3};
     const double farthest =
@@ -132,14 +98,25 @@ static bool obj_file_read_part(struct obj *obj, enum obj_file_part part, struct 
     size_t count = 0;
     struct text word = obj_file_next_word(obj);
     for (; count < least[part] || (word.length > 0 && count < most[part]); count++) {
-        if (!obj_file_read_number(obj, word, farthest, &number[count], error)) {
-            return false;
+        const char *end = word.start + word.length;
+        const char *behind =
+            word.length > 0 ? number_read(word.start, end, NUMBER_UNSCALED, &number[count]) : NULL;
+        if (word.length == 0) {
+            return file_words_fail(&obj->words, word, "a number is missing");
+        }
+        if (behind != end) {
+            return file_words_fail(&obj->words, word, "'%.*s' is not a number", text_shown(word),
+                                   word.start);
+        }
+        if (!(fabs(number[count]) <= farthest)) {
+            return file_words_fail(&obj->words, word, "%.*s is not within -%.4g to %.4g",
+                                   text_shown(word), word.start, farthest, farthest);
         }
         word = obj_file_next_word(obj);
     }
     if (word.length > 0) {
-        return file_words_fail(&obj->words, word, error, "'%.*s' does not belong here",
-                               text_shown(word), word.start);
+        return file_words_fail(&obj->words, word, "'%.*s' does not belong here", text_shown(word),
+                               word.start);
     }
     obj->passed->colours = obj->passed->colours || (part == PART_POSITION && count >= 6);
     obj->all[part] = arena_grow(obj->arena, obj->all[part], obj->count[part], &obj->room[part],
@@ -150,7 +127,7 @@ static bool obj_file_read_part(struct obj *obj, enum obj_file_part part, struct 
 
 /* A number from 1, or from -1 for the last one so far. */
 static bool obj_file_read_index(const struct obj *obj, struct text text, enum obj_file_part part,
-                                size_t *index, struct error *error)
+                                size_t *index)
 {
     const bool is_behind = text.length > 0 && text.start[0] == '-';
     size_t value = 0, i = is_behind ? 1 : 0;
@@ -158,12 +135,12 @@ static bool obj_file_read_index(const struct obj *obj, struct text text, enum ob
         value = 10 * value + (size_t)(text.start[i] - '0');
     }
     if (i < text.length || text.length == (is_behind ? 1 : 0)) {
-        return file_words_fail(&obj->words, text, error, "'%.*s' is not the number of a '%s'",
+        return file_words_fail(&obj->words, text, "'%.*s' is not the number of a '%s'",
                                text_shown(text), text.start, part_words[part]);
     }
     const size_t have = is_behind ? obj->count[part] : obj->total[part];
     if (value == 0 || value > have) {
-        return file_words_fail(&obj->words, text, error, "there is no '%s' %.*s: %s has %zu",
+        return file_words_fail(&obj->words, text, "there is no '%s' %.*s: %s has %zu",
                                part_words[part], text_shown(text), text.start,
                                is_behind ? "up to here the file" : "the file", have);
     }
@@ -172,39 +149,50 @@ static bool obj_file_read_index(const struct obj *obj, struct text text, enum ob
 }
 
 /* 3, 3/4, 3//5 or 3/4/5 */
-static bool read_corner(struct obj *obj, struct text word, size_t *number, struct error *error)
+static bool read_corner(struct obj *obj, struct text word, size_t *number)
 {
     struct corner corner = {{NONE, NONE, NONE}};
     struct text rest = word;
     for (int part = 0; part < PARTS && rest.start != NULL; part++) {
         const struct text text = text_cut(&rest, '/');
         if ((part == PART_POSITION || text.length > 0) &&
-            !obj_file_read_index(obj, text, (enum obj_file_part)part, &corner.of[part], error)) {
+            !obj_file_read_index(obj, text, (enum obj_file_part)part, &corner.of[part])) {
             return false;
         }
     }
     if (rest.start != NULL) {
-        return file_words_fail(&obj->words, rest, error,
+        return file_words_fail(&obj->words, rest,
                                "a corner is position/place/normal: three numbers at most");
     }
-    *number = corner_number(obj, &corner);
+    if (2 * (obj->corner_count + 1) > obj->slot_count) {
+        obj->slot_count = obj->slot_count > 0 ? 2 * obj->slot_count : 1024;
+        obj->slots = ARENA_ARRAY(obj->arena, obj->slot_count, size_t);
+        for (size_t i = 0; i < obj->corner_count; i++) {
+            obj->slots[obj_file_slot_of(obj, &obj->corners[i])] = i + 1;
+        }
+    }
+    const size_t slot = obj_file_slot_of(obj, &corner);
+    if (obj->slots[slot] == 0) {
+        obj->slots[slot] = append_corner(obj, &corner) + 1;
+    }
+    *number = obj->slots[slot] - 1;
     return true;
 }
 
-static bool read_face(struct obj *obj, struct error *error)
+static bool read_face(struct obj *obj)
 {
     size_t corner[3], count = 0;
     for (struct text word = obj_file_next_word(obj); word.length > 0;
          word = obj_file_next_word(obj)) {
         const size_t here = count < 2 ? count : 2;
-        if (!read_corner(obj, word, &corner[here], error)) {
+        if (!read_corner(obj, word, &corner[here])) {
             return false;
         }
         if (++count < 3) {
             continue;
         }
         if (obj->triangle_count == obj->question->most) {
-            return file_words_fail(&obj->words, word, error, "more than %zu triangles",
+            return file_words_fail(&obj->words, word, "more than %zu triangles",
                                    obj->question->most);
         }
         obj->triangles = arena_grow(obj->arena, obj->triangles, obj->triangle_count,
@@ -219,8 +207,8 @@ static bool read_face(struct obj *obj, struct error *error)
             (struct obj_file_fan){obj->triangle_count - (count - 2), count};
     }
     const struct text end = {obj->words.line.start + obj->words.line.length, 0};
-    return count >= 3 || file_words_fail(&obj->words, end, error,
-                                         "a face needs three corners, and has %zu", count);
+    return count >= 3 ||
+           file_words_fail(&obj->words, end, "a face needs three corners, and has %zu", count);
 }
 
 /* -------- lines -------- */
@@ -246,14 +234,14 @@ static const struct {
     {"curv", ACTION_REFUSE},     {"curv2", ACTION_REFUSE},    {"surf", ACTION_REFUSE},
 };
 
-static bool read_other(struct obj *obj, struct text head, struct error *error)
+static bool read_other(struct obj *obj, struct text head)
 {
     for (size_t i = 0; i < sizeof others / sizeof others[0]; i++) {
         if (!text_equal(head, others[i].word)) {
             continue;
         }
         if (others[i].action == ACTION_REFUSE) {
-            return file_words_fail(&obj->words, head, error,
+            return file_words_fail(&obj->words, head,
                                    "'%s': free-form curves and surfaces are not read",
                                    others[i].word);
         }
@@ -263,40 +251,24 @@ static bool read_other(struct obj *obj, struct text head, struct error *error)
         }
         return true;
     }
-    return file_words_fail(&obj->words, head, error, "unknown word '%.*s'", text_shown(head),
-                           head.start);
+    return file_words_fail(&obj->words, head, "unknown word '%.*s'", text_shown(head), head.start);
 }
 
-static bool obj_file_read_line(struct obj *obj, struct error *error)
+static bool obj_file_read_line(struct obj *obj)
 {
     const struct text head = obj_file_next_word(obj);
     if (head.length == 0) {
         return true;
     }
     if (text_equal(head, "f")) {
-        return read_face(obj, error);
+        return read_face(obj);
     }
     for (int part = 0; part < PARTS; part++) {
         if (text_equal(head, part_words[part])) {
-            return obj_file_read_part(obj, (enum obj_file_part)part, error);
+            return obj_file_read_part(obj, (enum obj_file_part)part);
         }
     }
-    return read_other(obj, head, error);
-}
-
-/* How many parts of each kind there are. */
-static void count_parts(struct obj *obj)
-{
-    const struct file_words begin = obj->words;
-    while (file_words_line(&obj->words)) {
-        const struct text head = obj_file_next_word(obj);
-        for (int part = 0; part < PARTS; part++) {
-            obj->total[part] += text_equal(head, part_words[part]) ? 1 : 0;
-        }
-        while (obj_file_next_word(obj).length > 0) {
-        }
-    }
-    obj->words = begin;
+    return read_other(obj, head);
 }
 
 /* -------- the mesh -------- */
@@ -304,35 +276,6 @@ static void count_parts(struct obj *obj)
 static struct vector obj_file_position(const struct obj *obj, size_t corner)
 {
     return obj->all[PART_POSITION][obj->corners[corner].of[PART_POSITION]];
-}
-
-/* Into other triangles, as many. */
-static void cut_face(struct obj *obj, const struct obj_file_fan *fan)
-{
-    size_t(*triangles)[3] = &obj->triangles[fan->first];
-    size_t(*cut)[3] = arena_array(obj->arena, fan->corner_count - 2, sizeof cut[0]);
-    size_t *corners = ARENA_ARRAY(obj->arena, fan->corner_count, size_t);
-    struct vector *at = ARENA_ARRAY(obj->arena, fan->corner_count, struct vector);
-    for (size_t i = 0; i < fan->corner_count; i++) {
-        corners[i] = i < 2 ? triangles[0][i] : triangles[i - 2][2];
-        at[i] = obj_file_position(obj, corners[i]);
-    }
-    const enum polygon_cut way = polygon_triangles(at, fan->corner_count, cut, obj->arena);
-    obj->passed->crossed += way == POLYGON_CROSSED ? 1 : 0;
-    for (size_t i = 0; i < fan->corner_count - 2; i++) {
-        for (int k = 0; k < 3; k++) {
-            triangles[i][k] = corners[cut[i][k]];
-        }
-    }
-}
-
-static void cut_faces(struct obj *obj)
-{
-    for (size_t i = 0; i < obj->fan_count; i++) {
-        const struct arena_mark mark = arena_mark(obj->arena);
-        cut_face(obj, &obj->fans[i]);
-        arena_reset(obj->arena, mark);
-    }
 }
 
 /* Where its corners lie, whichever comes first; bytes are equal where numbers are. */
@@ -366,16 +309,6 @@ static struct places places_of(const struct obj *obj, const size_t triangle[3])
     return places;
 }
 
-static uint64_t obj_file_hash_of(const struct places *places)
-{
-    uint64_t words[sizeof *places / sizeof(uint64_t)], hash = 0;
-    memcpy(words, places, sizeof words);
-    for (size_t i = 0; i < sizeof words / sizeof words[0]; i++) {
-        hash = mixed(hash, words[i]);
-    }
-    return hash;
-}
-
 /* Triangles that lie on each other would all be looked at by each ray, and shine each. */
 static void leave_out_twice(struct obj *obj)
 {
@@ -386,7 +319,12 @@ static void leave_out_twice(struct obj *obj)
     size_t *first = ARENA_ARRAY(obj->arena, slots, size_t); /* one more than its number */
     for (size_t i = 0; i < obj->triangle_count; i++) {
         const struct places here = places_of(obj, obj->triangles[i]);
-        size_t slot = (size_t)obj_file_hash_of(&here) & (slots - 1);
+        uint64_t words[sizeof here / sizeof(uint64_t)], hash = 0;
+        memcpy(words, &here, sizeof words);
+        for (size_t k = 0; k < sizeof words / sizeof words[0]; k++) {
+            hash = mixed(hash, words[k]);
+        }
+        size_t slot = (size_t)hash & (slots - 1);
         bool is_there = false;
         for (; first[slot] != 0 && !is_there; slot = (slot + 1) & (slots - 1)) {
             const struct places other = places_of(obj, obj->triangles[first[slot] - 1]);
@@ -399,17 +337,6 @@ static void leave_out_twice(struct obj *obj)
     }
     obj->passed->twice = obj->triangle_count - kept;
     obj->triangle_count = kept;
-}
-
-/* Any direction for a triangle without area, which nothing meets. */
-static struct vector face_normal(const struct obj *obj, const size_t triangle[3])
-{
-    const struct vector a = obj_file_position(obj, triangle[0]);
-    const struct vector across = vector_cross(vector_minus(obj_file_position(obj, triangle[1]), a),
-                                              vector_minus(obj_file_position(obj, triangle[2]), a));
-    const double length = vector_length(across);
-    return length > 0 && isfinite(length) ? vector_times(1 / length, across)
-                                          : (struct vector){0, 0, 1};
 }
 
 static bool has_normal(const struct obj *obj, size_t corner)
@@ -429,7 +356,15 @@ static void give_normals(struct obj *obj)
                 continue;
             }
             if (flat.of[PART_NORMAL] == NONE) {
-                const struct vector normal = face_normal(obj, triangle);
+                /* Any direction for a triangle without area, which nothing meets. */
+                const struct vector a = obj_file_position(obj, triangle[0]);
+                const struct vector across =
+                    vector_cross(vector_minus(obj_file_position(obj, triangle[1]), a),
+                                 vector_minus(obj_file_position(obj, triangle[2]), a));
+                const double length = vector_length(across);
+                const struct vector normal = length > 0 && isfinite(length)
+                                                 ? vector_times(1 / length, across)
+                                                 : (struct vector){0, 0, 1};
                 obj->all[PART_NORMAL] =
                     arena_grow(obj->arena, obj->all[PART_NORMAL], obj->count[PART_NORMAL],
                                &obj->room[PART_NORMAL], sizeof normal);
@@ -454,21 +389,29 @@ static bool has_part(const struct obj *obj, enum obj_file_part part)
     return false;
 }
 
-static void count_unplaced(struct obj *obj)
+static void make_mesh(struct obj *obj, struct arena *arena, struct scene_mesh *mesh)
 {
-    for (size_t i = 0; i < obj->triangle_count; i++) {
-        const size_t *triangle = obj->triangles[i];
-        bool lacks = false;
-        for (int k = 0; k < 3; k++) {
-            lacks = lacks || obj->corners[triangle[k]].of[PART_PLACE] == NONE;
-        }
-        obj->passed->unplaced += lacks ? 1 : 0;
+    const bool has_normals = has_part(obj, PART_NORMAL), has_places = has_part(obj, PART_PLACE);
+    if (has_normals) {
+        give_normals(obj);
     }
-}
-
-static void fill_corners(const struct obj *obj, struct vector *corners, struct vector *normals,
-                         double (*places)[2])
-{
+    if (has_places) {
+        for (size_t i = 0; i < obj->triangle_count; i++) {
+            const size_t *triangle = obj->triangles[i];
+            bool lacks = false;
+            for (int k = 0; k < 3; k++) {
+                lacks = lacks || obj->corners[triangle[k]].of[PART_PLACE] == NONE;
+            }
+            obj->passed->unplaced += lacks ? 1 : 0;
+        }
+    }
+    struct vector *corners = ARENA_ARRAY(arena, obj->corner_count, struct vector);
+    struct vector *normals =
+        has_normals ? ARENA_ARRAY(arena, obj->corner_count, struct vector) : NULL;
+    double(*places)[2] =
+        has_places ? arena_array(arena, obj->corner_count, sizeof places[0]) : NULL;
+    size_t(*triangles)[3] = arena_array(arena, obj->triangle_count, sizeof triangles[0]);
+    memcpy(triangles, obj->triangles, obj->triangle_count * sizeof triangles[0]);
     for (size_t i = 0; i < obj->corner_count; i++) {
         const size_t *of = obj->corners[i].of;
         corners[i] = vector_times(obj->question->scale, obj->all[PART_POSITION][of[PART_POSITION]]);
@@ -481,25 +424,6 @@ static void fill_corners(const struct obj *obj, struct vector *corners, struct v
             places[i][1] = obj->all[PART_PLACE][of[PART_PLACE]].y;
         }
     }
-}
-
-static void make_mesh(struct obj *obj, struct arena *arena, struct scene_mesh *mesh)
-{
-    const bool has_normals = has_part(obj, PART_NORMAL), has_places = has_part(obj, PART_PLACE);
-    if (has_normals) {
-        give_normals(obj);
-    }
-    if (has_places) {
-        count_unplaced(obj);
-    }
-    struct vector *corners = ARENA_ARRAY(arena, obj->corner_count, struct vector);
-    struct vector *normals =
-        has_normals ? ARENA_ARRAY(arena, obj->corner_count, struct vector) : NULL;
-    double(*places)[2] =
-        has_places ? arena_array(arena, obj->corner_count, sizeof places[0]) : NULL;
-    size_t(*triangles)[3] = arena_array(arena, obj->triangle_count, sizeof triangles[0]);
-    memcpy(triangles, obj->triangles, obj->triangle_count * sizeof triangles[0]);
-    fill_corners(obj, corners, normals, places);
     *mesh = (struct scene_mesh){
         .file = arena_string(arena, obj->question->source, strlen(obj->question->source)),
         .corner_count = obj->corner_count,
@@ -511,17 +435,27 @@ static void make_mesh(struct obj *obj, struct arena *arena, struct scene_mesh *m
     };
 }
 
-static bool obj_file_read_lines(struct obj *obj, struct error *error)
+static bool obj_file_read_lines(struct obj *obj)
 {
-    count_parts(obj);
+    /* How many parts of each kind there are. */
+    const struct file_words begin = obj->words;
     while (file_words_line(&obj->words)) {
-        if (!obj_file_read_line(obj, error)) {
+        const struct text head = obj_file_next_word(obj);
+        for (int part = 0; part < PARTS; part++) {
+            obj->total[part] += text_equal(head, part_words[part]) ? 1 : 0;
+        }
+        while (obj_file_next_word(obj).length > 0) {
+        }
+    }
+    obj->words = begin;
+    while (file_words_line(&obj->words)) {
+        if (!obj_file_read_line(obj)) {
             return false;
         }
     }
     if (obj->triangle_count == 0) {
-        fail(error, ERROR_DATA, "the mesh has no face");
-        return error_locate(error, obj->question->source, 0, 0);
+        fail(obj->words.error, ERROR_DATA, "the mesh has no face");
+        return error_locate(obj->words.error, obj->question->source, 0, 0);
     }
     return true;
 }
@@ -534,9 +468,29 @@ bool obj_read(const struct obj_question *question, struct text content, struct a
     *passed = (struct obj_passed){.unplaced = 0};
     bool is_read = file_words_open(&obj.words, question->source, content, &own, error);
     obj.words.comment = NULL;
-    is_read = is_read && obj_file_read_lines(&obj, error);
+    is_read = is_read && obj_file_read_lines(&obj);
     if (is_read) {
-        cut_faces(&obj);
+        for (size_t i = 0; i < obj.fan_count; i++) {
+            const struct arena_mark mark = arena_mark(obj.arena);
+            /* Into other triangles, as many. */
+            const struct obj_file_fan *fan = &obj.fans[i];
+            size_t(*triangles)[3] = &obj.triangles[fan->first];
+            size_t(*cut)[3] = arena_array(obj.arena, fan->corner_count - 2, sizeof cut[0]);
+            size_t *corners = ARENA_ARRAY(obj.arena, fan->corner_count, size_t);
+            struct vector *at = ARENA_ARRAY(obj.arena, fan->corner_count, struct vector);
+            for (size_t j = 0; j < fan->corner_count; j++) {
+                corners[j] = j < 2 ? triangles[0][j] : triangles[j - 2][2];
+                at[j] = obj_file_position(&obj, corners[j]);
+            }
+            const enum polygon_cut way = polygon_triangles(at, fan->corner_count, cut, obj.arena);
+            obj.passed->crossed += way == POLYGON_CROSSED ? 1 : 0;
+            for (size_t j = 0; j < fan->corner_count - 2; j++) {
+                for (int k = 0; k < 3; k++) {
+                    triangles[j][k] = corners[cut[j][k]];
+                }
+            }
+            arena_reset(obj.arena, mark);
+        }
         leave_out_twice(&obj);
         make_mesh(&obj, arena, mesh);
     }

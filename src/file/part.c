@@ -274,24 +274,6 @@ bool part_read(const char *path, struct text content, struct part_file *file, st
     return true;
 }
 
-/* Which line of a head is not that of its run's; LINES: none. */
-static enum part_line different(const struct part_head *run, const struct part_head *head)
-{
-    const bool same[LINES] = {
-        [COMMAND] = text_identical(run->command, head->command),
-        [WORDS] = text_identical(run->words, head->words),
-        [VERSION] = text_identical(run->version, head->version),
-        [INPUT] = strcmp(run->input.text, head->input.text) == 0,
-        [SEED] = run->seed == head->seed,
-        [PART] = run->part.count == head->part.count,
-        [ITEMS] = run->total == head->total,
-        [DONE] = true,
-        [LENGTH] = true,
-        [BODY] = true,
-    };
-    return first_wrong(same);
-}
-
 /* An option without its value: "--size" of "--size=60x40". */
 static struct text part_option_of(struct text word)
 {
@@ -358,7 +340,20 @@ static const char *said(const struct part_head *head, struct text word, enum par
 bool part_is_of_run(const struct part_file *file, const struct part_head *run, const char *which,
                     struct arena *arena, struct error *error)
 {
-    const enum part_line line = different(run, &file->head);
+    /* Which line of a head is not that of its run's; LINES: none. */
+    const bool same[LINES] = {
+        [COMMAND] = text_identical(run->command, file->head.command),
+        [WORDS] = text_identical(run->words, file->head.words),
+        [VERSION] = text_identical(run->version, file->head.version),
+        [INPUT] = strcmp(run->input.text, file->head.input.text) == 0,
+        [SEED] = run->seed == file->head.seed,
+        [PART] = run->part.count == file->head.part.count,
+        [ITEMS] = run->total == file->head.total,
+        [DONE] = true,
+        [LENGTH] = true,
+        [BODY] = true,
+    };
+    const enum part_line line = first_wrong(same);
     const struct text own = first_word(file->head.words, run->words);
     const struct text word = own.length > 0 ? own : first_word(run->words, file->head.words);
     return line == LINES ||

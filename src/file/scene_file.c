@@ -6,23 +6,20 @@
 
 #include <math.h>
 
-static bool scene_file_read_title(struct scene_reader *reader, struct text head,
-                                  struct error *error)
+static bool read_scene_title(struct scene_reader *reader, struct text head)
 {
     const struct text rest = file_words_rest(&reader->words);
     if (reader->scene->title != NULL) {
-        return file_words_fail(&reader->words, head, error, "'scene' stands here twice");
+        return file_words_fail(&reader->words, head, "'scene' stands here twice");
     }
     reader->scene->title = arena_string(reader->words.arena, rest.start, rest.length);
     return true;
 }
 
 /* Who made the scene, and from what: for those who read the file. */
-static bool scene_file_read_source(struct scene_reader *reader, struct text head,
-                                   struct error *error)
+static bool read_scene_source(struct scene_reader *reader, struct text head)
 {
     (void)head;
-    (void)error;
     file_words_rest(&reader->words);
     return true;
 }
@@ -34,28 +31,27 @@ static struct scene_units units_of(const struct unit *length)
     return (struct scene_units){*length, speed};
 }
 
-static bool scene_file_read_unit(struct scene_reader *reader, struct text head, struct error *error)
+static bool read_scene_unit(struct scene_reader *reader, struct text head)
 {
     const struct scene *scene = reader->scene;
     const struct text word = file_words_next(&reader->words);
     const struct unit *unit = unit_find(&dimension_length, word);
     if (reader->has_unit || reader->has_camera || scene->thing_count > 0 ||
         scene->light_count > 0) {
-        return file_words_fail(&reader->words, head, error,
-                               "the unit must come before all lengths, once");
+        return file_words_fail(&reader->words, head, "the unit must come before all lengths, once");
     }
     if (unit == NULL) {
-        return file_words_fail(&reader->words, word, error,
+        return file_words_fail(&reader->words, word,
                                "the unit is one of length: mm, cm, m, km, in, ft ...");
     }
     reader->has_unit = true;
     reader->units = units_of(unit);
-    return file_words_end(&reader->words, error);
+    return file_words_end(&reader->words);
 }
 
 /* The words of --from, as lenscalc render has them; without one the camera's place. */
 static bool read_from(struct scene_reader *reader, const struct scene_line *line,
-                      enum scene_from *from, struct error *error)
+                      enum scene_from *from)
 {
     static const char *const words[SCENE_FROMS] = {[SCENE_FROM_ENTRANCE] = "entrance",
                                                    [SCENE_FROM_PRINCIPAL] = "principal",
@@ -67,7 +63,7 @@ static bool read_from(struct scene_reader *reader, const struct scene_line *line
         return true;
     }
     if (!scene_line_has(line, KEY_FOCUS)) {
-        return scene_line_fail(line, KEY_FROM, error, "from= needs focus=, which it counts");
+        return scene_line_fail(line, KEY_FROM, "from= needs focus=, which it counts");
     }
     for (int i = 0; i < SCENE_FROMS; i++) {
         if (text_same(line->value[KEY_FROM], words[i])) {
@@ -77,11 +73,11 @@ static bool read_from(struct scene_reader *reader, const struct scene_line *line
         nearest_offer(&nearest, text_of(words[i]));
     }
     scene_word_fail(&reader->words, line->value[KEY_FROM], &nearest,
-                    "from= is entrance, principal, sensor or front, not", error);
+                    "from= is entrance, principal, sensor or front, not");
     return false;
 }
 
-static bool read_camera(struct scene_reader *reader, struct text head, struct error *error)
+static bool read_camera(struct scene_reader *reader, struct text head)
 {
     const struct scene_keys keys = {SCENE_MOTION_KEYS | SCENE_BIT(KEY_LOOK) | SCENE_BIT(KEY_FOCUS) |
                                         SCENE_BIT(KEY_FROM),
@@ -89,46 +85,45 @@ static bool read_camera(struct scene_reader *reader, struct text head, struct er
     struct scene_camera *camera = &reader->scene->camera;
     struct scene_line line;
     if (reader->has_camera) {
-        return file_words_fail(&reader->words, head, error, "'camera' stands here twice");
+        return file_words_fail(&reader->words, head, "'camera' stands here twice");
     }
     reader->has_camera = true;
-    if (!scene_line_read(&reader->words, &reader->units, head, keys, &line, error) ||
-        !scene_place_read(&line, &camera->where, error)) {
+    if (!scene_line_read(&reader->words, &reader->units, head, keys, &line) ||
+        !scene_place_read(&line, &camera->where)) {
         return false;
     }
     camera->distance = scene_line_has(&line, KEY_FOCUS) ? line.number[KEY_FOCUS][0] : NAN;
-    return read_from(reader, &line, &camera->from, error);
+    return read_from(reader, &line, &camera->from);
 }
 
 /* Things have words of their own, those of scene_shape_word. */
 static const struct {
     const char *word;
-    bool (*read)(struct scene_reader *reader, struct text head, struct error *error);
+    bool (*read)(struct scene_reader *reader, struct text head);
 } keywords[] = {
-    {"scene", scene_file_read_title}, {"source", scene_file_read_source},
-    {"unit", scene_file_read_unit},   {"camera", read_camera},
-    {"colour", scene_colour_read},    {"material", scene_material_read},
+    {"scene", read_scene_title}, {"source", read_scene_source}, {"unit", read_scene_unit},
+    {"camera", read_camera},     {"colour", scene_colour_read}, {"material", scene_material_read},
     {"light", scene_light_read},
 };
 enum { KEYWORDS = sizeof keywords / sizeof keywords[0] };
 
-static bool scene_file_read_line(struct scene_reader *reader, struct error *error)
+static bool read_scene_line(struct scene_reader *reader)
 {
     const struct text word = file_words_next(&reader->words);
     struct nearest nearest = {.typed = word};
     for (size_t i = 0; i < KEYWORDS; i++) {
         if (text_equal(word, keywords[i].word)) {
-            return keywords[i].read(reader, word, error);
+            return keywords[i].read(reader, word);
         }
         nearest_offer(&nearest, text_of(keywords[i].word));
     }
     for (size_t i = 0; scene_shape_word(i) != NULL; i++) {
         if (text_equal(word, scene_shape_word(i))) {
-            return scene_thing_read(reader, word, error);
+            return scene_thing_read(reader, word);
         }
         nearest_offer(&nearest, text_of(scene_shape_word(i)));
     }
-    return scene_word_fail(&reader->words, word, &nearest, "unknown word", error);
+    return scene_word_fail(&reader->words, word, &nearest, "unknown word");
 }
 
 bool scene_file_read(const char *path, struct text content, const struct scene_files *files,
@@ -145,7 +140,7 @@ bool scene_file_read(const char *path, struct text content, const struct scene_f
     }
     reader.words.has_quotes = true;
     while (file_words_line(&reader.words)) {
-        if (!scene_file_read_line(&reader, error)) {
+        if (!read_scene_line(&reader)) {
             return false;
         }
     }
@@ -154,5 +149,5 @@ bool scene_file_read(const char *path, struct text content, const struct scene_f
         return error_locate(error, path, 0, 0);
     }
     scene->digest = digest_end(&reader.digest);
-    return scene_lights_finish(&reader, error);
+    return scene_lights_finish(&reader);
 }

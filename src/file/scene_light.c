@@ -2,7 +2,7 @@
 /* SPDX-License-Identifier: MIT */
 #include "base/constants.h"
 #include "base/turns.h"
-#include "file/scene_load.h"
+#include "file/scene_reader.h"
 #include "light/illuminant.h"
 
 #include <math.h>
@@ -44,18 +44,18 @@ static const char *const skies[] = {
 enum { SKIES = sizeof skies / sizeof skies[0] };
 
 /* Towards a light far away. Azimuths go from -z over +x, elevations from the horizon up. */
-static bool read_direction(const struct scene_line *line, struct vector *way, struct error *error)
+static bool read_direction(const struct scene_line *line, struct vector *way)
 {
     const uint64_t angles = SCENE_BIT(KEY_ELEVATION) | SCENE_BIT(KEY_AZIMUTH);
     double up, along, east, north;
     if (scene_line_has(line, KEY_TOWARDS)) {
         return (line->given & angles) == 0
-                   ? scene_line_direction(line, KEY_TOWARDS, way, error)
-                   : scene_line_fail(line, KEY_TOWARDS, error,
+                   ? scene_line_direction(line, KEY_TOWARDS, way)
+                   : scene_line_fail(line, KEY_TOWARDS,
                                      "a direction is towards=, or elevation= and azimuth=");
     }
     if ((line->given & angles) != angles) {
-        return file_words_fail(line->words, line->head, error,
+        return file_words_fail(line->words, line->head,
                                "'%.*s' lacks a direction: towards=, or elevation= and azimuth=",
                                text_shown(line->head), line->head.start);
     }
@@ -67,39 +67,38 @@ static bool read_direction(const struct scene_line *line, struct vector *way, st
 
 /* One of two ways to say how much light there is. */
 static bool scene_light_choose(const struct scene_line *line, enum scene_key one,
-                               enum scene_key other, const char *words, struct error *error)
+                               enum scene_key other, const char *words)
 {
     return scene_line_has(line, one) != scene_line_has(line, other) ||
-           file_words_fail(line->words, line->head, error, "'%.*s' needs %s: one of them",
+           file_words_fail(line->words, line->head, "'%.*s' needs %s: one of them",
                            text_shown(line->head), line->head.start, words);
 }
 
 static bool read_sun(struct scene_reader *reader, const struct scene_line *line,
-                     struct scene_light *light, struct error *error)
+                     struct scene_light *light)
 {
     (void)reader;
     light->amount = line->number[KEY_ILLUMINANCE][0];
     light->diameter =
         scene_line_has(line, KEY_DIAMETER) ? line->number[KEY_DIAMETER][0] : SUN_DIAMETER;
-    return read_direction(line, &light->direction, error);
+    return read_direction(line, &light->direction);
 }
 
 static bool read_star(struct scene_reader *reader, const struct scene_line *line,
-                      struct scene_light *light, struct error *error)
+                      struct scene_light *light)
 {
     (void)reader;
     light->amount = scene_line_has(line, KEY_MAGNITUDE)
                         ? illuminant_star(line->number[KEY_MAGNITUDE][0])
                         : line->number[KEY_ILLUMINANCE][0];
     light->diameter = scene_line_has(line, KEY_DIAMETER) ? line->number[KEY_DIAMETER][0] : NAN;
-    return scene_light_choose(line, KEY_MAGNITUDE, KEY_ILLUMINANCE,
-                              "magnitude= or illuminance=", error) &&
-           read_direction(line, &light->direction, error);
+    return scene_light_choose(line, KEY_MAGNITUDE, KEY_ILLUMINANCE, "magnitude= or illuminance=") &&
+           read_direction(line, &light->direction);
 }
 
 /* The place of the sun in a clear sky may stand in the sun's own line. */
 static bool read_sky(struct scene_reader *reader, const struct scene_line *line,
-                     struct scene_light *light, struct error *error)
+                     struct scene_light *light)
 {
     light->amount = line->number[KEY_LUMINANCE][0];
     if ((line->given & WAYS) == 0) {
@@ -110,43 +109,42 @@ static bool read_sky(struct scene_reader *reader, const struct scene_line *line,
         return true;
     }
     if (light->sky != SKY_CLEAR) {
-        return file_words_fail(line->words, line->head, error,
+        return file_words_fail(line->words, line->head,
                                "only a clear sky has a direction: that of the sun in it");
     }
-    return read_direction(line, &light->direction, error);
+    return read_direction(line, &light->direction);
 }
 
-static bool scene_light_read_point(struct scene_reader *reader, const struct scene_line *line,
-                                   struct scene_light *light, struct error *error)
+static bool read_lamp(struct scene_reader *reader, const struct scene_line *line,
+                      struct scene_light *light)
 {
     (void)reader;
     light->amount = scene_line_has(line, KEY_POWER) ? line->number[KEY_POWER][0] / (4 * PI)
                                                     : line->number[KEY_INTENSITY][0];
     light->at = scene_line_vector(line, KEY_AT);
     light->velocity = scene_line_vector(line, KEY_MOVE);
-    return scene_light_choose(line, KEY_INTENSITY, KEY_POWER, "intensity= or power=", error);
+    return scene_light_choose(line, KEY_INTENSITY, KEY_POWER, "intensity= or power=");
 }
 
-static bool scene_light_read_environment(struct scene_reader *reader, const struct scene_line *line,
-                                         struct scene_light *light, struct error *error)
+static bool read_surroundings(struct scene_reader *reader, const struct scene_line *line,
+                              struct scene_light *light)
 {
     light->amount = line->number[KEY_LUMINANCE][0];
     light->turn = -line->number[KEY_AZIMUTH][0];
     struct scene_loaded picture;
-    if (!scene_load_picture(reader, line, KEY_FILE, PICTURE_OF_LIGHT, &picture, error)) {
+    if (!scene_load_picture(reader, line, KEY_FILE, PICTURE_OF_LIGHT, &picture)) {
         return false;
     }
     light->picture = picture.image;
     light->mean = picture.mean;
     return light->picture->width == 2 * light->picture->height ||
-           scene_line_fail(line, KEY_FILE, error,
+           scene_line_fail(line, KEY_FILE,
                            "a picture of all directions is twice as wide as high, and this one is "
                            "%zu x %zu",
                            light->picture->width, light->picture->height);
 }
 
-static bool scene_light_read_kind(struct scene_reader *reader, size_t *kind, enum scene_sky *sky,
-                                  struct error *error)
+static bool read_light_kind(struct scene_reader *reader, size_t *kind, enum scene_sky *sky)
 {
     struct file_words *words = &reader->words;
     struct text word = file_words_next(words);
@@ -156,7 +154,7 @@ static bool scene_light_read_kind(struct scene_reader *reader, size_t *kind, enu
     }
     if (*kind == KINDS) {
         return scene_word_fail(words, word, &nearest,
-                               "a light is sun, sky, point, environment or star, not", error);
+                               "a light is sun, sky, point, environment or star, not");
     }
     if (kinds[*kind].kind != LIGHT_SKY) {
         return true;
@@ -168,17 +166,15 @@ static bool scene_light_read_kind(struct scene_reader *reader, size_t *kind, enu
             return true;
         }
     }
-    return file_words_fail(words, word, error, "a sky is uniform, overcast or clear");
+    return file_words_fail(words, word, "a sky is uniform, overcast or clear");
 }
 
-bool scene_light_read(struct scene_reader *reader, struct text head, struct error *error)
+bool scene_light_read(struct scene_reader *reader, struct text head)
 {
     static bool (*const readers[])(struct scene_reader * reader, const struct scene_line *line,
-                                   struct scene_light *light, struct error *error) = {
-        [LIGHT_SUN] = read_sun,
-        [LIGHT_SKY] = read_sky,
-        [LIGHT_POINT] = scene_light_read_point,
-        [LIGHT_ENVIRONMENT] = scene_light_read_environment,
+                                   struct scene_light *light) = {
+        [LIGHT_SUN] = read_sun,    [LIGHT_SKY] = read_sky,
+        [LIGHT_POINT] = read_lamp, [LIGHT_ENVIRONMENT] = read_surroundings,
         [LIGHT_STAR] = read_star,
     };
     struct scene *scene = reader->scene;
@@ -187,16 +183,16 @@ bool scene_light_read(struct scene_reader *reader, struct text head, struct erro
     struct scene_line line;
     size_t kind;
     if (scene->light_count == SCENE_LIGHTS_MOST) {
-        return file_words_fail(words, head, error, "more than %d lights", SCENE_LIGHTS_MOST);
+        return file_words_fail(words, head, "more than %d lights", SCENE_LIGHTS_MOST);
     }
-    if (!scene_light_read_kind(reader, &kind, &light.sky, error) ||
+    if (!read_light_kind(reader, &kind, &light.sky) ||
         !scene_line_read(words, &reader->units, text_between(head.start, words->at),
-                         kinds[kind].keys, &line, error)) {
+                         kinds[kind].keys, &line)) {
         return false;
     }
     light.kind = kinds[kind].kind;
-    if (!scene_colour_of(reader, &line, KEY_SPECTRUM, COLOUR_OF_LIGHT, &light.spectrum, error) ||
-        !readers[light.kind](reader, &line, &light, error)) {
+    if (!scene_colour_of(reader, &line, KEY_SPECTRUM, COLOUR_OF_LIGHT, &light.spectrum) ||
+        !readers[light.kind](reader, &line, &light)) {
         return false;
     }
     scene->lights = arena_grow(words->arena, scene->lights, scene->light_count, &reader->light_room,
@@ -205,7 +201,7 @@ bool scene_light_read(struct scene_reader *reader, struct text head, struct erro
     return true;
 }
 
-bool scene_lights_finish(struct scene_reader *reader, struct error *error)
+bool scene_lights_finish(struct scene_reader *reader)
 {
     const struct scene *scene = reader->scene;
     const struct scene_light *sun = NULL;
@@ -220,7 +216,7 @@ bool scene_lights_finish(struct scene_reader *reader, struct error *error)
         }
     }
     if (suns != 1) {
-        return file_words_fail(&reader->sunless_words, reader->sunless, error,
+        return file_words_fail(&reader->sunless_words, reader->sunless,
                                "a clear sky needs the direction of the sun: towards=, or "
                                "elevation= and azimuth=, or one line 'light sun', not %zu",
                                suns);

@@ -1,6 +1,6 @@
 /* file/scene_load.c - what a scene names beside it: pictures, tables, meshes. */
 /* SPDX-License-Identifier: MIT */
-#include "file/scene_load.h"
+#include "file/scene_reader.h"
 
 #include "data/number_table.h"
 #include "data/whole_file.h"
@@ -42,17 +42,16 @@ struct scene_load_wanted {
 };
 
 /* Read it, and let it count in the scene's digest. */
-static bool scene_load_read_file(struct scene_reader *reader,
-                                 const struct scene_load_wanted *wanted, struct text *content,
-                                 struct error *error)
+static bool read_path_beside(struct scene_reader *reader, const struct scene_load_wanted *wanted,
+                             struct text *content)
 {
     struct error found;
     if (reader->files == NULL) {
-        return scene_line_fail(wanted->line, wanted->key, error, "no file may be named here");
+        return scene_line_fail(wanted->line, wanted->key, "no file may be named here");
     }
     if (!reader->files->read(reader->files->context, wanted->path, wanted->arena, content,
                              &found)) {
-        return scene_line_fail(wanted->line, wanted->key, error, "%s", found.message);
+        return scene_line_fail(wanted->line, wanted->key, "%s", found.message);
     }
     digest_item(&reader->digest, *content);
     return true;
@@ -60,7 +59,7 @@ static bool scene_load_read_file(struct scene_reader *reader,
 
 /* -------- notes -------- */
 
-static void scene_load_take_note(struct scene_reader *reader, const char *note)
+static void take_load_note(struct scene_reader *reader, const char *note)
 {
     struct scene *scene = reader->scene;
     scene->notes = arena_grow(reader->words.arena, scene->notes, scene->note_count,
@@ -118,8 +117,8 @@ static bool find_beyond(const struct image *image, size_t first, size_t last, bo
     return false;
 }
 
-static bool scene_load_check_picture(const struct image *image, bool with_alpha,
-                                     enum scene_picture kind, struct error *error)
+static bool check_picture_rows(const struct image *image, bool with_alpha, enum scene_picture kind,
+                               struct error *error)
 {
     const bool may_have_alpha = kind == PICTURE_OF_CARD || kind == PICTURE_THAT_SHINES;
     const bool reflects = kind == PICTURE_OF_CARD || kind == PICTURE_OF_SURFACE;
@@ -161,29 +160,28 @@ static bool parse_picture(const struct scene_load_wanted *wanted, struct text co
         return false;
     }
     image->beyond_srgb = whole.beyond_srgb;
-    return scene_load_check_picture(image, with_alpha, kind, error);
+    return check_picture_rows(image, with_alpha, kind, error);
 }
 
 /* What the file holds is given up, and what it becomes at first: both are as large as pictures. */
 static bool read_picture(struct scene_reader *reader, struct scene_load_wanted *wanted,
-                         enum scene_picture kind, struct image *image, struct error *error)
+                         enum scene_picture kind, struct image *image)
 {
     struct arena own = {0};
     struct text content;
     struct error found;
     wanted->arena = &own;
-    bool is_read = scene_load_read_file(reader, wanted, &content, error);
+    bool is_read = read_path_beside(reader, wanted, &content);
     if (is_read && !parse_picture(wanted, content, kind, reader->words.arena, image, &found)) {
-        is_read = scene_line_fail(wanted->line, wanted->key, error, "%.200s: %s", wanted->path,
-                                  found.message);
+        is_read =
+            scene_line_fail(wanted->line, wanted->key, "%.200s: %s", wanted->path, found.message);
     }
     arena_free(&own);
     return is_read;
 }
 
 bool scene_load_picture(struct scene_reader *reader, const struct scene_line *line,
-                        enum scene_key key, enum scene_picture kind, struct scene_loaded *loaded,
-                        struct error *error)
+                        enum scene_key key, enum scene_picture kind, struct scene_loaded *loaded)
 {
     struct arena *arena = reader->words.arena;
     const char *path = path_beside(reader, line->value[key]);
@@ -194,13 +192,12 @@ bool scene_load_picture(struct scene_reader *reader, const struct scene_line *li
         return true;
     }
     struct image *read = ARENA_NEW(arena, struct image);
-    if (!read_picture(reader, &(struct scene_load_wanted){line, key, path, arena}, kind, read,
-                      error)) {
+    if (!read_picture(reader, &(struct scene_load_wanted){line, key, path, arena}, kind, read)) {
         return false;
     }
     const char *remark = image_file_remark(path, read, arena);
     if (remark != NULL) {
-        scene_load_take_note(reader, remark);
+        take_load_note(reader, remark);
     }
     reader->loaded = arena_grow(arena, reader->loaded, reader->images.count, &reader->image_room,
                                 sizeof reader->loaded[0]);
@@ -217,20 +214,8 @@ bool scene_load_picture(struct scene_reader *reader, const struct scene_line *li
 #define MOST_WAVELENGTH  0.71
 #define MOST_VALUE       1e9
 
-/* What bands of wavelengths lie within; a table that ends before is 0 there, which is said. */
-static void note_ends(struct scene_reader *reader, const char *path,
-                      const struct spectrum *spectrum)
-{
-    const double first = spectrum->wavelength[0], last = spectrum->wavelength[spectrum->count - 1];
-    if (first > LEAST_WAVELENGTH || last < MOST_WAVELENGTH) {
-        scene_load_take_note(reader, arena_printf(reader->words.arena,
-                                                  "%s: from %g to %g nm, and 0 beside that", path,
-                                                  first / UM_PER_NM, last / UM_PER_NM));
-    }
-}
-
 /* Are wavelengths above 0 and rise, and are values light or shares of it? */
-static bool scene_load_check_row(const struct number_table *table, size_t row, struct error *error)
+static bool check_picture_row(const struct number_table *table, size_t row, struct error *error)
 {
     const double nm = table->column[0][row], value = table->column[1][row];
     if (!(nm > 0 && nm < (double)INFINITY)) {
@@ -254,7 +239,7 @@ static bool take_spectrum(const char *path, const struct number_table *table,
         return error_locate(error, path, 0, 0);
     }
     for (size_t i = 0; i < table->rows; i++) {
-        if (!scene_load_check_row(table, i, error)) {
+        if (!check_picture_row(table, i, error)) {
             return error_locate(error, path, table->line[i], 0);
         }
     }
@@ -273,7 +258,7 @@ static bool take_spectrum(const char *path, const struct number_table *table,
 }
 
 bool scene_load_table(struct scene_reader *reader, const struct scene_line *line,
-                      struct spectrum *spectrum, struct error *error)
+                      struct spectrum *spectrum)
 {
     struct arena *arena = reader->words.arena;
     const struct scene_load_wanted wanted = {line, KEY_TABLE,
@@ -285,12 +270,18 @@ bool scene_load_table(struct scene_reader *reader, const struct scene_line *line
         *spectrum = reader->tabled[known];
         return true;
     }
-    if (!scene_load_read_file(reader, &wanted, &content, error) ||
-        !number_table_parse(wanted.path, content, "wavelength_nm", arena, &table, error) ||
-        !take_spectrum(wanted.path, &table, spectrum, error)) {
+    if (!read_path_beside(reader, &wanted, &content) ||
+        !number_table_parse(wanted.path, content, "wavelength_nm", arena, &table,
+                            reader->words.error) ||
+        !take_spectrum(wanted.path, &table, spectrum, reader->words.error)) {
         return false;
     }
-    note_ends(reader, wanted.path, spectrum);
+    const double first = spectrum->wavelength[0], last = spectrum->wavelength[spectrum->count - 1];
+    if (first > LEAST_WAVELENGTH || last < MOST_WAVELENGTH) {
+        take_load_note(reader,
+                       arena_printf(reader->words.arena, "%s: from %g to %g nm, and 0 beside that",
+                                    wanted.path, first / UM_PER_NM, last / UM_PER_NM));
+    }
     reader->tabled = arena_grow(arena, reader->tabled, reader->tables.count, &reader->table_room,
                                 sizeof reader->tabled[0]);
     reader->tabled[reader->tables.count] = *spectrum;
@@ -309,42 +300,27 @@ static void note_passed(struct scene_reader *reader, const char *path,
                                  passed->colours ? ", colours of corners" : ""};
     const char *all = ARENA_JOIN(arena, words[0], words[1], words[2]);
     if (all[0] != '\0') {
-        scene_load_take_note(reader, arena_printf(arena, "%s: passed over: %s", path, all + 2));
+        take_load_note(reader, arena_printf(arena, "%s: passed over: %s", path, all + 2));
     }
     if (passed->crossed > 0) {
-        scene_load_take_note(
-            reader, arena_printf(arena, "%s: %zu face%s no area: %s about the first corner", path,
-                                 passed->crossed,
-                                 passed->crossed == 1 ? " crosses itself or has"
-                                                      : "s cross themselves or have",
-                                 passed->crossed == 1 ? "a fan" : "fans"));
+        take_load_note(reader,
+                       arena_printf(arena, "%s: %zu face%s no area: %s about the first corner",
+                                    path, passed->crossed,
+                                    passed->crossed == 1 ? " crosses itself or has"
+                                                         : "s cross themselves or have",
+                                    passed->crossed == 1 ? "a fan" : "fans"));
     }
     if (passed->twice > 0) {
-        scene_load_take_note(
-            reader, arena_printf(arena, "%s: %zu triangle%s where another does, and %s left out",
-                                 path, passed->twice, passed->twice == 1 ? " lies" : "s lie",
-                                 passed->twice == 1 ? "is" : "are"));
+        take_load_note(reader,
+                       arena_printf(arena, "%s: %zu triangle%s where another does, and %s left out",
+                                    path, passed->twice, passed->twice == 1 ? " lies" : "s lie",
+                                    passed->twice == 1 ? "is" : "are"));
     }
-}
-
-/* Once, of what is seen with a texture. */
-static void note_unplaced(struct scene_reader *reader, struct scene_model *model)
-{
-    if (model->unplaced > 0) {
-        scene_load_take_note(reader,
-                             arena_printf(reader->words.arena,
-                                          "%s: %zu triangle%s no places in a texture, and take%s "
-                                          "its lower left corner",
-                                          model->mesh->file, model->unplaced,
-                                          model->unplaced == 1 ? " has" : "s have",
-                                          model->unplaced == 1 ? "s" : ""));
-    }
-    model->unplaced = 0;
 }
 
 /* What the file holds is given up: it is as large as the mesh. */
-static bool scene_load_read_mesh(struct scene_reader *reader, struct scene_load_wanted *wanted,
-                                 double scale, struct scene_model *model, struct error *error)
+static bool load_mesh(struct scene_reader *reader, struct scene_load_wanted *wanted, double scale,
+                      struct scene_model *model)
 {
     struct scene_mesh *mesh = ARENA_NEW(reader->words.arena, struct scene_mesh);
     const struct obj_question question = {
@@ -357,8 +333,9 @@ static bool scene_load_read_mesh(struct scene_reader *reader, struct scene_load_
     struct text content;
     struct obj_passed passed;
     wanted->arena = &own;
-    const bool is_read = scene_load_read_file(reader, wanted, &content, error) &&
-                         obj_read(&question, content, reader->words.arena, mesh, &passed, error);
+    const bool is_read =
+        read_path_beside(reader, wanted, &content) &&
+        obj_read(&question, content, reader->words.arena, mesh, &passed, reader->words.error);
     arena_free(&own);
     if (is_read) {
         reader->triangles += mesh->triangle_count;
@@ -369,7 +346,7 @@ static bool scene_load_read_mesh(struct scene_reader *reader, struct scene_load_
 }
 
 bool scene_load_mesh(struct scene_reader *reader, const struct scene_line *line, bool has_texture,
-                     const struct scene_mesh **mesh, struct error *error)
+                     const struct scene_mesh **mesh)
 {
     struct arena *arena = reader->words.arena;
     struct scene_load_wanted wanted = {line, KEY_FILE, path_beside(reader, line->value[KEY_FILE]),
@@ -380,7 +357,7 @@ bool scene_load_mesh(struct scene_reader *reader, const struct scene_line *line,
     size_t which = name_table_find(&reader->meshes, text_of(name));
     if (which == NAME_NONE) {
         struct scene_model read;
-        if (!scene_load_read_mesh(reader, &wanted, scale, &read, error)) {
+        if (!load_mesh(reader, &wanted, scale, &read)) {
             return false;
         }
         reader->models = arena_grow(arena, reader->models, reader->meshes.count, &reader->mesh_room,
@@ -389,7 +366,18 @@ bool scene_load_mesh(struct scene_reader *reader, const struct scene_line *line,
         which = name_table_add(&reader->meshes, text_of(name), arena);
     }
     if (has_texture) {
-        note_unplaced(reader, &reader->models[which]);
+        /* Once, of what is seen with a texture. */
+        struct scene_model *model = &reader->models[which];
+        if (model->unplaced > 0) {
+            take_load_note(reader,
+                           arena_printf(reader->words.arena,
+                                        "%s: %zu triangle%s no places in a texture, and take%s "
+                                        "its lower left corner",
+                                        model->mesh->file, model->unplaced,
+                                        model->unplaced == 1 ? " has" : "s have",
+                                        model->unplaced == 1 ? "s" : ""));
+        }
+        model->unplaced = 0;
     }
     *mesh = reader->models[which].mesh;
     return true;

@@ -1,6 +1,6 @@
 /* file/scene_material.c - what things of a scene are made of. */
 /* SPDX-License-Identifier: MIT */
-#include "file/scene_load.h"
+#include "file/scene_reader.h"
 
 #include <math.h>
 
@@ -24,7 +24,7 @@ static const struct {
 };
 enum { KINDS = sizeof kinds / sizeof kinds[0] };
 
-static bool scene_material_read_kind(struct scene_reader *reader, size_t *kind, struct error *error)
+static bool read_material_kind(struct scene_reader *reader, size_t *kind)
 {
     const struct text word = file_words_next(&reader->words);
     struct nearest nearest = {.typed = word};
@@ -35,38 +35,38 @@ static bool scene_material_read_kind(struct scene_reader *reader, size_t *kind, 
         return true;
     }
     return word.length == 0
-               ? file_words_fail(&reader->words, word, error,
+               ? file_words_fail(&reader->words, word,
                                  "a material is lambert, mirror, glossy or black")
                : scene_word_fail(&reader->words, word, &nearest,
-                                 "a material is lambert, mirror, glossy or black, not", error);
+                                 "a material is lambert, mirror, glossy or black, not");
 }
 
 static bool read_look(struct scene_reader *reader, const struct scene_line *line,
-                      struct scene_material *material, struct error *error)
+                      struct scene_material *material)
 {
     const bool scatters = material->kind == MATERIAL_LAMBERT || material->kind == MATERIAL_GLOSSY;
     if (scatters && (line->given & COLOURS) == 0) {
-        return file_words_fail(line->words, line->head, error,
+        return file_words_fail(line->words, line->head,
                                "a material that scatters light needs colour= or texture=");
     }
     if (scene_line_has(line, KEY_EMISSION) && !scene_line_has(line, KEY_LUMINANCE)) {
-        return scene_line_fail(line, KEY_EMISSION, error,
+        return scene_line_fail(line, KEY_EMISSION,
                                "emission= is the colour of what shines, which needs luminance=");
     }
     if (material->kind == MATERIAL_BLACK) {
         return true;
     }
     struct scene_loaded texture = {.image = NULL};
-    if (!scene_colour_of(reader, line, KEY_COLOUR, COLOUR_OF_SURFACE, &material->colour, error) ||
+    if (!scene_colour_of(reader, line, KEY_COLOUR, COLOUR_OF_SURFACE, &material->colour) ||
         (scene_line_has(line, KEY_TEXTURE) &&
-         !scene_load_picture(reader, line, KEY_TEXTURE, PICTURE_OF_SURFACE, &texture, error))) {
+         !scene_load_picture(reader, line, KEY_TEXTURE, PICTURE_OF_SURFACE, &texture))) {
         return false;
     }
     material->texture = texture.image;
     return true;
 }
 
-bool scene_material_read(struct scene_reader *reader, struct text head, struct error *error)
+bool scene_material_read(struct scene_reader *reader, struct text head)
 {
     struct scene *scene = reader->scene;
     struct file_words *words = &reader->words;
@@ -74,12 +74,12 @@ bool scene_material_read(struct scene_reader *reader, struct text head, struct e
     struct scene_line line;
     size_t kind;
     if (scene->material_count == SCENE_MATERIALS_MOST) {
-        return file_words_fail(words, head, error, "more than %d materials", SCENE_MATERIALS_MOST);
+        return file_words_fail(words, head, "more than %d materials", SCENE_MATERIALS_MOST);
     }
-    if (!scene_name_check(words, &reader->materials, name, "a material", error) ||
-        !scene_material_read_kind(reader, &kind, error) ||
+    if (!scene_name_check(words, &reader->materials, name, "a material") ||
+        !read_material_kind(reader, &kind) ||
         !scene_line_read(words, &reader->units, text_between(head.start, words->at),
-                         kinds[kind].keys, &line, error)) {
+                         kinds[kind].keys, &line)) {
         return false;
     }
     struct scene_material material = {
@@ -90,10 +90,9 @@ bool scene_material_read(struct scene_reader *reader, struct text head, struct e
         .luminance = line.number[KEY_LUMINANCE][0],
         .place = file_words_place(words, head),
     };
-    if (!read_look(reader, &line, &material, error) ||
+    if (!read_look(reader, &line, &material) ||
         (scene_line_has(&line, KEY_LUMINANCE) &&
-         !scene_colour_of(reader, &line, KEY_EMISSION, COLOUR_OF_LIGHT, &material.emission,
-                          error))) {
+         !scene_colour_of(reader, &line, KEY_EMISSION, COLOUR_OF_LIGHT, &material.emission))) {
         return false;
     }
     scene->materials = arena_grow(words->arena, scene->materials, scene->material_count,

@@ -12,21 +12,21 @@ static const struct frame upright = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
  * Axes with this z, and y as near to `up` as can be. Without up=, y is near to the scene's y, and
  * what lies flat has its y away from who stands before it, as a sheet of paper on a table has.
  */
-static bool face(const struct scene_line *line, struct vector z, struct frame *frame,
-                 struct error *error)
+static bool face(const struct scene_line *line, struct vector z, struct frame *frame)
 {
     const bool is_camera = scene_line_has(line, KEY_LOOK);
     struct vector up = {0, 1, 0};
-    if (scene_line_has(line, KEY_UP) && !scene_line_direction(line, KEY_UP, &up, error)) {
+    if (scene_line_has(line, KEY_UP) && !scene_line_direction(line, KEY_UP, &up)) {
         return false;
     }
     struct vector x = vector_cross(up, z);
     if (!(vector_length(x) >= LEAST_SINE)) {
         if (scene_line_has(line, KEY_UP) || is_camera) {
-            scene_line_fail(line, scene_line_has(line, KEY_UP) ? KEY_UP : KEY_LOOK, error,
+            scene_line_fail(line, scene_line_has(line, KEY_UP) ? KEY_UP : KEY_LOOK,
                             is_camera ? "the camera looks along its up=, so that no side is up"
                                       : "up= goes along the normal, so that no side is up");
-            return !scene_line_has(line, KEY_UP) && error_hint(error, "up=0,0,-1 is one");
+            return !scene_line_has(line, KEY_UP) &&
+                   error_hint(line->words->error, "up=0,0,-1 is one");
         }
         x = vector_cross((struct vector){0, 0, z.y > 0 ? -1 : 1}, z);
     }
@@ -45,23 +45,22 @@ static void scene_place_turn(struct vector *y, struct vector *z, double angle)
     *z = vector_along(vector_times(cosine, *z), -sine, from);
 }
 
-static bool read_frame(const struct scene_line *line, struct scene_place *place,
-                       struct error *error)
+static bool read_frame(const struct scene_line *line, struct scene_place *place)
 {
     struct vector z = {0, 0, 1};
     if (scene_line_has(line, KEY_LOOK)) {
         z = vector_minus(place->at, scene_line_vector(line, KEY_LOOK));
         const double distance = vector_length(z);
         if (!(distance > 0)) {
-            return scene_line_fail(line, KEY_LOOK, error, "the camera looks at its own place");
+            return scene_line_fail(line, KEY_LOOK, "the camera looks at its own place");
         }
         z = vector_times(1 / distance, z);
     }
-    if (scene_line_has(line, KEY_NORMAL) && !scene_line_direction(line, KEY_NORMAL, &z, error)) {
+    if (scene_line_has(line, KEY_NORMAL) && !scene_line_direction(line, KEY_NORMAL, &z)) {
         return false;
     }
     const uint64_t facing = SCENE_BIT(KEY_LOOK) | SCENE_BIT(KEY_NORMAL) | SCENE_BIT(KEY_UP);
-    if ((line->given & facing) != 0 && !face(line, z, &place->turned, error)) {
+    if ((line->given & facing) != 0 && !face(line, z, &place->turned)) {
         return false;
     }
     /* about x, then about the new y, then about the new z */
@@ -75,7 +74,7 @@ static bool read_frame(const struct scene_line *line, struct scene_place *place,
     return true;
 }
 
-bool scene_place_read(const struct scene_line *line, struct scene_place *place, struct error *error)
+bool scene_place_read(const struct scene_line *line, struct scene_place *place)
 {
     *place = (struct scene_place){.at = scene_line_vector(line, KEY_AT),
                                   .turned = upright,
@@ -83,11 +82,10 @@ bool scene_place_read(const struct scene_line *line, struct scene_place *place, 
                                   .axis = {0, 1, 0},
                                   .spin = line->number[KEY_SPIN][0]};
     if (scene_line_has(line, KEY_AXIS) && !scene_line_has(line, KEY_SPIN)) {
-        return scene_line_fail(line, KEY_AXIS, error,
+        return scene_line_fail(line, KEY_AXIS,
                                "axis= is of what spins, and there is no "
                                "spin=");
     }
-    return read_frame(line, place, error) &&
-           (!scene_line_has(line, KEY_AXIS) ||
-            scene_line_direction(line, KEY_AXIS, &place->axis, error));
+    return read_frame(line, place) &&
+           (!scene_line_has(line, KEY_AXIS) || scene_line_direction(line, KEY_AXIS, &place->axis));
 }

@@ -1,6 +1,6 @@
 /* file/scene_words.c - one line of a .scene file: key=value words, each read as its kind. */
 /* SPDX-License-Identifier: MIT */
-#include "file/scene_words.h"
+#include "file/scene_reader.h"
 
 #include "base/constants.h"
 #include "base/quantity.h"
@@ -82,8 +82,8 @@ static const struct scene_words_form {
     [KEY_AZIMUTH] = {"azimuth", &dimension_angle, 1, 1, -100, 100, "-5729 deg to 5729 deg"},
 };
 
-static const struct unit *scene_words_bare_unit(const struct scene_units *units,
-                                                const struct dimension *dimension)
+static const struct unit *bare_scene_unit(const struct scene_units *units,
+                                          const struct dimension *dimension)
 {
     if (dimension == &dimension_length) {
         return &units->length;
@@ -100,122 +100,118 @@ static const struct unit *scene_words_bare_unit(const struct scene_units *units,
     return NULL;
 }
 
-bool scene_line_fail(const struct scene_line *line, enum scene_key key, struct error *error,
-                     const char *format, ...)
+bool scene_line_fail(const struct scene_line *line, enum scene_key key, const char *format, ...)
 {
-    char message[sizeof error->message];
+    char message[sizeof line->words->error->message];
     va_list arguments;
     va_start(arguments, format);
     vsnprintf(message, sizeof message, format, arguments);
     va_end(arguments);
     return file_words_fail(line->words, scene_line_has(line, key) ? line->value[key] : line->head,
-                           error, "%s", message);
+                           "%s", message);
 }
 
 bool scene_word_fail(const struct file_words *words, struct text word, const struct nearest *meant,
-                     const char *what, struct error *error)
+                     const char *what)
 {
-    file_words_fail(words, word, error, "%s '%.*s'", what, text_shown(word), word.start);
-    return meant->best.start != NULL &&
-           error_hint(error, "did you mean '%.*s'?", (int)meant->best.length, meant->best.start);
+    file_words_fail(words, word, "%s '%.*s'", what, text_shown(word), word.start);
+    return meant->best.start != NULL && error_hint(words->error, "did you mean '%.*s'?",
+                                                   (int)meant->best.length, meant->best.start);
 }
 
 bool scene_name_check(const struct file_words *words, const struct name_table *index,
-                      struct text name, const char *what, struct error *error)
+                      struct text name, const char *what)
 {
     const char first = name.length > 0 ? name.start[0] : '\0';
     if (name.length == 0) {
-        return file_words_fail(words, name, error, "%s needs a name", what);
+        return file_words_fail(words, name, "%s needs a name", what);
     }
     if (char_is_digit(first) || strchr("#.+-", first) != NULL ||
         memchr(name.start, '=', name.length) != NULL ||
         memchr(name.start, '"', name.length) != NULL) {
-        return file_words_fail(words, name, error,
+        return file_words_fail(words, name,
                                "'%.*s' cannot be a name: it begins as a number or a colour does, "
                                "or has '=' or a quotation mark",
                                text_shown(name), name.start);
     }
     return name_table_find(index, name) == NAME_NONE ||
-           file_words_fail(words, name, error, "'%.*s' is there twice", text_shown(name),
-                           name.start);
+           file_words_fail(words, name, "'%.*s' is there twice", text_shown(name), name.start);
 }
 
 /* One number of a value; `text` is a part of the line. */
-static bool scene_words_read_number(const struct scene_line *line,
-                                    const struct scene_words_form *form, struct text text,
-                                    const struct unit *unit, double *value, struct error *error)
+static bool read_scene_number(const struct scene_line *line, const struct scene_words_form *form,
+                              struct text text, const struct unit *unit, double *value)
 {
     enum { LONGEST = 60 }; /* what messages show whole, so that carets are counted from its start */
     struct error found;
     if (text.length > LONGEST) {
-        return file_words_fail(line->words, text, error, "%s= has a number of %zu letters",
-                               form->name, text.length);
+        return file_words_fail(line->words, text, "%s= has a number of %zu letters", form->name,
+                               text.length);
     }
     if (text.length == 0) {
-        return file_words_fail(line->words, text, error, "a number of %s= is missing", form->name);
+        return file_words_fail(line->words, text, "a number of %s= is missing", form->name);
     }
     if (!quantity_read(text, form->dimension, unit, value, NULL, &found)) {
         const size_t caret = found.caret > 0 ? (size_t)found.caret - 1 : 0;
         const struct text wrong = {text.start + (caret < text.length ? caret : text.length), 1};
-        file_words_fail(line->words, wrong, error, "%s=: %s", form->name, found.message);
-        return found.hint[0] != '\0' && error_hint(error, "%s", found.hint);
+        file_words_fail(line->words, wrong, "%s=: %s", form->name, found.message);
+        return found.hint[0] != '\0' && error_hint(line->words->error, "%s", found.hint);
     }
     if (!(*value >= form->low && *value <= form->high)) {
-        return file_words_fail(line->words, text, error, "%s=%.*s is not within %s", form->name,
+        return file_words_fail(line->words, text, "%s=%.*s is not within %s", form->name,
                                text_shown(text), text.start, form->range);
     }
     return true;
 }
 
-static bool scene_words_read_numbers(const struct scene_units *units, enum scene_key key,
-                                     struct scene_line *line, struct error *error)
+static bool read_scene_numbers(const struct scene_units *units, enum scene_key key,
+                               struct scene_line *line)
 {
     const struct scene_words_form *form = &forms[key];
-    const struct unit *unit = scene_words_bare_unit(units, form->dimension);
+    const struct unit *unit = bare_scene_unit(units, form->dimension);
     struct text rest = line->value[key];
     for (size_t i = 0; rest.start != NULL; i++) {
         const struct text part = text_cut(&rest, ',');
         if (i == form->most) {
-            return file_words_fail(line->words, part, error, "%s= has more than %zu number%s",
-                                   form->name, form->most, form->most == 1 ? "" : "s");
+            return file_words_fail(line->words, part, "%s= has more than %zu number%s", form->name,
+                                   form->most, form->most == 1 ? "" : "s");
         }
-        if (!scene_words_read_number(line, form, part, unit, &line->number[key][i], error)) {
+        if (!read_scene_number(line, form, part, unit, &line->number[key][i])) {
             return false;
         }
         line->count[key] = i + 1;
     }
     return line->count[key] >= form->least ||
-           file_words_fail(line->words, line->value[key], error,
+           file_words_fail(line->words, line->value[key],
                            "%s= needs %zu numbers with commas between, and has %zu", form->name,
                            form->least, line->count[key]);
 }
 
 /* Not a key of such a line. */
-static bool scene_words_refuse(const struct scene_line *line, struct text word, uint64_t allowed,
-                               struct error *error)
+static bool scene_words_refuse(const struct scene_line *line, struct text word, uint64_t allowed)
 {
     struct text rest = word;
     const struct text name = text_cut(&rest, '=');
     struct nearest nearest = {.typed = name};
     for (size_t i = 0; i < SCENE_KEYS; i++) {
         if (text_equal(name, forms[i].name) && (allowed & SCENE_BIT(i)) != 0) {
-            return file_words_fail(line->words, word, error, "%s= has no value", forms[i].name);
+            return file_words_fail(line->words, word, "%s= has no value", forms[i].name);
         }
         if (text_equal(name, forms[i].name)) {
-            return file_words_fail(line->words, word, error, "'%s=' does not belong to '%.*s'",
+            return file_words_fail(line->words, word, "'%s=' does not belong to '%.*s'",
                                    forms[i].name, text_shown(line->head), line->head.start);
         }
         if ((allowed & SCENE_BIT(i)) != 0) {
             nearest_offer(&nearest, text_of(forms[i].name));
         }
     }
-    file_words_fail(line->words, word, error, "unknown word '%.*s'", text_shown(word), word.start);
-    return nearest.best.start != NULL &&
-           error_hint(error, "did you mean '%.*s='?", (int)nearest.best.length, nearest.best.start);
+    file_words_fail(line->words, word, "unknown word '%.*s'", text_shown(word), word.start);
+    return nearest.best.start != NULL && error_hint(line->words->error, "did you mean '%.*s='?",
+                                                    (int)nearest.best.length, nearest.best.start);
 }
 
 /* Take the quotation marks off a value: all of it stands between them, or it has none. */
-static bool take_quotes(const struct scene_line *line, struct text *value, struct error *error)
+static bool take_quotes(const struct scene_line *line, struct text *value)
 {
     size_t marks = 0;
     for (size_t i = 0; i < value->length; i++) {
@@ -225,15 +221,15 @@ static bool take_quotes(const struct scene_line *line, struct text *value, struc
         return true;
     }
     if (marks != 2 || value->start[0] != '"' || value->start[value->length - 1] != '"') {
-        return file_words_fail(line->words, *value, error,
+        return file_words_fail(line->words, *value,
                                "quotation marks stand around a whole value, as \"a name\"");
     }
     *value = (struct text){value->start + 1, value->length - 2};
     return true;
 }
 
-static bool scene_words_read_word(const struct scene_units *units, struct text word,
-                                  uint64_t allowed, struct scene_line *line, struct error *error)
+static bool read_scene_word(const struct scene_units *units, struct text word, uint64_t allowed,
+                            struct scene_line *line)
 {
     struct text value = word;
     const struct text name = text_cut(&value, '=');
@@ -243,50 +239,47 @@ static bool scene_words_read_word(const struct scene_units *units, struct text w
         key++;
     }
     if (key == SCENE_KEYS || value.start == NULL) {
-        return scene_words_refuse(line, word, allowed, error);
+        return scene_words_refuse(line, word, allowed);
     }
     if (scene_line_has(line, (enum scene_key)key)) {
-        return file_words_fail(line->words, word, error, "'%s=' is there twice", forms[key].name);
+        return file_words_fail(line->words, word, "'%s=' is there twice", forms[key].name);
     }
-    if (!take_quotes(line, &value, error)) {
+    if (!take_quotes(line, &value)) {
         return false;
     }
     if (value.length == 0) {
-        return file_words_fail(line->words, value, error, "%s= has no value", forms[key].name);
+        return file_words_fail(line->words, value, "%s= has no value", forms[key].name);
     }
     line->given |= SCENE_BIT(key);
     line->value[key] = value;
-    return forms[key].dimension == NULL ||
-           scene_words_read_numbers(units, (enum scene_key)key, line, error);
+    return forms[key].dimension == NULL || read_scene_numbers(units, (enum scene_key)key, line);
 }
 
 bool scene_line_read(struct file_words *words, const struct scene_units *units, struct text head,
-                     struct scene_keys keys, struct scene_line *line, struct error *error)
+                     struct scene_keys keys, struct scene_line *line)
 {
     *line = (struct scene_line){.words = words, .head = head};
     for (struct text word = file_words_next(words); word.length > 0;
          word = file_words_next(words)) {
-        if (!scene_words_read_word(units, word, keys.allowed, line, error)) {
+        if (!read_scene_word(units, word, keys.allowed, line)) {
             return false;
         }
     }
     for (size_t i = 0; i < SCENE_KEYS; i++) {
         if ((keys.needed & ~line->given & SCENE_BIT(i)) != 0) {
-            return file_words_fail(words, head, error, "'%.*s' lacks %s=", text_shown(head),
-                                   head.start, forms[i].name);
+            return file_words_fail(words, head, "'%.*s' lacks %s=", text_shown(head), head.start,
+                                   forms[i].name);
         }
     }
     return true;
 }
 
-bool scene_line_direction(const struct scene_line *line, enum scene_key key, struct vector *way,
-                          struct error *error)
+bool scene_line_direction(const struct scene_line *line, enum scene_key key, struct vector *way)
 {
     *way = scene_line_vector(line, key);
     const double length = vector_length(*way);
     if (!(length >= 1e-9)) {
-        return scene_line_fail(line, key, error, "%s= is a direction, and has no length",
-                               forms[key].name);
+        return scene_line_fail(line, key, "%s= is a direction, and has no length", forms[key].name);
     }
     *way = vector_times(1 / length, *way);
     return true;

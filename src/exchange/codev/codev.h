@@ -41,7 +41,8 @@ struct codev_qualifiers {
 struct codev {
     struct foreign_job *job;
     struct commands commands;
-    struct codev_qualifiers here; /* of the present command */
+    int what;                     /* of the present command, as its keyword has it */
+    struct codev_qualifiers here; /* and its qualifiers */
     struct sequence sequence;
     struct lens_build build;
     size_t positions;   /* of ZOO; 0 = the file has no positions */
@@ -66,14 +67,13 @@ struct codev {
 };
 
 /* Read the qualifiers from word `first` on; before it stands the name that they narrow. */
-bool codev_qualifiers(struct codev *codev, size_t first, struct codev_qualifiers *qualifiers,
-                      struct error *error);
+bool codev_qualifiers(struct codev *codev, size_t first, struct codev_qualifiers *qualifiers);
 
 /* Are all numbers from word `first` on 0? */
 bool codev_is_zero(const struct codev *codev, size_t first);
 
-/* Commands of a surface; `what` tells relatives apart. */
-typedef bool codev_command(struct codev *codev, int what, struct error *error);
+/* Commands of a surface; codev->what tells relatives apart. */
+typedef bool codev_command(struct codev *codev);
 
 codev_command codev_surface;          /* S, SO, SI */
 codev_command codev_curve;            /* RDY CUY RDX CUX */
@@ -93,10 +93,10 @@ codev_command codev_pickup;
 codev_command codev_catalog; /* PRV PWL END */
 
 /* A glass inside PRV .. END. */
-bool codev_private_glass(struct codev *codev, struct error *error);
+bool codev_private_glass(struct codev *codev);
 
 /* The medium of a surface, from its word. */
-bool codev_find_glass(struct codev *codev, struct sequence_surface *surface, struct error *error);
+bool codev_find_glass(struct codev *codev, struct sequence_surface *surface);
 
 /* The letters of a keyword that count: three, in capitals. */
 struct codev_key {
@@ -111,7 +111,7 @@ extern const struct word_group codev_words[];
 const struct word_group *codev_group(struct text word);
 
 /* ZOO n: how many positions there are. */
-bool codev_set_positions(struct codev *codev, struct error *error);
+bool codev_set_positions(struct codev *codev);
 
 /*
  * `ZOO NAME .. v1 .. vn` becomes `NAME .. vi` in position i, and a command with Zk is one of
@@ -120,7 +120,7 @@ bool codev_set_positions(struct codev *codev, struct error *error);
  * Result    is_here  is there something to do in the present position?
  * Errors    ERROR_DATA: not as many values as positions, a position that is not there
  */
-bool codev_place(struct codev *codev, bool *is_here, struct error *error);
+bool codev_place(struct codev *codev, bool *is_here);
 
 /*
  * The letter of a word that narrows a command: 's' surfaces; 'z', 'f', 'w' with a number; or 0. No
@@ -144,10 +144,27 @@ extern const struct foreign_unit codev_units[];
  * Without RDM the numbers of a surface are curvatures; a file in which they cannot be is refused,
  * when the lens is complete.
  */
-bool codev_check_mode(struct codev *codev, struct error *error);
+bool codev_check_mode(struct codev *codev);
 
 /* Write a lens. */
 bool codev_write(struct foreign_job *job, const struct lens *lens, struct text *text,
                  struct error *error);
+
+/* NA, beside the kinds of aperture that codev_aperture_of_lens knows by their numbers. */
+enum { CODEV_IMAGE_NA = -1 };
+
+codev_command codev_title;
+codev_command codev_radius_mode; /* RDM */
+codev_command codev_unit;        /* DIM */
+codev_command codev_waves;       /* WL WTW */
+codev_command codev_reference;   /* REF */
+codev_command codev_aperture_of_lens;
+codev_command codev_fields;
+
+/* Does this word only matter to displays, tolerances or optimisers? */
+bool codev_is_harmless(struct text word);
+
+/* Wavelengths and fields, when all of the file is read. */
+bool codev_finish_system(struct codev *codev);
 
 #endif

@@ -8,12 +8,12 @@
 #include <math.h>
 #include <string.h>
 
-bool codev_catalog(struct codev *codev, int what, struct error *error)
+bool codev_catalog(struct codev *codev)
 {
     struct commands *commands = &codev->commands;
-    if (what == 'P') { /* PRV, END */
+    if (codev->what == 'P') { /* PRV, END */
         codev->in_catalog = !codev->in_catalog;
-        return commands_end(commands, 1, error);
+        return commands_end(commands, 1);
     }
     size_t count = commands->count - 1;
     codev->catalog_waves = ARENA_ARRAY(commands->job->arena, count + 1, struct command_word);
@@ -21,31 +21,14 @@ bool codev_catalog(struct codev *codev, int what, struct error *error)
     for (size_t i = 0; i < count; i++) {
         struct figure wave;
         codev->catalog_waves[i] = commands->words[i + 1];
-        if (!commands_figure(commands, i + 1, commands->scale, "wavelength", &wave, error)) {
+        if (!commands_figure(commands, i + 1, true, "wavelength", &wave)) {
             return false;
         }
     }
     return true;
 }
 
-/* {486.1nm 1.5224, 587.6nm 1.5168}, or one number where all are the same. */
-static const char *codev_glass_table_of(struct codev *codev, size_t count)
-{
-    const struct command_word *indices = &codev->commands.words[1];
-    struct text_buffer table = {.arena = codev->job->arena};
-    bool same = true;
-    for (size_t i = 0; i < count; i++) {
-        const struct text wave = codev->catalog_waves[i].text, index = indices[i].text;
-        same = same && text_identical(index, indices[0].text);
-        growing_format(&table, "%s%.*snm %.*s", i == 0 ? "{" : ", ", (int)wave.length, wave.start,
-                       (int)index.length, index.start);
-    }
-    growing_put(&table, "}", sizeof "}");
-    return same ? arena_string(table.arena, indices[0].text.start, indices[0].text.length)
-                : table.data;
-}
-
-bool codev_private_glass(struct codev *codev, struct error *error)
+bool codev_private_glass(struct codev *codev)
 {
     struct commands *commands = &codev->commands;
     size_t count = commands->count - 1;
@@ -60,7 +43,7 @@ bool codev_private_glass(struct codev *codev, struct error *error)
         return true; /* refused where a surface has it */
     }
     if (count == 0 || count != codev->catalog_wave_count) {
-        return commands_fail(commands, &commands->words[count > 0 ? 1 : 0], error,
+        return commands_fail(commands, &commands->words[count > 0 ? 1 : 0],
                              "%zu indices for %zu wavelengths of PWL", count,
                              codev->catalog_wave_count);
     }
@@ -68,7 +51,7 @@ bool codev_private_glass(struct codev *codev, struct error *error)
     for (size_t i = 1; i <= count; i++) {
         const struct text nm = codev->catalog_waves[i - 1].text;
         struct figure index;
-        if (!commands_figure(commands, i, (struct number_scale){1, 0}, "index", &index, error)) {
+        if (!commands_figure(commands, i, false, "index", &index)) {
             return false;
         }
         text_number(nm, (struct number_scale){1, -3}, &wavelengths[i - 1]);
@@ -76,7 +59,19 @@ bool codev_private_glass(struct codev *codev, struct error *error)
     }
     one->wavelengths = wavelengths;
     one->count = count;
-    one->medium = codev_glass_table_of(codev, count);
+    /* {486.1nm 1.5224, 587.6nm 1.5168}, or one number where all are the same. */
+    const struct command_word *indices = &codev->commands.words[1];
+    struct text_buffer table = {.arena = codev->job->arena};
+    bool same = true;
+    for (size_t i = 0; i < count; i++) {
+        const struct text wave = codev->catalog_waves[i].text, n = indices[i].text;
+        same = same && text_identical(n, indices[0].text);
+        growing_format(&table, "%s%.*snm %.*s", i == 0 ? "{" : ", ", (int)wave.length, wave.start,
+                       (int)n.length, n.start);
+    }
+    growing_put(&table, "}", sizeof "}");
+    one->medium = same ? arena_string(table.arena, indices[0].text.start, indices[0].text.length)
+                       : table.data;
     return true;
 }
 
@@ -135,8 +130,8 @@ static const char *medium_of_numbers(struct text text, struct arena *arena)
 }
 
 /* NAME_CATALOG, or a name that one catalogue has; false with ERROR_NONE where there is none. */
-static bool codev_glass_catalog_glass(struct codev *codev, const struct file_words *place,
-                                      struct text text, struct medium *medium, struct error *error)
+static bool codev_named_glass(struct codev *codev, const struct file_words *place, struct text text,
+                              struct medium *medium)
 {
     size_t cut = text.length;
     while (cut > 0 && text.start[cut - 1] != '_') {
@@ -146,13 +141,14 @@ static bool codev_glass_catalog_glass(struct codev *codev, const struct file_wor
     const struct foreign_name named = {.name = {text.start, cut > 1 ? cut - 1 : text.length},
                                        .catalogs = &catalog,
                                        .catalog_count = cut > 1};
-    return foreign_glass(codev->job, place, &named, medium, error);
+    return foreign_glass(codev->job, place, &named, medium, codev->commands.error);
 }
 
 /* A private glass may have the name of a catalogue's. */
 static bool compare_private(struct codev *codev, const struct codev_private *own,
-                            struct sequence_surface *surface, struct error *error)
+                            struct sequence_surface *surface)
 {
+    struct error *error = codev->commands.error;
     const struct own_glass glass = {.job = codev->job,
                                     .build = &codev->build,
                                     .name = surface->glass.text,
@@ -164,7 +160,7 @@ static bool compare_private(struct codev *codev, const struct codev_private *own
     if (codev->job->glasses == NULL) {
         return true;
     }
-    if (codev_glass_catalog_glass(codev, &place, surface->glass.text, &found, error)) {
+    if (codev_named_glass(codev, &place, surface->glass.text, &found)) {
         own_glass_compare(&glass, &found, &surface->medium);
         return true;
     }
@@ -173,7 +169,7 @@ static bool compare_private(struct codev *codev, const struct codev_private *own
     return error->code == ERROR_NONE;
 }
 
-bool codev_find_glass(struct codev *codev, struct sequence_surface *surface, struct error *error)
+bool codev_find_glass(struct codev *codev, struct sequence_surface *surface)
 {
     struct arena *arena = codev->job->arena;
     const struct text text = surface->glass.text;
@@ -183,20 +179,20 @@ bool codev_find_glass(struct codev *codev, struct sequence_surface *surface, str
     }
     const struct codev_private *own = find_private(codev, text);
     if (own != NULL && own->medium == NULL) {
-        return commands_fail(&codev->commands, &surface->glass, error,
+        return commands_fail(&codev->commands, &surface->glass,
                              "the glass '%.*s' has a formula that lenscalc does not know",
                              text_shown(text), text.start);
     }
     const char *made = own != NULL ? own->medium : medium_of_numbers(text, arena);
     made = made != NULL ? made : medium_of_code(text, arena);
     if (made != NULL) {
-        return sequence_medium(&codev->commands, &surface->glass, made, &surface->medium, error) &&
-               (own == NULL || compare_private(codev, own, surface, error));
+        return sequence_medium(&codev->commands, &surface->glass, made, &surface->medium) &&
+               (own == NULL || compare_private(codev, own, surface));
     }
-    if (codev_glass_catalog_glass(codev, &place, text, &surface->medium, error)) {
+    if (codev_named_glass(codev, &place, text, &surface->medium)) {
         return true;
     }
-    return error->code == ERROR_NONE &&
+    return codev->commands.error->code == ERROR_NONE &&
            foreign_lack(codev->job, &place, text, &surface->medium,
                         arena_printf(codev->job->arena, "glass '%.*s' is in no catalogue",
                                      text_shown(text), text.start));

@@ -1,7 +1,6 @@
 /* exchange/codev/codev_positions.c - zoom positions of a CODE V file, command by command. */
 /* SPDX-License-Identifier: MIT */
 #include "exchange/codev/codev.h"
-#include "exchange/codev/codev_system.h"
 
 #include <string.h>
 
@@ -11,20 +10,19 @@ static bool is_command(const struct codev *codev, const char *name)
     return strcmp(key.letters, name) == 0 && !codev->commands.words[0].is_quoted;
 }
 
-bool codev_set_positions(struct codev *codev, struct error *error)
+bool codev_set_positions(struct codev *codev)
 {
     const struct command_word word = commands_word(&codev->commands, 1);
     size_t count;
     if (word.is_quoted || word.text.length == 0 || !char_is_digit(word.text.start[0])) {
         return true;
     }
-    if (!commands_count(&codev->commands, &word, word.text, "number of positions", 1, &count,
-                        error) ||
-        !commands_end(&codev->commands, 2, error)) {
+    if (!commands_count(&codev->commands, &word, word.text, "number of positions", 1, &count) ||
+        !commands_end(&codev->commands, 2)) {
         return false;
     }
     if (codev->positions > 0 || count > CODEV_MOST_VALUES) {
-        return commands_fail(&codev->commands, &word, error,
+        return commands_fail(&codev->commands, &word,
                              codev->positions > 0 ? "ZOO stands here twice"
                                                   : "more than 100 positions");
     }
@@ -37,7 +35,7 @@ bool codev_set_positions(struct codev *codev, struct error *error)
 }
 
 /* Words from `first` on that are no numbers: CLR, L'rim', AR3. */
-static size_t codev_positions_next_value(const struct commands *commands, size_t first, size_t last)
+static size_t next_zoom_value(const struct commands *commands, size_t first, size_t last)
 {
     while (first < last && !commands->words[first].is_quoted) {
         const struct text word = commands->words[first].text;
@@ -51,7 +49,7 @@ static size_t codev_positions_next_value(const struct commands *commands, size_t
 }
 
 /* ZOO NAME qualifiers v1 .. vn */
-static bool place_zoom(struct codev *codev, bool *is_here, struct error *error)
+static bool place_zoom(struct codev *codev, bool *is_here)
 {
     struct commands *commands = &codev->commands;
     const struct command_word name = commands_word(commands, 1);
@@ -64,10 +62,9 @@ static bool place_zoom(struct codev *codev, bool *is_here, struct error *error)
     if (!*is_here) {
         return true;
     }
-    if (count == 0 || given < count ||
-        codev_positions_next_value(commands, first, values) < values) {
-        return commands_fail(commands, &commands->words[0], error, "%zu numbers for %zu positions",
-                             given, count);
+    if (count == 0 || given < count || next_zoom_value(commands, first, values) < values) {
+        return commands_fail(commands, &commands->words[0], "%zu numbers for %zu positions", given,
+                             count);
     }
     commands->words[values] = commands->words[values + codev->position - 1];
     memmove(commands->words, commands->words + 1, values * sizeof commands->words[0]);
@@ -75,12 +72,12 @@ static bool place_zoom(struct codev *codev, bool *is_here, struct error *error)
     return true;
 }
 
-bool codev_place(struct codev *codev, bool *is_here, struct error *error)
+bool codev_place(struct codev *codev, bool *is_here)
 {
     struct commands *commands = &codev->commands;
     *is_here = true;
     if (is_command(codev, "ZOO")) {
-        return place_zoom(codev, is_here, error);
+        return place_zoom(codev, is_here);
     }
     if (is_command(codev, "TIT") || is_command(codev, "PIK")) {
         return true;
@@ -96,7 +93,7 @@ bool codev_place(struct codev *codev, bool *is_here, struct error *error)
     const struct command_word word = commands->words[at];
     const struct text digits = {word.text.start + 1, word.text.length - 1};
     const size_t last = codev->positions > 0 ? codev->positions : 1;
-    if (!commands_count(commands, &word, digits, "number", 1, &zoom, error)) {
+    if (!commands_count(commands, &word, digits, "number", 1, &zoom)) {
         return false;
     }
     *is_here = zoom == (codev->positions > 0 ? codev->position : 1);

@@ -2,7 +2,6 @@
 /* SPDX-License-Identifier: MIT */
 #include "exchange/codev/codev.h"
 
-#include "exchange/codev/codev_system.h"
 #include "exchange/entrance_pupil.h"
 #include "exchange/keep_notes.h"
 #include "exchange/merge_positions.h"
@@ -12,54 +11,45 @@
 static const struct command_grammar grammar = {
     .comment = "!", .quotes = "'\"", .separator = ';', .continuation = '&', .infinity = 1e10};
 
-static bool read_pim(struct codev *codev, int what, struct error *error)
+static bool read_pim(struct codev *codev)
 {
-    (void)what;
     codev->image_solve = codev->commands.words[0];
-    return commands_end(&codev->commands, 1, error);
+    return commands_end(&codev->commands, 1);
 }
 
 /* TEL Y, AFC Y: a telecentric object space, an afocal image space. */
-static bool read_space(struct codev *codev, int what, struct error *error)
+static bool read_space(struct codev *codev)
 {
     const struct command_word word = commands_word(&codev->commands, 1);
     const bool yes = text_same(word.text, "Y") || text_same(word.text, "YES");
     if (!yes && !text_same(word.text, "N") && !text_same(word.text, "NO")) {
-        return commands_fail(&codev->commands, &word, error, "expected Y or N here");
+        return commands_fail(&codev->commands, &word, "expected Y or N here");
     }
-    if (what == 'T') {
+    if (codev->what == 'T') {
         codev->build.lens->is_telecentric = yes;
     } else {
         codev->sequence.is_afocal = yes;
     }
-    return commands_end(&codev->commands, 2, error);
+    return commands_end(&codev->commands, 2);
 }
 
-static bool codev_read_nothing(struct codev *codev, int what, struct error *error)
+static bool codev_read_nothing(struct codev *codev)
 {
-    (void)codev, (void)what, (void)error;
+    (void)codev;
     return true;
 }
 
 /* Nothing stands behind GO; a macro that goes on is refused. */
-static bool read_go(struct codev *codev, int what, struct error *error)
+static bool read_go(struct codev *codev)
 {
-    (void)what, (void)error;
     codev->job->has_end = true;
     return true;
 }
 
-static bool refuse_macro(struct codev *codev, struct error *error)
-{
-    return commands_fail(&codev->commands, &codev->commands.words[0], error,
-                         "a command of a macro: lenscalc reads lens data and runs no macros");
-}
-
 /* A command that is lost by its group, but where its numbers are 0. */
-static bool codev_read_lose(struct codev *codev, const struct word_group *group,
-                            struct error *error)
+static bool codev_read_lose(struct codev *codev, const struct word_group *group)
 {
-    if (!codev_qualifiers(codev, 1, &codev->here, error)) {
+    if (!codev_qualifiers(codev, 1, &codev->here)) {
         return false;
     }
     return ((group->flags & WORD_COUNTS_AT_0) == 0 && codev_is_zero(codev, codev->here.next)) ||
@@ -67,9 +57,8 @@ static bool codev_read_lose(struct codev *codev, const struct word_group *group,
 }
 
 /* VUX, VLX, VUY, VLY: the first that is not 0 is kept until the diameters are known. */
-static bool codev_read_vignetting(struct codev *codev, int what, struct error *error)
+static bool codev_factor(struct codev *codev)
 {
-    (void)what, (void)error;
     if (!codev_is_zero(codev, codev->here.next) && codev->vignetting.text.length == 0) {
         codev->vignetting = codev->commands.words[0];
     }
@@ -77,7 +66,7 @@ static bool codev_read_vignetting(struct codev *codev, int what, struct error *e
 }
 
 /* The factors narrow the beams as rims do; where all surfaces have diameters these do it here. */
-static void codev_read_check_vignetting(struct codev *codev)
+static void settle_factors(struct codev *codev)
 {
     const struct lens *lens = codev->build.lens;
     bool all = true;
@@ -101,9 +90,9 @@ static void codev_read_check_vignetting(struct codev *codev)
 }
 
 /* TEM in C, PRE in mm of mercury. */
-static bool codev_read_environment(struct codev *codev, int what, struct error *error)
+static bool codev_air(struct codev *codev)
 {
-    return sequence_environment(&codev->sequence, what == 'T', 760, error);
+    return sequence_environment(&codev->sequence, codev->what == 'T', 760);
 }
 
 /* What a command is of. Qualifiers, Sk Zk Fk Wk, are read into codev->here. */
@@ -129,10 +118,10 @@ static const struct {
     {"WL", codev_waves, 'L', CODEV_PART},
     {"WTW", codev_waves, 'W', CODEV_PART},
     {"REF", codev_reference, 0, CODEV_LENS},
-    {"EPD", codev_aperture_of_lens, 'E', CODEV_PART},
-    {"FNO", codev_aperture_of_lens, 'F', CODEV_PART},
-    {"NAO", codev_aperture_of_lens, 'O', CODEV_PART},
-    {"NA", codev_aperture_of_lens, 'N', CODEV_PART},
+    {"EPD", codev_aperture_of_lens, APERTURE_EPD, CODEV_PART},
+    {"FNO", codev_aperture_of_lens, APERTURE_FNUMBER, CODEV_PART},
+    {"NAO", codev_aperture_of_lens, APERTURE_NA, CODEV_PART},
+    {"NA", codev_aperture_of_lens, CODEV_IMAGE_NA, CODEV_PART},
     {"XAN", codev_fields, 'A', CODEV_PART},
     {"YAN", codev_fields, 'a', CODEV_PART},
     {"XOB", codev_fields, 'O', CODEV_PART},
@@ -191,22 +180,22 @@ static const struct {
     {"PRV", codev_catalog, 'P', CODEV_LENS},
     {"PWL", codev_catalog, 'W', CODEV_LENS},
     {"END", codev_catalog, 'P', CODEV_LENS},
-    {"TEM", codev_read_environment, 'T', CODEV_LENS},
-    {"PRE", codev_read_environment, 'P', CODEV_LENS},
+    {"TEM", codev_air, 'T', CODEV_LENS},
+    {"PRE", codev_air, 'P', CODEV_LENS},
     {"GO", read_go, 0, CODEV_LENS},
-    {"VUX", codev_read_vignetting, 0, CODEV_PART},
-    {"VLX", codev_read_vignetting, 0, CODEV_PART},
-    {"VUY", codev_read_vignetting, 0, CODEV_PART},
-    {"VLY", codev_read_vignetting, 0, CODEV_PART},
+    {"VUX", codev_factor, 0, CODEV_PART},
+    {"VLX", codev_factor, 0, CODEV_PART},
+    {"VUY", codev_factor, 0, CODEV_PART},
+    {"VLY", codev_factor, 0, CODEV_PART},
 };
 
 /* Of a range of surfaces, S3..5, each gets what the command says. */
-static bool run_on_surfaces(struct codev *codev, codev_command *run, int what, struct error *error)
+static bool run_on_surfaces(struct codev *codev, codev_command *run)
 {
     const size_t end = codev->here.end;
     for (size_t i = codev->here.surface; i <= end; i++) {
         codev->here.surface = i;
-        if (!run(codev, what, error)) {
+        if (!run(codev)) {
             return false;
         }
     }
@@ -222,21 +211,22 @@ static bool is_surface_line(struct text word)
 }
 
 /* A command without a reader: the table says what becomes of it. */
-static bool run_group(struct codev *codev, struct text word, struct error *error)
+static bool run_group(struct codev *codev, struct text word)
 {
     const struct word_group *group = codev_group(word);
     if (word.start[0] == '^' || (group != NULL && group->fate == WORD_REFUSED)) {
-        return refuse_macro(codev, error);
+        return commands_fail(&codev->commands, &codev->commands.words[0],
+                             "a command of a macro: lenscalc reads lens data and runs no macros");
     }
     return group == NULL ? commands_lose(&codev->commands, LOSS_OF_RAYS, NULL, "an unknown command")
-                         : group->fate == WORD_HARMLESS || codev_read_lose(codev, group, error);
+                         : group->fate == WORD_HARMLESS || codev_read_lose(codev, group);
 }
 
-static bool codev_read_run_command(struct codev *codev, struct error *error)
+static bool codev_run(struct codev *codev)
 {
     const struct command_word *word = &codev->commands.words[0];
     bool is_here = true;
-    if (!codev->in_catalog && !codev_place(codev, &is_here, error)) {
+    if (!codev->in_catalog && !codev_place(codev, &is_here)) {
         return false;
     }
     const struct codev_key key = codev_key(word->text);
@@ -245,13 +235,13 @@ static bool codev_read_run_command(struct codev *codev, struct error *error)
     }
     if (codev->in_catalog &&
         (word->is_quoted || (strcmp(key.letters, "PWL") != 0 && strcmp(key.letters, "END") != 0))) {
-        return codev_private_glass(codev, error);
+        return codev_private_glass(codev);
     }
     if (word->is_quoted || word->text.length == 0) {
-        return commands_fail(&codev->commands, word, error, "text where a command is expected");
+        return commands_fail(&codev->commands, word, "text where a command is expected");
     }
     if (is_surface_line(word->text)) {
-        return codev_surface(codev, 0, error);
+        return codev_surface(codev);
     }
     for (size_t i = 0; i < sizeof keywords / sizeof keywords[0]; i++) {
         if (strcmp(keywords[i].key, key.letters) != 0) {
@@ -259,67 +249,50 @@ static bool codev_read_run_command(struct codev *codev, struct error *error)
         }
         const enum codev_scope scope = keywords[i].scope;
         if (scope >= CODEV_EACH && codev->sequence.count == 0) {
-            return commands_fail(&codev->commands, word, error, "'%s' before the first surface",
+            return commands_fail(&codev->commands, word, "'%s' before the first surface",
                                  keywords[i].key);
         }
         if (scope != CODEV_LENS && scope != CODEV_PICK_UP &&
-            !codev_qualifiers(codev, 1, &codev->here, error)) {
+            !codev_qualifiers(codev, 1, &codev->here)) {
             return false;
         }
-        return scope == CODEV_EACH
-                   ? run_on_surfaces(codev, keywords[i].run, keywords[i].what, error)
-                   : keywords[i].run(codev, keywords[i].what, error);
+        codev->what = keywords[i].what;
+        return scope == CODEV_EACH ? run_on_surfaces(codev, keywords[i].run)
+                                   : keywords[i].run(codev);
     }
-    return run_group(codev, word->text, error);
-}
-
-/* The unit may stand behind the lengths that it is of, ZOO behind everything. */
-static bool codev_read_ahead(struct codev *codev, struct text content, struct error *error)
-{
-    commands_open(&codev->commands, codev->job, content, &grammar);
-    while (commands_next(&codev->commands, error)) {
-        const struct codev_key key = codev_key(codev->commands.words[0].text);
-        const bool quoted = codev->commands.words[0].is_quoted;
-        if (strcmp(key.letters, "DIM") == 0 && !quoted && !codev_unit(codev, 0, error)) {
-            return false;
-        }
-        if (strcmp(key.letters, "ZOO") == 0 && !quoted && !codev_set_positions(codev, error)) {
-            return false;
-        }
-    }
-    return error->code == ERROR_NONE;
+    return run_group(codev, word->text);
 }
 
 /* FNO of a near object is the working f-number: it becomes the entrance pupil that gives it. */
-static bool finish_lens(struct codev *codev, struct error *error)
+static bool finish_lens(struct codev *codev)
 {
     struct sequence *sequence = &codev->sequence;
     struct lens *lens = codev->build.lens;
     const struct command_word *at = &sequence->surfaces[0].at;
     const double working = lens->aperture.value.hi;
     if (lens->aperture_kind != APERTURE_FNUMBER || !sequence_is_near(sequence)) {
-        return sequence_finish(sequence, error);
+        return sequence_finish(sequence);
     }
     lens->aperture_kind = APERTURE_NONE;
     sequence->is_open = true;
-    return sequence_finish(sequence, error) &&
+    return sequence_finish(sequence) &&
            (entrance_pupil_set(lens, PUPIL_WORKING_FNUMBER, working, codev->job->arena) ||
             commands_loss(&codev->commands, at, LOSS_OF_RAYS, "the lens gets no aperture",
                           "a working f-number that no entrance pupil gives"));
 }
 
-static bool codev_read_finish(struct codev *codev, struct error *error)
+static bool codev_read_finish(struct codev *codev)
 {
     struct sequence *sequence = &codev->sequence;
     if (!codev->has_image) {
-        fail(error, ERROR_DATA, "the file has no image surface SI");
-        return error_locate(error, codev->job->source, 0, 0);
+        struct error *error = codev->commands.error;
+        return foreign_fail(codev->job, error, "the file has no image surface SI");
     }
     if (!codev->job->has_end) {
         foreign_cut_short(codev->job, "no GO stands at its end");
     }
     for (size_t i = 0; i < sequence->count; i++) {
-        if (!codev_find_glass(codev, &sequence->surfaces[i], error)) {
+        if (!codev_find_glass(codev, &sequence->surfaces[i])) {
             return false;
         }
     }
@@ -327,11 +300,11 @@ static bool codev_read_finish(struct codev *codev, struct error *error)
         struct sequence_solve *solve = &sequence->surfaces[sequence->count - 2].thickness_solve;
         *solve = (struct sequence_solve){.is_set = true, .at = codev->image_solve};
     }
-    if (!codev_finish_system(codev, error) || !finish_lens(codev, error)) {
+    if (!codev_finish_system(codev) || !finish_lens(codev)) {
         return false;
     }
-    codev_read_check_vignetting(codev);
-    return codev_check_mode(codev, error);
+    settle_factors(codev);
+    return codev_check_mode(codev);
 }
 
 /* What lenscalc itself has written as comments. */
@@ -373,15 +346,15 @@ static bool codev_read_position(void *state, size_t position, struct text conten
     codev->vignetting = (struct command_word){.text = {NULL, 0}};
     lens_build_begin(&codev->build, lens, codev->job->arena);
     lens->unit = unit;
-    commands_open(&codev->commands, codev->job, content, &grammar);
+    commands_open(&codev->commands, codev->job, content, &grammar, error);
     codev->commands.scale = scale;
     codev->sequence = (struct sequence){.job = codev->job,
                                         .commands = &codev->commands,
                                         .build = &codev->build,
                                         .has_positions = codev->positions > 0,
                                         .environment = {.temperature = 20, .pressure = 1}};
-    while (commands_next(&codev->commands, error)) {
-        if (!codev_read_run_command(codev, error)) {
+    while (commands_next(&codev->commands)) {
+        if (!codev_run(codev)) {
             return false;
         }
     }
@@ -389,7 +362,7 @@ static bool codev_read_position(void *state, size_t position, struct text conten
         return false;
     }
     read_keep_notes(codev, content);
-    return codev_read_finish(codev, error);
+    return codev_read_finish(codev);
 }
 
 /* A file with positions is read once for each of them. */
@@ -399,7 +372,16 @@ static bool codev_read(struct foreign_job *job, struct text content, struct lens
     struct codev *first = ARENA_NEW(job->arena, struct codev);
     first->job = job;
     lens_build_begin(&first->build, lens, job->arena);
-    if (!codev_read_ahead(first, content, error)) {
+    commands_open(&first->commands, job, content, &grammar, error);
+    while (commands_next(&first->commands)) { /* the unit stands anywhere, ZOO behind everything */
+        const struct codev_key key = codev_key(first->commands.words[0].text);
+        const bool quoted = first->commands.words[0].is_quoted;
+        if ((strcmp(key.letters, "DIM") == 0 && !quoted && !codev_unit(first)) ||
+            (strcmp(key.letters, "ZOO") == 0 && !quoted && !codev_set_positions(first))) {
+            return false;
+        }
+    }
+    if (error->code != ERROR_NONE) {
         return false;
     }
     struct lens_build build = first->build;

@@ -1,4 +1,4 @@
-/* exchange/codev/codev_surface.c - the surfaces of a CODE V file. */
+/* exchange/codev/codev_surface.c - the surfaces of a CODE V file, and their apertures. */
 /* SPDX-License-Identifier: MIT */
 #include "exchange/codev/codev.h"
 
@@ -6,25 +6,15 @@
 
 #include <string.h>
 
-static const struct number_scale plain = {1, 0};
-
 /* The surface a command is about. */
-static struct sequence_surface *codev_surface_of(struct codev *codev)
+static struct sequence_surface *here_surface(struct codev *codev)
 {
     return &codev->sequence.surfaces[codev->here.surface];
 }
 
-/* One value behind the qualifiers, and nothing more. */
-static bool codev_surface_read_value(struct codev *codev, struct number_scale scale,
-                                     const char *what, struct figure *figure, struct error *error)
+static void set_curve(struct codev *codev, struct figure figure, bool is_radius)
 {
-    return commands_figure(&codev->commands, codev->here.next, scale, what, figure, error) &&
-           commands_end(&codev->commands, codev->here.next + 1, error);
-}
-
-static void set_curve(struct codev *codev, struct sequence_surface *surface, struct figure figure,
-                      bool is_radius)
-{
+    struct sequence_surface *surface = here_surface(codev);
     surface->curve = figure;
     surface->is_radius = is_radius;
     if (!is_radius) {
@@ -33,20 +23,18 @@ static void set_curve(struct codev *codev, struct sequence_surface *surface, str
 }
 
 /* REFL and REFR are no glasses; the rest is looked up in the end. */
-static void codev_surface_set_glass(struct codev *codev, struct sequence_surface *surface,
-                                    size_t word)
+static void set_glass(struct codev *codev, const struct command_word *word)
 {
-    struct commands *commands = &codev->commands;
-    const struct text text = commands->words[word].text;
-    if (!commands->words[word].is_quoted && text_same(text, "REFL")) {
+    struct sequence_surface *surface = here_surface(codev);
+    if (!word->is_quoted && text_same(word->text, "REFL")) {
         surface->reflects = true;
-    } else if (commands->words[word].is_quoted || !text_same(text, "REFR")) {
-        surface->glass = commands->words[word];
+    } else if (word->is_quoted || !text_same(word->text, "REFR")) {
+        surface->glass = *word;
     }
 }
 
 /* SO must be the first and SI the last; a number after S must be that of the surface. */
-static bool codev_surface_check_place(struct codev *codev, struct error *error)
+static bool check_codev_place(struct codev *codev)
 {
     struct commands *commands = &codev->commands;
     const struct command_word *word = &commands->words[0];
@@ -54,13 +42,13 @@ static bool codev_surface_check_place(struct codev *codev, struct error *error)
     size_t next = codev->sequence.count, number = 0;
     bool is_object = text_same(text, "SO") || text_same(text, "S0");
     if (codev->has_image) {
-        return commands_fail(commands, word, error, "a surface behind the image SI");
+        return commands_fail(commands, word, "a surface behind the image SI");
     }
     if (next == FOREIGN_MOST_SURFACES) {
-        return commands_fail(commands, word, error, "more than %d surfaces", LENS_MOST_SURFACES);
+        return commands_fail(commands, word, "more than %d surfaces", LENS_MOST_SURFACES);
     }
     if (is_object != (next == 0)) {
-        return commands_fail(commands, word, error,
+        return commands_fail(commands, word,
                              is_object ? "the object SO is not the first surface"
                                        : "a surface before the object SO");
     }
@@ -69,38 +57,35 @@ static bool codev_surface_check_place(struct codev *codev, struct error *error)
         return true;
     }
     const struct text digits = {text.start + 1, text.length - 1};
-    return commands_count(commands, word, digits, "number of the surface", 1, &number, error) &&
+    return commands_count(commands, word, digits, "number of the surface", 1, &number) &&
            (number == next ||
-            commands_fail(commands, word, error, "surface %zu, where surface %zu is expected",
-                          number, next));
+            commands_fail(commands, word, "surface %zu, where surface %zu is expected", number,
+                          next));
 }
 
-bool codev_surface(struct codev *codev, int what, struct error *error)
+bool codev_surface(struct codev *codev)
 {
-    (void)what;
     struct commands *commands = &codev->commands;
     struct figure curve, thickness;
-    if (!codev_surface_check_place(codev, error) ||
-        !commands_figure(commands, 1, codev->radius_mode ? commands->scale : plain,
-                         codev->radius_mode ? "radius" : "curvature", &curve, error) ||
+    if (!check_codev_place(codev) ||
+        !commands_figure(commands, 1, codev->radius_mode,
+                         codev->radius_mode ? "radius" : "curvature", &curve) ||
         !(codev->sequence.count == 0
-              ? commands_object(commands, 2, &thickness, error)
-              : commands_figure(commands, 2, commands->scale, "thickness", &thickness, error))) {
+              ? commands_object(commands, 2, &thickness)
+              : commands_figure(commands, 2, true, "thickness", &thickness))) {
         return false;
     }
-    codev->surface = codev->sequence.count;
-    struct sequence_surface *surface = sequence_add(&codev->sequence, commands->words[0]);
-    set_curve(codev, surface, curve, codev->radius_mode);
-    surface->thickness = thickness;
+    codev->here.surface = codev->surface = codev->sequence.count;
+    sequence_add(&codev->sequence, commands->words[0])->thickness = thickness;
+    set_curve(codev, curve, codev->radius_mode);
     for (size_t i = 3; i < commands->count && i < 5; i++) {
-        codev_surface_set_glass(codev, surface, i);
+        set_glass(codev, &commands->words[i]);
     }
-    return commands_end(commands, 5, error);
+    return commands_end(commands, 5);
 }
 
 /* A solve behind the qualifiers: CUY UMY u, THI HMY h. */
-static bool codev_surface_read_solve(struct codev *codev, bool is_thickness, bool *is_solve,
-                                     struct error *error)
+static bool codev_solve(struct codev *codev, bool is_thickness, bool *is_solve)
 {
     static const struct {
         const char *name;
@@ -112,7 +97,7 @@ static bool codev_surface_read_solve(struct codev *codev, bool is_thickness, boo
                   {"UCY", true, SOLVE_CHIEF}};
     struct commands *commands = &codev->commands;
     const struct command_word word = commands_word(commands, codev->here.next);
-    struct sequence_surface *surface = codev_surface_of(codev);
+    struct sequence_surface *surface = here_surface(codev);
     char c = word.text.length > 0 ? word.text.start[0] : '0';
     *is_solve = (c >= 'A' && c <= 'Z') || (c >= 'a' && c <= 'z');
     if (!*is_solve) {
@@ -126,117 +111,95 @@ static bool codev_surface_read_solve(struct codev *codev, bool is_thickness, boo
         }
         *solve = (struct sequence_solve){
             .is_set = true, .of_angle = solves[i].of_angle, .ray = solves[i].ray, .at = word};
-        return commands_figure(commands, codev->here.next + 1,
-                               is_thickness ? commands->scale : plain, "target of the solve",
-                               &solve->target, error) &&
-               commands_end(commands, codev->here.next + 2, error);
+        return commands_value(commands, codev->here.next + 1, is_thickness, "target of the solve",
+                              &solve->target);
     }
     *solve = (struct sequence_solve){.is_set = true, .is_unknown = true, .at = word};
     return true;
 }
 
-/* A curvature in x: that of a cylinder, the other way. */
-static void set_curve_x(struct codev *codev, struct sequence_surface *surface, struct figure figure,
-                        bool is_radius)
+bool codev_curve(struct codev *codev)
 {
-    if (surface->curved == CURVED_BOTH) {
-        commands_lose(&codev->commands, LOSS_OF_RAYS, NULL,
-                      "a curvature in x of a surface that is no cylinder");
-        return;
-    }
-    if (figure.value.hi == 0) {
-        return;
-    }
-    if (surface->curved == CURVED_Y && sequence_is_some(&surface->curve)) {
-        commands_lose(&codev->commands, LOSS_OF_RAYS, NULL,
-                      "a surface that is curved in x and in y");
-        return;
-    }
-    surface->curved = CURVED_X;
-    set_curve(codev, surface, figure, is_radius);
-}
-
-bool codev_curve(struct codev *codev, int what, struct error *error)
-{
-    bool is_radius = what == 'R' || what == 'r', is_x = what == 'r' || what == 'c';
-    bool is_solve = false;
+    bool is_radius = (codev->what | 32) == 'r', is_x = codev->what >= 'a', is_solve = false;
     struct figure figure;
-    if ((!is_x && !codev_surface_read_solve(codev, false, &is_solve, error))) {
+    if (!is_x && !codev_solve(codev, false, &is_solve)) {
         return false;
     }
     if (is_solve) {
         return true;
     }
-    if (!codev_surface_read_value(codev, is_radius ? codev->commands.scale : plain,
-                                  is_radius ? "radius" : "curvature", &figure, error)) {
+    if (!commands_value(&codev->commands, codev->here.next, is_radius,
+                        is_radius ? "radius" : "curvature", &figure)) {
         return false;
     }
-    struct sequence_surface *surface = codev_surface_of(codev);
     if (is_x) {
-        set_curve_x(codev, surface, figure, is_radius);
+        /* A curvature in x: that of a cylinder, the other way. */
+        struct sequence_surface *surface = here_surface(codev);
+        if (surface->curved == CURVED_BOTH) {
+            commands_lose(&codev->commands, LOSS_OF_RAYS, NULL,
+                          "a curvature in x of a surface that is no cylinder");
+        } else if (figure.value.hi != 0 && surface->curved == CURVED_Y &&
+                   sequence_is_some(&surface->curve)) {
+            commands_lose(&codev->commands, LOSS_OF_RAYS, NULL,
+                          "a surface that is curved in x and in y");
+        } else if (figure.value.hi != 0) {
+            surface->curved = CURVED_X;
+            set_curve(codev, figure, is_radius);
+        }
     } else {
-        set_curve(codev, surface, figure, is_radius);
+        set_curve(codev, figure, is_radius);
     }
     return true;
 }
 
-bool codev_thickness(struct codev *codev, int what, struct error *error)
+bool codev_thickness(struct codev *codev)
 {
-    (void)what;
-    struct sequence_surface *surface = codev_surface_of(codev);
+    struct sequence_surface *surface = here_surface(codev);
     bool is_solve;
     if (surface == &codev->sequence.surfaces[0]) {
-        return commands_object(&codev->commands, codev->here.next, &surface->thickness, error) &&
-               commands_end(&codev->commands, codev->here.next + 1, error);
+        return commands_object(&codev->commands, codev->here.next, &surface->thickness) &&
+               commands_end(&codev->commands, codev->here.next + 1);
     }
-    return codev_surface_read_solve(codev, true, &is_solve, error) &&
-           (is_solve || codev_surface_read_value(codev, codev->commands.scale, "thickness",
-                                                 &surface->thickness, error));
+    return codev_solve(codev, true, &is_solve) &&
+           (is_solve || commands_value(&codev->commands, codev->here.next, true, "thickness",
+                                       &surface->thickness));
 }
 
-bool codev_glass(struct codev *codev, int what, struct error *error)
+bool codev_glass(struct codev *codev)
 {
-    (void)what;
     if (codev->here.next >= codev->commands.count) {
         const struct command_word word = commands_word(&codev->commands, codev->here.next);
-        return commands_fail(&codev->commands, &word, error, "the glass is missing");
+        return commands_fail(&codev->commands, &word, "the glass is missing");
     }
-    codev_surface_set_glass(codev, codev_surface_of(codev), codev->here.next);
-    return commands_end(&codev->commands, codev->here.next + 1, error);
+    set_glass(codev, &codev->commands.words[codev->here.next]);
+    return commands_end(&codev->commands, codev->here.next + 1);
 }
 
-bool codev_shape(struct codev *codev, int what, struct error *error)
+bool codev_shape(struct codev *codev)
 {
-    (void)what;
-    codev_surface_of(codev)->curved = CURVED_Y;
-    return commands_end(&codev->commands, codev->here.next, error);
+    here_surface(codev)->curved = CURVED_Y;
+    return commands_end(&codev->commands, codev->here.next);
 }
 
-bool codev_constant(struct codev *codev, int what, struct error *error)
+bool codev_constant(struct codev *codev)
 {
-    struct figure figure;
-    if (!codev_surface_read_value(codev, plain, what == 0 ? "conic" : "coefficient", &figure,
-                                  error)) {
-        return false;
-    }
-    sequence_set_constant(&codev->sequence, codev_surface_of(codev), what, figure);
-    return true;
+    return sequence_read_constant(&codev->sequence, codev->here.next, here_surface(codev),
+                                  codev->what);
 }
 
 /* SPS ODD: a conic and powers of r, odd ones too; the number behind it is a normal radius. */
-bool codev_special(struct codev *codev, int what, struct error *error)
+bool codev_special(struct codev *codev)
 {
-    (void)what;
     const struct command_word kind = commands_word(&codev->commands, codev->here.next);
     struct figure radius = sequence_nothing;
-    struct sequence_surface *surface = codev_surface_of(codev);
+    struct sequence_surface *surface = here_surface(codev);
     surface->is_special = text_same(kind.text, "ODD");
     if (!surface->is_special) {
         return commands_lose(&codev->commands, LOSS_OF_POWER, NULL,
                              "a surface of a shape that lenscalc has not");
     }
     if (codev->here.next + 1 < codev->commands.count &&
-        !commands_figure(&codev->commands, codev->here.next + 1, plain, "radius", &radius, error)) {
+        !commands_figure(&codev->commands, codev->here.next + 1, false, "radius", &radius)) {
         return false;
     }
     return radius.value.hi == 0 || radius.value.hi == 1 ||
@@ -260,22 +223,17 @@ static int special_order(struct text name)
     if (sound && text_same(letter, "AR")) {
         return (int)number;
     }
-    if (sound && text_same(letter, "C")) {
-        return (int)number - 1;
-    }
-    return -1;
+    return sound && text_same(letter, "C") ? (int)number - 1 : -1;
 }
 
-bool codev_special_constant(struct codev *codev, int what, struct error *error)
+bool codev_special_constant(struct codev *codev)
 {
-    (void)what;
     struct figure figure;
     struct commands *commands = &codev->commands;
-    struct sequence_surface *surface = codev_surface_of(codev);
+    struct sequence_surface *surface = here_surface(codev);
     const struct command_word name = commands_word(commands, codev->here.next);
     int order = name.text.length > 0 ? special_order(name.text) : -1;
-    if (!commands_figure(commands, codev->here.next + 1, plain, "coefficient", &figure, error) ||
-        !commands_end(commands, codev->here.next + 2, error)) {
+    if (!commands_value(commands, codev->here.next + 1, false, "coefficient", &figure)) {
         return false;
     }
     bool is_known = surface->is_special && (order == 0 || surface_term(order) >= 0);
@@ -287,49 +245,139 @@ bool codev_special_constant(struct codev *codev, int what, struct error *error)
     return true;
 }
 
-bool codev_stop(struct codev *codev, int what, struct error *error)
+bool codev_stop(struct codev *codev)
 {
-    (void)what;
     if (codev->here.surface == 0) {
-        return commands_fail(&codev->commands, &codev->commands.words[0], error,
+        return commands_fail(&codev->commands, &codev->commands.words[0],
                              "the object cannot be the stop");
     }
     if (codev->here.surface != codev->here.end) {
-        return commands_fail(&codev->commands, &codev->commands.words[0], error,
+        return commands_fail(&codev->commands, &codev->commands.words[0],
                              "one surface is the stop, not a range");
     }
     for (size_t i = 0; i < codev->sequence.count; i++) {
         codev->sequence.surfaces[i].is_stop = i == codev->here.surface;
     }
-    return commands_end(&codev->commands, codev->here.next, error);
+    return commands_end(&codev->commands, codev->here.next);
 }
 
-bool codev_label(struct codev *codev, int what, struct error *error)
+bool codev_label(struct codev *codev)
 {
-    (void)what;
     const struct text label = commands_word(&codev->commands, codev->here.next).text;
     if (label.length > 0 && memchr(label.start, '"', label.length) == NULL) {
-        codev_surface_of(codev)->name = lens_build_string(&codev->build, label);
+        here_surface(codev)->name = lens_build_string(&codev->build, label);
     }
-    return commands_end(&codev->commands, codev->here.next + 1, error);
+    return commands_end(&codev->commands, codev->here.next + 1);
 }
 
-bool codev_shift(struct codev *codev, int what, struct error *error)
+bool codev_shift(struct codev *codev)
 {
-    bool is_turn = what >= 'A' && what <= 'C';
-    struct figure figure;
-    if (!codev_surface_read_value(codev, is_turn ? plain : codev->commands.scale,
-                                  is_turn ? "tilt" : "decentre", &figure, error)) {
+    return sequence_read_shift(&codev->sequence, codev->here.next, here_surface(codev),
+                               codev->what);
+}
+
+bool codev_move(struct codev *codev)
+{
+    struct sequence_surface *surface = here_surface(codev);
+    surface->move = (enum sequence_move)codev->what;
+    surface->decentred_at = codev->commands.words[0];
+    return commands_end(&codev->commands, codev->here.next);
+}
+
+/* What stands before the size of an aperture: CLR, EDG, OBS, HOL and a label. */
+struct aperture_words {
+    bool is_edge, blocks;
+    struct text label;
+    size_t next; /* the word with the size */
+};
+
+static struct aperture_words aperture_words(const struct codev *codev)
+{
+    const struct commands *commands = &codev->commands;
+    struct aperture_words words = {.label = {"", 0}, .next = codev->here.next};
+    for (; words.next < commands->count; words.next++) {
+        const struct text word = commands->words[words.next].text;
+        bool is_edge = text_same(word, "EDG");
+        bool blocks = text_same(word, "OBS") || text_same(word, "HOL");
+        bool is_label = word.length > 1 && (word.start[0] | 32) == 'l' &&
+                        (word.start[1] == '\'' || word.start[1] == '"');
+        if (!is_edge && !blocks && !is_label && !text_same(word, "CLR")) {
+            break;
+        }
+        words.is_edge = words.is_edge || is_edge;
+        words.blocks = words.blocks || blocks;
+        words.label = is_label ? word : words.label;
+    }
+    return words;
+}
+
+/*
+ * The aperture of these words, made if there is none.
+ *
+ * Given     shape  APERTURE_SHAPES: any, the last one
+ */
+static struct aperture *find_aperture(struct codev *codev, const struct aperture_words *words,
+                                      enum aperture_shape shape)
+{
+    struct sequence_surface *surface = &codev->sequence.surfaces[codev->here.surface];
+    for (size_t i = surface->aperture_count; i-- > 0;) {
+        struct sequence_aperture *one = &surface->apertures[i];
+        bool suits = shape == APERTURE_SHAPES || one->aperture.shape == shape;
+        if (suits && one->aperture.blocks == words->blocks &&
+            text_identical(one->label, words->label)) {
+            return &one->aperture;
+        }
+    }
+    surface->apertures = arena_grow(codev->job->arena, surface->apertures, surface->aperture_count,
+                                    &surface->aperture_room, sizeof *surface->apertures);
+    struct sequence_aperture *one = &surface->apertures[surface->aperture_count++];
+    shape = shape == APERTURE_SHAPES ? SHAPE_CIRCLE : shape;
+    *one = (struct sequence_aperture){.at = codev->commands.words[0],
+                                      .label = words->label,
+                                      .aperture = aperture_of(shape, words->blocks)};
+    return &one->aperture;
+}
+
+bool codev_aperture(struct codev *codev)
+{
+    struct commands *commands = &codev->commands;
+    struct figure half;
+    const struct aperture_words words = aperture_words(codev);
+    const bool is_clear_circle = codev->what == 'C' && !words.blocks;
+    if (!commands_value(commands, words.next, true, "radius of the aperture", &half)) {
         return false;
     }
-    sequence_set_shift(&codev->sequence, codev_surface_of(codev), what, figure);
+    if (!(half.value.hi >= 0)) {
+        return commands_fail(commands, &commands->words[words.next],
+                             "the radius of an aperture is not below 0");
+    }
+    if (words.is_edge || (half.value.hi == 0 && !is_clear_circle)) {
+        return true; /* the rim of the glass, for drawings; none */
+    }
+    if (is_clear_circle) {
+        codev->sequence.surfaces[codev->here.surface].diameter =
+            sequence_diameter(&half, codev->job->arena);
+        return true;
+    }
+    enum aperture_shape shape = SHAPE_CIRCLE;
+    if (codev->what != 'C') {
+        shape = codev->what < 'a' ? SHAPE_ELLIPSE : SHAPE_RECTANGLE;
+    }
+    find_aperture(codev, &words, shape)->size[(codev->what | 32) == 'y'] =
+        sequence_diameter(&half, codev->job->arena);
     return true;
 }
 
-bool codev_move(struct codev *codev, int what, struct error *error)
+bool codev_aperture_shift(struct codev *codev)
 {
-    struct sequence_surface *surface = codev_surface_of(codev);
-    surface->move = (enum sequence_move)what;
-    surface->decentred_at = codev->commands.words[0];
-    return commands_end(&codev->commands, codev->here.next, error);
+    struct commands *commands = &codev->commands;
+    struct figure shift;
+    const struct aperture_words words = aperture_words(codev);
+    if (!commands_value(commands, words.next, true, "decentre of the aperture", &shift)) {
+        return false;
+    }
+    if (shift.value.hi != 0 && !words.is_edge) {
+        find_aperture(codev, &words, APERTURE_SHAPES)->decenter[codev->what == 'Y'] = shift;
+    }
+    return true;
 }

@@ -65,11 +65,10 @@ struct codev_key codev_key(struct text word)
 
 bool codev_is_zero(const struct codev *codev, size_t first)
 {
-    const struct number_scale plain = {1, 0};
     for (size_t i = first; i < codev->commands.count; i++) {
         const struct text word = codev->commands.words[i].text;
         double value = 1;
-        if (number_read(word.start, word.start + word.length, plain, &value) == NULL ||
+        if (number_read(word.start, word.start + word.length, NUMBER_UNSCALED, &value) == NULL ||
             value != 0) {
             return false;
         }
@@ -77,13 +76,13 @@ bool codev_is_zero(const struct codev *codev, size_t first)
     return true;
 }
 
-static bool codev_words_is_quote(char c)
+static bool is_any_quote(char c)
 {
     return c == '\'' || c == '"';
 }
 
 /* A number of a surface, in digits alone. */
-static bool codev_words_read_number(struct text text, size_t *number)
+static bool surface_digits(struct text text, size_t *number)
 {
     size_t value = 0;
     for (size_t i = 0; i < text.length; i++) {
@@ -115,21 +114,21 @@ static bool surface_named(const struct codev *codev, struct text name, size_t *s
     for (size_t i = 0; i < sequence->count; i++) {
         const struct sequence_surface *one = &sequence->surfaces[i];
         bool is_stop = is_place(name) && one->is_stop;
-        bool is_label = name.length > 2 && codev_words_is_quote(first) && one->name != NULL &&
+        bool is_label = name.length > 2 && is_any_quote(first) && one->name != NULL &&
                         text_same((struct text){name.start + 1, name.length - 2}, one->name);
         if (is_stop || is_label) {
             *surface = i;
             return true;
         }
     }
-    return codev_words_read_number(name, surface) && *surface < sequence->count;
+    return surface_digits(name, surface) && *surface < sequence->count;
 }
 
 /* "3..5" of S3..5 is "3", and "5" behind it; "3" is both. */
-static struct text codev_words_cut_range(struct text name, struct text *last)
+static struct text cut_surfaces(struct text name, struct text *last)
 {
     *last = name;
-    for (size_t i = 0; i + 1 < name.length && !codev_words_is_quote(name.start[0]); i++) {
+    for (size_t i = 0; i + 1 < name.length && !is_any_quote(name.start[0]); i++) {
         if (name.start[i] == '.' && name.start[i + 1] == '.') {
             const size_t behind = i + 2 < name.length && (name.start[i + 2] | 32) == 's' &&
                                   i + 3 < name.length; /* S3..S5 */
@@ -138,18 +137,6 @@ static struct text codev_words_cut_range(struct text name, struct text *last)
         }
     }
     return name;
-}
-
-static bool codev_words_read_surfaces(struct codev *codev, const struct command_word *word,
-                                      struct codev_qualifiers *qualifiers, struct error *error)
-{
-    const struct text name = {word->text.start + 1, word->text.length - 1};
-    struct text last, first = codev_words_cut_range(name, &last);
-    return (surface_named(codev, first, &qualifiers->surface) &&
-            surface_named(codev, last, &qualifiers->end) &&
-            qualifiers->surface <= qualifiers->end) ||
-           commands_fail(&codev->commands, word, error, "there is no surface '%.*s'",
-                         (int)(word->text.length < 40 ? word->text.length : 40), word->text.start);
 }
 
 static bool is_digits(struct text text)
@@ -164,9 +151,9 @@ static bool is_digits(struct text text)
 /* Has what stands behind the S the form of a surface, whether there is such a one or not? */
 static bool is_surface_form(struct text name)
 {
-    struct text last, first = codev_words_cut_range(name, &last);
+    struct text last, first = cut_surfaces(name, &last);
     return name.length > 0 &&
-           (codev_words_is_quote(name.start[0]) ||
+           (is_any_quote(name.start[0]) ||
             ((is_digits(first) || is_place(first)) && (is_digits(last) || is_place(last))));
 }
 
@@ -207,8 +194,7 @@ size_t codev_qualifiers_end(const struct commands *commands, size_t first, size_
     return first;
 }
 
-bool codev_qualifiers(struct codev *codev, size_t first, struct codev_qualifiers *qualifiers,
-                      struct error *error)
+bool codev_qualifiers(struct codev *codev, size_t first, struct codev_qualifiers *qualifiers)
 {
     struct commands *commands = &codev->commands;
     const struct command_word *command = &commands->words[first - 1];
@@ -221,13 +207,19 @@ bool codev_qualifiers(struct codev *codev, size_t first, struct codev_qualifiers
         const char kind = codev_qualifier_kind(command, &word);
         size_t value = 0;
         if (kind == 's') {
-            if (!codev_words_read_surfaces(codev, &word, qualifiers, error)) {
-                return false;
+            const struct text name = {word.text.start + 1, word.text.length - 1};
+            struct text stop, start = cut_surfaces(name, &stop);
+            if (!surface_named(codev, start, &qualifiers->surface) ||
+                !surface_named(codev, stop, &qualifiers->end) ||
+                !(qualifiers->surface <= qualifiers->end)) {
+                return commands_fail(&codev->commands, &word, "there is no surface '%.*s'",
+                                     (int)(word.text.length < 40 ? word.text.length : 40),
+                                     word.text.start);
             }
             continue;
         }
         struct text number = {word.text.start + 1, word.text.length - 1};
-        if (!commands_count(commands, &word, number, "number", 1, &value, error)) {
+        if (!commands_count(commands, &word, number, "number", 1, &value)) {
             return false;
         }
         qualifiers->zoom = kind == 'z' ? value : qualifiers->zoom;

@@ -5,33 +5,6 @@
 
 #include "exchange/keep_notes.h"
 
-/* A table of indices or one index for all light, as a glass of the file's own catalogue. */
-static void codev_put_own(struct codev_output *output, size_t index)
-{
-    const struct medium *medium = output->own[index];
-    struct lens_writer *writing = &output->writing;
-    const struct lens *lens = writing->lens;
-    bool is_table = medium->kind == MEDIUM_TABLE;
-    size_t count = is_table ? medium->point_count : lens->wavelength_count;
-    size_t column = 5;
-    writing_put(writing, "  PWL%s", count == 0 ? " 587.5618" : "");
-    for (size_t i = 0; i < count; i++) {
-        double wave = is_table ? medium->points[i].wavelength : lens->wavelengths[i].wavelength;
-        const struct text typed = is_table ? text_of("") : lens->wavelengths[i].typed;
-        codev_put_number(writing, &column, writing_wave(writing, wave, typed, 3));
-    }
-    writing_put(writing, "\n  'N%zu'", index + 1);
-    column = 8;
-    for (size_t i = 0; i < count || i == 0; i++) {
-        struct figure figure = {.typed = medium->written, .variable = LENS_NONE};
-        if (is_table) {
-            figure = (struct figure){.value = medium->points[i].index, .variable = LENS_NONE};
-        }
-        codev_put_number(writing, &column, writing_length(writing, &figure, 0));
-    }
-    writing_put(writing, "\n");
-}
-
 static void codev_add_own(struct codev_output *output, const struct medium *medium)
 {
     bool own =
@@ -60,14 +33,35 @@ static void codev_put_catalog(struct codev_output *output)
     }
     for (size_t i = 0; i < output->own_count; i++) {
         growing_string(&output->writing.text, i == 0 ? "PRV\n" : "");
-        codev_put_own(output, i);
+        /* A table of indices or one index for all light, as a glass of the file's own catalogue. */
+        const struct medium *medium = output->own[i];
+        struct lens_writer *writing = &output->writing;
+        bool is_table = medium->kind == MEDIUM_TABLE;
+        size_t count = is_table ? medium->point_count : lens->wavelength_count;
+        size_t column = 5;
+        writing_put(writing, "  PWL%s", count == 0 ? " 587.5618" : "");
+        for (size_t k = 0; k < count; k++) {
+            double wave = is_table ? medium->points[k].wavelength : lens->wavelengths[k].wavelength;
+            const struct text typed = is_table ? text_of("") : lens->wavelengths[k].typed;
+            codev_put_number(writing, &column, writing_wave(writing, wave, typed, 3));
+        }
+        writing_put(writing, "\n  'N%zu'", i + 1);
+        column = 8;
+        for (size_t k = 0; k < count || k == 0; k++) {
+            struct figure figure = {.typed = medium->written, .variable = LENS_NONE};
+            if (is_table) {
+                figure = (struct figure){.value = medium->points[k].index, .variable = LENS_NONE};
+            }
+            codev_put_number(writing, &column, writing_length(writing, &figure, 0));
+        }
+        writing_put(writing, "\n");
     }
     growing_string(&output->writing.text, output->own_count > 0 ? "END\n" : "");
 }
 
 /* -------- the whole lens -------- */
 
-static void codev_put_system_aperture(struct lens_writer *writing)
+static void codev_put_beam(struct lens_writer *writing)
 {
     const struct lens *lens = writing->lens;
     enum aperture_kind kind = lens->aperture_kind;
@@ -93,24 +87,6 @@ static void codev_put_system_aperture(struct lens_writer *writing)
     }
     writing_put(writing, "%s %s\n", codev_aperture_words[kind],
                 writing_length(writing, &figure, kind == APERTURE_EPD));
-}
-
-static void codev_put_waves(struct lens_writer *writing)
-{
-    const struct lens *lens = writing->lens;
-    size_t column = 2;
-    writing_put(writing, lens->wavelength_count == 0 ? "WL 587.5618" : "WL");
-    for (size_t i = 0; i < lens->wavelength_count; i++) {
-        const struct lens_wavelength *one = &lens->wavelengths[i];
-        codev_put_number(writing, &column, writing_wave(writing, one->wavelength, one->typed, 3));
-    }
-    writing_put(writing, lens->wavelength_count == 0 ? "\nREF 1\nWTW 1" : "\nREF 1\nWTW");
-    column = 3;
-    for (size_t i = 0; i < lens->wavelength_count; i++) {
-        codev_put_number(writing, &column,
-                         writing_weight(writing, lens->wavelengths[i].weight_typed, "1"));
-    }
-    writing_put(writing, "\n");
 }
 
 static void codev_put_fields(struct lens_writer *writing)
@@ -140,31 +116,9 @@ static void codev_put_fields(struct lens_writer *writing)
     }
 }
 
-static void codev_put_header(struct codev_output *output)
-{
-    struct lens_writer *writing = &output->writing;
-    const struct lens *lens = writing->lens;
-    writing_put(writing, "RDM;LEN\n");
-    if (lens->title != NULL) {
-        codev_put_text(writing, "TITLE", lens->title);
-    }
-    keep_notes_write(&writing->text, lens, writing->scale, CODEV_KEEP_NOTE, "\n");
-    for (size_t i = 0; i < lens->note_count; i++) {
-        writing_put(writing, CODEV_KEEP_NOTE CODEV_NOTE "%s\n", lens->notes[i]);
-    }
-    codev_put_system_aperture(writing);
-    writing_put(writing, "DIM %s\n", foreign_unit_word(codev_units, writing->unit));
-    codev_put_waves(writing);
-    codev_put_fields(writing);
-    growing_string(&writing->text, lens->is_telecentric ? "TEL Y\n" : "");
-    growing_string(&writing->text, lens->focus == FOCUS_AFOCAL ? "AFC Y\n" : "");
-    codev_put_catalog(output);
-}
-
 /* -------- surfaces -------- */
 
-static void codev_put_displacement(struct lens_writer *writing, const struct displacement *all,
-                                   bool back)
+static void codev_put_turns(struct lens_writer *writing, const struct displacement *all, bool back)
 {
     writing_put(writing, "  XDE %s; YDE %s; ZDE 0.0\n  ADE %s; BDE %s; CDE %s\n%s",
                 writing_length(writing, &all->decenter[0], 1),
@@ -279,7 +233,7 @@ static void codev_put_details(struct lens_writer *writing, const struct surface 
         codev_put_text(writing, "  SLB", surface->name);
     }
     if (moved != NULL) {
-        codev_put_displacement(writing, moved, surface->decentre != NULL);
+        codev_put_turns(writing, moved, surface->decentre != NULL);
     }
     if (surface->vary_count > 0) {
         foreign_lose(writing->job, LOSS_OF_NOTHING, "left out", "marks for the designer (R~, t~)");
@@ -297,7 +251,7 @@ static void codev_put_surface(struct codev_output *output, size_t index)
         writing_put(writing, "S 0.0 0.0"); /* the break on a plane of its own */
         codev_put_medium(output, before);
         writing_put(writing, "\n");
-        codev_put_displacement(writing, surface->coordinate_break, false);
+        codev_put_turns(writing, surface->coordinate_break, false);
     }
     writing_put(writing, "S %s %s",
                 has_radius ? writing_length(writing, &surface->radius, 1) : "0.0",
@@ -318,7 +272,33 @@ bool codev_write(struct foreign_job *job, const struct lens *lens, struct text *
     struct lens_writer *writing = &output.writing;
     (void)error;
     writing_begin(writing, job, lens, false);
-    codev_put_header(&output);
+    writing_put(writing, "RDM;LEN\n");
+    if (lens->title != NULL) {
+        codev_put_text(writing, "TITLE", lens->title);
+    }
+    keep_notes_write(&writing->text, lens, writing->scale, CODEV_KEEP_NOTE, "\n");
+    for (size_t i = 0; i < lens->note_count; i++) {
+        writing_put(writing, CODEV_KEEP_NOTE CODEV_NOTE "%s\n", lens->notes[i]);
+    }
+    codev_put_beam(writing);
+    writing_put(writing, "DIM %s\n", foreign_unit_word(codev_units, writing->unit));
+    size_t column = 2;
+    writing_put(writing, lens->wavelength_count == 0 ? "WL 587.5618" : "WL");
+    for (size_t i = 0; i < lens->wavelength_count; i++) {
+        const struct lens_wavelength *one = &lens->wavelengths[i];
+        codev_put_number(writing, &column, writing_wave(writing, one->wavelength, one->typed, 3));
+    }
+    writing_put(writing, lens->wavelength_count == 0 ? "\nREF 1\nWTW 1" : "\nREF 1\nWTW");
+    column = 3;
+    for (size_t i = 0; i < lens->wavelength_count; i++) {
+        codev_put_number(writing, &column,
+                         writing_weight(writing, lens->wavelengths[i].weight_typed, "1"));
+    }
+    writing_put(writing, "\n");
+    codev_put_fields(writing);
+    growing_string(&writing->text, lens->is_telecentric ? "TEL Y\n" : "");
+    growing_string(&writing->text, lens->focus == FOCUS_AFOCAL ? "AFC Y\n" : "");
+    codev_put_catalog(&output);
     writing_put(writing, "SO 0.0 %s",
                 lens->object_is_infinite ? "0.1e14" : writing_length(writing, &lens->object, 1));
     codev_put_medium(&output, &lens->object_medium);

@@ -139,23 +139,6 @@ static size_t codev_begin_zoom(struct lens_writer *writing, const char *word, si
     return strlen(command);
 }
 
-/* XAN Z2 .., YAN Z2 .., WTF Z2 .. */
-static void codev_put_points(struct lens_writer *writing, const struct lens_points *points,
-                             size_t position)
-{
-    for (int what = 0; what < 3; what++) {
-        const char *word = what < 2 ? codev_field_words[writing->lens->field_kind][what] : "WTF";
-        size_t column = codev_begin_zoom(writing, word, position);
-        for (size_t i = 0; i < points->count; i++) {
-            const struct lens_field *field = &points->fields[i];
-            codev_put_number(writing, &column,
-                             what < 2 ? codev_coordinate(writing, &field->at[what])
-                                      : writing_weight(writing, field->weight_typed, "1"));
-        }
-        writing_put(writing, "\n");
-    }
-}
-
 /* WL Z2 .. and WTW Z2 .. */
 static void codev_put_light(struct lens_writer *writing, const struct lens_light *light,
                             size_t position)
@@ -224,7 +207,19 @@ void codev_put_positions(struct codev_output *output)
             codev_put_light(writing, &lens->lights[p], p);
         }
         if (lens->points != NULL) {
-            codev_put_points(writing, &lens->points[p], p);
+            /* XAN Z2 .., YAN Z2 .., WTF Z2 .. */
+            for (int what = 0; what < 3; what++) {
+                const char *word =
+                    what < 2 ? codev_field_words[writing->lens->field_kind][what] : "WTF";
+                size_t column = codev_begin_zoom(writing, word, p);
+                for (size_t k = 0; k < lens->points[p].count; k++) {
+                    const struct lens_field *field = &lens->points[p].fields[k];
+                    codev_put_number(writing, &column,
+                                     what < 2 ? codev_coordinate(writing, &field->at[what])
+                                              : writing_weight(writing, field->weight_typed, "1"));
+                }
+                writing_put(writing, "\n");
+            }
         }
     }
     for (size_t i = 0; i < lens->setting_count; i++) {

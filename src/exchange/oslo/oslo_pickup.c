@@ -1,10 +1,8 @@
 /* exchange/oslo/oslo_pickup.c - numbers of an OSLO file that follow those of another surface. */
 /* SPDX-License-Identifier: MIT */
-#include "exchange/oslo/oslo_reading.h"
+#include "exchange/oslo/oslo.h"
 
 #include "file/lens_words.h"
-
-static const struct number_scale plain = {1, 0};
 
 static const struct {
     const char *name;
@@ -17,17 +15,16 @@ static const struct {
                {"AP", SEQUENCE_DIAMETER, 1, true},  {"GLA", SEQUENCE_MEDIUM, 1, false},
                {"TD", SEQUENCE_TURNS, 1, false},    {"TDM", SEQUENCE_TURNS, -1, false}};
 
-bool oslo_reference(struct oslo *oslo, size_t word, size_t *surface, struct error *error)
+bool oslo_reference(struct oslo *oslo, size_t word, size_t *surface)
 {
     const struct command_word found = commands_word(&oslo->commands, word);
     bool is_relative = found.text.length > 0 && found.text.start[0] == '-';
     struct text digits = {found.text.start + is_relative, found.text.length - is_relative};
-    if (!commands_count(&oslo->commands, &found, digits, "number of the surface", 0, surface,
-                        error)) {
+    if (!commands_count(&oslo->commands, &found, digits, "number of the surface", 0, surface)) {
         return false;
     }
     if (is_relative ? *surface > oslo->surface : *surface >= oslo->surface) {
-        return commands_fail(&oslo->commands, &found, error,
+        return commands_fail(&oslo->commands, &found,
                              "a pick-up from surface %zu, which is not before surface %zu",
                              *surface, oslo->surface);
     }
@@ -35,9 +32,8 @@ bool oslo_reference(struct oslo *oslo, size_t word, size_t *surface, struct erro
     return true;
 }
 
-bool oslo_pickup(struct oslo *oslo, int what, struct error *error)
+bool oslo_pickup(struct oslo *oslo)
 {
-    (void)what;
     const struct command_word word = commands_word(&oslo->commands, 1);
     struct sequence_pickup pickup = {.target = oslo->surface, .at = oslo->commands.words[0]};
     size_t found = 0, next = 3;
@@ -50,7 +46,7 @@ bool oslo_pickup(struct oslo *oslo, int what, struct error *error)
         return commands_lose(&oslo->commands, LOSS_OF_RAYS, "the number in the file is kept",
                              "a pick-up that is not known");
     }
-    if (!oslo_reference(oslo, 2, &pickup.source, error)) {
+    if (!oslo_reference(oslo, 2, &pickup.source)) {
         return false;
     }
     pickup.what = pickups[found].what;
@@ -60,19 +56,17 @@ bool oslo_pickup(struct oslo *oslo, int what, struct error *error)
         const struct command_word end = commands_word(&oslo->commands, 3);
         next = 4;
         if (!commands_count(&oslo->commands, &end, end.text, "number of the surface", 0,
-                            &pickup.end, error)) {
+                            &pickup.end)) {
             return false;
         }
         pickup.end = pickup.end == 0 ? oslo->surface : pickup.end;
         if (pickup.end > oslo->surface || pickup.end <= pickup.source) {
-            return commands_fail(&oslo->commands, &end, error, "a length from surface %zu to %zu",
+            return commands_fail(&oslo->commands, &end, "a length from surface %zu to %zu",
                                  pickup.source, pickup.end);
         }
     }
     if (next < oslo->commands.count &&
-        !commands_figure(&oslo->commands, next,
-                         pickups[found].is_length ? oslo->commands.scale : plain, "offset", &offset,
-                         error)) {
+        !commands_figure(&oslo->commands, next, pickups[found].is_length, "offset", &offset)) {
         return false;
     }
     pickup.offset = offset.value;
@@ -80,5 +74,5 @@ bool oslo_pickup(struct oslo *oslo, int what, struct error *error)
         pickup.offset = lens_words_per_length(pickup.offset, oslo->commands.scale, 1);
     }
     sequence_pick_up(&oslo->sequence, pickup);
-    return commands_end(&oslo->commands, next + 1, error);
+    return commands_end(&oslo->commands, next + 1);
 }

@@ -1,6 +1,6 @@
 /* exchange/oslo/oslo_positions.c - what stands behind END in an OSLO file: configurations. */
 /* SPDX-License-Identifier: MIT */
-#include "exchange/oslo/oslo_reading.h"
+#include "exchange/oslo/oslo.h"
 
 #include <string.h>
 
@@ -57,14 +57,14 @@ static size_t setting_of(const struct commands *commands)
     return all;
 }
 
-static bool oslo_positions_read_number(const struct oslo *oslo, size_t word, const char *what,
-                                       size_t least, size_t *number, struct error *error)
+static bool oslo_count(const struct oslo *oslo, size_t word, const char *what, size_t least,
+                       size_t *number)
 {
     const struct command_word found = commands_word(&oslo->commands, word);
-    return commands_count(&oslo->commands, &found, found.text, what, least, number, error);
+    return commands_count(&oslo->commands, &found, found.text, what, least, number);
 }
 
-bool oslo_count_positions(struct oslo *oslo, struct error *error)
+bool oslo_count_positions(struct oslo *oslo)
 {
     const struct text word = oslo->commands.words[0].text;
     const bool in_block = oslo->block == OSLO_CONFIGURATIONS;
@@ -82,12 +82,11 @@ bool oslo_count_positions(struct oslo *oslo, struct error *error)
         return true; /* it is lost, or harmless */
     }
     const size_t place = settings[at].of_surface ? 2 : 1;
-    if (!oslo_positions_read_number(oslo, place, "number of the configuration", 1, &number,
-                                    error)) {
+    if (!oslo_count(oslo, place, "number of the configuration", 1, &number)) {
         return false;
     }
     if (number > MOST_POSITIONS) {
-        return commands_fail(&oslo->commands, &oslo->commands.words[place], error,
+        return commands_fail(&oslo->commands, &oslo->commands.words[place],
                              "more than %d configurations", MOST_POSITIONS);
     }
     oslo->positions = number > oslo->positions && number > 1 ? number : oslo->positions;
@@ -95,7 +94,7 @@ bool oslo_count_positions(struct oslo *oslo, struct error *error)
 }
 
 /* A distance that follows another surface's and is set anew: which of the two rules? */
-static bool oslo_positions_is_followed(const struct oslo *oslo, size_t surface)
+static bool is_picked_up(const struct oslo *oslo, size_t surface)
 {
     bool is = false;
     for (size_t i = 0; i < oslo->sequence.pickup_count; i++) {
@@ -105,7 +104,7 @@ static bool oslo_positions_is_followed(const struct oslo *oslo, size_t surface)
     return is;
 }
 
-bool oslo_place(struct oslo *oslo, bool *is_here, struct error *error)
+bool oslo_place(struct oslo *oslo, bool *is_here)
 {
     struct commands *commands = &oslo->commands;
     const size_t at = setting_of(commands);
@@ -116,17 +115,15 @@ bool oslo_place(struct oslo *oslo, bool *is_here, struct error *error)
                              "a setting of a configuration that is not known");
     }
     const size_t gone = settings[at].of_surface ? 2 : 1;
-    if (!oslo_positions_read_number(oslo, gone, "number of the configuration", 1, &position,
-                                    error) ||
-        (gone == 2 &&
-         !oslo_positions_read_number(oslo, 1, "number of the surface", 0, &surface, error))) {
+    if (!oslo_count(oslo, gone, "number of the configuration", 1, &position) ||
+        (gone == 2 && !oslo_count(oslo, 1, "number of the surface", 0, &surface))) {
         return false;
     }
     if (surface >= oslo->sequence.count) {
-        return commands_fail(commands, &commands->words[1], error, "surface %zu of %zu", surface,
+        return commands_fail(commands, &commands->words[1], "surface %zu of %zu", surface,
                              oslo->sequence.count - 1);
     }
-    if (gone == 2 && oslo_positions_is_followed(oslo, surface)) {
+    if (gone == 2 && is_picked_up(oslo, surface)) {
         return commands_lose(commands, LOSS_OF_RAYS, NULL,
                              "a setting of a configuration, of a surface that follows another");
     }

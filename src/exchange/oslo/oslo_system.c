@@ -1,6 +1,7 @@
 /* exchange/oslo/oslo_system.c - what an OSLO file says of the whole lens, and its glasses. */
 /* SPDX-License-Identifier: MIT */
-#include "exchange/oslo/oslo_reading.h"
+#include "exchange/keep_notes.h"
+#include "exchange/oslo/oslo.h"
 #include "exchange/own_glass.h"
 #include "file/decimal.h"
 #include "file/lens_words.h"
@@ -12,12 +13,10 @@
 #include <math.h>
 #include <string.h>
 
-static const struct number_scale plain = {1, 0};
-
-bool oslo_unit(struct oslo *oslo, struct error *error)
+bool oslo_unit(struct oslo *oslo)
 {
     struct figure figure;
-    if (!commands_figure(&oslo->commands, 1, plain, "unit in mm", &figure, error)) {
+    if (!commands_figure(&oslo->commands, 1, false, "unit in mm", &figure)) {
         return false;
     }
     const char *legal = "";
@@ -31,15 +30,15 @@ bool oslo_unit(struct oslo *oslo, struct error *error)
         legal =
             arena_printf(oslo->job->arena, "%s%s%g", legal, i > 0 ? ", " : "", lens_unit_mm(unit));
     }
-    return commands_fail(&oslo->commands, &oslo->commands.words[1], error,
+    return commands_fail(&oslo->commands, &oslo->commands.words[1],
                          "a unit of %g mm: it is one of %s", figure.value.hi, legal);
 }
 
-static bool check_wave(struct oslo *oslo, size_t word, bool is_weight, struct error *error)
+static bool check_wave(struct oslo *oslo, size_t word, bool is_weight)
 {
     struct figure figure;
-    if (!commands_figure(&oslo->commands, word, plain, is_weight ? "weight" : "wavelength", &figure,
-                         error)) {
+    if (!commands_figure(&oslo->commands, word, false, is_weight ? "weight" : "wavelength",
+                         &figure)) {
         return false;
     }
     if (is_weight
@@ -48,23 +47,25 @@ static bool check_wave(struct oslo *oslo, size_t word, bool is_weight, struct er
         return true;
     }
     const struct command_word at = commands_word(&oslo->commands, word);
-    return commands_fail(&oslo->commands, &at, error,
+    return commands_fail(&oslo->commands, &at,
                          is_weight ? "a weight is not below 0"
                                    : "the wavelength is not within 1 nm to 100 mm");
 }
 
-static bool oslo_system_read_list(struct oslo *oslo, bool is_weight, struct error *error)
+/* WV a b c, WW 1 1 1 */
+bool oslo_list(struct oslo *oslo)
 {
     struct commands *commands = &oslo->commands;
+    const bool is_weight = oslo->what != 0;
     size_t count = commands->count - 1;
     if (count > OSLO_MOST_WAVES) {
-        return commands_fail(commands, &commands->words[0], error, "more than %d wavelengths",
+        return commands_fail(commands, &commands->words[0], "more than %d wavelengths",
                              OSLO_MOST_WAVES);
     }
     struct text *all = is_weight ? oslo->weights : oslo->waves;
     for (size_t i = 0; i < count; i++) {
         all[i] = commands->words[i + 1].text;
-        if (!check_wave(oslo, i + 1, is_weight, error)) {
+        if (!check_wave(oslo, i + 1, is_weight)) {
             return false;
         }
     }
@@ -73,32 +74,20 @@ static bool oslo_system_read_list(struct oslo *oslo, bool is_weight, struct erro
     return true;
 }
 
-bool oslo_waves(struct oslo *oslo, int what, struct error *error)
-{
-    (void)what;
-    return oslo_system_read_list(oslo, false, error);
-}
-
-bool oslo_weights(struct oslo *oslo, int what, struct error *error)
-{
-    (void)what;
-    return oslo_system_read_list(oslo, true, error);
-}
-
 /* WV2 and WW2: one more, or another one in place of what there is. */
-static bool oslo_system_read_entry(struct oslo *oslo, bool is_weight, struct error *error)
+bool oslo_entry(struct oslo *oslo)
 {
+    const bool is_weight = oslo->what != 0;
     const struct command_word *word = &oslo->commands.words[0];
     const struct text digits = {word->text.start + 2, word->text.length - 2};
     size_t *count = is_weight ? &oslo->weight_count : &oslo->wave_count, number;
-    if (!commands_count(&oslo->commands, word, digits, "number of the wavelength", 1, &number,
-                        error) ||
-        !check_wave(oslo, 1, is_weight, error) || !commands_end(&oslo->commands, 2, error)) {
+    if (!commands_count(&oslo->commands, word, digits, "number of the wavelength", 1, &number) ||
+        !check_wave(oslo, 1, is_weight) || !commands_end(&oslo->commands, 2)) {
         return false;
     }
     if (number > *count + 1 || number > OSLO_MOST_WAVES) {
-        return commands_fail(&oslo->commands, word, error, "number %zu behind %zu wavelengths",
-                             number, *count);
+        return commands_fail(&oslo->commands, word, "number %zu behind %zu wavelengths", number,
+                             *count);
     }
     struct text *all = is_weight ? oslo->weights : oslo->waves;
     all[number - 1] = oslo->commands.words[1].text;
@@ -106,18 +95,8 @@ static bool oslo_system_read_entry(struct oslo *oslo, bool is_weight, struct err
     return true;
 }
 
-bool oslo_wave(struct oslo *oslo, struct error *error)
-{
-    return oslo_system_read_entry(oslo, false, error);
-}
-
-bool oslo_weight(struct oslo *oslo, struct error *error)
-{
-    return oslo_system_read_entry(oslo, true, error);
-}
-
 /* May it be the name of a glass before its indices, rather than a number gone wrong? */
-static bool oslo_system_is_name(const struct command_word *word)
+static bool names_glass(const struct command_word *word)
 {
     const struct text text = word->text;
     return word->is_quoted ||
@@ -125,35 +104,16 @@ static bool oslo_system_is_name(const struct command_word *word)
             !text_same(text, "inf") && !text_same(text, "infinity"));
 }
 
-/* {0.58756um 1.6201, 0.48613um 1.6272}, or one number where all are the same. */
-static const char *oslo_system_table_of(const struct oslo *oslo, size_t first, size_t count)
-{
-    static const char *const usual[] = {"0.58756", "0.48613", "0.65627"};
-    const struct command_word *words = &oslo->commands.words[first];
-    struct arena *arena = oslo->job->arena;
-    bool same = true;
-    const char *table = "{";
-    for (size_t i = 0; i < count; i++) {
-        const struct text wave = oslo->wave_count > 0 ? oslo->waves[i] : text_of(usual[i]);
-        same = same && text_identical(words[i].text, words[0].text);
-        table = arena_printf(arena, "%s%s%.*sum %.*s", table, i > 0 ? ", " : "", (int)wave.length,
-                             wave.start, (int)words[i].text.length, words[i].text.start);
-    }
-    return same ? arena_string(arena, words[0].text.start, words[0].text.length)
-                : arena_printf(arena, "%s}", table);
-}
-
 /* Is it Vd rather than a second index? */
 static bool is_abbe(struct text text)
 {
     double value = 0;
-    text_number(text, plain, &value);
+    text_number(text, NUMBER_UNSCALED, &value);
     return value >= 10;
 }
 
 /* The indices at the wavelengths in force; a number before them is the glass's name. */
-static bool oslo_system_read_indices(struct oslo *oslo, size_t first, bool is_model,
-                                     struct error *error)
+static bool oslo_indices(struct oslo *oslo, size_t first, bool is_model)
 {
     struct commands *commands = &oslo->commands;
     size_t waves = oslo->wave_count > 0 ? oslo->wave_count : 3;
@@ -162,7 +122,7 @@ static bool oslo_system_read_indices(struct oslo *oslo, size_t first, bool is_mo
     const char *written;
     for (size_t i = 0; i < count; i++) {
         struct figure index;
-        if (!commands_figure(commands, first + i, plain, "index", &index, error)) {
+        if (!commands_figure(commands, first + i, false, "index", &index)) {
             return false;
         }
     }
@@ -176,13 +136,25 @@ static bool oslo_system_read_indices(struct oslo *oslo, size_t first, bool is_mo
         written = arena_printf(oslo->job->arena, "%.*s/%.*s", (int)word->text.length,
                                word->text.start, (int)word[1].text.length, word[1].text.start);
     } else if (count != waves) {
-        return commands_fail(commands, word, error, "%zu indices for %zu wavelengths", count,
-                             waves);
+        return commands_fail(commands, word, "%zu indices for %zu wavelengths", count, waves);
     } else {
-        written = oslo_system_table_of(oslo, first, count);
+        /* {0.58756um 1.6201, 0.48613um 1.6272}, or one number where all are the same. */
+        static const char *const usual[] = {"0.58756", "0.48613", "0.65627"};
+        const struct command_word *words = &oslo->commands.words[first];
+        struct arena *arena = oslo->job->arena;
+        bool same = true;
+        const char *table = "{";
+        for (size_t k = 0; k < count; k++) {
+            const struct text wave = oslo->wave_count > 0 ? oslo->waves[k] : text_of(usual[k]);
+            same = same && text_identical(words[k].text, words[0].text);
+            table =
+                arena_printf(arena, "%s%s%.*sum %.*s", table, k > 0 ? ", " : "", (int)wave.length,
+                             wave.start, (int)words[k].text.length, words[k].text.start);
+        }
+        written = same ? arena_string(arena, words[0].text.start, words[0].text.length)
+                       : arena_printf(arena, "%s}", table);
     }
-    return sequence_medium(commands, word, written, &oslo->sequence.surfaces[oslo->surface].medium,
-                           error);
+    return sequence_medium(commands, word, written, &oslo->sequence.surfaces[oslo->surface].medium);
 }
 
 /* The glass that lenscalc has kept for this surface, if the file still has its name. */
@@ -205,9 +177,10 @@ static bool is_kept(const struct oslo *oslo, struct text word, struct foreign_na
  * A glass by name; those of Ohara and Hoya have a letter in front, those of Schott have none. False
  * with ERROR_NONE where there is none.
  */
-static bool oslo_system_catalog_glass(struct oslo *oslo, const struct command_word *word,
-                                      struct medium *medium, struct error *error)
+static bool oslo_named_glass(struct oslo *oslo, const struct command_word *word,
+                             struct medium *medium)
 {
+    struct error *error = oslo->commands.error;
     static const struct {
         const char *prefix, *catalog;
     } makers[] = {{"O_", "OHARA"}, {"H_", "HOYA"}, {"", "SCHOTT"}, {"", NULL}};
@@ -239,16 +212,15 @@ static bool oslo_system_catalog_glass(struct oslo *oslo, const struct command_wo
     return false;
 }
 
-static bool oslo_system_find_glass(struct oslo *oslo, const struct command_word *word,
-                                   struct error *error)
+static bool oslo_find_glass(struct oslo *oslo, const struct command_word *word)
 {
     const struct file_words place = commands_place(&oslo->commands, word);
     struct medium *medium = &oslo->sequence.surfaces[oslo->surface].medium;
-    error->code = ERROR_NONE;
-    if (oslo_system_catalog_glass(oslo, word, medium, error)) {
+    oslo->commands.error->code = ERROR_NONE;
+    if (oslo_named_glass(oslo, word, medium)) {
         return true;
     }
-    return error->code == ERROR_NONE &&
+    return oslo->commands.error->code == ERROR_NONE &&
            foreign_lack(oslo->job, &place, word->text, medium,
                         arena_printf(oslo->job->arena, "glass '%.*s' is in no catalogue",
                                      (int)(word->text.length < 60 ? word->text.length : 60),
@@ -256,8 +228,9 @@ static bool oslo_system_find_glass(struct oslo *oslo, const struct command_word 
 }
 
 /* Indices behind a name, which may be that of a catalogue's glass. */
-static bool compare_named(struct oslo *oslo, const struct command_word *word, struct error *error)
+static bool compare_named(struct oslo *oslo, const struct command_word *word)
 {
+    struct error *error = oslo->commands.error;
     static const double usual[] = {WAVELENGTH_D, 0.48613, 0.65627};
     const size_t count = oslo->wave_count > 0 ? oslo->wave_count : 3;
     double *wavelengths = ARENA_ARRAY(oslo->job->arena, count, double);
@@ -275,19 +248,19 @@ static bool compare_named(struct oslo *oslo, const struct command_word *word, st
         wavelengths[i] = usual[i < 3 ? i : 0];
         if (oslo->wave_count > 0) {
             const struct text um = oslo->waves[i];
-            text_number(um, plain, &wavelengths[i]);
+            text_number(um, NUMBER_UNSCALED, &wavelengths[i]);
         }
     }
     for (const struct command_word *one = word + 1;
          one < oslo->commands.words + oslo->commands.count; one++) {
-        if (!commands_figure(&oslo->commands, (size_t)(one - oslo->commands.words), plain, "index",
-                             &index, error)) {
+        if (!commands_figure(&oslo->commands, (size_t)(one - oslo->commands.words), false, "index",
+                             &index)) {
             return false;
         }
         own.rounding = fmax(own.rounding, own_glass_rounding(&index));
     }
     error->code = ERROR_NONE;
-    if (oslo_system_catalog_glass(oslo, word, &found, error)) {
+    if (oslo_named_glass(oslo, word, &found)) {
         own_glass_compare(&own, &found, &oslo->sequence.surfaces[oslo->surface].medium);
         return true;
     }
@@ -296,53 +269,43 @@ static bool compare_named(struct oslo *oslo, const struct command_word *word, st
     return error->code == ERROR_NONE;
 }
 
-bool oslo_glass(struct oslo *oslo, int what, struct error *error)
+bool oslo_glass(struct oslo *oslo)
 {
-    (void)what;
     struct sequence_surface *surface = &oslo->sequence.surfaces[oslo->surface];
     bool is_model = text_same(commands_word(&oslo->commands, 1).text, "MOD");
     size_t first = is_model ? 2 : 1;
     const struct command_word word = commands_word(&oslo->commands, first);
     surface->reflects = false;
     if (word.text.length == 0) {
-        return commands_fail(&oslo->commands, &word, error, "the glass is missing");
+        return commands_fail(&oslo->commands, &word, "the glass is missing");
     }
     const bool has_indices = first + 1 < oslo->commands.count;
     double number;
-    if (text_number(word.text, plain, &number) || (has_indices && !oslo_system_is_name(&word))) {
-        return oslo_system_read_indices(oslo, first, is_model, error);
+    if (text_number(word.text, NUMBER_UNSCALED, &number) || (has_indices && !names_glass(&word))) {
+        return oslo_indices(oslo, first, is_model);
     }
     if (has_indices) {
-        return oslo_system_read_indices(oslo, first + 1, is_model, error) &&
-               compare_named(oslo, &oslo->commands.words[first], error);
+        return oslo_indices(oslo, first + 1, is_model) &&
+               compare_named(oslo, &oslo->commands.words[first]);
     }
-    return oslo_system_find_glass(oslo, &oslo->commands.words[first], error);
-}
-
-static void oslo_system_finish_waves(struct oslo *oslo)
-{
-    for (size_t i = 0; i < oslo->wave_count; i++) {
-        sequence_add_wave(&oslo->sequence, oslo->waves[i], "um",
-                          i < oslo->weight_count ? oslo->weights[i] : text_of("1"));
-    }
+    return oslo_find_glass(oslo, &oslo->commands.words[first]);
 }
 
 /* F n y x z yr xr y1 y2 x1 x2 weight: fractions of the field, and limits of the pupil. */
-bool oslo_point(struct oslo *oslo, int what, struct error *error)
+bool oslo_point(struct oslo *oslo)
 {
-    (void)what;
     static const double usual[] = {0, 0, 0, 0, 0, -1, 1, -1, 1};
     struct oslo_point point = {.weight = {.value = {1, 0}}};
     struct figure figure;
     if (oslo->point_count == OSLO_MOST_WAVES) {
-        return commands_fail(&oslo->commands, &oslo->commands.words[0], error,
+        return commands_fail(&oslo->commands, &oslo->commands.words[0],
                              "more than %d points of the field", OSLO_MOST_WAVES);
     }
-    if (!commands_figure(&oslo->commands, 2, plain, "point of the field", &point.at[1], error)) {
+    if (!commands_figure(&oslo->commands, 2, false, "point of the field", &point.at[1])) {
         return false;
     }
     for (size_t i = 3; i < oslo->commands.count && i < 12; i++) {
-        if (!commands_figure(&oslo->commands, i, plain, "point of the field", &figure, error)) {
+        if (!commands_figure(&oslo->commands, i, false, "point of the field", &figure)) {
             return false;
         }
         point.at[0] = i == 3 ? figure : point.at[0];
@@ -353,46 +316,46 @@ bool oslo_point(struct oslo *oslo, int what, struct error *error)
         }
     }
     oslo->points[oslo->point_count++] = point;
-    return point.weight.value.hi >= 0 || commands_fail(&oslo->commands, &oslo->commands.words[0],
-                                                       error, "a weight is not below 0");
+    return point.weight.value.hi >= 0 ||
+           commands_fail(&oslo->commands, &oslo->commands.words[0], "a weight is not below 0");
 }
 
-bool oslo_telecentric(struct oslo *oslo, int what, struct error *error)
+bool oslo_telecentric(struct oslo *oslo)
 {
     const struct command_word word = commands_word(&oslo->commands, 1);
     const bool on = text_same(word.text, "ON") || text_equal(word.text, "1");
-    (void)what;
     oslo->build.lens->is_telecentric = on;
     return on || text_same(word.text, "OFF") || text_equal(word.text, "0") ||
-           commands_fail(&oslo->commands, &word, error, "expected ON or OFF here");
+           commands_fail(&oslo->commands, &word, "expected ON or OFF here");
 }
 
 /* The mode of aberrations: AFO of an afocal image, by angles; FOC of one in a plane. */
-bool oslo_mode(struct oslo *oslo, int what, struct error *error)
+bool oslo_mode(struct oslo *oslo)
 {
     const struct command_word word = commands_word(&oslo->commands, 1);
-    (void)what, (void)error;
     oslo->sequence.is_afocal = text_same(word.text, "AFO");
     return oslo->sequence.is_afocal || text_same(word.text, "FOC") || text_same(word.text, "TRA") ||
            commands_lose(&oslo->commands, LOSS_OF_RAYS, NULL,
                          "a mode of aberrations that is not known");
 }
 
-bool oslo_fields(struct oslo *oslo, struct text line, struct error *error)
+/* The fields of a kept note that lenscalc wrote. */
+static bool oslo_fields(struct oslo *oslo, struct text line)
 {
     struct lens *lens = oslo->build.lens;
     struct file_words words = {.source = oslo->job->source,
+                               .error = oslo->commands.error,
                                .line = line,
                                .at = line.start,
                                .scale = oslo->commands.scale,
                                .arena = oslo->job->arena};
     return lens->field_kind == FIELD_NONE ||
-           lens_words_fields(&words, lens->field_kind, &lens->fields, &lens->field_count, error);
+           lens_words_fields(&words, lens->field_kind, &lens->fields, &lens->field_count);
 }
 
 /* A fraction of the largest field; of an angle that of its tangent. */
-static struct figure oslo_system_part_of(const struct oslo *oslo, enum field_kind kind,
-                                         const struct figure *edge, double fraction)
+static struct figure part_of_field(const struct oslo *oslo, enum field_kind kind,
+                                   const struct figure *edge, double fraction)
 {
     struct arena *arena = oslo->job->arena;
     if (fraction == 0) {
@@ -412,14 +375,14 @@ static struct figure oslo_system_part_of(const struct oslo *oslo, enum field_kin
 }
 
 /* The points of the field; without any its axis and its edge. */
-static void oslo_system_put_fields(struct oslo *oslo, enum field_kind kind, struct figure edge)
+static void oslo_put_fields(struct oslo *oslo, enum field_kind kind, struct figure edge)
 {
     oslo->build.lens->field_kind = kind;
     for (size_t i = 0; i < oslo->point_count; i++) {
         const struct oslo_point *point = &oslo->points[i];
         struct lens_field *field = lens_build_field(&oslo->build);
         for (int axis = 0; axis < 2; axis++) {
-            field->at[axis] = oslo_system_part_of(oslo, kind, &edge, point->at[axis].value.hi);
+            field->at[axis] = part_of_field(oslo, kind, &edge, point->at[axis].value.hi);
         }
         if (point->weight.value.hi != 1) {
             field->weight = point->weight.value.hi;
@@ -435,25 +398,6 @@ static void oslo_system_put_fields(struct oslo *oslo, enum field_kind kind, stru
     }
 }
 
-/* An object's height at infinity is an angle: tan w = -height/distance. */
-static void oslo_system_finish_field(struct oslo *oslo, bool is_infinite)
-{
-    struct figure edge = oslo->field;
-    if (oslo->field_is == OSLO_IMAGE) {
-        oslo_system_put_fields(oslo, FIELD_IMAGE, edge);
-    } else if (oslo->field_is == OSLO_OBJECT && !is_infinite) {
-        oslo_system_put_fields(oslo, FIELD_HEIGHT, edge);
-    } else if (oslo->field_is != OSLO_NO_FIELD) {
-        if (oslo->field_is == OSLO_OBJECT) {
-            double distance = oslo->sequence.surfaces[0].thickness.value.hi;
-            edge =
-                figure_of(atan(-edge.value.hi / distance) / RADIANS_PER_DEGREE, oslo->job->arena);
-        }
-        edge.value = pair_multiply(edge.value, pair_of(RADIANS_PER_DEGREE));
-        oslo_system_put_fields(oslo, FIELD_ANGLE, edge);
-    }
-}
-
 void oslo_finish_system(struct oslo *oslo)
 {
     struct lens *lens = oslo->build.lens;
@@ -462,8 +406,24 @@ void oslo_finish_system(struct oslo *oslo)
         pair_multiply(distance->value, lens_words_per_length(pair_of(1), oslo->commands.scale, 1));
     bool is_infinite = fabs(units.hi) >= oslo->commands.grammar->infinity;
     const bool is_beam = lens->aperture_kind == APERTURE_EPD;
-    oslo_system_finish_waves(oslo);
-    oslo_system_finish_field(oslo, is_infinite);
+    for (size_t i = 0; i < oslo->wave_count; i++) {
+        sequence_add_wave(&oslo->sequence, oslo->waves[i], "um",
+                          i < oslo->weight_count ? oslo->weights[i] : text_of("1"));
+    }
+    /* An object's height at infinity is an angle: tan w = -height/distance. */
+    struct figure edge = oslo->field;
+    if (oslo->field_is == OSLO_IMAGE) {
+        oslo_put_fields(oslo, FIELD_IMAGE, edge);
+    } else if (oslo->field_is == OSLO_OBJECT && !is_infinite) {
+        oslo_put_fields(oslo, FIELD_HEIGHT, edge);
+    } else if (oslo->field_is != OSLO_NO_FIELD) {
+        if (oslo->field_is == OSLO_OBJECT) {
+            double far = oslo->sequence.surfaces[0].thickness.value.hi;
+            edge = figure_of(atan(-edge.value.hi / far) / RADIANS_PER_DEGREE, oslo->job->arena);
+        }
+        edge.value = pair_multiply(edge.value, pair_of(RADIANS_PER_DEGREE));
+        oslo_put_fields(oslo, FIELD_ANGLE, edge);
+    }
     if (!is_infinite && (is_beam || lens->aperture_kind == APERTURE_FNUMBER)) {
         oslo->near_aperture = is_beam ? PUPIL_BEAM_RADIUS : PUPIL_WORKING_FNUMBER;
         oslo->near_value = is_beam ? lens->aperture.value.hi / 2 : lens->aperture.value.hi;
@@ -485,4 +445,65 @@ void oslo_finish_aperture(struct oslo *oslo)
                       "%.*s: an aperture that no entrance pupil gives",
                       text_shown(oslo->aperture.text), oslo->aperture.text.start);
     }
+}
+
+/* Cut off the number of a surface; FOREIGN_MOST_SURFACES where there is none. */
+static size_t cut_surface_number(struct text *rest)
+{
+    size_t number = 0;
+    for (struct text digits = text_cut(rest, ' '); digits.length > 0; digits.length--) {
+        bool is_digit = digits.start[0] >= '0' && digits.start[0] <= '9';
+        number = is_digit && number < FOREIGN_MOST_SURFACES
+                     ? 10 * number + (size_t)(digits.start[0] - '0')
+                     : FOREIGN_MOST_SURFACES;
+        digits.start++;
+    }
+    return number < FOREIGN_MOST_SURFACES ? number : FOREIGN_MOST_SURFACES;
+}
+
+/* 3 CDGM:H-K9L */
+void oslo_kept_glasses(struct oslo *oslo, struct text content)
+{
+    for (struct text rest = content; rest.start != NULL;) {
+        const struct text line = text_trim(text_cut(&rest, '\n'));
+        struct text glass = text_behind(line, OSLO_KEEP_NOTE OSLO_GLASS);
+        size_t number = glass.start != NULL ? cut_surface_number(&glass) : FOREIGN_MOST_SURFACES;
+        if (number < FOREIGN_MOST_SURFACES && glass.start != NULL) {
+            oslo->glasses[number] = glass;
+        }
+    }
+}
+
+/* 3 front: the name of surface 3 */
+static void name_surface(struct oslo *oslo, struct text rest)
+{
+    size_t number = cut_surface_number(&rest);
+    if (number < oslo->sequence.count && rest.length > 0) {
+        oslo->sequence.surfaces[number].name = lens_build_string(&oslo->build, rest);
+    }
+}
+
+bool oslo_keep_notes(struct oslo *oslo, struct text content)
+{
+    struct lens *lens = oslo->build.lens;
+    struct keep_notes notes = {0};
+    for (struct text rest = content; rest.start != NULL;) {
+        const struct text line = text_trim(text_cut(&rest, '\n'));
+        const struct text kept = text_behind(line, OSLO_KEEP_NOTE);
+        const struct text fields = text_behind(kept, OSLO_FIELDS);
+        const struct text name = text_behind(kept, OSLO_NAME);
+        if (fields.start != NULL && !oslo_fields(oslo, fields)) {
+            return false;
+        }
+        if (text_equal(kept, OSLO_STOP_RULES)) {
+            lens->aperture_kind = APERTURE_STOP;
+            lens->aperture = (struct figure){.typed = text_of("stop"), .variable = LENS_NONE};
+        } else if (name.start != NULL) {
+            name_surface(oslo, name);
+        } else if (kept.start != NULL) {
+            keep_notes_take(&notes, kept);
+        }
+    }
+    keep_notes_apply(&notes, &oslo->build);
+    return true;
 }

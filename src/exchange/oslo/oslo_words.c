@@ -1,6 +1,6 @@
 /* exchange/oslo/oslo_words.c - every command of an OSLO file, and what becomes of it. */
 /* SPDX-License-Identifier: MIT */
-#include "exchange/oslo/oslo_reading.h"
+#include "exchange/oslo/oslo.h"
 
 const struct word_group oslo_words[] = {
     {WORD_KEPT, "system", "begin, unit, end", "LEN UNI END", 0},

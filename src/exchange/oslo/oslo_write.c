@@ -26,7 +26,7 @@ static void oslo_put_text(struct lens_writer *writing, const char *name, const c
     }
 }
 
-static void oslo_put_system_aperture(struct lens_writer *writing)
+static void oslo_put_beam(struct lens_writer *writing)
 {
     const struct lens *lens = writing->lens;
     const enum aperture_kind kind = lens->aperture_kind;
@@ -157,45 +157,7 @@ static void oslo_put_points(struct lens_writer *writing)
     writing_put(writing, "END %zu\n", lens->field_count);
 }
 
-static void oslo_put_header(struct lens_writer *writing)
-{
-    const struct lens *lens = writing->lens;
-    writing_put(writing, "// OSLO 6.6 0 0 0\n");
-    keep_notes_write(&writing->text, lens, writing->scale, OSLO_KEEP_NOTE, "\n");
-    oslo_put_text(writing, "LEN NEW", lens->title != NULL ? lens->title : "");
-    writing_put(writing, " 100 %zu\n", lens->surface_count + 1);
-    oslo_put_system_aperture(writing);
-    oslo_put_field(writing);
-    growing_string(&writing->text, lens->is_telecentric ? "TELE ON\n" : "");
-    growing_string(&writing->text, lens->focus == FOCUS_AFOCAL ? "AMO AFO\n" : "");
-    writing_put(writing, "DES \"\"\nUNI %.1f\n", lens_unit_mm(writing->unit));
-    for (size_t i = 0; i < lens->note_count && i < 10; i++) {
-        oslo_put_text(writing, arena_printf(writing->arena, "SNO%zu", i + 1), lens->notes[i]);
-        writing_put(writing, "\n");
-    }
-    if (lens->note_count > 10) {
-        foreign_lose(writing->job, LOSS_OF_RAYS, NULL, "more than ten notes");
-    }
-}
-
 /* -------- media -------- */
-
-/* Indices at the wavelengths of a table. */
-static void oslo_put_indices(struct oslo_output *output, const struct medium *medium)
-{
-    struct lens_writer *writing = &output->writing;
-    writing_put(writing, "WV");
-    for (size_t i = 0; i < medium->point_count; i++) {
-        writing_put(writing, " %s",
-                    writing_wave(writing, medium->points[i].wavelength, text_of(""), 0));
-    }
-    writing_put(writing, "\nGLA MOD MODEL%zu", ++output->models);
-    for (size_t i = 0; i < medium->point_count; i++) {
-        const struct figure figure = {.value = medium->points[i].index, .variable = LENS_NONE};
-        writing_put(writing, " %s", writing_length(writing, &figure, 0));
-    }
-    writing_put(writing, "\n");
-}
 
 /* The letter of its maker before a name; of a maker that has none the catalogue is kept. */
 static void oslo_put_glass(struct oslo_output *output, const struct medium *medium)
@@ -226,7 +188,18 @@ static void oslo_put_medium(struct oslo_output *output, const struct medium *med
     if (medium_is_air(medium)) {
         writing_put(writing, "AIR\n");
     } else if (medium->kind == MEDIUM_TABLE) {
-        oslo_put_indices(output, medium);
+        /* Indices at the wavelengths of a table. */
+        writing_put(writing, "WV");
+        for (size_t i = 0; i < medium->point_count; i++) {
+            writing_put(writing, " %s",
+                        writing_wave(writing, medium->points[i].wavelength, text_of(""), 0));
+        }
+        writing_put(writing, "\nGLA MOD MODEL%zu", ++output->models);
+        for (size_t i = 0; i < medium->point_count; i++) {
+            const struct figure figure = {.value = medium->points[i].index, .variable = LENS_NONE};
+            writing_put(writing, " %s", writing_length(writing, &figure, 0));
+        }
+        writing_put(writing, "\n");
     } else if (medium->kind == MEDIUM_MODEL) {
         writing_put(writing, "WV 0.58756 0.48613 0.65627\nGLA MOD %.*s %.*s\n", (int)index.length,
                     index.start, (int)abbe.length, abbe.start);
@@ -239,7 +212,7 @@ static void oslo_put_medium(struct oslo_output *output, const struct medium *med
 
 /* -------- surfaces -------- */
 
-static void oslo_put_coefficients(struct lens_writer *writing, const struct surface *surface)
+static void oslo_put_terms(struct lens_writer *writing, const struct surface *surface)
 {
     static const char *const words[] = {NULL, "AD", "AE", "AF", "AG"};
     bool odd = surface_odd(surface) != 0, general = (surface->coefficients & ~0x1eu) != 0;
@@ -257,31 +230,13 @@ static void oslo_put_coefficients(struct lens_writer *writing, const struct surf
     }
 }
 
-static void oslo_put_displacement(struct lens_writer *writing, const struct displacement *all,
-                                  bool back)
+static void oslo_put_turns(struct lens_writer *writing, const struct displacement *all, bool back)
 {
     writing_put(writing, "DT 1\nDCX %s\nDCY %s\nTLA %s\nTLB %s\nTLC %s\n%s",
                 writing_length(writing, &all->decenter[0], 1),
                 writing_length(writing, &all->decenter[1], 1),
                 writing_turned(writing, &all->tilt[0]), writing_turned(writing, &all->tilt[1]),
                 writing_degrees(writing, &all->tilt[2]), back ? "RCO\n" : "");
-}
-
-static void oslo_put_shape(struct lens_writer *writing, const struct surface *surface)
-{
-    if (surface->has_curvature) {
-        writing_put(writing, "CV %s\n", writing_length(writing, &surface->curvature, -1));
-    } else if (!surface->is_plane) {
-        writing_put(writing, "RD %s\n", writing_length(writing, &surface->radius, 1));
-    }
-    if (surface->conic.typed.start != NULL || surface->conic.value.hi != 0) {
-        writing_put(writing, "CC %s\n", writing_length(writing, &surface->conic, 0));
-    }
-    oslo_put_coefficients(writing, surface);
-    if (!surface_is_round(surface)) {
-        foreign_lose(writing->job, LOSS_OF_RAYS, "written as curved in both sections",
-                     "a cylinder");
-    }
 }
 
 /* ATP; 0: there is no such type. */
@@ -306,30 +261,8 @@ static void oslo_put_place(struct lens_writer *writing, const char *name, char l
     writing_put(writing, "%s %c %s\n", name, letter, writing_length(writing, &figure, 1));
 }
 
-static void oslo_put_aperture(struct lens_writer *writing, const struct aperture *aperture,
-                              char letter)
-{
-    static const char *const edges[2][2] = {{"AX1", "AX2"}, {"AY1", "AY2"}};
-    const struct pair *centres[] = {&aperture->decenter[0].value, &aperture->decenter[1].value};
-    writing_put(writing, "ATP %c %d\nAAC %c %d\n", letter, oslo_aperture_type(aperture), letter,
-                aperture->blocks ? 2 : 4);
-    for (size_t i = 0; i < aperture->point_count; i++) {
-        for (int k = 0; k < 2; k++) {
-            const char *name = arena_printf(writing->arena, "AV%c%zu", "XY"[k], i + 1);
-            oslo_put_place(writing, name, letter,
-                           pair_add(*centres[k], aperture->points[i][k].value));
-        }
-    }
-    for (int k = 0; k < 2 && aperture->point_count == 0; k++) {
-        const int of = aperture->shape == SHAPE_CIRCLE ? 0 : k;
-        const struct pair half = {aperture->size[of].value.hi / 2, aperture->size[of].value.lo / 2};
-        oslo_put_place(writing, edges[k][0], letter, pair_subtract(*centres[k], half));
-        oslo_put_place(writing, edges[k][1], letter, pair_add(*centres[k], half));
-    }
-}
-
 /* What passes or blocks light, as special apertures. */
-static void oslo_put_apertures(struct lens_writer *writing, const struct surface *surface)
+static void oslo_write_apertures(struct lens_writer *writing, const struct surface *surface)
 {
     enum { MOST = 26 }; /* letters */
     int count = 0, put = 0;
@@ -342,7 +275,24 @@ static void oslo_put_apertures(struct lens_writer *writing, const struct surface
     for (size_t i = 0; i < surface->aperture_count; i++) {
         const struct aperture *one = &surface->apertures[i];
         if (oslo_aperture_type(one) != 0 && put < MOST) {
-            oslo_put_aperture(writing, one, (char)('A' + put++));
+            const char letter = (char)('A' + put++);
+            static const char *const edges[2][2] = {{"AX1", "AX2"}, {"AY1", "AY2"}};
+            const struct pair *centres[] = {&one->decenter[0].value, &one->decenter[1].value};
+            writing_put(writing, "ATP %c %d\nAAC %c %d\n", letter, oslo_aperture_type(one), letter,
+                        one->blocks ? 2 : 4);
+            for (size_t j = 0; j < one->point_count; j++) {
+                for (int k = 0; k < 2; k++) {
+                    const char *name = arena_printf(writing->arena, "AV%c%zu", "XY"[k], j + 1);
+                    oslo_put_place(writing, name, letter,
+                                   pair_add(*centres[k], one->points[j][k].value));
+                }
+            }
+            for (int k = 0; k < 2 && one->point_count == 0; k++) {
+                const int of = one->shape == SHAPE_CIRCLE ? 0 : k;
+                const struct pair half = {one->size[of].value.hi / 2, one->size[of].value.lo / 2};
+                oslo_put_place(writing, edges[k][0], letter, pair_subtract(*centres[k], half));
+                oslo_put_place(writing, edges[k][1], letter, pair_add(*centres[k], half));
+            }
         } else {
             writing_lose_aperture(writing, surface, one, "no such aperture is written");
         }
@@ -372,7 +322,7 @@ static void oslo_put_surface(struct oslo_output *output, size_t index)
     }
     if (is_moved_twice) { /* the coordinate break needs a plane of its own */
         oslo_put_medium(output, before);
-        oslo_put_displacement(writing, surface->coordinate_break, false);
+        oslo_put_turns(writing, surface->coordinate_break, false);
         oslo_put_next(output);
     }
     if (surface_reflects(surface)) {
@@ -380,7 +330,19 @@ static void oslo_put_surface(struct oslo_output *output, size_t index)
     } else {
         oslo_put_medium(output, &surface->medium);
     }
-    oslo_put_shape(writing, surface);
+    if (surface->has_curvature) {
+        writing_put(writing, "CV %s\n", writing_length(writing, &surface->curvature, -1));
+    } else if (!surface->is_plane) {
+        writing_put(writing, "RD %s\n", writing_length(writing, &surface->radius, 1));
+    }
+    if (surface->conic.typed.start != NULL || surface->conic.value.hi != 0) {
+        writing_put(writing, "CC %s\n", writing_length(writing, &surface->conic, 0));
+    }
+    oslo_put_terms(writing, surface);
+    if (!surface_is_round(surface)) {
+        foreign_lose(writing->job, LOSS_OF_RAYS, "written as curved in both sections",
+                     "a cylinder");
+    }
     if (surface->has_thickness) {
         writing_put(writing, "TH %s\n", writing_length(writing, &surface->thickness, 1));
     }
@@ -389,18 +351,55 @@ static void oslo_put_surface(struct oslo_output *output, size_t index)
         writing_put(writing, "AP CHK %s\n", writing_half(writing, &surface->diameter));
     }
     growing_string(&writing->text, surface->is_stop ? "AST\n" : "");
-    oslo_put_apertures(writing, surface);
+    oslo_write_apertures(writing, surface);
     if (moved != NULL) {
-        oslo_put_displacement(writing, moved, surface->decentre != NULL);
+        oslo_put_turns(writing, moved, surface->decentre != NULL);
     }
     if (surface->vary_count > 0) {
         foreign_lose(writing->job, LOSS_OF_NOTHING, "left out", "marks for the designer (R~, t~)");
     }
 }
 
-static void oslo_put_waves(struct lens_writer *writing)
+bool oslo_write(struct foreign_job *job, const struct lens *lens, struct text *text,
+                struct error *error)
 {
-    const struct lens *lens = writing->lens;
+    struct oslo_output output = {0};
+    struct lens_writer *writing = &output.writing;
+    (void)error;
+    writing_begin(writing, job, lens, true);
+    /* OSLO takes surface 1 where no stop is named. */
+    if (lens->stop == LENS_NONE) {
+        foreign_lose(job, LOSS_OF_RAYS, "OSLO takes its first surface", "the lens has no stop");
+    }
+    if (lens->position_count > 0) {
+        foreign_lose(job, LOSS_OF_RAYS, NULL, "the positions but the first: write them one by one");
+    }
+    if (lens->focus == FOCUS_BEST) {
+        foreign_lose(job, LOSS_OF_RAYS, "the image lies at the last thickness", "the best focus");
+    }
+    writing_put(writing, "// OSLO 6.6 0 0 0\n");
+    keep_notes_write(&writing->text, lens, writing->scale, OSLO_KEEP_NOTE, "\n");
+    oslo_put_text(writing, "LEN NEW", lens->title != NULL ? lens->title : "");
+    writing_put(writing, " 100 %zu\n", lens->surface_count + 1);
+    oslo_put_beam(writing);
+    oslo_put_field(writing);
+    growing_string(&writing->text, lens->is_telecentric ? "TELE ON\n" : "");
+    growing_string(&writing->text, lens->focus == FOCUS_AFOCAL ? "AMO AFO\n" : "");
+    writing_put(writing, "DES \"\"\nUNI %.1f\n", lens_unit_mm(writing->unit));
+    for (size_t i = 0; i < lens->note_count && i < 10; i++) {
+        oslo_put_text(writing, arena_printf(writing->arena, "SNO%zu", i + 1), lens->notes[i]);
+        writing_put(writing, "\n");
+    }
+    if (lens->note_count > 10) {
+        foreign_lose(writing->job, LOSS_OF_RAYS, NULL, "more than ten notes");
+    }
+    oslo_put_medium(&output, &lens->object_medium);
+    writing_put(writing, "TH %s\n",
+                lens->object_is_infinite ? "1.0e+20" : writing_length(writing, &lens->object, 1));
+    for (size_t i = 0; i < lens->surface_count; i++) {
+        oslo_put_surface(&output, i);
+    }
+    writing_put(writing, "NXT\nAIR\n");
     writing_put(writing, "WV");
     for (size_t i = 0; i < lens->wavelength_count; i++) {
         const struct lens_wavelength *one = &lens->wavelengths[i];
@@ -412,39 +411,6 @@ static void oslo_put_waves(struct lens_writer *writing)
                     writing_weight(writing, lens->wavelengths[i].weight_typed, "1.0"));
     }
     writing_put(writing, "\n");
-}
-
-/* OSLO takes surface 1 where no stop is named. */
-static void oslo_check_losses(struct foreign_job *job, const struct lens *lens)
-{
-    if (lens->stop == LENS_NONE) {
-        foreign_lose(job, LOSS_OF_RAYS, "OSLO takes its first surface", "the lens has no stop");
-    }
-    if (lens->position_count > 0) {
-        foreign_lose(job, LOSS_OF_RAYS, NULL, "the positions but the first: write them one by one");
-    }
-    if (lens->focus == FOCUS_BEST) {
-        foreign_lose(job, LOSS_OF_RAYS, "the image lies at the last thickness", "the best focus");
-    }
-}
-
-bool oslo_write(struct foreign_job *job, const struct lens *lens, struct text *text,
-                struct error *error)
-{
-    struct oslo_output output = {0};
-    struct lens_writer *writing = &output.writing;
-    (void)error;
-    writing_begin(writing, job, lens, true);
-    oslo_check_losses(job, lens);
-    oslo_put_header(writing);
-    oslo_put_medium(&output, &lens->object_medium);
-    writing_put(writing, "TH %s\n",
-                lens->object_is_infinite ? "1.0e+20" : writing_length(writing, &lens->object, 1));
-    for (size_t i = 0; i < lens->surface_count; i++) {
-        oslo_put_surface(&output, i);
-    }
-    writing_put(writing, "NXT\nAIR\n");
-    oslo_put_waves(writing);
     writing_put(writing, "END %zu\n", lens->surface_count + 1);
     oslo_put_points(writing);
     *text = growing_done(&writing->text);

@@ -1,7 +1,7 @@
 /* exchange/zemax/zemax_aperture.c - CLAP, SQAP, ELAP, OBSC, SQOB, ELOB, SPID and OBDC. */
 /* SPDX-License-Identifier: MIT */
-#include "exchange/zemax/zemax_aperture.h"
-#include "exchange/zemax/zemax_user_aperture.h"
+#include "exchange/zemax/zemax.h"
+#include "exchange/zemax/zemax_writer.h"
 
 #include "file/lens_unit.h"
 #include "optics/aperture.h"
@@ -25,22 +25,17 @@ static struct figure twice(struct zemax_file *file, const struct figure *half)
     return figure_computed(value, lens_unit_scale(file->build.lens->unit), file->job->arena);
 }
 
-/* Width of an arm, and how many. */
-static bool set_spider(const struct zemax_line *line, struct aperture *aperture)
-{
-    double count = 0;
-    const struct figure *arms = &line->numbers[1];
-    text_number(arms->typed, NUMBER_UNSCALED, &count);
-    aperture->size[0] = line->numbers[0];
-    aperture->arms = count >= 1 && count <= APERTURE_MOST_ARMS ? (unsigned)count : 0;
-    return aperture->arms == count;
-}
-
 static bool set_sizes(struct zemax_file *file, const struct zemax_line *line,
                       struct aperture *aperture)
 {
     if (aperture->shape == SHAPE_SPIDER) {
-        return set_spider(line, aperture);
+        /* Width of an arm, and how many. */
+        double count = 0;
+        const struct figure *arms = &line->numbers[1];
+        text_number(arms->typed, NUMBER_UNSCALED, &count);
+        aperture->size[0] = line->numbers[0];
+        aperture->arms = count >= 1 && count <= APERTURE_MOST_ARMS ? (unsigned)count : 0;
+        return aperture->arms == count;
     }
     aperture->size[0] = twice(file, &line->numbers[0]);
     aperture->size[1] = twice(file, &line->numbers[1]);
@@ -51,18 +46,8 @@ static bool set_sizes(struct zemax_file *file, const struct zemax_line *line,
     return true;
 }
 
-static size_t zemax_aperture_word_of(struct text keyword)
-{
-    size_t i = 0;
-    while (i < WORDS && !text_same(keyword, words[i].word)) {
-        i++;
-    }
-    return i;
-}
-
 /* Where a diameter stands beside apertures that pass, it is one about all of them. */
-static void zemax_aperture_put_apertures(struct surface *to, const struct aperture *apertures,
-                                         size_t count)
+static void give_apertures(struct surface *to, const struct aperture *apertures, size_t count)
 {
     const struct surface alone = {.apertures = apertures, .aperture_count = count};
     to->apertures = apertures;
@@ -87,30 +72,27 @@ static void shift_aperture(struct zemax_file *file, const struct zemax_line *shi
     }
 }
 
-static bool set_user_apertures(struct zemax_file *file, const struct zemax_surface *from,
-                               struct surface *to, struct error *error)
-{
-    struct aperture *apertures;
-    size_t count;
-    if (!zemax_user_apertures(file, from, &apertures, &count, error)) {
-        to->has_diameter = to->has_diameter && zemax_number(from->diameter, 1) == 0;
-        return error->code == ERROR_NONE;
-    }
-    for (size_t i = 0; i < count; i++) {
-        shift_aperture(file, from->aperture_shift, &apertures[i]);
-    }
-    zemax_aperture_put_apertures(to, apertures, count);
-    return true;
-}
-
 bool zemax_set_aperture(struct zemax_file *file, const struct zemax_surface *from,
-                        struct surface *to, struct error *error)
+                        struct surface *to)
 {
     const struct zemax_line *line = from->aperture, *shift = from->aperture_shift;
-    size_t word = line != NULL ? zemax_aperture_word_of(line->keyword) : WORDS;
+    size_t word = line != NULL ? 0 : WORDS;
+    while (word < WORDS && !text_same(line->keyword, words[word].word)) {
+        word++;
+    }
     struct error wrong;
     if (from->user_aperture != NULL) {
-        return set_user_apertures(file, from, to, error);
+        struct aperture *apertures;
+        size_t count;
+        if (!zemax_user_apertures(file, from, &apertures, &count)) {
+            to->has_diameter = to->has_diameter && zemax_number(from->diameter, 1) == 0;
+            return file->error->code == ERROR_NONE;
+        }
+        for (size_t i = 0; i < count; i++) {
+            shift_aperture(file, from->aperture_shift, &apertures[i]);
+        }
+        give_apertures(to, apertures, count);
+        return true;
     }
     if (word == WORDS) {
         return shift == NULL || zemax_loss(file, shift, LOSS_OF_VIGNETTING, "left out",
@@ -132,14 +114,14 @@ bool zemax_set_aperture(struct zemax_file *file, const struct zemax_surface *fro
     if (!aperture->blocks && aperture->shape == SHAPE_CIRCLE && aperture_is_round(aperture)) {
         return true;
     }
-    zemax_aperture_put_apertures(to, aperture, 1);
+    give_apertures(to, aperture, 1);
     return true;
 }
 
 /* -------- writing -------- */
 
 /* Why the format cannot have it; null: it can. */
-static const char *zemax_aperture_refusal_of(const struct aperture *aperture)
+static const char *zmx_refusal(const struct aperture *aperture)
 {
     bool quarter = aperture->shape == SHAPE_CIRCLE || aperture->shape == SHAPE_RING;
     if (aperture->shape == SHAPE_POLYGON) {
@@ -161,37 +143,33 @@ const char *zemax_half(const struct lens_writer *writing, const struct figure *f
     return writing_length(writing, &half, 1);
 }
 
-static void zemax_aperture_put_one(struct lens_writer *writing, const struct aperture *aperture)
-{
-    bool circle = aperture->shape == SHAPE_CIRCLE;
-    size_t i = 0;
-    while (words[i].shape != (circle ? SHAPE_RING : aperture->shape) ||
-           words[i].blocks != aperture->blocks) {
-        i++;
-    }
-    if (aperture->shape == SHAPE_SPIDER) {
-        writing_put(writing, "  %s %s %u 0\r\n", words[i].word,
-                    writing_length(writing, &aperture->size[0], 1), aperture->arms);
-    } else {
-        writing_put(writing, "  %s %s %s 0\r\n", words[i].word,
-                    circle ? "0" : zemax_half(writing, &aperture->size[0]),
-                    zemax_half(writing, &aperture->size[circle ? 0 : 1]));
-    }
-    if (aperture->decenter[0].value.hi != 0 || aperture->decenter[1].value.hi != 0) {
-        writing_put(writing, "  OBDC %s %s\r\n", writing_length(writing, &aperture->decenter[0], 1),
-                    writing_length(writing, &aperture->decenter[1], 1));
-    }
-}
-
 void zemax_put_aperture(struct lens_writer *writing, const struct surface *surface, size_t number)
 {
     const struct aperture *kept = NULL;
     for (size_t i = 0; i < surface->aperture_count; i++) {
         const struct aperture *aperture = &surface->apertures[i];
         const char *refusal =
-            kept != NULL ? "a surface has one aperture there" : zemax_aperture_refusal_of(aperture);
+            kept != NULL ? "a surface has one aperture there" : zmx_refusal(aperture);
         if (refusal == NULL) {
-            zemax_aperture_put_one(writing, aperture);
+            bool circle = aperture->shape == SHAPE_CIRCLE;
+            size_t row = 0;
+            while (words[row].shape != (circle ? SHAPE_RING : aperture->shape) ||
+                   words[row].blocks != aperture->blocks) {
+                row++;
+            }
+            if (aperture->shape == SHAPE_SPIDER) {
+                writing_put(writing, "  %s %s %u 0\r\n", words[row].word,
+                            writing_length(writing, &aperture->size[0], 1), aperture->arms);
+            } else {
+                writing_put(writing, "  %s %s %s 0\r\n", words[row].word,
+                            circle ? "0" : zemax_half(writing, &aperture->size[0]),
+                            zemax_half(writing, &aperture->size[circle ? 0 : 1]));
+            }
+            if (aperture->decenter[0].value.hi != 0 || aperture->decenter[1].value.hi != 0) {
+                writing_put(writing, "  OBDC %s %s\r\n",
+                            writing_length(writing, &aperture->decenter[0], 1),
+                            writing_length(writing, &aperture->decenter[1], 1));
+            }
             kept = aperture;
         } else {
             writing_lose_aperture(writing, surface, aperture, refusal);

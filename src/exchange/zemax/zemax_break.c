@@ -1,6 +1,6 @@
 /* exchange/zemax/zemax_break.c - coordinate breaks of .zmx files, and SCBD. */
 /* SPDX-License-Identifier: MIT */
-#include "exchange/zemax/zemax_break.h"
+#include "exchange/zemax/zemax.h"
 
 #include "base/constants.h"
 
@@ -108,16 +108,6 @@ static struct break_motion turning_of(const struct zemax_line *line)
     return turning;
 }
 
-/* What leads back to where the axis was. */
-static struct break_motion zemax_break_undone(struct break_motion turning, struct arena *arena)
-{
-    turning.reversed = !turning.reversed;
-    for (size_t i = 1; i <= 5; i++) {
-        turning.part[i] = figure_negate(turning.part[i], arena);
-    }
-    return turning;
-}
-
 void zemax_add_shift(struct zemax_file *file, size_t at, bool behind)
 {
     enum { OWN, AS_BEFORE, AS_BEFORE_UNDONE };
@@ -135,7 +125,11 @@ void zemax_add_shift(struct zemax_file *file, size_t at, bool behind)
     } else if (status == AS_BEFORE) {
         turning = turning_of(before);
     } else if (status == AS_BEFORE_UNDONE) {
-        turning = zemax_break_undone(turning_of(before), file->job->arena);
+        turning = turning_of(before); /* what leads back to where the axis was */
+        turning.reversed = !turning.reversed;
+        for (size_t i = 1; i <= 5; i++) {
+            turning.part[i] = figure_negate(turning.part[i], file->job->arena);
+        }
     } else {
         zemax_loss(file, line, LOSS_OF_RAYS, NULL,
                    "SCBD: a shift or turn behind a surface that follows another surface");

@@ -1,6 +1,6 @@
 /* exchange/zemax/zemax_gaps.c - gaps and curvatures solved, against the numbers beside them. */
 /* SPDX-License-Identifier: MIT */
-#include "exchange/zemax/zemax_solve.h"
+#include "exchange/zemax/zemax.h"
 #include "file/lens_unit.h"
 
 #include <math.h>
@@ -39,7 +39,7 @@ static bool solved_value(const struct solved_number *number, const struct lens *
 }
 
 /* |da| over the step, of a number that has just been changed. */
-static double solve_doubt_slope_of(const struct varied_lens *varied)
+static double slope_now(const struct varied_lens *varied)
 {
     double value;
     return solved_value(varied->number, &varied->lens, varied->arena, &value)
@@ -55,7 +55,7 @@ static double slope_of_figure(const struct varied_lens *varied, struct figure *f
         return 0;
     }
     figure->value = pair_multiply(was, pair_of(1 + step));
-    const double slope = solve_doubt_slope_of(varied);
+    const double slope = slope_now(varied);
     figure->value = was;
     return slope;
 }
@@ -87,7 +87,7 @@ static double doubt_of_index(const struct varied_lens *varied, struct surface *s
     }
     surface->medium = (struct medium){
         .kind = MEDIUM_CONSTANT, .written = was.written, .index = pair_add(index, pair_of(step))};
-    const double slope = solve_doubt_slope_of(varied);
+    const double slope = slope_now(varied);
     surface->medium = was;
     return slope * index_doubt(&was, index);
 }
@@ -128,7 +128,7 @@ static double solve_doubt(const struct solved_number *number, size_t surface, do
 }
 
 /* How far the two may be apart: of a pick-up or a sum by the digits of what it follows. */
-static double zemax_check_solves_doubt_of(const struct solved_number *number)
+static double solved_doubt(const struct solved_number *number)
 {
     const double digits = 10, coarsest = 5e-4; /* of less than three digits none is rounded */
     struct solver_state *solving = number->solving;
@@ -143,30 +143,7 @@ static double zemax_check_solves_doubt_of(const struct solved_number *number)
                : digits * rounding;
 }
 
-/* The file's number stays that of the lens. */
-static void keep_number(const struct solved_number *number)
-{
-    struct solver_state *solving = number->solving;
-    struct zemax_file *file = solving->file;
-    struct zemax_surface *from = &file->surfaces[number->at];
-    const struct zemax_line *line = number->is_curvature ? from->curvature : from->solve;
-    if (number->is_curvature) {
-        solving->curvature[number->at].typed.start = NULL;
-        from->has_free_curvature = true;
-    } else {
-        solving->thickness[number->at] = number->was;
-        from->solve = NULL;
-    }
-    file->doubts->contradicted++;
-    zemax_loss(file, line, LOSS_OF_POWER, "the file's number is kept",
-               "a solve contradicts the lens that is read: the %s of surface %zu is %.*s by "
-               "it, and %.*s in the file",
-               number->is_curvature ? "curvature" : "thickness", number->at,
-               text_shown(number->is.typed), number->is.typed.start, text_shown(number->was.typed),
-               number->was.typed.start);
-}
-
-static void zemax_check_solves_check_number(const struct solved_number *number)
+static void check_solved(const struct solved_number *number)
 {
     /* doubles lose digits on the way to a solve */
     const double relative = 1e-9, least = number->is_curvature ? 1e-15 : 1e-12;
@@ -179,8 +156,25 @@ static void zemax_check_solves_check_number(const struct solved_number *number)
     if (apart <= alike || (number->is_focus && file->has_other_distance)) {
         return;
     }
-    if (is_stored && !(apart <= alike + zemax_check_solves_doubt_of(number))) {
-        keep_number(number);
+    if (is_stored && !(apart <= alike + solved_doubt(number))) {
+        /* The file's number stays that of the lens. */
+        struct solver_state *solving = number->solving;
+        struct zemax_surface *from = &file->surfaces[number->at];
+        const struct zemax_line *line = number->is_curvature ? from->curvature : from->solve;
+        if (number->is_curvature) {
+            solving->curvature[number->at].typed.start = NULL;
+            from->has_free_curvature = true;
+        } else {
+            solving->thickness[number->at] = number->was;
+            from->solve = NULL;
+        }
+        file->doubts->contradicted++;
+        zemax_loss(file, line, LOSS_OF_POWER, "the file's number is kept",
+                   "a solve contradicts the lens that is read: the %s of surface %zu is %.*s by "
+                   "it, and %.*s in the file",
+                   number->is_curvature ? "curvature" : "thickness", number->at,
+                   text_shown(number->is.typed), number->is.typed.start,
+                   text_shown(number->was.typed), number->was.typed.start);
         return;
     }
     if (!number->is_focus) {
@@ -204,7 +198,7 @@ static void check_solve(struct solver_state *solving, size_t at, bool is_curvatu
             return;
         }
         number.was = figure_per_length(from->curvature->numbers[0], file->build.lens->unit, -1);
-        zemax_check_solves_check_number(&number);
+        check_solved(&number);
         return;
     }
     if (from->solve == NULL || from->thickness == NULL || from->thickness->count == 0) {
@@ -221,7 +215,7 @@ static void check_solve(struct solver_state *solving, size_t at, bool is_curvatu
         }
         number.is = figure_rounded(value, solving->unit, arena);
     }
-    zemax_check_solves_check_number(&number);
+    check_solved(&number);
 }
 
 /*
@@ -241,28 +235,13 @@ static void zemax_check_solves(struct solver_state *solving)
 
 enum { MOST_PASSES = 20 };
 
-/* What stands in the file, before the solves. */
-static bool read_thicknesses(struct zemax_file *file, struct figure *thickness, struct error *error)
-{
-    for (size_t i = 0; i < file->surface_count; i++) {
-        const struct zemax_line *line = file->surfaces[i].thickness;
-        bool inside = i > 0 && i + 1 < file->surface_count;
-        if (inside && line != NULL && line->infinite && file->surfaces[i].solve == NULL) {
-            return file_words_fail(&line->words, line->first, error,
-                                   "an infinite distance behind surface %zu", i);
-        }
-        thickness[i] = line != NULL && line->count > 0 ? line->numbers[0] : figure_zero();
-    }
-    return true;
-}
-
-static bool zemax_gaps_is_same(const struct figure *a, const struct figure *b)
+static bool is_same_gap(const struct figure *a, const struct figure *b)
 {
     return fabs(pair_subtract(a->value, b->value).hi) <= 4e-16 * (fabs(a->value.hi) + 1e-9);
 }
 
 /* With an f-number or a chief ray what is solved first depends on what is solved last: again. */
-static bool solve_all(struct solver_state *solving, struct error *error)
+static bool solve_all(struct solver_state *solving)
 {
     size_t count = solving->file->surface_count;
     struct figure *before = ARENA_ARRAY(solving->file->job->arena, 2 * count, struct figure);
@@ -275,20 +254,22 @@ static bool solve_all(struct solver_state *solving, struct error *error)
         }
         settled = true;
         for (size_t i = 0; i < count; i++) {
-            settled = settled && zemax_gaps_is_same(&before[i], &solving->thickness[i]) &&
-                      zemax_gaps_is_same(&before[count + i], &solving->curvature[i]);
+            settled = settled && is_same_gap(&before[i], &solving->thickness[i]) &&
+                      is_same_gap(&before[count + i], &solving->curvature[i]);
         }
     }
     if (!settled) {
-        fail(error, ERROR_DATA, "the solves of the file do not settle");
-        return error_locate(error, solving->file->job->source, 0, 0);
+        return foreign_fail(solving->file->job, solving->file->error,
+                            "the solves of the file do not settle");
     }
     return true;
 }
 
-/* Solves that follow a ray through many surfaces take their time. */
-static bool check_work(struct zemax_file *file, struct error *error)
+bool zemax_thicknesses(struct zemax_file *file, const size_t *places)
 {
+    struct arena *arena = file->job->arena;
+    struct solver_state solving = {.file = file, .places = places};
+    /* Solves that follow a ray through many surfaces take their time. */
     const double most = 1e6; /* about a second */
     double work = 0;
     for (size_t i = 0; i < file->surface_count; i++) {
@@ -297,43 +278,19 @@ static bool check_work(struct zemax_file *file, struct error *error)
     }
     work *= (double)file->surface_count * (double)file->configurations;
     if (work > most) {
-        fail(error, ERROR_DATA, "too many solves");
-        return error_locate(error, file->job->source, 0, 0);
-    }
-    return true;
-}
-
-/* Gaps and curvatures, solved, go to the surfaces of the lens. */
-static void zemax_gaps_put_numbers(struct solver_state *solving)
-{
-    struct zemax_file *file = solving->file;
-    struct lens *lens = file->build.lens;
-    for (size_t i = 1; i + 1 < file->surface_count; i++) {
-        if (solving->places[i] == LENS_NONE) {
-            continue;
-        }
-        struct surface *to = &lens->surfaces[solving->places[i]];
-        lens->surfaces[zemax_gap_place(file, solving->places, i)].thickness = solving->thickness[i];
-        if (solving->curvature[i].typed.start != NULL && !file->surfaces[i].has_free_curvature) {
-            zemax_set_curvature(file, solving->curvature[i], to);
-        }
-    }
-    struct surface *last = &lens->surfaces[lens->surface_count - 1];
-    last->has_thickness = !zemax_focuses(file) || last->thickness.value.hi != 0;
-}
-
-bool zemax_thicknesses(struct zemax_file *file, const size_t *places, struct error *error)
-{
-    struct arena *arena = file->job->arena;
-    struct solver_state solving = {.file = file, .places = places};
-    if (!check_work(file, error)) {
-        return false;
+        return foreign_fail(file->job, file->error, "too many solves");
     }
     solving.thickness = ARENA_ARRAY(arena, file->surface_count, struct figure);
     solving.curvature = ARENA_ARRAY(arena, file->surface_count, struct figure);
     solving.unit = lens_unit_scale(file->build.lens->unit);
-    if (!read_thicknesses(file, solving.thickness, error)) {
-        return false;
+    /* What stands in the file, before the solves. */
+    for (size_t i = 0; i < file->surface_count; i++) {
+        const struct zemax_line *line = file->surfaces[i].thickness;
+        bool inside = i > 0 && i + 1 < file->surface_count;
+        if (inside && line != NULL && line->infinite && file->surfaces[i].solve == NULL) {
+            return zemax_fail(line, line->first, "an infinite distance behind surface %zu", i);
+        }
+        solving.thickness[i] = line != NULL && line->count > 0 ? line->numbers[0] : figure_zero();
     }
     solving.lens = *file->build.lens;
     solving.lens.surfaces = ARENA_ARRAY(arena, solving.lens.surface_count, struct surface);
@@ -345,11 +302,24 @@ bool zemax_thicknesses(struct zemax_file *file, const size_t *places, struct err
                 solving.thickness[i];
         }
     }
-    if (!solve_all(&solving, error)) {
+    if (!solve_all(&solving)) {
         return false;
     }
     zemax_check_solves(&solving);
-    zemax_gaps_put_numbers(&solving);
+    /* Gaps and curvatures, solved, go to the surfaces of the lens. */
+    struct lens *lens = file->build.lens;
+    for (size_t i = 1; i + 1 < file->surface_count; i++) {
+        if (solving.places[i] == LENS_NONE) {
+            continue;
+        }
+        struct surface *to = &lens->surfaces[solving.places[i]];
+        lens->surfaces[zemax_gap_place(file, solving.places, i)].thickness = solving.thickness[i];
+        if (solving.curvature[i].typed.start != NULL && !file->surfaces[i].has_free_curvature) {
+            zemax_set_curvature(file, solving.curvature[i], to);
+        }
+    }
+    struct surface *last = &lens->surfaces[lens->surface_count - 1];
+    last->has_thickness = !zemax_focuses(file) || last->thickness.value.hi != 0;
     zemax_keep_pickups(&solving);
     return true;
 }

@@ -1,7 +1,7 @@
 /* exchange/zemax/zemax_glass.c - the materials of a .zmx file: names of glasses, and numbers. */
 /* SPDX-License-Identifier: MIT */
-#include "exchange/zemax/zemax_glass.h"
-#include "exchange/environment.h"
+#include "exchange/own_glass.h"
+#include "exchange/zemax/zemax.h"
 
 #include <math.h>
 #include <string.h>
@@ -20,16 +20,6 @@ static struct medium model_of(struct zemax_file *file, struct figure nd, struct 
         .abbe = Vd.value};
 }
 
-/* "517642" is nd = 1.517, Vd = 64.2. */
-static bool is_code(struct text name)
-{
-    bool digits = name.length == 6;
-    for (size_t i = 0; i < name.length; i++) {
-        digits = digits && name.start[i] >= '0' && name.start[i] <= '9';
-    }
-    return digits;
-}
-
 static struct figure figure_text(const char *typed)
 {
     struct figure figure = {.typed = text_of(typed), .variable = LENS_NONE};
@@ -37,24 +27,12 @@ static struct figure figure_text(const char *typed)
     return figure;
 }
 
-static struct medium code_medium(struct zemax_file *file, struct text name)
-{
-    struct arena *arena = file->job->arena;
-    struct figure nd = figure_text(arena_printf(arena, "1.%.3s", name.start));
-    struct figure Vd =
-        figure_text(arena_printf(arena, "%.2s.%.1s", name.start + 3, name.start + 5));
-    return Vd.value.hi > 0
-               ? model_of(file, nd, Vd)
-               : (struct medium){.kind = MEDIUM_CONSTANT, .written = nd.typed, .index = nd.value};
-}
-
 /* GLAS name mode pick-up nd Vd dPgF .. */
 static bool model_medium(struct zemax_file *file, const struct zemax_line *line,
-                         struct medium *medium, struct error *error)
+                         struct medium *medium)
 {
     if (!(zemax_number(line, 2) > 0 && zemax_number(line, 2) < 100)) {
-        return file_words_fail(&line->words, line->keyword, error,
-                               "a model glass without an index");
+        return zemax_fail(line, line->keyword, "a model glass without an index");
     }
     bool constant = zemax_number(line, 3) == 0;
     *medium = constant ? (struct medium){.kind = MEDIUM_CONSTANT,
@@ -62,8 +40,7 @@ static bool model_medium(struct zemax_file *file, const struct zemax_line *line,
                                          .index = line->numbers[2].value}
                        : model_of(file, line->numbers[2], line->numbers[3]);
     if (!constant && zemax_number(line, 3) < 0) {
-        return file_words_fail(&line->words, line->numbers[3].typed, error,
-                               "the Abbe number is below 0");
+        return zemax_fail(line, line->numbers[3].typed, "the Abbe number is below 0");
     }
     return zemax_number(line, 4) == 0 ||
            zemax_loss(file, line, LOSS_OF_RAYS, NULL,
@@ -90,24 +67,20 @@ static bool has_index(const struct zemax_line *line)
     return nd > 1 && nd < 100 && Vd > 0 && !(nd == 1.5 && Vd == 40);
 }
 
-/* nd and Vd describe a glass where all of the file's light is visible. */
-static bool is_visible(const struct zemax_file *file)
-{
-    const double shortest = 0.4, longest = 0.8; /* um */
-    bool is = true;
-    const size_t count = zemax_wave_count(file);
-    for (size_t i = 0; i < count; i++) {
-        is = is && file->waves[i].value.hi >= shortest && file->waves[i].value.hi <= longest;
-    }
-    return is;
-}
-
 /* nd and Vd instead of the glass, of which `what` tells; behind visible light they are a loss. */
 static void numbers_instead(struct zemax_file *file, const struct zemax_line *line,
                             struct medium *medium, const char *what)
 {
     *medium = model_of(file, line->numbers[2], line->numbers[3]);
-    if (is_visible(file)) {
+    /* nd and Vd describe a glass where all of the file's light is visible. */
+    const double shortest = 0.4, longest = 0.8; /* um */
+    bool is_visible = true;
+    const size_t count = zemax_wave_count(file);
+    for (size_t i = 0; i < count; i++) {
+        is_visible =
+            is_visible && file->waves[i].value.hi >= shortest && file->waves[i].value.hi <= longest;
+    }
+    if (is_visible) {
         medium->warning = arena_printf(file->job->arena, "%s: nd and Vd are used instead", what);
         lens_build_note(&file->build, text_of(medium->warning));
         return;
@@ -154,8 +127,7 @@ static const char *converter_of(const struct zemax_file *file)
 }
 
 /* What counts where the name of a glass and the numbers beside it differ. */
-static enum glass_numbers zemax_glass_numbers_of(const struct zemax_file *file,
-                                                 const struct zemax_line *line)
+static enum glass_numbers which_counts(const struct zemax_file *file, const struct zemax_line *line)
 {
     if (file->job->glass_numbers != GLASS_NUMBERS_OF_FILE) {
         return file->job->glass_numbers;
@@ -170,7 +142,7 @@ static void settle_glass(struct zemax_file *file, const struct zemax_line *line,
                          const struct foreign_name *named, struct medium *medium)
 {
     const bool model = zemax_number(line, 0) == GLASS_MODEL;
-    const bool of_line = zemax_glass_numbers_of(file, line) == GLASS_NUMBERS_LINE;
+    const bool of_line = which_counts(file, line) == GLASS_NUMBERS_LINE;
     char *what = foreign_difference(file->job, named, medium);
     file->doubts->disputed += !model && zemax_number(line, 0) != GLASS_OFFSET;
     if (file->takes_numbers) {
@@ -191,8 +163,8 @@ static void settle_glass(struct zemax_file *file, const struct zemax_line *line,
 }
 
 /* The name of a line, and what it says of the glass. */
-static struct foreign_name zemax_glass_name_of(const struct zemax_file *file,
-                                               const struct zemax_line *line)
+static struct foreign_name zmx_glass_name(const struct zemax_file *file,
+                                          const struct zemax_line *line)
 {
     /* as patents print them at the least; fewer digits are numbers whose last ones are 0 */
     const double coarsest_nd = 5e-5, coarsest_Vd = 0.05;
@@ -213,9 +185,10 @@ static struct foreign_name zemax_glass_name_of(const struct zemax_file *file,
 
 /* In the file's catalogues, else as the file describes it. */
 static bool named_glass(struct zemax_file *file, const struct zemax_line *line,
-                        struct medium *medium, struct error *error)
+                        struct medium *medium)
 {
-    const struct foreign_name named = zemax_glass_name_of(file, line);
+    struct error *error = file->error;
+    const struct foreign_name named = zmx_glass_name(file, line);
     if (!foreign_glass(file->job, &line->words, &named, medium, error)) {
         if (error->code == ERROR_NONE) {
             unknown_glass(file, line, medium);
@@ -230,19 +203,19 @@ static bool named_glass(struct zemax_file *file, const struct zemax_line *line,
 
 /* A model glass that has a name: of a catalogue's it is said where that one is another. */
 static bool named_model(struct zemax_file *file, const struct zemax_line *line,
-                        struct medium *medium, struct error *error)
+                        struct medium *medium)
 {
-    const struct foreign_name named = zemax_glass_name_of(file, line);
+    const struct foreign_name named = zmx_glass_name(file, line);
     struct medium found;
     struct error ignored;
-    if (!model_medium(file, line, medium, error)) {
+    if (!model_medium(file, line, medium)) {
         return false;
     }
     if (file->job->glasses == NULL ||
         !foreign_glass(file->job, &line->words, &named, &found, &ignored)) {
         return true;
     }
-    if (zemax_glass_numbers_of(file, line) == GLASS_NUMBERS_CATALOG) {
+    if (which_counts(file, line) == GLASS_NUMBERS_CATALOG) {
         *medium = found;
         if (!foreign_is_rounded(medium, &named)) {
             settle_glass(file, line, &named, medium);
@@ -269,8 +242,8 @@ static bool named_model(struct zemax_file *file, const struct zemax_line *line,
  * Source    [OpticStudio25], temperature and pressure
  * Errors    ERROR_DATA: a glass without the data for it, unless lossy
  */
-static bool zemax_to_environment(struct zemax_file *file, const struct zemax_line *line,
-                                 struct medium *medium, struct error *error)
+static bool zmx_glass_there(struct zemax_file *file, const struct zemax_line *line,
+                            struct medium *medium)
 {
     /* ENVD temperature pressure adjust */
     const struct zemax_line *stated = file->environment;
@@ -286,15 +259,14 @@ static bool zemax_to_environment(struct zemax_file *file, const struct zemax_lin
         environment.waves[environment.wave_count] = file->waves[environment.wave_count].value.hi;
         environment.wave_count++;
     }
-    return environment_apply(&environment, &line->words, line->keyword, medium, error);
+    return environment_apply(&environment, &line->words, line->keyword, medium);
 }
 
-bool zemax_glass(struct zemax_file *file, const struct zemax_line *line, struct medium *medium,
-                 struct error *error)
+bool zemax_glass(struct zemax_file *file, const struct zemax_line *line, struct medium *medium)
 {
     const double type = zemax_number(line, 0);
     if (text_same(line->keyword, "___BLANK")) {
-        return model_medium(file, line, medium, error);
+        return model_medium(file, line, medium);
     }
     if (!(type >= GLASS_NAMED && type <= GLASS_OFFSET && type == rint(type))) {
         zemax_loss(file, line, LOSS_OF_POWER, "its name is looked up", "a glass of the type %g",
@@ -307,12 +279,23 @@ bool zemax_glass(struct zemax_file *file, const struct zemax_line *line, struct 
         }
     }
     if (type == GLASS_MODEL && zemax_number(line, 2) > 0) {
-        return named_model(file, line, medium, error);
+        return named_model(file, line, medium);
     }
-    if (is_code(line->keyword)) {
-        *medium = code_medium(file, line->keyword);
+    /* "517642" is nd = 1.517, Vd = 64.2. */
+    bool digits = line->keyword.length == 6;
+    for (size_t i = 0; i < line->keyword.length; i++) {
+        digits = digits && line->keyword.start[i] >= '0' && line->keyword.start[i] <= '9';
+    }
+    if (digits) {
+        struct arena *arena = file->job->arena;
+        struct figure nd = figure_text(arena_printf(arena, "1.%.3s", line->keyword.start));
+        struct figure Vd = figure_text(
+            arena_printf(arena, "%.2s.%.1s", line->keyword.start + 3, line->keyword.start + 5));
+        *medium =
+            Vd.value.hi > 0
+                ? model_of(file, nd, Vd)
+                : (struct medium){.kind = MEDIUM_CONSTANT, .written = nd.typed, .index = nd.value};
         return true;
     }
-    return named_glass(file, line, medium, error) &&
-           zemax_to_environment(file, line, medium, error);
+    return named_glass(file, line, medium) && zmx_glass_there(file, line, medium);
 }

@@ -1,6 +1,6 @@
 /* exchange/zemax/zemax_line.c - a line of a .zmx file: its keyword and its numbers. */
 /* SPDX-License-Identifier: MIT */
-#include "exchange/zemax/zemax_keyword.h"
+#include "exchange/zemax/zemax.h"
 #include "file/lens_words.h"
 
 #include <math.h>
@@ -76,22 +76,22 @@ struct zemax_line *zemax_line_of(struct zemax_file *file, struct text keyword,
     return line;
 }
 
-bool zemax_all_numbers(const struct zemax_line *line, struct error *error)
+bool zemax_all_numbers(const struct zemax_line *line)
 {
     char what[100];
     struct figure figure;
     snprintf(what, sizeof what, "value behind %.*s", text_shown(line->begin), line->begin.start);
     return line->stray.start == NULL ||
-           lens_words_figure(&line->words, line->stray, NUMBER_UNSCALED, what, &figure, error);
+           lens_words_figure(&line->words, line->stray, NUMBER_UNSCALED, what, &figure);
 }
 
-bool zemax_has_number(const struct zemax_line *line, struct error *error)
+bool zemax_has_number(const struct zemax_line *line)
 {
     if (line->count > 0) {
-        return zemax_all_numbers(line, error);
+        return zemax_all_numbers(line);
     }
     struct text word = line->first.start != NULL ? line->first : line->keyword;
-    return file_words_fail(&line->words, word, error, "%.4s needs a number", line->keyword.start);
+    return zemax_fail(line, word, "%.4s needs a number", line->keyword.start);
 }
 
 bool zemax_is_tilted(const struct zemax_file *file, size_t at)

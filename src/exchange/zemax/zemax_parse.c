@@ -1,29 +1,27 @@
 /* exchange/zemax/zemax_parse.c - a .zmx file as it stands, line by line, before it is a lens. */
 /* SPDX-License-Identifier: MIT */
-#include "exchange/zemax/zemax_keyword.h"
+#include "exchange/zemax/zemax.h"
 
 #include <math.h>
 #include <string.h>
 
-static struct zemax_surface *parse_surface_of(struct zemax_file *file)
+static struct zemax_surface *last_zmx_surface(struct zemax_file *file)
 {
     return &file->surfaces[file->surface_count - 1];
 }
 
-static bool read_surf(struct zemax_file *file, const struct zemax_line *line, struct error *error)
+static bool read_surf(struct zemax_file *file, const struct zemax_line *line)
 {
-    size_t expected = file->surface_count > 0 ? parse_surface_of(file)->number + 1 : 0;
+    size_t expected = file->surface_count > 0 ? last_zmx_surface(file)->number + 1 : 0;
     double number = zemax_number(line, 0);
     bool is_next = number == (double)expected;
     bool is_later =
         expected > 0 && number > (double)expected && number < 1e6 && number == floor(number);
     if (!(is_next || is_later) || line->count == 0) {
-        return file_words_fail(&line->words, line->keyword, error, "SURF %zu is expected here",
-                               expected);
+        return zemax_fail(line, line->keyword, "SURF %zu is expected here", expected);
     }
     if (file->surface_count == FOREIGN_MOST_SURFACES) {
-        return file_words_fail(&line->words, line->keyword, error, "more than %d surfaces",
-                               LENS_MOST_SURFACES);
+        return zemax_fail(line, line->keyword, "more than %d surfaces", LENS_MOST_SURFACES);
     }
     file->surfaces = arena_grow(file->job->arena, file->surfaces, file->surface_count,
                                 &file->surface_room, sizeof file->surfaces[0]);
@@ -34,89 +32,74 @@ static bool read_surf(struct zemax_file *file, const struct zemax_line *line, st
 }
 
 /* What no lens of lenscalc can be is said before all else. */
-static bool read_type(struct zemax_file *file, const struct zemax_line *line, struct error *error)
+static bool read_type(struct zemax_file *file, const struct zemax_line *line)
 {
     (void)file;
     if (text_same(line->first, "NONSEQCO")) {
-        return file_words_fail(&line->words, line->first, error,
-                               "a non-sequential group: lenscalc has lenses whose surfaces follow "
-                               "each other");
+        return zemax_fail(line, line->first,
+                          "a non-sequential group: lenscalc has lenses whose surfaces follow "
+                          "each other");
     }
     return !text_same(line->first, "USERSURF") ||
-           file_words_fail(&line->words, line->first, error,
-                           "a surface computed by a program (DLL) of the user's, which the file "
-                           "does not hold");
+           zemax_fail(line, line->first,
+                      "a surface computed by a program (DLL) of the user's, which the file "
+                      "does not hold");
 }
 
-static bool parse_read_thickness(struct zemax_file *file, const struct zemax_line *line,
-                                 struct error *error)
+static bool zmx_thickness(struct zemax_file *file, const struct zemax_line *line)
 {
     (void)file;
-    return line->infinite || zemax_has_number(line, error);
+    return line->infinite || zemax_has_number(line);
 }
 
 /* CLAP, SQAP ..: two numbers, of which zemax_aperture.c knows the meaning. */
-static bool parse_read_aperture(struct zemax_file *file, const struct zemax_line *line,
-                                struct error *error)
+static bool zmx_aperture(struct zemax_file *file, const struct zemax_line *line)
 {
-    (void)error;
     if (line->count < 2) {
         return zemax_loss(file, line, LOSS_OF_VIGNETTING, "left out", "%.4s with one number",
                           line->keyword.start);
     }
     if (text_same(line->keyword, "CLAP")) {
-        parse_surface_of(file)->clear = line;
+        last_zmx_surface(file)->clear = line;
     }
-    parse_surface_of(file)->aperture = line;
+    last_zmx_surface(file)->aperture = line;
     return true;
 }
 
 /* A floating aperture is as large as the semi-diameter. */
-static bool read_floating(struct zemax_file *file, const struct zemax_line *line,
-                          struct error *error)
+static bool read_floating(struct zemax_file *file, const struct zemax_line *line)
 {
-    (void)error;
     return line->count < 2 || line->numbers[0].value.hi == 0 ||
            zemax_loss(file, line, LOSS_OF_VIGNETTING, "the hole is left out",
                       "a floating aperture with a hole");
 }
 
-static bool read_aperture_shift(struct zemax_file *file, const struct zemax_line *line,
-                                struct error *error)
+static bool read_aperture_shift(struct zemax_file *file, const struct zemax_line *line)
 {
-    (void)error;
     if (zemax_number(line, 0) != 0 || zemax_number(line, 1) != 0) {
-        parse_surface_of(file)->aperture_shift = line;
+        last_zmx_surface(file)->aperture_shift = line;
     }
     return true;
-}
-
-/* UDAD 1 x y 0: the file that UDAD 0 names, row by row, as it was when the lens was saved. */
-static void add_user_row(struct zemax_file *file, const struct zemax_line *line)
-{
-    struct zemax_surface *surface = parse_surface_of(file);
-    if (surface->has_lost_aperture) {
-        return; /* its numbers would be scaled */
-    }
-    surface->user_rows = arena_grow(file->job->arena, surface->user_rows, surface->user_row_count,
-                                    &surface->user_row_room, sizeof surface->user_rows[0]);
-    surface->user_rows[surface->user_row_count++] = line;
-    if (surface->user_aperture == NULL) {
-        surface->user_aperture = line;
-    }
 }
 
 /*
  * USAP passes, USOB blocks; they or UDAD have the name of the file, among numbers of which one may
  * be a scale: others than 0 and 1 are not known.
  */
-static bool read_user_aperture(struct zemax_file *file, const struct zemax_line *line,
-                               struct error *error)
+static bool read_user_aperture(struct zemax_file *file, const struct zemax_line *line)
 {
-    struct zemax_surface *surface = parse_surface_of(file);
-    (void)error;
+    struct zemax_surface *surface = last_zmx_surface(file);
     if (text_same(line->keyword, "UDAD") && zemax_number(line, 0) != 0) {
-        add_user_row(file, line);
+        /* UDAD 1 x y 0: the file that UDAD 0 names, row by row, as the lens was saved */
+        if (!surface->has_lost_aperture) {
+            surface->user_rows =
+                arena_grow(file->job->arena, surface->user_rows, surface->user_row_count,
+                           &surface->user_row_room, sizeof surface->user_rows[0]);
+            surface->user_rows[surface->user_row_count++] = line;
+            if (surface->user_aperture == NULL) {
+                surface->user_aperture = line;
+            }
+        }
         return true;
     }
     bool known = true;
@@ -143,43 +126,39 @@ static bool read_user_aperture(struct zemax_file *file, const struct zemax_line 
                       line->keyword.start);
 }
 
-static bool parse_read_glass(struct zemax_file *file, const struct zemax_line *whole,
-                             struct error *error)
+static bool zmx_glass(struct zemax_file *file, const struct zemax_line *whole)
 {
     struct file_words words = file->words;
     struct text name = file_words_next(&file->words);
     if (name.length == 0) {
-        return file_words_fail(&file->words, name, error, "the glass is missing");
+        return file_words_fail(&file->words, name, "the glass is missing");
     }
     struct zemax_line *line = zemax_line_of(file, name, NUMBER_UNSCALED);
     line->words = words;
     line->begin = whole->keyword;
-    parse_surface_of(file)->glass = line;
-    return zemax_all_numbers(line, error);
+    last_zmx_surface(file)->glass = line;
+    return zemax_all_numbers(line);
 }
 
-static bool parse_read_stop(struct zemax_file *file, const struct zemax_line *line,
-                            struct error *error)
+static bool zmx_stop(struct zemax_file *file, const struct zemax_line *line)
 {
-    (void)line, (void)error;
-    parse_surface_of(file)->is_stop = true;
+    (void)line;
+    last_zmx_surface(file)->is_stop = true;
     return true;
 }
 
-static bool read_comment(struct zemax_file *file, const struct zemax_line *line,
-                         struct error *error)
+static bool read_comment(struct zemax_file *file, const struct zemax_line *line)
 {
-    (void)line, (void)error;
-    parse_surface_of(file)->comment = file_words_rest(&file->words);
+    (void)line;
+    last_zmx_surface(file)->comment = file_words_rest(&file->words);
     return true;
 }
 
 /* A coating is kept as a note. */
-static bool read_coating(struct zemax_file *file, const struct zemax_line *line,
-                         struct error *error)
+static bool read_coating(struct zemax_file *file, const struct zemax_line *line)
 {
     struct text rest = file_words_rest(&file->words);
-    (void)line, (void)error;
+    (void)line;
     lens_build_note(
         &file->build,
         text_of(arena_printf(file->job->arena, "coating of surface %zu: %.*s",
@@ -188,10 +167,9 @@ static bool read_coating(struct zemax_file *file, const struct zemax_line *line,
 }
 
 /* PARM 1 .., XDAT 1 .., PPAR 1 ..: those beyond the last matter only where they are not 0. */
-static bool read_numbered(struct zemax_file *file, const struct zemax_line *line,
-                          struct error *error)
+static bool read_numbered(struct zemax_file *file, const struct zemax_line *line)
 {
-    struct zemax_surface *surface = parse_surface_of(file);
+    struct zemax_surface *surface = last_zmx_surface(file);
     const struct zemax_line **places = surface->parameters;
     double number = zemax_number(line, 0), most = ZEMAX_PARAMETERS;
     if (text_same(line->keyword, "XDAT")) {
@@ -201,8 +179,8 @@ static bool read_numbered(struct zemax_file *file, const struct zemax_line *line
         places = surface->pickups;
     }
     if (line->count < 2 || !(number >= 0 && number < 1e6)) {
-        return file_words_fail(&file->words, line->keyword, error,
-                               "%.4s needs a number and a value", line->keyword.start);
+        return file_words_fail(&file->words, line->keyword, "%.4s needs a number and a value",
+                               line->keyword.start);
     }
     if (number >= most && zemax_number(line, 1) != 0) {
         return zemax_loss(file, line, LOSS_OF_RAYS, NULL,
@@ -213,12 +191,10 @@ static bool read_numbered(struct zemax_file *file, const struct zemax_line *line
 }
 
 /* SCBD which .. : what is shifted and turned before the surface (1) or behind it (2). */
-static bool parse_read_shift(struct zemax_file *file, const struct zemax_line *line,
-                             struct error *error)
+static bool zmx_shift(struct zemax_file *file, const struct zemax_line *line)
 {
-    struct zemax_surface *surface = parse_surface_of(file);
+    struct zemax_surface *surface = last_zmx_surface(file);
     const double which = zemax_number(line, 0);
-    (void)error;
     if (which == 1) {
         surface->shift_before = line;
     } else if (which == 2) {
@@ -234,20 +210,20 @@ static bool parse_read_shift(struct zemax_file *file, const struct zemax_line *l
 static const struct zemax_keyword surface_keywords[] = {
     {"TYPE", ZEMAX_ANY_WORDS, false, KEPT(type), read_type},
     {"CURV", ZEMAX_A_NUMBER, false, KEPT(curvature), NULL},
-    {"DISZ", ZEMAX_ANY_WORDS, true, KEPT(thickness), parse_read_thickness},
+    {"DISZ", ZEMAX_ANY_WORDS, true, KEPT(thickness), zmx_thickness},
     {"CONI", ZEMAX_A_NUMBER, false, KEPT(conic), NULL},
     {"DIAM", ZEMAX_A_NUMBER, true, KEPT(diameter), NULL},
-    {"GLAS", ZEMAX_ANY_WORDS, false, 0, parse_read_glass},
-    {"STOP", ZEMAX_ANY_WORDS, false, 0, parse_read_stop},
+    {"GLAS", ZEMAX_ANY_WORDS, false, 0, zmx_glass},
+    {"STOP", ZEMAX_ANY_WORDS, false, 0, zmx_stop},
     {"COMM", ZEMAX_ANY_WORDS, false, 0, read_comment},
     {"COAT", ZEMAX_ANY_WORDS, false, 0, read_coating},
     {"PARM XDAT PPAR", ZEMAX_ALL_NUMBERS, false, 0, read_numbered},
     {"MAZH CHZH PZUP TCOM TOLE EDGE", ZEMAX_ALL_NUMBERS, false, KEPT(solve), NULL},
-    {"CLAP SQAP ELAP OBSC SQOB ELOB SPID", ZEMAX_A_NUMBER, true, 0, parse_read_aperture},
+    {"CLAP SQAP ELAP OBSC SQOB ELOB SPID", ZEMAX_A_NUMBER, true, 0, zmx_aperture},
     {"FLAP", ZEMAX_A_NUMBER, true, 0, read_floating},
     {"USAP USOB UDAD", ZEMAX_ANY_WORDS, true, 0, read_user_aperture},
     {"OBDC", ZEMAX_ALL_NUMBERS, true, 0, read_aperture_shift},
-    {"SCBD", ZEMAX_ALL_NUMBERS, false, 0, parse_read_shift},
+    {"SCBD", ZEMAX_ALL_NUMBERS, false, 0, zmx_shift},
     {NULL, ZEMAX_ANY_WORDS, false, 0, NULL},
 };
 
@@ -263,16 +239,13 @@ static const struct zemax_keyword *parse_find(const struct zemax_keyword *table,
 
 /*
  * The reader of the present line, of one of `in_surface` where it is of a surface. Lines of the
- * system and those behind the surfaces begin the line, those of a surface do not.
+ * system begin the line, those of a surface do not.
  */
 static const struct zemax_keyword *find_keyword(const struct zemax_file *file, struct text word,
                                                 bool indented, bool *in_surface)
 {
     const struct zemax_keyword *keyword = parse_find(zemax_system_keywords, word);
     *in_surface = false;
-    if (keyword == NULL && file->surface_count > 0 && !indented) {
-        keyword = parse_find(zemax_tail_keywords, word);
-    }
     if (keyword == NULL && (!file->in_tail || indented)) {
         keyword = parse_find(surface_keywords, word);
         *in_surface = keyword != NULL;
@@ -281,8 +254,8 @@ static const struct zemax_keyword *find_keyword(const struct zemax_file *file, s
 }
 
 /* Read the present line; `owner`, the file or a surface, keeps it where the keyword says. */
-static bool parse_read_known(struct zemax_file *file, const struct zemax_keyword *keyword,
-                             struct text word, void *owner, struct error *error)
+static bool zmx_known(struct zemax_file *file, const struct zemax_keyword *keyword,
+                      struct text word, void *owner)
 {
     const struct zemax_line *line =
         zemax_line_of(file, word, keyword->is_length ? file->words.scale : NUMBER_UNSCALED);
@@ -290,15 +263,14 @@ static bool parse_read_known(struct zemax_file *file, const struct zemax_keyword
         *(const struct zemax_line **)((char *)owner + keyword->kept) = line;
     }
     if (keyword->wants != ZEMAX_ANY_WORDS &&
-        !(keyword->wants == ZEMAX_A_NUMBER ? zemax_has_number(line, error)
-                                           : zemax_all_numbers(line, error))) {
+        !(keyword->wants == ZEMAX_A_NUMBER ? zemax_has_number(line) : zemax_all_numbers(line))) {
         return false;
     }
-    return keyword->read == NULL || keyword->read(file, line, error);
+    return keyword->read == NULL || keyword->read(file, line);
 }
 
 /* Are there numbers on the line, and all of them 0? `first` receives the first that is not. */
-static bool parse_is_zero(const struct zemax_line *line, struct text *first)
+static bool is_zero_line(const struct zemax_line *line, struct text *first)
 {
     *first = line->stray.start != NULL ? line->stray : line->keyword;
     for (size_t i = 0; i < line->count; i++) {
@@ -310,48 +282,23 @@ static bool parse_is_zero(const struct zemax_line *line, struct text *first)
     return line->count > 0 && line->stray.start == NULL;
 }
 
-/* A word of the table that has no reader. */
-static void parse_pass_over(struct zemax_file *file, const struct word_group *group,
-                            struct text word)
-{
-    const struct zemax_line *line = zemax_line_of(file, word, NUMBER_UNSCALED);
-    struct text at;
-    bool is_off = parse_is_zero(line, &at) && (group->flags & WORD_COUNTS_AT_0) == 0;
-    if (group->fate != WORD_HARMLESS && !is_off) {
-        foreign_loss(file->job, &line->words, at, word_group_effect(group), NULL, "%.4s: %s",
-                     word.start, group->what);
-    }
-}
-
-/* Every line of the merit function has the same form: a word, two integers and six numbers. */
-static bool is_like_operand(const struct zemax_line *line)
-{
-    return line->keyword.length == 4 && line->count >= 8;
-}
-
-static bool is_like_setting(const struct zemax_file *file, const struct zemax_line *line)
-{
-    double surface = zemax_number(line, 0), configuration = zemax_number(line, 1);
-    return file->has_configurations && line->count >= 2 && surface >= 0 &&
-           surface < FOREIGN_MOST_SURFACES && configuration >= 1 &&
-           configuration <= (double)file->configurations;
-}
-
 /* A word that is not in the table. Where all its numbers are 0, it says that something is off. */
-static bool read_unknown(struct zemax_file *file, struct text word, bool behind,
-                         struct error *error)
+static bool read_unknown(struct zemax_file *file, struct text word, bool behind)
 {
     const struct zemax_line *line = zemax_line_of(file, word, NUMBER_UNSCALED);
     int length = text_shown_up_to(word, 40);
     struct text at;
-    if (behind && is_like_setting(file, line)) {
-        return zemax_read_setting(file, word, error);
+    double surface = zemax_number(line, 0), configuration = zemax_number(line, 1);
+    if (behind && file->has_configurations && line->count >= 2 && surface >= 0 &&
+        surface < FOREIGN_MOST_SURFACES && configuration >= 1 &&
+        configuration <= (double)file->configurations) {
+        return zemax_read_setting(file, word);
     }
-    if (behind && !file->has_configurations && is_like_operand(line)) {
+    if (behind && !file->has_configurations && line->keyword.length == 4 && line->count >= 8) {
         file->in_tail = true;
         return true;
     }
-    if (!behind && parse_is_zero(line, &at)) {
+    if (!behind && is_zero_line(line, &at)) {
         file->zeros = arena_grow(file->job->arena, file->zeros, file->zero_count, &file->zero_room,
                                  sizeof file->zeros[0]);
         file->zeros[file->zero_count++] = line;
@@ -386,7 +333,7 @@ static const struct word_group *group_behind(struct text word)
     return group != NULL ? group : word_group_of(zemax_words, ZEMAX_IN_TAIL, word);
 }
 
-static bool parse_read_line(struct zemax_file *file, struct error *error)
+static bool zmx_line(struct zemax_file *file)
 {
     struct text word = file_words_next(&file->words);
     bool indented = word.start > file->words.line.start, in_surface = file->surface_count > 0;
@@ -396,28 +343,38 @@ static bool parse_read_line(struct zemax_file *file, struct error *error)
     const struct word_group *group = behind ? group_behind(word) : NULL;
     file->last_word = word;
     if (text_same(word, "SURF")) {
-        return read_surf(file, zemax_line_of(file, word, NUMBER_UNSCALED), error);
+        return read_surf(file, zemax_line_of(file, word, NUMBER_UNSCALED));
     }
     if (is_of_surface && !in_surface) {
-        return file_words_fail(&file->words, word, error, "'%.4s' stands before any surface",
+        return file_words_fail(&file->words, word, "'%.4s' stands before any surface",
                                word_list_find(keyword->words, word));
     }
     file->has_tail =
         file->has_tail || (behind && word_group_of(zemax_words, ZEMAX_IN_SURFACE, word) == NULL);
+    if (behind && text_same(word, "MNUM")) {
+        return zemax_read_configurations(file, zemax_line_of(file, word, NUMBER_UNSCALED));
+    }
     if (keyword != NULL) {
-        void *owner = is_of_surface ? (void *)parse_surface_of(file) : (void *)file;
-        return parse_read_known(file, keyword, word, owner, error);
+        void *owner = is_of_surface ? (void *)last_zmx_surface(file) : (void *)file;
+        return zmx_known(file, keyword, word, owner);
     }
     if (group != NULL) {
         file->in_tail = true;
-        return group->fate == WORD_HARMLESS || zemax_read_setting(file, word, error);
+        return group->fate == WORD_HARMLESS || zemax_read_setting(file, word);
     }
     group = word_group_of(zemax_words, NULL, word);
     if (group != NULL) {
-        parse_pass_over(file, group, word);
+        /* A word of the table that has no reader. */
+        const struct zemax_line *line = zemax_line_of(file, word, NUMBER_UNSCALED);
+        struct text at;
+        bool is_off = is_zero_line(line, &at) && (group->flags & WORD_COUNTS_AT_0) == 0;
+        if (group->fate != WORD_HARMLESS && !is_off) {
+            foreign_loss(file->job, &line->words, at, word_group_effect(group), NULL, "%.4s: %s",
+                         word.start, group->what);
+        }
         return true;
     }
-    return read_unknown(file, word, behind, error);
+    return read_unknown(file, word, behind);
 }
 
 /* What follows another surface, by its number in the file. */
@@ -429,31 +386,27 @@ static void lose_reference(struct zemax_file *file, const struct zemax_line **li
                  "what follows another surface, in a file whose surface numbers have gaps");
 }
 
-/* Solves and pick-ups of a surface, in a file whose surface numbers have gaps. */
-static void lose_references(struct zemax_file *file, struct zemax_surface *surface)
-{
-    bool follows = surface->solve != NULL && !text_same(surface->solve->keyword, "MAZH") &&
-                   !text_same(surface->solve->keyword, "EDGE");
-    if (follows) {
-        lose_reference(file, &surface->solve);
-    }
-    for (size_t i = 0; i < ZEMAX_PARAMETERS; i++) {
-        if (surface->pickups[i] != NULL) {
-            lose_reference(file, &surface->pickups[i]);
-        }
-    }
-    const struct zemax_line *curvature = surface->curvature;
-    surface->has_free_curvature = zemax_number(curvature, 1) >= 2;
-    if (surface->has_free_curvature) {
-        lose_reference(file, &curvature);
-    }
-}
-
 /* Numbers of surfaces where some are left out: the places of the surfaces, or a loss. */
-static void parse_close_gaps(struct zemax_file *file)
+static void close_number_gaps(struct zemax_file *file)
 {
     for (size_t i = 0; i < file->surface_count; i++) {
-        lose_references(file, &file->surfaces[i]);
+        /* Solves and pick-ups of a surface, in a file whose surface numbers have gaps. */
+        struct zemax_surface *surface = &file->surfaces[i];
+        bool follows = surface->solve != NULL && !text_same(surface->solve->keyword, "MAZH") &&
+                       !text_same(surface->solve->keyword, "EDGE");
+        if (follows) {
+            lose_reference(file, &surface->solve);
+        }
+        for (size_t k = 0; k < ZEMAX_PARAMETERS; k++) {
+            if (surface->pickups[k] != NULL) {
+                lose_reference(file, &surface->pickups[k]);
+            }
+        }
+        const struct zemax_line *curvature = surface->curvature;
+        surface->has_free_curvature = zemax_number(curvature, 1) >= 2;
+        if (surface->has_free_curvature) {
+            lose_reference(file, &curvature);
+        }
     }
     for (struct zemax_setting *one = file->settings; one != NULL; one = one->next) {
         size_t at = 0;
@@ -493,13 +446,13 @@ static void pick_up_glasses(struct zemax_file *file)
  * A file of the program goes on behind its surfaces, and behind several configurations too. One
  * that does not may be whole: then its last surface, the image, has no glass.
  */
-static bool parse_check_end(struct zemax_file *file, struct error *error)
+static bool check_zmx_end(struct zemax_file *file)
 {
-    const struct zemax_surface *image = parse_surface_of(file);
+    const struct zemax_surface *image = last_zmx_surface(file);
     const bool has_last = text_same(file->last_word, "CSUM") || text_same(file->last_word, "MOFF");
     if (!file->has_tail && image->glass != NULL) {
-        return file_words_fail(&image->surf->words, image->surf->keyword, error,
-                               "the file ends inside surface %zu: it was cut short", image->number);
+        return zemax_fail(image->surf, image->surf->keyword,
+                          "the file ends inside surface %zu: it was cut short", image->number);
     }
     if (image->thickness == NULL) {
         foreign_cut_short(file->job, "its last surface has no distance DISZ");
@@ -511,29 +464,29 @@ static bool parse_check_end(struct zemax_file *file, struct error *error)
     return true;
 }
 
-bool zemax_parse(struct zemax_file *file, struct text content, struct error *error)
+bool zemax_parse(struct zemax_file *file, struct text content)
 {
-    if (!file_words_open(&file->words, file->job->source, content, file->job->arena, error)) {
+    if (!file_words_open(&file->words, file->job->source, content, file->job->arena, file->error)) {
         return false;
     }
     file->words.comment = NULL;
     file->configurations = 1;
     while (file_words_line(&file->words)) {
         struct file_words start = file->words;
-        if (file_words_next(&start).length > 0 && !parse_read_line(file, error)) {
+        if (file_words_next(&start).length > 0 && !zmx_line(file)) {
             return false;
         }
     }
     if (file->surface_count < 3) {
-        fail(error, ERROR_DATA, "the file has no surface between object and image");
-        return error_locate(error, file->job->source, 0, 0);
+        return foreign_fail(file->job, file->error,
+                            "the file has no surface between object and image");
     }
-    if (!parse_check_end(file, error)) {
+    if (!check_zmx_end(file)) {
         return false;
     }
     pass_zeros(file);
     if (file->has_gaps) {
-        parse_close_gaps(file);
+        close_number_gaps(file);
     }
     pick_up_glasses(file);
     return true;

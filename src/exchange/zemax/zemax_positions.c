@@ -1,26 +1,17 @@
 /* exchange/zemax/zemax_positions.c - the configurations of a .zmx file as positions of a lens. */
 /* SPDX-License-Identifier: MIT */
-#include "exchange/merge_positions.h"
-#include "exchange/zemax/zemax_keyword.h"
-#include "exchange/zemax/zemax_surface.h"
+#include "exchange/zemax/zemax.h"
 #include "file/lens_unit.h"
 
 #include <math.h>
 #include <string.h>
 
-/* What a configuration puts in the place of the lines that the file has. */
-struct setting_target {
-    struct zemax_file *file; /* of this configuration alone */
-    const struct zemax_setting *setting;
-    struct error *error;
-};
-
 /* The value of an operand as the first number of a line, with what another line has behind it. */
-static struct zemax_line *line_with(const struct setting_target *placing,
+static struct zemax_line *line_with(struct zemax_file *file, const struct zemax_setting *setting,
                                     const struct zemax_line *old, size_t before)
 {
-    struct arena *arena = placing->file->job->arena;
-    const struct zemax_line *own = placing->setting->line;
+    struct arena *arena = file->job->arena;
+    const struct zemax_line *own = setting->line;
     size_t count = old != NULL && old->count > before ? old->count : before + 1;
     struct zemax_line *line = ARENA_NEW(arena, struct zemax_line);
     *line = *own;
@@ -34,54 +25,56 @@ static struct zemax_line *line_with(const struct setting_target *placing,
     return line;
 }
 
-static bool place_thickness(const struct setting_target *placing, struct zemax_surface *surface)
+static bool place_thickness(struct zemax_file *file, const struct zemax_setting *setting)
 {
+    struct zemax_surface *surface = &file->surfaces[setting->surface];
     const double far = 1e10; /* what the program writes for infinity where it wants a number */
-    struct zemax_line *line = line_with(placing, NULL, 0);
-    line->infinite = placing->setting->surface == 0 && fabs(line->numbers[0].value.hi) >= far;
+    struct zemax_line *line = line_with(file, setting, NULL, 0);
+    line->infinite = setting->surface == 0 && fabs(line->numbers[0].value.hi) >= far;
     surface->thickness = line;
     return true;
 }
 
-static bool place_curvature(const struct setting_target *placing, struct zemax_surface *surface)
+/* CRVT, CONN */
+static bool place_curve(struct zemax_file *file, const struct zemax_setting *setting)
 {
-    surface->curvature = line_with(placing, surface->curvature, 0);
+    struct zemax_surface *surface = &file->surfaces[setting->surface];
+    const struct zemax_line **place =
+        text_same(setting->line->keyword, "CONN") ? &surface->conic : &surface->curvature;
+    *place = line_with(file, setting, *place, 0);
     return true;
 }
 
-static bool place_conic(const struct setting_target *placing, struct zemax_surface *surface)
+static bool place_diameter(struct zemax_file *file, const struct zemax_setting *setting)
 {
-    surface->conic = line_with(placing, surface->conic, 0);
-    return true;
-}
-
-static bool place_diameter(const struct setting_target *placing, struct zemax_surface *surface)
-{
-    surface->diameter = line_with(placing, surface->diameter, 0);
-    return placing->setting->line->numbers[2].value.hi >= 0 || /* 0 is none */
-           file_words_fail(&placing->setting->line->words, placing->setting->line->numbers[2].typed,
-                           placing->error, "a semi-diameter is not below 0");
+    struct zemax_surface *surface = &file->surfaces[setting->surface];
+    surface->diameter = line_with(file, setting, surface->diameter, 0);
+    return setting->line->numbers[2].value.hi >= 0 || /* 0 is none */
+           zemax_fail(setting->line, setting->line->numbers[2].typed,
+                      "a semi-diameter is not below 0");
 }
 
 /* CBDX .. before the surface, CADX .. behind it: a number of SCBD. */
-static bool place_shift(const struct setting_target *placing, struct zemax_surface *surface)
+static bool place_shift(struct zemax_file *file, const struct zemax_setting *setting)
 {
+    struct zemax_surface *surface = &file->surfaces[setting->surface];
     static const char *const numbers[] = {"OR", "", "DX", "DY", "TX", "TY", "TZ"};
-    const struct text word = placing->setting->line->keyword, last = {word.start + 2, 2};
+    const struct text word = setting->line->keyword, last = {word.start + 2, 2};
     const struct zemax_line **place =
         (word.start[1] | 32) == 'b' ? &surface->shift_before : &surface->shift_behind;
     size_t at = 0;
     while (!text_same(last, numbers[at])) {
         at++;
     }
-    *place = line_with(placing, *place, at + 1);
+    *place = line_with(file, setting, *place, at + 1);
     return true;
 }
 
 /* GLSS surface configuration NAME */
-static bool place_glass(const struct setting_target *placing, struct zemax_surface *surface)
+static bool place_glass(struct zemax_file *file, const struct zemax_setting *setting)
 {
-    const struct zemax_line *own = placing->setting->line;
+    struct zemax_surface *surface = &file->surfaces[setting->surface];
+    const struct zemax_line *own = setting->line;
     struct file_words words = own->words;
     struct text name = {NULL, 0};
     for (int i = 0; i < 3; i++) {
@@ -90,17 +83,18 @@ static bool place_glass(const struct setting_target *placing, struct zemax_surfa
     if (name.length >= 2 && name.start[0] == '"' && name.start[name.length - 1] == '"') {
         name = (struct text){name.start + 1, name.length - 2};
     }
-    struct zemax_line *line = ARENA_NEW(placing->file->job->arena, struct zemax_line);
+    struct zemax_line *line = ARENA_NEW(file->job->arena, struct zemax_line);
     *line = (struct zemax_line){.words = own->words, .keyword = name};
     surface->glass = name.length > 0 ? line : NULL;
     return true;
 }
 
 /* PAR1 .. PAR8 */
-static bool place_parameter(const struct setting_target *placing, struct zemax_surface *surface)
+static bool place_parameter(struct zemax_file *file, const struct zemax_setting *setting)
 {
-    size_t number = (size_t)(placing->setting->line->keyword.start[3] - '0');
-    surface->parameters[number] = line_with(placing, surface->parameters[number], 1);
+    struct zemax_surface *surface = &file->surfaces[setting->surface];
+    size_t number = (size_t)(setting->line->keyword.start[3] - '0');
+    surface->parameters[number] = line_with(file, setting, surface->parameters[number], 1);
     return true;
 }
 
@@ -108,43 +102,45 @@ static bool place_parameter(const struct setting_target *placing, struct zemax_s
  * PRAM surface configuration value status NUMBER .., EDVA the same for extra data: behind the value
  * and its status the number of the parameter.
  */
-static bool place_numbered(const struct setting_target *placing, struct zemax_surface *surface)
+static bool place_numbered(struct zemax_file *file, const struct zemax_setting *setting)
 {
-    const struct zemax_line *own = placing->setting->line;
+    struct zemax_surface *surface = &file->surfaces[setting->surface];
+    const struct zemax_line *own = setting->line;
     const bool extra = text_same(own->keyword, "EDVA");
     const double number = zemax_number(own, 4);
     const size_t most = extra ? ZEMAX_EXTRAS : ZEMAX_PARAMETERS;
     if (own->count < 5 || !(number >= 0 && number < 1e6 && number == floor(number))) {
-        return file_words_fail(&own->words, own->keyword, placing->error,
-                               "%.4s needs a surface, a configuration, its value and behind a "
-                               "status the number of the parameter",
-                               own->keyword.start);
+        return zemax_fail(own, own->keyword,
+                          "%.4s needs a surface, a configuration, its value and behind a "
+                          "status the number of the parameter",
+                          own->keyword.start);
     }
     if (number >= (double)most) {
         return own->numbers[2].value.hi == 0 ||
-               zemax_loss(placing->file, own, LOSS_OF_RAYS, NULL,
+               zemax_loss(file, own, LOSS_OF_RAYS, NULL,
                           "a parameter that no surface of lenscalc has");
     }
     const struct zemax_line **place =
         extra ? &surface->extras[(size_t)number] : &surface->parameters[(size_t)number];
-    *place = line_with(placing, *place, 1);
+    *place = line_with(file, setting, *place, 1);
     return true;
 }
 
 /* APMN, APMX: the two sizes of an aperture, APDX, APDY: its decentre; of none they say nothing. */
-static bool place_size(const struct setting_target *placing, struct zemax_surface *surface)
+static bool place_size(struct zemax_file *file, const struct zemax_setting *setting)
 {
-    const struct zemax_line *own = placing->setting->line;
+    struct zemax_surface *surface = &file->surfaces[setting->surface];
+    const struct zemax_line *own = setting->line;
     const bool shifts = text_same(own->keyword, "APDX") || text_same(own->keyword, "APDY");
     const bool second = text_same(own->keyword, "APMX") || text_same(own->keyword, "APDY");
     const struct zemax_line **place = shifts ? &surface->aperture_shift : &surface->aperture;
     const struct zemax_line *old = *place;
     if (surface->aperture == NULL) {
         return own->numbers[2].value.hi == 0 ||
-               zemax_loss(placing->file, own, LOSS_OF_VIGNETTING, "left out",
+               zemax_loss(file, own, LOSS_OF_VIGNETTING, "left out",
                           "%.4s of an aperture that is not stated", own->keyword.start);
     }
-    struct zemax_line *line = line_with(placing, old, second);
+    struct zemax_line *line = line_with(file, setting, old, second);
     if (!shifts) {
         line->keyword = old->keyword;
         line->words = old->words;
@@ -155,29 +151,14 @@ static bool place_size(const struct setting_target *placing, struct zemax_surfac
     return true;
 }
 
-/* Operands that belong to a surface; the others are of the system. */
-static const struct {
-    const char *words;
-    bool (*place)(const struct setting_target *placing, struct zemax_surface *surface);
-} places_of[] = {{"THIC", place_thickness},
-                 {"CRVT", place_curvature},
-                 {"CONN", place_conic},
-                 {"SDIA", place_diameter},
-                 {"APMN APMX APDX APDY", place_size},
-                 {"GLSS", place_glass},
-                 {"PRAM EDVA", place_numbered},
-                 {"PAR1 PAR2 PAR3 PAR4 PAR5 PAR6 PAR7 PAR8", place_parameter},
-                 {"CBOR CBDX CBDY CBTX CBTY CBTZ CAOR CADX CADY CATX CATY CATZ", place_shift}};
-
 /* STPS: the number of the surface that is the stop is the value. */
-static bool place_stop(const struct setting_target *placing)
+static bool place_stop(struct zemax_file *file, const struct zemax_setting *setting)
 {
-    struct zemax_file *file = placing->file;
-    const struct zemax_line *line = placing->setting->line;
+    const struct zemax_line *line = setting->line;
     double stop = zemax_number(line, 2);
     if (!(stop >= 1 && stop + 1 < (double)file->surface_count && stop == floor(stop))) {
-        return file_words_fail(&line->words, line->numbers[2].typed, placing->error,
-                               "the stop is one of the surfaces 1 to %zu", file->surface_count - 2);
+        return zemax_fail(line, line->numbers[2].typed, "the stop is one of the surfaces 1 to %zu",
+                          file->surface_count - 2);
     }
     for (size_t i = 0; i < file->surface_count; i++) {
         file->surfaces[i].is_stop = i == (size_t)stop;
@@ -186,11 +167,10 @@ static bool place_stop(const struct setting_target *placing)
 }
 
 /* WAVE and WLWT: `surface` is the number of the wavelength. */
-static bool place_wave(const struct setting_target *placing)
+static bool place_wave(struct zemax_file *file, const struct zemax_setting *setting)
 {
-    struct zemax_file *file = placing->file;
-    const struct zemax_line *line = placing->setting->line;
-    long number = placing->setting->surface;
+    const struct zemax_line *line = setting->line;
+    long number = setting->surface;
     if (!(number >= 1 && (size_t)number <= file->wave_count)) {
         return true; /* of a wavelength that is gone */
     }
@@ -200,26 +180,25 @@ static bool place_wave(const struct setting_target *placing)
 }
 
 /* PRWV: the number of the primary wavelength is the value. */
-static bool place_primary(const struct setting_target *placing)
+static bool place_primary(struct zemax_file *file, const struct zemax_setting *setting)
 {
-    const struct zemax_line *line = placing->setting->line;
+    const struct zemax_line *line = setting->line;
     double number = zemax_number(line, 2);
-    if (!(number >= 1 && number <= (double)placing->file->wave_count && number == floor(number))) {
-        return file_words_fail(&line->words, line->numbers[2].typed, placing->error,
-                               "wavelengths have the numbers 1 to %zu", placing->file->wave_count);
+    if (!(number >= 1 && number <= (double)file->wave_count && number == floor(number))) {
+        return zemax_fail(line, line->numbers[2].typed, "wavelengths have the numbers 1 to %zu",
+                          file->wave_count);
     }
-    placing->file->primary = (size_t)number - 1;
+    file->primary = (size_t)number - 1;
     return true;
 }
 
 /* The aperture, in the unit that its kind has. */
-static bool place_aperture(const struct setting_target *placing)
+static bool place_aperture(struct zemax_file *file, const struct zemax_setting *setting)
 {
-    struct zemax_file *file = placing->file;
     if (file->aperture == NULL || text_same(file->aperture->keyword, "FLOA")) {
         return true; /* the stop's diameter says it */
     }
-    struct zemax_line *line = line_with(placing, file->aperture, 0);
+    struct zemax_line *line = line_with(file, setting, file->aperture, 0);
     struct figure *value = &line->numbers[0];
     line->keyword = file->aperture->keyword;
     if (text_same(line->keyword, "ENPD")) {
@@ -230,21 +209,19 @@ static bool place_aperture(const struct setting_target *placing)
 }
 
 /* XFIE, YFIE, FLWT: `surface` is the number of the field. */
-static bool place_field(const struct setting_target *placing)
+static bool place_field(struct zemax_file *file, const struct zemax_setting *setting)
 {
-    struct zemax_file *file = placing->file;
-    const struct zemax_line *own = placing->setting->line;
+    const struct zemax_line *own = setting->line;
     const struct zemax_line **place = &file->field_weights;
     if (!text_same(own->keyword, "FLWT")) {
         place = text_same(own->keyword, "XFIE") ? &file->x : &file->y;
     }
     const struct zemax_line *old = *place;
-    const long number = placing->setting->surface;
+    const long number = setting->surface;
     if (!(number >= 1 && number <= ZEMAX_WAVES)) {
-        return file_words_fail(&own->words, own->first, placing->error,
-                               "fields have the numbers 1 to %d", ZEMAX_WAVES);
+        return zemax_fail(own, own->first, "fields have the numbers 1 to %d", ZEMAX_WAVES);
     }
-    struct zemax_line *line = line_with(placing, old, (size_t)number - 1);
+    struct zemax_line *line = line_with(file, setting, old, (size_t)number - 1);
     for (size_t i = old != NULL ? old->count : 0; old != NULL && i + 1 < (size_t)number; i++) {
         line->numbers[i] = figure_zero();
     }
@@ -253,141 +230,102 @@ static bool place_field(const struct setting_target *placing)
 }
 
 /* FLTP, TELE, AFOC: the kind of the fields and what FTYP says beside it. */
-static bool place_field_kind(const struct setting_target *placing)
+static bool place_field_kind(struct zemax_file *file, const struct zemax_setting *setting)
 {
-    struct zemax_file *file = placing->file;
-    const struct text word = placing->setting->line->keyword;
+    const struct text word = setting->line->keyword;
     size_t at = 6;
     if (!text_same(word, "AFOC")) {
         at = text_same(word, "TELE");
     }
-    file->fields = line_with(placing, file->fields, at);
+    file->fields = line_with(file, setting, file->fields, at);
     return true;
 }
 
 /* TEMP, PRES: they act where ENVD says that indices follow them. */
-static bool place_environment(const struct setting_target *placing)
+static bool place_environment(struct zemax_file *file, const struct zemax_setting *setting)
 {
-    struct zemax_file *file = placing->file;
-    const bool second = text_same(placing->setting->line->keyword, "PRES");
-    file->environment = line_with(placing, file->environment, second);
+    const bool second = text_same(setting->line->keyword, "PRES");
+    file->environment = line_with(file, setting, file->environment, second);
     return (zemax_number(file->environment, 0) > -273.15 &&
             zemax_number(file->environment, 1) >= 0) ||
-           file_words_fail(&placing->setting->line->words, placing->setting->line->keyword,
-                           placing->error,
-                           "a temperature is above -273.15 C, a pressure 0 or more atmospheres");
+           zemax_fail(setting->line, setting->line->keyword,
+                      "a temperature is above -273.15 C, a pressure 0 or more atmospheres");
 }
 
-static const struct {
+/* Operands of a surface, and those of the system. */
+static const struct setting_place {
     const char *words;
-    bool (*place)(const struct setting_target *placing);
-} places_in_system[] = {{"STPS", place_stop},
-                        {"WAVE WLWT", place_wave},
-                        {"PRWV", place_primary},
-                        {"APER", place_aperture},
-                        {"XFIE YFIE FLWT", place_field},
-                        {"FLTP TELE AFOC", place_field_kind},
-                        {"TEMP PRES", place_environment}};
+    bool of_surface;
+    bool (*place)(struct zemax_file *file, const struct zemax_setting *setting);
+} places[] = {{"THIC", true, place_thickness},
+              {"CRVT CONN", true, place_curve},
+              {"SDIA", true, place_diameter},
+              {"APMN APMX APDX APDY", true, place_size},
+              {"GLSS", true, place_glass},
+              {"PRAM EDVA", true, place_numbered},
+              {"PAR1 PAR2 PAR3 PAR4 PAR5 PAR6 PAR7 PAR8", true, place_parameter},
+              {"CBOR CBDX CBDY CBTX CBTY CBTZ CAOR CADX CADY CATX CATY CATZ", true, place_shift},
+              {"STPS", false, place_stop},
+              {"WAVE WLWT", false, place_wave},
+              {"PRWV", false, place_primary},
+              {"APER", false, place_aperture},
+              {"XFIE YFIE FLWT", false, place_field},
+              {"FLTP TELE AFOC", false, place_field_kind},
+              {"TEMP PRES", false, place_environment}};
 
-/* Is it one of those that may differ between the configurations? */
-static bool is_placed(struct text keyword)
+/* Null: it is none of those that may differ between the configurations. */
+static const struct setting_place *place_of(struct text keyword)
 {
-    bool found = false;
-    for (size_t i = 0; i < sizeof places_of / sizeof places_of[0]; i++) {
-        found = found || word_list_find(places_of[i].words, keyword) != NULL;
+    for (size_t i = 0; i < sizeof places / sizeof places[0]; i++) {
+        if (word_list_find(places[i].words, keyword) != NULL) {
+            return &places[i];
+        }
     }
-    for (size_t i = 0; i < sizeof places_in_system / sizeof places_in_system[0]; i++) {
-        found = found || word_list_find(places_in_system[i].words, keyword) != NULL;
-    }
-    return found;
+    return NULL;
 }
 
 /* One operand of this configuration; false without an error: it has no value. */
-static bool place_setting(const struct setting_target *placing)
+static bool place_setting(struct zemax_file *file, const struct zemax_setting *setting)
 {
-    struct zemax_file *file = placing->file;
-    const struct zemax_line *line = placing->setting->line;
-    size_t surface = (size_t)placing->setting->surface;
-    for (size_t i = 0; i < sizeof places_of / sizeof places_of[0]; i++) {
-        if (word_list_find(places_of[i].words, line->keyword) == NULL) {
-            continue;
-        }
-        if (surface >= file->surface_count) {
-            return true; /* of a surface that is gone */
-        }
-        return (places_of[i].place == place_glass ||
-                (zemax_all_numbers(line, placing->error) && line->count > 2)) &&
-               places_of[i].place(placing, &file->surfaces[surface]);
+    const struct zemax_line *line = setting->line;
+    const struct setting_place *place = place_of(line->keyword);
+    if (place == NULL || (place->of_surface && (size_t)setting->surface >= file->surface_count)) {
+        return true; /* of a surface that is gone */
     }
-    for (size_t i = 0; i < sizeof places_in_system / sizeof places_in_system[0]; i++) {
-        if (word_list_find(places_in_system[i].words, line->keyword) != NULL) {
-            return zemax_all_numbers(line, placing->error) && line->count > 2 &&
-                   places_in_system[i].place(placing);
-        }
-    }
-    return true;
-}
-
-/* An operand that lenscalc has no positions of: its words must be the same in all of them. */
-static void check_constant(struct zemax_file *file, const struct zemax_setting *before,
-                           const struct zemax_setting *one)
-{
-    struct file_words a = one->line->words, b = before != NULL ? before->line->words : a;
-    bool same_operand = before != NULL && before->surface == one->surface &&
-                        memcmp(before->line->keyword.start, one->line->keyword.start, 4) == 0;
-    struct text left = {NULL, 0}, right = {NULL, 0};
-    for (int i = 0; i < 3; i++) {
-        left = file_words_next(&a);
-        right = file_words_next(&b);
-    }
-    if (same_operand && !text_identical(left, right)) {
-        zemax_loss(file, one->line, LOSS_OF_RAYS,
-                   "what the surfaces and the system of the file say is kept",
-                   "%.4s %ld changes between the configurations", one->line->keyword.start,
-                   one->surface);
-    }
+    return (place->place == place_glass || (zemax_all_numbers(line) && line->count > 2)) &&
+           place->place(file, setting);
 }
 
 /* The file as it is in one configuration. */
-static bool place_settings(struct zemax_file *file, size_t configuration, struct error *error)
+bool zemax_place_settings(struct zemax_file *file, size_t configuration)
 {
     const struct zemax_setting *before = NULL;
     for (const struct zemax_setting *one = file->settings; one != NULL; one = one->next) {
-        const struct setting_target placing = {file, one, error};
-        if (one->configuration == (long)configuration + 1 && !place_setting(&placing)) {
-            return error->code == ERROR_NONE &&
-                   file_words_fail(&one->line->words, one->line->keyword, error,
-                                   "%.4s needs a surface, a configuration and its value",
-                                   one->line->keyword.start);
+        if (one->configuration == (long)configuration + 1 && !place_setting(file, one)) {
+            return file->error->code == ERROR_NONE &&
+                   zemax_fail(one->line, one->line->keyword,
+                              "%.4s needs a surface, a configuration and its value",
+                              one->line->keyword.start);
         }
-        if (configuration == 0 && !is_placed(one->line->keyword)) {
-            check_constant(file, before, one);
+        if (configuration == 0 && place_of(one->line->keyword) == NULL) {
+            /* lenscalc has no positions of it: its words must be the same in all of them */
+            struct file_words a = one->line->words, b = before != NULL ? before->line->words : a;
+            bool same_operand =
+                before != NULL && before->surface == one->surface &&
+                memcmp(before->line->keyword.start, one->line->keyword.start, 4) == 0;
+            struct text left = {NULL, 0}, right = {NULL, 0};
+            for (int i = 0; i < 3; i++) {
+                left = file_words_next(&a);
+                right = file_words_next(&b);
+            }
+            if (same_operand && !text_identical(left, right)) {
+                zemax_loss(file, one->line, LOSS_OF_RAYS,
+                           "what the surfaces and the system of the file say is kept",
+                           "%.4s %ld changes between the configurations", one->line->keyword.start,
+                           one->surface);
+            }
         }
         before = one;
     }
-    return true;
-}
-
-bool zemax_read_positions(struct zemax_file *file, zemax_build_function *build, struct error *error)
-{
-    struct arena *arena = file->job->arena;
-    const struct lens named = *file->build.lens;
-    struct lens *lenses = ARENA_ARRAY(arena, file->configurations, struct lens);
-    for (size_t p = 0; p < file->configurations; p++) {
-        struct zemax_file one = *file;
-        one.configuration = p + 1;
-        size_t losses = file->job->loss_count;
-        lenses[p] = named;
-        lenses[p].position_count = 0;
-        one.build =
-            (struct lens_build){.lens = &lenses[p], .arena = arena, .note_room = named.note_count};
-        one.surfaces = ARENA_ARRAY(arena, file->surface_count, struct zemax_surface);
-        memcpy(one.surfaces, file->surfaces, file->surface_count * sizeof one.surfaces[0]);
-        if (!place_settings(&one, p, error) || !build(&one, error)) {
-            return false;
-        }
-        foreign_forget_repeated(file->job, p > 0 ? losses : file->job->loss_count);
-    }
-    merge_positions(&file->build, lenses, file->job);
     return true;
 }

@@ -1,12 +1,8 @@
 /* exchange/zemax/zemax_read.c - a .zmx file as a lens: system data, positions, solves. */
 /* SPDX-License-Identifier: MIT */
 #include "exchange/entrance_pupil.h"
-#include "exchange/virtual_object.h"
+#include "exchange/merge_positions.h"
 #include "exchange/zemax/zemax.h"
-#include "exchange/zemax/zemax_circle.h"
-#include "exchange/zemax/zemax_keyword.h"
-#include "exchange/zemax/zemax_parse.h"
-#include "exchange/zemax/zemax_surface.h"
 
 #include "base/constants.h"
 #include "file/lens_unit.h"
@@ -15,27 +11,20 @@
 #include <math.h>
 #include <string.h>
 
-/* A figure of a line again, in another unit. */
-static struct figure zemax_read_in_unit(struct figure figure, struct number_scale scale)
-{
-    text_pair(figure.typed, scale, &figure.value);
-    return figure;
-}
-
 /* OBNA degrees 1: the marginal ray's angle at the object, n sin u. */
-static bool zemax_read_set_cone(struct zemax_file *file, const struct zemax_line *line,
-                                struct error *error)
+static bool set_zmx_cone(struct zemax_file *file, const struct zemax_line *line)
 {
     struct lens *lens = file->build.lens;
     struct pair index = {1, 0};
     const double angle = zemax_number(line, 0);
     const double primary = file->wave_count > 0 ? file->waves[file->primary].value.hi : 0;
     if (!(angle < 90)) {
-        return file_words_fail(&line->words, line->numbers[0].typed, error,
-                               "the angle of the cone must be below 90 degrees");
+        return zemax_fail(line, line->numbers[0].typed,
+                          "the angle of the cone must be below 90 degrees");
     }
-    if (!medium_index(&lens->object_medium, primary > 0 ? primary : WAVELENGTH_D, &index, error)) {
-        error->code = ERROR_NONE;
+    if (!medium_index(&lens->object_medium, primary > 0 ? primary : WAVELENGTH_D, &index,
+                      file->error)) {
+        file->error->code = ERROR_NONE;
         lens->aperture_kind = APERTURE_NONE;
         return zemax_loss(file, line, LOSS_OF_RAYS, "the lens gets no aperture",
                           "the angle of a cone in a medium of unknown index");
@@ -44,7 +33,7 @@ static bool zemax_read_set_cone(struct zemax_file *file, const struct zemax_line
     return true;
 }
 
-static bool zemax_read_set_aperture(struct zemax_file *file, struct error *error)
+static bool set_zmx_aperture(struct zemax_file *file)
 {
     const struct zemax_line *line = file->aperture;
     struct lens *lens = file->build.lens;
@@ -57,8 +46,7 @@ static bool zemax_read_set_aperture(struct zemax_file *file, struct error *error
         return true;
     }
     if (!(line->numbers[0].value.hi > 0)) {
-        return file_words_fail(&line->words, line->numbers[0].typed, error,
-                               "the aperture must be above 0");
+        return zemax_fail(line, line->numbers[0].typed, "the aperture must be above 0");
     }
     lens->aperture = line->numbers[0];
     if (text_same(line->keyword, "ENPD")) {
@@ -70,7 +58,7 @@ static bool zemax_read_set_aperture(struct zemax_file *file, struct error *error
     }
     bool special = zemax_number(line, 1) != 0;
     if (lens->aperture_kind == APERTURE_NA && special) {
-        return zemax_read_set_cone(file, line, error);
+        return set_zmx_cone(file, line);
     }
     if (lens->aperture_kind == APERTURE_FNUMBER && special && !lens->object_is_infinite) {
         lens->aperture_kind = APERTURE_NONE; /* until its surfaces are known */
@@ -79,22 +67,24 @@ static bool zemax_read_set_aperture(struct zemax_file *file, struct error *error
 }
 
 /* Field number `at`, from 0: its place in XFLN and YFLN, its weight in FWGN. */
-static bool zemax_read_add_field(struct zemax_file *file, size_t at, bool angle,
-                                 struct error *error)
+static bool add_zmx_field(struct zemax_file *file, size_t at, bool angle)
 {
     struct number_scale scale = angle ? NUMBER_UNSCALED : lens_unit_scale(file->build.lens->unit);
     const struct zemax_line *lines[2] = {file->x, file->y}, *weights = file->field_weights;
     struct lens_field *field = lens_build_field(&file->build);
     for (int i = 0; i < 2; i++) {
         bool has = lines[i] != NULL && at < lines[i]->count;
-        field->at[i] = has ? zemax_read_in_unit(lines[i]->numbers[at], scale) : field->at[i];
-        field->at[i].typed = has ? field->at[i].typed : text_of("0");
+        field->at[i].typed = text_of("0");
+        if (has) { /* read again, in the unit */
+            field->at[i] = lines[i]->numbers[at];
+            text_pair(field->at[i].typed, scale, &field->at[i].value);
+        }
     }
     if (angle) {
         const char *wrong = lens_field_from_degrees(field);
         const struct zemax_line *line = field->at[1].value.hi != 0 ? file->y : file->x;
         if (wrong != NULL) {
-            return file_words_fail(&line->words, line->numbers[at].typed, error, "%s", wrong);
+            return zemax_fail(line, line->numbers[at].typed, "%s", wrong);
         }
     }
     if (weights != NULL && at < weights->count && weights->numbers[at].value.hi != 1) {
@@ -102,10 +92,10 @@ static bool zemax_read_add_field(struct zemax_file *file, size_t at, bool angle,
         field->weight_typed = weights->numbers[at].typed;
     }
     return field->weight >= 0 ||
-           file_words_fail(&weights->words, field->weight_typed, error, "a weight is not below 0");
+           zemax_fail(weights, field->weight_typed, "a weight is not below 0");
 }
 
-static bool set_fields(struct zemax_file *file, struct error *error)
+static bool set_fields(struct zemax_file *file)
 {
     static const enum field_kind kinds[] = {FIELD_ANGLE, FIELD_HEIGHT, FIELD_IMAGE, FIELD_REAL};
     double type = zemax_number(file->fields, 0), stated = zemax_number(file->fields, 2);
@@ -121,7 +111,7 @@ static bool set_fields(struct zemax_file *file, struct error *error)
     }
     file->build.lens->field_kind = kinds[(int)type];
     for (size_t i = 0; i < count; i++) {
-        if (!zemax_read_add_field(file, i, type == 0, error)) {
+        if (!add_zmx_field(file, i, type == 0)) {
             return false;
         }
     }
@@ -131,44 +121,38 @@ static bool set_fields(struct zemax_file *file, struct error *error)
                       "FTYP counts %g fields, XFLN and YFLN have %zu", stated, listed);
 }
 
-static struct text after_um(struct zemax_file *file, struct text number)
-{
-    return text_of(arena_printf(file->job->arena, "%.*sum", (int)number.length, number.start));
-}
-
 /* Points at PWAV where the file has it. */
-static bool fail_waves(const struct zemax_file *file, struct error *error, const char *message)
+static bool fail_waves(const struct zemax_file *file, const char *message)
 {
     if (file->primary_line != NULL) {
-        return file_words_fail(&file->primary_line->words, file->primary_line->keyword, error, "%s",
-                               message);
+        return zemax_fail(file->primary_line, file->primary_line->keyword, "%s", message);
     }
-    fail(error, ERROR_DATA, "%s", message);
-    return error_locate(error, file->job->source, 0, 0);
+    return foreign_fail(file->job, file->error, "%s", message);
 }
 
 /* The primary one first. */
-static bool set_waves(struct zemax_file *file, struct error *error)
+static bool set_waves(struct zemax_file *file)
 {
     const size_t count = zemax_wave_count(file);
     if (count > 0 && file->primary >= count) {
-        return fail_waves(file, error,
-                          arena_printf(file->job->arena,
-                                       "the primary wavelength is number %zu of %zu",
-                                       file->primary + 1, count));
+        return fail_waves(file, arena_printf(file->job->arena,
+                                             "the primary wavelength is number %zu of %zu",
+                                             file->primary + 1, count));
     }
     for (size_t i = 0; i < count; i++) {
         size_t at = i == 0 ? file->primary : i - (i <= file->primary);
         double wavelength = file->waves[at].value.hi, weight = file->weights[at].value.hi;
         if (!(wavelength > 0) || !(weight >= 0)) {
-            return fail_waves(file, error,
-                              arena_printf(file->job->arena,
-                                           "wavelength %zu is missing, or its weight is below 0",
-                                           at + 1));
+            return fail_waves(
+                file, arena_printf(file->job->arena,
+                                   "wavelength %zu is missing, or its weight is below 0", at + 1));
         }
         struct lens_wavelength *one = lens_build_wavelength(&file->build, wavelength, weight);
         bool is_line = one->typed.start[one->typed.length - 1] != 'm';
-        one->typed = is_line ? one->typed : after_um(file, file->waves[at].typed);
+        one->typed = is_line ? one->typed
+                             : text_of(arena_printf(file->job->arena, "%.*sum",
+                                                    (int)file->waves[at].typed.length,
+                                                    file->waves[at].typed.start));
     }
     return true;
 }
@@ -216,8 +200,8 @@ static bool is_shaped(const struct zemax_surface *surface)
 }
 
 /* Object and image are planes across the axis; what the file says of them beyond that is lost. */
-static void zemax_read_check_flat(struct zemax_file *file, const struct zemax_surface *surface,
-                                  const char *curved, const char *tilted)
+static void check_flat_end(struct zemax_file *file, const struct zemax_surface *surface,
+                           const char *curved, const char *tilted)
 {
     if (zemax_number(surface->curvature, 0) != 0) {
         zemax_loss(file, surface->curvature, LOSS_OF_RAYS, "taken for a plane", "%s", curved);
@@ -243,32 +227,15 @@ static bool is_virtual(const struct zemax_file *file)
     return is;
 }
 
-/* The distance of an object that is not far. */
-static void set_distance(struct zemax_file *file, const struct figure *figure)
-{
-    struct lens *lens = file->build.lens;
-    struct pair distance = figure->value;
-    lens->object_is_infinite = false;
-    lens->object = *figure;
-    if (!is_virtual(file)) {
-        return;
-    }
-    if (pass_planes(file, &distance)) {
-        lens->object = figure_computed(distance, lens_unit_scale(lens->unit), file->job->arena);
-    } else {
-        virtual_object_put(&file->build, figure->value);
-    }
-}
-
 /* The object's distance, and what lies before the first surface. */
-static bool set_object(struct zemax_file *file, struct error *error)
+static bool set_object(struct zemax_file *file)
 {
     const double far = 1e10; /* what the program writes for infinity where it wants a number */
     struct lens *lens = file->build.lens;
     struct zemax_surface *object = &file->surfaces[0];
     const struct zemax_line *line = object->thickness;
     bool finite = line != NULL && !line->infinite && fabs(line->numbers[0].value.hi) < far;
-    zemax_read_check_flat(file, object, "a curved object", "a tilted object");
+    check_flat_end(file, object, "a curved object", "a tilted object");
     bool shifts = zemax_is_tilted(file, 0) || zemax_number(object->shift_behind, 2) != 0;
     for (size_t i = 3; i < 8; i++) {
         shifts = shifts || zemax_number(object->shift_behind, i) != 0;
@@ -278,15 +245,25 @@ static bool set_object(struct zemax_file *file, struct error *error)
                    "SCBD: a shifted or tilted object");
     }
     if (object->is_stop) {
-        return file_words_fail(&object->surf->words, object->surf->keyword, error,
-                               "the object is the stop");
+        return zemax_fail(object->surf, object->surf->keyword, "the object is the stop");
     }
-    if (object->glass != NULL &&
-        !zemax_medium(file, object, &medium_air, &lens->object_medium, error)) {
+    if (object->glass != NULL && !zemax_medium(file, object, &medium_air, &lens->object_medium)) {
         return false;
     }
     if (finite) {
-        set_distance(file, &line->numbers[0]);
+        /* The distance of an object that is not far. */
+        const struct figure *figure = &line->numbers[0];
+        struct pair distance = figure->value;
+        lens->object_is_infinite = false;
+        lens->object = *figure;
+        if (is_virtual(file)) {
+            if (pass_planes(file, &distance)) {
+                lens->object =
+                    figure_computed(distance, lens_unit_scale(lens->unit), file->job->arena);
+            } else {
+                virtual_object_put(&file->build, figure->value);
+            }
+        }
     } else if (is_virtual(file)) { /* in another configuration, which has this plane */
         lens_build_surface(&file->build)->medium = lens->object_medium;
     }
@@ -294,7 +271,7 @@ static bool set_object(struct zemax_file *file, struct error *error)
 }
 
 /* A word of a .lens file that is no word of another meaning. */
-static bool zemax_read_is_position_name(struct text name)
+static bool is_zmx_position(struct text name)
 {
     for (size_t i = 0; i < name.length; i++) {
         char c = name.start[i], lower = (char)(c | 32);
@@ -320,7 +297,7 @@ static void name_positions(struct zemax_file *file)
     }
     for (size_t i = 0; i < count; i++) {
         struct text name = text_cut(&rest, ' ');
-        if (!zemax_read_is_position_name(name) || lens_position_find(lens, name) != LENS_NONE) {
+        if (!is_zmx_position(name) || lens_position_find(lens, name) != LENS_NONE) {
             return;
         }
         lens->positions[i] = arena_string(file->job->arena, name.start, name.length);
@@ -345,78 +322,25 @@ static void set_positions(struct zemax_file *file)
 }
 
 /* The image is a plane, that may be tilted. */
-static bool check_image(struct zemax_file *file, struct error *error)
+static bool check_image(struct zemax_file *file)
 {
     const struct zemax_surface *image = &file->surfaces[file->surface_count - 1];
     bool turns = image->type != NULL && text_same(image->type->first, "TILTSURF") &&
                  zemax_is_tilted(file, file->surface_count - 1);
     if (!turns) {
-        zemax_read_check_flat(file, image, "a curved image", "");
+        check_flat_end(file, image, "a curved image", "");
     }
     if (image->is_stop) {
-        return file_words_fail(&image->surf->words, image->surf->keyword, error,
-                               "the image is the stop");
+        return zemax_fail(image->surf, image->surf->keyword, "the image is the stop");
     }
     return true;
-}
-
-/* The image plane lies where the marginal ray meets the axis, if the file says so. */
-static void set_focus(struct zemax_file *file)
-{
-    bool paraxial = zemax_focuses(file);
-    bool afocal = zemax_number(file->fields, 6) != 0;
-    if (afocal) {
-        file->build.lens->focus = FOCUS_AFOCAL;
-    } else if (paraxial) {
-        file->build.lens->focus = FOCUS_PARAXIAL;
-    } else {
-        file->build.lens->focus = FOCUS_TABLE;
-    }
-}
-
-/* FTYP says it of an object at infinity too, which has no such space. */
-static void set_telecentric(struct zemax_file *file)
-{
-    struct lens *lens = file->build.lens;
-    const bool stated = zemax_number(file->fields, 1) != 0;
-    lens->is_telecentric = stated && !lens->object_is_infinite;
-    if (lens->is_telecentric != stated) {
-        zemax_loss(file, file->fields, LOSS_OF_RAYS, "an ordinary one",
-                   "a telecentric object space of an object at infinity");
-    }
-}
-
-/* An aperture at a stop wants the stop's diameter. */
-static void check_floating(struct zemax_file *file)
-{
-    struct lens *lens = file->build.lens;
-    if (lens->aperture_kind != APERTURE_STOP ||
-        (lens->stop != LENS_NONE && lens->surfaces[lens->stop].has_diameter)) {
-        return;
-    }
-    lens->aperture_kind = APERTURE_NONE;
-    zemax_loss(file, file->aperture, LOSS_OF_RAYS, "the lens gets none",
-               "the aperture is that of the stop, which has no diameter");
-}
-
-/* FNUM N 1 of a near object. */
-static void set_working_aperture(struct zemax_file *file)
-{
-    const struct zemax_line *line = file->aperture;
-    struct lens *lens = file->build.lens;
-    if (line != NULL && text_same(line->keyword, "FNUM") && zemax_number(line, 1) != 0 &&
-        !lens->object_is_infinite &&
-        !entrance_pupil_set(lens, PUPIL_WORKING_FNUMBER, zemax_number(line, 0), file->job->arena)) {
-        zemax_loss(file, line, LOSS_OF_RAYS, "the lens gets no aperture",
-                   "a working f-number that no entrance pupil gives");
-    }
 }
 
 /*
  * Vignetting factors narrow the beams of the fields as the rims of the surfaces do. Here the clear
  * diameters do it, if all surfaces that bend light have one; else the factors are lost.
  */
-static void zemax_read_check_vignetting(struct zemax_file *file)
+static void settle_vignetting(struct zemax_file *file)
 {
     bool all = true;
     if (file->vignetting == NULL) {
@@ -441,19 +365,68 @@ static void zemax_read_check_vignetting(struct zemax_file *file)
 }
 
 /* The lens of a file, or of one of its configurations. */
-static bool build_lens(struct zemax_file *file, struct error *error)
+static bool build_lens(struct zemax_file *file)
 {
-    if (!set_object(file, error)) {
+    if (!set_object(file)) {
         return false;
     }
-    set_telecentric(file);
-    if (!check_image(file, error) || !zemax_read_set_aperture(file, error) ||
-        !set_fields(file, error) || !set_waves(file, error) || !zemax_surfaces(file, error)) {
+    /* FTYP says it of an object at infinity too, which has no such space. */
+    struct lens *lens = file->build.lens;
+    const bool stated = zemax_number(file->fields, 1) != 0;
+    lens->is_telecentric = stated && !lens->object_is_infinite;
+    if (lens->is_telecentric != stated) {
+        zemax_loss(file, file->fields, LOSS_OF_RAYS, "an ordinary one",
+                   "a telecentric object space of an object at infinity");
+    }
+    if (!check_image(file) || !set_zmx_aperture(file) || !set_fields(file) || !set_waves(file) ||
+        !zemax_surfaces(file)) {
         return false;
     }
-    set_working_aperture(file);
-    check_floating(file);
-    set_focus(file);
+    /* FNUM N 1 of a near object. */
+    const struct zemax_line *line = file->aperture;
+    if (line != NULL && text_same(line->keyword, "FNUM") && zemax_number(line, 1) != 0 &&
+        !lens->object_is_infinite &&
+        !entrance_pupil_set(lens, PUPIL_WORKING_FNUMBER, zemax_number(line, 0), file->job->arena)) {
+        zemax_loss(file, line, LOSS_OF_RAYS, "the lens gets no aperture",
+                   "a working f-number that no entrance pupil gives");
+    }
+    /* An aperture at a stop wants the stop's diameter. */
+    if (lens->aperture_kind == APERTURE_STOP &&
+        (lens->stop == LENS_NONE || !lens->surfaces[lens->stop].has_diameter)) {
+        lens->aperture_kind = APERTURE_NONE;
+        zemax_loss(file, file->aperture, LOSS_OF_RAYS, "the lens gets none",
+                   "the aperture is that of the stop, which has no diameter");
+    }
+    /* The image plane lies where the marginal ray meets the axis, if the file says so. */
+    lens->focus = zemax_focuses(file) ? FOCUS_PARAXIAL : FOCUS_TABLE;
+    if (zemax_number(file->fields, 6) != 0) {
+        lens->focus = FOCUS_AFOCAL;
+    }
+    return true;
+}
+
+/* The lens of a file with configurations: built once for each of them, then put together. */
+static bool build_positions(struct zemax_file *file)
+{
+    struct arena *arena = file->job->arena;
+    const struct lens named = *file->build.lens;
+    struct lens *lenses = ARENA_ARRAY(arena, file->configurations, struct lens);
+    for (size_t p = 0; p < file->configurations; p++) {
+        struct zemax_file one = *file;
+        one.configuration = p + 1;
+        size_t losses = file->job->loss_count;
+        lenses[p] = named;
+        lenses[p].position_count = 0;
+        one.build =
+            (struct lens_build){.lens = &lenses[p], .arena = arena, .note_room = named.note_count};
+        one.surfaces = ARENA_ARRAY(arena, file->surface_count, struct zemax_surface);
+        memcpy(one.surfaces, file->surfaces, file->surface_count * sizeof one.surfaces[0]);
+        if (!zemax_place_settings(&one, p) || !build_lens(&one)) {
+            return false;
+        }
+        foreign_forget_repeated(file->job, p > 0 ? losses : file->job->loss_count);
+    }
+    merge_positions(&file->build, lenses, file->job);
     return true;
 }
 
@@ -461,23 +434,23 @@ static bool build_lens(struct zemax_file *file, struct error *error)
 static bool read_as(struct foreign_job *job, struct text content, bool takes_numbers,
                     struct zemax_doubts *doubts, struct lens *lens, struct error *error)
 {
-    struct zemax_file file = {.job = job, .takes_numbers = takes_numbers, .doubts = doubts};
+    struct zemax_file file = {
+        .job = job, .error = error, .takes_numbers = takes_numbers, .doubts = doubts};
     *doubts = (struct zemax_doubts){0, 0};
     lens_build_begin(&file.build, lens, job->arena);
-    if (!zemax_parse(&file, content, error)) {
+    if (!zemax_parse(&file, content)) {
         return false;
     }
-    zemax_read_check_vignetting(&file);
-    if ((!file.has_gaps && !zemax_check_circles(&file, error))) {
+    settle_vignetting(&file);
+    if (!file.has_gaps && !zemax_check_circles(&file)) {
         return false;
     }
     set_positions(&file);
-    bool done = file.configurations < 2 ? build_lens(&file, error)
-                                        : zemax_read_positions(&file, build_lens, error);
-    if (done) {
-        foreign_mark_power(job, &file.build);
+    if (!(file.configurations < 2 ? build_lens(&file) : build_positions(&file))) {
+        return false;
     }
-    return done;
+    foreign_mark_power(job, &file.build);
+    return true;
 }
 
 /*

@@ -1,8 +1,8 @@
 /* exchange/zemax/zemax_solve.c - solves and pick-ups of a .zmx file. */
 /* SPDX-License-Identifier: MIT */
-#include "exchange/zemax/zemax_solve.h"
+#include "exchange/zemax/zemax.h"
 
-#include "exchange/keep_pickup.h"
+#include "exchange/keep_notes.h"
 #include "file/lens_solve.h"
 
 #include <math.h>
@@ -37,8 +37,8 @@ enum {
 };
 
 /* A number that was read without a unit, as a length. */
-static struct pair zemax_solve_length_of(const struct solver_state *solving,
-                                         const struct zemax_line *line, size_t at)
+static struct pair length_at(const struct solver_state *solving, const struct zemax_line *line,
+                             size_t at)
 {
     struct pair value = {0, 0};
     if (at < line->count) {
@@ -48,7 +48,7 @@ static struct pair zemax_solve_length_of(const struct solver_state *solving,
     return value;
 }
 
-static struct figure zemax_solve_rounded(const struct solver_state *solving, struct pair value)
+static struct figure rounded_length(const struct solver_state *solving, struct pair value)
 {
     return figure_rounded(value, solving->unit, solving->file->job->arena);
 }
@@ -57,8 +57,8 @@ static const char through_loss[] = "follows rays through what is lost";
 static const char open_aperture[] = "follows a ray whose height follows from the lens";
 
 /* The number that stands in the file is kept, which is said once. */
-static void zemax_solve_keep(struct solver_state *solving, size_t at, const struct zemax_line *line,
-                             const char *why)
+static void keep_unsolved(struct solver_state *solving, size_t at, const struct zemax_line *line,
+                          const char *why)
 {
     struct zemax_surface *surface = &solving->file->surfaces[at];
     const struct zemax_line *number = line;
@@ -77,21 +77,20 @@ static void zemax_solve_keep(struct solver_state *solving, size_t at, const stru
 }
 
 /* The ray at a surface; false where there is none, and the file's number is kept. */
-static bool zemax_solve_follow(struct solver_state *solving, size_t at,
-                               const struct zemax_line *line, enum solve_ray ray,
-                               struct solve_state *state)
+static bool follow_to(struct solver_state *solving, size_t at, const struct zemax_line *line,
+                      enum solve_ray ray, struct solve_state *state)
 {
     struct arena *arena = solving->file->job->arena;
     struct error why;
     if (!solve_follow(&solving->lens, solving->places[at], ray, arena, state, &why)) {
-        zemax_solve_keep(solving, at, line, arena_printf(arena, "has no answer (%s)", why.message));
+        keep_unsolved(solving, at, line, arena_printf(arena, "has no answer (%s)", why.message));
         return false;
     }
     return true;
 }
 
 /* Is the size of the marginal ray one that only the whole lens gives? */
-static bool zemax_solve_is_open(const struct solver_state *solving)
+static bool has_open_beam(const struct solver_state *solving)
 {
     const struct zemax_line *line = solving->file->aperture;
     return line != NULL && text_same(line->keyword, "FNUM") && zemax_number(line, 1) != 0 &&
@@ -109,21 +108,21 @@ static void ray_height(struct solver_state *solving, size_t at, const struct zem
         why = "follows a real ray";
     } else if (solving->file->job->lost_power != NULL) {
         why = through_loss;
-    } else if (!chief && zemax_number(line, 0) != 0 && zemax_solve_is_open(solving)) {
+    } else if (!chief && zemax_number(line, 0) != 0 && has_open_beam(solving)) {
         why = open_aperture;
     }
     if (why != NULL) {
-        zemax_solve_keep(solving, at, line, why);
+        keep_unsolved(solving, at, line, why);
         return;
     }
-    if (!zemax_solve_follow(solving, at, line, chief ? SOLVE_CHIEF : SOLVE_MARGINAL, &state)) {
+    if (!follow_to(solving, at, line, chief ? SOLVE_CHIEF : SOLVE_MARGINAL, &state)) {
         return;
     }
-    struct pair value = solve_thickness(&state, zemax_solve_length_of(solving, line, 0));
+    struct pair value = solve_thickness(&state, length_at(solving, line, 0));
     if (fabs(value.hi) < 1e12) {
-        *figure = zemax_solve_rounded(solving, value);
+        *figure = rounded_length(solving, value);
     } else {
-        zemax_solve_keep(solving, at, line, "has its answer at infinity");
+        keep_unsolved(solving, at, line, "has its answer at infinity");
     }
 }
 
@@ -133,17 +132,17 @@ static void pick_up(struct solver_state *solving, size_t at, const struct zemax_
 {
     double from = zemax_number(line, 0);
     if (line->count < 2 || !(from >= 0 && from < (double)at)) {
-        zemax_solve_keep(solving, at, line, "follows no earlier surface");
+        keep_unsolved(solving, at, line, "follows no earlier surface");
         return;
     }
     if (zemax_number(line, 3) != 0) {
-        zemax_solve_keep(solving, at, line, "follows another column");
+        keep_unsolved(solving, at, line, "follows another column");
         return;
     }
     struct pair value =
         pair_multiply(solving->thickness[(size_t)from].value, line->numbers[1].value);
-    *figure = figure_computed(pair_add(value, zemax_solve_length_of(solving, line, 2)),
-                              solving->unit, solving->file->job->arena);
+    *figure = figure_computed(pair_add(value, length_at(solving, line, 2)), solving->unit,
+                              solving->file->job->arena);
 }
 
 /* TCOM i sum: t_i and this one; TOLE i sum: all from t_i to this one. */
@@ -153,10 +152,10 @@ static void compensate(struct solver_state *solving, size_t at, const struct zem
     double from = zemax_number(line, 0);
     bool all = text_same(line->keyword, "TOLE");
     if (line->count < 2 || !(from >= 1 && from < (double)at)) {
-        zemax_solve_keep(solving, at, line, "follows no earlier surface");
+        keep_unsolved(solving, at, line, "follows no earlier surface");
         return;
     }
-    struct pair value = zemax_solve_length_of(solving, line, 1);
+    struct pair value = length_at(solving, line, 1);
     for (size_t i = (size_t)from; i < (all ? at : (size_t)from + 1); i++) {
         value = pair_subtract(value, solving->thickness[i].value);
     }
@@ -164,12 +163,12 @@ static void compensate(struct solver_state *solving, size_t at, const struct zem
 }
 
 /* EDGE thickness height: 0 is the height of the surface's own clear aperture */
-static void zemax_solve_edge(struct solver_state *solving, size_t at, const struct zemax_line *line,
-                             struct figure *figure)
+static void edge_thickness(struct solver_state *solving, size_t at, const struct zemax_line *line,
+                           struct figure *figure)
 {
     size_t place = solving->places[at];
     const struct surface *surface = &solving->lens.surfaces[place];
-    double height = zemax_solve_length_of(solving, line, 1).hi;
+    double height = length_at(solving, line, 1).hi;
     if (height == 0 && surface->has_diameter) {
         height = surface->diameter.value.hi / 2;
     }
@@ -178,10 +177,10 @@ static void zemax_solve_edge(struct solver_state *solving, size_t at, const stru
     double sags = surface_sag(surface, height) -
                   (last ? 0 : surface_sag(&solving->lens.surfaces[next], height));
     if (height > 0 && isfinite(sags)) {
-        const struct pair edge = zemax_solve_length_of(solving, line, 0);
-        *figure = zemax_solve_rounded(solving, pair_add(edge, pair_of(sags)));
+        const struct pair edge = length_at(solving, line, 0);
+        *figure = rounded_length(solving, pair_add(edge, pair_of(sags)));
     } else {
-        zemax_solve_keep(solving, at, line, "has no clear aperture");
+        keep_unsolved(solving, at, line, "has no clear aperture");
     }
 }
 
@@ -190,7 +189,7 @@ static const struct {
     void (*solve)(struct solver_state *solving, size_t at, const struct zemax_line *line,
                   struct figure *figure);
 } solves[] = {{"MAZH", ray_height}, {"CHZH", ray_height}, {"PZUP", pick_up},
-              {"TCOM", compensate}, {"TOLE", compensate}, {"EDGE", zemax_solve_edge}};
+              {"TCOM", compensate}, {"TOLE", compensate}, {"EDGE", edge_thickness}};
 
 bool zemax_focuses(const struct zemax_file *file)
 {
@@ -201,34 +200,6 @@ bool zemax_focuses(const struct zemax_file *file)
     return !is_stored && !zemax_is_tilted(file, file->surface_count - 1) && solve != NULL &&
            text_same(solve->keyword, "MAZH") && zemax_number(solve, 0) == 0 &&
            zemax_number(solve, 1) == 0;
-}
-
-/* The last solve only says where the image is: the file's number stays beside it. */
-static void solve_thickness_of(struct solver_state *solving, size_t at)
-{
-    const struct zemax_file *file = solving->file;
-    bool focus = at + 2 == file->surface_count && zemax_focuses(file);
-    const struct zemax_line *line = focus ? NULL : file->surfaces[at].solve;
-    struct figure *figure = &solving->thickness[at];
-    for (size_t i = 0; line != NULL && i < sizeof solves / sizeof solves[0]; i++) {
-        if (text_same(line->keyword, solves[i].word)) {
-            solves[i].solve(solving, at, line, figure);
-        }
-    }
-    if (solving->places[at] != LENS_NONE) {
-        solving->lens.surfaces[zemax_gap_place(solving->file, solving->places, at)].thickness =
-            *figure;
-    }
-}
-
-/* The distance from an earlier surface's vertex to that of this one. */
-static struct pair distance_from(const struct solver_state *solving, size_t from, size_t at)
-{
-    struct pair sum = {0, 0};
-    for (size_t i = from; i < at; i++) {
-        sum = pair_add(sum, solving->thickness[i].value);
-    }
-    return sum;
 }
 
 /* A curvature that follows from an earlier surface; false: there is none such. */
@@ -253,8 +224,12 @@ static bool curvature_of_surface(const struct solver_state *solving, size_t at, 
     if (code == CONCENTRIC_RADIUS) {
         radius = pair_divide(pair_of(1), curvature);
     }
-    *value =
-        pair_divide(pair_of(1), pair_subtract(radius, distance_from(solving, (size_t)from, at)));
+    /* The distance from an earlier surface's vertex to that of this one. */
+    struct pair apart = {0, 0};
+    for (size_t i = (size_t)from; i < at; i++) {
+        apart = pair_add(apart, solving->thickness[i].value);
+    }
+    *value = pair_divide(pair_of(1), pair_subtract(radius, apart));
     return true;
 }
 
@@ -288,24 +263,6 @@ static struct pair curvature_of_ray(const struct solver_state *solving, size_t a
     }
 }
 
-/* Digits of 1/mm in the file's unit: of what a ray decides those of a double. */
-static struct figure curvature_figure(const struct solver_state *solving, struct pair value,
-                                      bool of_ray)
-{
-    const char *unit = solving->file->build.lens->unit;
-    const struct figure one = {.typed = text_of("1"), .variable = LENS_NONE};
-    struct arena *arena = solving->file->job->arena;
-    struct pair plain = pair_multiply(value, figure_per_length(one, unit, 1).value);
-    struct figure figure =
-        of_ray ? figure_of(plain.hi, arena) : figure_computed(plain, NUMBER_UNSCALED, arena);
-    return figure_per_length(figure, unit, -1);
-}
-
-static bool zemax_solve_is_near(struct pair value, struct pair other, double relative, double more)
-{
-    return fabs(pair_subtract(value, other).hi) <= relative * fabs(value.hi) + more;
-}
-
 static bool is_of_ray(int code)
 {
     return code == MARGINAL_ANGLE || code == CHIEF_ANGLE || code == F_NUMBER ||
@@ -322,10 +279,10 @@ static bool solved_curvature(struct solver_state *solving, size_t at, int code, 
     const char *why = NULL;
     if (is_of_ray(code) && solving->file->job->lost_power != NULL) {
         why = through_loss;
-    } else if (is_sized && zemax_solve_is_open(solving)) {
+    } else if (is_sized && has_open_beam(solving)) {
         why = open_aperture;
     } else if (is_of_ray(code)) {
-        if (!zemax_solve_follow(solving, at, line, chief ? SOLVE_CHIEF : SOLVE_MARGINAL, &state)) {
+        if (!follow_to(solving, at, line, chief ? SOLVE_CHIEF : SOLVE_MARGINAL, &state)) {
             return false;
         }
         *value = curvature_of_ray(solving, at, code, &state);
@@ -338,13 +295,13 @@ static bool solved_curvature(struct solver_state *solving, size_t at, int code, 
         why = "has no answer";
     }
     if (why != NULL) {
-        zemax_solve_keep(solving, at, line, why);
+        keep_unsolved(solving, at, line, why);
     }
     return why == NULL;
 }
 
 /* Which solve a curvature has; those beyond the last are all unknown. */
-static int zemax_solve_code_of(const struct zemax_line *line)
+static int curve_code(const struct zemax_line *line)
 {
     return (int)fmax(0, fmin(zemax_number(line, 1), F_NUMBER + 1));
 }
@@ -354,7 +311,7 @@ static void solve_curve(struct solver_state *solving, size_t at)
 {
     struct zemax_surface *from = &solving->file->surfaces[at];
     const struct zemax_line *line = from->curvature;
-    int code = line != NULL && !from->has_free_curvature ? zemax_solve_code_of(line) : 0;
+    int code = line != NULL && !from->has_free_curvature ? curve_code(line) : 0;
     struct pair value = {0, 0};
     if (code < MARGINAL_ANGLE || solving->places[at] == LENS_NONE ||
         !surface_has(&solving->lens.surfaces[solving->places[at]], SURFACE_HAS_CURVE) ||
@@ -362,8 +319,15 @@ static void solve_curve(struct solver_state *solving, size_t at)
         return;
     }
     struct figure figure = figure_per_length(line->numbers[0], solving->file->build.lens->unit, -1);
-    if (!zemax_solve_is_near(value, figure.value, 4e-15, 0)) {
-        figure = curvature_figure(solving, value, is_of_ray(code));
+    if (!(fabs(pair_subtract(value, figure.value).hi) <= 4e-15 * fabs(value.hi))) {
+        /* Digits of 1/mm in the file's unit: of what a ray decides those of a double. */
+        const char *unit = solving->file->build.lens->unit;
+        const struct figure one = {.typed = text_of("1"), .variable = LENS_NONE};
+        struct arena *arena = solving->file->job->arena;
+        struct pair plain = pair_multiply(value, figure_per_length(one, unit, 1).value);
+        figure = is_of_ray(code) ? figure_of(plain.hi, arena)
+                                 : figure_computed(plain, NUMBER_UNSCALED, arena);
+        figure = figure_per_length(figure, unit, -1);
     }
     solving->curvature[at] = figure;
     zemax_set_curvature(solving->file, figure, &solving->lens.surfaces[solving->places[at]]);
@@ -372,14 +336,27 @@ static void solve_curve(struct solver_state *solving, size_t at)
 void zemax_solve_surface(struct solver_state *solving, size_t at)
 {
     solve_curve(solving, at);
-    solve_thickness_of(solving, at);
+    /* The last solve only says where the image is: the file's number stays beside it. */
+    const struct zemax_file *file = solving->file;
+    bool focus = at + 2 == file->surface_count && zemax_focuses(file);
+    const struct zemax_line *line = focus ? NULL : file->surfaces[at].solve;
+    struct figure *figure = &solving->thickness[at];
+    for (size_t i = 0; line != NULL && i < sizeof solves / sizeof solves[0]; i++) {
+        if (text_same(line->keyword, solves[i].word)) {
+            solves[i].solve(solving, at, line, figure);
+        }
+    }
+    if (solving->places[at] != LENS_NONE) {
+        solving->lens.surfaces[zemax_gap_place(solving->file, solving->places, at)].thickness =
+            *figure;
+    }
 }
 
 bool zemax_solve_in(const struct solver_state *solving, size_t at, bool is_curvature,
                     const struct lens *lens, struct arena *arena, struct pair *value)
 {
     const struct zemax_surface *from = &solving->file->surfaces[at];
-    const int code = is_curvature ? zemax_solve_code_of(from->curvature) : 0;
+    const int code = is_curvature ? curve_code(from->curvature) : 0;
     bool chief = is_curvature ? code == CHIEF_ANGLE || code == CHIEF_NORMAL
                               : text_same(from->solve->keyword, "CHZH");
     bool of_ray = is_curvature ? is_of_ray(code) : chief || text_same(from->solve->keyword, "MAZH");
@@ -392,22 +369,8 @@ bool zemax_solve_in(const struct solver_state *solving, size_t at, bool is_curva
         return false;
     }
     *value = is_curvature ? curvature_of_ray(solving, at, code, &state)
-                          : solve_thickness(&state, zemax_solve_length_of(solving, from->solve, 0));
+                          : solve_thickness(&state, length_at(solving, from->solve, 0));
     return isfinite(value->hi);
-}
-
-/* CURV c 4 surface scale */
-static void keep_curve(const struct solver_state *solving, size_t at)
-{
-    const struct zemax_line *line = solving->file->surfaces[at].curvature;
-    double from = zemax_number(line, 2);
-    if (line != NULL && line->count > 3 && zemax_number(line, 1) == PICK_UP &&
-        solving->curvature[at].typed.start != NULL && from >= 1 && from < (double)at) {
-        keep_pickup(solving->file->build.lens,
-                    (struct parameter){solving->places[at], PARAMETER_CURVATURE, 0},
-                    (struct parameter){solving->places[(size_t)from], PARAMETER_CURVATURE, 0},
-                    line->numbers[3].value, pair_of(0), solving->file->job->arena);
-    }
 }
 
 /* PZUP surface scale offset */
@@ -424,7 +387,7 @@ static void keep_gap(const struct solver_state *solving, size_t at)
         size_t source = zemax_gap_place(file, places, (size_t)from);
         keep_pickup(file->build.lens, (struct parameter){what, PARAMETER_THICKNESS, 0},
                     (struct parameter){source, PARAMETER_THICKNESS, 0}, line->numbers[1].value,
-                    zemax_solve_length_of(solving, line, 2), file->job->arena);
+                    length_at(solving, line, 2), file->job->arena);
     }
 }
 
@@ -432,7 +395,16 @@ void zemax_keep_pickups(const struct solver_state *solving)
 {
     const struct zemax_file *file = solving->file;
     for (size_t i = 1; i + 1 < file->surface_count && file->configurations < 2; i++) {
-        keep_curve(solving, i);
+        /* CURV c 4 surface scale */
+        const struct zemax_line *line = solving->file->surfaces[i].curvature;
+        double from = zemax_number(line, 2);
+        if (line != NULL && line->count > 3 && zemax_number(line, 1) == PICK_UP &&
+            solving->curvature[i].typed.start != NULL && from >= 1 && from < (double)i) {
+            keep_pickup(solving->file->build.lens,
+                        (struct parameter){solving->places[i], PARAMETER_CURVATURE, 0},
+                        (struct parameter){solving->places[(size_t)from], PARAMETER_CURVATURE, 0},
+                        line->numbers[3].value, pair_of(0), solving->file->job->arena);
+        }
         keep_gap(solving, i);
     }
 }

@@ -1,12 +1,8 @@
 /* exchange/zemax/zemax_surface.c - the surfaces of a .zmx file as those of a lens. */
 /* SPDX-License-Identifier: MIT */
-#include "exchange/zemax/zemax_surface.h"
-#include "exchange/zemax/zemax_aperture.h"
-#include "exchange/zemax/zemax_break.h"
+#include "exchange/zemax/zemax.h"
 
 #include "base/constants.h"
-#include "exchange/zemax/zemax_glass.h"
-#include "exchange/zemax/zemax_solve.h"
 #include "file/lens_unit.h"
 
 #include <math.h>
@@ -31,18 +27,18 @@ static bool is_mirror(const struct zemax_surface *surface)
 }
 
 bool zemax_medium(struct zemax_file *file, const struct zemax_surface *surface,
-                  const struct medium *before, struct medium *medium, struct error *error)
+                  const struct medium *before, struct medium *medium)
 {
     const struct zemax_line *line = surface->glass;
     *medium = is_type(surface, "COORDBRK") || is_mirror(surface) ? *before : medium_air;
     if (line == NULL || is_mirror(surface) || text_same(line->keyword, "AIR")) {
         return true;
     }
-    return zemax_glass(file, line, medium, error);
+    return zemax_glass(file, line, medium);
 }
 
 /* A figure in the file's unit to a power, from one that was read without a unit. */
-static struct figure zemax_surface_in_unit(struct zemax_file *file, struct figure figure, int power)
+static struct figure zmx_in_unit(struct zemax_file *file, struct figure figure, int power)
 {
     return figure_per_length(figure, file->build.lens->unit, power);
 }
@@ -52,7 +48,7 @@ static void set_coefficient(struct zemax_file *file, struct surface *to, int ord
 {
     if (figure.value.hi != 0) {
         int i = surface_term(order);
-        to->coefficient[i] = zemax_surface_in_unit(file, figure, 1 - order);
+        to->coefficient[i] = zmx_in_unit(file, figure, 1 - order);
         to->coefficients |= 1u << i;
     }
 }
@@ -90,7 +86,7 @@ static void read_extended(struct zemax_file *file, size_t at, int step, struct s
 }
 
 /* The tangents of a plane z = x tan a + y tan b as turns about its vertex. */
-static const struct displacement *zemax_surface_tilt_of(struct zemax_file *file, size_t at)
+static const struct displacement *slopes_as_tilt(struct zemax_file *file, size_t at)
 {
     struct displacement *decentre = ARENA_NEW(file->job->arena, struct displacement);
     double a = zemax_parameter(file, at, 1).value.hi, b = zemax_parameter(file, at, 2).value.hi;
@@ -104,27 +100,6 @@ static const struct displacement *zemax_surface_tilt_of(struct zemax_file *file,
     return decentre;
 }
 
-/* CURV is that of the y-z section, PARM 1 the radius of the other one, 0 a plane. */
-static void set_toroidal(struct zemax_file *file, size_t at, struct surface *to)
-{
-    struct figure radius = zemax_parameter(file, at, 1);
-    bool other = false;
-    for (size_t i = 2; i < ZEMAX_PARAMETERS; i++) {
-        other = other || zemax_parameter(file, at, i).value.hi != 0;
-    }
-    bool both = radius.value.hi != 0 && (!to->is_plane || to->has_curvature);
-    if (both || other) {
-        zemax_loss(file, file->surfaces[at].type, LOSS_OF_POWER,
-                   "its y-z section is used instead, as a cylinder", "a toroid");
-    }
-    to->curved = CURVED_Y;
-    if (radius.value.hi != 0 && !both) {
-        to->curved = CURVED_X;
-        to->is_plane = false;
-        to->radius = zemax_surface_in_unit(file, radius, 1);
-    }
-}
-
 /*
  * A surface of the type PARAXIAL: a thick lens whose principal planes fall together, of the focal
  * length PARM 1, 1/power in any media. PARM 2 says how paths are counted, and moves no ray.
@@ -132,20 +107,19 @@ static void set_toroidal(struct zemax_file *file, size_t at, struct surface *to)
  * Formula   n' u' = n u - h/f with u the tangents, as thick_lens_slope
  * Errors    no focal length, or 0; a mirror; further parameters are losses
  */
-static bool set_paraxial(struct zemax_file *file, size_t at, struct surface *to,
-                         struct error *error)
+static bool set_paraxial(struct zemax_file *file, size_t at, struct surface *to)
 {
     const struct zemax_surface *from = &file->surfaces[at];
-    const struct figure focal = zemax_surface_in_unit(file, zemax_parameter(file, at, 1), 1);
+    const struct figure focal = zmx_in_unit(file, zemax_parameter(file, at, 1), 1);
     const struct zemax_line *given = from->parameters[1];
     const struct zemax_line *place = given != NULL ? given : from->type;
     if (from->glass != NULL && text_same(from->glass->keyword, "MIRROR")) {
         return zemax_loss(file, from->glass, LOSS_OF_LENS, NULL, "an ideal lens that is a mirror");
     }
     if (focal.value.hi == 0) {
-        return file_words_fail(&place->words, given != NULL ? place->keyword : place->first, error,
-                               given != NULL ? "an ideal lens of the focal length 0"
-                                             : "an ideal lens without a focal length");
+        return zemax_fail(place, given != NULL ? place->keyword : place->first,
+                          given != NULL ? "an ideal lens of the focal length 0"
+                                        : "an ideal lens without a focal length");
     }
     for (size_t i = 3; i < ZEMAX_PARAMETERS; i++) {
         if (zemax_number(from->parameters[i], 1) != 0) {
@@ -167,21 +141,6 @@ static bool set_paraxial(struct zemax_file *file, size_t at, struct surface *to,
     return true;
 }
 
-/* Are all numbers of the type 0, that stand behind the first two of XDAT: a count and a length? */
-static bool is_of_zeros(struct zemax_file *file, size_t at)
-{
-    const struct zemax_surface *from = &file->surfaces[at];
-    bool none = true, stated = from->extras[1] != NULL;
-    for (size_t i = 1; i < ZEMAX_PARAMETERS; i++) {
-        none = none && zemax_parameter(file, at, i).value.hi == 0;
-        stated = stated || from->parameters[i] != NULL;
-    }
-    for (size_t i = 3; i < ZEMAX_EXTRAS; i++) {
-        none = none && zemax_number(from->extras[i], 1) == 0;
-    }
-    return none && stated;
-}
-
 /*
  * Types that are what STANDARD is where their own numbers are 0; a grating without lines, or of the
  * order 0; a Jones matrix, which only acts on polarised light.
@@ -193,7 +152,15 @@ static bool is_standard_there(struct zemax_file *file, size_t at)
     const struct zemax_surface *from = &file->surfaces[at];
     for (size_t i = 0; i < sizeof shapes / sizeof shapes[0]; i++) {
         if (is_type(from, shapes[i])) {
-            return is_of_zeros(file, at);
+            bool none = true, stated = from->extras[1] != NULL;
+            for (size_t k = 1; k < ZEMAX_PARAMETERS; k++) {
+                none = none && zemax_parameter(file, at, k).value.hi == 0;
+                stated = stated || from->parameters[k] != NULL;
+            }
+            for (size_t k = 3; k < ZEMAX_EXTRAS; k++) {
+                none = none && zemax_number(from->extras[k], 1) == 0;
+            }
+            return none && stated;
         }
     }
     bool bends =
@@ -202,7 +169,7 @@ static bool is_standard_there(struct zemax_file *file, size_t at)
     return is_type(from, "JONESMAT") || (is_type(from, "DGRATING") && !bends);
 }
 
-static bool set_type(struct zemax_file *file, size_t at, struct surface *to, struct error *error)
+static bool set_type(struct zemax_file *file, size_t at, struct surface *to)
 {
     const struct zemax_surface *from = &file->surfaces[at];
     for (size_t k = 0; k < ZEMAX_ASPHERES; k++) {
@@ -222,15 +189,31 @@ static bool set_type(struct zemax_file *file, size_t at, struct surface *to, str
         return true;
     }
     if (is_type(from, "TILTSURF")) {
-        to->decentre = zemax_surface_tilt_of(file, at);
+        to->decentre = slopes_as_tilt(file, at);
         return true;
     }
     if (is_type(from, "TOROIDAL")) {
-        set_toroidal(file, at, to);
+        /* CURV is that of the y-z section, PARM 1 the radius of the other one, 0 a plane. */
+        struct figure radius = zemax_parameter(file, at, 1);
+        bool other = false;
+        for (size_t i = 2; i < ZEMAX_PARAMETERS; i++) {
+            other = other || zemax_parameter(file, at, i).value.hi != 0;
+        }
+        bool both = radius.value.hi != 0 && (!to->is_plane || to->has_curvature);
+        if (both || other) {
+            zemax_loss(file, file->surfaces[at].type, LOSS_OF_POWER,
+                       "its y-z section is used instead, as a cylinder", "a toroid");
+        }
+        to->curved = CURVED_Y;
+        if (radius.value.hi != 0 && !both) {
+            to->curved = CURVED_X;
+            to->is_plane = false;
+            to->radius = zmx_in_unit(file, radius, 1);
+        }
         return true;
     }
     if (is_type(from, "PARAXIAL")) {
-        return set_paraxial(file, at, to, error);
+        return set_paraxial(file, at, to);
     }
     struct text type = from->type->first;
     if (is_standard_there(file, at)) {
@@ -273,7 +256,7 @@ static bool is_parameter_astray(const struct zemax_line *line, size_t at)
  * The numbers of other pick-ups stand as the program stored them; where that is not what the
  * pick-up gives, it is said. CONI has no place for a scale.
  */
-static void zemax_surface_check_pickups(struct zemax_file *file, size_t at)
+static void check_astray(struct zemax_file *file, size_t at)
 {
     const struct zemax_surface *from = &file->surfaces[at];
     if (is_diameter_astray(file, at)) {
@@ -294,7 +277,7 @@ static void zemax_surface_check_pickups(struct zemax_file *file, size_t at)
  * none. Of an aperture that is lost only an automatic semi-diameter stands: it surrounds the beam,
  * and clips nothing that the aperture lets through.
  */
-static const struct figure *zemax_surface_radius_of(const struct zemax_surface *from)
+static const struct figure *clear_radius_of(const struct zemax_surface *from)
 {
     const struct figure *half = from->diameter != NULL ? &from->diameter->numbers[0] : NULL;
     if (from->has_lost_aperture) {
@@ -302,19 +285,6 @@ static const struct figure *zemax_surface_radius_of(const struct zemax_surface *
     }
     bool is_centred = from->clear != NULL && from->aperture_shift == NULL;
     return is_centred ? &from->clear->numbers[1] : half;
-}
-
-/* Twice the radius. */
-static void set_diameter(struct zemax_file *file, const struct zemax_surface *from,
-                         struct surface *to)
-{
-    const struct figure *radius = zemax_surface_radius_of(from);
-    if (radius != NULL && radius->value.hi > 0) {
-        struct pair twice = {2 * radius->value.hi, 2 * radius->value.lo};
-        to->diameter =
-            figure_computed(twice, lens_unit_scale(file->build.lens->unit), file->job->arena);
-        to->has_diameter = true;
-    }
 }
 
 static void set_comment(struct zemax_file *file, const struct zemax_surface *from,
@@ -330,18 +300,18 @@ static void set_comment(struct zemax_file *file, const struct zemax_surface *fro
     }
 }
 
-static bool zemax_surface_add_surface(struct zemax_file *file, size_t at, struct error *error)
+static bool add_zmx_surface(struct zemax_file *file, size_t at)
 {
     const struct zemax_surface *from = &file->surfaces[at];
     const struct medium before = zemax_medium_before(file->build.lens);
     struct surface *to = lens_build_surface(&file->build);
     to->coordinate_break = file->coordinate_break;
     file->coordinate_break = NULL;
-    if (!zemax_medium(file, from, &before, &to->medium, error)) {
+    if (!zemax_medium(file, from, &before, &to->medium)) {
         return false;
     }
     if (zemax_number(from->curvature, 0) != 0) {
-        zemax_set_curvature(file, zemax_surface_in_unit(file, from->curvature->numbers[0], -1), to);
+        zemax_set_curvature(file, zmx_in_unit(file, from->curvature->numbers[0], -1), to);
     }
     if (is_mirror(from)) {
         to->kind = SURFACE_REFLECT;
@@ -349,17 +319,24 @@ static bool zemax_surface_add_surface(struct zemax_file *file, size_t at, struct
     if (zemax_number(from->conic, 0) != 0) {
         to->conic = from->conic->numbers[0];
     }
-    if (!set_type(file, at, to, error)) {
+    if (!set_type(file, at, to)) {
         return false;
     }
-    set_diameter(file, from, to);
+    /* Twice the radius. */
+    const struct figure *radius = clear_radius_of(from);
+    if (radius != NULL && radius->value.hi > 0) {
+        struct pair twice = {2 * radius->value.hi, 2 * radius->value.lo};
+        to->diameter =
+            figure_computed(twice, lens_unit_scale(file->build.lens->unit), file->job->arena);
+        to->has_diameter = true;
+    }
     set_comment(file, from, to);
     to->is_stop = from->is_stop;
-    return zemax_set_aperture(file, from, to, error);
+    return zemax_set_aperture(file, from, to);
 }
 
 /* A surface, or a break with what it needs; `place` receives where it is in the lens, if it is. */
-static bool add_next(struct zemax_file *file, size_t at, size_t *place, struct error *error)
+static bool add_next(struct zemax_file *file, size_t at, size_t *place)
 {
     struct lens *lens = file->build.lens;
     const struct zemax_surface *surface = &file->surfaces[at];
@@ -372,13 +349,12 @@ static bool add_next(struct zemax_file *file, size_t at, size_t *place, struct e
         }
         zemax_add_plane(file);
         set_comment(file, surface, &lens->surfaces[lens->surface_count - 1]);
-    } else if (!zemax_surface_add_surface(file, at, error)) {
+    } else if (!add_zmx_surface(file, at)) {
         return false;
     }
     *place = lens->surface_count - 1;
     if (surface->is_stop && lens->stop != LENS_NONE) {
-        return file_words_fail(&surface->surf->words, surface->surf->keyword, error,
-                               "a second stop");
+        return zemax_fail(surface->surf, surface->surf->keyword, "a second stop");
     }
     if (surface->is_stop) {
         lens_build_stop(&file->build, *place);
@@ -387,34 +363,105 @@ static bool add_next(struct zemax_file *file, size_t at, size_t *place, struct e
     return true;
 }
 
-/* A plane that turns the axis at the image. */
-static void zemax_surface_add_image(struct zemax_file *file)
-{
-    const size_t at = file->surface_count - 1;
-    if (!zemax_is_tilted(file, at)) {
-        return;
-    }
-    zemax_add_shift(file, at, false);
-    if (is_type(&file->surfaces[at], "TILTSURF")) {
-        zemax_hold_break(file, zemax_surface_tilt_of(file, at));
-    }
-    zemax_add_plane(file);
-}
-
-bool zemax_surfaces(struct zemax_file *file, struct error *error)
+bool zemax_surfaces(struct zemax_file *file)
 {
     size_t *places = ARENA_ARRAY(file->job->arena, file->surface_count, size_t);
     places[0] = places[file->surface_count - 1] = LENS_NONE;
     for (size_t i = 1; i + 1 < file->surface_count; i++) {
         places[i] = LENS_NONE;
-        zemax_surface_check_pickups(file, i);
-        if (i > file->passed && !add_next(file, i, &places[i], error)) {
+        check_astray(file, i);
+        if (i > file->passed && !add_next(file, i, &places[i])) {
             return false;
         }
     }
-    if (!zemax_thicknesses(file, places, error)) {
+    if (!zemax_thicknesses(file, places)) {
         return false;
     }
-    zemax_surface_add_image(file);
+    /* A plane that turns the axis at the image. */
+    const size_t at = file->surface_count - 1;
+    if (zemax_is_tilted(file, at)) {
+        zemax_add_shift(file, at, false);
+        if (is_type(&file->surfaces[at], "TILTSURF")) {
+            zemax_hold_break(file, slopes_as_tilt(file, at));
+        }
+        zemax_add_plane(file);
+    }
+    return true;
+}
+
+/* -------- pick-ups that go in a circle -------- */
+
+/* What is picked up: the parameters by their numbers, and behind them the others. */
+enum { THICKNESS = ZEMAX_PARAMETERS, CURVATURE, DIAMETER, KINDS };
+
+/* The line of a pick-up, and where in it the surface, then the column, stand; null: none. */
+static const struct zemax_line *pickup_of(const struct zemax_surface *surface, size_t kind,
+                                          size_t *source, size_t *column)
+{
+    const struct zemax_line *line = NULL;
+    switch (kind) {
+    case THICKNESS: /* PZUP surface scale offset column */
+        *source = 0;
+        *column = 3;
+        line = surface->solve;
+        return line != NULL && text_same(line->keyword, "PZUP") ? line : NULL;
+    case CURVATURE: /* CURV c 4 surface scale column */
+        *source = 2;
+        *column = 4;
+        line = surface->curvature;
+        return zemax_number(line, 1) == 4 ? line : NULL;
+    case DIAMETER: /* DIAM value 2 surface column */
+        *source = 2;
+        *column = 3;
+        line = surface->diameter;
+        return zemax_number(line, 1) == 2 ? line : NULL;
+    default: /* PPAR number surface scale offset column */
+        *source = 1;
+        *column = 4;
+        return surface->pickups[kind];
+    }
+}
+
+/* The surface that a number follows; surface_count: none, or another column of one. */
+static size_t source_of(const struct zemax_file *file, size_t at, size_t kind,
+                        const struct zemax_line **line)
+{
+    size_t place = 0, column = 0;
+    *line = pickup_of(&file->surfaces[at], kind, &place, &column);
+    double source = zemax_number(*line, place);
+    bool follows = *line != NULL && place < (*line)->count && zemax_number(*line, column) == 0;
+    return follows && source >= 0 && source < (double)file->surface_count ? (size_t)source
+                                                                          : file->surface_count;
+}
+
+/* From a pick-up of a later surface, or of its own, along those that it follows. */
+static bool check_from(const struct zemax_file *file, size_t at, size_t kind)
+{
+    const struct zemax_line *line, *next;
+    size_t source = source_of(file, at, kind, &line), walk = source;
+    if (source < at) {
+        return true; /* a circle has one that follows a later surface */
+    }
+    for (size_t i = 0; i < file->surface_count && walk < file->surface_count; i++) {
+        if (walk == at) {
+            return zemax_fail(line, line->keyword,
+                              "the pick-ups go in a circle: surface %zu follows surface %zu, "
+                              "which follows it",
+                              at, source);
+        }
+        walk = source_of(file, walk, kind, &next);
+    }
+    return true;
+}
+
+bool zemax_check_circles(const struct zemax_file *file)
+{
+    for (size_t at = 0; at < file->surface_count; at++) {
+        for (size_t kind = 0; kind < KINDS; kind++) {
+            if (!check_from(file, at, kind)) {
+                return false;
+            }
+        }
+    }
     return true;
 }

@@ -1,6 +1,6 @@
 /* exchange/zemax/zemax_system.c - what a .zmx file says of the whole lens, before and behind the surfaces. */
 /* SPDX-License-Identifier: MIT */
-#include "exchange/zemax/zemax_keyword.h"
+#include "exchange/zemax/zemax.h"
 #include "file/lens_unit.h"
 #include "optics/wavelength.h"
 
@@ -11,35 +11,33 @@ const struct foreign_unit zemax_units[] = {
     {"MM", "mm"}, {"CM", "cm"}, {"IN", "in"}, {"METER", "m"}, {"M", "m"}, {NULL, NULL},
 };
 
-static bool zemax_system_read_unit(struct zemax_file *file, const struct zemax_line *line,
-                                   struct error *error)
+static bool zmx_unit(struct zemax_file *file, const struct zemax_line *line)
 {
     struct text word = file_words_next(&file->words);
     const char *unit = foreign_unit_named(zemax_units, word);
     (void)line;
     if (unit == NULL) {
-        return file_words_fail(&file->words, word, error, "the unit is one of MM, CM, IN, METER");
+        return file_words_fail(&file->words, word, "the unit is one of MM, CM, IN, METER");
     }
     file->build.lens->unit = unit;
     file->words.scale = lens_unit_scale(unit);
     return true;
 }
 
-static bool read_mode(struct zemax_file *file, const struct zemax_line *line, struct error *error)
+static bool read_mode(struct zemax_file *file, const struct zemax_line *line)
 {
     struct text word = file_words_next(&file->words);
     (void)line;
     return text_same(word, "SEQ") ||
-           file_words_fail(&file->words, word, error,
+           file_words_fail(&file->words, word,
                            "a non-sequential system: lenscalc has lenses whose surfaces follow "
                            "each other");
 }
 
-static bool zemax_system_read_name(struct zemax_file *file, const struct zemax_line *line,
-                                   struct error *error)
+static bool zmx_name(struct zemax_file *file, const struct zemax_line *line)
 {
     struct text rest = file_words_rest(&file->words);
-    (void)line, (void)error;
+    (void)line;
     if (rest.length > 0) {
         file->build.lens->title = lens_build_string(&file->build, rest);
     }
@@ -47,13 +45,12 @@ static bool zemax_system_read_name(struct zemax_file *file, const struct zemax_l
 }
 
 /* NOTE 0 has the text; other numbers are breaks of its lines. */
-static bool zemax_system_read_note(struct zemax_file *file, const struct zemax_line *line,
-                                   struct error *error)
+static bool zmx_note(struct zemax_file *file, const struct zemax_line *line)
 {
     struct text number = file_words_next(&file->words), rest = file_words_rest(&file->words);
     struct text note = text_behind(rest, ZEMAX_KEEP_NOTE),
                 names = text_behind(note, ZEMAX_POSITIONS);
-    (void)line, (void)error;
+    (void)line;
     if (!text_equal(number, "0") || rest.length == 0) {
         return true;
     }
@@ -67,18 +64,16 @@ static bool zemax_system_read_note(struct zemax_file *file, const struct zemax_l
     return true;
 }
 
-static bool read_version(struct zemax_file *file, const struct zemax_line *line,
-                         struct error *error)
+static bool read_version(struct zemax_file *file, const struct zemax_line *line)
 {
-    (void)line, (void)error;
+    (void)line;
     file->version = file_words_rest(&file->words);
     return true;
 }
 
-static bool zemax_system_read_catalogs(struct zemax_file *file, const struct zemax_line *line,
-                                       struct error *error)
+static bool zmx_catalogs(struct zemax_file *file, const struct zemax_line *line)
 {
-    (void)line, (void)error;
+    (void)line;
     for (struct text word = file_words_next(&file->words);
          word.length > 0 && file->catalog_count < ZEMAX_CATALOGS;
          word = file_words_next(&file->words)) {
@@ -87,24 +82,23 @@ static bool zemax_system_read_catalogs(struct zemax_file *file, const struct zem
     return true;
 }
 
-static bool zemax_check_wave(const struct zemax_line *line, size_t at, struct error *error)
+static bool zemax_check_wave(const struct zemax_line *line, size_t at)
 {
     double wavelength = zemax_number(line, at);
     return (wavelength >= WAVELENGTH_SHORTEST && wavelength <= WAVELENGTH_LONGEST) ||
-           file_words_fail(&line->words, line->numbers[at].typed, error,
-                           "the wavelength is not within 0.001 to 100000 um");
+           zemax_fail(line, line->numbers[at].typed,
+                      "the wavelength is not within 0.001 to 100000 um");
 }
 
 /* WAVM number wavelength weight */
-static bool zemax_system_read_wave(struct zemax_file *file, const struct zemax_line *line,
-                                   struct error *error)
+static bool zmx_wave(struct zemax_file *file, const struct zemax_line *line)
 {
     double number = zemax_number(line, 0);
     if (!(number >= 1 && number < ZEMAX_WAVES) || line->count < 2) {
-        return file_words_fail(&line->words, line->keyword, error,
-                               "WAVM needs the number, the wavelength and its weight");
+        return zemax_fail(line, line->keyword,
+                          "WAVM needs the number, the wavelength and its weight");
     }
-    if (!zemax_check_wave(line, 1, error)) {
+    if (!zemax_check_wave(line, 1)) {
         return false;
     }
     size_t at = (size_t)number - 1;
@@ -115,22 +109,20 @@ static bool zemax_system_read_wave(struct zemax_file *file, const struct zemax_l
     return true;
 }
 
-static bool zemax_check_wave_count(const struct zemax_line *line, struct error *error)
+static bool zemax_check_wave_count(const struct zemax_line *line)
 {
-    return line->count <= ZEMAX_WAVES ||
-           file_words_fail(&line->words, line->numbers[ZEMAX_WAVES].typed, error,
-                           "more than %d wavelengths", ZEMAX_WAVES);
+    return line->count <= ZEMAX_WAVES || zemax_fail(line, line->numbers[ZEMAX_WAVES].typed,
+                                                    "more than %d wavelengths", ZEMAX_WAVES);
 }
 
 /* WAVL and WAVN have all wavelengths in a row. */
-static bool zemax_system_read_waves(struct zemax_file *file, const struct zemax_line *line,
-                                    struct error *error)
+static bool zmx_waves(struct zemax_file *file, const struct zemax_line *line)
 {
-    if (!zemax_check_wave_count(line, error)) {
+    if (!zemax_check_wave_count(line)) {
         return false;
     }
     for (size_t i = 0; i < line->count; i++) {
-        if (!zemax_check_wave(line, i, error)) {
+        if (!zemax_check_wave(line, i)) {
             return false;
         }
         file->waves[i] = line->numbers[i];
@@ -143,33 +135,28 @@ static bool zemax_system_read_waves(struct zemax_file *file, const struct zemax_
 }
 
 /* WWGT and WWGN have their weights. */
-static bool zemax_system_read_weights(struct zemax_file *file, const struct zemax_line *line,
-                                      struct error *error)
+static bool zmx_weights(struct zemax_file *file, const struct zemax_line *line)
 {
-    if (!zemax_check_wave_count(line, error)) {
+    if (!zemax_check_wave_count(line)) {
         return false;
     }
     memcpy(file->weights, line->numbers, line->count * sizeof line->numbers[0]);
     return true;
 }
 
-static bool read_primary(struct zemax_file *file, const struct zemax_line *line,
-                         struct error *error)
+static bool read_primary(struct zemax_file *file, const struct zemax_line *line)
 {
     double number = zemax_number(line, 0);
     if (!(number >= 1 && number < ZEMAX_WAVES)) {
-        return file_words_fail(&file->words, line->keyword, error,
-                               "PWAV needs a wavelength's number");
+        return file_words_fail(&file->words, line->keyword, "PWAV needs a wavelength's number");
     }
     file->primary = (size_t)number - 1;
-    return zemax_all_numbers(line, error);
+    return zemax_all_numbers(line);
 }
 
 /* VDYN 0 0.1 0.2: how the pupil of each field is shifted, scaled and turned. */
-static bool zemax_system_read_vignetting(struct zemax_file *file, const struct zemax_line *line,
-                                         struct error *error)
+static bool zmx_vignetting(struct zemax_file *file, const struct zemax_line *line)
 {
-    (void)error;
     for (size_t i = 0; i < line->count && file->vignetting == NULL; i++) {
         file->vignetting = line->numbers[i].value.hi != 0 ? line : NULL;
     }
@@ -180,11 +167,9 @@ static bool zemax_system_read_vignetting(struct zemax_file *file, const struct z
  * GFAC type factor: 0 is an even pupil, as is a Gaussian, 1, of the factor 0. Another one moves no
  * ray and stops none: a note keeps the weights that the rays have there.
  */
-static bool read_apodisation(struct zemax_file *file, const struct zemax_line *line,
-                             struct error *error)
+static bool read_apodisation(struct zemax_file *file, const struct zemax_line *line)
 {
     double type = zemax_number(line, 0);
-    (void)error;
     if (type != 0 && !(type == 1 && zemax_number(line, 1) == 0)) {
         zemax_remark(file, "apodisation of the pupil, GFAC %g %g: here its rays weigh the same",
                      type, zemax_number(line, 1));
@@ -193,51 +178,52 @@ static bool read_apodisation(struct zemax_file *file, const struct zemax_line *l
 }
 
 /* ENVD temperature pressure adjust */
-static bool zemax_system_read_environment(struct zemax_file *file, const struct zemax_line *line,
-                                          struct error *error)
+static bool zmx_environment(struct zemax_file *file, const struct zemax_line *line)
 {
     (void)file;
     return zemax_number(line, 2) == 0 ||
            (zemax_number(line, 0) > -273.15 && zemax_number(line, 1) >= 0) ||
-           file_words_fail(&line->words, line->keyword, error,
-                           "ENVD needs a temperature above -273.15 C and a pressure of 0 or more "
-                           "atmospheres");
+           zemax_fail(line, line->keyword,
+                      "ENVD needs a temperature above -273.15 C and a pressure of 0 or more "
+                      "atmospheres");
 }
 
 #define KEPT(member) ZEMAX_KEPT(zemax_file, member)
 const struct zemax_keyword zemax_system_keywords[] = {
     {"MODE", ZEMAX_ANY_WORDS, false, 0, read_mode},
-    {"UNIT", ZEMAX_ANY_WORDS, false, 0, zemax_system_read_unit},
-    {"NAME", ZEMAX_ANY_WORDS, false, 0, zemax_system_read_name},
-    {"NOTE", ZEMAX_ANY_WORDS, false, 0, zemax_system_read_note},
-    {"GCAT", ZEMAX_ANY_WORDS, false, 0, zemax_system_read_catalogs},
+    {"UNIT", ZEMAX_ANY_WORDS, false, 0, zmx_unit},
+    {"NAME", ZEMAX_ANY_WORDS, false, 0, zmx_name},
+    {"NOTE", ZEMAX_ANY_WORDS, false, 0, zmx_note},
+    {"GCAT", ZEMAX_ANY_WORDS, false, 0, zmx_catalogs},
     {"ENPD", ZEMAX_A_NUMBER, true, KEPT(aperture), NULL},
     {"FNUM OBNA", ZEMAX_A_NUMBER, false, KEPT(aperture), NULL},
     {"FLOA", ZEMAX_ALL_NUMBERS, false, KEPT(aperture), NULL},
     {"FTYP", ZEMAX_A_NUMBER, false, KEPT(fields), NULL},
     {"XFLN XFLD", ZEMAX_ALL_NUMBERS, false, KEPT(x), NULL},
     {"YFLN YFLD", ZEMAX_ALL_NUMBERS, false, KEPT(y), NULL},
-    {"WAVM", ZEMAX_ALL_NUMBERS, false, 0, zemax_system_read_wave},
-    {"WAVL WAVN", ZEMAX_ALL_NUMBERS, false, 0, zemax_system_read_waves},
-    {"WWGT WWGN", ZEMAX_ALL_NUMBERS, false, 0, zemax_system_read_weights},
+    {"WAVM", ZEMAX_ALL_NUMBERS, false, 0, zmx_wave},
+    {"WAVL WAVN", ZEMAX_ALL_NUMBERS, false, 0, zmx_waves},
+    {"WWGT WWGN", ZEMAX_ALL_NUMBERS, false, 0, zmx_weights},
     {"PWAV", ZEMAX_ANY_WORDS, false, KEPT(primary_line), read_primary},
     {"FWGN", ZEMAX_ALL_NUMBERS, false, KEPT(field_weights), NULL},
     {"GFAC", ZEMAX_ALL_NUMBERS, false, 0, read_apodisation},
-    {"ENVD", ZEMAX_ALL_NUMBERS, false, KEPT(environment), zemax_system_read_environment},
+    {"ENVD", ZEMAX_ALL_NUMBERS, false, KEPT(environment), zmx_environment},
     {"VDXN VDYN VCXN VCYN VANN VDSX VDSY VCSX VCSY VANS ZVDX ZVDY ZVCX ZVCY ZVAN",
-     ZEMAX_ALL_NUMBERS, false, 0, zemax_system_read_vignetting},
+     ZEMAX_ALL_NUMBERS, false, 0, zmx_vignetting},
     {"VERS", ZEMAX_ANY_WORDS, false, 0, read_version},
     {NULL, ZEMAX_ANY_WORDS, false, 0, NULL},
 };
 
 /* -------- behind the surfaces -------- */
 
-static bool read_configurations(struct zemax_file *file, const struct zemax_line *line,
-                                struct error *error)
+bool zemax_read_configurations(struct zemax_file *file, const struct zemax_line *line)
 {
     double count = zemax_number(line, 0);
+    if (!zemax_all_numbers(line)) {
+        return false;
+    }
     if (!(count >= 1 && count <= ZEMAX_CONFIGURATIONS)) {
-        return file_words_fail(&file->words, line->keyword, error,
+        return file_words_fail(&file->words, line->keyword,
                                "MNUM needs the number of configurations, 1 to %d",
                                ZEMAX_CONFIGURATIONS);
     }
@@ -247,7 +233,7 @@ static bool read_configurations(struct zemax_file *file, const struct zemax_line
     return true;
 }
 
-bool zemax_read_setting(struct zemax_file *file, struct text keyword, struct error *error)
+bool zemax_read_setting(struct zemax_file *file, struct text keyword)
 {
     const bool is_length = word_list_find("THIC SDIA APMN APMX APDX APDY", keyword) != NULL;
     const struct zemax_line *line = zemax_line_of(file, keyword, NUMBER_UNSCALED);
@@ -265,7 +251,7 @@ bool zemax_read_setting(struct zemax_file *file, struct text keyword, struct err
     double surface = zemax_number(line, 0), configuration = zemax_number(line, 1);
     if (line->count < 2 || !(surface >= 0 && surface < FOREIGN_MOST_SURFACES) ||
         !(configuration >= 1 && configuration <= (double)file->configurations)) {
-        return file_words_fail(&file->words, keyword, error,
+        return file_words_fail(&file->words, keyword,
                                "%.4s needs a surface, a configuration and its value",
                                keyword.start);
     }
@@ -281,8 +267,3 @@ bool zemax_read_setting(struct zemax_file *file, struct text keyword, struct err
     file->last_setting = setting;
     return true;
 }
-
-const struct zemax_keyword zemax_tail_keywords[] = {
-    {"MNUM", ZEMAX_ALL_NUMBERS, false, 0, read_configurations},
-    {NULL, ZEMAX_ANY_WORDS, false, 0, NULL},
-};

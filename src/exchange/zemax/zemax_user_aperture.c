@@ -1,6 +1,6 @@
 /* exchange/zemax/zemax_user_aperture.c - polygons and circles of .zmx and .uda files. */
 /* SPDX-License-Identifier: MIT */
-#include "exchange/zemax/zemax_user_aperture.h"
+#include "exchange/zemax/zemax.h"
 
 #include "base/number.h"
 #include "data/encoding.h"
@@ -24,13 +24,7 @@ struct shapes {
     const char *wrong; /* what cannot be kept; null = nothing */
 };
 
-static bool is_same_point(const struct figure *a, const struct figure *b)
-{
-    return a[0].value.hi == b[0].value.hi && a[1].value.hi == b[1].value.hi;
-}
-
-static struct aperture *zemax_user_aperture_add_shape(struct shapes *shapes,
-                                                      enum aperture_shape shape)
+static struct aperture *add_uda_shape(struct shapes *shapes, enum aperture_shape shape)
 {
     shapes->all =
         arena_grow(shapes->arena, shapes->all, shapes->count, &shapes->room, sizeof shapes->all[0]);
@@ -42,12 +36,14 @@ static struct aperture *zemax_user_aperture_add_shape(struct shapes *shapes,
 static void end_polygon(struct shapes *shapes)
 {
     size_t count = shapes->corner_count;
-    if (count > 1 && is_same_point(shapes->corners[0], shapes->corners[count - 1])) {
+    const struct figure(*corners)[2] = (const struct figure(*)[2])shapes->corners;
+    if (count > 1 && corners[0][0].value.hi == corners[count - 1][0].value.hi &&
+        corners[0][1].value.hi == corners[count - 1][1].value.hi) {
         count--;
     }
     if (count > 0) {
-        struct aperture *polygon = zemax_user_aperture_add_shape(shapes, SHAPE_POLYGON);
-        polygon->points = (const struct figure(*)[2])shapes->corners;
+        struct aperture *polygon = add_uda_shape(shapes, SHAPE_POLYGON);
+        polygon->points = corners;
         polygon->point_count = count;
     }
     shapes->corners = NULL;
@@ -66,15 +62,14 @@ static void add_corner(struct shapes *shapes, const struct figure *numbers, size
     shapes->corners[shapes->corner_count++][1] = numbers[1];
 }
 
-static void zemax_user_aperture_add_circle(struct shapes *shapes, const struct figure *numbers,
-                                           size_t count)
+static void add_uda_circle(struct shapes *shapes, const struct figure *numbers, size_t count)
 {
     if (count < 3) {
         shapes->wrong = "a circle needs x, y and a radius";
         return;
     }
     end_polygon(shapes);
-    struct aperture *circle = zemax_user_aperture_add_shape(shapes, SHAPE_CIRCLE);
+    struct aperture *circle = add_uda_shape(shapes, SHAPE_CIRCLE);
     const struct pair twice = {2 * numbers[2].value.hi, 2 * numbers[2].value.lo};
     circle->size[0] = figure_computed(twice, shapes->unit, shapes->arena);
     for (int i = 0; i < 2; i++) {
@@ -83,7 +78,7 @@ static void zemax_user_aperture_add_circle(struct shapes *shapes, const struct f
 }
 
 /* The next word up to a blank or a comma. */
-static struct text zemax_user_aperture_next_word(struct text *rest)
+static struct text uda_word(struct text *rest)
 {
     size_t from = 0;
     while (from < rest->length && strchr(" \t,\r", rest->start[from]) != NULL) {
@@ -99,12 +94,10 @@ static struct text zemax_user_aperture_next_word(struct text *rest)
 }
 
 /* The numbers of a line, up to what is none. */
-static size_t zemax_user_aperture_read_numbers(struct shapes *shapes, struct text rest,
-                                               struct figure numbers[4])
+static size_t uda_numbers(struct shapes *shapes, struct text rest, struct figure numbers[4])
 {
     size_t count = 0;
-    for (struct text word = zemax_user_aperture_next_word(&rest); word.length > 0 && count < 4;
-         word = zemax_user_aperture_next_word(&rest)) {
+    for (struct text word = uda_word(&rest); word.length > 0 && count < 4; word = uda_word(&rest)) {
         struct figure figure = {.typed = word, .variable = LENS_NONE};
         const char *end = word.start + word.length;
         if (pair_read(word.start, end, shapes->unit, &figure.value) != end ||
@@ -126,23 +119,22 @@ static void add_plain_corner(struct shapes *shapes, const struct figure *numbers
     }
 }
 
-static void zemax_user_aperture_read_line(struct shapes *shapes, struct text line)
+static void uda_line(struct shapes *shapes, struct text line)
 {
     struct text rest = line;
-    const struct text word = zemax_user_aperture_next_word(&rest);
+    const struct text word = uda_word(&rest);
     struct figure numbers[4];
     if (word.length == 0 || word.start[0] == '!') {
         return;
     }
     if (text_same(word, "LIN")) {
-        add_corner(shapes, numbers, zemax_user_aperture_read_numbers(shapes, rest, numbers));
+        add_corner(shapes, numbers, uda_numbers(shapes, rest, numbers));
     } else if (text_same(word, "CIR")) {
-        zemax_user_aperture_add_circle(shapes, numbers,
-                                       zemax_user_aperture_read_numbers(shapes, rest, numbers));
+        add_uda_circle(shapes, numbers, uda_numbers(shapes, rest, numbers));
     } else if (text_same(word, "BRK")) {
         end_polygon(shapes);
     } else {
-        size_t count = zemax_user_aperture_read_numbers(shapes, line, numbers);
+        size_t count = uda_numbers(shapes, line, numbers);
         if (count > 0) {
             add_plain_corner(shapes, numbers, count); /* of old files */
         } else {
@@ -153,7 +145,7 @@ static void zemax_user_aperture_read_line(struct shapes *shapes, struct text lin
 }
 
 /* The last part of a path of any system, without quotes. */
-static struct text zemax_user_aperture_name_of(struct text path)
+static struct text uda_name(struct text path)
 {
     while (path.length > 0 && path.start[0] == '"') {
         path = (struct text){path.start + 1, path.length - 1};
@@ -170,8 +162,8 @@ static struct text zemax_user_aperture_name_of(struct text path)
 }
 
 /* Names of files differ in no letter's case where the program runs: as written, small, large. */
-static bool zemax_user_aperture_read_beside(const struct foreign_job *job, struct text name,
-                                            struct text *content, struct error *error)
+static bool uda_content(const struct foreign_job *job, struct text name, struct text *content,
+                        struct error *error)
 {
     const char *slash = strrchr(job->source, '/');
     int folder = slash != NULL ? (int)(slash + 1 - job->source) : 0;
@@ -200,14 +192,6 @@ static void check_room(struct shapes *shapes)
     }
 }
 
-static void read_content(struct shapes *shapes, struct text content)
-{
-    for (struct text rest = content; rest.start != NULL && shapes->wrong == NULL;) {
-        zemax_user_aperture_read_line(shapes, text_cut(&rest, '\n'));
-        check_room(shapes);
-    }
-}
-
 /* Rows 1, 2 .. of number, x, y and a 0, whose meaning otherwise is not known. */
 static void read_rows(struct shapes *shapes, const struct zemax_surface *from)
 {
@@ -228,7 +212,7 @@ static void read_rows(struct shapes *shapes, const struct zemax_surface *from)
 }
 
 /* From where to where a polygon reaches along an axis. */
-static void zemax_user_aperture_range_of(const struct aperture *polygon, int axis, double range[2])
+static void uda_range(const struct aperture *polygon, int axis, double range[2])
 {
     range[0] = INFINITY;
     range[1] = -INFINITY;
@@ -238,19 +222,6 @@ static void zemax_user_aperture_range_of(const struct aperture *polygon, int axi
     }
 }
 
-/* Does a line along x or y lie between them? */
-static bool zemax_user_aperture_are_apart(const struct aperture *a, const struct aperture *b)
-{
-    bool apart = false;
-    for (int axis = 0; axis < 2; axis++) {
-        double one[2], other[2];
-        zemax_user_aperture_range_of(a, axis, one);
-        zemax_user_aperture_range_of(b, axis, other);
-        apart = apart || one[1] <= other[0] || other[1] <= one[0];
-    }
-    return apart;
-}
-
 static bool are_polygons_apart(const struct shapes *shapes)
 {
     for (size_t i = 0; i < shapes->count; i++) {
@@ -258,23 +229,20 @@ static bool are_polygons_apart(const struct shapes *shapes)
             return false;
         }
         for (size_t k = 0; k < i; k++) {
-            if (!zemax_user_aperture_are_apart(&shapes->all[i], &shapes->all[k])) {
+            /* Does a line along x or y lie between them? */
+            bool apart = false;
+            for (int axis = 0; axis < 2; axis++) {
+                double one[2], other[2];
+                uda_range(&shapes->all[i], axis, one);
+                uda_range(&shapes->all[k], axis, other);
+                apart = apart || one[1] <= other[0] || other[1] <= one[0];
+            }
+            if (!apart) {
                 return false;
             }
         }
     }
     return true;
-}
-
-static bool is_clockwise(const struct aperture *polygon)
-{
-    double sum = 0;
-    for (size_t i = 0; i < polygon->point_count; i++) {
-        const struct figure *p = polygon->points[i];
-        const struct figure *q = polygon->points[(i + 1) % polygon->point_count];
-        sum += p[0].value.hi * q[1].value.hi - q[0].value.hi * p[1].value.hi;
-    }
-    return sum < 0;
 }
 
 /*
@@ -292,7 +260,13 @@ static void join_polygons(struct shapes *shapes)
     for (size_t k = 0; k < shapes->count; k++) {
         const struct aperture *polygon = &shapes->all[k];
         const size_t count = polygon->point_count;
-        const bool backwards = is_clockwise(polygon);
+        double sum = 0;
+        for (size_t i = 0; i < polygon->point_count; i++) {
+            const struct figure *p = polygon->points[i];
+            const struct figure *q = polygon->points[(i + 1) % polygon->point_count];
+            sum += p[0].value.hi * q[1].value.hi - q[0].value.hi * p[1].value.hi;
+        }
+        const bool backwards = sum < 0;
         for (size_t i = 0; i <= count; i++, used++) {
             const struct figure *corner = polygon->points[(backwards ? count - i : i) % count];
             corners[used][0] = corner[0];
@@ -335,11 +309,11 @@ static void check_shapes(struct shapes *shapes)
 }
 
 bool zemax_user_apertures(struct zemax_file *file, const struct zemax_surface *from,
-                          struct aperture **apertures, size_t *count, struct error *error)
+                          struct aperture **apertures, size_t *count)
 {
     const struct zemax_line *line = from->user_aperture;
     const bool is_inline = from->user_row_count > 0;
-    const struct text name = is_inline ? text_of("") : zemax_user_aperture_name_of(from->user_file);
+    const struct text name = is_inline ? text_of("") : uda_name(from->user_file);
     struct shapes shapes = {.arena = file->job->arena,
                             .unit = lens_unit_scale(file->build.lens->unit),
                             .blocks = from->user_blocks};
@@ -350,7 +324,7 @@ bool zemax_user_apertures(struct zemax_file *file, const struct zemax_surface *f
     } else if (name.length == 0) {
         return !zemax_loss(file, line, LOSS_OF_VIGNETTING, "left out",
                            "%.4s: an aperture of a file that is not named", line->keyword.start);
-    } else if (!zemax_user_aperture_read_beside(file->job, name, &content, &why)) {
+    } else if (!uda_content(file->job, name, &content, &why)) {
         if (why.code != ERROR_NONE) {
             shapes.wrong = why.message;
         } else if (file->job->reads_beside) {
@@ -361,7 +335,10 @@ bool zemax_user_apertures(struct zemax_file *file, const struct zemax_surface *f
     } else if (!encoding_to_utf8(file->job->source, content, file->job->arena, &content, &why)) {
         shapes.wrong = why.message;
     } else {
-        read_content(&shapes, content);
+        for (struct text rest = content; rest.start != NULL && shapes.wrong == NULL;) {
+            uda_line(&shapes, text_cut(&rest, '\n'));
+            check_room(&shapes);
+        }
     }
     if (shapes.wrong == NULL) {
         check_shapes(&shapes);
@@ -371,7 +348,7 @@ bool zemax_user_apertures(struct zemax_file *file, const struct zemax_surface *f
     if (shapes.wrong == NULL) {
         return true;
     }
-    error->code = ERROR_NONE;
+    file->error->code = ERROR_NONE;
     if (is_inline) {
         return !zemax_loss(file, line, LOSS_OF_VIGNETTING, "left out",
                            "%.4s: a user-defined aperture (%s)", line->keyword.start, shapes.wrong);

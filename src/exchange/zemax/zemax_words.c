@@ -1,6 +1,6 @@
 /* exchange/zemax/zemax_words.c - every word of a .zmx file, and what becomes of it. */
 /* SPDX-License-Identifier: MIT */
-#include "exchange/zemax/zemax_keyword.h"
+#include "exchange/zemax/zemax.h"
 
 const struct word_group zemax_words[] = {
     {WORD_KEPT, ZEMAX_IN_SYSTEM, "sequential or not; the unit of lengths", "MODE UNIT", 0},

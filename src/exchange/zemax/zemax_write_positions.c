@@ -1,6 +1,6 @@
 /* exchange/zemax/zemax_write_positions.c - the operands of the configurations of a .zmx file. */
 /* SPDX-License-Identifier: MIT */
-#include "exchange/zemax/zemax_aperture.h"
+#include "exchange/zemax/zemax.h"
 #include "exchange/zemax/zemax_writer.h"
 
 #include <math.h>
@@ -131,20 +131,6 @@ const char *zemax_coordinate(const struct lens_writer *writing, const struct fig
                                                     : writing_length(writing, coordinate, 1);
 }
 
-static bool zemax_put_settings(struct zemax_writer *writer, struct error *error)
-{
-    const struct lens *lens = writer->writing.lens;
-    for (size_t i = 0; i < lens->setting_count; i++) {
-        const struct lens_setting *one = &lens->settings[i];
-        if (one->media == NULL) {
-            zemax_put_numbers(writer, one);
-        } else if (!zemax_put_glasses(writer, one, error)) {
-            return false;
-        }
-    }
-    return true;
-}
-
 /* The object's distance, distances, diameters and apertures of each position. */
 bool zemax_put_positions(struct zemax_writer *writer, struct error *error)
 {
@@ -172,8 +158,13 @@ bool zemax_put_positions(struct zemax_writer *writer, struct error *error)
             writing, "APER", 0, p,
             writing_length(writing, &lens->apertures[p], lens->aperture_kind == APERTURE_EPD));
     }
-    if (!zemax_put_settings(writer, error)) {
-        return false;
+    for (size_t i = 0; i < lens->setting_count; i++) {
+        const struct lens_setting *one = &lens->settings[i];
+        if (one->media == NULL) {
+            zemax_put_numbers(writer, one);
+        } else if (!zemax_put_glasses(writer, one, error)) {
+            return false;
+        }
     }
     for (size_t p = 0; p < count && lens->stops != NULL; p++) {
         writing_put(writing, "STPS 0 %zu %zu" END_OPERAND, p + 1,

@@ -54,4 +54,10 @@ bool zemax_put_positions(struct zemax_writer *writer, struct error *error);
 /* A surface of the lens, with the breaks of the axis around it. Errors as zemax_put_medium */
 bool zemax_put_surface(struct zemax_writer *writer, size_t index, struct error *error);
 
+/* The digits of half of a diameter. */
+const char *zemax_half(const struct lens_writer *writing, const struct figure *figure);
+
+/* The first one of a surface that the format has; the others are losses. */
+void zemax_put_aperture(struct lens_writer *writing, const struct surface *surface, size_t number);
+
 #endif
