@@ -171,26 +171,6 @@ static const struct column columns[] = {
     PHOTO_LENS_WARNING_COLUMN(real),
 };
 
-/* What attachments, squeeze and T-stop add to a row. */
-static bool fill_more(const struct dof_question *input, const struct attached_lens *attached,
-                      struct dof_row *row, struct error *error)
-{
-    double transmittance, T = input->t_stop;
-    double exposes = row->dof.working_fnumber / row->setting.N;
-    row->attached = input->attached;
-    row->focal = isnan(attached->focal) ? row->setting.f : attached->focal;
-    row->fnumber = row->setting.N / attached->fnumber_factor;
-    row->t_stop = isnan(T) ? row->fnumber * attached->lens->t_ratio : T;
-    row->working_t_stop = row->t_stop * attached->fnumber_factor * exposes;
-    row->squeeze = input->squeeze;
-    row->across = (struct anamorphic){NAN, NAN, NAN, NAN};
-    return (isnan(input->t_stop) ||
-            transmittance_from_t_stop(row->fnumber, input->t_stop, &transmittance, error)) &&
-           (isnan(input->squeeze) ||
-            anamorphic_view(&row->setting, &row->dof, &input->sharp.sensor.size, input->squeeze,
-                            &row->across, error));
-}
-
 /* Complete a row that has its setting and what follows from it. */
 static bool dof_fill_row(const struct dof_question *input, const struct attached_lens *attached,
                          struct dof_row *row, struct error *error)
@@ -222,7 +202,21 @@ static bool dof_fill_row(const struct dof_question *input, const struct attached
     row->wavelength = photo_lens_light(lens, sharpness_is_airy(&input->sharp));
     row->model = input->rays.exact ? "rays" : dof_models[input->model].word;
     row->from = distances_from[input->lens.from].word;
-    return fill_more(input, attached, row, error);
+    /* What attachments, squeeze and T-stop add to a row. */
+    double transmittance, T = input->t_stop;
+    double exposes = row->dof.working_fnumber / row->setting.N;
+    row->attached = input->attached;
+    row->focal = isnan(attached->focal) ? row->setting.f : attached->focal;
+    row->fnumber = row->setting.N / attached->fnumber_factor;
+    row->t_stop = isnan(T) ? row->fnumber * attached->lens->t_ratio : T;
+    row->working_t_stop = row->t_stop * attached->fnumber_factor * exposes;
+    row->squeeze = input->squeeze;
+    row->across = (struct anamorphic){NAN, NAN, NAN, NAN};
+    return (isnan(input->t_stop) ||
+            transmittance_from_t_stop(row->fnumber, input->t_stop, &transmittance, error)) &&
+           (isnan(input->squeeze) ||
+            anamorphic_view(&row->setting, &row->dof, &input->sharp.sensor.size, input->squeeze,
+                            &row->across, error));
 }
 
 /* The same picture on another format, if that is asked for. */

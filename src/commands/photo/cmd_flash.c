@@ -201,13 +201,6 @@ static bool flash_join(const struct flash_input *input, double one, double *join
     return flash_sum(both, 2, joint, error);
 }
 
-/* Beside other light a flash of given power is not solved for: it may expose too much or little. */
-static bool flash_is_complete(const struct flash_input *input, const struct flash_setting *setting)
-{
-    return is_given(input->ev) && is_given(setting->GN) && is_given(setting->N) &&
-           is_given(setting->d) && is_given(setting->power);
-}
-
 static bool flash_row_solve(const struct flash_input *input, double one, struct flash_row *row,
                             struct error *error)
 {
@@ -222,7 +215,8 @@ static bool flash_row_solve(const struct flash_input *input, double one, struct 
         return false;
     }
     setting->d = row->path;
-    if (flash_is_complete(input, setting)) {
+    if (is_given(input->ev) && is_given(setting->GN) && is_given(setting->N) &&
+        is_given(setting->d) && is_given(setting->power)) {
         setting->S = is_given(setting->S) ? setting->S : 100;
         setting->flashes = is_given(setting->flashes) ? setting->flashes : 1;
     } else if (!flash_solve(setting, &unknown, error)) {
@@ -266,14 +260,6 @@ static bool fill_ratio(const struct flash_input *input, struct flash_row *row, s
     return !is_given(input->key_to_fill) || lighting_ratio(input->key_to_fill, &row->ratio, error);
 }
 
-/* A lighting ratio may be asked for by itself. */
-static bool is_ratio_only(const struct flash_input *input)
-{
-    bool ratio = is_given(input->ratio) || is_given(input->key_to_fill);
-    return ratio && !is_given(input->guide_number) && input->zoom == NULL &&
-           !is_given(input->fnumber) && !is_given(input->distance);
-}
-
 static bool flash_run(const void *data, struct run *run, struct error *error)
 {
     const struct flash_input *input = data;
@@ -294,7 +280,11 @@ static bool flash_run(const void *data, struct run *run, struct error *error)
         !fill_ratio(input, &row, error)) {
         return false;
     }
-    if (!is_ratio_only(input) &&
+    /* A lighting ratio may be asked for by itself. */
+    bool ratio = is_given(input->ratio) || is_given(input->key_to_fill);
+    const bool flashes = is_given(input->guide_number) || input->zoom != NULL ||
+                         is_given(input->fnumber) || is_given(input->distance);
+    if ((!ratio || flashes) &&
         (!flash_row_solve(input, one, &row, error) || !fill_background(input, &row, error) ||
          !fill_balance(input, &row, error))) {
         return false;

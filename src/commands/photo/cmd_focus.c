@@ -306,27 +306,6 @@ static bool run_plain(const struct focus_input *input, const struct photo_lens *
     return true;
 }
 
-/* Put on what is attached, in its order: see --order and the manual. */
-static bool focus_attach(const struct focus_input *input, const struct photo_lens *lens,
-                         const struct conjugates *bare, struct attach_lens *all,
-                         struct error *error)
-{
-    const struct attach_step tube = {ATTACH_TUBE, input->attached.tube, 0, 0};
-    const struct attach_step converter = {ATTACH_CONVERTER, input->attached.converter,
-                                          input->converter_length, 0};
-    bool tube_first = input->order == 0;
-    const struct attach_step steps[] = {
-        {ATTACH_REVERSED, input->reversed ? bare->v : NAN, lens->measuring.hiatus,
-         -lens->real->rear},
-        {ATTACH_CLOSE_UP, 1000 * input->attached.close_up, input->gap, 0},
-        {ATTACH_STACKED, input->stacked, input->gap,
-         isnan(input->stacked_aperture) ? 0 : input->stacked_aperture},
-        tube_first ? tube : converter,
-        tube_first ? converter : tube,
-    };
-    return attach_apply(all, steps, sizeof steps / sizeof steps[0], error);
-}
-
 static bool emit_focus(const struct focus_input *input, const struct photo_lens *bare,
                        double bare_focal, const struct attach_lens *lens, bool near,
                        struct run *run, struct error *error)
@@ -378,7 +357,24 @@ static bool run_attached(const struct focus_input *input, const struct photo_len
                                      .m_near = bare.m,
                                      .front = front,
                                      .hiatus = real->measuring.hiatus};
-    if (!attach_bare(&sold, &lens, error) || !focus_attach(input, real, &bare, &lens, error)) {
+    if (!attach_bare(&sold, &lens, error)) {
+        return false;
+    }
+    /* Put on what is attached, in its order: see --order and the manual. */
+    const struct attach_step tube = {ATTACH_TUBE, input->attached.tube, 0, 0};
+    const struct attach_step converter = {ATTACH_CONVERTER, input->attached.converter,
+                                          input->converter_length, 0};
+    bool tube_first = input->order == 0;
+    const struct attach_step steps[] = {
+        {ATTACH_REVERSED, input->reversed ? bare.v : NAN, real->measuring.hiatus,
+         -real->real->rear},
+        {ATTACH_CLOSE_UP, 1000 * input->attached.close_up, input->gap, 0},
+        {ATTACH_STACKED, input->stacked, input->gap,
+         isnan(input->stacked_aperture) ? 0 : input->stacked_aperture},
+        tube_first ? tube : converter,
+        tube_first ? converter : tube,
+    };
+    if (!attach_apply(&lens, steps, sizeof steps / sizeof steps[0], error)) {
         return false;
     }
     bool moves = lens.m_near > lens.m_far;

@@ -176,15 +176,6 @@ static const struct column columns[] = {
     PHOTO_LENS_WARNING_COLUMN(real),
 };
 
-/* The focal length from the one goal that is given. */
-static bool fov_row_solve(const struct fov_input *input, const struct fov_setting *setting,
-                          double *f, struct error *error)
-{
-    const struct fov_goals goals = {input->horizontal,  input->vertical,     input->diagonal,
-                                    input->field_width, input->field_height, input->field_diagonal};
-    return fov_solve(setting, &input->sensor.size, &goals, f, error);
-}
-
 static void doubt(struct fov_row *row, const char *warning, struct arena *arena)
 {
     row->real.warning = lens_warnings_join(row->real.warning, warning, arena);
@@ -195,17 +186,6 @@ static bool wants_rays(const struct fov_input *input, const struct photo_lens *l
 {
     return input->projection == VIEW_RAYS ||
            (input->projection == VIEW_AUTO && lens->lens != NULL && isnan(input->lens.pupil));
-}
-
-static bool fov_check_rays(const struct fov_input *input, const struct photo_lens *lens,
-                           struct error *error)
-{
-    if (lens->lens == NULL) {
-        return fail(error, ERROR_USAGE, "{--projection} chief-rays needs {--lens}");
-    }
-    return isnan(input->lens.pupil) ||
-           fail(error, ERROR_USAGE,
-                "{--projection} chief-rays goes by the lens's own pupils: it excludes {--pupil}");
 }
 
 /* What the exact chief rays of the real lens make of it, the film so far behind H'. */
@@ -262,44 +242,44 @@ static bool find_breathing(const struct fov_input *input, const struct photo_len
     return true;
 }
 
-static void take_view(const struct view *view, double diagonal, struct fov_row *row,
-                      struct arena *arena)
-{
-    row->fov =
-        (struct fov){view->horizontal.angle,        view->vertical.angle, view->diagonal.angle,
-                     view->horizontal.size,         view->vertical.size,  view->diagonal.size,
-                     fov_kind(view->diagonal.angle)};
-    row->projection = ways[VIEW_RAYS].word;
-    row->circle = view->circle;
-    if (!isnan(view->circle)) {
-        doubt(row,
-              arena_printf(arena,
-                           "the image circle, %.4g mm across, does not cover the sensor, %.4g mm: "
-                           "angles and fields end at its edge",
-                           view->circle, diagonal),
-              arena);
-    }
-    if (!isnan(view->clear)) {
-        doubt(row,
-              arena_printf(
-                  arena,
-                  "the chief rays are stopped by clear apertures outside a circle of %.4g mm: "
-                  "the corners are strongly vignetted",
-                  view->clear),
-              arena);
-    }
-}
-
 /* In place of what the projection says, which has checked the setting. */
 static bool view_by_rays(const struct fov_input *input, const struct photo_lens *lens,
                          struct fov_row *row, struct arena *arena, struct error *error)
 {
     struct view view;
-    if (!fov_check_rays(input, lens, error) ||
-        !trace_view(input, lens, row->setting.s, row->image, arena, &view, error)) {
+    if (lens->lens == NULL) {
+        return fail(error, ERROR_USAGE, "{--projection} chief-rays needs {--lens}");
+    }
+    if (!isnan(input->lens.pupil)) {
+        return fail(
+            error, ERROR_USAGE,
+            "{--projection} chief-rays goes by the lens's own pupils: it excludes {--pupil}");
+    }
+    if (!trace_view(input, lens, row->setting.s, row->image, arena, &view, error)) {
         return false;
     }
-    take_view(&view, sensor_diagonal(&input->sensor.size), row, arena);
+    row->fov = (struct fov){view.horizontal.angle,        view.vertical.angle, view.diagonal.angle,
+                            view.horizontal.size,         view.vertical.size,  view.diagonal.size,
+                            fov_kind(view.diagonal.angle)};
+    row->projection = ways[VIEW_RAYS].word;
+    row->circle = view.circle;
+    if (!isnan(view.circle)) {
+        doubt(row,
+              arena_printf(arena,
+                           "the image circle, %.4g mm across, does not cover the sensor, %.4g mm: "
+                           "angles and fields end at its edge",
+                           view.circle, sensor_diagonal(&input->sensor.size)),
+              arena);
+    }
+    if (!isnan(view.clear)) {
+        doubt(row,
+              arena_printf(
+                  arena,
+                  "the chief rays are stopped by clear apertures outside a circle of %.4g mm: "
+                  "the corners are strongly vignetted",
+                  view.clear),
+              arena);
+    }
     return true;
 }
 
@@ -380,9 +360,16 @@ static bool fov_answer(const void *data, const struct photo_lens *lens, struct r
         .rays = by_rays_none,
     };
     if (!find_subject(input, lens, &row.setting.s, error) ||
-        !photo_lens_check_subject(lens, row.setting.s, error) ||
-        !fov_row_solve(input, &row.setting, &row.setting.f, error) ||
-        !fov_compute(&row.setting, &input->sensor.size, &row.fov, error)) {
+        !photo_lens_check_subject(lens, row.setting.s, error)) {
+        return false;
+    }
+    /* The focal length from the one goal that is given. */
+    const struct fov_goals goals = {input->horizontal,  input->vertical,     input->diagonal,
+                                    input->field_width, input->field_height, input->field_diagonal};
+    if (!fov_solve(&row.setting, &input->sensor.size, &goals, &row.setting.f, error)) {
+        return false;
+    }
+    if (!fov_compute(&row.setting, &input->sensor.size, &row.fov, error)) {
         return false;
     }
     row.image = distance_image(row.setting.f, row.setting.s);

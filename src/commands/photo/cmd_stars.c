@@ -114,46 +114,9 @@ static const struct column columns[] = {
      .label = "trail criterion", .help = "where the allowed trail comes from"},
 };
 
-/* How long a trail may be: as asked, else the circle of confusion. */
-static bool allow(const struct stars_input *input, struct warnings *doubts, struct stars_row *row,
-                  struct error *error)
-{
-    struct sharpness sharp = input->sharp;
-    if (!sharpness_settle(&sharp, PITCH_FOR_MORE, doubts, error)) {
-        return false;
-    }
-    if (is_given(input->trail.coc.value)) {
-        if (coc_is_print(&sharp.coc) && !coc_is_print(&input->trail)) {
-            return fail(error, ERROR_USAGE,
-                        "{--print}, {--viewing} and {--acuity} serve {--trail} print only");
-        }
-        sharp.coc = input->trail;
-    }
-    row->criterion = sharp.coc.criterion;
-    return sharpness_resolve(&sharp, input->fnumber, &row->allowed, error);
-}
-
 /* A camera and a lens of today for the NPF rule, where neither is given. */
 #define USUAL_FNUMBER    2.8
 #define USUAL_MEGAPIXELS 24
-
-/* What the NPF rule wants, and what of it is assumed. */
-static void stars_assume(const struct sensor *sensor, struct stars_row *row, struct arena *arena)
-{
-    bool has_N = is_given(row->fnumber), has_pitch = is_given(row->pitch);
-    row->npf_fnumber = has_N ? row->fnumber : USUAL_FNUMBER;
-    row->npf_pitch = has_pitch ? row->pitch : sensor_pitch_of(sensor, USUAL_MEGAPIXELS * 1e6);
-    row->npf_assumed =
-        has_N && has_pitch
-            ? NULL
-            : arena_printf(arena, "%s%s%s", has_N ? "" : "f/2.8 (default)",
-                           has_N || has_pitch ? "" : " and ",
-                           has_pitch ? ""
-                                     : arena_printf(arena,
-                                                    "%d megapixels of %.3g um "
-                                                    "(default)",
-                                                    USUAL_MEGAPIXELS, 1000 * row->npf_pitch));
-}
 
 /* The rules of thumb. */
 static bool apply_rules(struct stars_row *row, struct error *error)
@@ -205,9 +168,37 @@ static bool stars_run(const void *data, struct run *run, struct error *error)
                     "give {--focal-length} for the longest time, or {--time} for "
                     "the longest focal length");
     }
-    stars_assume(sensor, &row, run->arena);
-    if (!allow(input, run->doubts, &row, error) ||
-        (!is_given(row.focal) &&
+    /* What the NPF rule wants, and what of it is assumed. */
+    bool has_N = is_given(row.fnumber), has_pitch = is_given(row.pitch);
+    row.npf_fnumber = has_N ? row.fnumber : USUAL_FNUMBER;
+    row.npf_pitch = has_pitch ? row.pitch : sensor_pitch_of(sensor, USUAL_MEGAPIXELS * 1e6);
+    row.npf_assumed =
+        has_N && has_pitch
+            ? NULL
+            : arena_printf(run->arena, "%s%s%s", has_N ? "" : "f/2.8 (default)",
+                           has_N || has_pitch ? "" : " and ",
+                           has_pitch ? ""
+                                     : arena_printf(run->arena,
+                                                    "%d megapixels of %.3g um "
+                                                    "(default)",
+                                                    USUAL_MEGAPIXELS, 1000 * row.npf_pitch));
+    /* How long a trail may be: as asked, else the circle of confusion. */
+    struct sharpness sharp = input->sharp;
+    if (!sharpness_settle(&sharp, PITCH_FOR_MORE, run->doubts, error)) {
+        return false;
+    }
+    if (is_given(input->trail.coc.value)) {
+        if (coc_is_print(&sharp.coc) && !coc_is_print(&input->trail)) {
+            return fail(error, ERROR_USAGE,
+                        "{--print}, {--viewing} and {--acuity} serve {--trail} print only");
+        }
+        sharp.coc = input->trail;
+    }
+    row.criterion = sharp.coc.criterion;
+    if (!sharpness_resolve(&sharp, input->fnumber, &row.allowed, error)) {
+        return false;
+    }
+    if ((!is_given(row.focal) &&
          !star_focal_length(row.declination, row.exposure, row.allowed, &row.focal, error)) ||
         !star_time(row.focal, row.declination, row.allowed, &row.time, error) ||
         !apply_rules(&row, error) || !measure_trail(sensor, &row, error)) {

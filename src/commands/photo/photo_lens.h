@@ -5,7 +5,6 @@
 
 #include "cli/question/command.h"
 #include "commands/lens/lens_options.h"
-#include "commands/photo/photo_columns.h"
 #include "commands/photo/photo_options.h"
 #include "commands/tables.h"
 #include "exchange/lens_formats.h"
