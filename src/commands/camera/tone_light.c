@@ -293,10 +293,8 @@ static bool make_light(const struct tone_input *input, struct arena *frames_aren
                 frames.frames[0].bits);
         }
     }
-    if (input->response == RESPONSE_DEBEVEC && !recover(&frames, light, &remarks, error)) {
-        return false;
-    }
-    if (!unit_of_light(input, &frames, &remarks, &unit, error) ||
+    if ((input->response == RESPONSE_DEBEVEC && !recover(&frames, light, &remarks, error)) ||
+        !unit_of_light(input, &frames, &remarks, &unit, error) ||
         !merge_frames(frames.frames, frames.count, &noise, arena, &merged, error)) {
         return false;
     }

@@ -428,11 +428,9 @@ static bool conjugate_run(const void *data, struct run *run, struct error *error
     const struct lens *lens = question.lens.lens;
     if (lens != NULL) {
         const char *gap = input->focus_by == FOCUS_BY_LENS ? "last" : input->gap;
-        if (gap != NULL &&
-            !focus_gaps_read(text_of(gap), lens, task.gaps, &task.gap_count, error)) {
-            return false;
-        }
-        if (!put_into_media(input, &question.lens, run->arena, error)) {
+        if ((gap != NULL &&
+             !focus_gaps_read(text_of(gap), lens, task.gaps, &task.gap_count, error)) ||
+            !put_into_media(input, &question.lens, run->arena, error)) {
             return false;
         }
     }

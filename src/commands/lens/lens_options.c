@@ -283,10 +283,8 @@ static bool lens_cursor_open(struct lens_cursor *at, size_t position, struct err
         .takes_telecentric = policy->telecentric,
     };
     fields[0] = lens_field(FIELD_ANGLE, question->field_x, question->field, question->section);
-    if (!check_pair(question, error) || !lens_fields_asked(question, position, fields, error)) {
-        return false;
-    }
-    if (!setup_open(&asked, arena, setup, error) ||
+    if (!check_pair(question, error) || !lens_fields_asked(question, position, fields, error) ||
+        !setup_open(&asked, arena, setup, error) ||
         (policy->focus != NULL && !lens_place_image(setup, policy->focus, error))) {
         return false;
     }

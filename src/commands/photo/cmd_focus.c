@@ -256,14 +256,10 @@ static bool focus_find_by_rays(const struct focus_input *input, const struct pho
     wide.fnumber = NAN;
     const struct by_rays_question question = {&input->rays, &input->lens, lens, c->s, 0};
     const struct by_rays_question opened = {&input->rays, &wide, lens, c->s, 0};
-    if (!by_rays_open(&question, run, &focus, &row->rays, error)) {
-        return false;
-    }
-    if ((input->lens.from == FROM_SENSOR || !isnan(input->sensor_distance)) &&
-        !by_rays_distance(&focus, lens, c->s, c->T, &c->s, error)) {
-        return false;
-    }
-    if (!by_rays_image(&focus, lens, c->s, &c->v, &row->rays.blur, error) ||
+    if (!by_rays_open(&question, run, &focus, &row->rays, error) ||
+        ((input->lens.from == FROM_SENSOR || !isnan(input->sensor_distance)) &&
+         !by_rays_distance(&focus, lens, c->s, c->T, &c->s, error)) ||
+        !by_rays_image(&focus, lens, c->s, &c->v, &row->rays.blur, error) ||
         !by_rays_image(&focus, lens, INFINITY, &infinity, &ignored, error)) {
         return false;
     }
@@ -290,11 +286,9 @@ static bool run_plain(const struct focus_input *input, const struct photo_lens *
     double front = lens->measuring.front;
     if (!focus_row_solve(input, lens, false, &row.c, error) ||
         (input->rays.exact && !focus_find_by_rays(input, lens, run, &row, error)) ||
-        !conjugates_exposure(isnan(lens->N) ? 1 : lens->N, row.c.m, lens->P, &exposure, error)) {
-        return false;
-    }
-    if (!isnan(front) &&
-        !conjugates_working_distance(row.c.s, front, &row.working_distance, error)) {
+        !conjugates_exposure(isnan(lens->N) ? 1 : lens->N, row.c.m, lens->P, &exposure, error) ||
+        (!isnan(front) &&
+         !conjugates_working_distance(row.c.s, front, &row.working_distance, error))) {
         return false;
     }
     row.focal = row.c.f;

@@ -366,24 +366,18 @@ static bool fov_answer(const void *data, const struct photo_lens *lens, struct r
     /* The focal length from the one goal that is given. */
     const struct fov_goals goals = {input->horizontal,  input->vertical,     input->diagonal,
                                     input->field_width, input->field_height, input->field_diagonal};
-    if (!fov_solve(&row.setting, &input->sensor.size, &goals, &row.setting.f, error)) {
-        return false;
-    }
-    if (!fov_compute(&row.setting, &input->sensor.size, &row.fov, error)) {
+    if (!fov_solve(&row.setting, &input->sensor.size, &goals, &row.setting.f, error) ||
+        !fov_compute(&row.setting, &input->sensor.size, &row.fov, error)) {
         return false;
     }
     row.image = distance_image(row.setting.f, row.setting.s);
     if (input->position != NULL) {
         row.real.position = input->position;
     }
-    if (input->rays.exact &&
-        !place_film(input, lens, &row.setting.s, run, &row.image, &row.rays, error)) {
-        return false;
-    }
-    if (wants_rays(input, lens) && !look_by_rays(input, lens, run, &row, error)) {
-        return false;
-    }
-    if (!fill_ground(input, &row, run, error)) {
+    if ((input->rays.exact &&
+         !place_film(input, lens, &row.setting.s, run, &row.image, &row.rays, error)) ||
+        (wants_rays(input, lens) && !look_by_rays(input, lens, run, &row, error)) ||
+        !fill_ground(input, &row, run, error)) {
         return false;
     }
     row.magnification = row.setting.f / (row.setting.s - row.setting.f);

@@ -164,10 +164,7 @@ static bool solve_shake(const struct motion_input *input, struct motion_row *row
     }
     *shake = (struct shake){row->focal, input->rotation, row->motion.t, NAN,
                             is_given(row->motion.m) ? row->motion.m : 0};
-    if (alone && !limit(input, row->c, open, &shake->blur, error)) {
-        return false;
-    }
-    if (!shake_solve(shake, error)) {
+    if ((alone && !limit(input, row->c, open, &shake->blur, error)) || !shake_solve(shake, error)) {
         return false;
     }
     row->focal = shake->f;
@@ -194,11 +191,9 @@ static bool motion_row_solve(const struct motion_input *input, struct motion_row
         !magnify(input, &row->motion.m, error) ||
         ((!turns || is_given(input->speed)) && !solve_subject(input, row, error)) ||
         (turns && !solve_shake(input, row, error)) ||
-        (is_given(input->track) && !solve_panning(input, row, error))) {
-        return false;
-    }
-    if (is_given(input->readout) &&
-        !rolling_shutter(row->image_speed, input->readout, sensor->height, &row->skew, error)) {
+        (is_given(input->track) && !solve_panning(input, row, error)) ||
+        (is_given(input->readout) &&
+         !rolling_shutter(row->image_speed, input->readout, sensor->height, &row->skew, error))) {
         return false;
     }
     return !is_given(row->focal) ||

@@ -122,11 +122,9 @@ static const struct column columns[] = {
 static bool apply_rules(struct stars_row *row, struct error *error)
 {
     row->npf = row->npf_simple = row->four_minus_crop = NAN;
-    if (!star_rule_time(row->rule, row->focal, row->crop, &row->rule_time, error)) {
-        return false;
-    }
-    if (row->crop < 4 &&
-        !four_minus_crop_time(row->focal, row->crop, &row->four_minus_crop, error)) {
+    if (!star_rule_time(row->rule, row->focal, row->crop, &row->rule_time, error) ||
+        (row->crop < 4 &&
+         !four_minus_crop_time(row->focal, row->crop, &row->four_minus_crop, error))) {
         return false;
     }
     const double f = row->focal, N = row->npf_fnumber, pitch = row->npf_pitch;
@@ -195,10 +193,8 @@ static bool stars_run(const void *data, struct run *run, struct error *error)
         sharp.coc = input->trail;
     }
     row.criterion = sharp.coc.criterion;
-    if (!sharpness_resolve(&sharp, input->fnumber, &row.allowed, error)) {
-        return false;
-    }
-    if ((!is_given(row.focal) &&
+    if (!sharpness_resolve(&sharp, input->fnumber, &row.allowed, error) ||
+        (!is_given(row.focal) &&
          !star_focal_length(row.declination, row.exposure, row.allowed, &row.focal, error)) ||
         !star_time(row.focal, row.declination, row.allowed, &row.time, error) ||
         !apply_rules(&row, error) || !measure_trail(sensor, &row, error)) {

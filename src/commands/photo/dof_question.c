@@ -252,14 +252,10 @@ bool dof_question_by_rays(const struct dof_question *input, const struct attache
     double blur; /* of infinity */
     const struct by_rays_question question = {&input->rays, &input->lens, lens, setting->s,
                                               setting->c};
-    if (!by_rays_open(&question, run, &focus, rays, error)) {
-        return false;
-    }
-    if (input->lens.from == FROM_SENSOR && !isnan(input->distance) &&
-        !by_rays_distance(&focus, lens, setting->s, input->distance, &setting->s, error)) {
-        return false;
-    }
-    if (!real_range_find(&focus, front, setting->s, setting->c, &range, error) ||
+    if (!by_rays_open(&question, run, &focus, rays, error) ||
+        (input->lens.from == FROM_SENSOR && !isnan(input->distance) &&
+         !by_rays_distance(&focus, lens, setting->s, input->distance, &setting->s, error)) ||
+        !real_range_find(&focus, front, setting->s, setting->c, &range, error) ||
         !real_range_hyperfocal(&focus, front, setting->c, &dof->hyperfocal, &blur, error)) {
         return false;
     }

@@ -432,14 +432,10 @@ bool exposure_answer(const struct exposure_input *input, struct exposure_row *ro
     }
     given.loss = row->loss;
     if (!(isnan(input->metered) ? exposure_answer_solve : solve_metered)(input, &given, row,
-                                                                         error)) {
-        return false;
-    }
-    if (!isnan(row->transmittance) && !isnan(row->x.N) &&
-        !t_stop(row->x.N, row->transmittance, &row->t_stop, error)) {
-        return false;
-    }
-    if (!fill_shutter(input, row, error) || !fill_focal_plane(input, row, error) ||
+                                                                         error) ||
+        (!isnan(row->transmittance) && !isnan(row->x.N) &&
+         !t_stop(row->x.N, row->transmittance, &row->t_stop, error)) ||
+        !fill_shutter(input, row, error) || !fill_focal_plane(input, row, error) ||
         (!input->equivalent && !exposure_answer_correct(input, row, error))) {
         return false;
     }
