@@ -2,6 +2,7 @@
 /* SPDX-License-Identifier: MIT */
 #include "analysis/rays/paraxial_check.h"
 #include "commands/lens/lens_options.h"
+#include "commands/tables.h"
 #include "draw/plot.h"
 
 #include "base/constants.h"
@@ -12,23 +13,22 @@ struct check_input {
     long steps;
 };
 
+#define INPUT struct check_input
+
 static const struct option options[] = {
-    LENS_OPTION(struct check_input, question),
-    LENS_WAVELENGTH_OPTION(struct check_input, question, LENS_PRIMARY_WAVELENGTH),
-    LENS_FNUMBER_OPTION(struct check_input, question),
-    {OPTION(struct check_input, question.field), .name = "field", .dimension = &dimension_angle,
-     .unit = "deg", .lowest = -PI, .highest = PI,
-     .flags = OPTION_FIELD | OPTION_ABOVE_LOWEST | OPTION_BELOW_HIGHEST, .value = "ANGLE",
+    LENS_OPTION(INPUT, question),
+    LENS_WAVELENGTH_OPTION(INPUT, question, LENS_PRIMARY_WAVELENGTH),
+    LENS_FNUMBER_OPTION(INPUT, question),
+    {MEASURE(question.field, angle, "deg", "ANGLE"), .name = "field", .lowest = -PI, .highest = PI,
+     .flags = OPTION_FIELD | OPTION_ABOVE_LOWEST | OPTION_BELOW_HIGHEST,
      .help = "largest field angle, in object space, a list is swept; without it that of the lens, "
              "else 5 deg"},
-    LENS_FIELD_X_OPTION(struct check_input, question.field_x),
-    LENS_POSITION_OPTION(struct check_input, question),
-    LENS_SECTION_OPTION(struct check_input, question),
-    {OPTION(struct check_input, tolerance), .name = "tolerance", .column = "tolerance",
-     .dimension = &dimension_ratio, .lowest = 0, .highest = 1, .flags = OPTION_ABOVE_LOWEST,
-     .fallback = "1%", .value = "RATIO", .help = "tolerance for the verdict 'trusted'"},
-    {OPTION(struct check_input, steps), .name = "steps", .lowest = 1, .highest = 100,
-     .fallback = "3", .value = "COUNT",
+    LENS_FIELD_X_OPTION(INPUT, question.field_x),
+    LENS_POSITION_OPTION(INPUT, question),
+    LENS_SECTION_OPTION(INPUT, question),
+    {MEASURE(tolerance, ratio, NULL, "RATIO"), REPEATED("tolerance"), .lowest = 0, .highest = 1,
+     .flags = OPTION_ABOVE_LOWEST, .fallback = "1%", .help = "tolerance for the verdict 'trusted'"},
+    {ASKED(steps), .name = "steps", .lowest = 1, .highest = 100, .fallback = "3", .value = "COUNT",
      .help = "number of apertures, each a stop smaller, and of fields, evenly spaced"},
 };
 
@@ -41,16 +41,16 @@ struct check_row {
     long lost;
 };
 
-#define LENGTH(member_name, more)                                                                  \
-    COLUMN_OF_LENGTH(struct check_row, member_name, "mm"), .flags = (more)
-#define ANGLE(member_name, more)                                                                   \
-    COLUMN_OF_ANGLE(struct check_row, member_name, "deg"), .flags = (more)
-#define PLAIN(member_name, more) COLUMN(struct check_row, member_name), .flags = (more)
+#define ROW struct check_row
+
+#define MM(member, more)      LENGTH(member, "mm"), .flags = (more)
+#define DEGREES(member, more) ANGLE(member), .flags = (more)
+#define PLAIN(member, more)   SHOWN(member), .flags = (more)
 
 static const struct column columns[] = {
-    {COLUMN_OF_WAVELENGTH(struct check_row, wavelength), .flags = COLUMN_ECHO, .name = "wavelength",
+    {COLUMN_OF_WAVELENGTH(ROW, wavelength), .flags = COLUMN_ECHO, .name = "wavelength",
      .with = "wavelength", .help = "wavelength"},
-    LENS_POSITION_COLUMN(struct check_row, position, 0),
+    LENS_POSITION_COLUMN(ROW, position, 0),
     {PLAIN(quantity, COLUMN_BRIEF), .name = "quantity", .help = "what is compared"},
     {PLAIN(unit, COLUMN_BRIEF), .name = "unit",
      .help = "of paraxial, exact and difference: mm, deg, or 1"},
@@ -59,9 +59,9 @@ static const struct column columns[] = {
     {PLAIN(fnumber, COLUMN_BRIEF | COLUMN_SPARSE), .name = "fnumber", .symbol = "N",
      .label = "f-number",
      .help = "of the ray's height: paraxial, near objects: working; absent where a field is"},
-    {LENGTH(height, COLUMN_HIDDEN), .name = "height", .symbol = "h",
+    {MM(height, COLUMN_HIDDEN), .name = "height", .symbol = "h",
      .help = "of the ray in the paraxial entrance pupil"},
-    {ANGLE(field, COLUMN_BRIEF | COLUMN_ECHO | COLUMN_SPARSE), .name = "field", .symbol = "t",
+    {DEGREES(field, COLUMN_BRIEF | COLUMN_ECHO | COLUMN_SPARSE), .name = "field", .symbol = "t",
      .help = "of the chief ray as seen from the first vertex; else absent"},
     {PLAIN(paraxial, COLUMN_BRIEF | COLUMN_INFINITE), .name = "paraxial",
      .help = "without aberrations"},
@@ -69,8 +69,7 @@ static const struct column columns[] = {
      .help = "by the exact ray; absent where it is lost"},
     {PLAIN(difference, COLUMN_BRIEF), .name = "difference", .symbol = "d",
      .help = "exact - paraxial"},
-    {COLUMN(struct check_row, relative), .dimension = &dimension_ratio, .unit = "percent",
-     .flags = COLUMN_BRIEF, .name = "relative",
+    {MEASURED(relative, ratio, "percent"), BRIEF, .name = "relative",
      .help = "difference over the paraxial value, of places over the focal length"},
     {PLAIN(local_order, COLUMN_BRIEF), .name = "local_order", .label = "order here", .digits = 3,
      .help = "log2 of the difference here over that at half the aperture or field"},
@@ -83,11 +82,10 @@ static const struct column columns[] = {
      .help = "fraction up to which the relative difference keeps within the tolerance"},
     {PLAIN(trusted_fnumber, COLUMN_HIDDEN | COLUMN_INFINITE), .name = "trusted_fnumber",
      .label = "trusted from", .help = "the same as an f-number"},
-    {ANGLE(trusted_field, COLUMN_HIDDEN), .name = "trusted_field", .label = "trusted to field",
+    {DEGREES(trusted_field, COLUMN_HIDDEN), .name = "trusted_field", .label = "trusted to field",
      .help = "the same as a field angle"},
-    {COLUMN(struct check_row, tolerance), .dimension = &dimension_ratio, .unit = "percent",
-     .name = "tolerance", .flags = COLUMN_ECHO | COLUMN_HIDDEN, .with = "tolerance",
-     .help = "of the verdict"},
+    {MEASURED(tolerance, ratio, "percent"), .name = "tolerance",
+     .flags = COLUMN_ECHO | COLUMN_HIDDEN, .with = "tolerance", .help = "of the verdict"},
     {PLAIN(status, COLUMN_HIDDEN), .name = "status",
      .help = "of the exact ray: ok miss total_reflection not_converged; clear apertures are not "
              "looked at"},
@@ -95,8 +93,8 @@ static const struct column columns[] = {
      .help = "where the exact ray is lost"},
     {PLAIN(verdict, COLUMN_NOTE), .name = "verdict",
      .help = "how far the paraxial value may be trusted, in words"},
-    LENS_TITLE_COLUMN(struct check_row, lens),
-    LENS_WARNING_COLUMN(struct check_row, warning),
+    LENS_TITLE_COLUMN(ROW, lens),
+    LENS_WARNING_COLUMN(ROW, warning),
 };
 
 /* How a quantity is called, and its unit. */
@@ -429,10 +427,7 @@ static const struct example examples[] = {
 
 const struct command command_check = {
     .name = "check",
-    .group = "a lens",
-    .summary = "paraxial results against exact rays, and how far to trust them",
-    COMMAND_ASKS(struct check_input),
-    COMMAND_ANSWERS(struct check_row),
+    COMMAND_OF("a lens", "paraxial results against exact rays, and how far to trust them"),
     .run = check_command_run,
     .makes_many = command_always_many,
     COMMAND_MAKES(artifacts),

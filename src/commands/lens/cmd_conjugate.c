@@ -2,6 +2,7 @@
 /* SPDX-License-Identifier: MIT */
 #include "commands/lens/focus_gaps.h"
 #include "commands/lens/lens_options.h"
+#include "commands/tables.h"
 #include "data/glass_catalog.h"
 #include "file/lens_glass.h"
 #include "optics/conjugates.h"
@@ -33,38 +34,34 @@ static const struct word focusings[] = {
     {NULL, NULL},
 };
 
-#define MILLIMETRES(member_name)                                                                   \
-    OPTION(struct conjugate_input, member_name), .dimension = &dimension_length, .unit = "mm",     \
-                                                 .value = "LENGTH"
-
 static const struct lens_policy policy = {.wavelengths = WAVELENGTHS_PRIMARY,
                                           .fields = FIELDS_LARGEST};
 
+#define INPUT struct conjugate_input
+
 static const struct option options[] = {
-    LENS_OPTION(struct conjugate_input, question),
-    {MILLIMETRES(object), .name = "object",
+    LENS_OPTION(INPUT, question),
+    {MEASURE(object, length, "mm", "LENGTH"), .name = "object",
      .help = "distance of the object before the lens; negative: a virtual object behind it"},
-    {MILLIMETRES(image), .name = "image",
+    {MEASURE(image, length, "mm", "LENGTH"), .name = "image",
      .help = "distance of the image behind the lens; negative: a virtual image"},
-    {OPTION(struct conjugate_input, magnification), .name = "magnification", .letter = 'm',
-     .dimension = &dimension_ratio, .value = "RATIO",
+    {MEASURE(magnification, ratio, NULL, "RATIO"), .name = "magnification", .letter = 'm',
      .help = "lateral magnification; negative: upside down, as a camera's"},
-    {OPTION(struct conjugate_input, from), .name = "from", .quantity = "distance origin",
-     .column = "distance_from", .words = froms, .fallback = "principal", .value = "PLACE",
+    {ASKED(from), .name = "from", .quantity = "distance origin", .column = "distance_from",
+     .words = froms, .fallback = "principal", .value = "PLACE",
      .help = "where distances are measured from"},
-    {OPTION(struct conjugate_input, focus_by), .name = "focus-by", .column = "focus_by",
-     .words = focusings, .fallback = "nothing", .value = "HOW",
-     .help = "bring the image to the image plane"},
-    {OPTION(struct conjugate_input, gap), .name = "gap", .value = "GAPS",
+    {ASKED(focus_by), .name = "focus-by", .column = "focus_by", .words = focusings,
+     .fallback = "nothing", .value = "HOW", .help = "bring the image to the image plane"},
+    {ASKED(gap), .name = "gap", .value = "GAPS",
      .help = "focus by these gaps: variables or surface numbers, each with a weight: d5,10:-1"},
-    {OPTION(struct conjugate_input, object_medium), .name = "object-medium", .value = "MEDIUM",
+    {ASKED(object_medium), .name = "object-medium", .value = "MEDIUM",
      .help = "medium before the lens: a glass, nd/Vd or an index"},
-    {OPTION(struct conjugate_input, image_medium), .name = "image-medium", .value = "MEDIUM",
+    {ASKED(image_medium), .name = "image-medium", .value = "MEDIUM",
      .help = "medium behind the lens"},
-    LENS_WAVELENGTH_OPTION(struct conjugate_input, question, LENS_PRIMARY_WAVELENGTH),
-    LENS_FNUMBER_OPTION(struct conjugate_input, question),
-    LENS_POSITION_OPTION(struct conjugate_input, question),
-    LENS_SECTION_OPTION(struct conjugate_input, question),
+    LENS_WAVELENGTH_OPTION(INPUT, question, LENS_PRIMARY_WAVELENGTH),
+    LENS_FNUMBER_OPTION(INPUT, question),
+    LENS_POSITION_OPTION(INPUT, question),
+    LENS_SECTION_OPTION(INPUT, question),
 };
 
 struct conjugate_row {
@@ -76,23 +73,24 @@ struct conjugate_row {
     struct conjugate_points all;
 };
 
-#define LENGTH(member_name, more)                                                                  \
-    COLUMN_OF_LENGTH(struct conjugate_row, member_name, "mm"), .flags = (more)
-#define PLAIN(member_name, more) COLUMN(struct conjugate_row, member_name), .flags = (more)
+#define ROW struct conjugate_row
+
+#define MM(member, more)    LENGTH(member, "mm"), .flags = (more)
+#define PLAIN(member, more) SHOWN(member), .flags = (more)
 
 static const struct column columns[] = {
-    {COLUMN_OF_WAVELENGTH(struct conjugate_row, wavelength), .flags = COLUMN_ECHO,
-     .name = "wavelength", .with = "wavelength", .help = "wavelength"},
-    LENS_POSITION_COLUMN(struct conjugate_row, position, COLUMN_BRIEF),
-    {LENGTH(movement, COLUMN_BRIEF | COLUMN_SPARSE), .name = "movement",
+    {COLUMN_OF_WAVELENGTH(ROW, wavelength), .flags = COLUMN_ECHO, .name = "wavelength",
+     .with = "wavelength", .help = "wavelength"},
+    LENS_POSITION_COLUMN(ROW, position, COLUMN_BRIEF),
+    {MM(movement, COLUMN_BRIEF | COLUMN_SPARSE), .name = "movement",
      .when = "with --focus-by lens, or --gap",
      .help = "by how much the gaps grow, times their weights; the extension of the whole lens"},
     {PLAIN(gaps, COLUMN_BRIEF | COLUMN_SPARSE), .name = "gaps",
      .when = "with --focus-by lens, or --gap", .label = "gaps after it",
      .help = "the moved gaps in mm"},
-    {LENGTH(object, COLUMN_BRIEF | COLUMN_INFINITE), .name = "object_distance", .label = "object",
+    {MM(object, COLUMN_BRIEF | COLUMN_INFINITE), .name = "object_distance", .label = "object",
      .repeats = "object", .help = "the object, to the left of where --from says"},
-    {LENGTH(image, COLUMN_BRIEF | COLUMN_INFINITE), .name = "image_distance", .label = "image",
+    {MM(image, COLUMN_BRIEF | COLUMN_INFINITE), .name = "image_distance", .label = "image",
      .repeats = "image", .help = "the image, to the right of the point that belongs to --from"},
     {PLAIN(all.magnification, COLUMN_BRIEF | COLUMN_INFINITE), .name = "magnification",
      .symbol = "m", .help = "image over object height, n u/(n' u'); negative upside down"},
@@ -113,32 +111,32 @@ static const struct column columns[] = {
      .help = "numerical aperture n sin u"},
     {PLAIN(na_image, 0), .name = "na_image", .label = "aperture of the image",
      .help = "numerical aperture n' sin u'"},
-    {LENGTH(efl, COLUMN_INFINITE), .name = "efl", .symbol = "f", .label = "focal length",
+    {MM(efl, COLUMN_INFINITE), .name = "efl", .symbol = "f", .label = "focal length",
      .help = "effective focal length, after focusing"},
-    {LENGTH(all.object, COLUMN_INFINITE), .name = "object_front", .label = "object from vertex 1",
+    {MM(all.object, COLUMN_INFINITE), .name = "object_front", .label = "object from vertex 1",
      .help = "the object, to the left of the first vertex"},
-    {LENGTH(all.object_principal, COLUMN_INFINITE), .name = "object_principal", .symbol = "s",
+    {MM(all.object_principal, COLUMN_INFINITE), .name = "object_principal", .symbol = "s",
      .label = "object from H", .help = "to the left of the principal point H"},
-    {LENGTH(all.object_focal, COLUMN_INFINITE), .name = "object_focal", .symbol = "x",
+    {MM(all.object_focal, COLUMN_INFINITE), .name = "object_focal", .symbol = "x",
      .label = "object from F", .help = "to the left of the focal point F"},
-    {LENGTH(all.object_pupil, COLUMN_INFINITE), .name = "object_pupil",
+    {MM(all.object_pupil, COLUMN_INFINITE), .name = "object_pupil",
      .label = "object from entrance pupil", .help = "to the left of the entrance pupil"},
-    {LENGTH(all.image, COLUMN_INFINITE), .name = "image_rear", .label = "image from last vertex",
+    {MM(all.image, COLUMN_INFINITE), .name = "image_rear", .label = "image from last vertex",
      .help = "the image, to the right of the last vertex"},
-    {LENGTH(all.image_principal, COLUMN_INFINITE), .name = "image_principal", .symbol = "s'",
+    {MM(all.image_principal, COLUMN_INFINITE), .name = "image_principal", .symbol = "s'",
      .label = "image from H'", .help = "to the right of the principal point H'"},
-    {LENGTH(all.image_focal, COLUMN_INFINITE), .name = "image_focal", .symbol = "x'",
+    {MM(all.image_focal, COLUMN_INFINITE), .name = "image_focal", .symbol = "x'",
      .label = "image from F'", .help = "to the right of the focal point F'"},
-    {LENGTH(all.image_pupil, COLUMN_INFINITE), .name = "image_pupil",
-     .label = "image from exit pupil", .help = "to the right of the exit pupil"},
-    {LENGTH(all.total, COLUMN_INFINITE), .name = "total", .symbol = "T",
+    {MM(all.image_pupil, COLUMN_INFINITE), .name = "image_pupil", .label = "image from exit pupil",
+     .help = "to the right of the exit pupil"},
+    {MM(all.total, COLUMN_INFINITE), .name = "total", .symbol = "T",
      .label = "total, object to image", .help = "from the object to the image"},
     {PLAIN(from, COLUMN_EXTRA | COLUMN_ASSUMED), .name = "distance_from", .depends = "from",
      .label = "distances from", .help = "where the first two distances are measured from"},
     {PLAIN(focus_by, COLUMN_EXTRA | COLUMN_ASSUMED), .name = "focus_by", .depends = "focus-by",
      .label = "focused by", .help = "what moves; absent where nothing does"},
-    LENS_TITLE_COLUMN(struct conjugate_row, lens),
-    LENS_WARNING_COLUMN(struct conjugate_row, warning),
+    LENS_TITLE_COLUMN(ROW, lens),
+    LENS_WARNING_COLUMN(ROW, warning),
 };
 
 /* What is asked of one lens, wavelength after wavelength. */
@@ -475,11 +473,9 @@ static const struct example examples[] = {
 
 const struct command command_conjugate = {
     .name = "conjugate",
-    .group = "a lens",
-    .summary =
-        "object and image anywhere, in any medium; focusing by moving the lens or changing gaps",
-    COMMAND_ASKS(struct conjugate_input),
-    COMMAND_ANSWERS(struct conjugate_row),
+    COMMAND_OF(
+        "a lens",
+        "object and image anywhere, in any medium; focusing by moving the lens or changing gaps"),
     .run = conjugate_run,
     .makes_many = conjugate_makes_many,
     .plot = "magnification|image_principal_mm",

@@ -1,6 +1,7 @@
 /* commands/lens/cmd_draw.c - lenscalc draw: cross-section of a lens as SVG. */
 /* SPDX-License-Identifier: MIT */
 #include "commands/lens/lens_options.h"
+#include "commands/tables.h"
 #include "draw/section.h"
 
 struct draw_input {
@@ -9,21 +10,20 @@ struct draw_input {
     const char *title;
 };
 
+#define INPUT struct draw_input
+
 static const struct option options[] = {
-    LENS_OPTION(struct draw_input, question),
-    LENS_WAVELENGTH_OPTION(struct draw_input, question, LENS_PRIMARY_WAVELENGTH),
-    LENS_FNUMBER_OPTION(struct draw_input, question),
-    LENS_FIELD_OPTIONS(struct draw_input, question),
-    LENS_POSITION_OPTION(struct draw_input, question),
-    LENS_SECTION_OPTION(struct draw_input, question),
-    {OPTION(struct draw_input, planes), .name = "planes",
-     .help = "principal planes, focal points and pupils"},
-    {OPTION(struct draw_input, construction), .name = "construction", .excludes = "field field-x",
+    LENS_OPTION(INPUT, question),
+    LENS_WAVELENGTH_OPTION(INPUT, question, LENS_PRIMARY_WAVELENGTH),
+    LENS_FNUMBER_OPTION(INPUT, question),
+    LENS_FIELD_OPTIONS(INPUT, question),
+    LENS_POSITION_OPTION(INPUT, question),
+    LENS_SECTION_OPTION(INPUT, question),
+    {ASKED(planes), .name = "planes", .help = "principal planes, focal points and pupils"},
+    {ASKED(construction), .name = "construction", .excludes = "field field-x",
      .help = "the three Gauss rays of the equivalent lens in place of the bundles"},
-    {OPTION(struct draw_input, no_rays), .name = "no-rays", .excludes = "field field-x",
-     .help = "the lens alone"},
-    {OPTION(struct draw_input, title), .name = "title", .value = "TEXT",
-     .help = "title in place of the lens's own"},
+    {ASKED(no_rays), .name = "no-rays", .excludes = "field field-x", .help = "the lens alone"},
+    {ASKED(title), .name = "title", .value = "TEXT", .help = "title in place of the lens's own"},
 };
 
 static const char *draw_subtitle_of(const struct lens_case *one, struct arena *arena)
@@ -112,6 +112,6 @@ const struct command command_draw = {
     .name = "draw",
     .group = "a lens",
     .summary = "cross-section of a lens as an SVG drawing",
-    COMMAND_ASKS(struct draw_input),
+    COMMAND_ASKS(INPUT),
     COMMAND_MAKES(artifacts),
 };

@@ -1,6 +1,7 @@
 /* commands/lens/cmd_surfaces.c - lenscalc surfaces: a lens surface by surface. */
 /* SPDX-License-Identifier: MIT */
 #include "commands/lens/lens_options.h"
+#include "commands/tables.h"
 
 struct surfaces_input {
     struct lens_question question;
@@ -9,13 +10,15 @@ struct surfaces_input {
 static const struct lens_policy policy = {
     .wavelengths = WAVELENGTHS_PRIMARY, .fields = FIELDS_LARGEST, .telecentric = true};
 
+#define INPUT struct surfaces_input
+
 static const struct option options[] = {
-    LENS_OPTION(struct surfaces_input, question),
-    LENS_WAVELENGTH_OPTION(struct surfaces_input, question, LENS_PRIMARY_WAVELENGTH),
-    LENS_FNUMBER_OPTION(struct surfaces_input, question),
-    LENS_FIELD_OPTIONS(struct surfaces_input, question),
-    LENS_POSITION_OPTION(struct surfaces_input, question),
-    LENS_SECTION_OPTION(struct surfaces_input, question),
+    LENS_OPTION(INPUT, question),
+    LENS_WAVELENGTH_OPTION(INPUT, question, LENS_PRIMARY_WAVELENGTH),
+    LENS_FNUMBER_OPTION(INPUT, question),
+    LENS_FIELD_OPTIONS(INPUT, question),
+    LENS_POSITION_OPTION(INPUT, question),
+    LENS_SECTION_OPTION(INPUT, question),
 };
 
 struct surfaces_row {
@@ -27,37 +30,34 @@ struct surfaces_row {
     struct paraxial_ray marginal, chief;
 };
 
-#define LENGTH(member_name, more)                                                                  \
-    COLUMN_OF_LENGTH(struct surfaces_row, member_name, "mm"), .flags = (more)
-#define PER_LENGTH(member_name, more)                                                              \
-    COLUMN(struct surfaces_row, member_name), .dimension = &dimension_vergence, .unit = "per_m",   \
-                                              .flags = (more)
-#define PLAIN(member_name, more) COLUMN(struct surfaces_row, member_name), .flags = (more)
+#define ROW struct surfaces_row
+
+#define MM(member, more)              LENGTH(member, "mm"), .flags = (more)
+#define PER_LENGTH(member_name, more) MEASURED(member_name, vergence, "per_m"), .flags = (more)
+#define PLAIN(member, more)           SHOWN(member), .flags = (more)
 
 static const struct column columns[] = {
-    {COLUMN_OF_WAVELENGTH(struct surfaces_row, wavelength), .name = "wavelength",
-     .flags = COLUMN_ECHO, .with = "wavelength", .help = "wavelength"},
-    {COLUMN_OF_ANGLE(struct surfaces_row, field, "deg"), .name = "field",
-     .flags = COLUMN_ECHO | COLUMN_EXTRA, .with = "field",
+    {COLUMN_OF_WAVELENGTH(ROW, wavelength), .name = "wavelength", .flags = COLUMN_ECHO,
+     .with = "wavelength", .help = "wavelength"},
+    {ANGLE(field), .name = "field", ECHO_WITH("field"),
      .help = "field angle of the chief ray, as --field says it"},
-    {COLUMN_OF_ANGLE(struct surfaces_row, field_x, "deg"), .name = "field_x",
-     .flags = COLUMN_ECHO | COLUMN_EXTRA, .with = "field-x", .label = "field x",
+    {ANGLE(field_x), .name = "field_x", ECHO_WITH("field-x"), .label = "field x",
      .help = "that in the x-z plane, as --field-x says it"},
-    LENS_POSITION_COLUMN(struct surfaces_row, position, 0),
+    LENS_POSITION_COLUMN(ROW, position, 0),
     {PLAIN(surface, COLUMN_BRIEF), .name = "surface", .head = "surf",
      .help = "number of the surface, from 1, the stop counted"},
     {PLAIN(kind, COLUMN_BRIEF), .name = "kind",
      .help = "plane, sphere, conic, asphere, odd asphere, cylinder, mirror, thick or stop"},
     {PLAIN(name, 0), .name = "name", .help = "its name in the file"},
-    {LENGTH(radius, COLUMN_BRIEF | COLUMN_INFINITE), .name = "radius", .symbol = "R",
+    {MM(radius, COLUMN_BRIEF | COLUMN_INFINITE), .name = "radius", .symbol = "R",
      .help = "radius of curvature at the vertex, A2 included; infinite for a "
              "plane"},
-    {LENGTH(thickness, COLUMN_BRIEF | COLUMN_ECHO), .name = "thickness", .symbol = "t",
-     .head = "thick", .help = "to the next vertex; after the last surface as the file has it"},
+    {MM(thickness, COLUMN_BRIEF | COLUMN_ECHO), .name = "thickness", .symbol = "t", .head = "thick",
+     .help = "to the next vertex; after the last surface as the file has it"},
     {PLAIN(medium, COLUMN_BRIEF), .name = "medium", .help = "what follows the surface"},
     {PLAIN(index, COLUMN_BRIEF), .name = "index", .symbol = "n",
      .help = "index of refraction after the surface; negative after a mirror"},
-    {LENGTH(diameter, COLUMN_BRIEF | COLUMN_ECHO), .name = "diameter", .head = "diam",
+    {MM(diameter, COLUMN_BRIEF | COLUMN_ECHO), .name = "diameter", .head = "diam",
      .help = "full clear aperture"},
     {PLAIN(conic, COLUMN_ECHO), .name = "conic", .symbol = "k",
      .help = "conic constant; absent for a sphere or plane"},
@@ -69,20 +69,20 @@ static const struct column columns[] = {
     {PER_LENGTH(vergence_after, COLUMN_BRIEF | COLUMN_INFINITE), .name = "vergence_after",
      .symbol = "V'", .head = "V'", .label = "vergence after the surface",
      .help = "the same after it"},
-    {LENGTH(marginal.y, COLUMN_BRIEF | COLUMN_SPARSE), .name = "marginal_y", .symbol = "y",
-     .head = "y", .label = "height of the marginal ray",
+    {MM(marginal.y, COLUMN_BRIEF | COLUMN_SPARSE), .name = "marginal_y", .symbol = "y", .head = "y",
+     .label = "height of the marginal ray",
      .help = "height of the marginal ray; absent without an aperture"},
     {PLAIN(marginal.after, COLUMN_BRIEF | COLUMN_SPARSE), .name = "marginal_v", .symbol = "v",
      .head = "v", .label = "n u of the marginal ray",
      .help = "n u of the marginal ray after the surface; absent without an aperture"},
-    {LENGTH(chief.y, COLUMN_BRIEF | COLUMN_SPARSE), .name = "chief_y", .symbol = "ybar",
-     .head = "ybar", .label = "height of the chief ray",
+    {MM(chief.y, COLUMN_BRIEF | COLUMN_SPARSE), .name = "chief_y", .symbol = "ybar", .head = "ybar",
+     .label = "height of the chief ray",
      .help = "height of the chief ray; absent without a stop or a field"},
     {PLAIN(chief.after, COLUMN_BRIEF | COLUMN_SPARSE), .name = "chief_v", .symbol = "vbar",
      .head = "vbar", .label = "n u of the chief ray",
      .help = "n u of the chief ray after the surface; absent without a stop or a field"},
-    LENS_TITLE_COLUMN(struct surfaces_row, lens),
-    LENS_WARNING_COLUMN(struct surfaces_row, warning),
+    LENS_TITLE_COLUMN(ROW, lens),
+    LENS_WARNING_COLUMN(ROW, warning),
 };
 
 static const char *surfaces_kind_of(const struct surface *surface)
@@ -201,10 +201,7 @@ static double surfaces_weight(const void *data)
 
 const struct command command_surfaces = {
     .name = "surfaces",
-    .group = "a lens",
-    .summary = "a lens surface by surface: powers, vergences, paraxial rays",
-    COMMAND_ASKS(struct surfaces_input),
-    COMMAND_ANSWERS(struct surfaces_row),
+    COMMAND_OF("a lens", "a lens surface by surface: powers, vergences, paraxial rays"),
     .run = surfaces_run,
     .makes_many = command_always_many,
     .weight = surfaces_weight,
