@@ -428,8 +428,7 @@ static bool expose_all(const struct analysis_case *one, struct picture_job *pict
             }
             fail(&job->run->shortfall, ERROR_DOMAIN,
                  "interrupted: the picture is incomplete, and black where it is missing; %zu more "
-                 "%s not "
-                 "made",
+                 "%s not made",
                  left, left == 1 ? "is" : "are");
             break;
         }

@@ -217,12 +217,10 @@ void render_explain_shutter(const struct shutter *shutter, struct text_buffer *r
             "shutter: each ray has t, later by q R/h, q where it passes the curtains, R "
             "their time over the film's h; slit t h/R; efficiency slit/(slit + beam); "
             "[Ives20]",
-        [SHUTTER_LEAF] =
-            "shutter: a ray at r of the shutter's radius has t + (a + b)(sqrt(1/2) - r), a and b "
-            "opening and closing time; full light: the mean of rays to the middle of the film, or "
-            "to "
-            "where white is measured; of a stop that is filled evenly to s t + (a + b)(sqrt(1/2) - "
-            "2 s/3); [IsoShutter19]",
+        [SHUTTER_LEAF] = "shutter: a ray at r of the shutter's radius has t + (a + b)(sqrt(1/2) - "
+                         "r), a and b opening and closing time; full light: the mean of rays to "
+                         "the middle of the film, or to where white is measured; of a stop that is "
+                         "filled evenly to s t + (a + b)(sqrt(1/2) - 2 s/3); [IsoShutter19]",
         [SHUTTER_ROLLING] = "shutter: each line has t, later by q R/h, q where it lies, R the "
                             "readout of the film's h"};
     if (shutter != NULL) {

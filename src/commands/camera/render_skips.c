@@ -102,8 +102,7 @@ void render_explain(const struct artifact_job *job, const struct photograph_ques
     if (question->view == NULL) {
         growing_format(remarks,
                        "blur: below a quarter of a pixel in %" PRIu64 " of %" PRIu64
-                       " tiles of 16 x 8 pixels, each "
-                       "with one pupil%s\n",
+                       " tiles of 16 x 8 pixels, each with one pupil%s\n",
                        tiles[RAY_REUSE_SHARP], all, or_kept(question, SKIP_BLUR));
     } else {
         growing_format(remarks, "blur: no tile of a scene goes without: little of its time is that "

@@ -246,39 +246,6 @@ static void check_judge(const struct check_job *check, enum check_quantity quant
 
 /* -------- rows -------- */
 
-static void check_fill(const struct check_job *check, enum check_quantity quantity, double fraction,
-                       struct arena *arena, struct check_row *row)
-{
-    struct check_value here = check_at(&check->problem, quantity, fraction, arena);
-    struct check_value half = check_at(&check->problem, quantity, fraction / 2, arena);
-    double unit = quantity == CHECK_EXIT_ANGLE ? DEGREES_PER_RADIAN : 1;
-    row->fraction = fraction;
-    row->fnumber = here.fnumber;
-    row->height = here.height;
-    row->field = here.angle;
-    row->paraxial = unit * here.paraxial + 0.0;
-    row->exact = unit * here.exact + 0.0;
-    row->difference = isfinite(here.paraxial) ? row->exact - row->paraxial : (double)NAN;
-    row->relative = row->difference / here.scale;
-    double before = fabs(half.exact - half.paraxial), now = fabs(here.exact - here.paraxial);
-    bool rounded = fraction / 2 <= row->rounding || isnan(row->order);
-    if (quantity == CHECK_FNUMBER) {
-        before /= half.scale;
-        now /= here.scale;
-    }
-    row->local_order = rounded || !isfinite(now) ? (double)NAN : log2(now / before);
-    row->local_order = isfinite(row->local_order) ? row->local_order : (double)NAN;
-    row->status = ray_status_name(here.status);
-    row->lost = here.surface > 0 ? (long)here.surface : NO_INTEGER;
-}
-
-/* Each aperture a stop smaller; fields evenly spaced; from the edge inwards. */
-static double fraction_of(enum check_quantity quantity, long step, long steps)
-{
-    return check_is_of_field(quantity) ? (double)(steps - step) / (double)steps
-                                       : exp2(-0.5 * (double)step);
-}
-
 static bool check_compare(const struct check_input *input, const struct lens_case *one,
                           struct run *run, struct error *error)
 {
@@ -300,8 +267,32 @@ static bool check_compare(const struct check_input *input, const struct lens_cas
         }
         check_judge(&check, (enum check_quantity)quantity, run->arena, &row);
         for (long step = 0; step < input->steps; step++) {
-            double fraction = fraction_of((enum check_quantity)quantity, step, input->steps);
-            check_fill(&check, (enum check_quantity)quantity, fraction, run->arena, &row);
+            double fraction = check_is_of_field((enum check_quantity)quantity)
+                                  ? (double)(input->steps - step) / (double)input->steps
+                                  : exp2(-0.5 * (double)step);
+            enum check_quantity what = (enum check_quantity)quantity;
+            struct check_value here = check_at(&check.problem, what, fraction, run->arena);
+            struct check_value inner = check_at(&check.problem, what, fraction / 2, run->arena);
+            double unit = what == CHECK_EXIT_ANGLE ? DEGREES_PER_RADIAN : 1;
+            row.fraction = fraction;
+            row.fnumber = here.fnumber;
+            row.height = here.height;
+            row.field = here.angle;
+            row.paraxial = unit * here.paraxial + 0.0;
+            row.exact = unit * here.exact + 0.0;
+            row.difference = isfinite(here.paraxial) ? row.exact - row.paraxial : (double)NAN;
+            row.relative = row.difference / here.scale;
+            double before = fabs(inner.exact - inner.paraxial),
+                   now = fabs(here.exact - here.paraxial);
+            bool rounded = fraction / 2 <= row.rounding || isnan(row.order);
+            if (what == CHECK_FNUMBER) {
+                before /= inner.scale;
+                now /= here.scale;
+            }
+            row.local_order = rounded || !isfinite(now) ? (double)NAN : log2(now / before);
+            row.local_order = isfinite(row.local_order) ? row.local_order : (double)NAN;
+            row.status = ray_status_name(here.status);
+            row.lost = here.surface > 0 ? (long)here.surface : NO_INTEGER;
             if (!run_emit(run, &row)) {
                 return true;
             }
@@ -325,28 +316,6 @@ static bool check_command_run(const void *data, struct run *run, struct error *e
 /* -------- the plot -------- */
 
 enum { POINTS = 41 };
-
-/* The curves of a case, which fill a page. */
-static void check_add_curves(const struct check_job *check, struct arena *arena, struct plot *plot,
-                             struct plot_series *series)
-{
-    for (int quantity = 0; quantity < CHECK_QUANTITIES; quantity++) {
-        const struct check_problem *problem = &check->problem;
-        enum check_quantity what = (enum check_quantity)quantity;
-        if (!check_applies(problem, what) || isnan(check_at(problem, what, 0.5, arena).scale)) {
-            continue;
-        }
-        double *y = ARENA_ARRAY(arena, POINTS, double);
-        for (size_t i = 0; i < POINTS; i++) {
-            struct check_value value = check_at(problem, what, plot->x[i], arena);
-            double relative = fabs(value.exact - value.paraxial) / value.scale;
-            y[i] = relative > 1e-13 ? 100 * relative : (double)NAN;
-        }
-        series[plot->series_count] = (struct plot_series){
-            .label = names[quantity].name, .y = y, .style = plot->series_count};
-        plot->series_count++;
-    }
-}
 
 static const char *check_subtitle(const struct check_job *check, struct arena *arena)
 {
@@ -396,7 +365,24 @@ static bool check_draw(const struct artifact_job *job, struct output *sink, stru
     for (size_t i = 0; i < POINTS; i++) {
         x[i] = pow(10, -1.5 * (1 - (double)i / (POINTS - 1)));
     }
-    check_add_curves(&check, svg.arena, &plot, series);
+    /* The curves of a case, which fill a page. */
+    struct arena *arena = svg.arena;
+    for (int quantity = 0; quantity < CHECK_QUANTITIES; quantity++) {
+        const struct check_problem *problem = &check.problem;
+        enum check_quantity what = (enum check_quantity)quantity;
+        if (!check_applies(problem, what) || isnan(check_at(problem, what, 0.5, arena).scale)) {
+            continue;
+        }
+        double *y = ARENA_ARRAY(arena, POINTS, double);
+        for (size_t k = 0; k < POINTS; k++) {
+            struct check_value value = check_at(problem, what, plot.x[k], arena);
+            double relative = fabs(value.exact - value.paraxial) / value.scale;
+            y[k] = relative > 1e-13 ? 100 * relative : (double)NAN;
+        }
+        series[plot.series_count] =
+            (struct plot_series){.label = names[quantity].name, .y = y, .style = plot.series_count};
+        plot.series_count++;
+    }
     return plot_draw(&plot, &svg, error) && drawing_write(job, &svg, sink, error);
 }
 

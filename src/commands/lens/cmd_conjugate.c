@@ -189,39 +189,6 @@ static const char *orientation_of(const struct conjugate_points *all, double pow
     return "inverted";
 }
 
-/* The first of the two distances, as --from has them. */
-static void set_distances(const struct conjugate_points *all, int from, struct conjugate_row *row)
-{
-    const double pairs[CONJUGATE_FROMS][2] = {
-        [CONJUGATE_FROM_PRINCIPAL] = {all->object_principal, all->image_principal},
-        [CONJUGATE_FROM_FRONT] = {all->object, all->image},
-        [CONJUGATE_FROM_FOCAL] = {all->object_focal, all->image_focal},
-        [CONJUGATE_FROM_ENTRANCE] = {all->object_pupil, all->image_pupil},
-        [CONJUGATE_FROM_SENSOR] = {all->total, all->image},
-    };
-    row->object = pairs[from][0];
-    row->image = pairs[from][1];
-}
-
-/* Brightness with the stop as wide as it is, for the object of the row. */
-static void set_brightness(const struct paraxial_system *system, const struct paraxial_trace *trace,
-                           const struct conjugate_object *object, double stop_radius,
-                           struct conjugate_row *row)
-{
-    struct first_order first;
-    first_order_compute(system, trace, object, &first);
-    first_order_use_stop(&first, object, stop_radius, FIELD_NONE, NAN);
-    row->efl = first.efl;
-    row->working_fnumber = first.working_fnumber;
-    row->na_image = first.na_image;
-    double slope = first.marginal_v / first.index_object;
-    row->na_object = first.index_object * fabs(slope) / sqrt(1 + slope * slope);
-    if (isinf(row->all.image) && !isnan(first.working_fnumber)) {
-        row->working_fnumber = INFINITY;
-        row->na_image = 0;
-    }
-}
-
 /* The row of one object, which lies on `place` (mm to the left of the first vertex). */
 static bool conjugate_emit_row(const struct lens_case *one, const struct task *task,
                                const struct lens *lens, const struct conjugate_ray *ray,
@@ -253,8 +220,29 @@ static bool conjugate_emit_row(const struct lens_case *one, const struct task *t
     const struct conjugate_ray here = {
         far ? pair_of(1) : pair_divide(object.distance, system.index[0]), pair_of(far ? 0 : 1)};
     conjugate_compute(&system, &trace, &here, &row.all);
-    set_distances(&row.all, task->input->from, &row);
-    set_brightness(&system, &trace, &object, one->light.first.stop_radius, &row);
+    /* The first of the two distances, as --from has them. */
+    const double pairs[CONJUGATE_FROMS][2] = {
+        [CONJUGATE_FROM_PRINCIPAL] = {row.all.object_principal, row.all.image_principal},
+        [CONJUGATE_FROM_FRONT] = {row.all.object, row.all.image},
+        [CONJUGATE_FROM_FOCAL] = {row.all.object_focal, row.all.image_focal},
+        [CONJUGATE_FROM_ENTRANCE] = {row.all.object_pupil, row.all.image_pupil},
+        [CONJUGATE_FROM_SENSOR] = {row.all.total, row.all.image},
+    };
+    row.object = pairs[task->input->from][0];
+    row.image = pairs[task->input->from][1];
+    /* Brightness with the stop as wide as it is, for the object of the row. */
+    struct first_order first;
+    first_order_compute(&system, &trace, &object, &first);
+    first_order_use_stop(&first, &object, one->light.first.stop_radius, FIELD_NONE, NAN);
+    row.efl = first.efl;
+    row.working_fnumber = first.working_fnumber;
+    row.na_image = first.na_image;
+    double slope = first.marginal_v / first.index_object;
+    row.na_object = first.index_object * fabs(slope) / sqrt(1 + slope * slope);
+    if (isinf(row.all.image) && !isnan(first.working_fnumber)) {
+        row.working_fnumber = INFINITY;
+        row.na_image = 0;
+    }
     row.object_kind = conjugate_kind_of(row.all.object, row.all.object_is_virtual);
     row.image_kind = conjugate_kind_of(row.all.image, row.all.image_is_virtual);
     row.orientation = orientation_of(&row.all, trace.whole.c.hi == 0 ? 0 : -trace.whole.c.hi);
@@ -284,41 +272,6 @@ static bool emit_unmoved(const struct lens_case *one, const struct task *task, s
     return count > 0;
 }
 
-/* Where the file has its image plane, in its own media, at the wavelength it is focused at. */
-static bool find_image_plane(const struct lens_case *one, const struct task *task,
-                             struct pair *plane, struct error *error)
-{
-    const struct lens *typed = task->typed.lens;
-    size_t position = 0;
-    while (position + 1 < typed->position_count &&
-           typed->positions[position] != one->setup->position) {
-        position++;
-    }
-    const struct lens *lens = lens_at_position(typed, position, task->run->arena);
-    struct first_order first;
-    if (!first_order_of_lens(lens, lens_primary_wavelength(lens), one->setup->section,
-                             task->run->arena, &first, error)) {
-        return false;
-    }
-    *plane = setup_paraxial_image(lens, &first);
-    return true;
-}
-
-static const char *list_gaps(const struct task *task, const struct focused *focused,
-                             struct arena *arena)
-{
-    const char *all = NULL;
-    for (size_t i = 0; i < task->gap_count; i++) {
-        const struct named_gap *gap = &task->gaps[i];
-        size_t surface = gap->gap.surface;
-        double t = focused->lens->surfaces[surface].thickness.value.hi;
-        const char *text =
-            arena_printf(arena, "%.*s %.6g", (int)gap->name.length, gap->name.start, t);
-        all = all == NULL ? text : arena_printf(arena, "%s, %s", all, text);
-    }
-    return all;
-}
-
 /* Focused at the primary wavelength; at the others the same lens looks at the same object. */
 static bool emit_focused(const struct lens_case *one, const struct task *task, struct error *error)
 {
@@ -334,9 +287,20 @@ static bool emit_focused(const struct lens_case *one, const struct task *task, s
                                        .section = one->setup->section,
                                        .gaps = gaps,
                                        .gap_count = task->gap_count};
-    if (!find_image_plane(one, task, &focusing.image_plane, error)) {
+    /* Where the file has its image plane, in its own media, at the wavelength it is focused at. */
+    const struct lens *typed = task->typed.lens;
+    size_t position = 0;
+    while (position + 1 < typed->position_count &&
+           typed->positions[position] != one->setup->position) {
+        position++;
+    }
+    const struct lens *placed = lens_at_position(typed, position, task->run->arena);
+    struct first_order first;
+    if (!first_order_of_lens(placed, lens_primary_wavelength(placed), one->setup->section,
+                             task->run->arena, &first, error)) {
         return false;
     }
+    focusing.image_plane = setup_paraxial_image(placed, &first);
     size_t count = focus_solve(&focusing, &question, arena, solutions, error);
     for (size_t i = 0; i < count; i++) {
         struct paraxial_system system;
@@ -351,7 +315,16 @@ static bool emit_focused(const struct lens_case *one, const struct task *task, s
             return false;
         }
         const struct conjugate_ray place = conjugate_place_of(&ray, system.index[0]);
-        const char *names = list_gaps(task, &solutions[i], arena);
+        const char *all = NULL;
+        for (size_t k = 0; k < task->gap_count; k++) {
+            const struct named_gap *named = &task->gaps[k];
+            size_t surface = named->gap.surface;
+            double t = solutions[i].lens->surfaces[surface].thickness.value.hi;
+            const char *text =
+                arena_printf(arena, "%.*s %.6g", (int)named->name.length, named->name.start, t);
+            all = all == NULL ? text : arena_printf(arena, "%s, %s", all, text);
+        }
+        const char *names = all;
         if (!conjugate_emit_row(one, task, solutions[i].lens, &place, names,
                                 solutions[i].movement.hi, error)) {
             return false;
@@ -395,8 +368,12 @@ static bool put_into_media(const struct conjugate_input *input, struct lens_valu
     return true;
 }
 
-static bool conjugate_check_asked(const struct conjugate_input *input, struct error *error)
+static bool conjugate_run(const void *data, struct run *run, struct error *error)
 {
+    const struct conjugate_input *input = data;
+    struct lens_question question = input->question;
+    struct task task = {.input = input, .run = run, .typed = input->question.lens};
+    question.field = question.field_x = NAN;
     int given = !isnan(input->object) + !isnan(input->image) + !isnan(input->magnification);
     if (given > 1) {
         return fail(error, ERROR_USAGE,
@@ -410,18 +387,6 @@ static bool conjugate_check_asked(const struct conjugate_input *input, struct er
         return fail(
             error, ERROR_USAGE,
             "{--gap} and {--focus-by} exclude each other: the gap of the whole lens is 'last'");
-    }
-    return true;
-}
-
-static bool conjugate_run(const void *data, struct run *run, struct error *error)
-{
-    const struct conjugate_input *input = data;
-    struct lens_question question = input->question;
-    struct task task = {.input = input, .run = run, .typed = input->question.lens};
-    question.field = question.field_x = NAN;
-    if (!conjugate_check_asked(input, error)) {
-        return false;
     }
     const struct lens *lens = question.lens.lens;
     if (lens != NULL) {

@@ -74,24 +74,20 @@ static const struct sheet matrix_sheet = SHEET(columns, ROW);
 static const struct sheet perspective_sheet = SHEET(perspective_columns, struct perspective_row);
 static const struct sheet *const sheets[] = {&matrix_sheet, &perspective_sheet, NULL};
 
-static double matrix_determinant(const struct paraxial_matrix *m)
-{
-    return pair_subtract(pair_multiply(m->a, m->d), pair_multiply(m->b, m->c)).hi;
-}
-
 static bool emit_matrix(const struct lens_case *one, struct run *run, const char *factor,
                         const struct paraxial_matrix *m)
 {
-    const struct matrix_command_row row = {one->light.wavelength,
-                                           one->setup->position,
-                                           factor,
-                                           one->setup->lens->title,
-                                           one->warning,
-                                           m->a.hi,
-                                           m->b.hi,
-                                           m->c.hi + 0.0,
-                                           m->d.hi,
-                                           matrix_determinant(m)};
+    const struct matrix_command_row row = {
+        one->light.wavelength,
+        one->setup->position,
+        factor,
+        one->setup->lens->title,
+        one->warning,
+        m->a.hi,
+        m->b.hi,
+        m->c.hi + 0.0,
+        m->d.hi,
+        (pair_subtract(pair_multiply(m->a, m->d), pair_multiply(m->b, m->c)).hi)};
     return run_emit(run, &row);
 }
 

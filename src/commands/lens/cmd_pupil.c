@@ -343,36 +343,6 @@ struct pupil_painter {
     bool several; /* cases of one input: each says which it is */
 };
 
-/* The point on the axis, for comparison, then each point. */
-static void pupil_add_shape(struct pupil_painter *painter, const struct pupil_case *point)
-{
-    struct arena *arena = painter->arena;
-    const struct pupil_shape *shape = point->shape;
-    const struct lens_case *one = point->one;
-    painter->shapes =
-        arena_grow(arena, painter->shapes, painter->count, &painter->room, sizeof *painter->shapes);
-    const char *words = pupil_point_words(point, arena);
-    struct pupil_outline outline = {.label = words,
-                                    .dashed = point->axis->across,
-                                    .dashed_count = point->axis->is_empty ? 0 : point->axis->count};
-    if (painter->several) {
-        outline.label = arena_printf(
-            arena, "%s%s%.4g nm, %s", one->setup->position != NULL ? one->setup->position : "",
-            one->setup->position != NULL ? ", " : "", 1000 * one->light.wavelength, words);
-    }
-    if (shape->is_empty) {
-        outline.note = arena_printf(arena, "nothing: %s at %zu", ray_status_name(shape->status),
-                                    shape->surface);
-    } else {
-        outline.points = shape->across;
-        outline.count = shape->count;
-        outline.note = arena_printf(arena, "%.3g mm\xc2\xb2, %.3g %%", shape->projected,
-                                    100 * shape->projected / point->axis->projected);
-    }
-    painter->title = one->setup->lens->title;
-    painter->shapes[painter->count++] = outline;
-}
-
 static bool pupil_draw(const struct artifact_job *job, struct output *sink, struct error *error)
 {
     struct svg svg = {.arena = job->run->arena};
@@ -384,7 +354,34 @@ static bool pupil_draw(const struct artifact_job *job, struct output *sink, stru
         struct pupil_cursor at;
         pupil_begin(&at, input, NULL, PUPIL_EDGES, svg.arena);
         while (pupil_next(&at, error)) {
-            pupil_add_shape(&painter, &at.point);
+            /* The point on the axis, for comparison, then each point. */
+            struct arena *arena = painter.arena;
+            const struct pupil_shape *shape = at.point.shape;
+            const struct lens_case *one = at.point.one;
+            painter.shapes = arena_grow(arena, painter.shapes, painter.count, &painter.room,
+                                        sizeof *painter.shapes);
+            const char *words = pupil_point_words(&at.point, arena);
+            struct pupil_outline outline = {.label = words,
+                                            .dashed = at.point.axis->across,
+                                            .dashed_count =
+                                                at.point.axis->is_empty ? 0 : at.point.axis->count};
+            if (painter.several) {
+                outline.label = arena_printf(
+                    arena, "%s%s%.4g nm, %s",
+                    one->setup->position != NULL ? one->setup->position : "",
+                    one->setup->position != NULL ? ", " : "", 1000 * one->light.wavelength, words);
+            }
+            if (shape->is_empty) {
+                outline.note = arena_printf(arena, "nothing: %s at %zu",
+                                            ray_status_name(shape->status), shape->surface);
+            } else {
+                outline.points = shape->across;
+                outline.count = shape->count;
+                outline.note = arena_printf(arena, "%.3g mm\xc2\xb2, %.3g %%", shape->projected,
+                                            100 * shape->projected / at.point.axis->projected);
+            }
+            painter.title = one->setup->lens->title;
+            painter.shapes[painter.count++] = outline;
         }
         if (error->code != ERROR_NONE) {
             return false;

@@ -125,78 +125,6 @@ static const struct column columns[] = {
      .label = "u', paraxial", .help = "(n u - h P)/n'"},
 };
 
-static bool has_ray(const struct refract_input *input)
-{
-    return !isnan(input->aim.height) || !isnan(input->aim.angle);
-}
-
-/* What is not said: air before, an object at infinity; never what is asked for. */
-static void refract_assume(const struct refract_input *input, struct refract_surface *surface)
-{
-    bool after = surface->mirror || !isnan(surface->n_after);
-    int unknown = !after + isnan(surface->R) + isnan(surface->z) + isnan(surface->z_image);
-    if (isnan(surface->n) && (unknown > 0 || surface->mirror)) {
-        surface->n = 1;
-    }
-    if (isnan(surface->z) && unknown > 1 && isnan(input->aim.angle)) {
-        surface->z = -INFINITY;
-    }
-}
-
-/* Four of five, named as they are typed. */
-static bool refract_check_count(const struct refract_surface *s, struct error *error)
-{
-    bool after = s->mirror || !isnan(s->n_after);
-    int unknown = isnan(s->n) + !after + isnan(s->R) + isnan(s->z) + isnan(s->z_image);
-    if (unknown == 0) {
-        return fail(error, ERROR_USAGE,
-                    "{--before}, {--after}, {--radius}, {--object} and {--image} are all given: "
-                    "leave one out "
-                    "and it is found");
-    }
-    if (unknown > 1) {
-        return fail(error, ERROR_USAGE, "too little is given:%s%s%s wanted, or {--image}%s",
-                    after ? "" : " --after", !after && isnan(s->R) ? " and" : "",
-                    isnan(s->R) ? " --radius" : "",
-                    isnan(s->z_image) ? " in the place of one" : " and what is left of the rest");
-    }
-    return true;
-}
-
-static void refract_fill_row(struct refract_row *row)
-{
-    const struct refract_surface *s = &row->surface;
-    row->index_after = s->mirror ? -s->n : s->n_after;
-    row->power = refract_power(s);
-    row->object_vergence = isinf(s->z) ? 0 : s->n / s->z;
-    row->image_vergence = row->object_vergence + row->power;
-    row->condition = refract_condition(s);
-    if (s->z == 0) {
-        row->image_vergence = row->object_vergence = NAN;
-        row->magnification = 1;
-    } else {
-        row->magnification = isinf(s->z) ? 0 : row->object_vergence / row->image_vergence;
-    }
-    if (isinf(s->z)) {
-        row->object_kind = "at infinity";
-    } else if (s->z > 0) {
-        row->object_kind = "virtual";
-    } else {
-        row->object_kind = "real";
-    }
-    bool right = s->z_image > 0;
-    if (isinf(s->z_image)) {
-        row->image_kind = "at infinity";
-    } else if (right != s->mirror) {
-        row->image_kind = "real";
-    } else {
-        row->image_kind = "virtual";
-    }
-    if (s->z == 0) {
-        row->object_kind = row->image_kind = "in the vertex";
-    }
-}
-
 static const struct refract_ray no_ray = {NAN, NAN, NAN, NAN, NAN, NAN, NAN, NAN, NAN,
                                           NAN, NAN, NAN, NAN, NAN, NAN, NAN, NAN, NAN};
 
@@ -216,10 +144,24 @@ static bool refract_row_solve(const struct refract_input *input, const struct re
         return false;
     }
     s->z = line ? row->ray.z : s->z;
-    if (!refract_check_count(s, error) || !refract_solve(s, error)) {
+    /* Four of five, named as they are typed. */
+    bool after = s->mirror || !isnan(s->n_after);
+    int unknown = isnan(s->n) + !after + isnan(s->R) + isnan(s->z) + isnan(s->z_image);
+    if (unknown == 0) {
+        return fail(error, ERROR_USAGE,
+                    "{--before}, {--after}, {--radius}, {--object} and {--image} are all given: "
+                    "leave one out and it is found");
+    }
+    if (unknown > 1) {
+        return fail(error, ERROR_USAGE, "too little is given:%s%s%s wanted, or {--image}%s",
+                    after ? "" : " --after", !after && isnan(s->R) ? " and" : "",
+                    isnan(s->R) ? " --radius" : "",
+                    isnan(s->z_image) ? " in the place of one" : " and what is left of the rest");
+    }
+    if (!refract_solve(s, error)) {
         return false;
     }
-    if (!has_ray(input)) {
+    if (isnan(input->aim.height) && isnan(input->aim.angle)) {
         row->ray = no_ray;
         return true;
     }
@@ -241,11 +183,47 @@ static bool refract_run(const void *data, struct run *run, struct error *error)
     if (isnan(aim.height) && !isnan(aim.angle) && isnan(s->z) && isnan(s->z_image)) {
         return fail(error, ERROR_USAGE, "{--angle} needs {--height} or {--object} beside it");
     }
-    refract_assume(input, s);
+    /* What is not said: air before, an object at infinity; never what is asked for. */
+    bool after = s->mirror || !isnan(s->n_after);
+    int unknown = !after + isnan(s->R) + isnan(s->z) + isnan(s->z_image);
+    if (isnan(s->n) && (unknown > 0 || s->mirror)) {
+        s->n = 1;
+    }
+    if (isnan(s->z) && unknown > 1 && isnan(input->aim.angle)) {
+        s->z = -INFINITY;
+    }
     if (!refract_row_solve(input, &aim, &row, error)) {
         return false;
     }
-    refract_fill_row(&row);
+    row.index_after = s->mirror ? -s->n : s->n_after;
+    row.power = refract_power(s);
+    row.object_vergence = isinf(s->z) ? 0 : s->n / s->z;
+    row.image_vergence = row.object_vergence + row.power;
+    row.condition = refract_condition(s);
+    if (s->z == 0) {
+        row.image_vergence = row.object_vergence = NAN;
+        row.magnification = 1;
+    } else {
+        row.magnification = isinf(s->z) ? 0 : row.object_vergence / row.image_vergence;
+    }
+    if (isinf(s->z)) {
+        row.object_kind = "at infinity";
+    } else if (s->z > 0) {
+        row.object_kind = "virtual";
+    } else {
+        row.object_kind = "real";
+    }
+    bool right = s->z_image > 0;
+    if (isinf(s->z_image)) {
+        row.image_kind = "at infinity";
+    } else if (right != s->mirror) {
+        row.image_kind = "real";
+    } else {
+        row.image_kind = "virtual";
+    }
+    if (s->z == 0) {
+        row.object_kind = row.image_kind = "in the vertex";
+    }
     run_emit(run, &row);
     return true;
 }

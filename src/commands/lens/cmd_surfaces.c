@@ -122,59 +122,53 @@ static struct paraxial_ray *follow_axial(const struct lens_case *one, struct are
                            arena);
 }
 
-static void surfaces_emit_rows(const struct lens_question *question, const struct lens_case *one,
-                               struct run *run)
-{
-    const struct first_order *first = &one->light.first;
-    const struct paraxial_ray *axial = follow_axial(one, run->arena);
-    const struct paraxial_ray *marginal =
-        surfaces_follow(one, first->marginal_y, first->marginal_v, run->arena);
-    const struct paraxial_ray *chief =
-        surfaces_follow(one, first->chief_y, first->chief_v, run->arena);
-    for (size_t i = 0; i < one->light.system.count; i++) {
-        const struct surface *surface = &one->setup->lens->surfaces[i];
-        double curvature = one->light.system.curvature[i].hi;
-        struct text medium = surface->medium.written;
-        struct surfaces_row row = {
-            .surface = (long)i + 1,
-            .kind = surfaces_kind_of(surface),
-            .name = surface->name,
-            .medium = arena_string(run->arena, medium.start, medium.length),
-            .position = one->setup->position,
-            .lens = one->setup->lens->title,
-            .warning = one->warning,
-            .wavelength = one->light.wavelength,
-            .field = question->field,
-            .field_x = question->field_x,
-            .radius = curvature != 0 ? 1 / curvature : INFINITY,
-            .thickness = surface->has_thickness ? surface->thickness.value.hi : NAN,
-            .index = one->light.system.index[i + 1].hi,
-            .diameter = surface->has_diameter ? surface->diameter.value.hi : NAN,
-            .conic = surface->conic.value.hi != 0 ? surface->conic.value.hi : NAN,
-            .power = one->light.system.surfaces[i].power.hi + 0.0,
-            .vergence_before = surfaces_vergence(axial[i].y, axial[i].before),
-            .vergence_after = surfaces_vergence(axial[i].y, axial[i].after),
-            .marginal = marginal[i],
-            .chief = chief[i],
-        };
-        if (i == one->light.system.stop && !isnan(row.chief.y)) {
-            row.chief.y = 0; /* by definition, where the trace leaves 1e-16 */
-        }
-        bool plain = !surface_reflects(surface) && !surface->is_plane &&
-                     surface->coefficients == 0 && surface_is_round(surface);
-        row.radius = plain ? surface->radius.value.hi : row.radius;
-        if (!run_emit(run, &row)) {
-            break;
-        }
-    }
-}
-
 static bool surfaces_run(const void *data, struct run *run, struct error *error)
 {
     const struct surfaces_input *input = data;
     struct lens_cursor at = lens_begin(&input->question, &policy, run->arena);
     while (lens_next(&at, error)) {
-        surfaces_emit_rows(&input->question, &at.one, run);
+        const struct first_order *first = &at.one.light.first;
+        const struct paraxial_ray *axial = follow_axial(&at.one, run->arena);
+        const struct paraxial_ray *marginal =
+            surfaces_follow(&at.one, first->marginal_y, first->marginal_v, run->arena);
+        const struct paraxial_ray *chief =
+            surfaces_follow(&at.one, first->chief_y, first->chief_v, run->arena);
+        for (size_t i = 0; i < at.one.light.system.count; i++) {
+            const struct surface *surface = &at.one.setup->lens->surfaces[i];
+            double curvature = at.one.light.system.curvature[i].hi;
+            struct text medium = surface->medium.written;
+            struct surfaces_row row = {
+                .surface = (long)i + 1,
+                .kind = surfaces_kind_of(surface),
+                .name = surface->name,
+                .medium = arena_string(run->arena, medium.start, medium.length),
+                .position = at.one.setup->position,
+                .lens = at.one.setup->lens->title,
+                .warning = at.one.warning,
+                .wavelength = at.one.light.wavelength,
+                .field = input->question.field,
+                .field_x = input->question.field_x,
+                .radius = curvature != 0 ? 1 / curvature : INFINITY,
+                .thickness = surface->has_thickness ? surface->thickness.value.hi : NAN,
+                .index = at.one.light.system.index[i + 1].hi,
+                .diameter = surface->has_diameter ? surface->diameter.value.hi : NAN,
+                .conic = surface->conic.value.hi != 0 ? surface->conic.value.hi : NAN,
+                .power = at.one.light.system.surfaces[i].power.hi + 0.0,
+                .vergence_before = surfaces_vergence(axial[i].y, axial[i].before),
+                .vergence_after = surfaces_vergence(axial[i].y, axial[i].after),
+                .marginal = marginal[i],
+                .chief = chief[i],
+            };
+            if (i == at.one.light.system.stop && !isnan(row.chief.y)) {
+                row.chief.y = 0; /* by definition, where the trace leaves 1e-16 */
+            }
+            bool plain = !surface_reflects(surface) && !surface->is_plane &&
+                         surface->coefficients == 0 && surface_is_round(surface);
+            row.radius = plain ? surface->radius.value.hi : row.radius;
+            if (!run_emit(run, &row)) {
+                break;
+            }
+        }
     }
     return error->code == ERROR_NONE;
 }

@@ -149,9 +149,7 @@ static bool bracket_run(const void *data, struct run *run, struct error *error)
 
 static const struct explanation explanations[] = {
     {"shots", "n = round({span}/{step}) + 1",
-     "definition; the span is |log2(from/to)| rounded to "
-     "whole steps",
-     NULL},
+     "definition; the span is |log2(from/to)| rounded to whole steps", NULL},
     {"time", "t = longest 2^-(i {step})", "[Apex60]: a stop is a factor of two in time",
      "a camera's 30 s is 32 s and its 1/1000 s is 1/1024 s: say --nominal for them"},
     {"covered", "covered = range + {span}", "each shot moves the same window by one step",

@@ -382,9 +382,7 @@ static const struct explanation explanations[] = {
      "[Ray02], with pupil magnification; infinite where the denominator is not positive",
      "ill-conditioned near the hyperfocal distance"},
     {"dof !blur_rule", "T = {front} + {behind}",
-     "front = X e/(1 + e), behind = X e/(1 - e), X = f (1/m + 1/P), "
-     "e = N c/(m f)",
-     NULL},
+     "front = X e/(1 + e), behind = X e/(1 - e), X = f (1/m + 1/P), e = N c/(m f)", NULL},
     {"distance_sensor", "Ds = {s} + {v} + {HH'}",
      "[Gauss41] HH' from the front to the rear principal plane",
      "near and far limit likewise: the sensor stays where it is"},

@@ -298,8 +298,7 @@ static bool flash_run(const void *data, struct run *run, struct error *error)
 
 static const struct explanation explanations[] = {
     {"guide_number", "GN = {N} {d}/sqrt({n} {S}/100 {power} 2^-{loss})",
-     "[IsoFlash07]; the same "
-     "equation gives N, d, S, the power or the number of flashes",
+     "[IsoFlash07]; the same equation gives N, d, S, the power or the number of flashes",
      "a point source in a normal room; outdoors 0.5 to 1 stop less"},
     {"path", "d = sqrt({s}^2 + (up + down)^2)", "mirror image of the flash in the ceiling",
      "a white ceiling scatters: add its --loss"},
