@@ -335,37 +335,31 @@ static bool pupil_brings(const void *data, const char *option)
 
 /* -------- the drawing -------- */
 
-struct pupil_painter {
-    struct arena *arena;
-    struct pupil_outline *shapes;
-    size_t count, room;
-    const char *title;
-    bool several; /* cases of one input: each says which it is */
-};
-
 static bool pupil_draw(const struct artifact_job *job, struct output *sink, struct error *error)
 {
     struct svg svg = {.arena = job->run->arena};
-    struct pupil_painter painter = {.arena = svg.arena};
+    struct arena *arena = svg.arena;
+    struct pupil_outline *shapes = NULL;
+    size_t count = 0, room = 0;
+    const char *title = NULL;
     for (size_t i = 0; i < job->count; i++) {
         const struct pupil_input *input = job->inputs[i];
-        painter.several =
+        /* cases of one input: each says which it is */
+        const bool several =
             lens_positions_several(input->question.lens.lens, input->question.position);
         struct pupil_cursor at;
-        pupil_begin(&at, input, NULL, PUPIL_EDGES, svg.arena);
+        pupil_begin(&at, input, NULL, PUPIL_EDGES, arena);
         while (pupil_next(&at, error)) {
             /* The point on the axis, for comparison, then each point. */
-            struct arena *arena = painter.arena;
             const struct pupil_shape *shape = at.point.shape;
             const struct lens_case *one = at.point.one;
-            painter.shapes = arena_grow(arena, painter.shapes, painter.count, &painter.room,
-                                        sizeof *painter.shapes);
+            shapes = arena_grow(arena, shapes, count, &room, sizeof *shapes);
             const char *words = pupil_point_words(&at.point, arena);
             struct pupil_outline outline = {.label = words,
                                             .dashed = at.point.axis->across,
                                             .dashed_count =
                                                 at.point.axis->is_empty ? 0 : at.point.axis->count};
-            if (painter.several) {
+            if (several) {
                 outline.label = arena_printf(
                     arena, "%s%s%.4g nm, %s",
                     one->setup->position != NULL ? one->setup->position : "",
@@ -380,8 +374,8 @@ static bool pupil_draw(const struct artifact_job *job, struct output *sink, stru
                 outline.note = arena_printf(arena, "%.3g mm\xc2\xb2, %.3g %%", shape->projected,
                                             100 * shape->projected / at.point.axis->projected);
             }
-            painter.title = one->setup->lens->title;
-            painter.shapes[painter.count++] = outline;
+            title = one->setup->lens->title;
+            shapes[count++] = outline;
         }
         if (error->code != ERROR_NONE) {
             return false;
@@ -390,15 +384,15 @@ static bool pupil_draw(const struct artifact_job *job, struct output *sink, stru
     const struct pupil_input *first = job->inputs[0];
     bool film = pupil_is_from_film(first);
     const struct outlines outlines = {
-        .title = arena_printf(svg.arena, "Pupils of %s", painter.title),
+        .title = arena_printf(arena, "Pupils of %s", title),
         .subtitle = film ? "exit pupil as points of the film see it, across the way to its middle; "
                            "origin: the chief ray"
                          : "entrance pupil as field points see it, across the ray to the first "
                            "vertex; origin: the chief ray",
         .unit = "mm",
         .legend = {"what arrives", "from the axis: 100 %"},
-        .shapes = painter.shapes,
-        .count = painter.count,
+        .shapes = shapes,
+        .count = count,
     };
     return outlines_draw(&outlines, &svg, error) && drawing_write(job, &svg, sink, error);
 }

@@ -125,6 +125,59 @@ static const struct column columns[] = {
      .label = "u', paraxial", .help = "(n u - h P)/n'"},
 };
 
+/* Four of five, named as they are typed. */
+static bool refract_check_count(const struct refract_surface *s, struct error *error)
+{
+    bool after = s->mirror || !isnan(s->n_after);
+    int unknown = isnan(s->n) + !after + isnan(s->R) + isnan(s->z) + isnan(s->z_image);
+    if (unknown == 0) {
+        return fail(error, ERROR_USAGE,
+                    "{--before}, {--after}, {--radius}, {--object} and {--image} are all given: "
+                    "leave one out and it is found");
+    }
+    if (unknown > 1) {
+        return fail(error, ERROR_USAGE, "too little is given:%s%s%s wanted, or {--image}%s",
+                    after ? "" : " --after", !after && isnan(s->R) ? " and" : "",
+                    isnan(s->R) ? " --radius" : "",
+                    isnan(s->z_image) ? " in the place of one" : " and what is left of the rest");
+    }
+    return true;
+}
+
+static void refract_fill_row(struct refract_row *row)
+{
+    const struct refract_surface *s = &row->surface;
+    row->index_after = s->mirror ? -s->n : s->n_after;
+    row->power = refract_power(s);
+    row->object_vergence = isinf(s->z) ? 0 : s->n / s->z;
+    row->image_vergence = row->object_vergence + row->power;
+    row->condition = refract_condition(s);
+    if (s->z == 0) {
+        row->image_vergence = row->object_vergence = NAN;
+        row->magnification = 1;
+    } else {
+        row->magnification = isinf(s->z) ? 0 : row->object_vergence / row->image_vergence;
+    }
+    if (isinf(s->z)) {
+        row->object_kind = "at infinity";
+    } else if (s->z > 0) {
+        row->object_kind = "virtual";
+    } else {
+        row->object_kind = "real";
+    }
+    bool right = s->z_image > 0;
+    if (isinf(s->z_image)) {
+        row->image_kind = "at infinity";
+    } else if (right != s->mirror) {
+        row->image_kind = "real";
+    } else {
+        row->image_kind = "virtual";
+    }
+    if (s->z == 0) {
+        row->object_kind = row->image_kind = "in the vertex";
+    }
+}
+
 static const struct refract_ray no_ray = {NAN, NAN, NAN, NAN, NAN, NAN, NAN, NAN, NAN,
                                           NAN, NAN, NAN, NAN, NAN, NAN, NAN, NAN, NAN};
 
@@ -144,21 +197,7 @@ static bool refract_row_solve(const struct refract_input *input, const struct re
         return false;
     }
     s->z = line ? row->ray.z : s->z;
-    /* Four of five, named as they are typed. */
-    bool after = s->mirror || !isnan(s->n_after);
-    int unknown = isnan(s->n) + !after + isnan(s->R) + isnan(s->z) + isnan(s->z_image);
-    if (unknown == 0) {
-        return fail(error, ERROR_USAGE,
-                    "{--before}, {--after}, {--radius}, {--object} and {--image} are all given: "
-                    "leave one out and it is found");
-    }
-    if (unknown > 1) {
-        return fail(error, ERROR_USAGE, "too little is given:%s%s%s wanted, or {--image}%s",
-                    after ? "" : " --after", !after && isnan(s->R) ? " and" : "",
-                    isnan(s->R) ? " --radius" : "",
-                    isnan(s->z_image) ? " in the place of one" : " and what is left of the rest");
-    }
-    if (!refract_solve(s, error)) {
+    if (!refract_check_count(s, error) || !refract_solve(s, error)) {
         return false;
     }
     if (isnan(input->aim.height) && isnan(input->aim.angle)) {
@@ -195,35 +234,7 @@ static bool refract_run(const void *data, struct run *run, struct error *error)
     if (!refract_row_solve(input, &aim, &row, error)) {
         return false;
     }
-    row.index_after = s->mirror ? -s->n : s->n_after;
-    row.power = refract_power(s);
-    row.object_vergence = isinf(s->z) ? 0 : s->n / s->z;
-    row.image_vergence = row.object_vergence + row.power;
-    row.condition = refract_condition(s);
-    if (s->z == 0) {
-        row.image_vergence = row.object_vergence = NAN;
-        row.magnification = 1;
-    } else {
-        row.magnification = isinf(s->z) ? 0 : row.object_vergence / row.image_vergence;
-    }
-    if (isinf(s->z)) {
-        row.object_kind = "at infinity";
-    } else if (s->z > 0) {
-        row.object_kind = "virtual";
-    } else {
-        row.object_kind = "real";
-    }
-    bool right = s->z_image > 0;
-    if (isinf(s->z_image)) {
-        row.image_kind = "at infinity";
-    } else if (right != s->mirror) {
-        row.image_kind = "real";
-    } else {
-        row.image_kind = "virtual";
-    }
-    if (s->z == 0) {
-        row.object_kind = row.image_kind = "in the vertex";
-    }
+    refract_fill_row(&row);
     run_emit(run, &row);
     return true;
 }

@@ -118,6 +118,24 @@ static const struct column columns[] = {
 #define USUAL_FNUMBER    2.8
 #define USUAL_MEGAPIXELS 24
 
+/* What the NPF rule wants, and what of it is assumed. */
+static void stars_assume(const struct sensor *sensor, struct stars_row *row, struct arena *arena)
+{
+    bool has_N = is_given(row->fnumber), has_pitch = is_given(row->pitch);
+    row->npf_fnumber = has_N ? row->fnumber : USUAL_FNUMBER;
+    row->npf_pitch = has_pitch ? row->pitch : sensor_pitch_of(sensor, USUAL_MEGAPIXELS * 1e6);
+    row->npf_assumed =
+        has_N && has_pitch
+            ? NULL
+            : arena_printf(arena, "%s%s%s", has_N ? "" : "f/2.8 (default)",
+                           has_N || has_pitch ? "" : " and ",
+                           has_pitch ? ""
+                                     : arena_printf(arena,
+                                                    "%d megapixels of %.3g um "
+                                                    "(default)",
+                                                    USUAL_MEGAPIXELS, 1000 * row->npf_pitch));
+}
+
 /* The rules of thumb. */
 static bool apply_rules(struct stars_row *row, struct error *error)
 {
@@ -166,20 +184,7 @@ static bool stars_run(const void *data, struct run *run, struct error *error)
                     "give {--focal-length} for the longest time, or {--time} for "
                     "the longest focal length");
     }
-    /* What the NPF rule wants, and what of it is assumed. */
-    bool has_N = is_given(row.fnumber), has_pitch = is_given(row.pitch);
-    row.npf_fnumber = has_N ? row.fnumber : USUAL_FNUMBER;
-    row.npf_pitch = has_pitch ? row.pitch : sensor_pitch_of(sensor, USUAL_MEGAPIXELS * 1e6);
-    row.npf_assumed =
-        has_N && has_pitch
-            ? NULL
-            : arena_printf(run->arena, "%s%s%s", has_N ? "" : "f/2.8 (default)",
-                           has_N || has_pitch ? "" : " and ",
-                           has_pitch ? ""
-                                     : arena_printf(run->arena,
-                                                    "%d megapixels of %.3g um "
-                                                    "(default)",
-                                                    USUAL_MEGAPIXELS, 1000 * row.npf_pitch));
+    stars_assume(sensor, &row, run->arena);
     /* How long a trail may be: as asked, else the circle of confusion. */
     struct sharpness sharp = input->sharp;
     if (!sharpness_settle(&sharp, PITCH_FOR_MORE, run->doubts, error)) {
