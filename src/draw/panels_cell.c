@@ -179,19 +179,6 @@ static bool holds_zero(const struct panels_scale *scale)
     return scale->low <= 0 && scale->high >= 0;
 }
 
-/* Can one point at least be seen? */
-static bool has_points(const struct panels_cell *cell, const struct panel *panel)
-{
-    bool any = false;
-    for (size_t s = 0; s < panel->count; s++) {
-        const struct panel_series *series = &panel->series[s];
-        for (size_t i = 0; i < series->count && !any; i++) {
-            any = isfinite(at_x(cell, series->x[i])) && isfinite(at_y(cell, series->y[i]));
-        }
-    }
-    return any;
-}
-
 /* The curves and spots. */
 static void draw_series(const struct panels *panels, struct svg *svg,
                         const struct panels_cell *cell, const struct panel *panel)
@@ -217,26 +204,18 @@ static void draw_series(const struct panels *panels, struct svg *svg,
     svg_group_end(svg);
 }
 
-/* Below spots; inside at the top of curves, or in the middle of what is empty. */
-static void draw_note(struct svg *svg, const struct panels_cell *cell, const struct panel *panel,
-                      bool square, bool empty)
-{
-    double y = empty    ? cell->top + cell->height / 2 + 4
-               : square ? cell->top + cell->height + 14
-                        : cell->top + 14;
-    struct svg_label label = {.x = cell->left + cell->width / 2,
-                              .y = y,
-                              .size = NOTE,
-                              .width = cell->room,
-                              .anchor = SVG_MIDDLE,
-                              .colour = SOFT};
-    panels_write_at(svg, &label, panel->note);
-}
-
 void panels_cell_draw(const struct panels *panels, struct svg *svg, const struct panels_cell *cell,
                       const struct panel *panel)
 {
-    const bool any = has_points(cell, panel);
+    /* Can one point at least be seen? */
+    bool seen = false;
+    for (size_t s = 0; s < panel->count; s++) {
+        const struct panel_series *series = &panel->series[s];
+        for (size_t i = 0; i < series->count && !seen; i++) {
+            seen = isfinite(at_x(cell, series->x[i])) && isfinite(at_y(cell, series->y[i]));
+        }
+    }
+    const bool any = seen;
     /* lines of the ticks and of zero; none go through the words in a panel without points */
     bool ticks = panels->unit == NULL;
     if (ticks) {
@@ -258,7 +237,19 @@ void panels_cell_draw(const struct panels *panels, struct svg *svg, const struct
     if (any) {
         draw_series(panels, svg, cell, panel);
     }
-    draw_note(svg, cell, panel, panels->unit != NULL, !any);
+    /* Below spots; inside at the top of curves, or in the middle of what is empty. */
+    bool square = panels->unit != NULL;
+    bool empty = !any;
+    double y = empty    ? cell->top + cell->height / 2 + 4
+               : square ? cell->top + cell->height + 14
+                        : cell->top + 14;
+    struct svg_label note = {.x = cell->left + cell->width / 2,
+                             .y = y,
+                             .size = NOTE,
+                             .width = cell->room,
+                             .anchor = SVG_MIDDLE,
+                             .colour = SOFT};
+    panels_write_at(svg, &note, panel->note);
     struct svg_label title = {.x = cell->left + cell->width / 2,
                               .y = cell->top - 7,
                               .size = WORDS,

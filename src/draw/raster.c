@@ -175,26 +175,6 @@ static bool draw_map(const struct raster_page *page, size_t i, struct error *err
     return true;
 }
 
-static bool raster_draw_bar(const struct raster_page *page, double x, struct error *error)
-{
-    struct text png;
-    if (!raster_paint(page, NULL, page->svg->arena, &png, error)) {
-        return false;
-    }
-    svg_image(page->svg, x, TOP, BAR_WIDTH, SIDE, png);
-    svg_styled_rect(page->svg, &frame, x, TOP, BAR_WIDTH, SIDE);
-    const struct raster_axis up = {page->low,
-                                   page->high,
-                                   x + BAR_WIDTH,
-                                   TOP + SIDE,
-                                   SIDE,
-                                   1,
-                                   page->rasters->colours == RASTER_LOG};
-    raster_draw_axis(page, &up);
-    write_upwards(page, x + BAR_WIDTH + 62, TOP + SIDE / 2, page->rasters->scale_label);
-    return true;
-}
-
 bool rasters_draw(const struct rasters *rasters, struct svg *svg, struct error *error)
 {
     struct raster_page page = {.rasters = rasters, .svg = svg};
@@ -227,9 +207,21 @@ bool rasters_draw(const struct rasters *rasters, struct svg *svg, struct error *
             return false;
         }
     }
-    if (!raster_draw_bar(&page, bar, error)) {
+    struct text png;
+    if (!raster_paint(&page, NULL, page.svg->arena, &png, error)) {
         return false;
     }
+    svg_image(page.svg, bar, TOP, BAR_WIDTH, SIDE, png);
+    svg_styled_rect(page.svg, &frame, bar, TOP, BAR_WIDTH, SIDE);
+    const struct raster_axis up = {page.low,
+                                   page.high,
+                                   bar + BAR_WIDTH,
+                                   TOP + SIDE,
+                                   SIDE,
+                                   1,
+                                   page.rasters->colours == RASTER_LOG};
+    raster_draw_axis(&page, &up);
+    write_upwards(&page, bar + BAR_WIDTH + 62, TOP + SIDE / 2, page.rasters->scale_label);
     svg_end(svg);
     return true;
 }

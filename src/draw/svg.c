@@ -269,25 +269,6 @@ void svg_path(struct svg *svg, double x, double y, const char *words)
     svg_put(svg, "\"/>\n");
 }
 
-/* Three bytes become four letters (RFC 4648). */
-static void put_base64(struct svg *svg, struct text bytes)
-{
-    static const char letters[] =
-        "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
-    for (size_t i = 0; i < bytes.length; i += 3) {
-        unsigned group = 0;
-        char four[4];
-        for (size_t k = 0; k < 3; k++) {
-            group = group << 8 |
-                    (i + k < bytes.length ? (unsigned)(unsigned char)bytes.start[i + k] : 0u);
-        }
-        for (size_t k = 0; k < 4; k++) {
-            four[k] = i + k > bytes.length ? '=' : letters[group >> (18 - 6 * k) & 63];
-        }
-        put_bytes(svg, four, sizeof four);
-    }
-}
-
 void svg_image(struct svg *svg, double x, double y, double width, double height, struct text png)
 {
     svg_put(svg, "<image xmlns:xlink=\"http://www.w3.org/1999/xlink\"");
@@ -297,7 +278,21 @@ void svg_image(struct svg *svg, double x, double y, double width, double height,
     svg_put_attribute(svg, "height", height);
     svg_put(svg, " preserveAspectRatio=\"none\" image-rendering=\"optimizeSpeed\" "
                  "style=\"image-rendering:pixelated\" xlink:href=\"data:image/png;base64,");
-    put_base64(svg, png);
+    /* Three bytes become four letters (RFC 4648). */
+    static const char letters[] =
+        "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+    for (size_t i = 0; i < png.length; i += 3) {
+        unsigned group = 0;
+        char four[4];
+        for (size_t k = 0; k < 3; k++) {
+            group =
+                group << 8 | (i + k < png.length ? (unsigned)(unsigned char)png.start[i + k] : 0u);
+        }
+        for (size_t k = 0; k < 4; k++) {
+            four[k] = i + k > png.length ? '=' : letters[group >> (18 - 6 * k) & 63];
+        }
+        put_bytes(svg, four, sizeof four);
+    }
     svg_put(svg, "\"/>\n");
 }
 

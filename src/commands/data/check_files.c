@@ -225,8 +225,9 @@ static bool check_files_run(const void *data, struct run *run, struct error *err
     }
     for (struct text rest = text_of(input->files); rest.start != NULL;) {
         /*
-         * Add a file, or of a folder all files, also in folders below, whose names end as those of lens
-         * files do; in the order of their names. A folder to which several paths lead is read once.
+         * Add a file, or of a folder all files, also in folders below, whose names end as those of
+         * lens files do; in the order of their names. A folder to which several paths lead is read
+         * once.
          */
         struct text path = text_cut(&rest, OPTION_MANY_SEPARATOR);
         const char *name = arena_string(files.arena, path.start, path.length);
