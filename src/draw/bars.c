@@ -130,12 +130,8 @@ bool bars_draw(const struct bars *bars, struct svg *svg, struct error *error)
     svg_group_end(svg);
     bars_draw_legend(bars, page.width, svg);
     const double room = page.width - LEFT - 12;
-    const struct svg_label title = {
-        .x = LEFT, .y = 30, .size = TITLE_SIZE, .width = room, .bold = true};
-    const struct svg_label subtitle = {
-        .x = LEFT, .y = 50, .size = LABEL_SIZE, .width = room, .colour = "#555"};
-    svg_text(svg, &title, bars->title != NULL ? bars->title : "");
-    svg_text(svg, &subtitle, bars->subtitle != NULL ? bars->subtitle : "");
+    svg_heading(svg, LEFT, 30, TITLE_SIZE, room, bars->title);
+    svg_words_within(svg, LEFT, 50, LABEL_SIZE, room, "#555", bars->subtitle);
     svg_words(svg, (LEFT + page.width - RIGHT) / 2, page.bottom + 48, LABEL_SIZE, SVG_MIDDLE, NULL,
               bars->x_label);
     svg_words_upwards(svg, 22, (page.top + page.bottom) / 2, LABEL_SIZE, bars->y_label);

@@ -78,20 +78,15 @@ bool grid_image_draw(const struct grid_image *grid, struct svg *svg, struct erro
     page.reach *= MARGIN;
     if (!any) {
         return fail(error, ERROR_DOMAIN,
-                    "no point of the grid is imaged: there is nothing to "
-                    "draw");
+                    "no point of the grid is imaged: there is nothing to draw");
     }
     const double width = LEFT + SIDE + RIGHT, room = width - 48;
     double *x = ARENA_ARRAY(svg->arena, grid->points, double);
     double *y = ARENA_ARRAY(svg->arena, grid->points, double);
     svg_begin(svg, width, TOP + SIDE + BOTTOM, grid->title);
-    const struct svg_label title = {
-        .x = 24, .y = 32, .size = 16, .width = 0.93 * room, .bold = true};
-    svg_text(svg, &title, grid->title);
-    const struct svg_label subtitle = {.x = 24, .y = 54, .size = 12, .width = room};
-    svg_text(svg, &subtitle, grid->subtitle);
-    const struct svg_label note = {.x = 24, .y = 72, .size = 12, .width = room};
-    svg_text(svg, &note, grid->note);
+    svg_heading(svg, 24, 32, 16, 0.93 * room, grid->title);
+    svg_words_within(svg, 24, 54, 12, room, NULL, grid->subtitle);
+    svg_words_within(svg, 24, 72, 12, room, NULL, grid->note);
     grid_image_draw_axes(&page);
     svg_group_begin(page.svg, &ideal_style);
     for (size_t k = 0; k < grid->lines; k++) {

@@ -38,16 +38,14 @@ static void draw_shape(struct svg *svg, const struct outlines_page *page, const 
 
 static void outlines_draw_words(struct svg *svg, double x, double y, bool bold, const char *words)
 {
-    if (words != NULL) {
-        const struct svg_label label = {.x = x,
-                                        .y = y,
-                                        .size = 13,
-                                        .width = CELL - 8,
-                                        .anchor = SVG_MIDDLE,
-                                        .colour = bold ? "#1d1d1d" : "#444",
-                                        .bold = bold};
-        svg_text(svg, &label, words);
-    }
+    const struct svg_label label = {.x = x,
+                                    .y = y,
+                                    .size = 13,
+                                    .width = CELL - 8,
+                                    .anchor = SVG_MIDDLE,
+                                    .colour = bold ? "#1d1d1d" : "#444",
+                                    .bold = bold};
+    svg_text(svg, &label, words);
 }
 
 static void draw_foot(struct svg *svg, const struct outlines *outlines, double scale, double y)

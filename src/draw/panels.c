@@ -181,11 +181,10 @@ static void panels_page_begin(struct panels_page *page)
     panels_page_set_grid(page);
     svg_begin(page->svg, page->total_x, page->total_y, panels->title);
     double room = page->total_x - 2 * MARGIN;
-    panels_write_at(
-        page->svg,
-        &(struct svg_label){.x = MARGIN, .y = 30, .size = TITLE, .width = room, .bold = true},
-        panels->title);
-    panels_write_at(
+    svg_text(page->svg,
+             &(struct svg_label){.x = MARGIN, .y = 30, .size = TITLE, .width = room, .bold = true},
+             panels->title);
+    svg_text(
         page->svg,
         &(struct svg_label){.x = MARGIN, .y = 52, .size = WORDS, .width = room, .colour = SOFT},
         panels->subtitle);
@@ -224,7 +223,7 @@ static void draw_heads(const struct panels_page *page)
                                         .width = page->across - 4,
                                         .anchor = SVG_MIDDLE,
                                         .bold = true};
-        panels_write_at(page->svg, &label, panels->column_heads[i]);
+        svg_text(page->svg, &label, panels->column_heads[i]);
     }
     for (size_t i = 0; panels->row_heads != NULL && i < rows; i++) {
         const struct panels_cell cell = panels_page_cell(page, i * panels->columns);
@@ -260,8 +259,8 @@ static void panels_page_end(const struct panels_page *page)
                                    .rotation = -90,
                                    .width = down + 60,
                                    .anchor = SVG_MIDDLE};
-    panels_write_at(page->svg, &below, panels->x_label);
-    panels_write_at(page->svg, &side, panels->y_label);
+    svg_text(page->svg, &below, panels->x_label);
+    svg_text(page->svg, &side, panels->y_label);
     if (panels->unit != NULL) {
         /* A round length of at most half a panel. */
         double y = page->total_y - 16;

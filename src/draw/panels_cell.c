@@ -94,13 +94,6 @@ static const double WORDS = 13, NOTE = 11; /* px */
 
 static const char *const DARK = "#1d1d1d", *const SOFT = "#444", *const GREY = "#888";
 
-void panels_write_at(struct svg *svg, const struct svg_label *label, const char *words)
-{
-    if (words != NULL) {
-        svg_text(svg, label, words);
-    }
-}
-
 static double panels_cell_part_of(const struct panels_scale *scale, double v)
 {
     return (v - scale->low) / (scale->high - scale->low);
@@ -249,17 +242,17 @@ void panels_cell_draw(const struct panels *panels, struct svg *svg, const struct
                              .width = cell->room,
                              .anchor = SVG_MIDDLE,
                              .colour = SOFT};
-    panels_write_at(svg, &note, panel->note);
+    svg_text(svg, &note, panel->note);
     struct svg_label title = {.x = cell->left + cell->width / 2,
                               .y = cell->top - 7,
                               .size = WORDS,
                               .width = cell->room,
                               .anchor = SVG_MIDDLE,
                               .colour = DARK};
-    panels_write_at(svg, &title, panel->title);
+    svg_text(svg, &title, panel->title);
     if (panels->own_x && panels->unit == NULL) {
         title.y = cell->top + cell->height + 32;
-        panels_write_at(svg, &title, panel->x_label);
+        svg_text(svg, &title, panel->x_label);
     }
     if (panels->own_y && panels->unit == NULL) {
         const struct svg_label label = {.x = cell->left - PANELS_NUMBERS - 6,
@@ -268,6 +261,6 @@ void panels_cell_draw(const struct panels *panels, struct svg *svg, const struct
                                         .rotation = -90,
                                         .width = cell->height + 20,
                                         .anchor = SVG_MIDDLE};
-        panels_write_at(svg, &label, panel->y_label);
+        svg_text(svg, &label, panel->y_label);
     }
 }

@@ -82,10 +82,6 @@ bool pareto_draw(const struct pareto *pareto, struct svg *svg, struct error *err
     page.left = 28 + fmin(widest, WIDEST_LABEL);
     page.bottom = TOP + ROW * (double)page.count;
     ticks_linear(0, longest, &page.ticks);
-    const struct svg_label title = {
-        .x = 20, .y = 30, .size = TITLE_SIZE, .width = WIDTH - 32, .bold = true};
-    const struct svg_label subtitle = {
-        .x = 20, .y = 50, .size = LABEL_SIZE, .width = WIDTH - 32, .colour = "#555"};
     svg_begin(svg, WIDTH, page.bottom + BELOW, pareto->title);
     for (size_t i = 0; i < page.ticks.count; i++) {
         const double x = pareto_x_at(&page, page.ticks.value[i]);
@@ -105,8 +101,8 @@ bool pareto_draw(const struct pareto *pareto, struct svg *svg, struct error *err
         svg_words(svg, at + BAR + 5, 76, 12, SVG_START, NULL, names[k]);
         at += BAR + 24 + svg_text_width(names[k], 12);
     }
-    svg_text(svg, &title, pareto->title != NULL ? pareto->title : "");
-    svg_text(svg, &subtitle, pareto->subtitle != NULL ? pareto->subtitle : "");
+    svg_heading(svg, 20, 30, TITLE_SIZE, WIDTH - 32, pareto->title);
+    svg_words_within(svg, 20, 50, LABEL_SIZE, WIDTH - 32, "#555", pareto->subtitle);
     svg_words(svg, (page.left + WIDTH - RIGHT) / 2, page.bottom + 44, LABEL_SIZE, SVG_MIDDLE, NULL,
               pareto->x_label);
     svg_end(svg);

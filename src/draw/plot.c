@@ -124,9 +124,6 @@ static void plot_draw_words(struct svg *svg, const struct plot *plot,
 {
     const struct plot_axis *x = &frame->x, *y = &frame->y;
     double left = x->start, room = PLOT_WIDTH - left - 12;
-    struct svg_label title = {.x = left, .y = 32, .size = TITLE_SIZE, .width = room, .bold = true};
-    struct svg_label subtitle = {
-        .x = left, .y = 52, .size = LABEL_SIZE, .width = room, .colour = "#555"};
     struct svg_label below = {.x = (left + x->stop) / 2,
                               .y = y->start + 44,
                               .size = LABEL_SIZE,
@@ -138,8 +135,8 @@ static void plot_draw_words(struct svg *svg, const struct plot *plot,
                                .rotation = -90,
                                .width = y->start - y->stop + 40,
                                .anchor = SVG_MIDDLE};
-    svg_text(svg, &title, plot->title ? plot->title : "");
-    svg_text(svg, &subtitle, plot->subtitle ? plot->subtitle : "");
+    svg_heading(svg, left, 32, TITLE_SIZE, room, plot->title);
+    svg_words_within(svg, left, 52, LABEL_SIZE, room, "#555", plot->subtitle);
     svg_text(svg, &below, plot->x_label ? plot->x_label : "");
     svg_text(svg, &beside, plot->y_label ? plot->y_label : "");
 }

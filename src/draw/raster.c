@@ -188,20 +188,14 @@ bool rasters_draw(const struct rasters *rasters, struct svg *svg, struct error *
     const size_t columns = rasters->count < rasters->columns ? rasters->count : rasters->columns;
     const size_t rows = (rasters->count + rasters->columns - 1) / rasters->columns;
     const double bar = LEFT + ACROSS * (double)(columns - 1) + SIDE + BAR_GAP;
-    struct svg_label title = {.x = MARGIN, .y = 32, .size = 16, .bold = true};
-    struct svg_label subtitle = {.x = MARGIN, .y = 54, .size = 12};
     const char *const above = rasters->title != NULL ? rasters->title : "";
     const char *const below = rasters->subtitle != NULL ? rasters->subtitle : "";
     const double room =
-        fmin(fmax(svg_text_width(above, title.size) / BOLDER, svg_text_width(below, subtitle.size)),
-             TITLES_MOST) +
-        1;
+        fmin(fmax(svg_text_width(above, 16) / BOLDER, svg_text_width(below, 12)), TITLES_MOST) + 1;
     const double width = fmax(bar + BAR_ROOM, room + 2 * MARGIN);
     svg_begin(svg, width, TOP + DOWN * (double)rows - 30 + BOTTOM, rasters->title);
-    title.width = BOLDER * (width - 2 * MARGIN);
-    svg_text(svg, &title, above);
-    subtitle.width = width - 2 * MARGIN;
-    svg_text(svg, &subtitle, below);
+    svg_heading(svg, MARGIN, 32, 16, BOLDER * (width - 2 * MARGIN), above);
+    svg_words_within(svg, MARGIN, 54, 12, width - 2 * MARGIN, NULL, below);
     for (size_t i = 0; i < rasters->count; i++) {
         if (!draw_map(&page, i, error)) {
             return false;

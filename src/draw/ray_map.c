@@ -99,11 +99,8 @@ bool ray_map_draw(const struct ray_map *map, struct svg *svg, struct error *erro
     double width = fmax(LEFT + CELL * (double)map->column_count + 30, 620);
     double bottom = TOP + CELL * (double)map->row_count;
     svg_begin(svg, width, bottom + BOTTOM, map->title);
-    const struct svg_label title = {
-        .x = 24, .y = 32, .size = 17, .width = width - 48, .bold = true};
-    svg_text(svg, &title, map->title);
-    const struct svg_label subtitle = {.x = 24, .y = 54, .size = 12, .width = width - 48};
-    svg_text(svg, &subtitle, map->subtitle);
+    svg_heading(svg, 24, 32, 17, width - 48, map->title);
+    svg_words_within(svg, 24, 54, 12, width - 48, NULL, map->subtitle);
     const struct svg_style rim = {.stroke = "#bbbbbb"};
     for (size_t row = 0; row < map->row_count; row++) {
         svg_words_upwards(drawing.svg, LEFT - 34, centre_y(row), 13, map->rows[row]);

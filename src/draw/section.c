@@ -282,16 +282,12 @@ bool section_draw(const struct section *section, struct svg *svg, struct error *
                               .anchor = SVG_MIDDLE,
                               .width = SECTION_WIDTH - 40,
                               .bold = true};
-    if (section->title != NULL) {
-        svg_text(page.svg, &label, section->title);
-    }
+    svg_text(page.svg, &label, section->title);
     label.y = 52;
     label.size = 13;
     label.bold = false;
     label.colour = "#444444";
-    if (section->subtitle != NULL) {
-        svg_text(page.svg, &label, section->subtitle);
-    }
+    svg_text(page.svg, &label, section->subtitle);
     for (int kind = 0; kind < LAYOUT_KINDS; kind++) {
         for (size_t i = 0; i < section->layout->part_count; i++) {
             if ((int)section->layout->parts[i].kind == kind) {

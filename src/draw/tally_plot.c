@@ -140,23 +140,11 @@ bool tally_plot_draw(const struct tally_plot *plot, struct svg *svg, struct erro
     for (int which = 0; which < 2; which++) {
         tally_plot_draw_mark(plot, which, &page, svg);
     }
-    const struct svg_label labels[] = {
-        {.x = 20, .y = 30, .size = TITLE_SIZE, .width = WIDTH - 32, .bold = true},
-        {.x = 20, .y = 52, .size = LABEL_SIZE, .width = WIDTH - 32, .colour = "#555"},
-        {.x = (LEFT + WIDTH - RIGHT) / 2,
-         .y = page.bottom + 48,
-         .size = LABEL_SIZE,
-         .anchor = SVG_MIDDLE},
-        {.x = 22,
-         .y = (TOP + page.bottom) / 2,
-         .size = LABEL_SIZE,
-         .rotation = -90,
-         .anchor = SVG_MIDDLE},
-    };
-    const char *const words[] = {plot->title, plot->subtitle, plot->x_label, plot->y_label};
-    for (size_t i = 0; i < sizeof words / sizeof words[0]; i++) {
-        svg_text(svg, &labels[i], words[i] != NULL ? words[i] : "");
-    }
+    svg_heading(svg, 20, 30, TITLE_SIZE, WIDTH - 32, plot->title);
+    svg_words_within(svg, 20, 52, LABEL_SIZE, WIDTH - 32, "#555", plot->subtitle);
+    svg_words(svg, (LEFT + WIDTH - RIGHT) / 2, page.bottom + 48, LABEL_SIZE, SVG_MIDDLE, NULL,
+              plot->x_label);
+    svg_words_upwards(svg, 22, (TOP + page.bottom) / 2, LABEL_SIZE, plot->y_label);
     svg_end(svg);
     return true;
 }
