@@ -85,18 +85,6 @@ static bool solve_with_offset(struct dof_setting *setting, const struct dof_targ
     return dof_solve(setting, &moved, error);
 }
 
-static bool has_goals(const struct dof_targets *a)
-{
-    return !(isnan(a->near) && isnan(a->far) && isnan(a->total) && isnan(a->hyperfocal) &&
-             isnan(a->magnification));
-}
-
-/* None is negative, so that no two infinities make a NaN. */
-static bool distance_from_is_complete(const struct dof_setting *a)
-{
-    return !isnan(a->f + a->N + a->c + a->s);
-}
-
 /* Limits are known, the distance is not: where it is measured from moves with it. */
 static bool solve_by_turns(struct dof_setting *setting, const struct dof_targets *targets,
                            const struct distance_reference *measuring, struct error *error)
@@ -126,7 +114,9 @@ bool distance_solve(struct dof_setting *setting, const struct dof_targets *targe
 {
     enum distance_from from = measuring->from;
     bool measured = from != FROM_PRINCIPAL;
-    if (!measured && distance_from_is_complete(setting) && !has_goals(targets)) {
+    if (!measured && (!isnan(setting->f + setting->N + setting->c + setting->s)) &&
+        (isnan(targets->near) && isnan(targets->far) && isnan(targets->total) &&
+         isnan(targets->hyperfocal) && isnan(targets->magnification))) {
         return true; /* nothing to solve, as in most batches */
     }
     bool has_s = !isnan(setting->s), has_f = !isnan(setting->f);
@@ -140,8 +130,7 @@ bool distance_solve(struct dof_setting *setting, const struct dof_targets *targe
     if (!has_f) {
         return fail(error, ERROR_USAGE,
                     "with {distance origin} %s a distance needs {focal length}: give it, or "
-                    "measure from the "
-                    "principal plane",
+                    "measure from the principal plane",
                     distances_from[from].word);
     }
     struct dof_setting answer = *setting;

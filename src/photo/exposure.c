@@ -122,19 +122,6 @@ static double light_ratio(const struct exposure_given *g)
     return power_of_two(g->ev) / (g->S / 100);
 }
 
-static bool fail_count(int missing, struct error *error)
-{
-    if (missing == 0) {
-        return fail(error, ERROR_USAGE,
-                    "nothing is left to solve for: leave out one of {f-number}, {exposure time}, "
-                    "{ISO speed} and "
-                    "a light (" ANY_LIGHT ")");
-    }
-    return fail(error, ERROR_USAGE,
-                "too little is given: of {f-number}, {exposure time} and a light (" ANY_LIGHT
-                ") two are needed ({ISO speed} is 100 unless given)");
-}
-
 /* Find the one unknown; a missing speed is either that or assumed. */
 static bool exposure_find_unknown(struct exposure_given *g, struct exposure *x, struct error *error)
 {
@@ -145,7 +132,14 @@ static bool exposure_find_unknown(struct exposure_given *g, struct exposure *x, 
     int missing = !is_given(g->N) + !is_given(g->t) + (lights == 0);
     bool speed = is_given(g->S);
     if (missing > 1 || (missing == 0 && speed)) {
-        return fail_count(missing, error);
+        if (missing == 0) {
+            return fail(error, ERROR_USAGE,
+                        "nothing is left to solve for: leave out one of {f-number}, {exposure "
+                        "time}, {ISO speed} and a light (" ANY_LIGHT ")");
+        }
+        return fail(error, ERROR_USAGE,
+                    "too little is given: of {f-number}, {exposure time} and a light (" ANY_LIGHT
+                    ") two are needed ({ISO speed} is 100 unless given)");
     }
     if (missing == 0 && is_given(g->ev)) {
         return fail(error, ERROR_USAGE,
@@ -191,17 +185,6 @@ static void exposure_solve_unknown(const struct exposure_given *g, struct exposu
     }
 }
 
-static void exposure_complete(const struct exposure_given *g, struct exposure *x)
-{
-    x->ev = x->ev100 + (log2(x->S) - log2_of_100);
-    x->L = is_given(g->L) ? g->L : g->K * power_of_two(x->ev100) / 100;
-    x->E = is_given(g->E) ? g->E : g->C * power_of_two(x->ev100) / 100;
-    x->Av = 2 * log2(x->N);
-    x->Tv = -log2(x->t);
-    x->Sv = log2(x->S) - log2_of_3_125;
-    x->Bv = x->ev100 - (log2_of_100 - log2_of_3_125);
-}
-
 bool exposure_solve(const struct exposure_given *given, struct exposure *x, struct error *error)
 {
     struct exposure_given g = *given;
@@ -210,7 +193,13 @@ bool exposure_solve(const struct exposure_given *given, struct exposure *x, stru
         return false;
     }
     exposure_solve_unknown(&g, x);
-    exposure_complete(&g, x);
+    x->ev = x->ev100 + (log2(x->S) - log2_of_100);
+    x->L = is_given(g.L) ? g.L : g.K * power_of_two(x->ev100) / 100;
+    x->E = is_given(g.E) ? g.E : g.C * power_of_two(x->ev100) / 100;
+    x->Av = 2 * log2(x->N);
+    x->Tv = -log2(x->t);
+    x->Sv = log2(x->S) - log2_of_3_125;
+    x->Bv = x->ev100 - (log2_of_100 - log2_of_3_125);
     return answer_positive("the f-number", x->N, error) &&
            answer_positive("the exposure time", x->t, error) &&
            answer_positive("the ISO speed", x->S, error) &&

@@ -7,21 +7,6 @@
 
 #include <math.h>
 
-static bool tilt_check_lens(const struct tilt_given *g, struct error *error)
-{
-    if (!check_positive("focal length", " mm", g->f, error) ||
-        !check_positive("f-number", "", g->N, error)) {
-        return false;
-    }
-    if (!(g->c >= 0 && g->c < g->f / g->N)) {
-        return fail(error, ERROR_DOMAIN,
-                    "{circle of confusion} %g mm is not narrower than the aperture (0 or more, "
-                    "below f/N = %g mm)",
-                    g->c, g->f / g->N);
-    }
-    return true;
-}
-
 /* The tilt, given itself or by the hinge's depth. */
 static bool solve_tilt(const struct tilt_given *g, double *tilt, struct error *error)
 {
@@ -35,8 +20,7 @@ static bool solve_tilt(const struct tilt_given *g, double *tilt, struct error *e
     } else {
         return fail(error, ERROR_DOMAIN,
                     "{hinge} %g mm is nearer than any tilt can bring it with {focal length} %g mm "
-                    "(above %g "
-                    "mm on either side)",
+                    "(above %g mm on either side)",
                     g->hinge, g->f, g->f);
     }
     if (!(fabs(*tilt) < PI / 2)) {
@@ -74,8 +58,7 @@ static bool ratio_from_angle(const struct tilt_given *g, double tilt, double *ra
     if (!(fabs(tilt) > 0)) {
         return fail(error, ERROR_DOMAIN,
                     "{angle of the plane of focus} needs a tilt: untilted, the plane of focus is "
-                    "parallel to the sensor "
-                    "(a tilt other than 0)");
+                    "parallel to the sensor (a tilt other than 0)");
     }
     if (!(size > fabs(tilt) && size < PI)) {
         double sign = copysign(1, tilt);
@@ -115,8 +98,17 @@ static double tilt_reach(double f, double denominator)
 bool tilt_solve(const struct tilt_given *given, struct tilt *result, struct error *error)
 {
     double tilt = NAN, ratio = NAN;
-    if (!tilt_check_lens(given, error) || !solve_tilt(given, &tilt, error) ||
-        !solve_ratio(given, tilt, &ratio, error)) {
+    if (!check_positive("focal length", " mm", given->f, error) ||
+        !check_positive("f-number", "", given->N, error)) {
+        return false;
+    }
+    if (!(given->c >= 0 && given->c < given->f / given->N)) {
+        return fail(error, ERROR_DOMAIN,
+                    "{circle of confusion} %g mm is not narrower than the aperture (0 or more, "
+                    "below f/N = %g mm)",
+                    given->c, given->f / given->N);
+    }
+    if (!solve_tilt(given, &tilt, error) || !solve_ratio(given, tilt, &ratio, error)) {
         return false;
     }
     double f = given->f, image = f / ratio, blur = given->N * given->c / f;
@@ -142,8 +134,8 @@ bool tilt_solve(const struct tilt_given *given, struct tilt *result, struct erro
     return true;
 }
 
-static bool tilt_check_points(double f, const struct tilt_point *first,
-                              const struct tilt_point *second, struct error *error)
+bool tilt_through(double f, const struct tilt_point *first, const struct tilt_point *second,
+                  double *tilt, double *image, struct error *error)
 {
     if (!check_positive("focal length", " mm", f, error)) {
         return false;
@@ -159,15 +151,6 @@ static bool tilt_check_points(double f, const struct tilt_point *first,
                     "both points lie in the same direction (slope %g): any tilt serves only one "
                     "of them (two directions)",
                     first->rise);
-    }
-    return true;
-}
-
-bool tilt_through(double f, const struct tilt_point *first, const struct tilt_point *second,
-                  double *tilt, double *image, struct error *error)
-{
-    if (!tilt_check_points(f, first, second, error)) {
-        return false;
     }
     double sine = f * (1 / first->distance - 1 / second->distance) / (second->rise - first->rise);
     if (!(fabs(sine) < 1)) {
