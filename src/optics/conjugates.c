@@ -15,11 +15,6 @@ struct optics {
     bool is_afocal, has_stop;
 };
 
-static struct pair product_less(struct pair a, struct pair b, struct pair c, struct pair d)
-{
-    return pair_subtract(pair_multiply(a, b), pair_multiply(c, d));
-}
-
 static struct optics optics_of(const struct paraxial_system *system,
                                const struct paraxial_trace *trace)
 {
@@ -98,7 +93,7 @@ static struct conjugate_ray ray_of_place(const struct optics *o, enum conjugate_
         ray.y = pair_subtract(pair_multiply(reduced, o->c), d);
         ray.v = o->c;
     } else if (from == CONJUGATE_FROM_ENTRANCE) {
-        ray.y = product_less(reduced, a1, b1, one);
+        ray.y = pair_subtract(pair_multiply(reduced, a1), pair_multiply(b1, one));
         ray.v = a1;
     }
     ray.y = is_image ? pair_negate(ray.y) : ray.y;
@@ -109,18 +104,6 @@ static struct conjugate_ray ray_of_magnification(const struct optics *o, struct 
 {
     return (struct conjugate_ray){pair_subtract(pair_of(1), pair_multiply(o->d, m)),
                                   pair_multiply(o->c, m)};
-}
-
-static bool find_by_magnification(const struct optics *o, double m, struct conjugate_ray *ray,
-                                  struct error *error)
-{
-    if (o->is_afocal) {
-        return fail(error, ERROR_DOMAIN,
-                    "an afocal system has the magnification %.10g wherever the object is", o->a.hi);
-    }
-    *ray = isinf(m) ? (struct conjugate_ray){pair_negate(o->d), o->c}
-                    : ray_of_magnification(o, pair_of(m));
-    return true;
 }
 
 /* n' m^2 - k m + n = 0 */
@@ -182,7 +165,15 @@ size_t conjugate_find(const struct paraxial_system *system, const struct paraxia
     const struct optics o = optics_of(system, trace);
     bool is_image = question->asked == CONJUGATE_IMAGE;
     if (question->asked == CONJUGATE_MAGNIFICATION) {
-        return find_by_magnification(&o, question->magnification, &rays[0], error);
+        if (o.is_afocal) {
+            fail(error, ERROR_DOMAIN,
+                 "an afocal system has the magnification %.10g wherever the object is", o.a.hi);
+            return 0;
+        }
+        rays[0] = isinf(question->magnification)
+                      ? (struct conjugate_ray){pair_negate(o.d), o.c}
+                      : ray_of_magnification(&o, pair_of(question->magnification));
+        return 1;
     }
     if (question->from == CONJUGATE_FROM_SENSOR) {
         return find_by_total(&o, question->distance, rays, error);

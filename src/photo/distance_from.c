@@ -85,30 +85,6 @@ static bool solve_with_offset(struct dof_setting *setting, const struct dof_targ
     return dof_solve(setting, &moved, error);
 }
 
-/* Limits are known, the distance is not: where it is measured from moves with it. */
-static bool solve_by_turns(struct dof_setting *setting, const struct dof_targets *targets,
-                           const struct distance_reference *measuring, struct error *error)
-{
-    enum { MOST_TURNS = 200 };
-    struct dof_setting answer = *setting;
-    answer.s = INFINITY; /* the subject far away, to begin with */
-    double offset = distance_offset(&answer, measuring);
-    for (int turn = 0; turn < MOST_TURNS; turn++) {
-        answer = *setting;
-        if (!solve_with_offset(&answer, targets, offset, error)) {
-            return false;
-        }
-        double next = distance_offset(&answer, measuring);
-        if (fabs(next - offset) <= 4e-16 * fabs(next) || measuring->from != FROM_SENSOR) {
-            *setting = answer;
-            return true;
-        }
-        offset = next;
-    }
-    return fail(error, ERROR_DOMAIN, "no distance from the %s gives these limits",
-                distances_from[measuring->from].word);
-}
-
 bool distance_solve(struct dof_setting *setting, const struct dof_targets *targets,
                     const struct distance_reference *measuring, struct error *error)
 {
@@ -142,5 +118,22 @@ bool distance_solve(struct dof_setting *setting, const struct dof_targets *targe
         *setting = answer;
         return solve_with_offset(setting, targets, distance_offset(setting, measuring), error);
     }
-    return solve_by_turns(setting, targets, measuring, error);
+    /* Limits are known, the distance is not: where it is measured from moves with it. */
+    enum { MOST_TURNS = 200 };
+    answer.s = INFINITY; /* the subject far away, to begin with */
+    double offset = distance_offset(&answer, measuring);
+    for (int turn = 0; turn < MOST_TURNS; turn++) {
+        answer = *setting;
+        if (!solve_with_offset(&answer, targets, offset, error)) {
+            return false;
+        }
+        double next = distance_offset(&answer, measuring);
+        if (fabs(next - offset) <= 4e-16 * fabs(next) || measuring->from != FROM_SENSOR) {
+            *setting = answer;
+            return true;
+        }
+        offset = next;
+    }
+    return fail(error, ERROR_DOMAIN, "no distance from the %s gives these limits",
+                distances_from[measuring->from].word);
 }

@@ -163,28 +163,6 @@ static bool exposure_find_unknown(struct exposure_given *g, struct exposure *x, 
     return true;
 }
 
-/* The exposure equation in stops: ev_set = ev100 + log2(S/100) - less. */
-static void exposure_solve_unknown(const struct exposure_given *g, struct exposure *x)
-{
-    double less = g->loss + g->compensation, kept = exp2(-less);
-    double speed = log2(g->S) - log2_of_100;
-    double light = x->unknown == EXPOSURE_LIGHT ? (double)NAN : light_ratio(g);
-    x->N = g->N;
-    x->t = g->t;
-    x->S = g->S;
-    x->ev100 =
-        x->unknown == EXPOSURE_LIGHT ? log2(g->N * g->N / g->t) + less - speed : light_ev100(g);
-    x->ev_set = x->ev100 + speed - less;
-    if (x->unknown == EXPOSURE_N) {
-        x->N = sqrt(g->t * (light * kept) * (g->S / 100));
-    } else if (x->unknown == EXPOSURE_T) {
-        x->t = g->N * g->N / (light * kept * (g->S / 100));
-    } else if (x->unknown == EXPOSURE_S) {
-        x->ev_set = log2(g->N * g->N / g->t);
-        x->S = 100 * (g->N * g->N / g->t / (light * kept));
-    }
-}
-
 bool exposure_solve(const struct exposure_given *given, struct exposure *x, struct error *error)
 {
     struct exposure_given g = *given;
@@ -192,7 +170,24 @@ bool exposure_solve(const struct exposure_given *given, struct exposure *x, stru
     if (!exposure_check_ranges(&g, error) || !exposure_find_unknown(&g, x, error)) {
         return false;
     }
-    exposure_solve_unknown(&g, x);
+    /* The exposure equation in stops: ev_set = ev100 + log2(S/100) - less. */
+    double less = g.loss + g.compensation, kept = exp2(-less);
+    double speed = log2(g.S) - log2_of_100;
+    double light = x->unknown == EXPOSURE_LIGHT ? (double)NAN : light_ratio(&g);
+    x->N = g.N;
+    x->t = g.t;
+    x->S = g.S;
+    x->ev100 =
+        x->unknown == EXPOSURE_LIGHT ? log2(g.N * g.N / g.t) + less - speed : light_ev100(&g);
+    x->ev_set = x->ev100 + speed - less;
+    if (x->unknown == EXPOSURE_N) {
+        x->N = sqrt(g.t * (light * kept) * (g.S / 100));
+    } else if (x->unknown == EXPOSURE_T) {
+        x->t = g.N * g.N / (light * kept * (g.S / 100));
+    } else if (x->unknown == EXPOSURE_S) {
+        x->ev_set = log2(g.N * g.N / g.t);
+        x->S = 100 * (g.N * g.N / g.t / (light * kept));
+    }
     x->ev = x->ev100 + (log2(x->S) - log2_of_100);
     x->L = is_given(g.L) ? g.L : g.K * power_of_two(x->ev100) / 100;
     x->E = is_given(g.E) ? g.E : g.C * power_of_two(x->ev100) / 100;

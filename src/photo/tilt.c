@@ -30,30 +30,29 @@ static bool solve_tilt(const struct tilt_given *g, double *tilt, struct error *e
     return true;
 }
 
-static bool ratio_from_image(const struct tilt_given *g, double tilt, double *ratio,
-                             struct error *error)
+/* f/v' from whichever of the three was given. */
+static bool solve_ratio(const struct tilt_given *g, double tilt, double *ratio, struct error *error)
 {
-    (void)tilt;
-    *ratio = g->f / g->image;
-    return check_positive("image distance", " mm", g->image, error);
-}
-
-static bool ratio_from_distance(const struct tilt_given *g, double tilt, double *ratio,
-                                struct error *error)
-{
-    if (!(g->distance > g->f / cos(tilt))) {
-        return fail(error, ERROR_DOMAIN,
-                    "{distance} %g mm lies within the focal length of the tilted lens: no real "
-                    "image (more than f/cos(tilt) = %g mm)",
-                    g->distance, g->f / cos(tilt));
+    int count = !isnan(g->image) + !isnan(g->distance) + !isnan(g->angle);
+    if (count != 1) {
+        return fail(
+            error, ERROR_USAGE,
+            "give exactly one of {image distance}, {distance} and {angle of the plane of focus}");
     }
-    *ratio = cos(tilt) - g->f / g->distance;
-    return true;
-}
-
-static bool ratio_from_angle(const struct tilt_given *g, double tilt, double *ratio,
-                             struct error *error)
-{
+    if (!isnan(g->image)) {
+        *ratio = g->f / g->image;
+        return check_positive("image distance", " mm", g->image, error);
+    }
+    if (!isnan(g->distance)) {
+        if (!(g->distance > g->f / cos(tilt))) {
+            return fail(error, ERROR_DOMAIN,
+                        "{distance} %g mm lies within the focal length of the tilted lens: no real "
+                        "image (more than f/cos(tilt) = %g mm)",
+                        g->distance, g->f / cos(tilt));
+        }
+        *ratio = cos(tilt) - g->f / g->distance;
+        return true;
+    }
     double size = copysign(1, tilt) * g->angle;
     if (!(fabs(tilt) > 0)) {
         return fail(error, ERROR_DOMAIN,
@@ -69,24 +68,6 @@ static bool ratio_from_angle(const struct tilt_given *g, double tilt, double *ra
     }
     *ratio = sin(g->angle - tilt) / sin(g->angle);
     return true;
-}
-
-/* f/v' from whichever of the three was given. */
-static bool solve_ratio(const struct tilt_given *g, double tilt, double *ratio, struct error *error)
-{
-    int count = !isnan(g->image) + !isnan(g->distance) + !isnan(g->angle);
-    if (count != 1) {
-        return fail(
-            error, ERROR_USAGE,
-            "give exactly one of {image distance}, {distance} and {angle of the plane of focus}");
-    }
-    if (!isnan(g->image)) {
-        return ratio_from_image(g, tilt, ratio, error);
-    }
-    if (!isnan(g->distance)) {
-        return ratio_from_distance(g, tilt, ratio, error);
-    }
-    return ratio_from_angle(g, tilt, ratio, error);
 }
 
 /* u where the line meets rise = y/u; inf where it doesn't, before the lens. */

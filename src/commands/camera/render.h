@@ -134,16 +134,16 @@ bool render_stopped(const struct render_input *input, const struct analysis_case
 double render_fnumber(const struct render_input *input, const struct analysis_case *one,
                       struct arena *arena);
 
-/* How far from the axis light arrives and the film reaches, mm; of the rays, how many. */
-struct render_arrival {
-    double largest, corner;
-    const double *lit_at; /* a place that light reaches, mm: the middle, unless that is dark */
-    double share;         /* NAN: more are sent than may arrive */
-};
-
-/* What is doubtful: of the lens; dark corners of the film; rays that get lost elsewhere. */
+/*
+ * What is doubtful: of the lens; dark corners of the film; rays that get lost elsewhere.
+ *
+ * Given     largest, corner  how far from the axis light arrives and the film reaches, mm
+ *           lit_at           a place that light reaches, mm: the middle, unless that is dark
+ *           share            of the rays, how many arrive; NaN: more are sent than may
+ */
 void render_doubts(const struct render_input *input, const struct analysis_case *one,
-                   const struct render_arrival *arrival, struct text_buffer *remarks);
+                   double largest, double corner, const double lit_at[2], double share,
+                   struct text_buffer *remarks);
 
 /* The film, and the iris before it. */
 struct film_question render_film(const struct render_input *input, const struct analysis_case *one);

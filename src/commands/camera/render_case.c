@@ -416,7 +416,8 @@ double render_fnumber(const struct render_input *input, const struct analysis_ca
 }
 
 void render_doubts(const struct render_input *input, const struct analysis_case *one,
-                   const struct render_arrival *arrival, struct text_buffer *remarks)
+                   double largest, double corner, const double lit_at[2], double share,
+                   struct text_buffer *remarks)
 {
     const double widest = widest_of(input, one, remarks->arena);
     if (!isnan(widest) && lens_model_replaces((enum lens_model)input->model)) {
@@ -428,22 +429,22 @@ void render_doubts(const struct render_input *input, const struct analysis_case 
     if (one->warning != NULL) {
         growing_format(remarks, "warning: %s\n", one->warning);
     }
-    const double beside = hypot(arrival->lit_at[0], arrival->lit_at[1]);
+    const double beside = hypot(lit_at[0], lit_at[1]);
     if (beside > 0) {
         growing_format(remarks,
                        "warning: the middle of the film stays dark: a place %.4g mm from it, where "
                        "light arrives, stands for it\n",
                        beside);
-    } else if (arrival->largest < arrival->corner) {
+    } else if (largest < corner) {
         growing_format(remarks,
                        "warning: light arrives up to %.4g mm from the axis; the corners of the "
                        "film, at %.4g mm, stay dark\n",
-                       arrival->largest, arrival->corner);
-    } else if (arrival->share < 0.5) {
+                       largest, corner);
+    } else if (share < 0.5) {
         growing_format(remarks,
                        "warning: %.2g %% of the rays arrive: the pupil is too small to be "
                        "followed over the film, and some of the light may be missing%s\n",
-                       100 * arrival->share,
+                       100 * share,
                        isnan(input->time) ? ": the time, which rests on it, may be far too long"
                                           : "");
     }

@@ -332,11 +332,9 @@ static struct text picture_doubts(const struct analysis_case *one,
     const struct render_input *input = job->inputs[0];
     struct text_buffer doubts = {.arena = job->run->arena};
     const bool all_of_pupil = !skip_is_kept(question->kept, SKIP_PUPIL);
-    const struct render_arrival arrival = {
-        photograph->largest, photograph->corner, photograph->reference_at,
-        all_of_pupil ? (double)photograph->counts[PHOTOGRAPH_PASSED] /
-                           (double)photograph->counts[PHOTOGRAPH_TRACED]
-                     : NAN};
+    const double share = all_of_pupil ? (double)photograph->counts[PHOTOGRAPH_PASSED] /
+                                            (double)photograph->counts[PHOTOGRAPH_TRACED]
+                                      : NAN;
     render_say_size(input, &shot->frame, &doubts);
     render_say_autofocus(input, render_object(one), &doubts);
     render_say_samples(input, photograph, &doubts);
@@ -360,7 +358,8 @@ static struct text picture_doubts(const struct analysis_case *one,
     render_say_depths(input, photograph, &doubts);
     render_say_model(input, one, &doubts);
     render_say_shutter(input, &question->film, &doubts);
-    render_doubts(input, one, &arrival, &doubts);
+    render_doubts(input, one, photograph->largest, photograph->corner, photograph->reference_at,
+                  share, &doubts);
     if (job->run->explain) {
         render_explain(job, question, photograph, &doubts);
     }

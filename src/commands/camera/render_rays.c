@@ -28,12 +28,6 @@ const struct file_type *render_ray_types(size_t i)
     return i < sizeof files / sizeof files[0] ? &files[i].type : NULL;
 }
 
-struct ray_writer {
-    const struct ray_file *file;
-    struct output *sink;
-    struct watch *watch; /* null: nobody looks */
-};
-
 /* Least significant byte first, whatever the machine. */
 static char *put_raw(char *to, double number)
 {
@@ -45,13 +39,12 @@ static char *put_raw(char *to, double number)
     return to;
 }
 
-static bool write_rays(const struct ray_writer *writer, const struct lens_ray *rays, size_t count,
-                       struct error *error)
+static void write_rays(const struct lens_ray *rays, size_t count, char separator,
+                       struct output *sink)
 {
-    const char separator = writer->file->separator;
     for (size_t i = 0; i < count; i++) {
         double numbers[NUMBERS];
-        char *to = output_reserve(writer->sink, NUMBERS * (NUMBER_LENGTH + 1));
+        char *to = output_reserve(sink, NUMBERS * (NUMBER_LENGTH + 1));
         numbers[0] = rays[i].film[0];
         numbers[1] = rays[i].film[1];
         /* not what multiplying um by 1000 leaves in the last digit */
@@ -70,10 +63,8 @@ static bool write_rays(const struct ray_writer *writer, const struct lens_ray *r
                 *to++ = k + 1 == NUMBERS ? '\n' : separator;
             }
         }
-        output_advance(writer->sink, to);
+        output_advance(sink, to);
     }
-    return watch_add(writer->watch, count) ||
-           fail(error, ERROR_DOMAIN, "interrupted: what would follow is missing");
 }
 
 bool render_rays(const struct artifact_job *job, struct output *sink, struct error *error)
@@ -84,7 +75,6 @@ bool render_rays(const struct artifact_job *job, struct output *sink, struct err
     for (size_t i = 0; i < sizeof files / sizeof files[0]; i++) {
         file = job->type == &files[i].type ? &files[i] : file;
     }
-    struct ray_writer writer = {file, sink, job->run->watch};
     struct lens_rays *rays = ARENA_NEW(job->run->arena, struct lens_rays);
     if (!render_open(input, NULL, job->run, &one, error)) {
         return false;
@@ -93,30 +83,29 @@ bool render_rays(const struct artifact_job *job, struct output *sink, struct err
                                           .samples = input->samples == 0 ? USUAL_RAYS
                                                                          : (uint64_t)input->samples,
                                           .seed = (uint64_t)input->seed};
-    const char separator = writer.file->separator, between = separator != 0 ? separator : ' ';
+    const char separator = file->separator, between = separator != 0 ? separator : ' ';
     for (int k = 0; k < NUMBERS; k++) {
-        output_string(writer.sink, names[k]);
-        output_character(writer.sink, k + 1 == NUMBERS ? '\n' : between);
+        output_string(sink, names[k]);
+        output_character(sink, k + 1 == NUMBERS ? '\n' : between);
     }
-    watch_begin(writer.watch, "rays", question.samples);
+    watch_begin(job->run->watch, "rays", question.samples);
     if (!render_acceptance(input, job->run->arena, &question.film.acceptance, error) ||
         !render_shutter(input, one, job->run->arena, &question.film.shutter, error) ||
         !lens_rays_open(&question, job->run->arena, rays, error)) {
         return false;
     }
     for (size_t count = lens_rays_next(rays); count > 0; count = lens_rays_next(rays)) {
-        if (!write_rays(&writer, rays->passed, count, error)) {
-            return false;
+        write_rays(rays->passed, count, separator, sink);
+        if (!watch_add(job->run->watch, count)) {
+            return fail(error, ERROR_DOMAIN, "interrupted: what would follow is missing");
         }
     }
     struct text_buffer remarks = {.arena = job->run->arena};
     render_say_model(input, one, &remarks);
     render_say_shutter(input, &question.film, &remarks);
     const double share = (double)rays->arrived / (double)question.samples;
-    const struct render_arrival arrival = {rays->film.lit, rays->film.corner,
-                                           rays->film.region.pole,
-                                           input->acceptance == NULL ? share : NAN};
-    render_doubts(input, one, &arrival, &remarks);
+    render_doubts(input, one, rays->film.lit, rays->film.corner, rays->film.region.pole,
+                  input->acceptance == NULL ? share : NAN, &remarks);
     if (job->run->explain) {
         render_explain_shutter(question.film.shutter, &remarks);
         growing_format(&remarks,

@@ -228,25 +228,6 @@ static bool flash_row_solve(const struct flash_input *input, double one, struct 
     return true;
 }
 
-static bool fill_background(const struct flash_input *input, struct flash_row *row,
-                            struct error *error)
-{
-    row->background = input->background;
-    return !is_given(input->background) ||
-           flash_falloff(row->path, input->background, &row->background_stops, error);
-}
-
-/* Flash and other light; a filter takes from both, and is in the flash's loss already. */
-static bool fill_balance(const struct flash_input *input, struct flash_row *row,
-                         struct error *error)
-{
-    const struct flash_ambient light = {row->setting, input->time, input->sync,
-                                        input->ev - input->filter.stops};
-    row->time = input->time;
-    row->ev = input->ev;
-    return !is_given(input->ev) || flash_against_ambient(&light, &row->balance, error);
-}
-
 static bool fill_ratio(const struct flash_input *input, struct flash_row *row, struct error *error)
 {
     row->key_to_fill = input->key_to_fill;
@@ -284,10 +265,21 @@ static bool flash_run(const void *data, struct run *run, struct error *error)
     bool ratio = is_given(input->ratio) || is_given(input->key_to_fill);
     const bool flashes = is_given(input->guide_number) || input->zoom != NULL ||
                          is_given(input->fnumber) || is_given(input->distance);
-    if ((!ratio || flashes) &&
-        (!flash_row_solve(input, one, &row, error) || !fill_background(input, &row, error) ||
-         !fill_balance(input, &row, error))) {
-        return false;
+    if (!ratio || flashes) {
+        row.background = input->background;
+        row.time = input->time;
+        row.ev = input->ev;
+        if (!flash_row_solve(input, one, &row, error) ||
+            (is_given(row.background) &&
+             !flash_falloff(row.path, row.background, &row.background_stops, error))) {
+            return false;
+        }
+        /* a filter takes from flash and other light, and is in the flash's loss already */
+        const struct flash_ambient light = {row.setting, row.time, input->sync,
+                                            row.ev - input->filter.stops};
+        if (is_given(row.ev) && !flash_against_ambient(&light, &row.balance, error)) {
+            return false;
+        }
     }
     const struct series_value *series = &input->series;
     row.nominal_fnumber =

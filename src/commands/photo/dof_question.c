@@ -57,14 +57,6 @@ static bool solve_airy(const struct dof_question *input, const struct photo_lens
         "no distance agrees with the Airy disc that belongs to it: give {--coc} as a length");
 }
 
-static bool dof_question_complete(const struct dof_question *input, const struct photo_lens *lens,
-                                  struct dof_setting *setting, struct error *error)
-{
-    return sharpness_is_airy(&input->sharp)
-               ? solve_airy(input, lens, setting, error)
-               : distance_solve(setting, &input->targets, &lens->measuring, error);
-}
-
 /* Rays answer for a lens, an f-number and a distance; nothing is solved for. */
 static bool dof_question_check_rays(const struct dof_question *input, struct error *error)
 {
@@ -100,8 +92,12 @@ bool dof_question_solve(const struct dof_question *input, const struct attached_
         setting->s = attached->farthest;
         return dof_check(setting, error);
     }
-    return dof_question_complete(input, attached->lens, setting, error) &&
-           photo_lens_check_subject(attached->lens, setting->s, error) &&
+    if (!(sharpness_is_airy(&input->sharp)
+              ? solve_airy(input, attached->lens, setting, error)
+              : distance_solve(setting, &input->targets, &attached->lens->measuring, error))) {
+        return false;
+    }
+    return photo_lens_check_subject(attached->lens, setting->s, error) &&
            attached_check_reach(attached, setting->s, error);
 }
 
