@@ -61,13 +61,12 @@ static const char *by_rays_words_of(struct blur_rule rule, struct arena *arena)
     return "root mean square";
 }
 
-bool by_rays_open(const struct by_rays_question *all, struct run *run, struct real_focus *focus,
+bool by_rays_open(const struct photo_lens_question *question, const struct photo_lens *lens,
+                  double distance, double c, struct run *run, struct real_focus *focus,
                   struct by_rays_row *row, struct error *error)
 {
-    const struct photo_lens_question *question = all->question;
-    const struct photo_lens *lens = all->lens;
     struct setup setup;
-    struct real_focus_question seen = {.c = all->c};
+    struct real_focus_question seen = {.c = c};
     /* What may not be asked together with rays. */
     if (lens->lens == NULL) {
         return fail(error, ERROR_USAGE, "{--exact} traces rays: it needs {--lens}");
@@ -77,7 +76,7 @@ bool by_rays_open(const struct by_rays_question *all, struct run *run, struct re
         return fail(error, ERROR_USAGE,
                     "{--exact} goes by the lens's own pupils: it excludes {--pupil}");
     }
-    if (!read_rule(all->asked->criterion, &seen.rule, error)) {
+    if (!read_rule(question->rays.criterion, &seen.rule, error)) {
         return false;
     }
     seen.lens = (struct setup_question){
@@ -89,7 +88,7 @@ bool by_rays_open(const struct by_rays_question *all, struct run *run, struct re
         .wavelengths = WAVELENGTHS_ALL,
         .fnumber = question->fnumber > 0 ? question->fnumber : (double)NAN,
     };
-    seen.object = isinf(all->distance) ? all->distance : all->distance - lens->measuring.front;
+    seen.object = isinf(distance) ? distance : distance - lens->measuring.front;
     if (!setup_open(&seen.lens, run->arena, &setup, error)) {
         return false;
     }

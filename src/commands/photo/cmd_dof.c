@@ -43,8 +43,8 @@ static const struct option options[] = {
     ATTACHMENT_OPTIONS(attached),
     OPTION_SQUEEZE(squeeze, NULL, "anamorphic squeeze: adds what it does across the picture"),
     OPTION_T_NUMBER(t_stop, "T-stop of the lens, for exposure; -N gives the depth of field"),
-    BY_RAYS_EXACT_OPTION(rays, "limits by the rays of --lens, aberrations included"),
-    BY_RAYS_CRITERION_OPTION(rays),
+    BY_RAYS_EXACT_OPTION(lens.rays, "limits by the rays of --lens, aberrations included"),
+    BY_RAYS_CRITERION_OPTION(lens.rays),
 };
 
 struct dof_row {
@@ -200,7 +200,7 @@ static bool dof_fill_row(const struct dof_question *input, const struct attached
     row->sensor = input->sharp.sensor.name;
     row->criterion = input->sharp.coc.criterion;
     row->wavelength = photo_lens_light(lens, sharpness_is_airy(&input->sharp));
-    row->model = input->rays.exact ? "rays" : dof_models[input->model].word;
+    row->model = input->lens.rays.exact ? "rays" : dof_models[input->model].word;
     row->from = distances_from[input->lens.from].word;
     /* What attachments, squeeze and T-stop add to a row. */
     double transmittance, T = input->t_stop;
@@ -338,7 +338,7 @@ static bool dof_answer(const void *data, const struct photo_lens *lens, struct r
     }
     if (!dof_question_solve(input, &attached, setting, error) ||
         !dof_compute(setting, (enum dof_model)input->model, &row.dof, error) ||
-        (input->rays.exact &&
+        (input->lens.rays.exact &&
          !dof_question_by_rays(input, &attached, run, setting, &row.dof, &row.rays, error)) ||
         !dof_fill_row(input, &attached, &row, error)) {
         return false;
@@ -413,7 +413,7 @@ static const struct explanation explanations[] = {
 static bool check_scale(const struct artifact_job *job, struct error *error)
 {
     const struct dof_question *input = job->inputs[0];
-    return !input->rays.exact ||
+    return !input->lens.rays.exact ||
            fail(error, ERROR_USAGE, "{--scale} draws what formulas say: it excludes {--exact}");
 }
 
@@ -436,7 +436,7 @@ static const struct example examples[] = {
     {NULL, NULL},
 };
 
-BY_RAYS_WEIGHT(rays)
+BY_RAYS_WEIGHT(lens.rays)
 
 const struct command command_dof = {
     .name = "dof",

@@ -70,7 +70,7 @@ static const struct option options[] = {
     {MEASURE(given.C, number, NULL, "C"), .name = "meter-c", .quantity = "meter constant C",
      .column = "meter_c", ABOVE_0, .fallback = "250",
      .help = "constant of the incident-light meter: 250 flat, 340 with a dome"},
-    BY_RAYS_EXACT_OPTION(rays, "T-stop of --lens by its rays, in place of the f-number"),
+    BY_RAYS_EXACT_OPTION(lens.rays, "T-stop of --lens by its rays, in place of the f-number"),
     {ASKED(fresnel), .name = "fresnel", .wants = "exact",
      .help = "with what its uncoated faces reflect"},
     OPTION_KELVIN(lamps.kelvin, "kelvin",
@@ -212,7 +212,7 @@ static bool take_lens_light(const struct photo_lens *lens, struct run *run,
                             struct exposure_input *own, struct by_rays_row *row,
                             struct error *error)
 {
-    if (own->rays.exact) {
+    if (own->lens.rays.exact) {
         /* its T-stop as the transmittance that gives it: of its f-number and extension, which count
            too, whatever the rays make of these */
         const double m = own->magnification, near = isnan(m) ? 0 : m;
@@ -235,8 +235,7 @@ static bool take_lens_light(const struct photo_lens *lens, struct run *run,
             return fail(error, ERROR_USAGE, "{--exact} finds the T-stop: it excludes {--%s}",
                         !isnan(own->t_stop) ? "t-stop" : "transmittance");
         }
-        const struct by_rays_question question = {&own->rays, &own->lens, lens, distance, 0};
-        if (!by_rays_open(&question, run, &focus, row, error) ||
+        if (!by_rays_open(&own->lens, lens, distance, 0, run, &focus, row, error) ||
             !real_focus_point(&focus, object, &point, error)) {
             return false;
         }
@@ -277,7 +276,7 @@ static bool exposure_row_answer(const void *data, const struct photo_lens *lens,
     row.real = *lens->real;
     row.pupil = lens->P;
     row.spectrum = rays.spectrum;
-    if (!input->rays.exact) {
+    if (!input->lens.rays.exact) {
         row.traced = NULL;
     } else if (input->fresnel) {
         row.traced = "rays of the lens, its faces uncoated";
@@ -379,7 +378,7 @@ static const struct example examples[] = {
     {NULL, NULL},
 };
 
-BY_RAYS_WEIGHT(rays)
+BY_RAYS_WEIGHT(lens.rays)
 
 const struct command command_exposure = {
     .name = "exposure",

@@ -34,7 +34,6 @@ struct fov_input {
     double horizontal, vertical, diagonal;            /* wanted angles, rad */
     double field_width, field_height, field_diagonal; /* wanted fields, mm */
     double altitude, gsd, pitch;                      /* of a camera in the air, mm */
-    struct by_rays rays;
     int focus_by;
     const char *gap;
     /* of a lens that is focused by its gaps, as it stands for infinity, and its position */
@@ -88,8 +87,8 @@ static const struct option options[] = {
     {MEASURE(gsd, length, "cm", "LENGTH"), REPEATED("gsd"), .quantity = "ground sample", ABOVE_0,
      .help = "wanted ground sampling distance, in place of --altitude: solves for it"},
     OPTION_PITCH_ALONE(pitch, "altitude|gsd", "pixel pitch (otherwise that of the camera)"),
-    BY_RAYS_EXACT_OPTION(rays, "put the sensor where the rays of --lens are sharpest"),
-    BY_RAYS_CRITERION_OPTION(rays),
+    BY_RAYS_EXACT_OPTION(lens.rays, "put the sensor where the rays of --lens are sharpest"),
+    BY_RAYS_CRITERION_OPTION(lens.rays),
     {ASKED(focus_by), .name = "focus-by", .words = focusings, .fallback = "lens", .wants = "lens",
      .excludes = "gap", .value = "HOW", .help = "how --lens is focused; adds how much it breathes"},
     {ASKED(gap), .name = "gap", .wants = "lens", .value = "GAPS",
@@ -219,8 +218,7 @@ static bool place_film(const struct fov_input *input, const struct photo_lens *l
         return fail(error, ERROR_USAGE,
                     "{--exact} moves the whole lens to where it is sharpest: it excludes {--gap}");
     }
-    const struct by_rays_question question = {&input->rays, &input->lens, lens, *distance, 0};
-    return by_rays_open(&question, run, &focus, row, error) &&
+    return by_rays_open(&input->lens, lens, *distance, 0, run, &focus, row, error) &&
            (input->lens.from != FROM_SENSOR || isinf(*distance) ||
             by_rays_distance(&focus, lens, *distance, input->distance, distance, error)) &&
            by_rays_image(&focus, lens, *distance, image, &row->blur, error);
@@ -234,7 +232,8 @@ static bool find_breathing(const struct fov_input *input, const struct photo_len
     double image = far->f, distance = INFINITY;
     struct by_rays_row ignored;
     struct view view;
-    if ((input->rays.exact && !place_film(input, far, &distance, run, &image, &ignored, error)) ||
+    if ((input->lens.rays.exact &&
+         !place_film(input, far, &distance, run, &image, &ignored, error)) ||
         !trace_view(input, far, INFINITY, image, run->arena, &view, error)) {
         return false;
     }
@@ -374,7 +373,7 @@ static bool fov_answer(const void *data, const struct photo_lens *lens, struct r
     if (input->position != NULL) {
         row.real.position = input->position;
     }
-    if ((input->rays.exact &&
+    if ((input->lens.rays.exact &&
          !place_film(input, lens, &row.setting.s, run, &row.image, &row.rays, error)) ||
         (wants_rays(input, lens) && !look_by_rays(input, lens, run, &row, error)) ||
         !fill_ground(input, &row, run, error)) {
@@ -511,7 +510,7 @@ static const struct example examples[] = {
 
 PHOTO_LENS_MAKES_MANY(lens)
 
-BY_RAYS_WEIGHT(rays)
+BY_RAYS_WEIGHT(lens.rays)
 
 const struct command command_fov = {
     .name = "fov",

@@ -77,7 +77,7 @@ bool dof_question_open(const struct dof_question *input, const struct photo_lens
                        struct photo_lens *room, struct attached_lens *attached,
                        struct dof_setting *setting, struct error *error)
 {
-    return (!input->rays.exact || dof_question_check_rays(input, error)) &&
+    return (!input->lens.rays.exact || dof_question_check_rays(input, error)) &&
            attachments_apply(&input->attached, lens, room, attached, error) &&
            dof_question_set_up(input, attached, setting, error);
 }
@@ -246,9 +246,7 @@ bool dof_question_by_rays(const struct dof_question *input, const struct attache
     struct real_focus focus;
     struct real_range range;
     double blur; /* of infinity */
-    const struct by_rays_question question = {&input->rays, &input->lens, lens, setting->s,
-                                              setting->c};
-    if (!by_rays_open(&question, run, &focus, rays, error) ||
+    if (!by_rays_open(&input->lens, lens, setting->s, setting->c, run, &focus, rays, error) ||
         (input->lens.from == FROM_SENSOR && !isnan(input->distance) &&
          !by_rays_distance(&focus, lens, setting->s, input->distance, &setting->s, error)) ||
         !real_range_find(&focus, front, setting->s, setting->c, &range, error) ||

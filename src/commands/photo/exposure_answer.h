@@ -5,7 +5,6 @@
 
 #include "base/error.h"
 #include "cli/options/option_light.h"
-#include "commands/photo/by_rays.h"
 #include "commands/photo/photo_lens.h"
 #include "photo/exposure.h"
 
@@ -41,8 +40,7 @@ struct exposure_input {
     bool equivalent;
     struct photo_lens_question lens;
     struct lamps lamps;
-    struct by_rays rays; /* the light of the lens by its rays */
-    bool fresnel;        /* with what its faces reflect */
+    bool fresnel; /* with what its faces reflect */
 };
 
 /* Everything about one exposure; NaN and null = absent. */

@@ -13,6 +13,12 @@
 
 #include <math.h>
 
+/* Whether an answer by rays is wanted, and what counts as sharp. */
+struct by_rays {
+    bool exact;
+    const char *criterion; /* "rms", "energy80", "mtf@40/mm" */
+};
+
 /*
  * Which lens is asked for: a thin one, or a real one and how it is set. The options of a command
  * fill it. A number that is not given is NaN, or 0 where the command has no option for it.
@@ -25,6 +31,7 @@ struct photo_lens_question {
     double wavelength;     /* mm */
     double fnumber, pupil; /* in place of those of a real lens */
     int from;              /* enum distance_from */
+    struct by_rays rays;
 };
 
 /* What the answer makes of it; added up. */
