@@ -242,19 +242,6 @@ static void draw_labels(struct abbe_drawing *drawing, bool chosen)
     }
 }
 
-static void abbe_draw_legend(const struct abbe_drawing *drawing)
-{
-    const struct abbe *abbe = drawing->abbe;
-    double x = ABBE_WIDTH - LEGEND_WIDTH + 14, y = TOP + 10;
-    for (size_t group = 0; group < abbe->group_count; group++, y += 19) {
-        const struct svg_style style = {.fill = palette_colour(group)};
-        svg_group_begin(drawing->svg, &style);
-        abbe_draw_mark(drawing->svg, group, x, y, 4);
-        svg_group_end(drawing->svg);
-        svg_words(drawing->svg, x + 11, y + 4, NUMBER_SIZE, SVG_START, NULL, abbe->groups[group]);
-    }
-}
-
 bool abbe_draw(const struct abbe *abbe, struct svg *svg, struct error *error)
 {
     struct abbe_drawing drawing = {.abbe = abbe, .svg = svg};
@@ -276,7 +263,14 @@ bool abbe_draw(const struct abbe *abbe, struct svg *svg, struct error *error)
     draw_points(&drawing, true);
     draw_labels(&drawing, true);
     draw_labels(&drawing, false);
-    abbe_draw_legend(&drawing);
+    double x = ABBE_WIDTH - LEGEND_WIDTH + 14, y = TOP + 10;
+    for (size_t group = 0; group < abbe->group_count; group++, y += 19) {
+        const struct svg_style style = {.fill = palette_colour(group)};
+        svg_group_begin(drawing.svg, &style);
+        abbe_draw_mark(drawing.svg, group, x, y, 4);
+        svg_group_end(drawing.svg);
+        svg_words(drawing.svg, x + 11, y + 4, NUMBER_SIZE, SVG_START, NULL, abbe->groups[group]);
+    }
     svg_end(svg);
     return true;
 }

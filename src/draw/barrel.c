@@ -333,39 +333,6 @@ static void barrel_draw_area(struct svg *svg, const struct svg_style *style, dou
     svg_styled_rect(svg, style, left, top, right - left, bottom - top);
 }
 
-/* Both rings, and over them what is sharp at the chosen f-number. */
-static void draw_rings(struct svg *svg, const struct scale *scale, const struct barrel_mark *mark)
-{
-    double left = fmax(barrel_position(scale, mark->near_diopter), MARGIN);
-    double right = fmin(barrel_position(scale, mark->far_diopter), BARREL_WIDTH - MARGIN);
-    struct svg_style black = {.fill = BLACK}, chrome = {.fill = CHROME, .stroke = "#999"};
-    struct svg_style dim = {.fill = "#4fa3d8", .opacity = 0.45};
-    struct svg_style tint = {.fill = "#56b4e9", .opacity = 0.4};
-    barrel_draw_area(svg, &black, MARGIN, RING_TOP, BARREL_WIDTH - MARGIN, RING_BOTTOM);
-    barrel_draw_area(svg, &chrome, MARGIN, FIXED_TOP, BARREL_WIDTH - MARGIN, FIXED_BOTTOM);
-    barrel_draw_area(svg, &dim, left, RING_TOP, right, RING_BOTTOM);
-    barrel_draw_area(svg, &tint, left, FIXED_TOP, right, FIXED_BOTTOM);
-}
-
-static void barrel_draw_axis(struct svg *svg, const struct scale *scale)
-{
-    struct ticks ticks;
-    ticks_linear(scale->right_diopter, scale->left_diopter, &ticks);
-    svg_group_begin(svg, &(struct svg_style){.stroke = "#555", .width = 1});
-    svg_line(svg, MARGIN, AXIS, BARREL_WIDTH - MARGIN, AXIS);
-    for (size_t i = 0; i < ticks.count; i++) {
-        double x = barrel_position(scale, ticks.value[i]);
-        if (!on_scale(scale, ticks.value[i])) {
-            continue;
-        }
-        svg_line(svg, x, AXIS, x, AXIS + 5);
-        svg_words(svg, x, AXIS + 19, 12, SVG_MIDDLE, "#444", ticks_text(svg->arena, &ticks, i));
-    }
-    svg_group_end(svg);
-    svg_words(svg, BARREL_WIDTH / 2, AXIS + 40, 13, SVG_MIDDLE, "#444",
-              "1 / distance (dioptres, 1/m)");
-}
-
 /* "3 m (9.84 ft)", or the infinity sign. */
 static const char *distance_text(struct arena *arena, double diopter)
 {
@@ -396,13 +363,6 @@ static void barrel_draw_legend(struct svg *svg, const struct barrel *barrel)
                                   distance_text(arena, mark->far_diopter)));
 }
 
-static void barrel_draw_words(struct svg *svg, const struct barrel *barrel)
-{
-    double width = BARREL_WIDTH - 2 * MARGIN;
-    svg_heading(svg, MARGIN, 36, 18, width, barrel->title);
-    svg_words_within(svg, MARGIN, 60, 13, width, "#555", barrel->subtitle);
-}
-
 bool barrel_draw(const struct barrel *barrel, struct svg *svg, struct error *error)
 {
     if (!check_barrel(barrel, error)) {
@@ -411,8 +371,20 @@ bool barrel_draw(const struct barrel *barrel, struct svg *svg, struct error *err
     double nearest = nearest_of(barrel);
     struct scale scale = barrel_scale_of(barrel, nearest);
     svg_begin(svg, BARREL_WIDTH, BARREL_HEIGHT, barrel->title);
-    barrel_draw_words(svg, barrel);
-    draw_rings(svg, &scale, &barrel->marks[barrel->chosen]);
+    double width = BARREL_WIDTH - 2 * MARGIN;
+    svg_heading(svg, MARGIN, 36, 18, width, barrel->title);
+    svg_words_within(svg, MARGIN, 60, 13, width, "#555", barrel->subtitle);
+    /* Both rings, and over them what is sharp at the chosen f-number. */
+    const struct barrel_mark *mark = &barrel->marks[barrel->chosen];
+    double left = fmax(barrel_position(&scale, mark->near_diopter), MARGIN);
+    double right = fmin(barrel_position(&scale, mark->far_diopter), BARREL_WIDTH - MARGIN);
+    struct svg_style black = {.fill = BLACK}, chrome = {.fill = CHROME, .stroke = "#999"};
+    struct svg_style dim = {.fill = "#4fa3d8", .opacity = 0.45};
+    struct svg_style tint = {.fill = "#56b4e9", .opacity = 0.4};
+    barrel_draw_area(svg, &black, MARGIN, RING_TOP, BARREL_WIDTH - MARGIN, RING_BOTTOM);
+    barrel_draw_area(svg, &chrome, MARGIN, FIXED_TOP, BARREL_WIDTH - MARGIN, FIXED_BOTTOM);
+    barrel_draw_area(svg, &dim, left, RING_TOP, right, RING_BOTTOM);
+    barrel_draw_area(svg, &tint, left, FIXED_TOP, right, FIXED_BOTTOM);
     draw_focus_ring(svg, &scale, nearest);
     draw_pairs(svg, &scale, barrel);
     double x = barrel_position(&scale, barrel->focus_diopter);
@@ -421,7 +393,21 @@ bool barrel_draw(const struct barrel *barrel, struct svg *svg, struct error *err
     svg_group_begin(svg, &(struct svg_style){.fill = RED});
     svg_path(svg, x, FIXED_TOP, "M0 0L6 11 -6 11z");
     svg_group_end(svg);
-    barrel_draw_axis(svg, &scale);
+    struct ticks ticks;
+    ticks_linear(scale.right_diopter, scale.left_diopter, &ticks);
+    svg_group_begin(svg, &(struct svg_style){.stroke = "#555", .width = 1});
+    svg_line(svg, MARGIN, AXIS, BARREL_WIDTH - MARGIN, AXIS);
+    for (size_t i = 0; i < ticks.count; i++) {
+        double at = barrel_position(&scale, ticks.value[i]);
+        if (!on_scale(&scale, ticks.value[i])) {
+            continue;
+        }
+        svg_line(svg, at, AXIS, at, AXIS + 5);
+        svg_words(svg, at, AXIS + 19, 12, SVG_MIDDLE, "#444", ticks_text(svg->arena, &ticks, i));
+    }
+    svg_group_end(svg);
+    svg_words(svg, BARREL_WIDTH / 2, AXIS + 40, 13, SVG_MIDDLE, "#444",
+              "1 / distance (dioptres, 1/m)");
     barrel_draw_legend(svg, barrel);
     svg_end(svg);
     return true;

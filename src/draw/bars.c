@@ -28,39 +28,6 @@ static double bars_y_at(const struct bars_page *page, double value)
     return page->bottom - (value - low) / (high - low) * (page->bottom - page->top);
 }
 
-static bool bars_find_range(const struct bars *bars, double *low, double *high, struct error *error)
-{
-    const double longest = 1e100;
-    bool any = false;
-    *low = *high = 0;
-    for (size_t g = 0; g < bars->group_count; g++) {
-        for (size_t k = 0; k < bars->kind_count; k++) {
-            const double value = bars->groups[g].values[k];
-            if (isfinite(value)) {
-                any = true;
-                *low = fmin(*low, value);
-                *high = fmax(*high, value);
-            }
-        }
-    }
-    return (any && fmax(*high, -*low) <= longest) ||
-           fail(error, ERROR_DOMAIN, "no bar has a length that can be drawn");
-}
-
-static void bars_draw_words(const struct bars *bars, const struct bars_page *page, struct svg *svg)
-{
-    const double room = page->width - LEFT - 12;
-    const struct svg_label title = {
-        .x = LEFT, .y = 30, .size = TITLE_SIZE, .width = room, .bold = true};
-    const struct svg_label subtitle = {
-        .x = LEFT, .y = 50, .size = LABEL_SIZE, .width = room, .colour = "#555"};
-    svg_text(svg, &title, bars->title != NULL ? bars->title : "");
-    svg_text(svg, &subtitle, bars->subtitle != NULL ? bars->subtitle : "");
-    svg_words(svg, (LEFT + page->width - RIGHT) / 2, page->bottom + 48, LABEL_SIZE, SVG_MIDDLE,
-              NULL, bars->x_label);
-    svg_words_upwards(svg, 22, (page->top + page->bottom) / 2, LABEL_SIZE, bars->y_label);
-}
-
 /* In as many lines as it takes. Result: the y of the last; `svg` null: nothing is drawn. */
 static double bars_draw_legend(const struct bars *bars, double width, struct svg *svg)
 {
@@ -79,19 +46,6 @@ static double bars_draw_legend(const struct bars *bars, double width, struct svg
         x += needed + 16;
     }
     return y;
-}
-
-static void bars_draw_grid(const struct bars_page *page, struct svg *svg)
-{
-    const double right = page->width - RIGHT;
-    for (size_t i = 0; i < page->ticks.count; i++) {
-        const double y = bars_y_at(page, page->ticks.value[i]);
-        svg_styled_line(svg, &(struct svg_style){.stroke = "#d4d4d4", .width = 0.8}, LEFT, y, right,
-                        y);
-        svg_styled_line(svg, &(struct svg_style){.stroke = "#333"}, LEFT - 5, y, LEFT, y);
-        svg_words(svg, LEFT - 9, y + 4, NUMBER_SIZE, SVG_END, NULL,
-                  ticks_text(svg->arena, &page->ticks, i));
-    }
 }
 
 static void draw_group(const struct bars *bars, size_t g, const struct bars_page *page,
@@ -129,8 +83,21 @@ bool bars_draw(const struct bars *bars, struct svg *svg, struct error *error)
         return fail(error, ERROR_USAGE, "%zu groups of bars: at most %d can be read",
                     bars->group_count, MOST_GROUPS);
     }
-    if (!bars_find_range(bars, &low, &high, error)) {
-        return false;
+    const double longest = 1e100;
+    bool any = false;
+    low = high = 0;
+    for (size_t g = 0; g < bars->group_count; g++) {
+        for (size_t k = 0; k < bars->kind_count; k++) {
+            const double value = bars->groups[g].values[k];
+            if (isfinite(value)) {
+                any = true;
+                low = fmin(low, value);
+                high = fmax(high, value);
+            }
+        }
+    }
+    if (!any || !(fmax(high, -low) <= longest)) {
+        return fail(error, ERROR_DOMAIN, "no bar has a length that can be drawn");
     }
     page.pitch = (page.width - LEFT - RIGHT) / count;
     page.bar = fmin(WIDEST_BAR, (page.pitch - GAP) / kinds);
@@ -145,7 +112,15 @@ bool bars_draw(const struct bars *bars, struct svg *svg, struct error *error)
         }
     }
     svg_group_end(svg);
-    bars_draw_grid(&page, svg);
+    const double right = page.width - RIGHT;
+    for (size_t i = 0; i < page.ticks.count; i++) {
+        const double y = bars_y_at(&page, page.ticks.value[i]);
+        svg_styled_line(svg, &(struct svg_style){.stroke = "#d4d4d4", .width = 0.8}, LEFT, y, right,
+                        y);
+        svg_styled_line(svg, &(struct svg_style){.stroke = "#333"}, LEFT - 5, y, LEFT, y);
+        svg_words(svg, LEFT - 9, y + 4, NUMBER_SIZE, SVG_END, NULL,
+                  ticks_text(svg->arena, &page.ticks, i));
+    }
     for (size_t g = 0; g < bars->group_count; g++) {
         draw_group(bars, g, &page, svg);
     }
@@ -154,7 +129,12 @@ bool bars_draw(const struct bars *bars, struct svg *svg, struct error *error)
     svg_line(svg, LEFT, page.top, LEFT, page.bottom);
     svg_group_end(svg);
     bars_draw_legend(bars, page.width, svg);
-    bars_draw_words(bars, &page, svg);
+    const double room = page.width - LEFT - 12;
+    svg_heading(svg, LEFT, 30, TITLE_SIZE, room, bars->title);
+    svg_words_within(svg, LEFT, 50, LABEL_SIZE, room, "#555", bars->subtitle);
+    svg_words(svg, (LEFT + page.width - RIGHT) / 2, page.bottom + 48, LABEL_SIZE, SVG_MIDDLE, NULL,
+              bars->x_label);
+    svg_words_upwards(svg, 22, (page.top + page.bottom) / 2, LABEL_SIZE, bars->y_label);
     svg_end(svg);
     return true;
 }

@@ -29,24 +29,6 @@ static double page_y(const struct grid_image_page *page, double y)
     return TOP + SIDE / 2 * (1 - y / page->reach);
 }
 
-static bool grid_image_find_reach(const struct grid_image *grid, double *reach, struct error *error)
-{
-    const size_t count = 2 * grid->lines * grid->points;
-    bool any = false;
-    *reach = grid->half;
-    for (size_t i = 0; i < count; i++) {
-        const double far = fmax(fabs(grid->x[i]), fabs(grid->y[i]));
-        if (isfinite(far)) {
-            *reach = fmax(*reach, far);
-            any = true;
-        }
-    }
-    *reach *= MARGIN;
-    return any || fail(error, ERROR_DOMAIN,
-                       "no point of the grid is imaged: there is nothing to "
-                       "draw");
-}
-
 static void grid_image_draw_axes(const struct grid_image_page *page)
 {
     struct ticks ticks;
@@ -80,68 +62,58 @@ static void grid_image_draw_axes(const struct grid_image_page *page)
 static const struct svg_style ideal_style = {.stroke = "#777777", .dash = "5 4", .width = 1};
 static const struct svg_style image_style = {.stroke = "#0060a0", .width = 1.6};
 
-static void draw_ideal(const struct grid_image_page *page)
-{
-    const struct grid_image *grid = page->grid;
-    svg_group_begin(page->svg, &ideal_style);
-    for (size_t k = 0; k < grid->lines; k++) {
-        const double at =
-            grid->half * (2 * (double)k / (double)(grid->lines > 1 ? grid->lines - 1 : 1) - 1);
-        const double low = page_x(page, -grid->half), high = page_x(page, grid->half);
-        svg_line(page->svg, low, page_y(page, at), high, page_y(page, at));
-        svg_line(page->svg, page_x(page, at), page_y(page, -grid->half), page_x(page, at),
-                 page_y(page, grid->half));
-    }
-    svg_group_end(page->svg);
-}
-
-static void draw_image(const struct grid_image_page *page, double *x, double *y)
-{
-    const struct grid_image *grid = page->grid;
-    svg_clip_begin(page->svg, LEFT, TOP, SIDE, SIDE);
-    svg_group_begin(page->svg, &image_style);
-    for (size_t k = 0; k < 2 * grid->lines; k++) {
-        for (size_t i = 0; i < grid->points; i++) {
-            x[i] = page_x(page, grid->x[k * grid->points + i]);
-            y[i] = page_y(page, grid->y[k * grid->points + i]);
-        }
-        svg_polyline(page->svg, x, y, grid->points);
-    }
-    svg_group_end(page->svg);
-    svg_group_end(page->svg);
-}
-
-static void grid_image_draw_legend(const struct grid_image_page *page)
-{
-    const double y = TOP + SIDE + 66, middle = LEFT + SIDE / 2;
-    const struct grid_image *grid = page->grid;
-    svg_styled_line(page->svg, &image_style, LEFT, y - 4, LEFT + 34, y - 4);
-    svg_words(page->svg, LEFT + 42, y, 12, SVG_START, NULL, grid->image_label);
-    svg_styled_line(page->svg, &ideal_style, middle, y - 4, middle + 34, y - 4);
-    svg_words(page->svg, middle + 42, y, 12, SVG_START, NULL, grid->ideal_label);
-}
-
 bool grid_image_draw(const struct grid_image *grid, struct svg *svg, struct error *error)
 {
     struct grid_image_page page = {.grid = grid, .svg = svg};
-    if (!grid_image_find_reach(grid, &page.reach, error)) {
-        return false;
+    const size_t count = 2 * grid->lines * grid->points;
+    bool any = false;
+    page.reach = grid->half;
+    for (size_t i = 0; i < count; i++) {
+        const double far = fmax(fabs(grid->x[i]), fabs(grid->y[i]));
+        if (isfinite(far)) {
+            page.reach = fmax(page.reach, far);
+            any = true;
+        }
+    }
+    page.reach *= MARGIN;
+    if (!any) {
+        return fail(error, ERROR_DOMAIN,
+                    "no point of the grid is imaged: there is nothing to draw");
     }
     const double width = LEFT + SIDE + RIGHT, room = width - 48;
     double *x = ARENA_ARRAY(svg->arena, grid->points, double);
     double *y = ARENA_ARRAY(svg->arena, grid->points, double);
     svg_begin(svg, width, TOP + SIDE + BOTTOM, grid->title);
-    const struct svg_label title = {
-        .x = 24, .y = 32, .size = 16, .width = 0.93 * room, .bold = true};
-    svg_text(svg, &title, grid->title);
-    const struct svg_label subtitle = {.x = 24, .y = 54, .size = 12, .width = room};
-    svg_text(svg, &subtitle, grid->subtitle);
-    const struct svg_label note = {.x = 24, .y = 72, .size = 12, .width = room};
-    svg_text(svg, &note, grid->note);
+    svg_heading(svg, 24, 32, 16, 0.93 * room, grid->title);
+    svg_words_within(svg, 24, 54, 12, room, NULL, grid->subtitle);
+    svg_words_within(svg, 24, 72, 12, room, NULL, grid->note);
     grid_image_draw_axes(&page);
-    draw_ideal(&page);
-    draw_image(&page, x, y);
-    grid_image_draw_legend(&page);
+    svg_group_begin(page.svg, &ideal_style);
+    for (size_t k = 0; k < grid->lines; k++) {
+        const double at =
+            grid->half * (2 * (double)k / (double)(grid->lines > 1 ? grid->lines - 1 : 1) - 1);
+        const double low = page_x(&page, -grid->half), high = page_x(&page, grid->half);
+        svg_line(page.svg, low, page_y(&page, at), high, page_y(&page, at));
+        svg_line(page.svg, page_x(&page, at), page_y(&page, -grid->half), page_x(&page, at),
+                 page_y(&page, grid->half));
+    }
+    svg_group_end(page.svg);
+    svg_clip_begin(page.svg, LEFT, TOP, SIDE, SIDE);
+    svg_group_begin(page.svg, &image_style);
+    for (size_t k = 0; k < 2 * grid->lines; k++) {
+        for (size_t i = 0; i < grid->points; i++) {
+            x[i] = page_x(&page, grid->x[k * grid->points + i]);
+            y[i] = page_y(&page, grid->y[k * grid->points + i]);
+        }
+        svg_polyline(page.svg, x, y, grid->points);
+    }
+    svg_group_end(page.svg);
+    svg_group_end(page.svg);
+    const double below = TOP + SIDE + 66, middle = LEFT + SIDE / 2;
+    svg_styled_line(page.svg, &image_style, LEFT, below - 4, LEFT + 34, below - 4);
+    svg_words(page.svg, LEFT + 42, below, 12, SVG_START, NULL, grid->image_label);
+    svg_styled_line(page.svg, &ideal_style, middle, below - 4, middle + 34, below - 4);
+    svg_words(page.svg, middle + 42, below, 12, SVG_START, NULL, grid->ideal_label);
     svg_end(svg);
     return true;
 }

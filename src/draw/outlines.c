@@ -22,21 +22,6 @@ struct outlines_page {
     double x, y;  /* origin of the cell's shape */
 };
 
-static double outlines_farthest(const struct outlines *outlines)
-{
-    double most = 0;
-    for (size_t i = 0; i < outlines->count; i++) {
-        const struct pupil_outline *shape = &outlines->shapes[i];
-        for (size_t k = 0; k < shape->count; k++) {
-            most = fmax(most, fmax(fabs(shape->points[k][0]), fabs(shape->points[k][1])));
-        }
-        for (size_t k = 0; k < shape->dashed_count; k++) {
-            most = fmax(most, fmax(fabs(shape->dashed[k][0]), fabs(shape->dashed[k][1])));
-        }
-    }
-    return most;
-}
-
 static void draw_shape(struct svg *svg, const struct outlines_page *page, const double (*points)[2],
                        size_t count)
 {
@@ -53,34 +38,14 @@ static void draw_shape(struct svg *svg, const struct outlines_page *page, const 
 
 static void outlines_draw_words(struct svg *svg, double x, double y, bool bold, const char *words)
 {
-    if (words != NULL) {
-        const struct svg_label label = {.x = x,
-                                        .y = y,
-                                        .size = 13,
-                                        .width = CELL - 8,
-                                        .anchor = SVG_MIDDLE,
-                                        .colour = bold ? "#1d1d1d" : "#444",
-                                        .bold = bold};
-        svg_text(svg, &label, words);
-    }
-}
-
-static void draw_cell(struct svg *svg, const struct outlines_page *page,
-                      const struct pupil_outline *shape)
-{
-    svg_group_begin(svg, &(struct svg_style){.stroke = "#ccc", .width = 1});
-    svg_line(svg, page->x - HALF - 6, page->y, page->x + HALF + 6, page->y);
-    svg_line(svg, page->x, page->y - HALF - 6, page->x, page->y + HALF + 6);
-    svg_group_end(svg);
-    svg_group_begin(
-        svg, &(struct svg_style){.stroke = BLUE, .fill = TINT, .width = 1.4, .opacity = 0.75});
-    draw_shape(svg, page, shape->points, shape->count);
-    svg_group_end(svg);
-    svg_group_begin(svg, &(struct svg_style){.stroke = GREY, .width = 1, .dash = "4 3"});
-    draw_shape(svg, page, shape->dashed, shape->dashed_count);
-    svg_group_end(svg);
-    outlines_draw_words(svg, page->x, page->y - HALF - 16, true, shape->label);
-    outlines_draw_words(svg, page->x, page->y + HALF + 24, false, shape->note);
+    const struct svg_label label = {.x = x,
+                                    .y = y,
+                                    .size = 13,
+                                    .width = CELL - 8,
+                                    .anchor = SVG_MIDDLE,
+                                    .colour = bold ? "#1d1d1d" : "#444",
+                                    .bold = bold};
+    svg_text(svg, &label, words);
 }
 
 static void draw_foot(struct svg *svg, const struct outlines *outlines, double scale, double y)
@@ -102,21 +67,19 @@ static void draw_foot(struct svg *svg, const struct outlines *outlines, double s
     }
 }
 
-/* At least as wide as what is written below it. */
-static double page_width(const struct outlines *outlines, size_t across)
-{
-    double words = MARGIN + 160 + HALF;
-    for (int i = 0; i < 2; i++) {
-        const char *legend = outlines->legend[i];
-        words += legend != NULL ? 40 + svg_text_width(legend, 13) : 0;
-    }
-    words = fmax(words, 2 * MARGIN + svg_text_width(outlines->title, 17));
-    return fmax(words, 2 * MARGIN + (double)across * CELL);
-}
-
 bool outlines_draw(const struct outlines *outlines, struct svg *svg, struct error *error)
 {
-    double most = outlines_farthest(outlines);
+    double farthest = 0;
+    for (size_t i = 0; i < outlines->count; i++) {
+        const struct pupil_outline *shape = &outlines->shapes[i];
+        for (size_t k = 0; k < shape->count; k++) {
+            farthest = fmax(farthest, fmax(fabs(shape->points[k][0]), fabs(shape->points[k][1])));
+        }
+        for (size_t k = 0; k < shape->dashed_count; k++) {
+            farthest = fmax(farthest, fmax(fabs(shape->dashed[k][0]), fabs(shape->dashed[k][1])));
+        }
+    }
+    double most = farthest;
     if (outlines->count > MOST) {
         return fail(error, ERROR_USAGE, "a drawing of %zu shapes: at most %d can be distinguished",
                     outlines->count, MOST);
@@ -126,7 +89,15 @@ bool outlines_draw(const struct outlines *outlines, struct svg *svg, struct erro
     }
     size_t across = outlines->count < ACROSS ? outlines->count : ACROSS;
     size_t down = (outlines->count + across - 1) / across;
-    double width = page_width(outlines, across), tall = HEAD + 2 * HALF + FOOT + 16;
+    /* At least as wide as what is written below it. */
+    double words = MARGIN + 160 + HALF;
+    for (int i = 0; i < 2; i++) {
+        const char *legend = outlines->legend[i];
+        words += legend != NULL ? 40 + svg_text_width(legend, 13) : 0;
+    }
+    words = fmax(words, 2 * MARGIN + svg_text_width(outlines->title, 17));
+    double width = fmax(words, 2 * MARGIN + (double)across * CELL),
+           tall = HEAD + 2 * HALF + FOOT + 16;
     double height = TOP + (double)down * tall + BOTTOM, scale = HALF / most;
     svg_begin(svg, width, height, outlines->title);
     svg_heading(svg, MARGIN, 30, 17, width - 2 * MARGIN, outlines->title);
@@ -139,7 +110,19 @@ bool outlines_draw(const struct outlines *outlines, struct svg *svg, struct erro
             .x = MARGIN + ((double)(i % across) + 0.5) * CELL,
             .y = TOP + (double)(i / across) * tall + HEAD + HALF,
         };
-        draw_cell(svg, &page, &outlines->shapes[i]);
+        svg_group_begin(svg, &(struct svg_style){.stroke = "#ccc", .width = 1});
+        svg_line(svg, page.x - HALF - 6, page.y, page.x + HALF + 6, page.y);
+        svg_line(svg, page.x, page.y - HALF - 6, page.x, page.y + HALF + 6);
+        svg_group_end(svg);
+        svg_group_begin(
+            svg, &(struct svg_style){.stroke = BLUE, .fill = TINT, .width = 1.4, .opacity = 0.75});
+        draw_shape(svg, &page, outlines->shapes[i].points, outlines->shapes[i].count);
+        svg_group_end(svg);
+        svg_group_begin(svg, &(struct svg_style){.stroke = GREY, .width = 1, .dash = "4 3"});
+        draw_shape(svg, &page, outlines->shapes[i].dashed, outlines->shapes[i].dashed_count);
+        svg_group_end(svg);
+        outlines_draw_words(svg, page.x, page.y - HALF - 16, true, outlines->shapes[i].label);
+        outlines_draw_words(svg, page.x, page.y + HALF + 24, false, outlines->shapes[i].note);
     }
     draw_foot(svg, outlines, scale, height - BOTTOM / 2);
     svg_end(svg);

@@ -41,61 +41,26 @@ static double words_from(bool spots)
     return spots ? 14 : SAMPLE + 8;
 }
 
-static double entry_width(const char *words, bool spots)
-{
-    return words_from(spots) + svg_text_width(words, WORDS) + 18;
-}
-
-/* Are the keys used by spots only? Then their samples are spots. */
-static bool only_spots(const struct panels *panels)
-{
-    bool spots = true;
-    for (size_t i = 0; i < panels->count; i++) {
-        for (size_t s = 0; s < panels->panels[i].count; s++) {
-            spots = spots && panels->panels[i].series[s].spots;
-        }
-    }
-    return spots;
-}
-
-static void draw_sample(const struct panels_page *page, size_t key, const struct pen *pen,
-                        bool spots)
-{
-    const double x[2] = {pen->x + (spots ? 5 : 0), pen->x + SAMPLE};
-    const double y[2] = {pen->y - 4, pen->y - 4};
-    const struct panels_mark mark = {
-        .x = x, .y = y, .count = spots ? 1 : 2, .key = key, .spots = spots, .large = true};
-    panels_marks_draw(page->panels, page->svg, &mark);
-}
-
-static void draw_entry(const struct panels_page *page, size_t key, const struct pen *pen,
-                       bool spots)
-{
-    const struct panels *panels = page->panels;
-    bool circle = panels->keys == NULL || key >= panels->key_count;
-    if (circle) {
-        svg_styled_circle(page->svg, &(struct svg_style){.stroke = SOFT, .width = 1, .dash = "3 3"},
-                          pen->x + 5, pen->y - 4, 5);
-    } else {
-        draw_sample(page, key, pen, spots);
-    }
-    svg_words(page->svg, pen->x + words_from(spots || circle), pen->y, WORDS, SVG_START, NULL,
-              circle ? panels->circle_label : panels->keys[key]);
-}
-
 /* The legend from `y` on; drawn only if asked. The base line of its last line. */
 static double lay_legend(const struct panels_page *page, double y, bool drawn)
 {
     const struct panels *panels = page->panels;
     struct pen pen = {MARGIN, y};
-    bool spots = only_spots(panels);
+    /* Are the keys used by spots only? Then their samples are spots. */
+    bool only = true;
+    for (size_t i = 0; i < panels->count; i++) {
+        for (size_t s = 0; s < panels->panels[i].count; s++) {
+            only = only && panels->panels[i].series[s].spots;
+        }
+    }
+    bool spots = only;
     size_t count = panels->keys != NULL ? panels->key_count : 0;
     for (size_t key = 0; key <= count; key++) {
         const char *words = key < count ? panels->keys[key] : panels->circle_label;
         if (words == NULL) {
             continue;
         }
-        double width = entry_width(words, spots || key == count);
+        double width = words_from(spots || key == count) + svg_text_width(words, WORDS) + 18;
         /* Room for an entry: on the next line if it does not end within the page. */
         double limit = page->total_x - MARGIN;
         if (pen.x + width > limit && pen.x > MARGIN) {
@@ -103,7 +68,24 @@ static double lay_legend(const struct panels_page *page, double y, bool drawn)
             pen.y += LINE;
         }
         if (drawn) {
-            draw_entry(page, key, &pen, spots);
+            bool circle = panels->keys == NULL || key >= panels->key_count;
+            if (circle) {
+                svg_styled_circle(page->svg,
+                                  &(struct svg_style){.stroke = SOFT, .width = 1, .dash = "3 3"},
+                                  pen.x + 5, pen.y - 4, 5);
+            } else {
+                const double xs[2] = {pen.x + (spots ? 5 : 0), pen.x + SAMPLE};
+                const double ys[2] = {pen.y - 4, pen.y - 4};
+                const struct panels_mark mark = {.x = xs,
+                                                 .y = ys,
+                                                 .count = spots ? 1 : 2,
+                                                 .key = key,
+                                                 .spots = spots,
+                                                 .large = true};
+                panels_marks_draw(page->panels, page->svg, &mark);
+            }
+            svg_words(page->svg, pen.x + words_from(spots || circle), pen.y, WORDS, SVG_START, NULL,
+                      circle ? panels->circle_label : panels->keys[key]);
         }
         pen.x += width;
     }
@@ -199,11 +181,10 @@ static void panels_page_begin(struct panels_page *page)
     panels_page_set_grid(page);
     svg_begin(page->svg, page->total_x, page->total_y, panels->title);
     double room = page->total_x - 2 * MARGIN;
-    panels_write_at(
-        page->svg,
-        &(struct svg_label){.x = MARGIN, .y = 30, .size = TITLE, .width = room, .bold = true},
-        panels->title);
-    panels_write_at(
+    svg_text(page->svg,
+             &(struct svg_label){.x = MARGIN, .y = 30, .size = TITLE, .width = room, .bold = true},
+             panels->title);
+    svg_text(
         page->svg,
         &(struct svg_label){.x = MARGIN, .y = 52, .size = WORDS, .width = room, .colour = SOFT},
         panels->subtitle);
@@ -242,7 +223,7 @@ static void draw_heads(const struct panels_page *page)
                                         .width = page->across - 4,
                                         .anchor = SVG_MIDDLE,
                                         .bold = true};
-        panels_write_at(page->svg, &label, panels->column_heads[i]);
+        svg_text(page->svg, &label, panels->column_heads[i]);
     }
     for (size_t i = 0; panels->row_heads != NULL && i < rows; i++) {
         const struct panels_cell cell = panels_page_cell(page, i * panels->columns);
@@ -258,19 +239,6 @@ static void draw_heads(const struct panels_page *page)
                                         .bold = true};
         svg_text(page->svg, &label, head);
     }
-}
-
-/* A round length of at most half a panel. */
-static void panels_page_draw_bar(const struct panels_page *page, double y)
-{
-    double scale = page->width / (page->x.high - page->x.low);
-    double length = ticks_round_below(page->width / 2 / scale);
-    double left = page->left, end = left + length * scale;
-    struct svg *svg = page->svg;
-    svg_scale_bar(svg, DARK, left, end, y);
-    svg_words(
-        svg, end + 8, y + 4, WORDS, SVG_START, NULL,
-        arena_printf(svg->arena, "%s %s", ticks_fixed(svg->arena, length, 0), page->panels->unit));
 }
 
 /* Draw heads, labels of the axes and the scale bar, and end the drawing. */
@@ -291,10 +259,19 @@ static void panels_page_end(const struct panels_page *page)
                                    .rotation = -90,
                                    .width = down + 60,
                                    .anchor = SVG_MIDDLE};
-    panels_write_at(page->svg, &below, panels->x_label);
-    panels_write_at(page->svg, &side, panels->y_label);
+    svg_text(page->svg, &below, panels->x_label);
+    svg_text(page->svg, &side, panels->y_label);
     if (panels->unit != NULL) {
-        panels_page_draw_bar(page, page->total_y - 16);
+        /* A round length of at most half a panel. */
+        double y = page->total_y - 16;
+        double scale = page->width / (page->x.high - page->x.low);
+        double length = ticks_round_below(page->width / 2 / scale);
+        double left = page->left, end = left + length * scale;
+        struct svg *svg = page->svg;
+        svg_scale_bar(svg, DARK, left, end, y);
+        svg_words(svg, end + 8, y + 4, WORDS, SVG_START, NULL,
+                  arena_printf(svg->arena, "%s %s", ticks_fixed(svg->arena, length, 0),
+                               page->panels->unit));
     }
     svg_end(page->svg);
 }
@@ -347,17 +324,6 @@ static void set_axes(const struct panels *panels, struct panels_scale *x, struct
     panels_include(y, y->ticks.value[0], y->ticks.value[y->ticks.count - 1]);
 }
 
-/* One scale for both directions, the origin in the middle. */
-static void set_square(const struct panels *panels, struct panels_scale *x, struct panels_scale *y)
-{
-    double most = fmax(fmax(-x->low, x->high), fmax(-y->low, y->high));
-    for (size_t i = 0; i < panels->count; i++) {
-        most = fmax(most, panels->panels[i].circle);
-    }
-    most = most > 0 ? 1.06 * most : 1;
-    *x = *y = (struct panels_scale){.low = -most, .high = most};
-}
-
 static const struct panels_scale nothing = {.low = INFINITY, .high = -INFINITY};
 
 static bool set_shared(struct panels_page *page, struct error *error)
@@ -376,7 +342,12 @@ static bool set_shared(struct panels_page *page, struct error *error)
                     FARTHEST);
     }
     if (panels->unit) {
-        set_square(panels, &page->x, &page->y);
+        /* One scale for both directions, the origin in the middle. */
+        for (size_t k = 0; k < panels->count; k++) {
+            most = fmax(most, panels->panels[k].circle);
+        }
+        most = most > 0 ? 1.06 * most : 1;
+        page->x = page->y = (struct panels_scale){.low = -most, .high = most};
     } else {
         set_axes(panels, &page->x, &page->y);
     }

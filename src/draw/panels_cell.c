@@ -94,13 +94,6 @@ static const double WORDS = 13, NOTE = 11; /* px */
 
 static const char *const DARK = "#1d1d1d", *const SOFT = "#444", *const GREY = "#888";
 
-void panels_write_at(struct svg *svg, const struct svg_label *label, const char *words)
-{
-    if (words != NULL) {
-        svg_text(svg, label, words);
-    }
-}
-
 static double panels_cell_part_of(const struct panels_scale *scale, double v)
 {
     return (v - scale->low) / (scale->high - scale->low);
@@ -179,19 +172,6 @@ static bool holds_zero(const struct panels_scale *scale)
     return scale->low <= 0 && scale->high >= 0;
 }
 
-/* Can one point at least be seen? */
-static bool has_points(const struct panels_cell *cell, const struct panel *panel)
-{
-    bool any = false;
-    for (size_t s = 0; s < panel->count; s++) {
-        const struct panel_series *series = &panel->series[s];
-        for (size_t i = 0; i < series->count && !any; i++) {
-            any = isfinite(at_x(cell, series->x[i])) && isfinite(at_y(cell, series->y[i]));
-        }
-    }
-    return any;
-}
-
 /* The curves and spots. */
 static void draw_series(const struct panels *panels, struct svg *svg,
                         const struct panels_cell *cell, const struct panel *panel)
@@ -217,26 +197,18 @@ static void draw_series(const struct panels *panels, struct svg *svg,
     svg_group_end(svg);
 }
 
-/* Below spots; inside at the top of curves, or in the middle of what is empty. */
-static void draw_note(struct svg *svg, const struct panels_cell *cell, const struct panel *panel,
-                      bool square, bool empty)
-{
-    double y = empty    ? cell->top + cell->height / 2 + 4
-               : square ? cell->top + cell->height + 14
-                        : cell->top + 14;
-    struct svg_label label = {.x = cell->left + cell->width / 2,
-                              .y = y,
-                              .size = NOTE,
-                              .width = cell->room,
-                              .anchor = SVG_MIDDLE,
-                              .colour = SOFT};
-    panels_write_at(svg, &label, panel->note);
-}
-
 void panels_cell_draw(const struct panels *panels, struct svg *svg, const struct panels_cell *cell,
                       const struct panel *panel)
 {
-    const bool any = has_points(cell, panel);
+    /* Can one point at least be seen? */
+    bool seen = false;
+    for (size_t s = 0; s < panel->count; s++) {
+        const struct panel_series *series = &panel->series[s];
+        for (size_t i = 0; i < series->count && !seen; i++) {
+            seen = isfinite(at_x(cell, series->x[i])) && isfinite(at_y(cell, series->y[i]));
+        }
+    }
+    const bool any = seen;
     /* lines of the ticks and of zero; none go through the words in a panel without points */
     bool ticks = panels->unit == NULL;
     if (ticks) {
@@ -258,17 +230,29 @@ void panels_cell_draw(const struct panels *panels, struct svg *svg, const struct
     if (any) {
         draw_series(panels, svg, cell, panel);
     }
-    draw_note(svg, cell, panel, panels->unit != NULL, !any);
+    /* Below spots; inside at the top of curves, or in the middle of what is empty. */
+    bool square = panels->unit != NULL;
+    bool empty = !any;
+    double y = empty    ? cell->top + cell->height / 2 + 4
+               : square ? cell->top + cell->height + 14
+                        : cell->top + 14;
+    struct svg_label note = {.x = cell->left + cell->width / 2,
+                             .y = y,
+                             .size = NOTE,
+                             .width = cell->room,
+                             .anchor = SVG_MIDDLE,
+                             .colour = SOFT};
+    svg_text(svg, &note, panel->note);
     struct svg_label title = {.x = cell->left + cell->width / 2,
                               .y = cell->top - 7,
                               .size = WORDS,
                               .width = cell->room,
                               .anchor = SVG_MIDDLE,
                               .colour = DARK};
-    panels_write_at(svg, &title, panel->title);
+    svg_text(svg, &title, panel->title);
     if (panels->own_x && panels->unit == NULL) {
         title.y = cell->top + cell->height + 32;
-        panels_write_at(svg, &title, panel->x_label);
+        svg_text(svg, &title, panel->x_label);
     }
     if (panels->own_y && panels->unit == NULL) {
         const struct svg_label label = {.x = cell->left - PANELS_NUMBERS - 6,
@@ -277,6 +261,6 @@ void panels_cell_draw(const struct panels *panels, struct svg *svg, const struct
                                         .rotation = -90,
                                         .width = cell->height + 20,
                                         .anchor = SVG_MIDDLE};
-        panels_write_at(svg, &label, panel->y_label);
+        svg_text(svg, &label, panel->y_label);
     }
 }

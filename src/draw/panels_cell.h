@@ -11,16 +11,12 @@
 struct panel;
 struct panels;
 struct svg;
-struct svg_label;
 
 /* Px beside a panel that has numbers of its own. */
 #define PANELS_NUMBERS 46.0
 
 /* Of the letters of numbers, px. */
 #define PANELS_NUMBER_SIZE 11.0
-
-/* Words that there may be none of. */
-void panels_write_at(struct svg *svg, const struct svg_label *label, const char *words);
 
 struct panels_scale {
     double low, high; /* values at the ends */
@@ -40,10 +36,6 @@ void panels_cell_draw(const struct panels *panels, struct svg *svg, const struct
                       const struct panel *panel);
 
 /* -------- what the curves and spots of panels look like -------- */
-
-struct panels;
-struct svg;
-struct svg_label;
 
 /* A curve, or spots, through points on the page (px); gaps where one is not finite. */
 struct panels_mark {

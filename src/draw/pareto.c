@@ -28,33 +28,6 @@ static double pareto_x_at(const struct pareto_page *page, double share)
     return page->left + share / high * (WIDTH - RIGHT - page->left);
 }
 
-static bool pareto_find_scale(struct pareto_page *page, struct error *error)
-{
-    double longest = 0, widest = 0;
-    for (size_t i = 0; i < page->count; i++) {
-        longest = fmax(longest, page->bars[i].whole);
-        widest = fmax(widest, svg_text_width(page->bars[i].label, NUMBER_SIZE));
-    }
-    if (!(longest > 0 && isfinite(longest))) {
-        return fail(error, ERROR_DOMAIN, "no bar has a length that can be drawn");
-    }
-    page->left = 28 + fmin(widest, WIDEST_LABEL);
-    page->bottom = TOP + ROW * (double)page->count;
-    ticks_linear(0, longest, &page->ticks);
-    return true;
-}
-
-static void pareto_draw_grid(const struct pareto_page *page, struct svg *svg)
-{
-    for (size_t i = 0; i < page->ticks.count; i++) {
-        const double x = pareto_x_at(page, page->ticks.value[i]);
-        svg_styled_line(svg, &(struct svg_style){.stroke = i == 0 ? "#333" : "#d4d4d4"}, x, TOP, x,
-                        page->bottom + 4);
-        svg_words(svg, x, page->bottom + 18, NUMBER_SIZE, SVG_MIDDLE, NULL,
-                  arena_printf(svg->arena, "%.4g %%", 100 * page->ticks.value[i]));
-    }
-}
-
 static void pareto_draw_bar(const struct pareto_page *page, double y, double share, size_t colour,
                             double opacity, struct svg *svg)
 {
@@ -80,19 +53,6 @@ static void draw_row(const struct pareto_page *page, size_t i, struct svg *svg)
         arena_printf(svg->arena, bar->whole < 0.001 ? "%.2f %%" : "%.1f %%", 100 * bar->whole));
 }
 
-static void pareto_draw_legend(const struct pareto *pareto, const struct pareto_page *page,
-                               struct svg *svg)
-{
-    const char *const names[] = {pareto->part_name, pareto->whole_name};
-    double x = page->left;
-    for (size_t k = 0; k < 2; k++) {
-        const struct svg_style style = {.fill = palette_colour(0), .opacity = k == 0 ? 1 : 0.35};
-        svg_styled_rect(svg, &style, x, 66, BAR, BAR);
-        svg_words(svg, x + BAR + 5, 76, 12, SVG_START, NULL, names[k]);
-        x += BAR + 24 + svg_text_width(names[k], 12);
-    }
-}
-
 bool pareto_draw(const struct pareto *pareto, struct svg *svg, struct error *error)
 {
     struct pareto_page page;
@@ -111,21 +71,38 @@ bool pareto_draw(const struct pareto *pareto, struct svg *svg, struct error *err
         row->part += bar->part;
         row->whole += bar->whole;
     }
-    if (!pareto_find_scale(&page, error)) {
-        return false;
+    double longest = 0, widest = 0;
+    for (size_t i = 0; i < page.count; i++) {
+        longest = fmax(longest, page.bars[i].whole);
+        widest = fmax(widest, svg_text_width(page.bars[i].label, NUMBER_SIZE));
     }
-    const struct svg_label title = {
-        .x = 20, .y = 30, .size = TITLE_SIZE, .width = WIDTH - 32, .bold = true};
-    const struct svg_label subtitle = {
-        .x = 20, .y = 50, .size = LABEL_SIZE, .width = WIDTH - 32, .colour = "#555"};
+    if (!(longest > 0 && isfinite(longest))) {
+        return fail(error, ERROR_DOMAIN, "no bar has a length that can be drawn");
+    }
+    page.left = 28 + fmin(widest, WIDEST_LABEL);
+    page.bottom = TOP + ROW * (double)page.count;
+    ticks_linear(0, longest, &page.ticks);
     svg_begin(svg, WIDTH, page.bottom + BELOW, pareto->title);
-    pareto_draw_grid(&page, svg);
+    for (size_t i = 0; i < page.ticks.count; i++) {
+        const double x = pareto_x_at(&page, page.ticks.value[i]);
+        svg_styled_line(svg, &(struct svg_style){.stroke = i == 0 ? "#333" : "#d4d4d4"}, x, TOP, x,
+                        page.bottom + 4);
+        svg_words(svg, x, page.bottom + 18, NUMBER_SIZE, SVG_MIDDLE, NULL,
+                  arena_printf(svg->arena, "%.4g %%", 100 * page.ticks.value[i]));
+    }
     for (size_t i = 0; i < page.count; i++) {
         draw_row(&page, i, svg);
     }
-    pareto_draw_legend(pareto, &page, svg);
-    svg_text(svg, &title, pareto->title != NULL ? pareto->title : "");
-    svg_text(svg, &subtitle, pareto->subtitle != NULL ? pareto->subtitle : "");
+    const char *const names[] = {pareto->part_name, pareto->whole_name};
+    double at = page.left;
+    for (size_t k = 0; k < 2; k++) {
+        const struct svg_style style = {.fill = palette_colour(0), .opacity = k == 0 ? 1 : 0.35};
+        svg_styled_rect(svg, &style, at, 66, BAR, BAR);
+        svg_words(svg, at + BAR + 5, 76, 12, SVG_START, NULL, names[k]);
+        at += BAR + 24 + svg_text_width(names[k], 12);
+    }
+    svg_heading(svg, 20, 30, TITLE_SIZE, WIDTH - 32, pareto->title);
+    svg_words_within(svg, 20, 50, LABEL_SIZE, WIDTH - 32, "#555", pareto->subtitle);
     svg_words(svg, (page.left + WIDTH - RIGHT) / 2, page.bottom + 44, LABEL_SIZE, SVG_MIDDLE, NULL,
               pareto->x_label);
     svg_end(svg);

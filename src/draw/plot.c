@@ -93,9 +93,12 @@ static void draw_x_tick(struct svg *svg, const struct plot_frame *frame, double 
     *clear = at + half + 6;
 }
 
-static void draw_x_numbers(struct svg *svg, const struct plot *plot, const struct plot_frame *frame)
+static void plot_draw_axes(struct svg *svg, const struct plot *plot, const struct plot_frame *frame)
 {
-    const struct plot_axis *x = &frame->x;
+    const struct plot_axis *x = &frame->x, *y = &frame->y;
+    svg_group_begin(svg, &(struct svg_style){.stroke = "#333", .width = 1});
+    svg_line(svg, x->start, y->start, x->stop, y->start);
+    svg_line(svg, x->start, y->start, x->start, y->stop);
     double clear = 0;
     for (size_t i = 0; !plot->x_ticks && i < x->ticks.count; i++) {
         draw_x_tick(svg, frame, plot_page_at(x, x->ticks.value[i]),
@@ -107,15 +110,6 @@ static void draw_x_numbers(struct svg *svg, const struct plot *plot, const struc
             draw_x_tick(svg, frame, plot_page_at(x, v), ticks_fixed(svg->arena, v, 0), &clear);
         }
     }
-}
-
-static void plot_draw_axes(struct svg *svg, const struct plot *plot, const struct plot_frame *frame)
-{
-    const struct plot_axis *x = &frame->x, *y = &frame->y;
-    svg_group_begin(svg, &(struct svg_style){.stroke = "#333", .width = 1});
-    svg_line(svg, x->start, y->start, x->stop, y->start);
-    svg_line(svg, x->start, y->start, x->start, y->stop);
-    draw_x_numbers(svg, plot, frame);
     for (size_t i = 0; i < y->ticks.count; i++) {
         double at = plot_page_at(y, y->ticks.value[i]);
         svg_line(svg, x->start - 5, at, x->start, at);
@@ -130,9 +124,6 @@ static void plot_draw_words(struct svg *svg, const struct plot *plot,
 {
     const struct plot_axis *x = &frame->x, *y = &frame->y;
     double left = x->start, room = PLOT_WIDTH - left - 12;
-    struct svg_label title = {.x = left, .y = 32, .size = TITLE_SIZE, .width = room, .bold = true};
-    struct svg_label subtitle = {
-        .x = left, .y = 52, .size = LABEL_SIZE, .width = room, .colour = "#555"};
     struct svg_label below = {.x = (left + x->stop) / 2,
                               .y = y->start + 44,
                               .size = LABEL_SIZE,
@@ -144,8 +135,8 @@ static void plot_draw_words(struct svg *svg, const struct plot *plot,
                                .rotation = -90,
                                .width = y->start - y->stop + 40,
                                .anchor = SVG_MIDDLE};
-    svg_text(svg, &title, plot->title ? plot->title : "");
-    svg_text(svg, &subtitle, plot->subtitle ? plot->subtitle : "");
+    svg_heading(svg, left, 32, TITLE_SIZE, room, plot->title);
+    svg_words_within(svg, left, 52, LABEL_SIZE, room, "#555", plot->subtitle);
     svg_text(svg, &below, plot->x_label ? plot->x_label : "");
     svg_text(svg, &beside, plot->y_label ? plot->y_label : "");
 }
@@ -223,21 +214,6 @@ static struct plot_points plot_trace(const struct plot *plot, const struct plot_
     return points;
 }
 
-static void plot_draw_area(struct svg *svg, const struct plot_points *low,
-                           const struct plot_points *high)
-{
-    size_t count = low->count + high->count;
-    struct plot_points area = {ARENA_ARRAY(svg->arena, count, double),
-                               ARENA_ARRAY(svg->arena, count, double), 0};
-    for (size_t i = 0; i < high->count; i++) {
-        plot_add_point(&area, high->x[i], high->y[i]);
-    }
-    for (size_t i = low->count; i-- > 0;) {
-        plot_add_point(&area, low->x[i], low->y[i]);
-    }
-    svg_polygon(svg, area.x, area.y, area.count);
-}
-
 /* The band in every stretch where both curves have values; stretches below a pixel are left out. */
 static void draw_band(struct svg *svg, const struct plot *plot, const struct plot_frame *frame,
                       const struct plot_band *band)
@@ -258,7 +234,16 @@ static void draw_band(struct svg *svg, const struct plot *plot, const struct plo
         if (i - start > 1 && i - start > count / STRETCHES) {
             struct plot_points below = plot_trace(plot, frame, low, start, i, true, svg->arena);
             struct plot_points above = plot_trace(plot, frame, &high, start, i, true, svg->arena);
-            plot_draw_area(svg, &below, &above);
+            size_t corners = below.count + above.count;
+            struct plot_points area = {ARENA_ARRAY(svg->arena, corners, double),
+                                       ARENA_ARRAY(svg->arena, corners, double), 0};
+            for (size_t k = 0; k < above.count; k++) {
+                plot_add_point(&area, above.x[k], above.y[k]);
+            }
+            for (size_t k = below.count; k-- > 0;) {
+                plot_add_point(&area, below.x[k], below.y[k]);
+            }
+            svg_polygon(svg, area.x, area.y, area.count);
         }
         start = i + 1;
     }
@@ -290,37 +275,6 @@ static void draw_arrow(struct svg *svg, struct plot_frame *frame, double x, bool
               up ? SVG_MIDDLE : SVG_START, NULL, up ? "∞" : "−∞");
 }
 
-static void draw_arrows(struct svg *svg, const struct plot *plot, struct plot_frame *frame,
-                        const struct plot_series *series)
-{
-    for (size_t i = 0; i + 1 < plot_series_count(plot, series); i++) {
-        double a = plot_y_at(plot, series, i), b = plot_y_at(plot, series, i + 1);
-        bool leaves = isfinite(a) && isinf(b), returns = isinf(a) && isfinite(b);
-        if (leaves || returns) {
-            const double x = plot_x_at(plot, series, leaves ? i : i + 1);
-            draw_arrow(svg, frame, plot_page_at(&frame->x, x), (leaves ? b : a) > 0);
-        }
-    }
-}
-
-/* A dot at each sample, where they are few; what was put between them is the curve's alone. */
-static void draw_dots(struct svg *svg, const struct plot *plot, const struct plot_frame *frame,
-                      const struct plot_series *series)
-{
-    const size_t count = plot_series_count(plot, series);
-    size_t samples = 0;
-    for (size_t i = 0; i < count; i++) {
-        samples += plot_place_at(series, i) == PLOT_SAMPLE;
-    }
-    for (size_t i = 0; i < count && samples <= DOTS_MAX; i++) {
-        double v = plot_y_at(plot, series, i);
-        if (isfinite(v) && plot_place_at(series, i) == PLOT_SAMPLE) {
-            svg_circle(svg, plot_page_at(&frame->x, plot_x_at(plot, series, i)),
-                       plot_page_at(&frame->y, v), 3.2);
-        }
-    }
-}
-
 static void plot_draw_curves(struct svg *svg, const struct plot *plot, struct plot_frame *frame)
 {
     const struct plot_axis *x = &frame->x, *y = &frame->y;
@@ -342,8 +296,28 @@ static void plot_draw_curves(struct svg *svg, const struct plot *plot, struct pl
     for (size_t s = 0; s < plot->series_count; s++) {
         const char *colour = palette_colour(plot->series[s].style);
         svg_group_begin(svg, &(struct svg_style){.fill = colour, .stroke = "#fff"});
-        draw_arrows(svg, plot, frame, &plot->series[s]);
-        draw_dots(svg, plot, frame, &plot->series[s]);
+        for (size_t i = 0; i + 1 < plot_series_count(plot, &plot->series[s]); i++) {
+            double here = plot_y_at(plot, &plot->series[s], i),
+                   next = plot_y_at(plot, &plot->series[s], i + 1);
+            bool leaves = isfinite(here) && isinf(next), returns = isinf(here) && isfinite(next);
+            if (leaves || returns) {
+                const double edge = plot_x_at(plot, &plot->series[s], leaves ? i : i + 1);
+                draw_arrow(svg, frame, plot_page_at(&frame->x, edge), (leaves ? next : here) > 0);
+            }
+        }
+        /* a dot at each sample, where they are few: what lies between is the curve's alone */
+        const size_t count = plot_series_count(plot, &plot->series[s]);
+        size_t samples = 0;
+        for (size_t k = 0; k < count; k++) {
+            samples += plot_place_at(&plot->series[s], k) == PLOT_SAMPLE;
+        }
+        for (size_t k = 0; k < count && samples <= DOTS_MAX; k++) {
+            double v = plot_y_at(plot, &plot->series[s], k);
+            if (isfinite(v) && plot_place_at(&plot->series[s], k) == PLOT_SAMPLE) {
+                svg_circle(svg, plot_page_at(&frame->x, plot_x_at(plot, &plot->series[s], k)),
+                           plot_page_at(&frame->y, v), 3.2);
+            }
+        }
         svg_group_end(svg);
     }
 }
@@ -372,29 +346,23 @@ static double plot_end_of(const struct plot *plot, const struct plot_frame *fram
     return axis->start;
 }
 
-/* The labelled series from top to bottom, as their curves end. */
-static size_t collect_keys(const struct plot *plot, const struct plot_frame *frame,
-                           struct plot_key *keys)
+static void draw_keys(struct svg *svg, const struct plot *plot, const struct plot_frame *frame)
 {
-    size_t count = 0;
+    struct plot_key *keys = ARENA_ARRAY(svg->arena, plot->series_count, struct plot_key);
+    /* The labelled series from top to bottom, as their curves end. */
+    size_t n = 0;
     for (size_t s = 0; s < plot->series_count; s++) {
         if (!plot->series[s].label) {
             continue;
         }
         struct plot_key key = {&plot->series[s], plot_end_of(plot, frame, &plot->series[s])};
-        size_t at = count++;
+        size_t at = n++;
         for (; at > 0 && keys[at - 1].y > key.y; at--) {
             keys[at] = keys[at - 1];
         }
         keys[at] = key;
     }
-    return count;
-}
-
-static void draw_keys(struct svg *svg, const struct plot *plot, const struct plot_frame *frame)
-{
-    struct plot_key *keys = ARENA_ARRAY(svg->arena, plot->series_count, struct plot_key);
-    size_t count = collect_keys(plot, frame, keys);
+    size_t count = n;
     double left = frame->x.stop + 12, height = frame->y.start - frame->y.stop;
     double gap = fmin(18, height / (double)(count + 1));
     /* Move the labels apart: down from the top, then up again from the lower edge. */
@@ -418,21 +386,6 @@ static void draw_keys(struct svg *svg, const struct plot *plot, const struct plo
 
 /* -------- the page -------- */
 
-/* Place the frame so that all words fit around it. */
-static void plot_set_frame(struct svg *svg, const struct plot *plot, struct plot_frame *frame)
-{
-    double width = 0;
-    for (size_t s = 0; s < plot->series_count; s++) {
-        if (plot->series[s].label) {
-            width = fmax(width, svg_text_width(plot->series[s].label, NUMBER_SIZE));
-        }
-    }
-    frame->x.start = 44 + ticks_width(svg->arena, &frame->y.ticks, NUMBER_SIZE);
-    frame->x.stop = PLOT_WIDTH - (width > 0 ? fmin(58 + width, 260) : 28);
-    frame->y.start = PLOT_HEIGHT - 60;
-    frame->y.stop = 88;
-}
-
 bool plot_draw(const struct plot *plot, struct svg *svg, struct error *error)
 {
     struct plot_frame frame = {.x.log = plot->log_x, .y.log = plot->log_y};
@@ -442,7 +395,17 @@ bool plot_draw(const struct plot *plot, struct svg *svg, struct error *error)
     }
     plot_set_x_axis(&frame.x);
     plot_set_y_axis(&frame.y);
-    plot_set_frame(svg, plot, &frame);
+    /* Place the frame so that all words fit around it. */
+    double width = 0;
+    for (size_t s = 0; s < plot->series_count; s++) {
+        if (plot->series[s].label) {
+            width = fmax(width, svg_text_width(plot->series[s].label, NUMBER_SIZE));
+        }
+    }
+    frame.x.start = 44 + ticks_width(svg->arena, &frame.y.ticks, NUMBER_SIZE);
+    frame.x.stop = PLOT_WIDTH - (width > 0 ? fmin(58 + width, 260) : 28);
+    frame.y.start = PLOT_HEIGHT - 60;
+    frame.y.stop = 88;
     svg_begin(svg, PLOT_WIDTH, PLOT_HEIGHT, plot->title);
     plot_draw_grid(svg, plot, &frame);
     plot_draw_curves(svg, plot, &frame);

@@ -175,26 +175,6 @@ static bool draw_map(const struct raster_page *page, size_t i, struct error *err
     return true;
 }
 
-static bool raster_draw_bar(const struct raster_page *page, double x, struct error *error)
-{
-    struct text png;
-    if (!raster_paint(page, NULL, page->svg->arena, &png, error)) {
-        return false;
-    }
-    svg_image(page->svg, x, TOP, BAR_WIDTH, SIDE, png);
-    svg_styled_rect(page->svg, &frame, x, TOP, BAR_WIDTH, SIDE);
-    const struct raster_axis up = {page->low,
-                                   page->high,
-                                   x + BAR_WIDTH,
-                                   TOP + SIDE,
-                                   SIDE,
-                                   1,
-                                   page->rasters->colours == RASTER_LOG};
-    raster_draw_axis(page, &up);
-    write_upwards(page, x + BAR_WIDTH + 62, TOP + SIDE / 2, page->rasters->scale_label);
-    return true;
-}
-
 bool rasters_draw(const struct rasters *rasters, struct svg *svg, struct error *error)
 {
     struct raster_page page = {.rasters = rasters, .svg = svg};
@@ -208,28 +188,34 @@ bool rasters_draw(const struct rasters *rasters, struct svg *svg, struct error *
     const size_t columns = rasters->count < rasters->columns ? rasters->count : rasters->columns;
     const size_t rows = (rasters->count + rasters->columns - 1) / rasters->columns;
     const double bar = LEFT + ACROSS * (double)(columns - 1) + SIDE + BAR_GAP;
-    struct svg_label title = {.x = MARGIN, .y = 32, .size = 16, .bold = true};
-    struct svg_label subtitle = {.x = MARGIN, .y = 54, .size = 12};
     const char *const above = rasters->title != NULL ? rasters->title : "";
     const char *const below = rasters->subtitle != NULL ? rasters->subtitle : "";
     const double room =
-        fmin(fmax(svg_text_width(above, title.size) / BOLDER, svg_text_width(below, subtitle.size)),
-             TITLES_MOST) +
-        1;
+        fmin(fmax(svg_text_width(above, 16) / BOLDER, svg_text_width(below, 12)), TITLES_MOST) + 1;
     const double width = fmax(bar + BAR_ROOM, room + 2 * MARGIN);
     svg_begin(svg, width, TOP + DOWN * (double)rows - 30 + BOTTOM, rasters->title);
-    title.width = BOLDER * (width - 2 * MARGIN);
-    svg_text(svg, &title, above);
-    subtitle.width = width - 2 * MARGIN;
-    svg_text(svg, &subtitle, below);
+    svg_heading(svg, MARGIN, 32, 16, BOLDER * (width - 2 * MARGIN), above);
+    svg_words_within(svg, MARGIN, 54, 12, width - 2 * MARGIN, NULL, below);
     for (size_t i = 0; i < rasters->count; i++) {
         if (!draw_map(&page, i, error)) {
             return false;
         }
     }
-    if (!raster_draw_bar(&page, bar, error)) {
+    struct text png;
+    if (!raster_paint(&page, NULL, page.svg->arena, &png, error)) {
         return false;
     }
+    svg_image(page.svg, bar, TOP, BAR_WIDTH, SIDE, png);
+    svg_styled_rect(page.svg, &frame, bar, TOP, BAR_WIDTH, SIDE);
+    const struct raster_axis up = {page.low,
+                                   page.high,
+                                   bar + BAR_WIDTH,
+                                   TOP + SIDE,
+                                   SIDE,
+                                   1,
+                                   page.rasters->colours == RASTER_LOG};
+    raster_draw_axis(&page, &up);
+    write_upwards(&page, bar + BAR_WIDTH + 62, TOP + SIDE / 2, page.rasters->scale_label);
     svg_end(svg);
     return true;
 }

@@ -69,51 +69,6 @@ static void draw_ray(const struct map_drawing *drawing, const struct ray_map_poi
     svg_group_end(svg);
 }
 
-static void draw_pupils(const struct map_drawing *drawing)
-{
-    const struct ray_map *map = drawing->map;
-    const struct svg_style rim = {.stroke = "#bbbbbb"};
-    for (size_t row = 0; row < map->row_count; row++) {
-        svg_words_upwards(drawing->svg, LEFT - 34, centre_y(row), 13, map->rows[row]);
-        for (size_t column = 0; column < map->column_count; column++) {
-            bool found = false;
-            for (size_t i = 0; i < map->count && !found; i++) {
-                found = map->points[i].column == column && map->points[i].row == row &&
-                        isfinite(map->points[i].dx);
-            }
-            svg_styled_circle(drawing->svg, &rim, centre_x(column), centre_y(row), RADIUS);
-            if (!found) {
-                svg_words(drawing->svg, centre_x(column), centre_y(row) + RADIUS + 14, 11,
-                          SVG_MIDDLE, NULL, "no ray comes through");
-            }
-        }
-    }
-    for (size_t column = 0; column < map->column_count; column++) {
-        svg_words(drawing->svg, centre_x(column), TOP - 8, 13, SVG_MIDDLE, NULL,
-                  map->columns[column]);
-    }
-}
-
-/* Colours from 0 to the largest error, and the longest arrow. */
-static void ray_map_draw_legend(const struct map_drawing *drawing, double y)
-{
-    const struct ray_map *map = drawing->map;
-    double width = fmin(260, CELL * (double)map->column_count - 20), left = LEFT + 10;
-    struct arena *arena = drawing->svg->arena;
-    for (int i = 0; i < BAR_STEPS; i++) {
-        const struct svg_style style = {.fill = shade_of(drawing, (i + 0.5) / BAR_STEPS)};
-        svg_styled_rect(drawing->svg, &style, left + width * i / BAR_STEPS, y,
-                        width / BAR_STEPS + 0.5, 12);
-    }
-    for (int i = 0; i <= 2; i++) {
-        svg_words(drawing->svg, left + width * i / 2, y + 28, 12, SVG_MIDDLE, NULL,
-                  arena_printf(arena, "%.3g%s%s", drawing->largest * i / 2, i == 2 ? " " : "",
-                               i == 2 ? map->unit : ""));
-    }
-    svg_words(drawing->svg, left, y - 8, 12, SVG_START, NULL,
-              "error in the image, colour and arrow; the circle is the stop, crosses are lost");
-}
-
 static bool ray_map_check_map(const struct ray_map *map, double *largest, struct error *error)
 {
     size_t count = 0;
@@ -144,16 +99,47 @@ bool ray_map_draw(const struct ray_map *map, struct svg *svg, struct error *erro
     double width = fmax(LEFT + CELL * (double)map->column_count + 30, 620);
     double bottom = TOP + CELL * (double)map->row_count;
     svg_begin(svg, width, bottom + BOTTOM, map->title);
-    const struct svg_label title = {
-        .x = 24, .y = 32, .size = 17, .width = width - 48, .bold = true};
-    svg_text(svg, &title, map->title);
-    const struct svg_label subtitle = {.x = 24, .y = 54, .size = 12, .width = width - 48};
-    svg_text(svg, &subtitle, map->subtitle);
-    draw_pupils(&drawing);
+    svg_heading(svg, 24, 32, 17, width - 48, map->title);
+    svg_words_within(svg, 24, 54, 12, width - 48, NULL, map->subtitle);
+    const struct svg_style rim = {.stroke = "#bbbbbb"};
+    for (size_t row = 0; row < map->row_count; row++) {
+        svg_words_upwards(drawing.svg, LEFT - 34, centre_y(row), 13, map->rows[row]);
+        for (size_t column = 0; column < map->column_count; column++) {
+            bool found = false;
+            for (size_t i = 0; i < map->count && !found; i++) {
+                found = map->points[i].column == column && map->points[i].row == row &&
+                        isfinite(map->points[i].dx);
+            }
+            svg_styled_circle(drawing.svg, &rim, centre_x(column), centre_y(row), RADIUS);
+            if (!found) {
+                svg_words(drawing.svg, centre_x(column), centre_y(row) + RADIUS + 14, 11,
+                          SVG_MIDDLE, NULL, "no ray comes through");
+            }
+        }
+    }
+    for (size_t column = 0; column < map->column_count; column++) {
+        svg_words(drawing.svg, centre_x(column), TOP - 8, 13, SVG_MIDDLE, NULL,
+                  map->columns[column]);
+    }
     for (size_t i = 0; i < map->count; i++) {
         draw_ray(&drawing, &map->points[i]);
     }
-    ray_map_draw_legend(&drawing, bottom + 38);
+    /* Colours from 0 to the largest error, and the longest arrow. */
+    double y = bottom + 38;
+    double bar = fmin(260, CELL * (double)map->column_count - 20), left = LEFT + 10;
+    struct arena *arena = drawing.svg->arena;
+    for (int i = 0; i < BAR_STEPS; i++) {
+        const struct svg_style style = {.fill = shade_of(&drawing, (i + 0.5) / BAR_STEPS)};
+        svg_styled_rect(drawing.svg, &style, left + bar * i / BAR_STEPS, y, bar / BAR_STEPS + 0.5,
+                        12);
+    }
+    for (int i = 0; i <= 2; i++) {
+        svg_words(drawing.svg, left + bar * i / 2, y + 28, 12, SVG_MIDDLE, NULL,
+                  arena_printf(arena, "%.3g%s%s", drawing.largest * i / 2, i == 2 ? " " : "",
+                               i == 2 ? map->unit : ""));
+    }
+    svg_words(drawing.svg, left, y - 8, 12, SVG_START, NULL,
+              "error in the image, colour and arrow; the circle is the stop, crosses are lost");
     svg_end(svg);
     return true;
 }

@@ -157,15 +157,6 @@ static void write_labels(struct section_page *page)
     }
 }
 
-static void draw_tip(const struct section_page *page, const double *x, const double *y, size_t last)
-{
-    const struct svg_style style = {.fill = styles[LAYOUT_ARROW].stroke};
-    double down = y[last] > y[0] ? -9 : 9;
-    const double tip_x[] = {x[last], x[last] - 4.5, x[last] + 4.5};
-    const double tip_y[] = {y[last], y[last] + down, y[last] + down};
-    svg_styled_polygon(page->svg, &style, tip_x, tip_y, 3);
-}
-
 static void draw_part(const struct section_page *page, const struct layout_part *part)
 {
     struct svg *svg = page->svg;
@@ -190,18 +181,13 @@ static void draw_part(const struct section_page *page, const struct layout_part 
     }
     svg_group_end(svg);
     if (part->kind == LAYOUT_ARROW) {
-        draw_tip(page, x, y, part->count - 1);
+        size_t last = part->count - 1;
+        const struct svg_style filled = {.fill = styles[LAYOUT_ARROW].stroke};
+        double down = y[last] > y[0] ? -9 : 9;
+        const double tip_x[] = {x[last], x[last] - 4.5, x[last] + 4.5};
+        const double tip_y[] = {y[last], y[last] + down, y[last] + down};
+        svg_styled_polygon(page->svg, &filled, tip_x, tip_y, 3);
     }
-}
-
-/* 1, 2 or 5 times a power of ten, at most a sixth of the page. */
-static void section_draw_bar(const struct section_page *page, double y)
-{
-    double length = ticks_round_below(SECTION_WIDTH / 6 / page->scale);
-    double x = MARGIN, end = MARGIN + length * page->scale;
-    svg_scale_bar(page->svg, "#000000", x, end, y);
-    section_write_text(page, end + 8, y + 4, SVG_START, NULL,
-                       arena_printf(page->svg->arena, "%.10g mm", length));
 }
 
 static bool occurs(const struct section *section, enum layout_kind kind)
@@ -212,15 +198,6 @@ static bool occurs(const struct section *section, enum layout_kind kind)
         }
     }
     return false;
-}
-
-/* Go on behind a text of the legend, or in the next line. */
-static void section_place(double *x, double *y, double width)
-{
-    if (*x > MARGIN && *x + width > SECTION_WIDTH - MARGIN) {
-        *x = MARGIN;
-        *y += LINE;
-    }
 }
 
 /* The legend from y down; returns where it ends. With `draw` false it is only measured. */
@@ -240,7 +217,11 @@ static double section_draw_legend(const struct section_page *page, double y, boo
             continue;
         }
         double width = 28 + svg_text_width(name, SMALL) + 14;
-        section_place(&x, &y, width);
+        /* Go on behind a text of the legend, or in the next line. */
+        if (x > MARGIN && x + width > SECTION_WIDTH - MARGIN) {
+            x = MARGIN;
+            y += LINE;
+        }
         if (draw) {
             struct svg_style style = styles[kind];
             style.fill = glass ? tints[i % TINTS] : NULL;
@@ -262,27 +243,6 @@ static double section_draw_legend(const struct section_page *page, double y, boo
         }
     }
     return y;
-}
-
-static void draw_head(const struct section_page *page)
-{
-    const struct section *section = page->section;
-    struct svg_label label = {.x = SECTION_WIDTH / 2,
-                              .y = 30,
-                              .size = 18,
-                              .anchor = SVG_MIDDLE,
-                              .width = SECTION_WIDTH - 40,
-                              .bold = true};
-    if (section->title != NULL) {
-        svg_text(page->svg, &label, section->title);
-    }
-    label.y = 52;
-    label.size = 13;
-    label.bold = false;
-    label.colour = "#444444";
-    if (section->subtitle != NULL) {
-        svg_text(page->svg, &label, section->subtitle);
-    }
 }
 
 /* Room for rows of labels above and below the lens, px. */
@@ -316,7 +276,18 @@ bool section_draw(const struct section *section, struct svg *svg, struct error *
     page.height = section_draw_legend(&page, page.bottom + 46, false) + 8;
     page.taken = ARENA_ARRAY(svg->arena, section->layout->part_count, struct svg_box);
     svg_begin(svg, SECTION_WIDTH, page.height, section->title);
-    draw_head(&page);
+    struct svg_label label = {.x = SECTION_WIDTH / 2,
+                              .y = 30,
+                              .size = 18,
+                              .anchor = SVG_MIDDLE,
+                              .width = SECTION_WIDTH - 40,
+                              .bold = true};
+    svg_text(page.svg, &label, section->title);
+    label.y = 52;
+    label.size = 13;
+    label.bold = false;
+    label.colour = "#444444";
+    svg_text(page.svg, &label, section->subtitle);
     for (int kind = 0; kind < LAYOUT_KINDS; kind++) {
         for (size_t i = 0; i < section->layout->part_count; i++) {
             if ((int)section->layout->parts[i].kind == kind) {
@@ -325,7 +296,13 @@ bool section_draw(const struct section *section, struct svg *svg, struct error *
         }
     }
     write_labels(&page);
-    section_draw_bar(&page, page.bottom + 12);
+    /* 1, 2 or 5 times a power of ten, at most a sixth of the page. */
+    double y = page.bottom + 12;
+    double length = ticks_round_below(SECTION_WIDTH / 6 / page.scale);
+    double x = MARGIN, end = MARGIN + length * page.scale;
+    svg_scale_bar(page.svg, "#000000", x, end, y);
+    section_write_text(&page, end + 8, y + 4, SVG_START, NULL,
+                       arena_printf(page.svg->arena, "%.10g mm", length));
     section_draw_legend(&page, page.bottom + 46, true);
     svg_end(svg);
     return true;

@@ -173,42 +173,40 @@ void svg_group_end(struct svg *svg)
     svg_put(svg, "</g>\n");
 }
 
-void svg_line(struct svg *svg, double x1, double y1, double x2, double y2)
+/* A shape of up to four numbers; the name behind the last is null. */
+static void svg_shape(struct svg *svg, const char *tag, const char *const names[4],
+                      const double values[4])
 {
-    if (!svg_all_finite(x1, y1, x2, y2)) {
+    if (!svg_all_finite(values[0], values[1], values[2], values[3])) {
         return;
     }
-    svg_put(svg, "<line");
-    svg_put_attribute(svg, "x1", x1);
-    svg_put_attribute(svg, "y1", y1);
-    svg_put_attribute(svg, "x2", x2);
-    svg_put_attribute(svg, "y2", y2);
+    svg_put(svg, tag);
+    for (int i = 0; i < 4 && names[i] != NULL; i++) {
+        svg_put_attribute(svg, names[i], values[i]);
+    }
     svg_put(svg, "/>\n");
+}
+
+void svg_line(struct svg *svg, double x1, double y1, double x2, double y2)
+{
+    static const char *const names[] = {"x1", "y1", "x2", "y2"};
+    svg_shape(svg, "<line", names, (double[]){x1, y1, x2, y2});
 }
 
 void svg_rect(struct svg *svg, double x, double y, double width, double height)
 {
-    if (!svg_all_finite(x, y, width, height) || width < 0 || height < 0) {
-        return;
+    static const char *const names[] = {"x", "y", "width", "height"};
+    if (width >= 0 && height >= 0) {
+        svg_shape(svg, "<rect", names, (double[]){x, y, width, height});
     }
-    svg_put(svg, "<rect");
-    svg_put_attribute(svg, "x", x);
-    svg_put_attribute(svg, "y", y);
-    svg_put_attribute(svg, "width", width);
-    svg_put_attribute(svg, "height", height);
-    svg_put(svg, "/>\n");
 }
 
 void svg_circle(struct svg *svg, double x, double y, double radius)
 {
-    if (!svg_all_finite(x, y, radius, 0) || radius < 0) {
-        return;
+    static const char *const names[4] = {"cx", "cy", "r"};
+    if (radius >= 0) {
+        svg_shape(svg, "<circle", names, (double[]){x, y, radius, 0});
     }
-    svg_put(svg, "<circle");
-    svg_put_attribute(svg, "cx", x);
-    svg_put_attribute(svg, "cy", y);
-    svg_put_attribute(svg, "r", radius);
-    svg_put(svg, "/>\n");
 }
 
 static void put_run(struct svg *svg, const double *x, const double *y, size_t count)
@@ -269,25 +267,6 @@ void svg_path(struct svg *svg, double x, double y, const char *words)
     svg_put(svg, "\"/>\n");
 }
 
-/* Three bytes become four letters (RFC 4648). */
-static void put_base64(struct svg *svg, struct text bytes)
-{
-    static const char letters[] =
-        "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
-    for (size_t i = 0; i < bytes.length; i += 3) {
-        unsigned group = 0;
-        char four[4];
-        for (size_t k = 0; k < 3; k++) {
-            group = group << 8 |
-                    (i + k < bytes.length ? (unsigned)(unsigned char)bytes.start[i + k] : 0u);
-        }
-        for (size_t k = 0; k < 4; k++) {
-            four[k] = i + k > bytes.length ? '=' : letters[group >> (18 - 6 * k) & 63];
-        }
-        put_bytes(svg, four, sizeof four);
-    }
-}
-
 void svg_image(struct svg *svg, double x, double y, double width, double height, struct text png)
 {
     svg_put(svg, "<image xmlns:xlink=\"http://www.w3.org/1999/xlink\"");
@@ -297,14 +276,28 @@ void svg_image(struct svg *svg, double x, double y, double width, double height,
     svg_put_attribute(svg, "height", height);
     svg_put(svg, " preserveAspectRatio=\"none\" image-rendering=\"optimizeSpeed\" "
                  "style=\"image-rendering:pixelated\" xlink:href=\"data:image/png;base64,");
-    put_base64(svg, png);
+    /* Three bytes become four letters (RFC 4648). */
+    static const char letters[] =
+        "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+    for (size_t i = 0; i < png.length; i += 3) {
+        unsigned group = 0;
+        char four[4];
+        for (size_t k = 0; k < 3; k++) {
+            group =
+                group << 8 | (i + k < png.length ? (unsigned)(unsigned char)png.start[i + k] : 0u);
+        }
+        for (size_t k = 0; k < 4; k++) {
+            four[k] = i + k > png.length ? '=' : letters[group >> (18 - 6 * k) & 63];
+        }
+        put_bytes(svg, four, sizeof four);
+    }
     svg_put(svg, "\"/>\n");
 }
 
 void svg_text(struct svg *svg, const struct svg_label *label, const char *text)
 {
     static const char *const anchors[] = {"", " text-anchor=\"middle\"", " text-anchor=\"end\""};
-    if (!svg_all_finite(label->x, label->y, label->size, label->rotation)) {
+    if (text == NULL || !svg_all_finite(label->x, label->y, label->size, label->rotation)) {
         return;
     }
     svg_put(svg, "<text");

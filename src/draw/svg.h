@@ -72,7 +72,7 @@ void svg_path(struct svg *svg, double x, double y, const char *words);
 /* A picture, the bytes of a PNG file, over a rectangle; its pixels stay squares. */
 void svg_image(struct svg *svg, double x, double y, double width, double height, struct text png);
 
-/* Text in UTF-8, escaped; what XML cannot hold is shown as '?'. */
+/* Text in UTF-8, escaped; what XML cannot hold is shown as '?'. Null: nothing is written. */
 void svg_text(struct svg *svg, const struct svg_label *label, const char *text);
 
 /* The same of a label with these alone; a null text is an empty one, a null colour black. */

@@ -34,62 +34,6 @@ static double tally_plot_y_at(const struct tally_plot_page *page, double value)
     return page->bottom - value / high * (page->bottom - TOP);
 }
 
-static bool tally_plot_find_range(const struct tally_plot *plot, struct tally_plot_page *page,
-                                  struct error *error)
-{
-    const double marks[2] = {plot->nominal, plot->limit};
-    const size_t count = plot->count + (plot->is_curve ? 1 : 0);
-    double low = plot->low, high = plot->high, most = 0;
-    for (int k = 0; k < 2; k++) { /* of NaN fmin and fmax take the other one */
-        low = fmin(low, marks[k]);
-        high = fmax(high, marks[k]);
-    }
-    for (size_t i = 0; i < count; i++) {
-        most = fmax(most, plot->values[i]);
-    }
-    if (!(high - low > 0) || !isfinite(high - low)) {
-        return fail(error, ERROR_DOMAIN, "all figures are the same: there is nothing to draw");
-    }
-    if (!(most > 0) || !isfinite(most)) {
-        return fail(error, ERROR_DOMAIN, "no bar has a length that can be drawn");
-    }
-    page->low = low - 0.02 * (high - low);
-    page->high = high + 0.02 * (high - low);
-    page->bottom = HEIGHT - BELOW;
-    ticks_linear(page->low, page->high, &page->x);
-    ticks_linear(0, most, &page->y);
-    return true;
-}
-
-static void draw_y_axis(const struct tally_plot_page *page, struct svg *svg)
-{
-    for (size_t i = 0; i < page->y.count; i++) {
-        const double y = tally_plot_y_at(page, page->y.value[i]);
-        svg_styled_line(svg, &(struct svg_style){.stroke = "#d4d4d4", .width = 0.8}, LEFT, y,
-                        WIDTH - RIGHT, y);
-        svg_words(svg, LEFT - 9, y + 4, NUMBER_SIZE, SVG_END, NULL,
-                  ticks_text(svg->arena, &page->y, i));
-    }
-}
-
-static void draw_x_axis(const struct tally_plot_page *page, struct svg *svg)
-{
-    svg_group_begin(svg, &(struct svg_style){.stroke = "#333"});
-    svg_line(svg, LEFT, page->bottom, WIDTH - RIGHT, page->bottom);
-    svg_line(svg, LEFT, TOP, LEFT, page->bottom);
-    svg_group_end(svg);
-    for (size_t i = 0; i < page->x.count; i++) {
-        const double value = page->x.value[i], x = tally_plot_x_at(page, value);
-        if (value < page->low || value > page->high) {
-            continue;
-        }
-        svg_styled_line(svg, &(struct svg_style){.stroke = "#333"}, x, page->bottom, x,
-                        page->bottom + 5);
-        svg_words(svg, x, page->bottom + 20, NUMBER_SIZE, SVG_MIDDLE, NULL,
-                  ticks_text(svg->arena, &page->x, i));
-    }
-}
-
 static bool fails(const struct tally_plot *plot, double value)
 {
     return plot->fails_above ? value > plot->limit : value < plot->limit;
@@ -149,33 +93,58 @@ static void tally_plot_draw_mark(const struct tally_plot *plot, int which,
 bool tally_plot_draw(const struct tally_plot *plot, struct svg *svg, struct error *error)
 {
     struct tally_plot_page page;
-    if (!tally_plot_find_range(plot, &page, error)) {
-        return false;
+    const double marks[2] = {plot->nominal, plot->limit};
+    const size_t count = plot->count + (plot->is_curve ? 1 : 0);
+    double low = plot->low, high = plot->high, most = 0;
+    for (int k = 0; k < 2; k++) { /* of NaN fmin and fmax take the other one */
+        low = fmin(low, marks[k]);
+        high = fmax(high, marks[k]);
     }
+    for (size_t i = 0; i < count; i++) {
+        most = fmax(most, plot->values[i]);
+    }
+    if (!(high - low > 0) || !isfinite(high - low)) {
+        return fail(error, ERROR_DOMAIN, "all figures are the same: there is nothing to draw");
+    }
+    if (!(most > 0) || !isfinite(most)) {
+        return fail(error, ERROR_DOMAIN, "no bar has a length that can be drawn");
+    }
+    page.low = low - 0.02 * (high - low);
+    page.high = high + 0.02 * (high - low);
+    page.bottom = HEIGHT - BELOW;
+    ticks_linear(page.low, page.high, &page.x);
+    ticks_linear(0, most, &page.y);
     svg_begin(svg, WIDTH, HEIGHT, plot->title);
-    draw_y_axis(&page, svg);
+    for (size_t i = 0; i < page.y.count; i++) {
+        const double y = tally_plot_y_at(&page, page.y.value[i]);
+        svg_styled_line(svg, &(struct svg_style){.stroke = "#d4d4d4", .width = 0.8}, LEFT, y,
+                        WIDTH - RIGHT, y);
+        svg_words(svg, LEFT - 9, y + 4, NUMBER_SIZE, SVG_END, NULL,
+                  ticks_text(svg->arena, &page.y, i));
+    }
     (plot->is_curve ? draw_curve : draw_bars)(plot, &page, svg);
-    draw_x_axis(&page, svg);
+    svg_group_begin(svg, &(struct svg_style){.stroke = "#333"});
+    svg_line(svg, LEFT, page.bottom, WIDTH - RIGHT, page.bottom);
+    svg_line(svg, LEFT, TOP, LEFT, page.bottom);
+    svg_group_end(svg);
+    for (size_t i = 0; i < page.x.count; i++) {
+        const double value = page.x.value[i], x = tally_plot_x_at(&page, value);
+        if (value < page.low || value > page.high) {
+            continue;
+        }
+        svg_styled_line(svg, &(struct svg_style){.stroke = "#333"}, x, page.bottom, x,
+                        page.bottom + 5);
+        svg_words(svg, x, page.bottom + 20, NUMBER_SIZE, SVG_MIDDLE, NULL,
+                  ticks_text(svg->arena, &page.x, i));
+    }
     for (int which = 0; which < 2; which++) {
         tally_plot_draw_mark(plot, which, &page, svg);
     }
-    const struct svg_label labels[] = {
-        {.x = 20, .y = 30, .size = TITLE_SIZE, .width = WIDTH - 32, .bold = true},
-        {.x = 20, .y = 52, .size = LABEL_SIZE, .width = WIDTH - 32, .colour = "#555"},
-        {.x = (LEFT + WIDTH - RIGHT) / 2,
-         .y = page.bottom + 48,
-         .size = LABEL_SIZE,
-         .anchor = SVG_MIDDLE},
-        {.x = 22,
-         .y = (TOP + page.bottom) / 2,
-         .size = LABEL_SIZE,
-         .rotation = -90,
-         .anchor = SVG_MIDDLE},
-    };
-    const char *const words[] = {plot->title, plot->subtitle, plot->x_label, plot->y_label};
-    for (size_t i = 0; i < sizeof words / sizeof words[0]; i++) {
-        svg_text(svg, &labels[i], words[i] != NULL ? words[i] : "");
-    }
+    svg_heading(svg, 20, 30, TITLE_SIZE, WIDTH - 32, plot->title);
+    svg_words_within(svg, 20, 52, LABEL_SIZE, WIDTH - 32, "#555", plot->subtitle);
+    svg_words(svg, (LEFT + WIDTH - RIGHT) / 2, page.bottom + 48, LABEL_SIZE, SVG_MIDDLE, NULL,
+              plot->x_label);
+    svg_words_upwards(svg, 22, (TOP + page.bottom) / 2, LABEL_SIZE, plot->y_label);
     svg_end(svg);
     return true;
 }

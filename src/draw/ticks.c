@@ -10,22 +10,6 @@
 #include "base/number.h"
 #include "draw/svg.h"
 
-static double smallest_step(double range, double intervals)
-{
-    double raw = range / intervals;
-    double decade = pow(10, floor(log10(raw)));
-    double ratio = raw / decade * (1 - 1e-9); /* so that 1.0000000001 is still 1 */
-    double mantissa = 10;
-    if (ratio <= 1) {
-        mantissa = 1;
-    } else if (ratio <= 2) {
-        mantissa = 2;
-    } else if (ratio <= 5) {
-        mantissa = 5;
-    }
-    return decade * mantissa;
-}
-
 void ticks_widen(double *low, double *high)
 {
     double size = fmax(fabs(*low), fabs(*high));
@@ -40,7 +24,19 @@ void ticks_widen(double *low, double *high)
 void ticks_linear(double low, double high, struct ticks *ticks)
 {
     ticks_widen(&low, &high);
-    double step = smallest_step(high - low, 8);
+    double range = high - low;
+    double raw = range / 8;
+    double decade = pow(10, floor(log10(raw)));
+    double ratio = raw / decade * (1 - 1e-9); /* so that 1.0000000001 is still 1 */
+    double mantissa = 10;
+    if (ratio <= 1) {
+        mantissa = 1;
+    } else if (ratio <= 2) {
+        mantissa = 2;
+    } else if (ratio <= 5) {
+        mantissa = 5;
+    }
+    double step = decade * mantissa;
     double first = floor(low / step + 1e-6), last = ceil(high / step - 1e-6);
     *ticks = (struct ticks){.step = step};
     for (double i = first; i <= last && ticks->count < TICKS_MOST; i++) {
@@ -110,21 +106,6 @@ static int exponent_of(double x)
     return (int)floor(log10(x * (1 + 1e-9)));
 }
 
-static const char *power_text(struct arena *arena, double x, int exponent, int decimals)
-{
-    static const char *const digit[] = {"⁰", "¹", "²", "³", "⁴", "⁵", "⁶", "⁷", "⁸", "⁹"};
-    const char *text = "";
-    for (int rest = exponent < 0 ? -exponent : exponent; rest > 0 || !*text; rest /= 10) {
-        text = arena_printf(arena, "%s%s", digit[rest % 10], text);
-    }
-    const char *power = exponent < 0 ? arena_printf(arena, "⁻%s", text) : text;
-    double mantissa = x / pow(10, exponent);
-    if (fabs(mantissa - 1) < 1e-9 && decimals == 0) {
-        return arena_printf(arena, "10%s", power);
-    }
-    return arena_printf(arena, "%s×10%s", ticks_fixed(arena, mantissa, decimals), power);
-}
-
 const char *ticks_text(struct arena *arena, const struct ticks *ticks, size_t i)
 {
     double x = ticks->value[i];
@@ -137,7 +118,18 @@ const char *ticks_text(struct arena *arena, const struct ticks *ticks, size_t i)
     int place = linear ? exponent_of(ticks->step) : 0; /* of the last digit written */
     if (greatest >= 0.999e6 || greatest < 1e-3 || (!linear && first < 0.999e-4)) {
         int exponent = exponent_of(linear ? greatest : fabs(x));
-        return power_text(arena, x, exponent, linear && place < exponent ? exponent - place : 0);
+        int decimals = linear && place < exponent ? exponent - place : 0;
+        static const char *const digit[] = {"⁰", "¹", "²", "³", "⁴", "⁵", "⁶", "⁷", "⁸", "⁹"};
+        const char *text = "";
+        for (int rest = exponent < 0 ? -exponent : exponent; rest > 0 || !*text; rest /= 10) {
+            text = arena_printf(arena, "%s%s", digit[rest % 10], text);
+        }
+        const char *power = exponent < 0 ? arena_printf(arena, "⁻%s", text) : text;
+        double mantissa = x / pow(10, exponent);
+        if (fabs(mantissa - 1) < 1e-9 && decimals == 0) {
+            return arena_printf(arena, "10%s", power);
+        }
+        return arena_printf(arena, "%s×10%s", ticks_fixed(arena, mantissa, decimals), power);
     }
     return ticks_fixed(arena, x, place < 0 ? -place : 0);
 }

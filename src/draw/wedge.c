@@ -193,25 +193,6 @@ static const char *wedge_degrees(struct arena *arena, double angle)
     return arena_printf(arena, "%s%s°", turn < 0 ? "−" : "", wedge_digits(arena, fabs(turn)));
 }
 
-/* A lens seen from the side: two arcs of the given height about the origin. */
-static void draw_lens(struct svg *svg, const struct view *view, const struct wedge *wedge)
-{
-    enum { POINTS = 17 };
-    double x[2 * POINTS], y[2 * POINTS], half = wedge->lens_diameter / 2;
-    double sine = sin(wedge->tilt), cosine = cos(wedge->tilt);
-    for (size_t i = 0; i < POINTS; i++) {
-        double t = 2.0 * (double)i / (POINTS - 1) - 1, thick = 0.22 * half * (1 - t * t);
-        for (size_t side = 0; side < 2; side++) {
-            double along = side == 0 ? thick : -thick; /* of the lens axis */
-            size_t at = side == 0 ? i : 2 * POINTS - 1 - i;
-            x[at] = view_x(view, along * cosine + half * t * sine);
-            y[at] = view_y(view, half * t * cosine - along * sine);
-        }
-    }
-    svg_styled_polygon(svg, &(struct svg_style){.fill = "#cfe3f2", .stroke = BLACK, .width = 1.4},
-                       x, y, sizeof x / sizeof x[0]);
-}
-
 /* Bellows, sensor and lens to scale. */
 static void wedge_draw_camera(struct svg *svg, const struct view *view, const struct wedge *wedge)
 {
@@ -226,7 +207,21 @@ static void wedge_draw_camera(struct svg *svg, const struct view *view, const st
     svg_group_begin(svg, &(struct svg_style){.stroke = BLACK, .width = 3});
     view_line(view, svg, -v, middle - sensor, -v, middle + sensor);
     svg_group_end(svg);
-    draw_lens(svg, view, wedge);
+    /* A lens seen from the side: two arcs of the given height about the origin. */
+    enum { POINTS = 17 };
+    double at_x[2 * POINTS], at_y[2 * POINTS], rim = wedge->lens_diameter / 2;
+    double s = sin(wedge->tilt), c = cos(wedge->tilt);
+    for (size_t i = 0; i < POINTS; i++) {
+        double t = 2.0 * (double)i / (POINTS - 1) - 1, thick = 0.22 * rim * (1 - t * t);
+        for (size_t side = 0; side < 2; side++) {
+            double along = side == 0 ? thick : -thick; /* of the lens axis */
+            size_t at = side == 0 ? i : 2 * POINTS - 1 - i;
+            at_x[at] = view_x(view, along * c + rim * t * s);
+            at_y[at] = view_y(view, rim * t * c - along * s);
+        }
+    }
+    svg_styled_polygon(svg, &(struct svg_style){.fill = "#cfe3f2", .stroke = BLACK, .width = 1.4},
+                       at_x, at_y, sizeof at_x / sizeof at_x[0]);
 }
 
 /* The tilt as an arc between the lens and the direction of the sensor, above the lens. */
@@ -283,17 +278,6 @@ static const char *metres(struct arena *arena, double length)
     return isinf(length) ? "∞" : arena_printf(arena, "%s m", wedge_digits(arena, length / 1000));
 }
 
-static void draw_sharpness(struct svg *svg, const struct view *view, const struct wedge *wedge)
-{
-    struct area area = view_sharp(view, wedge);
-    double x[AREA_CORNERS], y[AREA_CORNERS];
-    for (size_t i = 0; i < area.count; i++) {
-        x[i] = view_x(view, area.u[i]);
-        y[i] = view_y(view, area.y[i]);
-    }
-    svg_styled_polygon(svg, &(struct svg_style){.fill = TINT, .opacity = 0.35}, x, y, area.count);
-}
-
 /* Its name along the line near its far end, so much above it (px). */
 static void name_plane(struct svg *svg, const struct view *view, const struct stretch *part,
                        double lift, const char *colour, const char *name)
@@ -312,13 +296,6 @@ static void name_plane(struct svg *svg, const struct view *view, const struct st
                                  .anchor = SVG_END,
                                  .colour = colour},
              name);
-}
-
-/* How far apart two lines end on the right, px; 0 if one is not in the view. */
-static double gap_between(const struct view *view, const struct stretch *a, const struct stretch *b)
-{
-    double gap = view->scale * hypot(a->u[1] - b->u[1], a->y[1] - b->y[1]);
-    return a->shown && b->shown ? gap : 0;
 }
 
 static void draw_planes(struct svg *svg, const struct view *view, const struct wedge *wedge)
@@ -342,7 +319,10 @@ static void draw_planes(struct svg *svg, const struct view *view, const struct w
         }
     }
     for (size_t i = 0; i < 3; i++) {
-        double gap = gap_between(view, &parts[0], &parts[i == 0 ? 1 : i]);
+        /* How far apart two lines end on the right, px; 0 if one is not in the view. */
+        const struct stretch *b = &parts[i == 0 ? 1 : i];
+        double apart = view->scale * hypot(parts[0].u[1] - b->u[1], parts[0].y[1] - b->y[1]);
+        double gap = parts[0].shown && b->shown ? apart : 0;
         bool room = gap > NAME_GAP;
         /* the sharp plane's name stands above a wedge that is too thin for it */
         if (parts[i].shown && (room || i == 0)) {
@@ -353,27 +333,6 @@ static void draw_planes(struct svg *svg, const struct view *view, const struct w
 }
 
 /* -------- the construction behind the lens -------- */
-
-/* Lens plane, sensor plane and plane of focus run together in the Scheimpflug line. */
-static void draw_construction(struct svg *svg, const struct view *view, const struct wedge *wedge)
-{
-    double v = wedge->image, down = -wedge->scheimpflug, J = -wedge->hinge;
-    double top = copysign(wedge->sensor_height, wedge->hinge);
-    svg_group_begin(svg, &(struct svg_style){.stroke = GREY, .width = 1.2, .dash = "6 4"});
-    if (isfinite(J)) {
-        view_line(view, svg, top * tan(wedge->tilt), top, -v, down);
-        view_line(view, svg, -v, top, -v, down);
-        view_line(view, svg, -v, down, 0, J);
-    }
-    svg_group_end(svg);
-    svg_styled_line(svg, &(struct svg_style){.stroke = "#aaa", .width = 1}, view->x0, view->y0,
-                    view->right, view->y0);
-    svg_group_begin(svg, &(struct svg_style){.stroke = RED, .width = 1, .dash = "2 3"});
-    if (isfinite(J)) {
-        view_line(view, svg, 0, 0, 0, J);
-    }
-    svg_group_end(svg);
-}
 
 static void name_left(struct svg *svg, const struct view *view, const struct wedge *wedge, double y,
                       const char *colour, const char *name)
@@ -506,13 +465,6 @@ static void wedge_draw_legend(struct svg *svg, const struct wedge *wedge)
     }
 }
 
-static void wedge_draw_words(struct svg *svg, const struct wedge *wedge)
-{
-    double width = WEDGE_WIDTH - 2 * MARGIN;
-    svg_heading(svg, MARGIN, 36, 18, width, wedge->title);
-    svg_words_within(svg, MARGIN, 60, 13, width, "#555", wedge->subtitle);
-}
-
 static bool check_wedge(const struct wedge *wedge, struct error *error)
 {
     const double positive[] = {wedge->f, wedge->image, wedge->sensor_height, wedge->lens_diameter};
@@ -550,11 +502,35 @@ bool wedge_draw(const struct wedge *wedge, struct svg *svg, struct error *error)
         .left = MARGIN, .right = CAMERA_RIGHT, .top = CAMERA_TOP, .bottom = CAMERA_BOTTOM};
     view_choose(&view, wedge, NAMES);
     svg_begin(svg, WEDGE_WIDTH, WEDGE_HEIGHT, wedge->title);
-    wedge_draw_words(svg, wedge);
+    double width = WEDGE_WIDTH - 2 * MARGIN;
+    svg_heading(svg, MARGIN, 36, 18, width, wedge->title);
+    svg_words_within(svg, MARGIN, 60, 13, width, "#555", wedge->subtitle);
     wedge_draw_close_view(svg, &camera, wedge);
     svg_clip_begin(svg, view.left, view.top, view.right - view.left, view.bottom - view.top);
-    draw_sharpness(svg, &view, wedge);
-    draw_construction(svg, &view, wedge);
+    struct area area = view_sharp(&view, wedge);
+    double x[AREA_CORNERS], y[AREA_CORNERS];
+    for (size_t i = 0; i < area.count; i++) {
+        x[i] = view_x(&view, area.u[i]);
+        y[i] = view_y(&view, area.y[i]);
+    }
+    svg_styled_polygon(svg, &(struct svg_style){.fill = TINT, .opacity = 0.35}, x, y, area.count);
+    /* Lens plane, sensor plane and plane of focus run together in the Scheimpflug line. */
+    double v = wedge->image, down = -wedge->scheimpflug, J = -wedge->hinge;
+    double top = copysign(wedge->sensor_height, wedge->hinge);
+    svg_group_begin(svg, &(struct svg_style){.stroke = GREY, .width = 1.2, .dash = "6 4"});
+    if (isfinite(J)) {
+        view_line(&view, svg, top * tan(wedge->tilt), top, -v, down);
+        view_line(&view, svg, -v, top, -v, down);
+        view_line(&view, svg, -v, down, 0, J);
+    }
+    svg_group_end(svg);
+    svg_styled_line(svg, &(struct svg_style){.stroke = "#aaa", .width = 1}, view.x0, view.y0,
+                    view.right, view.y0);
+    svg_group_begin(svg, &(struct svg_style){.stroke = RED, .width = 1, .dash = "2 3"});
+    if (isfinite(J)) {
+        view_line(&view, svg, 0, 0, 0, J);
+    }
+    svg_group_end(svg);
     draw_planes(svg, &view, wedge);
     wedge_draw_camera(svg, &view, wedge);
     svg_group_end(svg);

@@ -59,13 +59,6 @@ double glass_dn_dT(const struct glass *glass, double wavelength, double temperat
             (t->e0 + 2 * t->e1 * dT) / resonance_gap(t, wavelength));
 }
 
-/* Change of the index from the reference temperature on: the integral of glass_dn_dT. */
-static double change_over(const struct glass_thermal *t, double n, double l, double dT)
-{
-    double bracket = t->d0 + dT * (t->d1 + dT * t->d2) + (t->e0 + dT * t->e1) / resonance_gap(t, l);
-    return (n * n - 1) / (2 * n) * bracket * dT;
-}
-
 static bool not_known(const struct glass *glass, const char *what, struct error *error)
 {
     return fail(error, ERROR_DOMAIN, "the catalogue gives no %s of %.*s:%.*s", what,
@@ -83,7 +76,11 @@ bool glass_in_air(const struct glass *glass, double wavelength, const struct air
         return not_known(glass, "reference temperature", error);
     }
     if (fabs(dT) > 0) {
-        change = change_over(thermal, index.n.hi, wavelength, dT);
+        /* Change of the index from the reference temperature on: the integral of glass_dn_dT. */
+        double n = index.n.hi;
+        double bracket = thermal->d0 + dT * (thermal->d1 + dT * thermal->d2) +
+                         (thermal->e0 + dT * thermal->e1) / resonance_gap(thermal, wavelength);
+        change = (n * n - 1) / (2 * n) * bracket * dT;
     }
     if (isnan(change)) {
         return not_known(glass, "dn/dT", error);

@@ -180,18 +180,6 @@ static bool aperture_is_sound(const struct figure *figure)
     return fabs(figure->value.hi) < 1e100;
 }
 
-/* Twice the area inside, by the corners. */
-static double twice_area(const struct aperture *aperture)
-{
-    double sum = 0;
-    for (size_t i = 0; i < aperture->point_count; i++) {
-        const struct figure *p = aperture->points[i];
-        const struct figure *q = aperture->points[(i + 1) % aperture->point_count];
-        sum += p[0].value.hi * q[1].value.hi - q[0].value.hi * p[1].value.hi;
-    }
-    return fabs(sum);
-}
-
 static double aperture_at(const struct figure *point, int axis)
 {
     return point[axis].value.hi;
@@ -255,7 +243,14 @@ static bool aperture_check_points(const struct aperture *aperture, struct error 
         return fail(error, ERROR_DATA, "a polygon of %zu corners: it may have up to %d",
                     aperture->point_count, APERTURE_MOST_CORNERS);
     }
-    if (!(twice_area(aperture) > 0)) {
+    /* Twice the area inside, by the corners. */
+    double sum = 0;
+    for (size_t i = 0; i < aperture->point_count; i++) {
+        const struct figure *p = aperture->points[i];
+        const struct figure *q = aperture->points[(i + 1) % aperture->point_count];
+        sum += p[0].value.hi * q[1].value.hi - q[0].value.hi * p[1].value.hi;
+    }
+    if (!(fabs(sum) > 0)) {
         return fail(error, ERROR_DATA, "a polygon without any area");
     }
     return aperture_crossings(aperture, APERTURE_MOST_CROSSINGS) <= APERTURE_MOST_CROSSINGS ||

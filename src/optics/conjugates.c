@@ -15,11 +15,6 @@ struct optics {
     bool is_afocal, has_stop;
 };
 
-static struct pair product_less(struct pair a, struct pair b, struct pair c, struct pair d)
-{
-    return pair_subtract(pair_multiply(a, b), pair_multiply(c, d));
-}
-
 static struct optics optics_of(const struct paraxial_system *system,
                                const struct paraxial_trace *trace)
 {
@@ -77,63 +72,38 @@ static bool check_reference(const struct optics *o, enum conjugate_from from, bo
     return true;
 }
 
-/* The ray through a point s to the left of a point at -n y/v: multiplied by v, so that nothing is
- * divided. */
-static struct conjugate_ray object_ray(const struct optics *o, enum conjugate_from from, double s)
+/*
+ * The ray through a point s to the left of a point at -n y/v: multiplied by v, so that nothing is
+ * divided. Behind the lens likewise, for an image s to the right.
+ */
+static struct conjugate_ray ray_of_place(const struct optics *o, enum conjugate_from from, double s,
+                                         bool is_image)
 {
-    struct pair reduced = pair_divide(pair_of(s), o->n), one = pair_of(1);
+    const struct pair reduced = pair_divide(pair_of(s), is_image ? o->n_image : o->n);
+    const struct pair one = pair_of(1), d = is_image ? o->a : o->d;
+    const struct pair b1 = is_image ? o->b2 : o->b1, a1 = is_image ? o->d2 : o->a1;
+    struct conjugate_ray ray = {reduced, one};
     if (isinf(s)) {
         return (struct conjugate_ray){one, pair_of(0)};
     }
-    switch (from) {
-    case CONJUGATE_FROM_PRINCIPAL:
-        return (struct conjugate_ray){
-            pair_add(pair_multiply(reduced, o->c), pair_subtract(one, o->d)), o->c};
-    case CONJUGATE_FROM_FOCAL:
-        return (struct conjugate_ray){pair_subtract(pair_multiply(reduced, o->c), o->d), o->c};
-    case CONJUGATE_FROM_ENTRANCE:
-        return (struct conjugate_ray){product_less(reduced, o->a1, o->b1, one), o->a1};
-    default:
-        return (struct conjugate_ray){reduced, one};
+    if (from == CONJUGATE_FROM_PRINCIPAL) {
+        ray.y = pair_add(pair_multiply(reduced, o->c), pair_subtract(one, d));
+        ray.v = o->c;
+    } else if (from == CONJUGATE_FROM_FOCAL) {
+        ray.y = pair_subtract(pair_multiply(reduced, o->c), d);
+        ray.v = o->c;
+    } else if (from == CONJUGATE_FROM_ENTRANCE) {
+        ray.y = pair_subtract(pair_multiply(reduced, a1), pair_multiply(b1, one));
+        ray.v = a1;
     }
-}
-
-/* Likewise behind the lens, for an image s to the right. */
-static struct conjugate_ray image_ray(const struct optics *o, enum conjugate_from from, double s)
-{
-    struct pair reduced = pair_divide(pair_of(s), o->n_image), one = pair_of(1);
-    if (isinf(s)) {
-        return (struct conjugate_ray){one, pair_of(0)};
-    }
-    switch (from) {
-    case CONJUGATE_FROM_PRINCIPAL:
-        return (struct conjugate_ray){
-            pair_negate(pair_add(pair_multiply(reduced, o->c), pair_subtract(one, o->a))), o->c};
-    case CONJUGATE_FROM_FOCAL:
-        return (struct conjugate_ray){pair_negate(product_less(reduced, o->c, o->a, one)), o->c};
-    case CONJUGATE_FROM_ENTRANCE:
-        return (struct conjugate_ray){pair_negate(product_less(reduced, o->d2, o->b2, one)), o->d2};
-    default:
-        return (struct conjugate_ray){pair_negate(reduced), one};
-    }
+    ray.y = is_image ? pair_negate(ray.y) : ray.y;
+    return ray;
 }
 
 static struct conjugate_ray ray_of_magnification(const struct optics *o, struct pair m)
 {
     return (struct conjugate_ray){pair_subtract(pair_of(1), pair_multiply(o->d, m)),
                                   pair_multiply(o->c, m)};
-}
-
-static bool find_by_magnification(const struct optics *o, double m, struct conjugate_ray *ray,
-                                  struct error *error)
-{
-    if (o->is_afocal) {
-        return fail(error, ERROR_DOMAIN,
-                    "an afocal system has the magnification %.10g wherever the object is", o->a.hi);
-    }
-    *ray = isinf(m) ? (struct conjugate_ray){pair_negate(o->d), o->c}
-                    : ray_of_magnification(o, pair_of(m));
-    return true;
 }
 
 /* n' m^2 - k m + n = 0 */
@@ -195,7 +165,15 @@ size_t conjugate_find(const struct paraxial_system *system, const struct paraxia
     const struct optics o = optics_of(system, trace);
     bool is_image = question->asked == CONJUGATE_IMAGE;
     if (question->asked == CONJUGATE_MAGNIFICATION) {
-        return find_by_magnification(&o, question->magnification, &rays[0], error);
+        if (o.is_afocal) {
+            fail(error, ERROR_DOMAIN,
+                 "an afocal system has the magnification %.10g wherever the object is", o.a.hi);
+            return 0;
+        }
+        rays[0] = isinf(question->magnification)
+                      ? (struct conjugate_ray){pair_negate(o.d), o.c}
+                      : ray_of_magnification(&o, pair_of(question->magnification));
+        return 1;
     }
     if (question->from == CONJUGATE_FROM_SENSOR) {
         return find_by_total(&o, question->distance, rays, error);
@@ -203,8 +181,8 @@ size_t conjugate_find(const struct paraxial_system *system, const struct paraxia
     if (!isinf(question->distance) && !check_reference(&o, question->from, is_image, error)) {
         return 0;
     }
-    rays[0] = is_image ? backwards(&o, image_ray(&o, question->from, question->distance))
-                       : object_ray(&o, question->from, question->distance);
+    rays[0] = ray_of_place(&o, question->from, question->distance, is_image);
+    rays[0] = is_image ? backwards(&o, rays[0]) : rays[0];
     return 1;
 }
 

@@ -396,10 +396,8 @@ const char *first_order_warning(const struct lens *lens, struct arena *arena)
             continue;
         }
         const char *text = arena_printf(
-            arena,
-            "surface %zu is %s: first-order data are those of the "
-            "centred lens",
-            i + 1, surface->decentre != NULL ? "decentred or tilted" : "behind a coordinate break");
+            arena, "surface %zu is %s: first-order data are those of the centred lens", i + 1,
+            surface->decentre != NULL ? "decentred or tilted" : "behind a coordinate break");
         return warning == NULL ? text : arena_printf(arena, "%s; %s", text, warning);
     }
     return warning;

@@ -183,23 +183,19 @@ static struct glass_figure glass_buchdahl(const struct glass *glass, const struc
     return value;
 }
 
-/* Where the entries that serve a wavelength begin: two on each side of it, if there are so many. */
-static size_t first_entry(const struct glass *glass, double l, size_t wanted)
-{
-    size_t above = 0;
-    while (above < glass->table_count && glass->table[above].wavelength.hi < l) {
-        above++;
-    }
-    size_t first = above > wanted / 2 ? above - wanted / 2 : 0;
-    return first + wanted > glass->table_count ? glass->table_count - wanted : first;
-}
-
 /* Lagrange's polynomial in x = 1/l^2, and its derivative by l. */
 static struct glass_figure table(const struct glass *glass, const struct light *light)
 {
     enum { POINTS = 4 };
     size_t count = glass->table_count < POINTS ? glass->table_count : POINTS;
-    const struct glass_point *at = glass->table + first_entry(glass, light->l.hi, count);
+    /* two entries on each side of the wavelength, if there are so many */
+    size_t above = 0;
+    while (above < glass->table_count && glass->table[above].wavelength.hi < light->l.hi) {
+        above++;
+    }
+    size_t first = above > count / 2 ? above - count / 2 : 0;
+    const struct glass_point *at =
+        glass->table + (first + count > glass->table_count ? glass->table_count - count : first);
     struct pair x = glass_inverse(light->square), nodes[POINTS];
     struct glass_figure value = {{0, 0}, 0};
     for (size_t i = 0; i < count; i++) {

@@ -79,30 +79,6 @@ static void substitute(const struct lens *lens, struct figure *figure, size_t po
     }
 }
 
-static void make_setting(struct lens *lens, const struct lens_setting *setting, size_t position,
-                         struct arena *arena)
-{
-    const struct parameter *one = &setting->parameter;
-    if (setting->media != NULL) {
-        parameter_put_medium(lens, one->surface, &setting->media[position]);
-    } else {
-        parameter_put(&lens->surfaces[one->surface], one->kind, one->order,
-                      setting->figures[position], arena);
-    }
-}
-
-/* A plane that was only the stop stays as a plane. */
-static void move_stop(struct lens *lens, size_t stop)
-{
-    struct surface *from = &lens->surfaces[lens->stop];
-    if (stop != lens->stop) {
-        from->is_stop = false;
-        from->kind = from->kind == SURFACE_STOP ? SURFACE_REFRACT : from->kind;
-        lens->surfaces[stop].is_stop = true;
-        lens->stop = stop;
-    }
-}
-
 const struct lens *lens_at_position(const struct lens *lens, size_t position, struct arena *arena)
 {
     if (lens->position_count == 0) {
@@ -121,12 +97,26 @@ const struct lens *lens_at_position(const struct lens *lens, size_t position, st
         }
     }
     for (size_t i = 0; i < lens->setting_count; i++) {
-        make_setting(copy, &lens->settings[i], position, arena);
+        const struct parameter *one = &lens->settings[i].parameter;
+        if (lens->settings[i].media != NULL) {
+            parameter_put_medium(copy, one->surface, &lens->settings[i].media[position]);
+        } else {
+            parameter_put(&copy->surfaces[one->surface], one->kind, one->order,
+                          lens->settings[i].figures[position], arena);
+        }
     }
     copy->settings = NULL;
     copy->setting_count = 0;
     if (lens->stops != NULL) {
-        move_stop(copy, lens->stops[position]);
+        /* A plane that was only the stop stays as a plane. */
+        size_t stop = lens->stops[position];
+        struct surface *from = &copy->surfaces[copy->stop];
+        if (stop != copy->stop) {
+            from->is_stop = false;
+            from->kind = from->kind == SURFACE_STOP ? SURFACE_REFRACT : from->kind;
+            copy->surfaces[stop].is_stop = true;
+            copy->stop = stop;
+        }
     }
     if (lens->lights != NULL) {
         copy->wavelengths = lens->lights[position].wavelengths;
@@ -177,8 +167,7 @@ struct check {
     const struct lens *lens;
     struct arena *arena;
     struct lens_warnings *warnings;
-    const char *position; /* null = the only one */
-    bool has_thick;       /* a thick lens is among the surfaces */
+    bool has_thick; /* a thick lens is among the surfaces */
 };
 
 enum { MOST_WARNINGS = 20 };
@@ -394,8 +383,7 @@ bool lens_check(const struct lens *lens, struct arena *arena, struct lens_warnin
             return fail(error, ERROR_DATA,
                         "a telecentric object space needs an object at a distance");
         }
-        struct check check = {lens_at_position(lens, i, arena), arena, warnings,
-                              lens->position_count > 0 ? lens->positions[i] : NULL, false};
+        struct check check = {lens_at_position(lens, i, arena), arena, warnings, false};
         for (size_t j = 0; j < lens->surface_count; j++) {
             check.has_thick = check.has_thick || surface_has(&lens->surfaces[j], SURFACE_HAS_FOCAL);
         }

@@ -25,25 +25,6 @@ static struct pair medium_inverse_square(double wavelength)
     return pair_divide(pair_of(1), pair_product(wavelength, wavelength));
 }
 
-/* Lagrange's polynomial in 1/l^2. */
-static struct pair medium_interpolate(const struct index_point *points, size_t count,
-                                      double wavelength)
-{
-    struct pair x = medium_inverse_square(wavelength), sum = {0, 0};
-    for (size_t i = 0; i < count; i++) {
-        struct pair term = points[i].index, x_i = medium_inverse_square(points[i].wavelength);
-        for (size_t j = 0; j < count; j++) {
-            struct pair x_j = medium_inverse_square(points[j].wavelength);
-            if (j != i) {
-                term = pair_multiply(term,
-                                     pair_divide(pair_subtract(x, x_j), pair_subtract(x_i, x_j)));
-            }
-        }
-        sum = pair_add(sum, term);
-    }
-    return sum;
-}
-
 static bool table_index(const struct medium *medium, double wavelength, struct pair *index,
                         struct error *error)
 {
@@ -63,7 +44,21 @@ static bool table_index(const struct medium *medium, double wavelength, struct p
         first += drop_first;
         count--;
     }
-    *index = medium_interpolate(points + first, count, wavelength);
+    /* Lagrange's polynomial in 1/l^2. */
+    const struct index_point *near = points + first;
+    struct pair x = medium_inverse_square(wavelength), sum = {0, 0};
+    for (size_t i = 0; i < count; i++) {
+        struct pair term = near[i].index, x_i = medium_inverse_square(near[i].wavelength);
+        for (size_t j = 0; j < count; j++) {
+            struct pair x_j = medium_inverse_square(near[j].wavelength);
+            if (j != i) {
+                term = pair_multiply(term,
+                                     pair_divide(pair_subtract(x, x_j), pair_subtract(x_i, x_j)));
+            }
+        }
+        sum = pair_add(sum, term);
+    }
+    *index = sum;
     return true;
 }
 

@@ -39,10 +39,8 @@ bool parameter_name_read(struct text text, enum parameter_kind *kind, int *order
         const struct parameter_type *type = parameter_type(i);
         *kind = i;
         *order = 0;
-        if ((type->is & PARAMETER_HAS_ORDERS) == 0 && text_equal(text, type->name)) {
-            return true;
-        }
-        if (type->mark != NULL && text_equal(text, type->mark)) {
+        if (((type->is & PARAMETER_HAS_ORDERS) == 0 && text_equal(text, type->name)) ||
+            (type->mark != NULL && text_equal(text, type->mark))) {
             return true;
         }
         if ((type->is & PARAMETER_HAS_ORDERS) != 0) {

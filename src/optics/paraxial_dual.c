@@ -21,29 +21,6 @@ static struct dual paraxial_dual_inverse(struct dual a)
 
 /* -------- the lens -------- */
 
-static bool paraxial_dual_set_index(const struct lens *lens, double wavelength, struct dual *index,
-                                    struct error *error)
-{
-    struct pair n;
-    if (!medium_index(&lens->object_medium, wavelength, &n, error)) {
-        return false;
-    }
-    index[0] = dual_of(n.hi);
-    for (size_t i = 0; i < lens->surface_count; i++) {
-        const struct surface *surface = &lens->surfaces[i];
-        double sign = index[i].value < 0 ? -1 : 1;
-        if (surface_reflects(surface)) {
-            index[i + 1] = dual_of(-index[i].value);
-            continue;
-        }
-        if (!medium_index(&surface->medium, wavelength, &n, error)) {
-            return error_prefix(error, "surface %zu: ", i + 1);
-        }
-        index[i + 1] = dual_of(sign * n.hi);
-    }
-    return true;
-}
-
 bool paraxial_dual_read(const struct lens *lens, double wavelength, struct paraxial_dual *dual,
                         struct error *error)
 {
@@ -65,7 +42,25 @@ bool paraxial_dual_read(const struct lens *lens, double wavelength, struct parax
         }
         dual->surfaces[i] = to;
     }
-    return paraxial_dual_set_index(lens, wavelength, dual->index, error);
+    struct dual *index = dual->index;
+    struct pair n;
+    if (!medium_index(&lens->object_medium, wavelength, &n, error)) {
+        return false;
+    }
+    index[0] = dual_of(n.hi);
+    for (size_t i = 0; i < lens->surface_count; i++) {
+        const struct surface *behind = &lens->surfaces[i];
+        double sign = index[i].value < 0 ? -1 : 1;
+        if (surface_reflects(behind)) {
+            index[i + 1] = dual_of(-index[i].value);
+            continue;
+        }
+        if (!medium_index(&behind->medium, wavelength, &n, error)) {
+            return error_prefix(error, "surface %zu: ", i + 1);
+        }
+        index[i + 1] = dual_of(sign * n.hi);
+    }
+    return true;
 }
 
 struct paraxial_dual paraxial_dual_new(const struct lens *lens, enum lens_section section,

@@ -77,28 +77,6 @@ static const char *against_number(const struct lens *lens, struct parameter one,
                : arena_printf(arena, "%s: %s", name, error.message);
 }
 
-/*
- * Behind those that it follows, before those that follow it: they come last, and among themselves
- * both parts stay as they were.
- */
-static void insert(struct lens *lens, struct lens_pickup pickup, struct arena *arena)
-{
-    size_t count = lens->pickup_count, first = 0, last = 0;
-    struct lens_pickup *all = ARENA_ARRAY(arena, 2 * count + 2, struct lens_pickup);
-    struct lens_pickup *behind = all + count + 1;
-    for (size_t i = 0; i < count; i++) {
-        bool follows = parameter_is_same(lens->pickups[i].from, pickup.what);
-        for (size_t j = 0; j < last; j++) {
-            follows = follows || parameter_is_same(lens->pickups[i].from, behind[j].what);
-        }
-        *(follows ? &behind[last++] : &all[first++]) = lens->pickups[i];
-    }
-    all[first] = pickup;
-    memcpy(all + first + 1, behind, last * sizeof behind[0]);
-    lens->pickups = all;
-    lens->pickup_count = count + 1;
-}
-
 const char *lens_pickup_add(struct lens *lens, struct lens_pickup pickup, struct arena *arena)
 {
     const char *name = parameter_mark_write(pickup.what, arena);
@@ -136,7 +114,24 @@ const char *lens_pickup_add(struct lens *lens, struct lens_pickup pickup, struct
     if (lens->pickup_count == LENS_MOST_PICKUPS) {
         return arena_printf(arena, "more than %d pick-ups", LENS_MOST_PICKUPS);
     }
-    insert(lens, pickup, arena);
+    /*
+     * Behind those that it follows, before those that follow it: they come last, and among
+     * themselves both parts stay as they were.
+     */
+    size_t count = lens->pickup_count, first = 0, last = 0;
+    struct lens_pickup *all = ARENA_ARRAY(arena, 2 * count + 2, struct lens_pickup);
+    struct lens_pickup *behind = all + count + 1;
+    for (size_t i = 0; i < count; i++) {
+        bool follows = parameter_is_same(lens->pickups[i].from, pickup.what);
+        for (size_t j = 0; j < last; j++) {
+            follows = follows || parameter_is_same(lens->pickups[i].from, behind[j].what);
+        }
+        *(follows ? &behind[last++] : &all[first++]) = lens->pickups[i];
+    }
+    all[first] = pickup;
+    memcpy(all + first + 1, behind, last * sizeof behind[0]);
+    lens->pickups = all;
+    lens->pickup_count = count + 1;
     return NULL;
 }
 

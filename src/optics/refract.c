@@ -73,17 +73,6 @@ static double point_at(double n, double V, double infinity)
     return V == 0 ? infinity : n / V;
 }
 
-static bool refract_solve_radius(struct refract_surface *s, double after, struct error *error)
-{
-    double P = refract_vergence(after, s->z_image) - refract_vergence(s->n, s->z);
-    if (after == s->n) {
-        return fail(error, ERROR_DOMAIN,
-                    "equal indices %.6g on both sides: no radius has any effect", s->n);
-    }
-    s->R = point_at(after - s->n, P, INFINITY);
-    return true;
-}
-
 /* The index on the side of point z from the one on the side of `other`. */
 static bool refract_solve_index(double n, double other, double z, double R, double *found,
                                 struct error *error)
@@ -118,7 +107,13 @@ bool refract_solve(struct refract_surface *s, struct error *error)
     }
     double after = s->mirror ? -s->n : s->n_after;
     if (isnan(s->R)) {
-        return refract_solve_radius(s, after, error);
+        double power = refract_vergence(after, s->z_image) - refract_vergence(s->n, s->z);
+        if (after == s->n) {
+            return fail(error, ERROR_DOMAIN,
+                        "equal indices %.6g on both sides: no radius has any effect", s->n);
+        }
+        s->R = point_at(after - s->n, power, INFINITY);
+        return true;
     }
     if (isnan(s->n_after)) {
         return refract_solve_index(s->n, s->z, s->z_image, s->R, &s->n_after, error);
@@ -302,35 +297,6 @@ static double longitudinal(const struct refract_surface *s, const struct refract
     return ray->sag + after * (D - versine_after * Kp) / K / Kp;
 }
 
-static void fill_paraxial(const struct refract_surface *s, double after, struct refract_ray *ray)
-{
-    double h = ray->height, z = ray->z;
-    double u = isinf(z) ? 0 : -h / z;
-    if (z == 0) {
-        u = h == 0 ? ray->sin_u / ray->cos_u : NAN;
-    }
-    ray->paraxial_slope = u;
-    /* the same factored, so that an object at the centre is met without a rest */
-    if (isinf(z)) {
-        ray->paraxial_incidence = h / s->R;
-    } else if (isinf(s->R)) {
-        ray->paraxial_incidence = u;
-    } else {
-        ray->paraxial_incidence = u * ((s->R - z) / s->R);
-    }
-    ray->paraxial_refraction = s->n * ray->paraxial_incidence / after;
-    ray->paraxial_slope_after = (s->n * u - h * refract_power(s)) / after;
-}
-
-static bool total_reflection(double n, double after, double incidence, struct error *error)
-{
-    return fail(error, ERROR_DOMAIN,
-                "total reflection: the angle of incidence %.6g deg is beyond the critical angle "
-                "%.6g deg, asin(%.6g/%.6g)",
-                fabs(incidence) * DEGREES_PER_RADIAN, asin(after / n) * DEGREES_PER_RADIAN, after,
-                n);
-}
-
 bool refract_through(const struct refract_surface *s, struct refract_ray *ray, struct error *error)
 {
     double n = s->n, after = s->mirror ? -n : s->n_after, c = curvature(s);
@@ -351,7 +317,12 @@ bool refract_through(const struct refract_surface *s, struct refract_ray *ray, s
     ray->incidence = atan2(sin_i, cos_i);
     double sin_after = n * sin_i / after;
     if (!(fabs(sin_after) <= 1)) {
-        return total_reflection(n, after, ray->incidence, error);
+        return fail(
+            error, ERROR_DOMAIN,
+            "total reflection: the angle of incidence %.6g deg is beyond the critical angle "
+            "%.6g deg, asin(%.6g/%.6g)",
+            fabs(ray->incidence) * DEGREES_PER_RADIAN, asin(after / n) * DEGREES_PER_RADIAN, after,
+            n);
     }
     double cos_after = sqrt((1 - sin_after) * (1 + sin_after));
     ray->refraction = atan2(sin_after, cos_after);
@@ -374,6 +345,21 @@ bool refract_through(const struct refract_surface *s, struct refract_ray *ray, s
     ray->crossing = K == 0 ? INFINITY : ray->sag + after * cos_u / K;
     ray->difference = longitudinal(s, ray, after, K, gain, versine(sin_u, cos_u));
     ray->transverse = -ray->difference * sin_u / cos_u;
-    fill_paraxial(s, after, ray);
+    double h = ray->height, z = ray->z;
+    double u = isinf(z) ? 0 : -h / z;
+    if (z == 0) {
+        u = h == 0 ? ray->sin_u / ray->cos_u : NAN;
+    }
+    ray->paraxial_slope = u;
+    /* the same factored, so that an object at the centre is met without a rest */
+    if (isinf(z)) {
+        ray->paraxial_incidence = h / s->R;
+    } else if (isinf(s->R)) {
+        ray->paraxial_incidence = u;
+    } else {
+        ray->paraxial_incidence = u * ((s->R - z) / s->R);
+    }
+    ray->paraxial_refraction = s->n * ray->paraxial_incidence / after;
+    ray->paraxial_slope_after = (s->n * u - h * refract_power(s)) / after;
     return true;
 }

@@ -197,14 +197,6 @@ static void add_asphere(const struct interface *at, const struct two_rays *rays,
     }
 }
 
-static void transfer(const struct paraxial_surface *surface, struct two_rays *rays)
-{
-    rays->v = rays->after;
-    rays->chief_v = rays->chief_after;
-    rays->y = pair_add(rays->y, pair_multiply(rays->v, surface->reduced));
-    rays->chief_y = pair_add(rays->chief_y, pair_multiply(rays->chief_v, surface->reduced));
-}
-
 /* Rounded once; without -0. */
 static struct seidel_part seidel_rounded(const struct exact_part *part)
 {
@@ -271,7 +263,11 @@ bool seidel_compute(const struct seidel_question *question, struct arena *arena,
         seidel->parts[i] = seidel_rounded(&part);
         seidel->height = rays.y.hi;
         seidel->slope = rays.after.hi;
-        transfer(&system->surfaces[i], &rays);
+        rays.v = rays.after;
+        rays.chief_v = rays.chief_after;
+        rays.y = pair_add(rays.y, pair_multiply(rays.v, system->surfaces[i].reduced));
+        rays.chief_y =
+            pair_add(rays.chief_y, pair_multiply(rays.chief_v, system->surfaces[i].reduced));
     }
     seidel->total = seidel_rounded(&total);
     return true;

@@ -36,29 +36,6 @@ static struct surface plane_surface(double thickness, const struct medium *mediu
     return surface;
 }
 
-static struct surface stop_surface(double thickness, double diameter, const struct medium *medium)
-{
-    struct surface stop = plane_surface(thickness, medium);
-    stop.kind = SURFACE_STOP;
-    stop.is_stop = stop.has_diameter = true;
-    stop.diameter = figure_number(pair_of(diameter));
-    return stop;
-}
-
-static struct surface thick_surface(const struct thick_stand_in *stand_in,
-                                    const struct medium *medium)
-{
-    const struct thick_lens *thick = &stand_in->thick;
-    struct surface surface = plane_surface(-thick->rear, medium);
-    surface.kind = SURFACE_THICK;
-    surface.focal = figure_number(pair_of(thick->focal));
-    surface.hiatus = figure_number(pair_of(stand_in->length + thick->rear - thick->front));
-    for (size_t i = 0; i < THICK_DISTORTIONS; i++) {
-        surface.distortion[i] = figure_number(pair_of(thick->distortion[i]));
-    }
-    return surface;
-}
-
 static void set_surfaces(struct lens *lens, const struct thick_stand_in *stand_in,
                          const struct medium *behind)
 {
@@ -69,10 +46,21 @@ static void set_surfaces(struct lens *lens, const struct thick_stand_in *stand_i
     lens->surfaces[count++] = plane_surface(has_stop ? stand_in->pupil : front, before);
     if (has_stop) {
         lens->stop = count;
-        lens->surfaces[count++] =
-            stop_surface(front - stand_in->pupil, stand_in->pupil_diameter, before);
+        struct surface stop = plane_surface(front - stand_in->pupil, before);
+        stop.kind = SURFACE_STOP;
+        stop.is_stop = stop.has_diameter = true;
+        stop.diameter = figure_number(pair_of(stand_in->pupil_diameter));
+        lens->surfaces[count++] = stop;
     }
-    lens->surfaces[count++] = thick_surface(stand_in, behind);
+    const struct thick_lens *thick = &stand_in->thick;
+    struct surface ideal = plane_surface(-thick->rear, behind);
+    ideal.kind = SURFACE_THICK;
+    ideal.focal = figure_number(pair_of(thick->focal));
+    ideal.hiatus = figure_number(pair_of(stand_in->length + thick->rear - thick->front));
+    for (size_t i = 0; i < THICK_DISTORTIONS; i++) {
+        ideal.distortion[i] = figure_number(pair_of(thick->distortion[i]));
+    }
+    lens->surfaces[count++] = ideal;
     lens->surfaces[count++] = plane_surface(stand_in->image, behind);
     lens->surface_count = count;
     if (has_stop) {

@@ -32,32 +32,6 @@ static bool bracket_lay_out(struct bracket *plan, struct error *error)
            answer_positive("the total time", plan->total, error);
 }
 
-/* Both ends are known: count the shots, or divide the span among them. */
-static bool plan_between(const struct bracket_given *given, struct bracket *plan,
-                         struct error *error)
-{
-    double span = fabs(log2(given->from / given->to));
-    plan->longest = fmax(given->from, given->to);
-    plan->residual = 0;
-    if (is_given(given->step)) {
-        double shots = round(span / given->step) + 1;
-        if (!bracket_check_shots(shots, error)) {
-            return false;
-        }
-        plan->shots = (int)shots;
-        plan->step = given->step;
-        plan->residual = span - (shots - 1) * given->step;
-    } else {
-        plan->shots = (int)given->shots;
-        if (plan->shots == 1 && span > 0) {
-            return fail(error, ERROR_DOMAIN, "one shot cannot reach from %.10g s to %.10g s",
-                        given->from, given->to);
-        }
-        plan->step = plan->shots > 1 ? span / (plan->shots - 1) : 0;
-    }
-    return bracket_lay_out(plan, error);
-}
-
 bool bracket_plan(const struct bracket_given *given, struct bracket *plan, struct error *error)
 {
     const struct given numbers[] = {{"time at one end", " s", given->from},
@@ -84,7 +58,27 @@ bool bracket_plan(const struct bracket_given *given, struct bracket *plan, struc
         return false;
     }
     if (is_given(given->from) && is_given(given->to)) {
-        return plan_between(given, plan, error);
+        /* Both ends are known: count the shots, or divide the span among them. */
+        double span = fabs(log2(given->from / given->to));
+        plan->longest = fmax(given->from, given->to);
+        plan->residual = 0;
+        if (is_given(given->step)) {
+            double shots = round(span / given->step) + 1;
+            if (!bracket_check_shots(shots, error)) {
+                return false;
+            }
+            plan->shots = (int)shots;
+            plan->step = given->step;
+            plan->residual = span - (shots - 1) * given->step;
+        } else {
+            plan->shots = (int)given->shots;
+            if (plan->shots == 1 && span > 0) {
+                return fail(error, ERROR_DOMAIN, "one shot cannot reach from %.10g s to %.10g s",
+                            given->from, given->to);
+            }
+            plan->step = plan->shots > 1 ? span / (plan->shots - 1) : 0;
+        }
+        return bracket_lay_out(plan, error);
     }
     plan->shots = (int)given->shots;
     plan->step = given->step;

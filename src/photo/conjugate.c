@@ -101,44 +101,23 @@ static bool conjugates_without_f(unsigned has, const struct conjugates_given *g,
     return true;
 }
 
-/* Which are given, as bits; false and an error if one is out of its range. */
-static bool given_bits(const struct conjugates_given *given, unsigned *has, struct error *error)
+bool conjugates_solve(const struct conjugates_given *given, struct conjugates *result,
+                      struct error *error)
 {
+    unsigned has;
+    /* Which are given, as bits; false and an error if one is out of its range. */
     const double values[] = {given->f, given->s, given->v, given->m, given->T};
     const struct given finite[] = {{"focal length", " mm", given->f},
                                    {"image distance", " mm", given->v}};
     const struct given others[] = {{"distance", " mm", given->s},
                                    {"sensor distance", " mm", given->T}};
-    *has = 0;
+    has = 0;
     for (unsigned i = 0; i < sizeof values / sizeof values[0]; i++) {
-        *has |= isnan(values[i]) ? 0 : 1U << i;
+        has |= isnan(values[i]) ? 0 : 1U << i;
     }
-    return given_positive(finite, 2, error) && given_above_0(others, 2, error) &&
-           (isnan(given->m) || check_not_negative("magnification", "", given->m, error)) &&
-           check_finite("hiatus", " mm", given->hiatus, error);
-}
-
-/* From f and m everything else; what was given or solved before stays as it is. */
-static void conjugate_complete(unsigned has, double hiatus, struct conjugates *r)
-{
-    r->extension = r->f * r->m;
-    r->twin_magnification = 1 / r->m;
-    if (!(has & HAS_S) && isnan(r->s)) {
-        r->s = r->f * (1 + 1 / r->m);
-    }
-    if (!(has & HAS_V) && isnan(r->v)) {
-        r->v = r->f * (1 + r->m);
-    }
-    if (!(has & HAS_T)) {
-        r->T = r->s + r->v + hiatus;
-    }
-}
-
-bool conjugates_solve(const struct conjugates_given *given, struct conjugates *result,
-                      struct error *error)
-{
-    unsigned has;
-    if (!given_bits(given, &has, error)) {
+    if (!given_positive(finite, 2, error) || !given_above_0(others, 2, error) ||
+        (!isnan(given->m) && !check_not_negative("magnification", "", given->m, error)) ||
+        !check_finite("hiatus", " mm", given->hiatus, error)) {
         return false;
     }
     *result = (struct conjugates){
@@ -153,7 +132,18 @@ bool conjugates_solve(const struct conjugates_given *given, struct conjugates *r
                              : conjugates_without_f(has, given, result, error))) {
         return false;
     }
-    conjugate_complete(has, given->hiatus, result);
+    /* From f and m everything else; what was given or solved before stays as it is. */
+    result->extension = result->f * result->m;
+    result->twin_magnification = 1 / result->m;
+    if (!(has & HAS_S) && isnan(result->s)) {
+        result->s = result->f * (1 + 1 / result->m);
+    }
+    if (!(has & HAS_V) && isnan(result->v)) {
+        result->v = result->f * (1 + result->m);
+    }
+    if (!(has & HAS_T)) {
+        result->T = result->s + result->v + given->hiatus;
+    }
     return true;
 }
 

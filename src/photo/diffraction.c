@@ -166,8 +166,7 @@ bool diffraction_focus_spread(double f, double near, double far, double *spread,
     if (!(near > f && isfinite(near))) {
         return fail(error, ERROR_DOMAIN,
                     "{nearest point} %g mm lies within {the focal length} %g mm: no real image "
-                    "(more than %g "
-                    "mm, finite)",
+                    "(more than %g mm, finite)",
                     near, f, f);
     }
     if (!(far >= near)) {

@@ -85,24 +85,41 @@ static bool solve_with_offset(struct dof_setting *setting, const struct dof_targ
     return dof_solve(setting, &moved, error);
 }
 
-static bool has_goals(const struct dof_targets *a)
+bool distance_solve(struct dof_setting *setting, const struct dof_targets *targets,
+                    const struct distance_reference *measuring, struct error *error)
 {
-    return !(isnan(a->near) && isnan(a->far) && isnan(a->total) && isnan(a->hyperfocal) &&
-             isnan(a->magnification));
-}
-
-/* None is negative, so that no two infinities make a NaN. */
-static bool distance_from_is_complete(const struct dof_setting *a)
-{
-    return !isnan(a->f + a->N + a->c + a->s);
-}
-
-/* Limits are known, the distance is not: where it is measured from moves with it. */
-static bool solve_by_turns(struct dof_setting *setting, const struct dof_targets *targets,
-                           const struct distance_reference *measuring, struct error *error)
-{
-    enum { MOST_TURNS = 200 };
+    enum distance_from from = measuring->from;
+    bool measured = from != FROM_PRINCIPAL;
+    if (!measured && (!isnan(setting->f + setting->N + setting->c + setting->s)) &&
+        (isnan(targets->near) && isnan(targets->far) && isnan(targets->total) &&
+         isnan(targets->hyperfocal) && isnan(targets->magnification))) {
+        return true; /* nothing to solve, as in most batches */
+    }
+    bool has_s = !isnan(setting->s), has_f = !isnan(setting->f);
+    bool has_limits = !isnan(targets->near) || !isnan(targets->far);
+    if (!needs_front(measuring, error)) {
+        return false;
+    }
+    if (!measured || (!has_s && !has_limits)) {
+        return dof_solve(setting, targets, error);
+    }
+    if (!has_f) {
+        return fail(error, ERROR_USAGE,
+                    "with {distance origin} %s a distance needs {focal length}: give it, or "
+                    "measure from the principal plane",
+                    distances_from[from].word);
+    }
     struct dof_setting answer = *setting;
+    if (has_s) {
+        if (!distance_to_principal(setting->f, setting->P, setting->s, measuring, &answer.s,
+                                   error)) {
+            return false;
+        }
+        *setting = answer;
+        return solve_with_offset(setting, targets, distance_offset(setting, measuring), error);
+    }
+    /* Limits are known, the distance is not: where it is measured from moves with it. */
+    enum { MOST_TURNS = 200 };
     answer.s = INFINITY; /* the subject far away, to begin with */
     double offset = distance_offset(&answer, measuring);
     for (int turn = 0; turn < MOST_TURNS; turn++) {
@@ -119,39 +136,4 @@ static bool solve_by_turns(struct dof_setting *setting, const struct dof_targets
     }
     return fail(error, ERROR_DOMAIN, "no distance from the %s gives these limits",
                 distances_from[measuring->from].word);
-}
-
-bool distance_solve(struct dof_setting *setting, const struct dof_targets *targets,
-                    const struct distance_reference *measuring, struct error *error)
-{
-    enum distance_from from = measuring->from;
-    bool measured = from != FROM_PRINCIPAL;
-    if (!measured && distance_from_is_complete(setting) && !has_goals(targets)) {
-        return true; /* nothing to solve, as in most batches */
-    }
-    bool has_s = !isnan(setting->s), has_f = !isnan(setting->f);
-    bool has_limits = !isnan(targets->near) || !isnan(targets->far);
-    if (!needs_front(measuring, error)) {
-        return false;
-    }
-    if (!measured || (!has_s && !has_limits)) {
-        return dof_solve(setting, targets, error);
-    }
-    if (!has_f) {
-        return fail(error, ERROR_USAGE,
-                    "with {distance origin} %s a distance needs {focal length}: give it, or "
-                    "measure from the "
-                    "principal plane",
-                    distances_from[from].word);
-    }
-    struct dof_setting answer = *setting;
-    if (has_s) {
-        if (!distance_to_principal(setting->f, setting->P, setting->s, measuring, &answer.s,
-                                   error)) {
-            return false;
-        }
-        *setting = answer;
-        return solve_with_offset(setting, targets, distance_offset(setting, measuring), error);
-    }
-    return solve_by_turns(setting, targets, measuring, error);
 }

@@ -43,20 +43,8 @@ static bool refuse_range(const struct dof_setting *a, struct error *error)
     return fail(error, ERROR_DOMAIN,
                 "{focal length} %.15g mm, {f-number} %.15g, {circle of confusion} %.15g mm, "
                 "{distance} %.15g mm, {pupil magnification} %.15g: the result is outside the range "
-                "of numbers "
-                "(1e-308 to 1e308)",
+                "of numbers (1e-308 to 1e308)",
                 a->f, a->N, a->c, a->s, a->P);
-}
-
-/* Limits that coincide with the subject: nothing is blurred less than not at all. */
-static void limits_without_blur(double s, struct dof *d)
-{
-    d->hyperfocal = INFINITY;
-    d->near = d->far = s;
-    d->front = d->behind = d->total = 0;
-    d->image_near = d->image_far = d->image;
-    d->near_vergence = d->far_vergence = 1 / s;
-    d->near_condition = d->far_condition = s < INFINITY ? 1 : INFINITY;
 }
 
 /* Near and far limit for e > 0; m, image and the like are already there. */
@@ -111,7 +99,14 @@ static inline bool exact(const struct dof_setting *a, struct dof *d)
     d->working_fnumber = a->N * pupil;
     double range = d->depth_of_focus + d->blur_at_infinity + d->image + d->working_fnumber;
     if (!(e > 0)) {
-        limits_without_blur(a->s, d);
+        /* Limits that coincide with the subject: nothing is blurred less than not at all. */
+        double s = a->s;
+        d->hyperfocal = INFINITY;
+        d->near = d->far = s;
+        d->front = d->behind = d->total = 0;
+        d->image_near = d->image_far = d->image;
+        d->near_vergence = d->far_vergence = 1 / s;
+        d->near_condition = d->far_condition = s < INFINITY ? 1 : INFINITY;
         return range < INFINITY;
     }
     limits(a, e, p, d);
@@ -125,16 +120,6 @@ static double conjugate(double f, double x)
         return INFINITY;
     }
     return f + f * (f / (x - f));
-}
-
-/* Near and far limit of H s/(H +- s), written with r = s/H. */
-static void popular_limits(const struct dof_setting *a, struct dof *d)
-{
-    double H = d->hyperfocal, r = a->s / H;
-    d->near = a->s < INFINITY ? a->s / (1 + r) : H;
-    d->front = a->s / (1 + H / a->s);
-    d->behind = r < 1 ? a->s * (r / (1 - r)) : INFINITY;
-    d->far = a->s + d->behind;
 }
 
 /* Half of 2 N c (1 + m)/m^2 on each side. */
@@ -167,7 +152,12 @@ static bool short_cut(const struct dof_setting *a, enum dof_model model, struct 
         d->hyperfocal = a->f / (a->N * a->c / a->f);
     }
     if (model == DOF_POPULAR) {
-        popular_limits(a, d);
+        /* Near and far limit of H s/(H +- s), written with r = s/H. */
+        double H = d->hyperfocal, r = a->s / H;
+        d->near = a->s < INFINITY ? a->s / (1 + r) : H;
+        d->front = a->s / (1 + H / a->s);
+        d->behind = r < 1 ? a->s * (r / (1 - r)) : INFINITY;
+        d->far = a->s + d->behind;
     }
     d->total = d->front + d->behind;
     d->near_vergence = 1 / d->near;

@@ -119,8 +119,7 @@ static bool solve_pair(struct problem *p, struct error *error)
     if (!(x.m < INFINITY)) {
         return fail(error, ERROR_DOMAIN,
                     "{near limit} %.15g mm and {far limit} %.15g mm are too near for {the focal "
-                    "length} %.15g mm: no "
-                    "real image between them",
+                    "length} %.15g mm: no real image between them",
                     p->t.near, p->t.far, p->a.f);
     }
     set_magnification(p, x.m);

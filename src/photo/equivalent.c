@@ -28,22 +28,16 @@ bool equivalent_ratio(const struct sensor *from, const struct sensor *to,
     return sensor_check(from, error) && sensor_check(to, error);
 }
 
-static bool equivalent_check_setting(const struct equivalent_setting *s, double k,
-                                     struct error *error)
-{
-    return check_positive("focal length", " mm", s->f, error) &&
-           check_positive("f-number", "", s->N, error) &&
-           check_positive("pupil magnification", "", s->P, error) &&
-           check_positive("ISO speed", "", s->iso, error) &&
-           check_positive("size ratio of the formats", "", k, error) &&
-           check_not_negative("magnification", "", s->m, error) &&
-           check_not_negative("circle of confusion", " mm", s->c, error);
-}
-
 bool equivalent_compute(const struct equivalent_setting *setting, double k,
                         enum equivalent_keep keep, struct equivalent *result, struct error *error)
 {
-    if (!equivalent_check_setting(setting, k, error)) {
+    if (!check_positive("focal length", " mm", setting->f, error) ||
+        !check_positive("f-number", "", setting->N, error) ||
+        !check_positive("pupil magnification", "", setting->P, error) ||
+        !check_positive("ISO speed", "", setting->iso, error) ||
+        !check_positive("size ratio of the formats", "", k, error) ||
+        !check_not_negative("magnification", "", setting->m, error) ||
+        !check_not_negative("circle of confusion", " mm", setting->c, error)) {
         return false;
     }
     double m = k * setting->m;

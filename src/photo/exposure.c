@@ -122,19 +122,6 @@ static double light_ratio(const struct exposure_given *g)
     return power_of_two(g->ev) / (g->S / 100);
 }
 
-static bool fail_count(int missing, struct error *error)
-{
-    if (missing == 0) {
-        return fail(error, ERROR_USAGE,
-                    "nothing is left to solve for: leave out one of {f-number}, {exposure time}, "
-                    "{ISO speed} and "
-                    "a light (" ANY_LIGHT ")");
-    }
-    return fail(error, ERROR_USAGE,
-                "too little is given: of {f-number}, {exposure time} and a light (" ANY_LIGHT
-                ") two are needed ({ISO speed} is 100 unless given)");
-}
-
 /* Find the one unknown; a missing speed is either that or assumed. */
 static bool exposure_find_unknown(struct exposure_given *g, struct exposure *x, struct error *error)
 {
@@ -145,7 +132,14 @@ static bool exposure_find_unknown(struct exposure_given *g, struct exposure *x, 
     int missing = !is_given(g->N) + !is_given(g->t) + (lights == 0);
     bool speed = is_given(g->S);
     if (missing > 1 || (missing == 0 && speed)) {
-        return fail_count(missing, error);
+        if (missing == 0) {
+            return fail(error, ERROR_USAGE,
+                        "nothing is left to solve for: leave out one of {f-number}, {exposure "
+                        "time}, {ISO speed} and a light (" ANY_LIGHT ")");
+        }
+        return fail(error, ERROR_USAGE,
+                    "too little is given: of {f-number}, {exposure time} and a light (" ANY_LIGHT
+                    ") two are needed ({ISO speed} is 100 unless given)");
     }
     if (missing == 0 && is_given(g->ev)) {
         return fail(error, ERROR_USAGE,
@@ -169,39 +163,6 @@ static bool exposure_find_unknown(struct exposure_given *g, struct exposure *x, 
     return true;
 }
 
-/* The exposure equation in stops: ev_set = ev100 + log2(S/100) - less. */
-static void exposure_solve_unknown(const struct exposure_given *g, struct exposure *x)
-{
-    double less = g->loss + g->compensation, kept = exp2(-less);
-    double speed = log2(g->S) - log2_of_100;
-    double light = x->unknown == EXPOSURE_LIGHT ? (double)NAN : light_ratio(g);
-    x->N = g->N;
-    x->t = g->t;
-    x->S = g->S;
-    x->ev100 =
-        x->unknown == EXPOSURE_LIGHT ? log2(g->N * g->N / g->t) + less - speed : light_ev100(g);
-    x->ev_set = x->ev100 + speed - less;
-    if (x->unknown == EXPOSURE_N) {
-        x->N = sqrt(g->t * (light * kept) * (g->S / 100));
-    } else if (x->unknown == EXPOSURE_T) {
-        x->t = g->N * g->N / (light * kept * (g->S / 100));
-    } else if (x->unknown == EXPOSURE_S) {
-        x->ev_set = log2(g->N * g->N / g->t);
-        x->S = 100 * (g->N * g->N / g->t / (light * kept));
-    }
-}
-
-static void exposure_complete(const struct exposure_given *g, struct exposure *x)
-{
-    x->ev = x->ev100 + (log2(x->S) - log2_of_100);
-    x->L = is_given(g->L) ? g->L : g->K * power_of_two(x->ev100) / 100;
-    x->E = is_given(g->E) ? g->E : g->C * power_of_two(x->ev100) / 100;
-    x->Av = 2 * log2(x->N);
-    x->Tv = -log2(x->t);
-    x->Sv = log2(x->S) - log2_of_3_125;
-    x->Bv = x->ev100 - (log2_of_100 - log2_of_3_125);
-}
-
 bool exposure_solve(const struct exposure_given *given, struct exposure *x, struct error *error)
 {
     struct exposure_given g = *given;
@@ -209,8 +170,31 @@ bool exposure_solve(const struct exposure_given *given, struct exposure *x, stru
     if (!exposure_check_ranges(&g, error) || !exposure_find_unknown(&g, x, error)) {
         return false;
     }
-    exposure_solve_unknown(&g, x);
-    exposure_complete(&g, x);
+    /* The exposure equation in stops: ev_set = ev100 + log2(S/100) - less. */
+    double less = g.loss + g.compensation, kept = exp2(-less);
+    double speed = log2(g.S) - log2_of_100;
+    double light = x->unknown == EXPOSURE_LIGHT ? (double)NAN : light_ratio(&g);
+    x->N = g.N;
+    x->t = g.t;
+    x->S = g.S;
+    x->ev100 =
+        x->unknown == EXPOSURE_LIGHT ? log2(g.N * g.N / g.t) + less - speed : light_ev100(&g);
+    x->ev_set = x->ev100 + speed - less;
+    if (x->unknown == EXPOSURE_N) {
+        x->N = sqrt(g.t * (light * kept) * (g.S / 100));
+    } else if (x->unknown == EXPOSURE_T) {
+        x->t = g.N * g.N / (light * kept * (g.S / 100));
+    } else if (x->unknown == EXPOSURE_S) {
+        x->ev_set = log2(g.N * g.N / g.t);
+        x->S = 100 * (g.N * g.N / g.t / (light * kept));
+    }
+    x->ev = x->ev100 + (log2(x->S) - log2_of_100);
+    x->L = is_given(g.L) ? g.L : g.K * power_of_two(x->ev100) / 100;
+    x->E = is_given(g.E) ? g.E : g.C * power_of_two(x->ev100) / 100;
+    x->Av = 2 * log2(x->N);
+    x->Tv = -log2(x->t);
+    x->Sv = log2(x->S) - log2_of_3_125;
+    x->Bv = x->ev100 - (log2_of_100 - log2_of_3_125);
     return answer_positive("the f-number", x->N, error) &&
            answer_positive("the exposure time", x->t, error) &&
            answer_positive("the ISO speed", x->S, error) &&

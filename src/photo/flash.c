@@ -86,16 +86,6 @@ static bool flash_find_unknown(struct flash_setting *s, enum flash_unknown *unkn
     return true;
 }
 
-static bool flash_check_power(double power, struct error *error)
-{
-    if (!(power <= 1)) {
-        return fail(error, ERROR_DOMAIN,
-                    "the flash would need %.4g times its full power: it is %.3g stops too weak",
-                    power, log2(power));
-    }
-    return answer_positive("the power", power, error);
-}
-
 bool flash_solve(struct flash_setting *s, enum flash_unknown *unknown, struct error *error)
 {
     flash_assume(&s->loss, 0);
@@ -122,7 +112,13 @@ bool flash_solve(struct flash_setting *s, enum flash_unknown *unknown, struct er
         return answer_positive("the ISO speed", s->S, error);
     case FLASH_POWER:
         s->power = needed * needed * lost / (s->flashes * (s->S / 100));
-        return flash_check_power(s->power, error);
+        double power = s->power;
+        if (!(power <= 1)) {
+            return fail(error, ERROR_DOMAIN,
+                        "the flash would need %.4g times its full power: it is %.3g stops too weak",
+                        power, log2(power));
+        }
+        return answer_positive("the power", power, error);
     case FLASH_FLASHES:
         break;
     }

@@ -15,52 +15,30 @@ const struct word projections[PROJECTIONS + 1] = {
     [ORTHOGRAPHIC] = {"orthographic", "f sin t: at most a half sphere"},
 };
 
-/* Half angle of the image height x = r/f', and back. */
-static double half_equidistant(double x)
+static double identity(double x)
 {
     return x;
 }
 
-static double half_equisolid(double x)
-{
-    return 2 * asin(x / 2);
-}
-
-static double half_stereographic(double x)
-{
-    return 2 * atan(x / 2);
-}
-
-static double height_equidistant(double t)
-{
-    return t;
-}
-
-static double height_equisolid(double t)
-{
-    return 2 * sin(t / 2);
-}
-
-static double height_stereographic(double t)
-{
-    return 2 * tan(t / 2);
-}
-
-struct fov_rule {
-    double (*half)(double x);
-    double (*height)(double t);
+/* The image height r/f' of the half angle t is factor forward(t/factor). */
+static const struct fov_rule {
+    double (*forward)(double), (*inverse)(double);
+    double factor;
     double largest_height; /* r/f' at the edge of the projection */
     double largest_angle;  /* full, rad */
     bool open;             /* the largest angle itself is not reached */
+} rules[PROJECTIONS] = {
+    [RECTILINEAR] = {tan, atan, 1, INFINITY, PI, true},
+    [EQUIDISTANT] = {identity, identity, 1, PI, 2 * PI, false},
+    [EQUISOLID] = {sin, asin, 2, 2, 2 * PI, false},
+    [STEREOGRAPHIC] = {tan, atan, 2, INFINITY, 2 * PI, true},
+    [ORTHOGRAPHIC] = {sin, asin, 1, 1, PI, false},
 };
 
-static const struct fov_rule rules[PROJECTIONS] = {
-    [RECTILINEAR] = {atan, tan, INFINITY, PI, true},
-    [EQUIDISTANT] = {half_equidistant, height_equidistant, PI, 2 * PI, false},
-    [EQUISOLID] = {half_equisolid, height_equisolid, 2, 2 * PI, false},
-    [STEREOGRAPHIC] = {half_stereographic, height_stereographic, INFINITY, 2 * PI, true},
-    [ORTHOGRAPHIC] = {asin, sin, 1, PI, false},
-};
+static double projected_height(const struct fov_rule *rule, double angle)
+{
+    return rule->factor * rule->forward(angle / rule->factor);
+}
 
 bool fov_angle(enum projection projection, double scale, double dimension, double *angle,
                struct error *error)
@@ -76,7 +54,7 @@ bool fov_angle(enum projection projection, double scale, double dimension, doubl
                     "image height %.15g mm lies beyond the edge of the %s projection, %.15g mm",
                     dimension / 2, projections[projection].word, rule->largest_height * scale);
     }
-    *angle = 2 * rule->half(x);
+    *angle = 2 * (rule->factor * rule->inverse(x / rule->factor));
     return true;
 }
 
@@ -90,29 +68,24 @@ bool fov_height(enum projection projection, double angle, double *height, struct
                     angle * DEGREES_PER_RADIAN, projections[projection].word,
                     rule->open ? "before" : "at", largest * DEGREES_PER_RADIAN);
     }
-    *height = rule->height(angle);
-    return true;
-}
-
-static bool fov_check_setting(const struct fov_setting *a, struct error *error)
-{
-    if (!check_positive("focal length", " mm", a->f, error) ||
-        !check_positive("pupil magnification", "", a->P, error) ||
-        !check_positive("anamorphic squeeze", "", a->squeeze, error)) {
-        return false;
-    }
-    if (!(a->s > a->f)) {
-        return fail(error, ERROR_DOMAIN,
-                    "{distance} %.15g mm lies within {the focal length} %.15g mm: no real image",
-                    a->s, a->f);
-    }
+    *height = projected_height(rule, angle);
     return true;
 }
 
 bool fov_compute(const struct fov_setting *setting, const struct sensor *sensor, struct fov *fov,
                  struct error *error)
 {
-    if (!fov_check_setting(setting, error) || !sensor_check(sensor, error)) {
+    if (!check_positive("focal length", " mm", setting->f, error) ||
+        !check_positive("pupil magnification", "", setting->P, error) ||
+        !check_positive("anamorphic squeeze", "", setting->squeeze, error)) {
+        return false;
+    }
+    if (!(setting->s > setting->f)) {
+        return fail(error, ERROR_DOMAIN,
+                    "{distance} %.15g mm lies within {the focal length} %.15g mm: no real image",
+                    setting->s, setting->f);
+    }
+    if (!sensor_check(sensor, error)) {
         return false;
     }
     struct sensor wide = *sensor;
@@ -159,7 +132,7 @@ bool fov_focal_length(const struct fov_setting *setting, double dimension, doubl
     if (!(s > 0)) {
         return fail(error, ERROR_DOMAIN, "{distance} %.15g mm must be above 0 mm", s);
     }
-    double scale = dimension / 2 / rules[setting->projection].height(angle / 2);
+    double scale = dimension / 2 / projected_height(&rules[setting->projection], angle / 2);
     if (s < INFINITY) {
         double b = P * (s + scale), root = hypot(P * (s - scale), 2 * sqrt(P * scale * s));
         *f = 2 * P * (scale / (b + root)) * s;
@@ -222,8 +195,8 @@ bool fov_solve(const struct fov_setting *setting, const struct sensor *sensor,
     if (count + !isnan(setting->f) != 1) {
         return fail(error, ERROR_USAGE,
                     "give exactly one of {focal length}, {horizontal angle of view}, {vertical "
-                    "angle of view}, {diagonal angle of view}, "
-                    "{width of the field}, {height of the field}, {diagonal of the field}");
+                    "angle of view}, {diagonal angle of view}, {width of the field}, {height of "
+                    "the field}, {diagonal of the field}");
     }
     *f = setting->f;
     return found == NULL || solve_goal(setting, found, f, error);

@@ -58,14 +58,6 @@ static bool blur_of(struct motion *motion, struct error *error)
     return true;
 }
 
-/* Length of path that blurs by motion->blur; inf if none does. */
-static double path_of(const struct motion *motion)
-{
-    struct rate rate = find_rate(motion);
-    double slope = fabs(rate.across) + motion->blur * rate.depth;
-    return fabs(rate.across) > 0 && slope > 0 ? motion->blur / slope : INFINITY;
-}
-
 static bool magnification_of(struct motion *motion, struct error *error)
 {
     double path = motion->v * motion->t;
@@ -78,7 +70,7 @@ static bool magnification_of(struct motion *motion, struct error *error)
     return answer_positive("the magnification", motion->m, error);
 }
 
-static bool check_motion(const struct motion *motion, struct error *error)
+bool motion_solve(struct motion *motion, struct error *error)
 {
     const struct given numbers[] = {{"speed", " mm/s", motion->v},
                                     {"exposure time", " s", motion->t},
@@ -89,14 +81,9 @@ static bool check_motion(const struct motion *motion, struct error *error)
                     "give exactly three of {speed}, {exposure time}, {magnification} and {blur}");
     }
     const struct given distance = {"distance", " mm", motion->s};
-    return given_above_0(&distance, 1, error) &&
-           check_finite("image height", " mm", motion->h, error) &&
-           given_positive(numbers, 4, error) && motion_check_angle(motion->angle, error);
-}
-
-bool motion_solve(struct motion *motion, struct error *error)
-{
-    if (!check_motion(motion, error)) {
+    if (!given_above_0(&distance, 1, error) ||
+        !check_finite("image height", " mm", motion->h, error) ||
+        !given_positive(numbers, 4, error) || !motion_check_angle(motion->angle, error)) {
         return false;
     }
     if (!is_given(motion->blur)) {
@@ -105,7 +92,10 @@ bool motion_solve(struct motion *motion, struct error *error)
     if (!is_given(motion->m)) {
         return magnification_of(motion, error);
     }
-    double path = path_of(motion);
+    /* Length of path that blurs by motion->blur; inf if none does. */
+    struct rate rate = find_rate(motion);
+    double slope = fabs(rate.across) + motion->blur * rate.depth;
+    double path = fabs(rate.across) > 0 && slope > 0 ? motion->blur / slope : INFINITY;
     if (!is_given(motion->t)) {
         motion->t = path / motion->v;
         return true;

@@ -30,13 +30,6 @@ static double line_log_log(double x0, double y0, double x1, double y1, double x)
     return y0 * exp2(log2(y1 / y0) * (log2(x / x0) / log2(x1 / x0)));
 }
 
-static double table_corrected(const struct reciprocity *film, double Tm)
-{
-    int i = find_segment(film->metered, film->points, Tm);
-    return line_log_log(film->metered[i - 1], film->corrected[i - 1], film->metered[i],
-                        film->corrected[i], Tm);
-}
-
 static double reciprocity_correct(const struct reciprocity *film, double Tm)
 {
     if (film->model == RECIPROCITY_NONE || !(Tm > film->onset)) {
@@ -48,7 +41,9 @@ static double reciprocity_correct(const struct reciprocity *film, double Tm)
     if (film->model == RECIPROCITY_GAINER) {
         return Tm + film->a * pow(Tm, gainer_exponent);
     }
-    return table_corrected(film, Tm);
+    int i = find_segment(film->metered, film->points, Tm);
+    return line_log_log(film->metered[i - 1], film->corrected[i - 1], film->metered[i],
+                        film->corrected[i], Tm);
 }
 
 bool reciprocity_corrected(const struct reciprocity *film, double Tm, double *Tc,
@@ -74,16 +69,6 @@ static bool fail_gap(double Tc, double from, double to, struct error *error)
                 Tc, from, to);
 }
 
-static bool power_metered(const struct reciprocity *film, double Tc, double *Tm,
-                          struct error *error)
-{
-    *Tm = pow(Tc, 1 / film->p);
-    if (!(*Tm >= film->onset)) {
-        return fail_gap(Tc, film->onset, pow(film->onset, film->p), error);
-    }
-    return true;
-}
-
 static bool gainer_metered(const struct reciprocity *film, double Tc, double *Tm,
                            struct error *error)
 {
@@ -99,19 +84,6 @@ static bool gainer_metered(const struct reciprocity *film, double Tc, double *Tm
         }
     }
     return fail(error, ERROR_DOMAIN, "no metered time found for %.10g s within 60 steps", Tc);
-}
-
-static bool table_metered(const struct reciprocity *film, double Tc, double *Tm,
-                          struct error *error)
-{
-    int i = find_segment(film->corrected, film->points, Tc);
-    double m0 = film->metered[i - 1], m1 = film->metered[i];
-    double c0 = film->corrected[i - 1], c1 = film->corrected[i];
-    if (Tc < c1 && !(m1 > m0 * jump)) {
-        return fail_gap(Tc, c0, c1, error);
-    }
-    *Tm = line_log_log(c0, m0, c1, m1, Tc);
-    return true;
 }
 
 bool reciprocity_metered(const struct reciprocity *film, double Tc, double *Tm, struct error *error)
@@ -131,12 +103,23 @@ bool reciprocity_metered(const struct reciprocity *film, double Tc, double *Tm, 
         return true;
     }
     if (film->model == RECIPROCITY_POWER) {
-        return power_metered(film, Tc, Tm, error);
+        *Tm = pow(Tc, 1 / film->p);
+        if (!(*Tm >= film->onset)) {
+            return fail_gap(Tc, film->onset, pow(film->onset, film->p), error);
+        }
+        return true;
     }
     if (film->model == RECIPROCITY_GAINER) {
         return gainer_metered(film, Tc, Tm, error);
     }
-    return table_metered(film, Tc, Tm, error);
+    int i = find_segment(film->corrected, film->points, Tc);
+    double m0 = film->metered[i - 1], m1 = film->metered[i];
+    double c0 = film->corrected[i - 1], c1 = film->corrected[i];
+    if (Tc < c1 && !(m1 > m0 * jump)) {
+        return fail_gap(Tc, c0, c1, error);
+    }
+    *Tm = line_log_log(c0, m0, c1, m1, Tc);
+    return true;
 }
 
 double reciprocity_stops(double Tm, double Tc)

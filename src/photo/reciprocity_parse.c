@@ -38,21 +38,6 @@ static bool reciprocity_parse_read_number(struct reciprocity_parse_reader *reade
     return true;
 }
 
-/* A number, or a fraction like +1/3. */
-static bool reciprocity_parse_read_stops(struct reciprocity_parse_reader *reader, double *stops)
-{
-    double divisor = 1;
-    if (!reciprocity_parse_read_number(reader, stops)) {
-        return false;
-    }
-    if (reciprocity_parse_accept(reader, '/') &&
-        (!reciprocity_parse_read_number(reader, &divisor) || !(divisor > 0))) {
-        return fail_here(reader, "a fraction needs a divisor above 0");
-    }
-    *stops /= divisor;
-    return true;
-}
-
 static bool reciprocity_parse_add_point(struct reciprocity_parse_reader *reader,
                                         struct reciprocity *film, double Tm, double Tc)
 {
@@ -158,9 +143,16 @@ static bool parse_stop_item(struct reciprocity_parse_reader *reader, struct reci
     if (!reciprocity_parse_accept(reader, ':')) {
         return fail_here(reader, "':' is expected");
     }
-    if (!reciprocity_parse_read_stops(reader, &stops)) {
+    /* A number, or a fraction like +1/3. */
+    double divisor = 1;
+    if (!reciprocity_parse_read_number(reader, &stops)) {
         return false;
     }
+    if (reciprocity_parse_accept(reader, '/') &&
+        (!reciprocity_parse_read_number(reader, &divisor) || !(divisor > 0))) {
+        return fail_here(reader, "a fraction needs a divisor above 0");
+    }
+    stops /= divisor;
     if (below && !included) {
         from = to = nextafter(from, 0); /* the limit itself is not free of correction */
     }

@@ -9,18 +9,13 @@
 
 static const double quarter_pi = 0.78539816339744830962;
 
-static bool check_fraction(const char *name, double value, struct error *error)
-{
-    if (!(value > 0 && value <= 1)) {
-        return fail(error, ERROR_DOMAIN, "{%s} %.10g must lie above 0 and up to 1", name, value);
-    }
-    return true;
-}
-
 bool lens_q(double T, double v, double theta, double *q, struct error *error)
 {
-    if (!check_transmittance(T, error) || !check_fraction("vignetting", v, error)) {
+    if (!check_transmittance(T, error)) {
         return false;
+    }
+    if (!(v > 0 && v <= 1)) {
+        return fail(error, ERROR_DOMAIN, "{vignetting} %.10g must lie above 0 and up to 1", v);
     }
     if (!(theta >= 0 && theta < 2 * quarter_pi)) {
         return fail(error, ERROR_DOMAIN, "{field angle} %.10g deg must lie from 0 to below 90 deg",

@@ -53,13 +53,6 @@ bool transmittance_from_t_stop(double N, double T, double *transmittance, struct
     return true;
 }
 
-static bool pupil_stretch(double m, double P, double *stretch, struct error *error)
-{
-    *stretch = 1 + m / P;
-    return check_not_negative("magnification", "", m, error) &&
-           require_positive("pupil magnification", "", P, error);
-}
-
 /* Loss of the lens itself: absorption and extension. */
 static bool lens_loss(const struct light_loss *loss, double *stops, struct error *error)
 {
@@ -72,7 +65,10 @@ static bool lens_loss(const struct light_loss *loss, double *stops, struct error
     }
     if (is_given(loss->m)) {
         double stretch = 0;
-        if (!pupil_stretch(loss->m, is_given(loss->P) ? loss->P : 1, &stretch, error)) {
+        double P = is_given(loss->P) ? loss->P : 1;
+        stretch = 1 + loss->m / P;
+        if (!check_not_negative("magnification", "", loss->m, error) ||
+            !require_positive("pupil magnification", "", P, error)) {
             return false;
         }
         *stops += 2 * log2(stretch);

@@ -7,21 +7,6 @@
 
 #include <math.h>
 
-static bool tilt_check_lens(const struct tilt_given *g, struct error *error)
-{
-    if (!check_positive("focal length", " mm", g->f, error) ||
-        !check_positive("f-number", "", g->N, error)) {
-        return false;
-    }
-    if (!(g->c >= 0 && g->c < g->f / g->N)) {
-        return fail(error, ERROR_DOMAIN,
-                    "{circle of confusion} %g mm is not narrower than the aperture (0 or more, "
-                    "below f/N = %g mm)",
-                    g->c, g->f / g->N);
-    }
-    return true;
-}
-
 /* The tilt, given itself or by the hinge's depth. */
 static bool solve_tilt(const struct tilt_given *g, double *tilt, struct error *error)
 {
@@ -35,56 +20,13 @@ static bool solve_tilt(const struct tilt_given *g, double *tilt, struct error *e
     } else {
         return fail(error, ERROR_DOMAIN,
                     "{hinge} %g mm is nearer than any tilt can bring it with {focal length} %g mm "
-                    "(above %g "
-                    "mm on either side)",
+                    "(above %g mm on either side)",
                     g->hinge, g->f, g->f);
     }
     if (!(fabs(*tilt) < PI / 2)) {
         return fail(error, ERROR_DOMAIN, "{tilt} %g degrees is out of range (-90 to 90, exclusive)",
                     degrees_from_radians(*tilt));
     }
-    return true;
-}
-
-static bool ratio_from_image(const struct tilt_given *g, double tilt, double *ratio,
-                             struct error *error)
-{
-    (void)tilt;
-    *ratio = g->f / g->image;
-    return check_positive("image distance", " mm", g->image, error);
-}
-
-static bool ratio_from_distance(const struct tilt_given *g, double tilt, double *ratio,
-                                struct error *error)
-{
-    if (!(g->distance > g->f / cos(tilt))) {
-        return fail(error, ERROR_DOMAIN,
-                    "{distance} %g mm lies within the focal length of the tilted lens: no real "
-                    "image (more than f/cos(tilt) = %g mm)",
-                    g->distance, g->f / cos(tilt));
-    }
-    *ratio = cos(tilt) - g->f / g->distance;
-    return true;
-}
-
-static bool ratio_from_angle(const struct tilt_given *g, double tilt, double *ratio,
-                             struct error *error)
-{
-    double size = copysign(1, tilt) * g->angle;
-    if (!(fabs(tilt) > 0)) {
-        return fail(error, ERROR_DOMAIN,
-                    "{angle of the plane of focus} needs a tilt: untilted, the plane of focus is "
-                    "parallel to the sensor "
-                    "(a tilt other than 0)");
-    }
-    if (!(size > fabs(tilt) && size < PI)) {
-        double sign = copysign(1, tilt);
-        return fail(error, ERROR_DOMAIN,
-                    "{angle of the plane of focus} %g degrees cannot be reached with this tilt "
-                    "(between %g and %g)",
-                    degrees_from_radians(g->angle), degrees_from_radians(tilt), sign * 180);
-    }
-    *ratio = sin(g->angle - tilt) / sin(g->angle);
     return true;
 }
 
@@ -98,12 +40,34 @@ static bool solve_ratio(const struct tilt_given *g, double tilt, double *ratio, 
             "give exactly one of {image distance}, {distance} and {angle of the plane of focus}");
     }
     if (!isnan(g->image)) {
-        return ratio_from_image(g, tilt, ratio, error);
+        *ratio = g->f / g->image;
+        return check_positive("image distance", " mm", g->image, error);
     }
     if (!isnan(g->distance)) {
-        return ratio_from_distance(g, tilt, ratio, error);
+        if (!(g->distance > g->f / cos(tilt))) {
+            return fail(error, ERROR_DOMAIN,
+                        "{distance} %g mm lies within the focal length of the tilted lens: no real "
+                        "image (more than f/cos(tilt) = %g mm)",
+                        g->distance, g->f / cos(tilt));
+        }
+        *ratio = cos(tilt) - g->f / g->distance;
+        return true;
     }
-    return ratio_from_angle(g, tilt, ratio, error);
+    double size = copysign(1, tilt) * g->angle;
+    if (!(fabs(tilt) > 0)) {
+        return fail(error, ERROR_DOMAIN,
+                    "{angle of the plane of focus} needs a tilt: untilted, the plane of focus is "
+                    "parallel to the sensor (a tilt other than 0)");
+    }
+    if (!(size > fabs(tilt) && size < PI)) {
+        double sign = copysign(1, tilt);
+        return fail(error, ERROR_DOMAIN,
+                    "{angle of the plane of focus} %g degrees cannot be reached with this tilt "
+                    "(between %g and %g)",
+                    degrees_from_radians(g->angle), degrees_from_radians(tilt), sign * 180);
+    }
+    *ratio = sin(g->angle - tilt) / sin(g->angle);
+    return true;
 }
 
 /* u where the line meets rise = y/u; inf where it doesn't, before the lens. */
@@ -115,8 +79,17 @@ static double tilt_reach(double f, double denominator)
 bool tilt_solve(const struct tilt_given *given, struct tilt *result, struct error *error)
 {
     double tilt = NAN, ratio = NAN;
-    if (!tilt_check_lens(given, error) || !solve_tilt(given, &tilt, error) ||
-        !solve_ratio(given, tilt, &ratio, error)) {
+    if (!check_positive("focal length", " mm", given->f, error) ||
+        !check_positive("f-number", "", given->N, error)) {
+        return false;
+    }
+    if (!(given->c >= 0 && given->c < given->f / given->N)) {
+        return fail(error, ERROR_DOMAIN,
+                    "{circle of confusion} %g mm is not narrower than the aperture (0 or more, "
+                    "below f/N = %g mm)",
+                    given->c, given->f / given->N);
+    }
+    if (!solve_tilt(given, &tilt, error) || !solve_ratio(given, tilt, &ratio, error)) {
         return false;
     }
     double f = given->f, image = f / ratio, blur = given->N * given->c / f;
@@ -142,8 +115,8 @@ bool tilt_solve(const struct tilt_given *given, struct tilt *result, struct erro
     return true;
 }
 
-static bool tilt_check_points(double f, const struct tilt_point *first,
-                              const struct tilt_point *second, struct error *error)
+bool tilt_through(double f, const struct tilt_point *first, const struct tilt_point *second,
+                  double *tilt, double *image, struct error *error)
 {
     if (!check_positive("focal length", " mm", f, error)) {
         return false;
@@ -159,15 +132,6 @@ static bool tilt_check_points(double f, const struct tilt_point *first,
                     "both points lie in the same direction (slope %g): any tilt serves only one "
                     "of them (two directions)",
                     first->rise);
-    }
-    return true;
-}
-
-bool tilt_through(double f, const struct tilt_point *first, const struct tilt_point *second,
-                  double *tilt, double *image, struct error *error)
-{
-    if (!tilt_check_points(f, first, second, error)) {
-        return false;
     }
     double sine = f * (1 / first->distance - 1 / second->distance) / (second->rise - first->rise);
     if (!(fabs(sine) < 1)) {

@@ -46,22 +46,6 @@ static bool timelapse_check_ranges(const struct timelapse_given *g, struct error
     return !is_given(g->time) || check_not_negative("gap", " s", g->gap, error);
 }
 
-static bool timelapse_check_use(const struct timelapse_given *g, struct error *error)
-{
-    if (is_given(g->event) && is_given(g->star_angle)) {
-        return fail(error, ERROR_USAGE, "give only one of {event length} and {star angle}");
-    }
-    if (is_given(g->star_angle) && !is_given(g->time)) {
-        return fail(error, ERROR_USAGE, "{star angle} needs {exposure time}");
-    }
-    if (is_given(g->card) && !is_given(g->frame)) {
-        return fail(error, ERROR_USAGE, "{card} needs {frame size}");
-    }
-    return !is_given(g->card) || g->card >= g->frame ||
-           fail(error, ERROR_DOMAIN, "{frame size} %.10g B is larger than {the card}, %.10g B",
-                g->frame, g->card);
-}
-
 static bool has_length(const struct timelapse_given *g)
 {
     return is_given(g->event) || is_given(g->star_angle);
@@ -83,11 +67,6 @@ static double shots_of_length(const struct timelapse_given *g, double interval)
 {
     double exact = intervals(g, interval);
     return is_given(g->event) ? whole_below(exact) : whole_above(exact);
-}
-
-static double interval_of_shots(const struct timelapse_given *g, double shots)
-{
-    return is_given(g->event) ? g->event / shots : wanted_walk(g) / (shots - 1);
 }
 
 /* The number of shots, and rate and interval as far as they are found with it. */
@@ -122,24 +101,9 @@ static void find_interval(const struct timelapse_given *g, double shots, struct 
         return;
     }
     bool by_length = has_length(g) && (is_given(g->event) || shots > 1);
-    plan->interval = by_length ? interval_of_shots(g, shots) : g->time + g->gap;
-}
-
-static bool timelapse_check_shots(const struct timelapse_given *g, double shots,
-                                  struct error *error)
-{
-    if (!is_given(shots)) {
-        return fail(error, ERROR_USAGE,
-                    "give {number of shots}, {clip length}, or {event length} with {interval} or "
-                    "{exposure time}");
-    }
-    if (shots < 1) {
-        return fail(error, ERROR_DOMAIN, "{interval} %.10g s is longer than {the event length}",
-                    is_given(g->interval) ? g->interval : g->time + g->gap);
-    }
-    return shots <= TIMELAPSE_SHOTS ||
-           fail(error, ERROR_DOMAIN, "%.10g shots are out of range: 1 to %g", shots,
-                TIMELAPSE_SHOTS);
+    plan->interval = by_length
+                         ? (is_given(g->event) ? g->event / shots : wanted_walk(g) / (shots - 1))
+                         : g->time + g->gap;
 }
 
 /* What was given beyond need must say the same. */
@@ -189,12 +153,35 @@ bool timelapse_solve(const struct timelapse_given *given, struct timelapse *plan
                      struct error *error)
 {
     *plan = (struct timelapse){.interval = given->interval};
-    if (!timelapse_check_ranges(given, error) || !timelapse_check_use(given, error)) {
+    if (!timelapse_check_ranges(given, error)) {
         return false;
     }
+    if (is_given(given->event) && is_given(given->star_angle)) {
+        return fail(error, ERROR_USAGE, "give only one of {event length} and {star angle}");
+    }
+    if (is_given(given->star_angle) && !is_given(given->time)) {
+        return fail(error, ERROR_USAGE, "{star angle} needs {exposure time}");
+    }
+    if (is_given(given->card) && !is_given(given->frame)) {
+        return fail(error, ERROR_USAGE, "{card} needs {frame size}");
+    }
+    if (is_given(given->card) && !(given->card >= given->frame)) {
+        return fail(error, ERROR_DOMAIN, "{frame size} %.10g B is larger than {the card}, %.10g B",
+                    given->frame, given->card);
+    }
     double shots = find_shots(given, plan);
-    if (!timelapse_check_shots(given, shots, error)) {
-        return false;
+    if (!is_given(shots)) {
+        return fail(error, ERROR_USAGE,
+                    "give {number of shots}, {clip length}, or {event length} with {interval} or "
+                    "{exposure time}");
+    }
+    if (shots < 1) {
+        return fail(error, ERROR_DOMAIN, "{interval} %.10g s is longer than {the event length}",
+                    is_given(given->interval) ? given->interval : given->time + given->gap);
+    }
+    if (!(shots <= TIMELAPSE_SHOTS)) {
+        return fail(error, ERROR_DOMAIN, "%.10g shots are out of range: 1 to %g", shots,
+                    TIMELAPSE_SHOTS);
     }
     plan->shots = (long)shots;
     find_interval(given, shots, plan);

@@ -74,23 +74,13 @@ struct render_input {
     struct shutter_input shutter;
 };
 
-/* -------- commands/camera/render_focus.c -------- */
+/* -------- commands/camera/render_case.c -------- */
 
 /* What is brought onto the film. */
 enum render_focus_at { FOCUS_AT_THICK, FOCUS_AT_SHARPEST };
 extern const struct word render_focus_ats[];
 
-/*
- * The lens focused on the distance: the object, and where the film stands.
- *
- * Given     question  of the lens; receives object and focus, and with --gap the lens itself, in
- *                     its position, and no position any more
- * Errors    a distance that the lens cannot focus on; as focus_gaps_read and focus_solve
- */
-bool render_focus(const struct render_input *input, struct arena *arena,
-                  struct analysis_question *question, struct error *error);
-
-/* -------- commands/camera/render_autofocus.c -------- */
+/* -------- commands/camera/render_card.c -------- */
 
 /* Where in the picture: fractions from the upper left. Errors: ERROR_USAGE: no place there */
 bool render_autofocus_place(const char *text, double place[2], struct error *error);
@@ -112,22 +102,9 @@ bool render_autofocus(const struct render_input *input, struct arena *arena,
 void render_say_autofocus(const struct render_input *input, double distance,
                           struct text_buffer *remarks);
 
-/* -------- commands/camera/render_model.c -------- */
-
-/*
- * The model of the lens that is asked for, in its place.
- *
- * Given     one  the lens as it is; receives the case of its model
- * Errors    as lens_model_check, fit_job_run and render_open
- */
-bool render_model(const struct render_input *input, const struct analysis_policy *policy,
-                  struct run *run, const struct analysis_case **one, struct error *error);
-
 /* Which, unless it is the exact lens; of a fitted one how well it fits. */
 void render_say_model(const struct render_input *input, const struct analysis_case *one,
                       struct text_buffer *remarks);
-
-/* -------- commands/camera/render_case.c -------- */
 
 /*
  * The only case that is asked for: focused on the distance, if there is one, with the model of the
@@ -157,16 +134,16 @@ bool render_stopped(const struct render_input *input, const struct analysis_case
 double render_fnumber(const struct render_input *input, const struct analysis_case *one,
                       struct arena *arena);
 
-/* How far from the axis light arrives and the film reaches, mm; of the rays, how many. */
-struct render_arrival {
-    double largest, corner;
-    const double *lit_at; /* a place that light reaches, mm: the middle, unless that is dark */
-    double share;         /* NAN: more are sent than may arrive */
-};
-
-/* What is doubtful: of the lens; dark corners of the film; rays that get lost elsewhere. */
+/*
+ * What is doubtful: of the lens; dark corners of the film; rays that get lost elsewhere.
+ *
+ * Given     largest, corner  how far from the axis light arrives and the film reaches, mm
+ *           lit_at           a place that light reaches, mm: the middle, unless that is dark
+ *           share            of the rays, how many arrive; NaN: more are sent than may
+ */
 void render_doubts(const struct render_input *input, const struct analysis_case *one,
-                   const struct render_arrival *arrival, struct text_buffer *remarks);
+                   double largest, double corner, const double lit_at[2], double share,
+                   struct text_buffer *remarks);
 
 /* The film, and the iris before it. */
 struct film_question render_film(const struct render_input *input, const struct analysis_case *one);
@@ -211,17 +188,6 @@ void render_say_shutter(const struct render_input *input, const struct film_ques
 
 /* Its formula; null: nothing is said. */
 void render_explain_shutter(const struct shutter *shutter, struct text_buffer *remarks);
-
-/* -------- commands/camera/render_colours.c -------- */
-
-/* Are all channels of the same wavelengths, those asked for? */
-static inline bool render_is_grey(const struct render_input *input)
-{
-    return input->question.wavelength.name != NULL || input->question.spectrum.count > 0;
-}
-
-/* Red, green and blue, each at one wavelength or at several within its band: for render_open. */
-struct spectrum_value render_colours(const struct render_input *input, struct arena *arena);
 
 /* -------- commands/camera/render_frame.c -------- */
 
@@ -280,41 +246,6 @@ void render_say_size(const struct render_input *input, const struct render_frame
  */
 bool render_frame_cut(const struct render_frame *frame, struct arena *arena, struct image *image,
                       struct error *error);
-
-/* -------- commands/camera/render_light.c -------- */
-
-/* Errors: ERROR_USAGE: a filter whose colour is not known */
-bool render_check_light(const struct render_input *input, struct error *error);
-
-/* Luminance of white, cd/m^2. */
-double render_white(const struct render_input *input);
-
-/*
- * Put the filter before the lens.
- *
- * Given     setup       of the photograph
- *           white       linear sRGB of white behind a filter whose colour the rays have had; null:
- *                       of none
- *           photograph  each channel receives less light, the reference as the brightest of them
- * Formula   2^-stops times mired_transmittance, its mean over the wavelengths of the channel
- */
-void render_filter(const struct render_input *input, const struct setup *setup, const double *white,
-                   struct photograph *photograph);
-
-/* Which light and which filter, if they have names. */
-void render_say_light(const struct render_input *input, struct text_buffer *remarks);
-
-/* -------- commands/camera/render_samples.c -------- */
-
-/* Errors: ERROR_USAGE: samples that are no power of two, too many, or too few for an error */
-bool render_check_samples(const struct render_input *input, struct error *error);
-
-/* How many, or until which error. */
-void render_ask_samples(const struct render_input *input, struct photograph_question *question);
-
-/* The error that was reached, and how many tiles missed it and by how much. */
-void render_say_samples(const struct render_input *input, const struct photograph *photograph,
-                        struct text_buffer *remarks);
 
 /* -------- commands/camera/render_clipping.c -------- */
 
@@ -472,8 +403,6 @@ bool render_kept(const struct render_input *input, unsigned *kept, struct error 
 /* The equation that a picture solves, and what it did without. */
 void render_explain(const struct artifact_job *job, const struct photograph_question *question,
                     const struct photograph *photograph, struct text_buffer *remarks);
-
-/* -------- commands/camera/render_depth.c -------- */
 
 extern const struct word render_hidden[];
 

@@ -45,24 +45,15 @@ bool render_film_time(const struct render_input *input, double *time, double *me
            error_prefix(error, "%s: ", input->film.name);
 }
 
-/* Least and most of the luminous exposure. */
-static void render_emulsion_find_range(const struct image *light, double *least, double *most)
+static void emulsion_add_remarks(const struct render_input *input, const struct emulsion *film,
+                                 const struct image *light, struct text_buffer *remarks)
 {
-    *least = (double)INFINITY;
-    *most = 0;
+    double least = (double)INFINITY, most = 0; /* of the luminous exposure */
     for (size_t i = 0; i < light->width * light->height; i++) {
         const double H = sensor_luminous(light->pixels + i * light->channels, light->channels);
-        *least = fmin(*least, H);
-        *most = fmax(*most, H);
+        least = fmin(least, H);
+        most = fmax(most, H);
     }
-}
-
-static void render_emulsion_add_remarks(const struct render_input *input,
-                                        const struct emulsion *film, const struct image *light,
-                                        struct text_buffer *remarks)
-{
-    double least, most;
-    render_emulsion_find_range(light, &least, &most);
     growing_format(remarks,
                    "%s at ISO %.4g: densities %.3g to %.3g by a curve of gamma %.3g, made from "
                    "the speed, not measured\n",
@@ -105,7 +96,7 @@ bool render_develop(const struct render_input *input, bool is_print,
         !emulsion_expose(&film, image, &place, arena, &density, error)) {
         return false;
     }
-    render_emulsion_add_remarks(input, &film, image, remarks);
+    emulsion_add_remarks(input, &film, image, remarks);
     const char *said = arena_printf(
         arena, "ISO 6 from the speed, gamma %.4g, base %.4g, most %.4g, granularity %.4g",
         film.curve.gradient, negative.base, negative.most, film.granularity);

@@ -4,6 +4,7 @@
 #include "commands/camera/render.h"
 #include "file/image_file.h"
 #include "light/colour.h"
+#include "photo/exposure.h"
 #include "photo/sensitometry.h"
 #include "report/spoken.h"
 
@@ -30,7 +31,7 @@ static bool is_a(const struct file_type *type, const char *ending)
 }
 
 /* Those asked for, or the usual ones; 0: the kind has no choice, or not this one. */
-static int render_expose_bits_of(const struct render_input *input, const struct file_type *type)
+static int file_bits(const struct render_input *input, const struct file_type *type)
 {
     const int bits = input->raw ? 16 : (int)input->bits;
     for (size_t i = 0; i < sizeof depths / sizeof depths[0]; i++) {
@@ -59,7 +60,7 @@ bool render_check_file(const struct render_input *input, const struct file_type 
                     "what a sensor sees is written as .png; %s holds the light itself",
                     type->ending);
     }
-    if (input->bits != 0 && render_expose_bits_of(input, type) == 0) {
+    if (input->bits != 0 && file_bits(input, type) == 0) {
         return fail(error, ERROR_USAGE,
                     "{--bits} %ld: a .png has 8 or 16, an .exr 16 or 32, others have no choice",
                     input->bits);
@@ -74,7 +75,7 @@ bool render_check_file(const struct render_input *input, const struct file_type 
 
 /* -------- exposed -------- */
 
-struct render_expose_exposure {
+struct picture_exposure {
     double luminance; /* of white, cd/m^2 */
     double time, iso; /* s */
     double metered;   /* s, of which a film loses nothing: the light that counts */
@@ -82,9 +83,15 @@ struct render_expose_exposure {
     bool is_chosen;   /* nobody gave a time */
 };
 
+/* Luminance of white, cd/m^2. */
+static double white_luminance(const struct render_input *input)
+{
+    const double ev = input->light.name != NULL ? input->light.ev100 : input->ev;
+    return isnan(ev) ? input->luminance : exposure_white(ev);
+}
+
 static bool exposure_of(const struct render_input *input, const struct render_shot *shot,
-                        struct arena *arena, struct render_expose_exposure *exposure,
-                        struct error *error)
+                        struct arena *arena, struct picture_exposure *exposure, struct error *error)
 {
     double iso;
     if (!render_speed(input, &shot->frame, arena, &iso, error)) {
@@ -92,7 +99,7 @@ static bool exposure_of(const struct render_input *input, const struct render_sh
     }
     const struct photograph *photograph = &shot->photograph;
     const double full = saturation_exposure(iso), mean = colour_luminance(photograph->mean);
-    const double white = shot->is_world ? 1 : render_white(input); /* its light is absolute */
+    const double white = shot->is_world ? 1 : white_luminance(input); /* its light is absolute */
     if (shot->is_world && isnan(input->time) && !(mean > 0)) {
         if (shot->enclosed != NULL) {
             return fail(error, ERROR_DOMAIN,
@@ -107,7 +114,7 @@ static bool exposure_of(const struct render_input *input, const struct render_sh
                                 "few rays find it: see its at= and look=, and the colours; or "
                                 "give {--time}");
     }
-    *exposure = (struct render_expose_exposure){
+    *exposure = (struct picture_exposure){
         .luminance = white,
         .time = input->time,
         .metered = shot->is_world ? recommended_exposure(iso) / mean
@@ -119,9 +126,8 @@ static bool exposure_of(const struct render_input *input, const struct render_sh
 }
 
 /* What the pixels are of E/L: those of a file, or what sensor and film take. */
-static double render_expose_unit_of(const struct render_input *input,
-                                    const struct render_expose_exposure *exposure,
-                                    const struct file_type *type, double reference)
+static double pixel_unit(const struct render_input *input, const struct picture_exposure *exposure,
+                         const struct file_type *type, double reference)
 {
     const double light = exposure->luminance * exposure->metered;
     const bool is_received = render_senses(input) || render_is_film(input);
@@ -135,7 +141,7 @@ static double render_expose_unit_of(const struct render_input *input,
 }
 
 /* Floats are rounded, so that half of the least one is black; a .hdr has no exponent below. */
-static struct render_floor render_expose_floor_of(const struct file_type *type, bool half)
+static struct render_floor file_floor(const struct file_type *type, bool half)
 {
     if (half) {
         return (struct render_floor){0x1p-25, 0x1p-24, 0x1p-14, "half floats"};
@@ -147,35 +153,19 @@ static struct render_floor render_expose_floor_of(const struct file_type *type, 
 }
 
 /* Light itself must be numbers that pixels hold; a PNG and film say themselves what is too dark. */
-static bool render_expose_check_light(const struct render_input *input,
-                                      const struct file_type *type, const struct image *image,
-                                      double unit, struct text_buffer *remarks, struct error *error)
+static bool check_file_light(const struct render_input *input, const struct file_type *type,
+                             const struct image *image, double unit, struct text_buffer *remarks,
+                             struct error *error)
 {
     const double most = render_clipping_of(image, unit, 1).most;
     const char *name = input->radiance ? "cd/m2" : "lx s";
-    const struct render_floor floor =
-        render_expose_floor_of(type, render_expose_bits_of(input, type) == 16);
+    const struct render_floor floor = file_floor(type, file_bits(input, type) == 16);
     if (!(most <= (double)FLT_MAX)) {
         return fail(error, ERROR_DOMAIN, "the brightest pixel has %.3g %s: pixels hold %.3g", most,
                     name, (double)FLT_MAX);
     }
     return is_a(type, ".png") || render_is_film(input) ||
            render_check_dark(image, unit, &floor, name, remarks, error);
-}
-
-/* A picture in other units, in its own place if nobody needs it any more. */
-static bool render_expose_scale(const struct render_shot *shot, double by, struct arena *arena,
-                                struct image *image, struct error *error)
-{
-    const struct image *from = &shot->photograph.image;
-    *image = *from;
-    if (!shot->is_last && !image_new(image, arena, error)) {
-        return false;
-    }
-    for (size_t i = 0; i < image->width * image->height * image->channels; i++) {
-        image->pixels[i] = (float)(by * (double)from->pixels[i]);
-    }
-    return true;
 }
 
 /* -------- what is said of it -------- */
@@ -185,31 +175,29 @@ void render_note(struct image *image, struct arena *arena, const char *key, cons
     image_note(image, arena, text_of(key), text_of(value));
 }
 
-/* What a value of 1 is where that is light on the sensor. */
-static void add_note_of_white(const struct render_input *input,
-                              const struct render_expose_exposure *exposure, double reference,
-                              bool is_png, struct image *image, struct arena *arena)
+static void exposure_add_notes(const struct render_input *input, const struct render_shot *shot,
+                               const struct picture_exposure *exposure, bool is_png,
+                               struct image *image, struct arena *arena)
 {
-    const double light = 1 / (reference * exposure->metered);
-    const double white = is_png ? exposure->full / DEVELOP_HEADROOM * light : light;
-    if (!input->raw && !input->radiance && !render_is_film(input)) {
-        render_note(image, arena, is_png ? RENDER_NOTE_WHITE : RENDER_NOTE_LIGHT,
-                    arena_printf(arena, "%.6g cd/m2", white));
-    }
-}
-
-static void render_expose_add_notes(const struct render_input *input,
-                                    const struct render_shot *shot,
-                                    const struct render_expose_exposure *exposure,
-                                    struct image *image, struct arena *arena)
-{
+    const bool is_film = render_is_film(input);
     render_note(image, arena, "Exposure time", arena_printf(arena, "%.6g s", exposure->time));
-    if (render_is_film(input)) {
+    if (is_film) {
         render_note(image, arena, "Film", input->film.name);
     }
     render_note(image, arena, "ISO", arena_printf(arena, "%.6g", exposure->iso));
     if (!shot->is_world) {
         render_note(image, arena, "White", arena_printf(arena, "%.6g cd/m2", exposure->luminance));
+    }
+    /* what a value of 1 is where that is light on the sensor */
+    const double light = 1 / (shot->photograph.reference * exposure->metered);
+    const double white = is_png ? exposure->full / DEVELOP_HEADROOM * light : light;
+    if (!input->raw && !input->radiance && !is_film) {
+        render_note(image, arena, is_png ? RENDER_NOTE_WHITE : RENDER_NOTE_LIGHT,
+                    arena_printf(arena, "%.6g cd/m2", white));
+    }
+    if (!is_png) {
+        const char *unit = input->radiance ? "cd/m2" : "lx s";
+        render_note(image, arena, "Unit", is_film ? "density" : unit);
     }
 }
 
@@ -217,10 +205,9 @@ static void render_expose_add_notes(const struct render_input *input,
  * Too much light, or too little, and what would mend it. Files of light hold any; a sensor says
  * itself what it cannot hold.
  */
-static void render_expose_add_warnings(const struct render_input *input,
-                                       const struct render_shot *shot,
-                                       const struct render_expose_exposure *exposure, bool is_png,
-                                       struct text_buffer *remarks)
+static void exposure_add_warnings(const struct render_input *input, const struct render_shot *shot,
+                                  const struct picture_exposure *exposure, bool is_png,
+                                  struct text_buffer *remarks)
 {
     const double unit = exposure->luminance * exposure->metered / exposure->full;
     const struct image *image = &shot->photograph.image;
@@ -250,10 +237,9 @@ static void render_expose_add_warnings(const struct render_input *input,
 }
 
 /* What all exposures share, and this one. */
-static void render_expose_add_remarks(const struct render_input *input,
-                                      const struct render_shot *shot,
-                                      const struct render_expose_exposure *exposure,
-                                      struct text_buffer *remarks)
+static void exposure_add_remarks(const struct render_input *input, const struct render_shot *shot,
+                                 const struct picture_exposure *exposure,
+                                 struct text_buffer *remarks)
 {
     const bool is_leaf = input->shutter.kind == SHUTTER_LEAF;
     const struct photograph *photograph = &shot->photograph;
@@ -283,8 +269,8 @@ static void render_expose_add_remarks(const struct render_input *input,
 
 /* Light becomes what the file shall hold: numbers, shares of white, densities. */
 static bool receive_light(const struct render_input *input, const struct render_shot *shot,
-                          const struct render_expose_exposure *exposure, bool is_png,
-                          struct image *image, struct text_buffer *remarks, struct error *error)
+                          const struct picture_exposure *exposure, bool is_png, struct image *image,
+                          struct text_buffer *remarks, struct error *error)
 {
     const struct image light = *image;
     const bool is_film = render_is_film(input);
@@ -310,35 +296,37 @@ static bool expose(const struct render_input *input, const struct render_shot *s
     const struct photograph *photograph = &shot->photograph;
     const bool is_png = is_a(type, ".png"), is_film = render_is_film(input);
     const bool is_hasty = shot->aside != NULL; /* somebody waits for the end */
-    const struct image_way way = {.bits = render_expose_bits_of(input, type),
-                                  .half = render_expose_bits_of(input, type) == 16,
+    const struct image_way way = {.bits = file_bits(input, type),
+                                  .half = file_bits(input, type) == 16,
                                   .values = input->raw ? IMAGE_CODES : IMAGE_LIGHT,
                                   .packed = input->packing == 0 && !is_hasty,
                                   .stored = is_hasty,
                                   .threads = parallel_threads(input->threads)};
-    struct render_expose_exposure exposure;
+    struct picture_exposure exposure;
     struct image image;
     if (!exposure_of(input, shot, remarks->arena, &exposure, error)) {
         return false;
     }
-    render_expose_add_remarks(input, shot, &exposure, remarks);
+    exposure_add_remarks(input, shot, &exposure, remarks);
     if (!is_film) {
-        render_expose_add_warnings(input, shot, &exposure, is_png, remarks);
+        exposure_add_warnings(input, shot, &exposure, is_png, remarks);
     }
     growing_text(remarks, shot->doubts);
-    const double unit = render_expose_unit_of(input, &exposure, type, photograph->reference);
+    const double unit = pixel_unit(input, &exposure, type, photograph->reference);
     const bool is_share = is_png && !is_film && !render_senses(input);
-    if (!(is_share ||
-          render_expose_check_light(input, type, &photograph->image, unit, remarks, error)) ||
-        !render_expose_scale(shot, unit, remarks->arena, &image, error)) {
+    if (!(is_share || check_file_light(input, type, &photograph->image, unit, remarks, error))) {
         return false;
     }
-    render_expose_add_notes(input, shot, &exposure, &image, remarks->arena);
-    add_note_of_white(input, &exposure, photograph->reference, is_png, &image, remarks->arena);
-    if (!is_png) {
-        const char *light = input->radiance ? "cd/m2" : "lx s";
-        render_note(&image, remarks->arena, "Unit", is_film ? "density" : light);
+    /* A picture in other units, in its own place if nobody needs it any more. */
+    const struct image *from = &shot->photograph.image;
+    image = *from;
+    if (!shot->is_last && !image_new(&image, remarks->arena, error)) {
+        return false;
     }
+    for (size_t i = 0; i < image.width * image.height * image.channels; i++) {
+        image.pixels[i] = (float)(unit * (double)from->pixels[i]);
+    }
+    exposure_add_notes(input, shot, &exposure, is_png, &image, remarks->arena);
     return receive_light(input, shot, &exposure, is_png, &image, remarks, error) &&
            image_file_bytes(&image, type, &way, remarks->arena, bytes, error);
 }

@@ -35,8 +35,8 @@ static bool are_sides(const double *numbers, size_t count)
     return are;
 }
 
-static bool render_frame_read_size(const struct render_input *input, struct render_frame *frame,
-                                   struct error *error)
+static bool read_size(const struct render_input *input, struct render_frame *frame,
+                      struct error *error)
 {
     const struct sensor *film = &input->sensor.size;
     if (input->size == NULL) {
@@ -86,7 +86,7 @@ static size_t less(size_t number, size_t by)
 bool render_frame_read(const struct render_input *input, struct render_frame *frame,
                        struct error *error)
 {
-    if (!render_frame_read_size(input, frame, error) || !read_crop(input, frame, error)) {
+    if (!read_size(input, frame, error) || !read_crop(input, frame, error)) {
         return false;
     }
     frame->number = 0;

@@ -66,25 +66,6 @@ static bool find_facts(const struct render_input *input, const struct analysis_c
     return true;
 }
 
-static bool is_own(const struct render_part *part, size_t tile)
-{
-    return tile >= part->own.begin && tile < part->own.end;
-}
-
-/* What a file holds of its tiles: its flags and its length must agree with its head. */
-static bool check_body(const struct part_file *file, struct error *error)
-{
-    const struct part_range range = part_range(file->head.part, file->head.total);
-    const size_t tiles = (size_t)(range.end - range.begin);
-    size_t there = 0;
-    for (size_t i = 0; i < tiles && COUNT_BYTES + i < file->body.length; i++) {
-        there += file->body.start[COUNT_BYTES + i] == TILE_DONE;
-    }
-    return (there == file->head.done &&
-            file->body.length == COUNT_BYTES + tiles + there * TILE_BYTES) ||
-           fail(error, ERROR_DATA, "%s: its tiles are not those that its head says", file->path);
-}
-
 /* The files whose tiles are there already. */
 static bool find_files(struct render_part *part, struct error *error)
 {
@@ -95,31 +76,25 @@ static bool find_files(struct render_part *part, struct error *error)
         return false;
     }
     for (size_t i = 0; i < part->file_count; i++) {
-        if (!check_body(&part->files[i], error)) {
-            return false;
+        /* What a file holds of its tiles: its flags and its length must agree with its head. */
+        const struct part_file *file = &part->files[i];
+        const struct part_range range = part_range(file->head.part, file->head.total);
+        const size_t tiles = (size_t)(range.end - range.begin);
+        size_t there = 0;
+        for (size_t k = 0; k < tiles && COUNT_BYTES + k < file->body.length; k++) {
+            there += file->body.start[COUNT_BYTES + k] == TILE_DONE;
+        }
+        if (there != file->head.done ||
+            file->body.length != COUNT_BYTES + tiles + there * TILE_BYTES) {
+            return fail(error, ERROR_DATA, "%s: its tiles are not those that its head says",
+                        file->path);
         }
     }
     return true;
 }
 
-/* Which tiles are to be taken. */
-static void mark_tiles(struct render_part *part)
-{
-    const bool is_merged = part->job->run->parts != NULL;
-    for (size_t i = 0; i < part->file_count; i++) {
-        const struct part_file *file = &part->files[i];
-        const struct part_range range = part_range(file->head.part, file->head.total);
-        memcpy(part->done + range.begin, file->body.start + COUNT_BYTES, range.end - range.begin);
-    }
-    for (size_t tile = 0; tile < part->tiles; tile++) {
-        if (part->done[tile] != TILE_DONE) {
-            part->done[tile] = is_own(part, tile) && !is_merged ? TILE_WANTED : TILE_ELSEWHERE;
-        }
-    }
-}
-
 /* Tiles that are there already go into the picture, once. */
-static void render_part_image_fill(struct render_part *part, struct photograph *photograph)
+static void part_image_fill(struct render_part *part, struct photograph *photograph)
 {
     for (size_t i = 0; i < part->file_count && !part->is_filled; i++) {
         const struct part_file *file = &part->files[i];
@@ -145,46 +120,39 @@ static void render_part_image_fill(struct render_part *part, struct photograph *
     part->is_filled = true;
 }
 
-/* The bytes of the part's file but its head, whose `done` is set. */
-static struct text body_of(struct render_part *part, struct photograph *photograph,
-                           struct arena *arena)
+static void part_write_file(struct render_part *part, struct photograph *photograph,
+                            struct output *sink)
 {
+    struct arena arena = {0};
+    part_image_fill(part, photograph);
+    /* The bytes of the part's file but its head, whose `done` is set. */
     const size_t own = (size_t)(part->own.end - part->own.begin);
-    struct bytes body = {.arena = arena};
+    struct bytes bytes = {.arena = &arena};
     part->head.done = 0;
     for (int k = 0; k < PHOTOGRAPH_COUNTS; k++) {
-        bytes_put_little(&body, photograph->counts[k] + part->counts[k], 8);
+        bytes_put_little(&bytes, photograph->counts[k] + part->counts[k], 8);
     }
     for (size_t tile = part->own.begin; tile < part->own.end; tile++) {
-        bytes_put_little(&body, part->done[tile], 1);
+        bytes_put_little(&bytes, part->done[tile], 1);
         part->head.done += part->done[tile] == TILE_DONE;
     }
-    bytes_room(&body, own * TILE_BYTES);
+    bytes_room(&bytes, own * TILE_BYTES);
     for (size_t tile = part->own.begin; tile < part->own.end; tile++) {
         float pixels[PHOTOGRAPH_PIXELS][PHOTOGRAPH_CHANNELS];
         if (part->done[tile] == TILE_DONE) {
             photograph_tile(part->question, &photograph->image, tile, TILE_FROM_PICTURE, pixels);
             for (size_t k = 0; k < TILE_FLOATS; k++) {
                 const float value = pixels[k / PHOTOGRAPH_CHANNELS][k % PHOTOGRAPH_CHANNELS];
-                bytes_put_little(&body, bytes_bits(value), 4);
+                bytes_put_little(&bytes, bytes_bits(value), 4);
             }
         }
     }
-    return bytes_text(&body);
-}
-
-static void render_part_write_file(struct render_part *part, struct photograph *photograph,
-                                   struct output *sink)
-{
-    struct arena arena = {0};
-    render_part_image_fill(part, photograph);
-    const struct text body = body_of(part, photograph, &arena);
-    division_write(&part->head, body, &arena, sink);
+    division_write(&part->head, bytes_text(&bytes), &arena, sink);
     arena_free(&arena);
 }
 
 /* What there is so far is saved now and then: who is killed loses little. */
-static void render_part_save(void *context, struct photograph *photograph)
+static void part_save(void *context, struct photograph *photograph)
 {
     struct render_part *part = context;
     struct arena arena = {0};
@@ -195,7 +163,7 @@ static void render_part_save(void *context, struct photograph *photograph)
     }
     part->saved = time(NULL);
     if (output_open(&sink, part->job->path, &arena, &ignored)) {
-        render_part_write_file(part, photograph, &sink);
+        part_write_file(part, photograph, &sink);
         output_close(&sink, true, &ignored);
     }
     arena_free(&arena);
@@ -229,10 +197,22 @@ bool render_part_begin(const struct artifact_job *job, const struct analysis_cas
     }
     part->done = ARENA_ARRAY(job->run->arena, part->tiles, unsigned char);
     part->saved = time(NULL);
-    mark_tiles(part);
+    /* Which tiles are to be taken. */
+    const bool is_merged = part->job->run->parts != NULL;
+    for (size_t i = 0; i < part->file_count; i++) {
+        const struct part_file *file = &part->files[i];
+        const struct part_range range = part_range(file->head.part, file->head.total);
+        memcpy(part->done + range.begin, file->body.start + COUNT_BYTES, range.end - range.begin);
+    }
+    for (size_t tile = 0; tile < part->tiles; tile++) {
+        if (part->done[tile] != TILE_DONE) {
+            const bool is_own = tile >= part->own.begin && tile < part->own.end && !is_merged;
+            part->done[tile] = is_own ? TILE_WANTED : TILE_ELSEWHERE;
+        }
+    }
     question->done = part->done;
     if (render_is_part(job)) {
-        question->pause = render_part_save;
+        question->pause = part_save;
         question->pauser = part;
     }
     return true;
@@ -240,7 +220,7 @@ bool render_part_begin(const struct artifact_job *job, const struct analysis_cas
 
 void render_part_fill(struct render_part *part, struct photograph *photograph)
 {
-    render_part_image_fill(part, photograph);
+    part_image_fill(part, photograph);
     for (size_t tile = 0; tile < part->tiles; tile++) {
         photograph->is_incomplete = photograph->is_incomplete || part->done[tile] != TILE_DONE;
     }
@@ -253,7 +233,7 @@ void render_part_write(struct render_part *part, struct photograph *photograph, 
 {
     struct run *run = part->job->run;
     const struct part_head *head = &part->head;
-    render_part_write_file(part, photograph, sink);
+    part_write_file(part, photograph, sink);
     const bool has_none = part->own.end == part->own.begin;
     if (photograph->is_incomplete) {
         fail(&run->shortfall, ERROR_DOMAIN,

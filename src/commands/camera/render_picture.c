@@ -1,12 +1,135 @@
 /* commands/camera/render_picture.c - a photograph of a card, exposed and written. */
 /* SPDX-License-Identifier: MIT */
+#include "camera/sensor/response.h"
 #include "cli/progress.h"
+#include "commands/camera/render.h"
 #include "commands/camera/render_part.h"
 #include "commands/camera/render_world.h"
 #include "file/image_file.h"
+#include "light/colour.h"
+#include "photo/mired.h"
 #include "report/version.h"
 
 #include <string.h>
+
+/* -------- colours -------- */
+
+/* Are all channels of the same wavelengths, those asked for? */
+static bool render_is_grey(const struct render_input *input)
+{
+    return input->question.wavelength.name != NULL || input->question.spectrum.count > 0;
+}
+
+enum { BAND_WAVES = 8 };
+
+/* Red, green and blue, each at one wavelength or at several within its band: for render_open. */
+static struct spectrum_value render_colours(const struct render_input *input, struct arena *arena)
+{
+    static const double middles[PHOTOGRAPH_CHANNELS] = {RESPONSE_RED, RESPONSE_GREEN,
+                                                        RESPONSE_BLUE};
+    const double band = isnan(input->band) ? 0 : 1000 * input->band;
+    const size_t waves = band > 0 ? BAND_WAVES : 1, count = PHOTOGRAPH_CHANNELS * waves;
+    struct setup_wavelength *items = ARENA_ARRAY(arena, count, struct setup_wavelength);
+    for (size_t i = 0; i < count; i++) {
+        const double along = ((double)(i % waves) + 0.5) / (double)waves - 0.5;
+        items[i] = (struct setup_wavelength){middles[i / waves] + along * band, 1};
+    }
+    return (struct spectrum_value){"channels", items, count};
+}
+
+/* -------- light -------- */
+
+/* Mean over the wavelengths of a channel, by their weights. */
+static double mean_transmittance(const struct render_input *input, const struct setup *setup,
+                                 size_t channel)
+{
+    const size_t parts = render_is_grey(input) ? 1 : PHOTOGRAPH_CHANNELS;
+    const size_t waves = setup->wavelength_count / parts;
+    double sum = 0, all = 0;
+    for (size_t i = 0; i < waves; i++) {
+        const struct setup_wavelength *one = &setup->wavelengths[channel % parts * waves + i];
+        sum += one->weight * mired_transmittance(input->filter.mired, one->wavelength);
+        all += one->weight;
+    }
+    return sum / all;
+}
+
+/*
+ * Put the filter before the lens.
+ *
+ * Given     setup       of the photograph
+ *           white       linear sRGB of white behind a filter whose colour the rays have had; null:
+ *                       of none
+ *           photograph  each channel receives less light, the reference as the brightest of them
+ * Formula   2^-stops times mired_transmittance, its mean over the wavelengths of the channel
+ */
+static void render_filter(const struct render_input *input, const struct setup *setup,
+                          const double *white, struct photograph *photograph)
+{
+    const double grey = exp2(-input->filter.stops);
+    struct image *image = &photograph->image;
+    double through[PHOTOGRAPH_CHANNELS], most = 0;
+    if (input->filter.name == NULL) {
+        return;
+    }
+    for (size_t k = 0; k < PHOTOGRAPH_CHANNELS; k++) {
+        const double share = white != NULL ? white[k] : mean_transmittance(input, setup, k);
+        through[k] = white != NULL ? grey : grey * share;
+        most = fmax(most, grey * share);
+        photograph->mean[k] *= through[k];
+    }
+    for (size_t i = 0; i < image->width * image->height; i++) {
+        for (size_t k = 0; k < PHOTOGRAPH_CHANNELS; k++) {
+            float *value = &image->pixels[i * PHOTOGRAPH_CHANNELS + k];
+            *value = (float)(through[k] * (double)*value);
+        }
+    }
+    photograph->reference *= most; /* white is exposed by its brightest colour */
+}
+
+/* -------- rays of a pixel -------- */
+
+enum { USUAL_SAMPLES = 64, USUAL_WITH_ERROR = 4096, MOST_SAMPLES = 1 << 20 };
+
+/* An error that was reached, as a multiple of the one asked for. */
+static const char *error_in_words(const struct render_input *input, double reached,
+                                  struct arena *arena)
+{
+    const double percent = 100 * input->error * reached;
+    return render_is_world(input)
+               ? arena_printf(arena,
+                              "%.2g %% of each pixel's light, or %.2g of a grey level if that is "
+                              "more",
+                              percent, reached)
+               : arena_printf(arena, "%.2g %% of white", percent);
+}
+
+/* The error that was reached, and how many tiles missed it and by how much. */
+static void render_say_samples(const struct render_input *input,
+                               const struct photograph *photograph, struct text_buffer *remarks)
+{
+    const uint64_t *counts = photograph->counts + PHOTOGRAPH_CONVERGENCE;
+    const size_t *reached = photograph->reached;
+    if (reached[1] > reached[0]) {
+        growing_format(remarks, "in the time given %zu to %zu rays a pixel and colour\n",
+                       reached[0], reached[1]);
+    } else if (reached[1] > 0) {
+        growing_format(remarks, "in the time given %zu rays a pixel and colour\n", reached[1]);
+    }
+    if (isnan(input->error) || counts[CONVERGENCE_TILES] == 0) {
+        return;
+    }
+    growing_format(remarks, "error %s, by %.4g rays a pixel and colour on average\n",
+                   error_in_words(input, convergence_error(counts, false), remarks->arena),
+                   (double)counts[CONVERGENCE_RAYS] / (double)counts[CONVERGENCE_TILES]);
+    if (counts[CONVERGENCE_MISSED] > 0) {
+        growing_format(remarks,
+                       "warning: %llu of %llu tiles have not reached the error: they have %s\n",
+                       (unsigned long long)counts[CONVERGENCE_MISSED],
+                       (unsigned long long)counts[CONVERGENCE_TILES],
+                       error_in_words(input, convergence_error(counts, true), remarks->arena));
+    }
+}
 
 /* -------- what is asked -------- */
 
@@ -40,12 +163,94 @@ bool render_check_picture(const struct artifact_job *job, struct error *error)
 {
     const struct render_input *input = job->inputs[0];
     struct render_frame frame;
-    return check_subject(job, error) && render_check_part(job, error) &&
-           (render_is_part(job) || render_check_file(input, job->type, error)) &&
-           render_check_light(input, error) && render_check_samples(input, error) &&
-           render_check_autofocus(input, error) && render_check_film(job, error) &&
+    if (!check_subject(job, error) || !render_check_part(job, error) ||
+        (!render_is_part(job) && !render_check_file(input, job->type, error))) {
+        return false;
+    }
+    if (isnan(input->filter.mired)) {
+        return fail(
+            error, ERROR_USAGE,
+            "{--filter} %s: its colour is not that of a light, and no spectrum of it is known",
+            input->filter.name);
+    }
+    const long samples = input->samples;
+    if (samples > MOST_SAMPLES || (samples & (samples - 1)) != 0) {
+        return fail(error, ERROR_USAGE,
+                    "{--samples} %ld: rays of a pixel are a power of two, at most %d", samples,
+                    MOST_SAMPLES);
+    }
+    if ((!isnan(input->error) || !isnan(input->seconds)) && samples != 0 &&
+        samples < CONVERGENCE_LEAST) {
+        return fail(error, ERROR_USAGE,
+                    "{--samples} %ld: with {--%s} they are the most there may be, %d or more",
+                    samples, isnan(input->error) ? "seconds" : "error", CONVERGENCE_LEAST);
+    }
+    return render_check_autofocus(input, error) && render_check_film(job, error) &&
            render_check_depths(input, error) && render_frame_read(input, &frame, error) &&
            render_check_sensor(job, &frame, error);
+}
+
+/* -------- light on the film and in the picture -------- */
+
+/* Of all pixels, lx. */
+static double render_mean_of(const struct image *image)
+{
+    const size_t pixels = image->width * image->height;
+    double sum = 0;
+    for (size_t i = 0; i < pixels; i++) {
+        const float *pixel = &image->pixels[i * image->channels];
+        const double rgb[PHOTOGRAPH_CHANNELS] = {(double)pixel[0], (double)pixel[1],
+                                                 (double)pixel[2]};
+        sum += colour_luminance(rgb);
+    }
+    return sum / (double)pixels;
+}
+
+/*
+ * The share that the pixels may have less than the meter finds: four times what is known of its
+ * error, and of that of so many more or fewer rays, beside what it leaves out. More they may have:
+ * what shines near the lens is larger for the rim of its pupil.
+ */
+static double allowed_loss(const struct photograph *photograph)
+{
+    static const double left_out = 0.05, metering_rays = 16384;
+    const double traced = (double)photograph->counts[PHOTOGRAPH_TRACED];
+    const double rays = fmax(1, traced / (double)photograph->passes);
+    return left_out + 4 * photograph->mean_error * sqrt(1 + metering_rays / rays);
+}
+
+/*
+ * Whether the light on the film is known, and that of a picture's pixels is as much.
+ *
+ * Given     photograph  behind its filter
+ * Formula   camera/photograph/metering.h looks straight at what shines: pixels whose mean is less
+ * by more than
+ *           four of their standard errors, and more than that leaves out, have missed some of it
+ */
+static void render_say_mean(const struct photograph_question *question,
+                            const struct photograph *photograph, struct text_buffer *remarks)
+{
+    const double doubtful = 0.1; /* a sixth of a stop */
+    const struct image *image = &photograph->image;
+    const bool is_whole = image->width == question->columns && image->height == question->rows &&
+                          !photograph->is_incomplete;
+    const double metered = colour_luminance(photograph->mean);
+    if (photograph->mean_error > doubtful) {
+        growing_format(remarks,
+                       "warning: the light on the film on average is known to %.2g %% only: few "
+                       "rays find what makes it\n",
+                       100 * photograph->mean_error);
+    }
+    const double shown = is_whole ? render_mean_of(image) : NAN;
+    if (photograph->is_metered_directly && shown > 0 &&
+        shown < (1 - allowed_loss(photograph)) * metered) {
+        growing_format(
+            remarks,
+            "warning: the pixels have %.4g lx on average, and rays straight to what "
+            "shines find %.4g lx: small lights are missed, and more --samples find them, "
+            "or are blurred beyond the film\n",
+            shown, metered);
+    }
 }
 
 /* -------- the picture -------- */
@@ -57,27 +262,27 @@ struct picture_job {
     double until;               /* of progress_clock */
 };
 
-static bool render_picture_is_over(const void *clock)
+static bool time_is_over(const void *clock)
 {
     return progress_clock() >= *(const double *)clock;
 }
 
 /* Take a picture, with all the time that one may have. */
-static bool render_picture_take(struct picture_job *picture, struct photograph_question *question,
-                                struct photograph *photograph, struct error *error)
+static bool photograph_timed(struct picture_job *picture, struct photograph_question *question,
+                             struct photograph *photograph, struct error *error)
 {
     const struct render_input *input = picture->job->inputs[0];
     if (!isnan(input->seconds)) {
         picture->until = progress_clock() + input->seconds;
-        question->is_over = render_picture_is_over;
+        question->is_over = time_is_over;
         question->clock = &picture->until;
     }
     return photograph_take(question, picture->job->run->arena, photograph, error);
 }
 
 /* What is the same in all exposures. */
-static void render_picture_add_notes(const struct analysis_case *one,
-                                     const struct picture_job *picture, struct image *image)
+static void picture_add_notes(const struct analysis_case *one, const struct picture_job *picture,
+                              struct image *image)
 {
     const struct render_input *input = picture->job->inputs[0];
     struct arena *arena = picture->job->run->arena;
@@ -117,25 +322,30 @@ static void render_picture_add_notes(const struct analysis_case *one,
     }
 }
 
-static struct text render_picture_doubts_of(const struct analysis_case *one,
-                                            const struct picture_job *picture,
-                                            const struct photograph_question *question,
-                                            const struct render_shot *shot)
+static struct text picture_doubts(const struct analysis_case *one,
+                                  const struct picture_job *picture,
+                                  const struct photograph_question *question,
+                                  const struct render_shot *shot)
 {
     const struct photograph *photograph = &shot->photograph;
     const struct artifact_job *job = picture->job;
     const struct render_input *input = job->inputs[0];
     struct text_buffer doubts = {.arena = job->run->arena};
     const bool all_of_pupil = !skip_is_kept(question->kept, SKIP_PUPIL);
-    const struct render_arrival arrival = {
-        photograph->largest, photograph->corner, photograph->reference_at,
-        all_of_pupil ? (double)photograph->counts[PHOTOGRAPH_PASSED] /
-                           (double)photograph->counts[PHOTOGRAPH_TRACED]
-                     : NAN};
+    const double share = all_of_pupil ? (double)photograph->counts[PHOTOGRAPH_PASSED] /
+                                            (double)photograph->counts[PHOTOGRAPH_TRACED]
+                                      : NAN;
     render_say_size(input, &shot->frame, &doubts);
     render_say_autofocus(input, render_object(one), &doubts);
     render_say_samples(input, photograph, &doubts);
-    render_say_light(input, &doubts);
+    /* Which light and which filter, if they have names. */
+    if (input->light.name != NULL) {
+        growing_format(&doubts, "light of %s, EV %.4g at ISO 100: %s\n", input->light.name,
+                       input->light.ev100, input->light.source);
+    }
+    if (input->filter.name != NULL) {
+        growing_format(&doubts, "filter %s\n", input->filter.name);
+    }
     if (picture->world != NULL) {
         if (!isinf(render_object(one))) { /* who asks for infinity knows */
             growing_format(&doubts, "in focus: %s\n", render_focus_text(one, doubts.arena));
@@ -148,7 +358,8 @@ static struct text render_picture_doubts_of(const struct analysis_case *one,
     render_say_depths(input, photograph, &doubts);
     render_say_model(input, one, &doubts);
     render_say_shutter(input, &question->film, &doubts);
-    render_doubts(input, one, &arrival, &doubts);
+    render_doubts(input, one, photograph->largest, photograph->corner, photograph->reference_at,
+                  share, &doubts);
     if (job->run->explain) {
         render_explain(job, question, photograph, &doubts);
     }
@@ -156,17 +367,15 @@ static struct text render_picture_doubts_of(const struct analysis_case *one,
 }
 
 /* All that does not depend on the exposure. */
-static void render_picture_finish(const struct analysis_case *one,
-                                  const struct picture_job *picture,
-                                  const struct photograph_question *question,
-                                  struct render_shot *shot)
+static void picture_finish(const struct analysis_case *one, const struct picture_job *picture,
+                           const struct photograph_question *question, struct render_shot *shot)
 {
     const struct artifact_job *job = picture->job;
     const struct render_input *input = job->inputs[0];
     struct arena *arena = job->run->arena;
     render_filter(input, one->setup, input->spectral ? picture->world->white : NULL,
                   &shot->photograph);
-    render_picture_add_notes(one, picture, &shot->photograph.image);
+    picture_add_notes(one, picture, &shot->photograph.image);
     shot->photograph.image.aspect = render_aspect(input, &shot->frame);
     if (shot->photograph.is_incomplete) {
         const char *why = job->run->parts != NULL ? "parts are missing" : "interrupted";
@@ -174,7 +383,7 @@ static void render_picture_finish(const struct analysis_case *one,
         fail(&job->run->shortfall, ERROR_DOMAIN,
              "%s: the picture is incomplete, and black where it is missing", why);
     }
-    shot->doubts = render_picture_doubts_of(one, picture, question, shot);
+    shot->doubts = picture_doubts(one, picture, question, shot);
 }
 
 /* What moves is somewhere else in an exposure of another length. */
@@ -198,20 +407,6 @@ static bool is_another(const struct picture_job *picture, size_t i, unsigned kep
            (moves && next->time != one->time);
 }
 
-/* Who interrupts a picture has none of those that come after it. */
-static void render_picture_leave_out(const struct picture_job *picture, size_t first)
-{
-    const struct artifact_job *job = picture->job;
-    const size_t left = job->count - first;
-    for (size_t i = first; i < job->count; i++) {
-        picture->sinks[i].is_unused = true;
-    }
-    fail(&job->run->shortfall, ERROR_DOMAIN,
-         "interrupted: the picture is incomplete, and black where it is missing; %zu more %s not "
-         "made",
-         left, left == 1 ? "is" : "are");
-}
-
 /* Each exposure of it, taken anew where that is another picture; merged ones are one picture. */
 static bool expose_all(const struct analysis_case *one, struct picture_job *picture,
                        struct photograph_question question, struct render_shot *shot,
@@ -225,16 +420,24 @@ static bool expose_all(const struct analysis_case *one, struct picture_job *pict
     for (size_t i = 0; i < job->count && done; i++) {
         const bool is_new = i > 0 && is_another(picture, i, question.kept);
         if (is_new && photograph->is_incomplete && job->run->parts == NULL) {
-            render_picture_leave_out(picture, i);
+            /* Who interrupts a picture has none of those that come after it. */
+            const size_t left = job->count - i;
+            for (size_t k = i; k < job->count; k++) {
+                picture->sinks[k].is_unused = true;
+            }
+            fail(&job->run->shortfall, ERROR_DOMAIN,
+                 "interrupted: the picture is incomplete, and black where it is missing; %zu more "
+                 "%s not made",
+                 left, left == 1 ? "is" : "are");
             break;
         }
         if (is_new && !photograph->is_incomplete) {
             question.duration = duration_of(picture, job->inputs[i], question.kept);
             done = render_shutter(job->inputs[i], one, job->run->arena, &question.film.shutter,
                                   error) &&
-                   render_picture_take(picture, &question, &shot->photograph, error);
+                   photograph_timed(picture, &question, &shot->photograph, error);
             if (done) {
-                render_picture_finish(one, picture, &question, shot);
+                picture_finish(one, picture, &question, shot);
             }
         }
         if (photograph->is_incomplete && job->run->parts == NULL) {
@@ -265,12 +468,6 @@ static bool ask_subject(const struct picture_job *picture, const struct analysis
            render_depths(input, question->card.picture, arena, &question->depths, error);
 }
 
-/* Of all files that a scene is made of. */
-static const char *digest_of_world(const struct picture_job *picture)
-{
-    return picture->world != NULL ? picture->world->scene.digest.text : "";
-}
-
 /* What the lens sees that is focused so. */
 static bool take_picture(struct picture_job *picture, const struct render_input *focused,
                          struct error *error)
@@ -292,7 +489,11 @@ static bool take_picture(struct picture_job *picture, const struct render_input 
                                            .seed = (uint64_t)input->seed,
                                            .threads = parallel_threads(input->threads),
                                            .watch = job->run->watch};
-    render_ask_samples(input, &question);
+    /* How many, or until which error. */
+    long usual = isnan(input->error) ? USUAL_SAMPLES : USUAL_WITH_ERROR;
+    usual = isnan(input->seconds) ? usual : MOST_SAMPLES;
+    question.samples = (size_t)(input->samples == 0 ? usual : input->samples);
+    question.error = isnan(input->error) ? 0 : input->error;
     if (!render_frame_read(input, &shot.frame, error) ||
         !render_kept(input, &question.kept, error)) {
         return false;
@@ -304,8 +505,10 @@ static bool take_picture(struct picture_job *picture, const struct render_input 
     if (!render_acceptance(input, arena, &question.film.acceptance, error) ||
         !render_shutter(input, one, arena, &question.film.shutter, error) ||
         !ask_subject(picture, one, &question, error) ||
-        !render_part_begin(job, one, digest_of_world(picture), &question, &part, error) ||
-        !render_picture_take(picture, &question, &shot.photograph, error)) {
+        !render_part_begin(job, one,
+                           picture->world != NULL ? picture->world->scene.digest.text : "",
+                           &question, &part, error) ||
+        !photograph_timed(picture, &question, &shot.photograph, error)) {
         return false;
     }
     if (render_is_part(job)) {
@@ -314,7 +517,7 @@ static bool take_picture(struct picture_job *picture, const struct render_input 
     }
     render_part_fill(&part, &shot.photograph);
     shot.enclosed = picture->world != NULL ? picture->world->enclosed : NULL;
-    render_picture_finish(one, picture, &question, &shot);
+    picture_finish(one, picture, &question, &shot);
     return expose_all(one, picture, question, &shot, error);
 }
 

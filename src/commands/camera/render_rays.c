@@ -13,20 +13,6 @@ static const char *const names[NUMBERS] = {"film_x_mm", "film_y_mm", "wavelength
                                            "y_mm",      "z_mm",      "cos_x",         "cos_y",
                                            "cos_z",     "weight",    "time"};
 
-static void render_rays_numbers_of(const struct lens_ray *ray, double numbers[NUMBERS])
-{
-    numbers[0] = ray->film[0];
-    numbers[1] = ray->film[1];
-    /* not what multiplying um by 1000 leaves in the last digit */
-    numbers[2] = round(1e9 * ray->wavelength) / 1e6;
-    for (int k = 0; k < 3; k++) {
-        numbers[3 + k] = ray->point[k];
-        numbers[6 + k] = ray->cosine[k];
-    }
-    numbers[9] = ray->weight;
-    numbers[10] = ray->time;
-}
-
 /* A kind of file: how it begins, and a ray in it. */
 struct ray_file {
     struct file_type type;
@@ -42,21 +28,6 @@ const struct file_type *render_ray_types(size_t i)
     return i < sizeof files / sizeof files[0] ? &files[i].type : NULL;
 }
 
-struct ray_writer {
-    const struct ray_file *file;
-    struct output *sink;
-    struct watch *watch; /* null: nobody looks */
-};
-
-static void render_rays_write_names(const struct ray_writer *writer)
-{
-    const char separator = writer->file->separator, between = separator != 0 ? separator : ' ';
-    for (int k = 0; k < NUMBERS; k++) {
-        output_string(writer->sink, names[k]);
-        output_character(writer->sink, k + 1 == NUMBERS ? '\n' : between);
-    }
-}
-
 /* Least significant byte first, whatever the machine. */
 static char *put_raw(char *to, double number)
 {
@@ -68,14 +39,22 @@ static char *put_raw(char *to, double number)
     return to;
 }
 
-static bool write_rays(const struct ray_writer *writer, const struct lens_ray *rays, size_t count,
-                       struct error *error)
+static void write_rays(const struct lens_ray *rays, size_t count, char separator,
+                       struct output *sink)
 {
-    const char separator = writer->file->separator;
     for (size_t i = 0; i < count; i++) {
         double numbers[NUMBERS];
-        char *to = output_reserve(writer->sink, NUMBERS * (NUMBER_LENGTH + 1));
-        render_rays_numbers_of(&rays[i], numbers);
+        char *to = output_reserve(sink, NUMBERS * (NUMBER_LENGTH + 1));
+        numbers[0] = rays[i].film[0];
+        numbers[1] = rays[i].film[1];
+        /* not what multiplying um by 1000 leaves in the last digit */
+        numbers[2] = round(1e9 * rays[i].wavelength) / 1e6;
+        for (int k = 0; k < 3; k++) {
+            numbers[3 + k] = rays[i].point[k];
+            numbers[6 + k] = rays[i].cosine[k];
+        }
+        numbers[9] = rays[i].weight;
+        numbers[10] = rays[i].time;
         for (int k = 0; k < NUMBERS; k++) {
             if (separator == 0) {
                 to = put_raw(to, numbers[k]);
@@ -84,26 +63,18 @@ static bool write_rays(const struct ray_writer *writer, const struct lens_ray *r
                 *to++ = k + 1 == NUMBERS ? '\n' : separator;
             }
         }
-        output_advance(writer->sink, to);
+        output_advance(sink, to);
     }
-    return watch_add(writer->watch, count) ||
-           fail(error, ERROR_DOMAIN, "interrupted: what would follow is missing");
-}
-
-static const struct ray_file *file_of(const struct file_type *type)
-{
-    const struct ray_file *file = files;
-    for (size_t i = 0; i < sizeof files / sizeof files[0]; i++) {
-        file = type == &files[i].type ? &files[i] : file;
-    }
-    return file;
 }
 
 bool render_rays(const struct artifact_job *job, struct output *sink, struct error *error)
 {
     const struct render_input *input = job->inputs[0];
     const struct analysis_case *one;
-    struct ray_writer writer = {file_of(job->type), sink, job->run->watch};
+    const struct ray_file *file = files;
+    for (size_t i = 0; i < sizeof files / sizeof files[0]; i++) {
+        file = job->type == &files[i].type ? &files[i] : file;
+    }
     struct lens_rays *rays = ARENA_NEW(job->run->arena, struct lens_rays);
     if (!render_open(input, NULL, job->run, &one, error)) {
         return false;
@@ -112,26 +83,29 @@ bool render_rays(const struct artifact_job *job, struct output *sink, struct err
                                           .samples = input->samples == 0 ? USUAL_RAYS
                                                                          : (uint64_t)input->samples,
                                           .seed = (uint64_t)input->seed};
-    render_rays_write_names(&writer);
-    watch_begin(writer.watch, "rays", question.samples);
+    const char separator = file->separator, between = separator != 0 ? separator : ' ';
+    for (int k = 0; k < NUMBERS; k++) {
+        output_string(sink, names[k]);
+        output_character(sink, k + 1 == NUMBERS ? '\n' : between);
+    }
+    watch_begin(job->run->watch, "rays", question.samples);
     if (!render_acceptance(input, job->run->arena, &question.film.acceptance, error) ||
         !render_shutter(input, one, job->run->arena, &question.film.shutter, error) ||
         !lens_rays_open(&question, job->run->arena, rays, error)) {
         return false;
     }
     for (size_t count = lens_rays_next(rays); count > 0; count = lens_rays_next(rays)) {
-        if (!write_rays(&writer, rays->passed, count, error)) {
-            return false;
+        write_rays(rays->passed, count, separator, sink);
+        if (!watch_add(job->run->watch, count)) {
+            return fail(error, ERROR_DOMAIN, "interrupted: what would follow is missing");
         }
     }
     struct text_buffer remarks = {.arena = job->run->arena};
     render_say_model(input, one, &remarks);
     render_say_shutter(input, &question.film, &remarks);
     const double share = (double)rays->arrived / (double)question.samples;
-    const struct render_arrival arrival = {rays->film.lit, rays->film.corner,
-                                           rays->film.region.pole,
-                                           input->acceptance == NULL ? share : NAN};
-    render_doubts(input, one, &arrival, &remarks);
+    render_doubts(input, one, rays->film.lit, rays->film.corner, rays->film.region.pole,
+                  input->acceptance == NULL ? share : NAN, &remarks);
     if (job->run->explain) {
         render_explain_shutter(question.film.shutter, &remarks);
         growing_format(&remarks,

@@ -25,7 +25,7 @@ static const struct {
     {"daylight", BALANCE_DAYLIGHT}, {"tungsten", BALANCE_TUNGSTEN}, {"auto", BALANCE_AUTO}};
 
 /* A number at the beginning of a text, and what follows it; null: there is none. */
-static const char *render_sensor_read_number(const char *text, double *value)
+static const char *leading_number(const char *text, double *value)
 {
     return number_read(text, text + strlen(text), NUMBER_UNSCALED, value);
 }
@@ -43,7 +43,7 @@ static bool read_white(const char *text, struct develop_way *way, struct error *
             return true;
         }
     }
-    const char *end = render_sensor_read_number(text, &way->kelvin);
+    const char *end = leading_number(text, &way->kelvin);
     way->white = BALANCE_KELVIN;
     return (end != NULL && (strcmp(end, "K") == 0 || strcmp(end, "k") == 0) && way->kelvin > 0) ||
            fail(error, ERROR_USAGE,
@@ -64,7 +64,7 @@ bool render_senses(const struct render_input *input)
     return any;
 }
 
-static double render_sensor_or_else(double given, double usual)
+static double or_else(double given, double usual)
 {
     return isnan(given) ? usual : given;
 }
@@ -111,16 +111,16 @@ static bool open_sensor(const struct render_input *input, const struct render_fr
                         struct error *error)
 {
     struct image_sensor sensor =
-        sensor_plain(render_sensor_or_else(input->pitch, render_frame_pitch(input, frame)));
+        sensor_plain(or_else(input->pitch, render_frame_pitch(input, frame)));
     sensor.mosaic = (enum sensor_mosaic)input->mosaic;
-    sensor.read_noise = render_sensor_or_else(input->read_noise, sensor.read_noise);
-    sensor.full_well = render_sensor_or_else(input->full_well, sensor.full_well);
-    sensor.dark_current = render_sensor_or_else(input->dark_current, sensor.dark_current);
-    sensor.fill = render_sensor_or_else(input->fill, sensor.fill);
-    sensor.black = render_sensor_or_else(input->black, sensor.black);
+    sensor.read_noise = or_else(input->read_noise, sensor.read_noise);
+    sensor.full_well = or_else(input->full_well, sensor.full_well);
+    sensor.dark_current = or_else(input->dark_current, sensor.dark_current);
+    sensor.fill = or_else(input->fill, sensor.fill);
+    sensor.black = or_else(input->black, sensor.black);
     sensor.bits = input->adc != 0 ? (int)input->adc : sensor.bits;
     for (size_t k = 0; k < SENSOR_CHANNELS; k++) {
-        sensor.efficiency[k] = render_sensor_or_else(input->efficiency, sensor.efficiency[k]);
+        sensor.efficiency[k] = or_else(input->efficiency, sensor.efficiency[k]);
     }
     const struct sensor_setting setting = {.iso = isnan(input->gain) ? input->iso : NAN,
                                            .gain = input->gain,
@@ -150,8 +150,7 @@ bool render_check_sensor(const struct artifact_job *job, const struct render_fra
     if (!render_senses(input)) {
         return true;
     }
-    return open_sensor(input, frame, render_sensor_or_else(input->time, 0), job->run->arena, &model,
-                       error) &&
+    return open_sensor(input, frame, or_else(input->time, 0), job->run->arena, &model, error) &&
            (input->white == NULL || sensor_traits(&model.sensor)->channels > 1 ||
             fail(error, ERROR_USAGE,
                  "{--white} balances colours, which a sensor of one channel does not have"));
@@ -182,7 +181,7 @@ bool render_acceptance(const struct render_input *input, struct arena *arena,
     struct acceptance *made = ARENA_NEW(arena, struct acceptance);
     *acceptance = made;
     double power;
-    const char *end = render_sensor_read_number(input->acceptance, &power);
+    const char *end = leading_number(input->acceptance, &power);
     if (end != NULL && *end == '\0') {
         return acceptance_power(power, made, error);
     }
@@ -205,9 +204,8 @@ bool render_acceptance(const struct render_input *input, struct arena *arena,
  * Too much light, or too little. Of a picture what its file cannot hold counts too: `lost` is the
  * share of its pixels, and white lies by `headroom` below the largest number.
  */
-static void render_sensor_add_warnings(const struct sensor_model *model,
-                                       const struct sensor_raw *raw, double headroom, double lost,
-                                       struct text_buffer *remarks)
+static void sensor_add_warnings(const struct sensor_model *model, const struct sensor_raw *raw,
+                                double headroom, double lost, struct text_buffer *remarks)
 {
     const struct sensor_sums *sums = &raw->sums;
     const double white = (model->white - model->sensor.black) / model->gain / headroom;
@@ -227,30 +225,6 @@ static void render_sensor_add_warnings(const struct sensor_model *model,
                        "time or the light for one\n",
                        sums->brightest, 1 / sums->brightest);
     }
-}
-
-/* Which light became white. */
-static void note_white(const struct developed *made, struct image *picture,
-                       struct text_buffer *remarks)
-{
-    const double *xyz = made->white.part, sum = xyz[0] + xyz[1] + xyz[2];
-    const char *said =
-        arena_printf(remarks->arena, "x %.4f, y %.4f becomes white, by Bradford's adaptation",
-                     xyz[0] / sum, xyz[1] / sum);
-    growing_format(remarks, "%s\n", said);
-    image_note(picture, remarks->arena, text_of("White balance"), text_of(said));
-}
-
-/* Where the sensor is full, which need not be the largest number of the file. */
-static void note_saturation(const struct colour_matrix *fill, struct image *image,
-                            struct arena *arena)
-{
-    struct text_buffer words = {.arena = arena};
-    for (size_t i = 0; i < SENSOR_CHANNELS * SENSOR_CHANNELS; i++) {
-        const double share = fill->at[i / SENSOR_CHANNELS][i % SENSOR_CHANNELS];
-        growing_format(&words, "%s%.6g", i > 0 ? " " : "", share + 0.0); /* no -0 */
-    }
-    image_note(image, arena, text_of(RENDER_NOTE_SATURATION), growing_done(&words));
 }
 
 bool render_sense(const struct render_input *input, double time, const struct render_shot *shot,
@@ -279,7 +253,7 @@ bool render_sense(const struct render_input *input, double time, const struct re
     growing_format(remarks, "%s\n", said);
     struct image sensed = raw.image;
     if (input->raw) {
-        render_sensor_add_warnings(&model, &raw, 1, 0, remarks);
+        sensor_add_warnings(&model, &raw, 1, 0, remarks);
         sensor_codes(&model, &place, &sensed, arena);
     } else {
         if (model.sensor.mosaic != MOSAIC_NONE) {
@@ -293,9 +267,15 @@ bool render_sense(const struct render_input *input, double time, const struct re
         }
         sensed = made.picture;
         const double lost = render_clipping_of(&sensed, 1, RENDER_OVER_WHITE).share;
-        render_sensor_add_warnings(&model, &raw, way.headroom, lost, remarks);
+        sensor_add_warnings(&model, &raw, way.headroom, lost, remarks);
         if (input->white != NULL) {
-            note_white(&made, &sensed, remarks);
+            /* Which light became white. */
+            const double *xyz = made.white.part, sum = xyz[0] + xyz[1] + xyz[2];
+            const char *became = arena_printf(
+                remarks->arena, "x %.4f, y %.4f becomes white, by Bradford's adaptation",
+                xyz[0] / sum, xyz[1] / sum);
+            growing_format(remarks, "%s\n", became);
+            image_note(&sensed, remarks->arena, text_of("White balance"), text_of(became));
         }
     }
     *image = sensed;
@@ -306,7 +286,13 @@ bool render_sense(const struct render_input *input, double time, const struct re
         const char *noise = arena_printf(arena, "%.6g", model.sensor.read_noise);
         image_note(image, arena, text_of(RENDER_NOTE_FULL), text_of(white));
         image_note(image, arena, text_of(RENDER_NOTE_READ), text_of(noise));
-        note_saturation(&made.fill, image, arena);
+        /* Where the sensor is full, which need not be the largest number of the file. */
+        struct text_buffer words = {.arena = arena};
+        for (size_t i = 0; i < SENSOR_CHANNELS * SENSOR_CHANNELS; i++) {
+            const double share = made.fill.at[i / SENSOR_CHANNELS][i % SENSOR_CHANNELS];
+            growing_format(&words, "%s%.6g", i > 0 ? " " : "", share + 0.0); /* no -0 */
+        }
+        image_note(image, arena, text_of(RENDER_NOTE_SATURATION), growing_done(&words));
     }
     return true;
 }

@@ -11,7 +11,7 @@ static const char *const needed[SHUTTER_KINDS] = {[SHUTTER_FOCAL] = "travel-time
                                                   [SHUTTER_LEAF] = "opening-time",
                                                   [SHUTTER_ROLLING] = "readout"};
 
-static struct shutter_question render_shutter_question_of(const struct render_input *input)
+static struct shutter_question shutter_asked(const struct render_input *input)
 {
     const bool is_focal = input->shutter.kind == SHUTTER_FOCAL;
     return (struct shutter_question){
@@ -43,7 +43,7 @@ bool render_check_shutter(const struct artifact_job *job, struct error *error)
                     shutter_kinds[input->shutter.kind].word, missing);
     }
     for (size_t i = 0; i < job->count; i++) {
-        const struct shutter_question question = render_shutter_question_of(job->inputs[i]);
+        const struct shutter_question question = shutter_asked(job->inputs[i]);
         if (!shutter_open(&question, &shutter, error)) {
             return false;
         }
@@ -87,7 +87,7 @@ static bool find_stopped(const struct render_input *input, const struct analysis
 bool render_shutter(const struct render_input *input, const struct analysis_case *one,
                     struct arena *arena, const struct shutter **shutter, struct error *error)
 {
-    struct shutter_question question = render_shutter_question_of(input);
+    struct shutter_question question = shutter_asked(input);
     *shutter = NULL;
     if (question.kind == SHUTTER_GLOBAL) {
         return true;
@@ -126,37 +126,28 @@ bool render_shutter_span(const struct render_input *input, const struct analysis
 
 /* -------- what is said of it -------- */
 
-static const char *render_shutter_way_of(const struct render_input *input)
+static const char *shutter_way(const struct render_input *input)
 {
     return shutter_directions[input->shutter.direction].word;
 }
 
 void render_note_shutter(const struct render_input *input, struct image *image, struct arena *arena)
 {
-    const struct shutter_question asked = render_shutter_question_of(input);
+    const struct shutter_question asked = shutter_asked(input);
     const char *words[SHUTTER_KINDS] = {NULL};
     if (asked.kind == SHUTTER_GLOBAL) {
         return;
     }
     words[SHUTTER_FOCAL] = arena_printf(
-        arena, "focal, %s in %.6g s, %.6g mm before the film%s", render_shutter_way_of(input),
-        asked.travel, asked.distance,
+        arena, "focal, %s in %.6g s, %.6g mm before the film%s", shutter_way(input), asked.travel,
+        asked.distance,
         isinf(asked.overrun) ? ""
                              : arena_printf(arena, ", to %.6g mm beyond its edges", asked.overrun));
     words[SHUTTER_LEAF] = arena_printf(arena, "leaf, opens in %.6g s, closes in %.6g s",
                                        asked.opening, asked.closing);
     words[SHUTTER_ROLLING] =
-        arena_printf(arena, "rolling, %s in %.6g s", render_shutter_way_of(input), asked.travel);
+        arena_printf(arena, "rolling, %s in %.6g s", shutter_way(input), asked.travel);
     render_note(image, arena, "Shutter", words[asked.kind]);
-}
-
-/* The beam of the axis where the curtains are, mm. */
-static double beam_of(const struct shutter *shutter, const struct setup *setup)
-{
-    const struct first_order *first = &setup->first;
-    const double way = fabs(setup->image - first->exit_pupil);
-    return shutter->distance *
-           (isfinite(way) ? fabs(first->exit_diameter) / way : 1 / first->working_fnumber);
 }
 
 /*
@@ -166,7 +157,12 @@ static double beam_of(const struct shutter *shutter, const struct setup *setup)
 static struct shutter_times times_of(const struct film_question *question, const char **where)
 {
     const struct shutter *shutter = question->shutter;
-    struct shutter_times times = shutter_times(shutter, beam_of(shutter, question->setup));
+    /* The beam of the axis where the curtains are, mm. */
+    const struct first_order *first = &question->setup->first;
+    const double way = fabs(question->setup->image - first->exit_pupil);
+    struct shutter_times times =
+        shutter_times(shutter, shutter->distance * (isfinite(way) ? fabs(first->exit_diameter) / way
+                                                                  : 1 / first->working_fnumber));
     struct arena scratch = {0};
     struct lens_film *film = ARENA_NEW(&scratch, struct lens_film);
     struct error error;
@@ -199,8 +195,7 @@ void render_say_shutter(const struct render_input *input, const struct film_ques
     spoken_time(total, times.total, 4);
     if (shutter->kind == SHUTTER_FOCAL) {
         growing_format(remarks, "focal plane shutter, %s: a slit of %.4g mm, at %.4g m/s; ",
-                       render_shutter_way_of(input), shutter->time / shutter->per_mm,
-                       1e-3 / shutter->per_mm);
+                       shutter_way(input), shutter->time / shutter->per_mm, 1e-3 / shutter->per_mm);
     } else if (shutter->kind == SHUTTER_LEAF) {
         growing_format(remarks, "leaf shutter, the stop at %.4g of its radius: ", shutter->stopped);
     } else {
@@ -208,7 +203,7 @@ void render_say_shutter(const struct render_input *input, const struct film_ques
         shutter_span(shutter, 0, span);
         spoken_time(total, span[1] - span[0], 4);
         growing_format(remarks, "rolling shutter, %s: %.4g m/s over the film, all of it takes %s\n",
-                       render_shutter_way_of(input), 1e-3 / shutter->per_mm, total);
+                       shutter_way(input), 1e-3 / shutter->per_mm, total);
         return;
     }
     growing_format(remarks, "light for %s, %sas much as full light in %s: efficiency %.4g %%\n",
@@ -222,12 +217,10 @@ void render_explain_shutter(const struct shutter *shutter, struct text_buffer *r
             "shutter: each ray has t, later by q R/h, q where it passes the curtains, R "
             "their time over the film's h; slit t h/R; efficiency slit/(slit + beam); "
             "[Ives20]",
-        [SHUTTER_LEAF] =
-            "shutter: a ray at r of the shutter's radius has t + (a + b)(sqrt(1/2) - r), a and b "
-            "opening and closing time; full light: the mean of rays to the middle of the film, or "
-            "to "
-            "where white is measured; of a stop that is filled evenly to s t + (a + b)(sqrt(1/2) - "
-            "2 s/3); [IsoShutter19]",
+        [SHUTTER_LEAF] = "shutter: a ray at r of the shutter's radius has t + (a + b)(sqrt(1/2) - "
+                         "r), a and b opening and closing time; full light: the mean of rays to "
+                         "the middle of the film, or to where white is measured; of a stop that is "
+                         "filled evenly to s t + (a + b)(sqrt(1/2) - 2 s/3); [IsoShutter19]",
         [SHUTTER_ROLLING] = "shutter: each line has t, later by q R/h, q where it lies, R the "
                             "readout of the film's h"};
     if (shutter != NULL) {

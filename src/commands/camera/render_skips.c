@@ -7,16 +7,6 @@
 
 static const char everything[] = "all";
 
-static bool refuse_skip(struct text word, struct error *error)
-{
-    struct choice choice = {.typed = word};
-    for (size_t i = 0; i < SKIP_COUNT; i++) {
-        choice_offer(&choice, skip_words[i].word);
-    }
-    choice_offer(&choice, everything);
-    return choice_refuse(&choice, error) || error_prefix(error, "{--no-skip} ");
-}
-
 bool render_kept(const struct render_input *input, unsigned *kept, struct error *error)
 {
     struct text rest = text_of(input->no_skip != NULL ? input->no_skip : "");
@@ -28,7 +18,12 @@ bool render_kept(const struct render_input *input, unsigned *kept, struct error 
             i++;
         }
         if (i == SKIP_COUNT && !text_same(word, everything)) {
-            return refuse_skip(typed, error);
+            struct choice choice = {.typed = typed};
+            for (size_t k = 0; k < SKIP_COUNT; k++) {
+                choice_offer(&choice, skip_words[k].word);
+            }
+            choice_offer(&choice, everything);
+            return choice_refuse(&choice, error) || error_prefix(error, "{--no-skip} ");
         }
         *kept |= i == SKIP_COUNT ? (1U << SKIP_COUNT) - 1 : 1U << i;
     }
@@ -75,41 +70,6 @@ static void explain_colour(const struct photograph_question *question,
     growing_format(remarks, "%s\n", or_kept(question, SKIP_COLOUR));
 }
 
-/* Tiles that need few rays, or none. */
-static void explain_tiles(const struct photograph_question *question, const uint64_t *tiles,
-                          struct text_buffer *remarks)
-{
-    const uint64_t all = count_tiles(tiles);
-    if (question->view == NULL) {
-        growing_format(remarks,
-                       "blur: below a quarter of a pixel in %" PRIu64 " of %" PRIu64
-                       " tiles of 16 x 8 pixels, each "
-                       "with one pupil%s\n",
-                       tiles[RAY_REUSE_SHARP], all, or_kept(question, SKIP_BLUR));
-    } else {
-        growing_format(remarks, "blur: no tile of a scene goes without: little of its time is that "
-                                "of ways through the lens\n");
-    }
-    growing_format(remarks,
-                   "uniform: %" PRIu64 " of %" PRIu64
-                   " tiles see the same light everywhere: no rays%s\n",
-                   tiles[RAY_REUSE_EVEN], all, or_kept(question, SKIP_UNIFORM));
-}
-
-/* What a scene goes without. */
-static void explain_scene(const struct photograph_question *question, struct text_buffer *remarks)
-{
-    const int bounces = question->view->path->bounces;
-    growing_format(remarks, "secondary: ");
-    if (bounces == 0) {
-        growing_format(remarks, "light that shines alone is seen: no rays beyond the first%s\n",
-                       or_kept(question, SKIP_SECONDARY));
-    } else {
-        growing_format(remarks, "light comes by up to %d bounces%s\n", bounces,
-                       or_kept(question, SKIP_SECONDARY));
-    }
-}
-
 /* Why exposures are not of one picture; null: they are. */
 static const char *why_anew(const struct artifact_job *job,
                             const struct photograph_question *question)
@@ -137,13 +97,36 @@ void render_explain(const struct artifact_job *job, const struct photograph_ques
                    traced > 0 ? "those traced" : "none traced", or_kept(question, SKIP_PUPIL));
     render_explain_shutter(question->film.shutter, remarks);
     explain_colour(question, photograph, remarks);
-    explain_tiles(question, tiles, remarks);
+    /* Tiles that need few rays, or none. */
+    const uint64_t all = count_tiles(tiles);
+    if (question->view == NULL) {
+        growing_format(remarks,
+                       "blur: below a quarter of a pixel in %" PRIu64 " of %" PRIu64
+                       " tiles of 16 x 8 pixels, each with one pupil%s\n",
+                       tiles[RAY_REUSE_SHARP], all, or_kept(question, SKIP_BLUR));
+    } else {
+        growing_format(remarks, "blur: no tile of a scene goes without: little of its time is that "
+                                "of ways through the lens\n");
+    }
+    growing_format(remarks,
+                   "uniform: %" PRIu64 " of %" PRIu64
+                   " tiles see the same light everywhere: no rays%s\n",
+                   tiles[RAY_REUSE_EVEN], all, or_kept(question, SKIP_UNIFORM));
     growing_format(remarks, "time: %s%s\n",
                    question->duration > 0 ? "each ray has its own"
                                           : "all rays come at once: nothing depends on it",
                    or_kept(question, SKIP_TIME));
     if (question->view != NULL) {
-        explain_scene(question, remarks);
+        /* What a scene goes without. */
+        const int bounces = question->view->path->bounces;
+        growing_format(remarks, "secondary: ");
+        if (bounces == 0) {
+            growing_format(remarks, "light that shines alone is seen: no rays beyond the first%s\n",
+                           or_kept(question, SKIP_SECONDARY));
+        } else {
+            growing_format(remarks, "light comes by up to %d bounces%s\n", bounces,
+                           or_kept(question, SKIP_SECONDARY));
+        }
     }
     const char *anew = why_anew(job, question);
     growing_format(remarks, "exposures: %zu%s%s%s\n", job->count,

@@ -2,6 +2,7 @@
 /* SPDX-License-Identifier: MIT */
 #include "commands/camera/render_world.h"
 
+#include "base/constants.h"
 #include "base/name_table.h"
 #include "camera/photograph/tile_rays.h"
 #include "camera/sensor/develop.h"
@@ -87,22 +88,6 @@ static bool scatters(const struct scene *scene)
     return does;
 }
 
-/* Times and what moves in them. */
-static bool render_world_check_times(const struct artifact_job *job,
-                                     const struct render_world *world, struct error *error)
-{
-    const struct render_input *input = job->inputs[0];
-    if (world->moves && isnan(input->time)) {
-        fail(error, ERROR_USAGE,
-             "%.200s moves: how far it comes while it is exposed depends on {--time}",
-             input->subject);
-        return error_hint(error, "give it, as -t 1/125");
-    }
-    return !world->moves || !render_is_part(job) || job->count == 1 ||
-           fail(error, ERROR_USAGE,
-                "a part is of one picture: each {--time} makes another one of what moves");
-}
-
 /* A picture that it names is not written over. */
 static bool read_spared(void *context, const char *path, struct arena *arena, struct text *content,
                         struct error *error)
@@ -128,8 +113,19 @@ bool render_world_read(const struct artifact_job *job, struct render_world *worl
     world->moves = scene_moves(&world->scene);
     world->scatters = scatters(&world->scene);
     bands_three(&world->bands);
-    return (!input->spectral || bands_many((size_t)input->bands, &world->bands, error)) &&
-           render_world_check_times(job, world, error);
+    if (input->spectral && !bands_many((size_t)input->bands, &world->bands, error)) {
+        return false;
+    }
+    /* Times and what moves in them. */
+    if (world->moves && isnan(input->time)) {
+        fail(error, ERROR_USAGE,
+             "%.200s moves: how far it comes while it is exposed depends on {--time}",
+             input->subject);
+        return error_hint(error, "give it, as -t 1/125");
+    }
+    return !world->moves || !render_is_part(job) || job->count == 1 ||
+           fail(error, ERROR_USAGE,
+                "a part is of one picture: each {--time} makes another one of what moves");
 }
 
 struct spectrum_value render_world_colours(const struct render_world *world, struct arena *arena)
@@ -167,23 +163,12 @@ static bool stand_clear(const struct render_world *world, const struct lens_clea
     return error_hint(error, "move it, or the camera");
 }
 
-/* What the camera stands within, if that is closed: no light comes in. */
-static const char *enclosing_words(const struct render_world *world, struct arena *arena)
-{
-    const struct vector at = scene_pose_at(&world->scene.camera.where, 0).at;
-    size_t which;
-    return world_encloses(&world->world, at, 0, &which)
-               ? arena_printf(arena, "the camera stands within what line %zu of %.200s places",
-                              world->scene.things[which].place.line, world->scene.source)
-               : NULL;
-}
-
 /* -------- focus -------- */
 
 /* How far before the first vertex is what lies at a place of the picture, mm? Infinite: nothing. */
-static bool render_world_look(const struct render_input *input, const struct render_world *world,
-                              const double place[2], const struct analysis_case *one,
-                              struct arena *arena, double *distance, struct error *error)
+static bool look_at(const struct render_input *input, const struct render_world *world,
+                    const double place[2], const struct analysis_case *one, struct arena *arena,
+                    double *distance, struct error *error)
 {
     const struct film_question question = render_film(input, one);
     const struct scene_place *camera = &world->scene.camera.where;
@@ -229,7 +214,7 @@ static bool find_distance(const struct artifact_job *job, struct render_world *w
         const double before = focused->distance;
         const struct analysis_case *one;
         if (!render_open(focused, NULL, run, &one, error) ||
-            !render_world_look(input, world, place, one, run->arena, &focused->distance, error)) {
+            !look_at(input, world, place, one, run->arena, &focused->distance, error)) {
             return false;
         }
         focused->from = isinf(focused->distance) ? FROM_PRINCIPAL : FROM_FRONT;
@@ -311,11 +296,109 @@ bool render_world_focus(const struct artifact_job *job, struct render_world *wor
     return error_hint(error, "give {--distance}, {--autofocus} X:Y, or focus= in the scene");
 }
 
+/* -------- stars -------- */
+
+/* Far below a pixel of any picture, and nearly all around. */
+#define LEAST (1e-5 * RADIANS_PER_DEGREE)
+#define MOST  (177 * RADIANS_PER_DEGREE)
+
+static bool lacks_diameter(const struct scene_light *light)
+{
+    return light->kind == LIGHT_STAR && isnan(light->diameter);
+}
+
+/*
+ * How wide stars are that do not say so: as a pixel in the middle of the film is by its larger
+ * side, so that its rays find them; the same in all parts of a picture.
+ *
+ * Given     world  receives it, in the lights of its scene too
+ * Result    where a pixel has no such angle 1 arcmin
+ * Errors    as lens_film_open
+ */
+static bool render_open_stars(const struct photograph_question *question, struct arena *arena,
+                              struct render_world *world, struct error *error)
+{
+    struct scene *scene = &world->scene;
+    world->stars = (struct render_stars){.diameter = NAN};
+    size_t count = 0;
+    for (size_t i = 0; i < scene->light_count; i++) {
+        count += lacks_diameter(&scene->lights[i]) ? 1 : 0;
+    }
+    if (count == 0) {
+        return true;
+    }
+    struct lens_film *film = ARENA_NEW(arena, struct lens_film);
+    if (!lens_film_open(&question->film, arena, film, error)) {
+        return false;
+    }
+    /* How wide a pixel of the whole picture is as the lens sees it; 0: that has no angle. */
+    struct film_samples *samples = ARENA_NEW(arena, struct film_samples);
+    struct rays rays = rays_new(arena, RAYS_BLOCK);
+    const double sides[2][2] = {{question->film.width / (double)question->columns, 0},
+                                {0, question->film.height / (double)question->rows}};
+    double angle = 0; /* fmax leaves out what is NaN */
+    for (int i = 0; i < 2; i++) {
+        angle = fmax(angle, lens_film_angle(film, sides[i], samples, &rays));
+    }
+    const bool is_angle = angle >= LEAST;
+    world->stars = (struct render_stars){is_angle ? fmin(angle, MOST) : RADIANS_PER_DEGREE / 60,
+                                         is_angle && angle <= MOST};
+    for (size_t i = 0; i < scene->light_count; i++) {
+        if (lacks_diameter(&scene->lights[i])) {
+            scene->lights[i].diameter = world->stars.diameter;
+        }
+    }
+    return true;
+}
+
+const char *render_stars_text(const struct render_world *world, struct arena *arena)
+{
+    return isnan(world->stars.diameter)
+               ? NULL
+               : arena_printf(arena, "discs of %s%.4g arcmin",
+                              world->stars.are_a_pixel ? "one pixel, " : "",
+                              60 * DEGREES_PER_RADIAN * world->stars.diameter);
+}
+
 /* -------- a picture -------- */
 
-/* Of wavelengths each has its own share of a coloured filter. */
-static void put_filter(const struct render_input *input, struct render_world *world)
+bool render_world_open(const struct artifact_job *job, const struct analysis_case *one,
+                       struct render_world *world, struct photograph_question *question,
+                       struct error *error)
 {
+    const struct render_input *input = job->inputs[0];
+    const bool scattered = world->scatters || skip_is_kept(question->kept, SKIP_SECONDARY);
+    const struct render_frame frame = {.columns = question->columns, .rows = question->rows};
+    double span[2];
+    struct arena *arena = job->run->arena;
+    /* All times that rays of any exposure may come at. */
+    span[0] = span[1] = 0;
+    for (size_t i = 0; i < job->count; i++) {
+        double own[2];
+        if (!render_shutter_span(job->inputs[i], one, job->run->arena, own, error)) {
+            return false;
+        }
+        span[0] = fmin(span[0], own[0]);
+        span[1] = fmax(span[1], own[1]);
+    }
+    if (!render_open_stars(question, arena, world, error) ||
+        !world_open(&world->scene, span, arena, &world->world, error) ||
+        !lights_open(&world->scene, &world->bands, arena, &world->lights, error)) {
+        return false;
+    }
+    const struct lens_clearance room = lens_clearance_of(one->setup, arena);
+    if (!stand_clear(world, &room, span, error)) {
+        return false;
+    }
+    /* What the camera stands within, if that is closed: no light comes in. */
+    const struct vector at = scene_pose_at(&world->scene.camera.where, 0).at;
+    size_t which;
+    world->enclosed =
+        world_encloses(&world->world, at, 0, &which)
+            ? arena_printf(arena, "the camera stands within what line %zu of %.200s places",
+                           world->scene.things[which].place.line, world->scene.source)
+            : NULL;
+    /* Of wavelengths each has its own share of a coloured filter. */
     world->seen = world->bands;
     for (int i = 0; i < 3; i++) {
         world->white[i] = input->spectral ? 0 : 1;
@@ -330,65 +413,6 @@ static void put_filter(const struct render_input *input, struct render_world *wo
             world->white[i] += world->seen.rgb[k][i];
         }
     }
-}
-
-/* Light that becomes white in a PNG of the longest exposure, lx; NaN: nobody said how long. */
-static bool render_world_find_white(const struct artifact_job *job,
-                                    const struct render_frame *frame, double *white,
-                                    struct error *error)
-{
-    *white = INFINITY;
-    for (size_t i = 0; i < job->count; i++) {
-        const struct render_input *input = job->inputs[i];
-        double iso;
-        if (!render_speed(input, frame, job->run->arena, &iso, error)) {
-            return false;
-        }
-        *white = isnan(input->time) || isnan(*white)
-                     ? NAN
-                     : fmin(*white, exp2(input->filter.stops) * saturation_exposure(iso) /
-                                        (DEVELOP_HEADROOM * input->time));
-    }
-    return true;
-}
-
-/* All times that rays of any exposure may come at. */
-static bool render_world_find_span(const struct artifact_job *job, const struct analysis_case *one,
-                                   double span[2], struct error *error)
-{
-    span[0] = span[1] = 0;
-    for (size_t i = 0; i < job->count; i++) {
-        double own[2];
-        if (!render_shutter_span(job->inputs[i], one, job->run->arena, own, error)) {
-            return false;
-        }
-        span[0] = fmin(span[0], own[0]);
-        span[1] = fmax(span[1], own[1]);
-    }
-    return true;
-}
-
-bool render_world_open(const struct artifact_job *job, const struct analysis_case *one,
-                       struct render_world *world, struct photograph_question *question,
-                       struct error *error)
-{
-    const struct render_input *input = job->inputs[0];
-    const bool scattered = world->scatters || skip_is_kept(question->kept, SKIP_SECONDARY);
-    const struct render_frame frame = {.columns = question->columns, .rows = question->rows};
-    double span[2];
-    struct arena *arena = job->run->arena;
-    if (!render_world_find_span(job, one, span, error) ||
-        !render_open_stars(question, arena, world, error) ||
-        !world_open(&world->scene, span, arena, &world->world, error) ||
-        !lights_open(&world->scene, &world->bands, arena, &world->lights, error)) {
-        return false;
-    }
-    const struct lens_clearance room = lens_clearance_of(one->setup, arena);
-    if (!stand_clear(world, &room, span, error)) {
-        return false;
-    }
-    world->enclosed = enclosing_words(world, arena);
-    put_filter(input, world);
     world->path = (struct path){.world = &world->world,
                                 .lights = &world->lights,
                                 .bounces = scattered ? (int)input->bounces : 0};
@@ -399,7 +423,66 @@ bool render_world_open(const struct artifact_job *job, const struct analysis_cas
                                 .pupil = lens_clearance_pupil(one->setup)};
     question->view = &world->view;
     question->white_of_mean = saturation_exposure(1) / (DEVELOP_HEADROOM * recommended_exposure(1));
-    return render_world_find_white(job, &frame, &question->white, error);
+    /* Light that becomes white in a PNG of the longest exposure, lx; NaN: nobody said how long. */
+    question->white = INFINITY;
+    for (size_t i = 0; i < job->count; i++) {
+        const struct render_input *exposed = job->inputs[i];
+        double iso;
+        if (!render_speed(exposed, &frame, job->run->arena, &iso, error)) {
+            return false;
+        }
+        question->white =
+            isnan(exposed->time) || isnan(question->white)
+                ? NAN
+                : fmin(question->white, exp2(exposed->filter.stops) * saturation_exposure(iso) /
+                                            (DEVELOP_HEADROOM * exposed->time));
+    }
+    return true;
+}
+
+/* -------- colours -------- */
+
+enum { SAID_MOST = 3 }; /* each by itself; of more how many */
+
+/* In u', v'; the eye tells twice as much apart. */
+static const double seen_as_same = 0.002;
+
+/* What is said so far. */
+struct colour_remarks {
+    struct text_buffer *remarks;
+    size_t count;
+};
+
+/* Less than half a percent is within what tables and observers differ by. */
+static void say_unsaturated(struct colour_remarks *saying, const struct typed_place *place,
+                            const char *what, const struct banded *banded)
+{
+    if (banded != NULL && banded->held < 0.995 && saying->count++ < SAID_MOST) {
+        growing_format(saying->remarks,
+                       "%s:%ld: a %s is more saturated than sRGB can be: %.0f %% of its distance "
+                       "from %s is kept; --spectral keeps more\n",
+                       place->source, place->line, what, 100 * banded->held,
+                       what[0] == 'l' ? "white" : "grey");
+    }
+}
+
+/* Lights have spectra that are narrower than bands. */
+static void say_narrow(struct colour_remarks *saying, const struct typed_place *place,
+                       const struct spectrum *spectrum, const struct banded *banded)
+{
+    if (banded == NULL || !(banded->off > seen_as_same) || saying->count++ >= SAID_MOST) {
+        return;
+    }
+    double off;
+    const size_t needed = bands_needed(spectrum, seen_as_same, &off);
+    growing_format(saying->remarks,
+                   "warning: %s:%ld: a light is narrower than a band: its colour is %.2g in u', v' "
+                   "from that of its spectrum",
+                   place->source, place->line, banded->off);
+    if (off < banded->off) {
+        growing_format(saying->remarks, "; with --bands %zu %.2g", needed, off);
+    }
+    growing_string(saying->remarks, "\n");
 }
 
 /* -------- what is said of it -------- */
@@ -464,5 +547,23 @@ void render_say_world(const struct render_world *world, struct text_buffer *rema
     if (world->world.degenerate > 0) {
         say_degenerate(&world->world, remarks);
     }
-    render_say_colours(world, remarks);
+    /* Its colours that red, green and blue of sRGB do not hold, and what becomes of them. */
+    struct colour_remarks saying = {remarks, 0};
+    const struct scene *scene = &world->scene;
+    for (size_t i = 0; i < scene->material_count; i++) {
+        const struct material *material = &world->lights.materials.of[i];
+        say_unsaturated(&saying, &scene->materials[i].place, "surface", material->colour);
+        say_unsaturated(&saying, &scene->materials[i].place, "light", material->light);
+        say_narrow(&saying, &scene->materials[i].place, &scene->materials[i].emission,
+                   material->light);
+    }
+    for (size_t i = 0; i < scene->light_count; i++) {
+        say_unsaturated(&saying, &scene->lights[i].place, "light", world->lights.units[i]);
+        say_narrow(&saying, &scene->lights[i].place, &scene->lights[i].spectrum,
+                   world->lights.units[i]);
+    }
+    if (saying.count > SAID_MOST) {
+        growing_format(remarks, "%zu more of the scene's colours likewise\n",
+                       saying.count - SAID_MOST);
+    }
 }

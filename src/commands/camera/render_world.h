@@ -69,32 +69,7 @@ const char *render_focus_text(const struct analysis_case *one, struct arena *are
 /* What is to be known of it. */
 void render_say_world(const struct render_world *world, struct text_buffer *remarks);
 
-/*
- * Whether the light on the film is known, and that of a picture's pixels is as much.
- *
- * Given     photograph  behind its filter
- * Formula   camera/photograph/metering.h looks straight at what shines: pixels whose mean is less
- * by more than
- *           four of their standard errors, and more than that leaves out, have missed some of it
- */
-void render_say_mean(const struct photograph_question *question,
-                     const struct photograph *photograph, struct text_buffer *remarks);
-
-/*
- * How wide stars are that do not say so: as a pixel in the middle of the film is by its larger
- * side, so that its rays find them; the same in all parts of a picture.
- *
- * Given     world  receives it, in the lights of its scene too
- * Result    where a pixel has no such angle 1 arcmin
- * Errors    as lens_film_open
- */
-bool render_open_stars(const struct photograph_question *question, struct arena *arena,
-                       struct render_world *world, struct error *error);
-
 /* In words; null: there are none. */
 const char *render_stars_text(const struct render_world *world, struct arena *arena);
-
-/* Its colours that red, green and blue of sRGB do not hold, and what becomes of them. */
-void render_say_colours(const struct render_world *world, struct text_buffer *remarks);
 
 #endif

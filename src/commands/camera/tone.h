@@ -70,20 +70,4 @@ file_types tone_picture_types;
 bool tone_picture_check(const struct artifact_job *job, struct error *error);
 bool tone_picture(const struct artifact_job *job, struct output *sink, struct error *error);
 
-/* -------- commands/camera/tone_scale.c -------- */
-
-/*
- * Luminance in false colours, with a scale beside it.
- *
- * Given     range    of the scale, cd/m^2
- * Result    picture  as wide as the light where it is too low for a scale
- */
-bool tone_falsecolor(const struct image *light, const double range[2], struct arena *arena,
-                     struct image *picture, struct error *error);
-
-/* -------- commands/camera/tone_curves.c -------- */
-
-file_types tone_curve_types;
-bool tone_curves(const struct artifact_job *job, struct output *sink, struct error *error);
-
 #endif

@@ -21,7 +21,7 @@ struct frame_reader {
     struct text times;             /* what is left of --times */
 };
 
-static const char *tone_frames_note_of(const struct image *image, const char *key)
+static const char *frame_note(const struct image *image, const char *key)
 {
     for (size_t i = 0; i < image->note_count; i++) {
         if (strcmp(image->notes[i].key, key) == 0) {
@@ -34,7 +34,7 @@ static const char *tone_frames_note_of(const struct image *image, const char *ke
 /* NaN: it is not noted, or nothing that can be read. */
 static double noted(const struct image *image, const char *key, const struct dimension *dimension)
 {
-    const char *note = tone_frames_note_of(image, key);
+    const char *note = frame_note(image, key);
     struct error ignored;
     double value = NAN;
     return note != NULL && quantity_read(text_of(note), dimension, NULL, &value, NULL, &ignored) &&
@@ -62,7 +62,7 @@ static void cut_time(struct text word, struct arena *arena, const char **path, d
 }
 
 /* The next of --times. */
-static bool tone_frames_take_time(struct frame_reader *reading, double *time, struct error *error)
+static bool next_time(struct frame_reader *reading, double *time, struct error *error)
 {
     if (reading->input->times == NULL) {
         return true;
@@ -80,18 +80,18 @@ static bool tone_frames_take_time(struct frame_reader *reading, double *time, st
 }
 
 /* What cannot be light. */
-static bool tone_frames_check_kind(const struct image *image, struct error *error)
+static bool check_kind(const struct image *image, struct error *error)
 {
-    const char *unit = tone_frames_note_of(image, "Unit");
-    if (tone_frames_note_of(image, "CFA pattern") != NULL) {
+    const char *unit = frame_note(image, "Unit");
+    if (frame_note(image, "CFA pattern") != NULL) {
         return fail(error, ERROR_DATA, "raw data of a sensor: develop it first");
     }
     return unit == NULL || strcmp(unit, "density") != 0 ||
            fail(error, ERROR_DATA, "densities of a film, not light");
 }
 
-static bool tone_frames_check_size(const struct tone_frames *frames, const struct tone_frame *frame,
-                                   struct error *error)
+static bool check_frame_size(const struct tone_frames *frames, const struct tone_frame *frame,
+                             struct error *error)
 {
     const double enough = 1e-6; /* between the digits of formats */
     const struct tone_frame *first = &frames->frames[0];
@@ -122,7 +122,7 @@ static bool check_alike(const struct tone_frames *frames, const struct tone_fram
 static bool check_unit(const struct frame_reader *reading, const struct image *image, bool is_timed,
                        size_t i, struct error *error)
 {
-    const char *const units[] = {tone_frames_note_of(image, "Unit"), reading->frames->unit};
+    const char *const units[] = {frame_note(image, "Unit"), reading->frames->unit};
     for (size_t k = 0; k < sizeof units / sizeof units[0]; k++) {
         if (units[k] != NULL && strcmp(units[k], "cd/m2") == 0 && (is_timed || i > 0)) {
             return fail(
@@ -138,8 +138,7 @@ static bool check_unit(const struct frame_reader *reading, const struct image *i
 static void take_notes(struct frame_reader *reading, const struct image *image, size_t i)
 {
     struct tone_frames *frames = reading->frames;
-    const char *unit = tone_frames_note_of(image, "Unit"),
-               *filter = tone_frames_note_of(image, "Filter");
+    const char *unit = frame_note(image, "Unit"), *filter = frame_note(image, "Filter");
     if (filter != NULL && frames->filter == NULL) {
         frames->filtered = frames->frames[i].name;
         frames->filter = arena_string(reading->arena, filter, strlen(filter));
@@ -160,7 +159,7 @@ static void take_notes(struct frame_reader *reading, const struct image *image, 
 static bool take_saturation(const struct frame_reader *reading, const struct image *image,
                             struct tone_frame *frame, struct error *error)
 {
-    const char *note = tone_frames_note_of(image, RENDER_NOTE_SATURATION);
+    const char *note = frame_note(image, RENDER_NOTE_SATURATION);
     struct saturation saturation;
     if (note == NULL) {
         return true;
@@ -173,8 +172,7 @@ static bool take_saturation(const struct frame_reader *reading, const struct ima
 }
 
 /* Its noise would count as if it were another's. */
-static bool tone_frames_check_once(const struct frame_reader *reading, const char *path,
-                                   struct error *error)
+static bool check_once(const struct frame_reader *reading, const char *path, struct error *error)
 {
     for (size_t i = 0; i < reading->frames->count; i++) {
         const char *other = reading->frames->frames[i].name;
@@ -188,8 +186,8 @@ static bool tone_frames_check_once(const struct frame_reader *reading, const cha
     return true;
 }
 
-static bool tone_frames_read_one(struct frame_reader *reading, const char *path, double time,
-                                 size_t i, struct error *error)
+static bool frame_file_read(struct frame_reader *reading, const char *path, double time, size_t i,
+                            struct error *error)
 {
     struct arena scratch = {0};
     const struct image_wish wish = {IMAGE_CODES, IMAGE_VALUES_MOST / FRAME_CHANNELS};
@@ -197,14 +195,13 @@ static bool tone_frames_read_one(struct frame_reader *reading, const char *path,
     struct tone_frame *frame = &reading->frames->frames[i];
     bool done = image_file_read(path, &wish, &scratch, &image, error);
     if (done) {
-        done = tone_frames_check_kind(&image, error) &&
-               frame_take(&image, reading->arena, frame, error) &&
+        done = check_kind(&image, error) && frame_take(&image, reading->arena, frame, error) &&
                take_saturation(reading, &image, frame, error);
         frame->name = path;
         frame->remark = image_file_remark(path, &image, reading->arena);
         frame->time = isnan(time) ? noted(&image, "Exposure time", &dimension_time) : time;
         done = done && check_unit(reading, &image, !isnan(time), i, error) &&
-               tone_frames_check_size(reading->frames, frame, error) &&
+               check_frame_size(reading->frames, frame, error) &&
                check_alike(reading->frames, frame, error);
         done = done || error_locate(error, path, 0, 0);
         take_notes(reading, &image, i);
@@ -213,25 +210,12 @@ static bool tone_frames_read_one(struct frame_reader *reading, const char *path,
     return done;
 }
 
-/* One needs no time to be looked at; of several each has its own. */
-static bool check_timed(const struct tone_frames *frames, struct error *error)
-{
-    for (size_t i = 0; i < frames->count; i++) {
-        const struct tone_frame *frame = &frames->frames[i];
-        if (isnan(frame->time) && frames->count > 1) {
-            fail(error, ERROR_USAGE, "nothing says how long %.200s was exposed", frame->name);
-            return error_hint(error, "write FILE=1/60 for each, or {--times} 1/15,1/60");
-        }
-    }
-    return true;
-}
-
 /*
  * What one setting of all frames is: that of the option or of the first; times change with it where
  * frames differ, so that light over time is the same in all.
  */
-static bool tone_frames_settle(const struct tone_frames *frames, const double *values, double power,
-                               const char *name, double *setting, struct error *error)
+static bool settle_setting(const struct tone_frames *frames, const double *values, double power,
+                           const char *name, double *setting, struct error *error)
 {
     if (!isnan(*setting)) {
         return true; /* an option says so of all */
@@ -277,7 +261,7 @@ static bool settle_whites(const struct frame_reader *reading, struct error *erro
 }
 
 /* Weights go with squares of times, in single precision. */
-static bool tone_frames_check_times(const struct tone_frames *frames, struct error *error)
+static bool check_frame_times(const struct tone_frames *frames, struct error *error)
 {
     for (size_t i = 0; i < frames->count; i++) {
         const struct tone_frame *frame = &frames->frames[i];
@@ -308,12 +292,12 @@ bool tone_frames_read(const struct tone_input *input, struct arena *arena,
             return fail(error, ERROR_USAGE, "at most %d frames can be merged", FRAMES_MOST);
         }
         cut_time(word, arena, &path, &time);
-        if (!tone_frames_take_time(&reading, &time, error)) {
+        if (!next_time(&reading, &time, error)) {
             return false;
         }
         frames->is_timed = frames->is_timed || !isnan(time);
-        if (!tone_frames_check_once(&reading, path, error) ||
-            !tone_frames_read_one(&reading, path, time, frames->count, error)) {
+        if (!check_once(&reading, path, error) ||
+            !frame_file_read(&reading, path, time, frames->count, error)) {
             return false;
         }
     }
@@ -321,8 +305,16 @@ bool tone_frames_read(const struct tone_input *input, struct arena *arena,
         return fail(error, ERROR_USAGE, "{--times} '%.100s' has more times than the %zu frame%s",
                     input->times, frames->count, frames->count == 1 ? "" : "s");
     }
-    return check_timed(frames, error) && tone_frames_check_times(frames, error) &&
-           tone_frames_settle(frames, reading.iso, 1, "ISO speed", &frames->iso, error) &&
-           tone_frames_settle(frames, reading.fnumber, -2, "f-number", &frames->fnumber, error) &&
-           settle_whites(&reading, error) && tone_frames_check_times(frames, error);
+    /* One needs no time to be looked at; of several each has its own. */
+    for (size_t i = 0; i < frames->count; i++) {
+        const struct tone_frame *frame = &frames->frames[i];
+        if (isnan(frame->time) && frames->count > 1) {
+            fail(error, ERROR_USAGE, "nothing says how long %.200s was exposed", frame->name);
+            return error_hint(error, "write FILE=1/60 for each, or {--times} 1/15,1/60");
+        }
+    }
+    return check_frame_times(frames, error) &&
+           settle_setting(frames, reading.iso, 1, "ISO speed", &frames->iso, error) &&
+           settle_setting(frames, reading.fnumber, -2, "f-number", &frames->fnumber, error) &&
+           settle_whites(&reading, error) && check_frame_times(frames, error);
 }

@@ -53,25 +53,9 @@ static bool is_unit(const struct tone_frames *frames, const char *unit)
     return frames->unit != NULL && strcmp(frames->unit, unit) == 0;
 }
 
-/* Luminance by what was asked for, but something is missing. */
-static bool tone_light_miss(const struct tone_frames *frames, struct error *error)
-{
-    const bool is_light = frames->frames[0].bits == 0;
-    if (is_light && !is_unit(frames, "lx s")) {
-        return fail(error, ERROR_USAGE,
-                    "{--aperture} and {--iso} say nothing of %.200s, whose values are no exposures",
-                    frames->frames[0].name);
-    }
-    return fail(error, ERROR_USAGE,
-                "luminance takes the exposure time, the f-number and%s: %s is missing",
-                is_light ? " lx s" : " the ISO speed",
-                SAID_FIRST({isnan(frames->frames[0].time), "the time"},
-                           {isnan(frames->fnumber), "{--aperture}"}, {true, "{--iso}"}));
-}
-
 /* What one of a merged picture's values is, cd/m^2, and why. */
-static bool tone_light_unit_of(const struct tone_input *input, struct tone_frames *frames,
-                               struct text_buffer *remarks, double *unit, struct error *error)
+static bool unit_of_light(const struct tone_input *input, struct tone_frames *frames,
+                          struct text_buffer *remarks, double *unit, struct error *error)
 {
     const struct tone_frame *first = &frames->frames[0];
     const bool is_asked = !isnan(input->iso) || !isnan(input->fnumber);
@@ -80,7 +64,19 @@ static bool tone_light_unit_of(const struct tone_input *input, struct tone_frame
     if (!isnan(input->calibrate)) {
         *unit = plain_unit(frames, input->calibrate, true, remarks);
     } else if (is_asked && !is_standard) {
-        return tone_light_miss(frames, error);
+        /* Luminance by what was asked for, but something is missing. */
+        const bool has_light = frames->frames[0].bits == 0;
+        if (has_light && !is_unit(frames, "lx s")) {
+            return fail(
+                error, ERROR_USAGE,
+                "{--aperture} and {--iso} say nothing of %.200s, whose values are no exposures",
+                frames->frames[0].name);
+        }
+        return fail(error, ERROR_USAGE,
+                    "luminance takes the exposure time, the f-number and%s: %s is missing",
+                    has_light ? " lx s" : " the ISO speed",
+                    SAID_FIRST({isnan(frames->frames[0].time), "the time"},
+                               {isnan(frames->fnumber), "{--aperture}"}, {true, "{--iso}"}));
     } else if (is_unit(frames, "cd/m2") && frames->count == 1) {
         *unit = plain_unit(frames, 1, true, remarks);
     } else if (!isnan(frames->white) && !isnan(first->time) && !is_asked) {
@@ -96,10 +92,12 @@ static bool tone_light_unit_of(const struct tone_input *input, struct tone_frame
 
 /* -------- the frames -------- */
 
-/* A camera that moved, and frames that cannot be told from. */
-static void say_shifts(const struct tone_input *input, const struct tone_frames *frames,
-                       const struct align_step *steps, struct text_buffer *remarks)
+static void align(const struct tone_input *input, struct tone_frames *frames,
+                  struct text_buffer *remarks)
 {
+    struct align_step steps[FRAMES_MOST];
+    align_frames(frames->frames, frames->count, steps);
+    /* A camera that moved, and frames that cannot be told from. */
     bool is_silent = input->align;
     for (size_t i = 0; i < frames->count; i++) {
         const struct tone_frame *frame = &frames->frames[i];
@@ -127,14 +125,6 @@ static void say_shifts(const struct tone_input *input, const struct tone_frames 
     if (is_silent) {
         growing_format(remarks, "the frames lie on one another: none is shifted\n");
     }
-}
-
-static void align(const struct tone_input *input, struct tone_frames *frames,
-                  struct text_buffer *remarks)
-{
-    struct align_step steps[FRAMES_MOST];
-    align_frames(frames->frames, frames->count, steps);
-    say_shifts(input, frames, steps, remarks);
     for (size_t i = 0; i < frames->count && !input->align; i++) {
         frames->frames[i].right = frames->frames[i].down = 0;
     }
@@ -169,21 +159,6 @@ static bool recover(struct tone_frames *frames, struct tone_light *light,
     return true;
 }
 
-/* What is of several frames, and of their noise. */
-static bool tone_light_check_asked(const struct tone_input *input, const struct tone_frames *frames,
-                                   struct error *error)
-{
-    const bool has_noise = !isnan(input->full_well) || !isnan(input->read_noise);
-    if (frames->count == 1 && (has_noise || input->align)) {
-        return fail(error, ERROR_USAGE, "{--%s} needs several frames",
-                    SAID_FIRST({input->align, "align"}, {!isnan(input->full_well), "full-well"},
-                               {true, "read-noise"}));
-    }
-    return !(has_noise && frames->frames[0].bits == 0) ||
-           fail(error, ERROR_USAGE, "{--%s} works only with whole numbers, and %.200s holds floats",
-                !isnan(input->full_well) ? "full-well" : "read-noise", frames->frames[0].name);
-}
-
 static double either(double given, double noted, double usual)
 {
     if (!isnan(given)) {
@@ -193,24 +168,6 @@ static double either(double given, double noted, double usual)
         return noted;
     }
     return usual;
-}
-
-static struct merge_noise noise_of(const struct tone_input *input, const struct tone_frames *frames,
-                                   struct text_buffer *remarks)
-{
-    const struct merge_noise noise = {either(input->full_well, frames->full_well, usual_full),
-                                      either(input->read_noise, frames->read_noise, usual_noise)};
-    const bool is_guess = isnan(input->full_well) && isnan(frames->full_well);
-    if (frames->frames[0].bits == 0) {
-        growing_format(remarks, "weights by the noise of photons\n");
-    } else {
-        growing_format(remarks,
-                       "weights by noise: %.4g electrons at white%s, read noise %.3g, steps of %d "
-                       "bits\n",
-                       noise.full_well, is_guess ? " (assumed)" : "", noise.read_noise,
-                       frames->frames[0].bits);
-    }
-    return noise;
 }
 
 static void say_frames(const struct tone_frames *frames, struct text_buffer *remarks)
@@ -270,7 +227,7 @@ static void find_saturation(struct tone_frames *frames, struct arena *arena,
     }
 }
 
-static double tone_light_percent(size_t part, size_t whole)
+static double percent_of(size_t part, size_t whole)
 {
     return 100 * (double)part / (double)whole;
 }
@@ -278,40 +235,21 @@ static double tone_light_percent(size_t part, size_t whole)
 static void say_merged(const struct merged *merged, size_t count, struct text_buffer *remarks)
 {
     const size_t pixels = merged->image.width * merged->image.height;
-    const double saturated = tone_light_percent(merged->saturated, pixels);
+    const double saturated = percent_of(merged->saturated, pixels);
     if (saturated > 0) { /* a few are lights and their reflections; of them it is said too */
         growing_format(remarks, "%s%.3g %% of the pixels are saturated in %s\n",
                        saturated >= 1 ? "warning: " : "", saturated,
                        count > 1 ? "all frames" : "some channel");
     }
-    if (merged->looked > 0 && tone_light_percent(merged->apart, merged->looked) >= 1) {
+    if (merged->looked > 0 && percent_of(merged->apart, merged->looked) >= 1) {
         growing_format(remarks,
                        "warning: in %.3g %% of the pixels frames differ by more than noise: "
                        "something has moved, or the response is another\n",
-                       tone_light_percent(merged->apart, merged->looked));
+                       percent_of(merged->apart, merged->looked));
     }
 }
 
 /* -------- the light -------- */
-
-static bool to_luminance(struct image *image, double unit, struct error *error)
-{
-    for (size_t i = 0; i < image->width * image->height * FRAME_CHANNELS; i++) {
-        image->pixels[i] *= (float)unit;
-    }
-    return image_check(image, IMAGE_FINITE, error);
-}
-
-static void say_light(const struct image *image, struct text_buffer *remarks)
-{
-    float least = INFINITY, most = 0;
-    for (size_t i = 0; i < image->width * image->height; i++) {
-        const float luminance = sight_luminance(image->pixels + FRAME_CHANNELS * i);
-        least = fminf(least, luminance);
-        most = fmaxf(most, luminance);
-    }
-    growing_format(remarks, "luminance %.3g to %.3g cd/m2\n", (double)least, (double)most);
-}
 
 /* Of frames that lie in an arena of their own. */
 static bool make_light(const struct tone_input *input, struct arena *frames_arena,
@@ -322,26 +260,58 @@ static bool make_light(const struct tone_input *input, struct arena *frames_aren
     struct tone_frames frames;
     struct merged merged;
     double unit = 1;
-    if (!tone_frames_read(input, frames_arena, &frames, error) ||
-        !tone_light_check_asked(input, &frames, error)) {
+    if (!tone_frames_read(input, frames_arena, &frames, error)) {
         return false;
+    }
+    /* What is of several frames, and of their noise. */
+    const bool has_noise = !isnan(input->full_well) || !isnan(input->read_noise);
+    if (frames.count == 1 && (has_noise || input->align)) {
+        return fail(error, ERROR_USAGE, "{--%s} needs several frames",
+                    SAID_FIRST({input->align, "align"}, {!isnan(input->full_well), "full-well"},
+                               {true, "read-noise"}));
+    }
+    if (has_noise && frames.frames[0].bits == 0) {
+        return fail(error, ERROR_USAGE,
+                    "{--%s} works only with whole numbers, and %.200s holds floats",
+                    !isnan(input->full_well) ? "full-well" : "read-noise", frames.frames[0].name);
     }
     say_frames(&frames, &remarks);
     if (frames.count > 1) {
         align(input, &frames, &remarks);
         find_saturation(&frames, frames_arena, &remarks);
-        noise = noise_of(input, &frames, &remarks);
+        noise = (struct merge_noise){either(input->full_well, frames.full_well, usual_full),
+                                     either(input->read_noise, frames.read_noise, usual_noise)};
+        const bool is_guess = isnan(input->full_well) && isnan(frames.full_well);
+        if (frames.frames[0].bits == 0) {
+            growing_format(&remarks, "weights by the noise of photons\n");
+        } else {
+            growing_format(
+                &remarks,
+                "weights by noise: %.4g electrons at white%s, read noise %.3g, steps of %d "
+                "bits\n",
+                noise.full_well, is_guess ? " (assumed)" : "", noise.read_noise,
+                frames.frames[0].bits);
+        }
     }
-    if (input->response == RESPONSE_DEBEVEC && !recover(&frames, light, &remarks, error)) {
+    if ((input->response == RESPONSE_DEBEVEC && !recover(&frames, light, &remarks, error)) ||
+        !unit_of_light(input, &frames, &remarks, &unit, error) ||
+        !merge_frames(frames.frames, frames.count, &noise, arena, &merged, error)) {
         return false;
     }
-    if (!tone_light_unit_of(input, &frames, &remarks, &unit, error) ||
-        !merge_frames(frames.frames, frames.count, &noise, arena, &merged, error) ||
-        !to_luminance(&merged.image, unit, error)) {
+    for (size_t i = 0; i < merged.image.width * merged.image.height * FRAME_CHANNELS; i++) {
+        merged.image.pixels[i] *= (float)unit;
+    }
+    if (!image_check(&merged.image, IMAGE_FINITE, error)) {
         return false;
     }
     say_merged(&merged, frames.count, &remarks);
-    say_light(&merged.image, &remarks);
+    float least = INFINITY, most = 0;
+    for (size_t i = 0; i < merged.image.width * merged.image.height; i++) {
+        const float luminance = sight_luminance(merged.image.pixels + FRAME_CHANNELS * i);
+        least = fminf(least, luminance);
+        most = fmaxf(most, luminance);
+    }
+    growing_format(&remarks, "luminance %.3g to %.3g cd/m2\n", (double)least, (double)most);
     light->image = merged.image;
     light->remarks = growing_done(&remarks);
     return true;

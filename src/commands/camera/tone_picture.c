@@ -1,7 +1,10 @@
 /* commands/camera/tone_picture.c - light as an eye sees it, and as a display shows it. */
 /* SPDX-License-Identifier: MIT */
 #include "base/constants.h"
+#include "base/image/srgb.h"
 #include "commands/camera/tone.h"
+#include "draw/lettering.h"
+#include "draw/palette.h"
 #include "file/image_file.h"
 #include "report/version.h"
 #include "tone/acuity.h"
@@ -38,8 +41,8 @@ static int asked_of(const struct artifact_job *job)
 }
 
 /* Two luminances, the first smaller: "1,100". */
-static bool tone_picture_read_range(const char *option, const char *text, double range[2],
-                                    struct error *error)
+static bool read_luminances(const char *option, const char *text, double range[2],
+                            struct error *error)
 {
     struct text rest = text_of(text);
     for (int i = 0; i < 2; i++) {
@@ -93,19 +96,7 @@ static bool check_colours(const struct artifact_job *job, struct error *error)
     double range[2];
     return (is_png(job) || fail(error, ERROR_USAGE, "{--falsecolor} is written as .png, not %s",
                                 job->type->ending)) &&
-           (input->scale == NULL || tone_picture_read_range("scale", input->scale, range, error));
-}
-
-static bool check_bits(const struct tone_input *input, const struct artifact_job *job,
-                       struct error *error)
-{
-    const bool is_exr = strcmp(job->type->ending, ".exr") == 0;
-    const bool fits = is_png(job) ? input->bits == 8 || input->bits == 16
-                                  : is_exr && (input->bits == 16 || input->bits == 32);
-    return input->bits == 0 || fits ||
-           fail(error, ERROR_USAGE,
-                "{--bits} %ld: a .png has 8 or 16, an .exr 16 or 32, others have no choice",
-                input->bits);
+           (input->scale == NULL || read_luminances("scale", input->scale, range, error));
 }
 
 /* Is anything asked of places of one degree? */
@@ -134,92 +125,25 @@ bool tone_picture_check(const struct artifact_job *job, struct error *error)
                     "{--fov} has no effect here: only {--glare}, {--acuity}, ward and an operator "
                     "that chooses its white use it");
     }
-    return check_bits(input, job, error) &&
-           (input->falsecolor ? check_colours(job, error) : check_operator(job, error)) &&
-           (input->display == NULL ||
-            tone_picture_read_range("display", input->display, range, error));
+    const bool is_exr = strcmp(job->type->ending, ".exr") == 0;
+    const bool fits = is_png(job) ? input->bits == 8 || input->bits == 16
+                                  : is_exr && (input->bits == 16 || input->bits == 32);
+    if (!(input->bits == 0) && !fits &&
+        !fail(error, ERROR_USAGE,
+              "{--bits} %ld: a .png has 8 or 16, an .exr 16 or 32, others have no choice",
+              input->bits)) {
+        return false;
+    }
+    return (input->falsecolor ? check_colours(job, error) : check_operator(job, error)) &&
+           (input->display == NULL || read_luminances("display", input->display, range, error));
 }
 
 /* -------- what an eye sees -------- */
 
-/* In places of about a degree; no place is smaller than a pixel. */
-static void say_places(const struct foveal *foveal, double view, struct text_buffer *remarks)
-{
-    const double cell = fmax(foveal->cell[0], foveal->cell[1]);
-    const double across = 2 * atan(cell / 2) / RADIANS_PER_DEGREE;
-    growing_format(
-        remarks, "the eye looks about in %zu x %zu places of %.2g deg; the view is %.4g deg wide\n",
-        foveal->columns, foveal->rows, across, view / RADIANS_PER_DEGREE);
-    if (across > LARGE_CELL) {
-        growing_format(remarks, "warning: the picture has too few pixels for places of 1 degree\n");
-    } else if (foveal->columns * foveal->rows < FEW_CELLS) {
-        growing_format(remarks, "warning: so small a view has few places of 1 degree\n");
-    }
-}
-
-static void tone_picture_scatter(struct foveal *foveal, struct image *image,
-                                 struct text_buffer *remarks)
-{
-    const struct foveal_grid grid = foveal_veil(foveal, image, remarks->arena);
-    if (grid.columns != foveal->columns || grid.rows != foveal->rows) {
-        growing_format(remarks,
-                       "light is scattered between %zu x %zu larger places, to save time\n",
-                       grid.columns, grid.rows);
-    }
-}
-
-/* In the order in which the eye does it. */
-static bool tone_picture_see(const struct tone_input *input, struct foveal *foveal,
-                             struct image *image, struct text_buffer *remarks, struct error *error)
-{
-    struct arena *const arena = remarks->arena;
-    struct image made;
-    if (input->acuity) {
-        if (!acuity_blur(foveal, image, arena, &made, error)) {
-            return false;
-        }
-        *image = made;
-    }
-    if (input->glare) {
-        tone_picture_scatter(foveal, image, remarks);
-    }
-    if (input->color_loss) {
-        acuity_fade(image);
-    }
-    return true;
-}
-
 /* -------- what a display shows -------- */
 
-static void say_shown(const struct tone_way *way, const struct toned *toned, size_t pixels,
-                      struct text_buffer *remarks)
-{
-    static const char *const names[] = {"linear", "gamma", "filmic", "ward"};
-    const struct histogram *histogram = &toned->histogram;
-    const char *name = names[way->operation];
-    if (way->operation != TONE_WARD) {
-        growing_format(remarks, "%s: %.4g cd/m2 become white; %.3g %% of the pixels are brighter\n",
-                       name, toned->white, 100 * (double)toned->clipped / (double)pixels);
-        if (!isnan(toned->log_mean)) {
-            growing_format(remarks, "the mean by logarithms is %.4g cd/m2\n", toned->log_mean);
-        }
-    } else if (histogram->is_linear) {
-        growing_format(
-            remarks,
-            "ward: the ceiling leaves nothing to compress: linear, %.4g of the luminance\n",
-            histogram->factor);
-    } else {
-        growing_format(
-            remarks,
-            "ward: %.3g to %.4g cd/m2 onto %.4g to %.4g; %zu passes, the last cut %.2g %% "
-            "of the histogram\n",
-            exp(histogram->low), exp(histogram->high), way->display.least, way->display.most,
-            histogram->passes, 100 * histogram->trimmed);
-    }
-}
-
-static bool tone_picture_show(const struct artifact_job *job, const struct foveal *foveal,
-                              struct image *image, struct text_buffer *remarks, struct error *error)
+static bool picture_show(const struct artifact_job *job, const struct foveal *foveal,
+                         struct image *image, struct text_buffer *remarks, struct error *error)
 {
     const struct tone_input *input = job->inputs[0];
     struct tone_way way = {.operation = (enum tone_operator)(asked_of(job) - ASKED_FIRST),
@@ -231,7 +155,7 @@ static bool tone_picture_show(const struct artifact_job *job, const struct fovea
     struct toned toned;
     double range[2];
     if (input->display != NULL) {
-        if (!tone_picture_read_range("display", input->display, range, error)) {
+        if (!read_luminances("display", input->display, range, error)) {
             return false;
         }
         way.display = (struct display){range[0], range[1]};
@@ -239,12 +163,34 @@ static bool tone_picture_show(const struct artifact_job *job, const struct fovea
     if (!tone_show(&way, foveal, image, remarks->arena, &toned, error)) {
         return false;
     }
-    say_shown(&way, &toned, image->width * image->height, remarks);
+    size_t pixels = image->width * image->height;
+    static const char *const names[] = {"linear", "gamma", "filmic", "ward"};
+    const struct histogram *histogram = &toned.histogram;
+    const char *name = names[way.operation];
+    if (way.operation != TONE_WARD) {
+        growing_format(remarks, "%s: %.4g cd/m2 become white; %.3g %% of the pixels are brighter\n",
+                       name, toned.white, 100 * (double)toned.clipped / (double)pixels);
+        if (!isnan(toned.log_mean)) {
+            growing_format(remarks, "the mean by logarithms is %.4g cd/m2\n", toned.log_mean);
+        }
+    } else if (histogram->is_linear) {
+        growing_format(
+            remarks,
+            "ward: the ceiling leaves nothing to compress: linear, %.4g of the luminance\n",
+            histogram->factor);
+    } else {
+        growing_format(
+            remarks,
+            "ward: %.3g to %.4g cd/m2 onto %.4g to %.4g; %zu passes, the last cut %.2g %% "
+            "of the histogram\n",
+            exp(histogram->low), exp(histogram->high), way.display.least, way.display.most,
+            histogram->passes, 100 * histogram->trimmed);
+    }
     return true;
 }
 
 /* Percent of the pixels that have the colour of an end. */
-static double tone_picture_beyond(const struct image *image, const double range[2])
+static double share_beyond(const struct image *image, const double range[2])
 {
     const size_t pixels = image->width * image->height;
     size_t count = 0;
@@ -253,6 +199,93 @@ static double tone_picture_beyond(const struct image *image, const double range[
         count += luminance < range[0] || luminance > range[1];
     }
     return 100 * (double)count / (double)pixels;
+}
+
+/* -------- a scale -------- */
+
+enum { CHANNELS = 3, LETTERS = 8, HEIGHT_OF_SIZE = 240, LEAST_LINES = 4, BAR = 6, GAP = 3 };
+
+/* The colour of a place on the scale. */
+static void put_colour(double share, float *pixel)
+{
+    double colour[CHANNELS];
+    palette_scale(false, share, colour);
+    for (int k = 0; k < CHANNELS; k++) {
+        pixel[k] = (float)srgb_light(colour[k]);
+    }
+}
+
+static double scale_share(double luminance, const double range[2])
+{
+    return luminance > 0 ? log(luminance / range[0]) / log(range[1] / range[0]) : 0;
+}
+
+/* Beside each whole decade, and at the ends where none is near, its luminance. */
+static void write_marks(struct image *picture, size_t left, size_t size, const double range[2],
+                        struct arena *arena)
+{
+    const double high = (double)picture->height, tall = (double)(LETTERING_HIGH * size);
+    const double top = 2 * tall, bottom = high - tall;
+    const int first = (int)ceil(log10(range[0]) - 1e-9), last = (int)floor(log10(range[1]) + 1e-9);
+    lettering_write(picture, left, size, size, "cd/m2");
+    for (int decade = first - 1; decade <= last + 1; decade++) {
+        const bool is_end = decade < first || decade > last;
+        const double end = decade < first ? range[0] : range[1];
+        const double luminance = is_end ? end : pow(10, decade);
+        const double y = bottom - scale_share(luminance, range) * (bottom - top);
+        const double other = decade < first ? pow(10, first) : pow(10, last);
+        const double away = fabs(scale_share(luminance, range) - scale_share(other, range));
+        if (!is_end || first > last || away * (bottom - top) > 1.5 * tall) {
+            lettering_write(picture, left, (size_t)(y - tall / 2), size,
+                            arena_printf(arena, "%.6g", luminance));
+        }
+    }
+}
+
+/* The bar beside the picture: its lower end is the lowest luminance. */
+static void draw_colour_scale(struct image *picture, size_t from, size_t size,
+                              const double range[2], struct arena *arena)
+{
+    const double tall = (double)(LETTERING_HIGH * size);
+    const double top = 2 * tall, bottom = (double)picture->height - tall;
+    const size_t left = from + GAP * size, right = left + BAR * size;
+    for (size_t y = (size_t)top; (double)y < bottom; y++) {
+        const double share = (bottom - (double)y - 0.5) / (bottom - top);
+        for (size_t x = left; x < right; x++) {
+            put_colour(share, image_row(picture, y) + CHANNELS * x);
+        }
+    }
+    write_marks(picture, right + size, size, range, arena);
+}
+
+/*
+ * Luminance in false colours, with a scale beside it.
+ *
+ * Given     range    of the scale, cd/m^2
+ * Result    picture  as wide as the light where it is too low for a scale
+ */
+static bool tone_falsecolor(const struct image *light, const double range[2], struct arena *arena,
+                            struct image *picture, struct error *error)
+{
+    const size_t size = light->height / HEIGHT_OF_SIZE + 1;
+    const bool has_scale = light->height >= LEAST_LINES * LETTERING_HIGH;
+    *picture = *light;
+    picture->width += has_scale ? size * (GAP + BAR + 1 + LETTERS * LETTERING_STEP) : 0;
+    if (!image_new(picture, arena, error)) {
+        return false;
+    }
+    for (size_t y = 0; y < light->height; y++) {
+        const float *from = image_row(light, y);
+        float *to = image_row(picture, y);
+        for (size_t x = 0; x < light->width; x++) {
+            const double luminance = (double)sight_luminance(from + CHANNELS * x);
+            put_colour(scale_share(luminance, range), to + CHANNELS * x);
+        }
+    }
+    if (has_scale) {
+        draw_colour_scale(picture, light->width, size, range, arena);
+    }
+    return true;
 }
 
 /* The scale that is asked for, or the decades that hold the picture, down to six below the top. */
@@ -271,13 +304,13 @@ static bool colour(const struct tone_input *input, struct image *image, struct t
     }
     range[1] = pow(10, ceil(log10(range[1]) - 1e-9));
     range[0] = fmin(fmax(pow(10, floor(log10(range[0]) + 1e-9)), range[1] * 1e-6), range[1] / 10);
-    if (input->scale != NULL && !tone_picture_read_range("scale", input->scale, range, error)) {
+    if (input->scale != NULL && !read_luminances("scale", input->scale, range, error)) {
         return false;
     }
     growing_format(remarks,
                    "colours from %.6g to %.6g cd/m2, by the logarithm; %.3g %% of the pixels lie "
                    "beyond\n",
-                   range[0], range[1], tone_picture_beyond(image, range));
+                   range[0], range[1], share_beyond(image, range));
     if (!tone_falsecolor(image, range, remarks->arena, &picture, error)) {
         return false;
     }
@@ -290,14 +323,14 @@ static bool colour(const struct tone_input *input, struct image *image, struct t
 
 /* -------- a file -------- */
 
-static void tone_picture_note(struct image *image, struct arena *arena, const char *key,
-                              const char *value)
+static void picture_note(struct image *image, struct arena *arena, const char *key,
+                         const char *value)
 {
     image_note(image, arena, text_of(key), text_of(value));
 }
 
-static bool tone_picture_make(const struct artifact_job *job, struct image *image,
-                              struct text_buffer *remarks, struct error *error)
+static bool picture_make(const struct artifact_job *job, struct image *image,
+                         struct text_buffer *remarks, struct error *error)
 {
     const struct tone_input *input = job->inputs[0];
     const bool is_shown = !input->falsecolor && asked_of(job) != ASKED_NONE;
@@ -306,17 +339,47 @@ static bool tone_picture_make(const struct artifact_job *job, struct image *imag
         foveal = foveal_look(image, input->view, remarks->arena);
     }
     if (needs_view(job)) {
-        say_places(&foveal, input->view, remarks);
+        /* In places of about a degree; no place is smaller than a pixel. */
+        double view = input->view;
+        const double cell = fmax(foveal.cell[0], foveal.cell[1]);
+        const double across = 2 * atan(cell / 2) / RADIANS_PER_DEGREE;
+        growing_format(
+            remarks,
+            "the eye looks about in %zu x %zu places of %.2g deg; the view is %.4g deg wide\n",
+            foveal.columns, foveal.rows, across, view / RADIANS_PER_DEGREE);
+        if (across > LARGE_CELL) {
+            growing_format(remarks,
+                           "warning: the picture has too few pixels for places of 1 degree\n");
+        } else if (foveal.columns * foveal.rows < FEW_CELLS) {
+            growing_format(remarks, "warning: so small a view has few places of 1 degree\n");
+        }
     }
-    if (!tone_picture_see(input, &foveal, image, remarks, error)) {
-        return false;
+    /* In the order in which the eye does it. */
+    struct arena *const arena = remarks->arena;
+    struct image seen;
+    if (input->acuity) {
+        if (!acuity_blur(&foveal, image, arena, &seen, error)) {
+            return false;
+        }
+        *image = seen;
     }
-    tone_picture_note(image, remarks->arena, "Software", "lenscalc " LENSCALC_VERSION);
+    if (input->glare) {
+        const struct foveal_grid grid = foveal_veil(&foveal, image, remarks->arena);
+        if (grid.columns != foveal.columns || grid.rows != foveal.rows) {
+            growing_format(remarks,
+                           "light is scattered between %zu x %zu larger places, to save time\n",
+                           grid.columns, grid.rows);
+        }
+    }
+    if (input->color_loss) {
+        acuity_fade(image);
+    }
+    picture_note(image, remarks->arena, "Software", "lenscalc " LENSCALC_VERSION);
     if (!is_png(job)) {
-        tone_picture_note(image, remarks->arena, "Unit", "cd/m2");
+        picture_note(image, remarks->arena, "Unit", "cd/m2");
     }
     return input->falsecolor ? colour(input, image, remarks, error)
-                             : !is_shown || tone_picture_show(job, &foveal, image, remarks, error);
+                             : !is_shown || picture_show(job, &foveal, image, remarks, error);
 }
 
 bool tone_picture(const struct artifact_job *job, struct output *sink, struct error *error)
@@ -336,7 +399,7 @@ bool tone_picture(const struct artifact_job *job, struct output *sink, struct er
     light->is_taken = true;
     struct image image = light->image;
     growing_text(&remarks, light->remarks);
-    if (!tone_picture_make(job, &image, &remarks, error) ||
+    if (!picture_make(job, &image, &remarks, error) ||
         !image_file_bytes(&image, job->type, &way, job->run->kept, &bytes, error)) {
         return false;
     }

@@ -98,21 +98,6 @@ static void add_folder(struct check_list *list, const char *path, struct name_ta
     }
 }
 
-/*
- * Add a file, or of a folder all files, also in folders below, whose names end as those of lens
- * files do; in the order of their names. A folder to which several paths lead is read once.
- */
-static void check_list_add(struct check_list *list, struct text path)
-{
-    const char *name = arena_string(list->arena, path.start, path.length);
-    struct name_table seen = {0};
-    if (folder_exists(name)) {
-        add_folder(list, name, &seen);
-    } else {
-        check_list_append(list, (struct check_item){.path = name, .is_named = true});
-    }
-}
-
 /* -------- each of them -------- */
 
 /* What all threads share, each with a database of its own. */
@@ -205,25 +190,20 @@ static void check_file(struct lensdb *db, const struct check_item *item, struct 
     arena_free(&scratch);
 }
 
-/* A thread reads its glass catalogues once. */
-static struct lensdb *database_of(struct file_check *checking, const struct parallel_piece *piece)
-{
-    struct lensdb **own = &checking->of_thread[piece->thread];
-    if (*own == NULL) {
-        *own = ARENA_NEW(piece->arena, struct lensdb);
-        **own = (struct lensdb){.arena = piece->arena,
-                                .agf = checking->db->agf,
-                                .directory = checking->db->directory,
-                                .lossy = true,
-                                .glass_numbers = checking->db->glass_numbers};
-    }
-    return *own;
-}
-
 static void check_piece(void *context, const struct parallel_piece *piece)
 {
     struct file_check *checking = context;
-    struct lensdb *db = database_of(checking, piece);
+    /* A thread reads its glass catalogues once. */
+    struct lensdb **database = &checking->of_thread[piece->thread];
+    if (*database == NULL) {
+        *database = ARENA_NEW(piece->arena, struct lensdb);
+        **database = (struct lensdb){.arena = piece->arena,
+                                     .agf = checking->db->agf,
+                                     .directory = checking->db->directory,
+                                     .lossy = true,
+                                     .glass_numbers = checking->db->glass_numbers};
+    }
+    struct lensdb *db = *database;
     for (size_t i = piece->begin; i < piece->end && !watch_is_ended(checking->watch); i++) {
         struct check_files_row *row = &checking->rows[i];
         *row = (struct check_files_row){.file = checking->files->items[i].path,
@@ -244,7 +224,19 @@ static bool check_files_run(const void *data, struct run *run, struct error *err
         return fail(error, ERROR_USAGE, "which files? Give their names, or folders");
     }
     for (struct text rest = text_of(input->files); rest.start != NULL;) {
-        check_list_add(&files, text_cut(&rest, OPTION_MANY_SEPARATOR));
+        /*
+         * Add a file, or of a folder all files, also in folders below, whose names end as those of
+         * lens files do; in the order of their names. A folder to which several paths lead is read
+         * once.
+         */
+        struct text path = text_cut(&rest, OPTION_MANY_SEPARATOR);
+        const char *name = arena_string(files.arena, path.start, path.length);
+        struct name_table seen = {0};
+        if (folder_exists(name)) {
+            add_folder(&files, name, &seen);
+        } else {
+            check_list_append(&files, (struct check_item){.path = name, .is_named = true});
+        }
     }
     struct parallel *parallel = ARENA_NEW(run->arena, struct parallel);
     struct file_check *checking = ARENA_NEW(run->arena, struct file_check);

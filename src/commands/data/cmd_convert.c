@@ -103,22 +103,18 @@ static bool choose_position(struct conversion *conversion, struct error *error)
     return true;
 }
 
-/* The factor as the decimal that was typed. */
-static struct pair convert_decimal_of(double value)
-{
-    char text[NUMBER_LENGTH];
-    struct pair pair = {value, 0};
-    pair_read(text, number_write_shortest(text, value), (struct number_scale){1, 0}, &pair);
-    return pair;
-}
-
 static bool convert_scale(struct conversion *conversion, struct error *error)
 {
     const struct convert_input *input = conversion->input;
     struct arena *arena = conversion->arena;
     const struct lens *lens = conversion->lens;
     if (!isnan(input->scale)) {
-        conversion->lens = lens_scaled(lens, convert_decimal_of(input->scale), false, arena);
+        /* The factor as the decimal that was typed. */
+        char text[NUMBER_LENGTH];
+        struct pair decimal = {input->scale, 0};
+        pair_read(text, number_write_shortest(text, input->scale), (struct number_scale){1, 0},
+                  &decimal);
+        conversion->lens = lens_scaled(lens, decimal, false, arena);
     }
     if (isnan(input->focal_length)) {
         return true;

@@ -9,16 +9,6 @@
 
 #include <math.h>
 
-struct glass_input {
-    struct glass_value glass, like;
-    double wavelength, thickness; /* mm; NaN = not given */
-    double temperature, pressure; /* C, Pa; NaN = not given */
-    struct interval_value nd, Vd, PgF;
-    const char *catalog, *status, *label;
-    int air;
-    long count;
-};
-
 #define INPUT struct glass_input
 
 static const struct option options[] = {
@@ -145,33 +135,6 @@ struct question {
     const char *line;  /* the name of the spectral line */
 };
 
-static void set_facts(const struct glass_record *record, struct arena *arena,
-                      struct glass_command_row *row)
-{
-    const struct glass *glass = &record->glass;
-    row->glass = glass_string(arena, glass->name);
-    row->catalog = glass_string(arena, glass->catalog);
-    row->status = glass_string(arena, record->status);
-    row->source = glass_string(arena, record->source);
-    row->licence = glass_string(arena, record->licence);
-    row->warning = record->warning;
-    row->formula = glass_formula_name(glass->formula);
-    row->from = glass->shortest / 1000;
-    row->to = glass->longest / 1000;
-    row->density = record->density;
-    row->expansion = record->expansion;
-}
-
-/* The wavelength as the decimal that was typed, um: its rounding shows near a resonance. */
-static struct pair typed_wavelength(double wavelength)
-{
-    char text[NUMBER_LENGTH];
-    const struct unit *nm = unit_find(&dimension_length, text_of("nm"));
-    struct pair typed = pair_of(1e6 * wavelength);
-    pair_read(text, quantity_write(text, wavelength, nm), NUMBER_UNSCALED, &typed);
-    return pair_divide(typed, pair_of(1000));
-}
-
 /* Index and slope at the row's wavelength, in the state of air that is asked for. */
 static bool glass_set_index(const struct question *question, const struct glass *glass,
                             struct glass_command_row *row, struct error *error)
@@ -230,14 +193,30 @@ static bool glass_fill_row(struct question *question, const struct glass_record 
                                       .summary = *summary};
     if (!(fabs(wavelength - question->wavelength) <= 0)) {
         question->wavelength = wavelength;
-        question->um = typed_wavelength(wavelength);
+        /* The wavelength as the decimal that was typed, um: its rounding shows near a resonance. */
+        char text[NUMBER_LENGTH];
+        const struct unit *nm = unit_find(&dimension_length, text_of("nm"));
+        struct pair typed = pair_of(1e6 * wavelength);
+        pair_read(text, quantity_write(text, wavelength, nm), NUMBER_UNSCALED, &typed);
+        question->um = pair_divide(typed, pair_of(1000));
         question->line = glass_string(arena, lines_name(question->run->db, wavelength));
     }
     row->line = question->line;
     const struct glass_record *asked =
         input->glass.record != NULL ? input->glass.record : input->like.record;
     row->taken_as = asked != NULL ? asked->taken_as : NULL;
-    set_facts(record, arena, row);
+    const struct glass *glass = &record->glass;
+    row->glass = glass_string(arena, glass->name);
+    row->catalog = glass_string(arena, glass->catalog);
+    row->status = glass_string(arena, record->status);
+    row->source = glass_string(arena, record->source);
+    row->licence = glass_string(arena, record->licence);
+    row->warning = record->warning;
+    row->formula = glass_formula_name(glass->formula);
+    row->from = glass->shortest / 1000;
+    row->to = glass->longest / 1000;
+    row->density = record->density;
+    row->expansion = record->expansion;
     if (!glass_check_range(&record->glass, question->um.hi, error) ||
         !glass_set_index(question, &record->glass, row, error)) {
         return false;
@@ -287,50 +266,19 @@ static bool glass_show_found(const struct glass_match *match, void *context)
     return run_emit(question->run, &row);
 }
 
-/* So many nearest glasses are shown where nothing else is said. */
-enum { NEAREST = 10 };
-
-static struct glass_wishes wishes_of(const struct glass_input *input)
-{
-    return (struct glass_wishes){.nd = input->nd,
-                                 .Vd = input->Vd,
-                                 .PgF = input->PgF,
-                                 .catalog = input->catalog,
-                                 .status = input->status,
-                                 .like = input->like.record,
-                                 .count = input->count > 0 ? (size_t)input->count : NEAREST,
-                                 .complete = !isnan(input->thickness)};
-}
-
 static bool is_interval(struct interval_value interval)
 {
     return !isnan(interval.low) || !isnan(interval.high) || !isnan(interval.near);
-}
-
-/* The search option that is given beside a name; null if there is none. */
-static const char *search_option(const struct glass_input *input)
-{
-    const struct {
-        bool given;
-        const char *name;
-    } all[] = {
-        {is_interval(input->nd), "nd"},    {is_interval(input->Vd), "vd"},
-        {is_interval(input->PgF), "pgf"},  {input->catalog != NULL, "catalog"},
-        {input->status != NULL, "status"}, {input->like.record != NULL, "like"},
-    };
-    for (size_t i = 0; i < sizeof all / sizeof all[0]; i++) {
-        if (all[i].given) {
-            return all[i].name;
-        }
-    }
-    return NULL;
 }
 
 static bool glass_run(const void *data, struct run *run, struct error *error)
 {
     const struct glass_input *input = data;
     struct question question = {.input = input, .run = run, .wavelength = NAN};
-    const char *option = search_option(input);
+    const char *option =
+        SAID_FIRST({is_interval(input->nd), "nd"}, {is_interval(input->Vd), "vd"},
+                   {is_interval(input->PgF), "pgf"}, {input->catalog != NULL, "catalog"},
+                   {input->status != NULL, "status"}, {input->like.record != NULL, "like"});
     if (input->glass.record != NULL && option != NULL) {
         return fail(error, ERROR_USAGE,
                     "{--%s} searches all glasses: it cannot be combined with a name", option);
@@ -349,8 +297,7 @@ static bool glass_run(const void *data, struct run *run, struct error *error)
                     "{--count} is of the nearest glasses: it needs {--like}, or a single {--nd} or "
                     "{--vd}");
     }
-    const struct glass_wishes wishes = wishes_of(input);
-    return glass_search(&wishes, run->db, run->arena, glass_show_found, &question, error);
+    return glass_search(input, run->db, run->arena, glass_show_found, &question, error);
 }
 
 /* A glass that is named is none that was found. */
@@ -367,10 +314,8 @@ static bool check_diagram(const struct artifact_job *job, struct error *error)
 static bool draw_diagram(const struct artifact_job *job, struct output *sink, struct error *error)
 {
     const struct glass_input *input = job->inputs[0];
-    const struct glass_wishes wishes = wishes_of(input);
     struct svg svg = {.arena = job->run->arena};
-    return glass_diagram(&wishes, input->label, job->run->db, &svg, error) &&
-           drawing_write(job, &svg, sink, error);
+    return glass_diagram(input, job->run->db, &svg, error) && drawing_write(job, &svg, sink, error);
 }
 
 static const struct artifact artifacts[] = {

@@ -59,7 +59,7 @@ static bool list_run(const void *data, struct run *run, struct error *error)
 {
     const struct list_input *input = data;
     const struct topic *topic = topics[input->topic];
-    struct list list = {.input = input, .run = run};
+    struct list list = {.input = input, .topic = topic, .run = run};
     for (int i = 0; i < (topic->is_of_places ? LENSDB_PLACES : 1); i++) {
         list.place = (enum lensdb_place)i;
         if (!topic->list(&list, error)) {

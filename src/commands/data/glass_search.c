@@ -8,7 +8,10 @@
 
 #include <math.h>
 
-enum { MOST_SIMILAR = 1000, MOST_POINTS = 20000, MOST_GROUPS = 64 };
+/* So many nearest glasses are shown where nothing else is said. */
+enum { NEAREST = 10 };
+
+enum { MOST_POINTS = 20000, MOST_GROUPS = 64 };
 
 static bool is_inside(struct interval_value interval, double value)
 {
@@ -17,7 +20,7 @@ static bool is_inside(struct interval_value interval, double value)
 }
 
 /* Are glasses near to a value wanted, nearest first? */
-static bool wishes_near(const struct glass_wishes *wishes)
+static bool wishes_near(const struct glass_input *wishes)
 {
     return !isnan(wishes->nd.near) || !isnan(wishes->Vd.near);
 }
@@ -30,7 +33,7 @@ static bool wishes_near(const struct glass_wishes *wishes)
  * Formula   sqrt(((nd - nd0)/0.0005)^2 + ((Vd - Vd0)/(0.008 Vd0))^2), one term where one is wanted
  * Source    the tolerances that makers deliver within unless a finer grade is ordered
  */
-static double distance(const struct glass_wishes *wishes, const struct glass_summary *summary)
+static double distance(const struct glass_input *wishes, const struct glass_summary *summary)
 {
     const double nd_tolerance = 0.0005, Vd_tolerance = 0.008;
     double nd = (summary->nd - wishes->nd.near) / nd_tolerance;
@@ -41,15 +44,9 @@ static double distance(const struct glass_wishes *wishes, const struct glass_sum
     return isnan(wishes->nd.near) ? fabs(Vd) : hypot(nd, Vd);
 }
 
-static bool fulfils(const struct glass_match *match, const struct glass_wishes *wishes)
-{
-    return is_inside(wishes->nd, match->summary.nd) && is_inside(wishes->Vd, match->summary.Vd) &&
-           is_inside(wishes->PgF, match->summary.PgF);
-}
-
 /* What needs no computing. */
 static bool glass_search_is_wanted(const struct glass_record *record,
-                                   const struct glass_wishes *wishes)
+                                   const struct glass_input *wishes)
 {
     return (wishes->catalog == NULL ||
             text_same_name(record->glass.catalog, text_of(wishes->catalog))) &&
@@ -90,14 +87,14 @@ static void rank(struct glass_ranking *ranking, const struct glass_match *match)
 }
 
 /* Hand out each match, or rank it if the most similar are wanted. */
-static bool search_all(const struct glass_wishes *wishes, struct glass_catalogs *catalogs,
+static bool search_all(const struct glass_input *wishes, struct glass_catalogs *catalogs,
                        struct glass_ranking *ranking, glass_found *found, void *context,
                        size_t *count, struct error *error)
 {
     struct glass_match match;
     struct glass_lines like = {0}, lines;
-    if (wishes->like != NULL) {
-        like = glass_lines(&wishes->like->glass);
+    if (wishes->like.record != NULL) {
+        like = glass_lines(&wishes->like.record->glass);
     }
     while (glass_catalogs_next(catalogs, &match.record, error)) {
         if (!glass_search_is_wanted(&match.record, wishes)) {
@@ -106,18 +103,19 @@ static bool search_all(const struct glass_wishes *wishes, struct glass_catalogs 
         lines = glass_lines(&match.record.glass);
         match.summary = glass_summary_of(&match.record.glass, &lines);
         match.away = NAN;
-        if (!fulfils(&match, wishes)) {
+        if (!is_inside(wishes->nd, match.summary.nd) || !is_inside(wishes->Vd, match.summary.Vd) ||
+            !is_inside(wishes->PgF, match.summary.PgF)) {
             continue;
         }
         if (wishes_near(wishes)) {
             match.away = distance(wishes, &match.summary);
             rank(ranking, &match);
-        } else if (wishes->like == NULL) {
+        } else if (wishes->like.record == NULL) {
             ++*count;
             if (!found(&match, context)) {
                 return true;
             }
-        } else if (!is_same_record(&match.record, wishes->like)) {
+        } else if (!is_same_record(&match.record, wishes->like.record)) {
             match.away = glass_difference(&lines, &like);
             rank(ranking, &match);
         }
@@ -125,16 +123,16 @@ static bool search_all(const struct glass_wishes *wishes, struct glass_catalogs 
     return error->code == ERROR_NONE;
 }
 
-bool glass_search(const struct glass_wishes *wishes, struct lensdb *db, struct arena *arena,
+bool glass_search(const struct glass_input *wishes, struct lensdb *db, struct arena *arena,
                   glass_found *found, void *context, struct error *error)
 {
     struct glass_catalogs catalogs;
-    size_t most = wishes->count < MOST_SIMILAR ? wishes->count : MOST_SIMILAR, count = 0;
+    size_t most = wishes->count > 0 ? (size_t)wishes->count : NEAREST, count = 0;
     struct glass_ranking ranking = {.most = most};
-    if (wishes->like != NULL || wishes_near(wishes)) {
+    if (wishes->like.record != NULL || wishes_near(wishes)) {
         ranking.best = ARENA_ARRAY(arena, most + 1, struct glass_match);
     }
-    if (!glass_catalogs_open(&catalogs, db, arena, wishes->complete, error) ||
+    if (!glass_catalogs_open(&catalogs, db, arena, !isnan(wishes->thickness), error) ||
         !search_all(wishes, &catalogs, &ranking, found, context, &count, error)) {
         return false;
     }
@@ -199,7 +197,7 @@ static bool glass_search_add_point(const struct glass_match *match, void *contex
 }
 
 /* The nd and Vd that others are near to, as a point of its own. */
-static void add_wanted(struct sheet_of_points *sheet, const struct glass_wishes *wishes)
+static void add_wanted(struct sheet_of_points *sheet, const struct glass_input *wishes)
 {
     if (isnan(wishes->nd.near) || isnan(wishes->Vd.near) || sheet->count == MOST_POINTS) {
         return;
@@ -232,39 +230,31 @@ static bool find_labelled(struct sheet_of_points *sheet, const char *names, stru
     return true;
 }
 
-/* A glass that is not found has no place to be emphasised. */
-static bool check_labelled(const struct sheet_of_points *sheet, struct error *error)
-{
-    for (size_t i = 0; i < sheet->labelled_count; i++) {
-        if (!sheet->is_drawn[i]) {
-            const struct text name = sheet->labelled[i].glass.name;
-            return fail(error, ERROR_USAGE, "{--label} %.*s: it is none of the glasses drawn",
-                        text_shown(name), name.start);
-        }
-    }
-    return true;
-}
-
-bool glass_diagram(const struct glass_wishes *wishes, const char *labelled, struct lensdb *db,
-                   struct svg *svg, struct error *error)
+bool glass_diagram(const struct glass_input *wishes, struct lensdb *db, struct svg *svg,
+                   struct error *error)
 {
     struct arena *arena = svg->arena;
     struct sheet_of_points *sheet = ARENA_NEW(arena, struct sheet_of_points);
     sheet->arena = arena;
     sheet->db = db;
     sheet->points = ARENA_ARRAY(arena, MOST_POINTS, struct abbe_point);
-    if (!find_labelled(sheet, labelled, error) ||
+    if (!find_labelled(sheet, wishes->label, error) ||
         !glass_search(wishes, db, arena, glass_search_add_point, sheet, error)) {
         return false;
     }
-    if (wishes->like != NULL) {
-        struct glass_match like = {.record = *wishes->like,
-                                   .summary = glass_summary(&wishes->like->glass)};
+    if (wishes->like.record != NULL) {
+        struct glass_match like = {.record = *wishes->like.record,
+                                   .summary = glass_summary(&wishes->like.record->glass)};
         glass_search_add_point(&like, sheet);
         sheet->points[sheet->count - (sheet->count > 0)].chosen = true;
     }
-    if (!check_labelled(sheet, error)) {
-        return false;
+    /* A glass that is not found has no place to be emphasised. */
+    for (size_t i = 0; i < sheet->labelled_count; i++) {
+        if (!sheet->is_drawn[i]) {
+            const struct text name = sheet->labelled[i].glass.name;
+            return fail(error, ERROR_USAGE, "{--label} %.*s: it is none of the glasses drawn",
+                        text_shown(name), name.start);
+        }
     }
     add_wanted(sheet, wishes);
     const struct abbe abbe = {"Abbe diagram", sheet->points, sheet->count, sheet->groups,

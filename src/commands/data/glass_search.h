@@ -8,20 +8,22 @@
 #include "data/glass_catalog.h"
 #include "draw/svg.h"
 
-/* What is wanted of a glass; null and NaN: anything. */
-struct glass_wishes {
+/* What is asked, NaN and null where it is not; of a search what is wanted of a glass. */
+struct glass_input {
+    struct glass_value glass, like;
+    double wavelength, thickness;      /* mm; NaN = not given */
+    double temperature, pressure;      /* C, Pa; NaN = not given */
     struct interval_value nd, Vd, PgF; /* nd and Vd may be values to be near to */
-    const char *catalog, *status;
-    const struct glass_record *like; /* the most similar ones, nearest first */
-    size_t count;                    /* so many of them, or of those near to nd and Vd */
-    bool complete;                   /* with transmittances */
+    const char *catalog, *status, *label;
+    int air;
+    long count; /* of the nearest; 0 = not given */
 };
 
 /* A glass that was found. */
 struct glass_match {
     struct glass_record record;
     struct glass_summary summary;
-    double away; /* what it is ranked by: from wishes.like, or the distance; NaN without */
+    double away; /* what it is ranked by: from `like`, or the distance; NaN without */
 };
 
 /* Called for every match; false ends the search. */
@@ -32,15 +34,11 @@ typedef bool glass_found(const struct glass_match *match, void *context);
  *
  * Errors    as glass_catalogs_next; ERROR_DOMAIN: nothing fulfils the wishes
  */
-bool glass_search(const struct glass_wishes *wishes, struct lensdb *db, struct arena *arena,
+bool glass_search(const struct glass_input *wishes, struct lensdb *db, struct arena *arena,
                   glass_found *found, void *context, struct error *error);
 
-/*
- * Draw the Abbe diagram of what fulfils the wishes.
- *
- * Given     labelled  names of glasses, separated by commas, that are drawn large; null = none
- */
-bool glass_diagram(const struct glass_wishes *wishes, const char *labelled, struct lensdb *db,
-                   struct svg *svg, struct error *error);
+/* Draw the Abbe diagram of what fulfils the wishes, glasses of `label` large. */
+bool glass_diagram(const struct glass_input *wishes, struct lensdb *db, struct svg *svg,
+                   struct error *error);
 
 #endif

@@ -13,6 +13,7 @@ struct list_input {
 /* A list being made. */
 struct list {
     const struct list_input *input;
+    const struct topic *topic;
     struct run *run;
     enum lensdb_place place; /* whose rows are listed */
     size_t found;

@@ -1,15 +1,16 @@
-/* commands/data/list_glasses.c - lenscalc list: glasses. */
+/* commands/data/list_glasses.c - lenscalc list: glasses, tolerances. */
 /* SPDX-License-Identifier: MIT */
 #include "commands/data/list.h"
 #include "commands/tables.h"
 #include "data/glass_catalog.h"
+#include "data/lensdb_grades.h"
 
-struct list_glasses_glass_row {
+struct glass_row {
     const char *name, *catalog, *status, *formula, *source, *licence, *place, *warning;
     double nd, Vd, from, to;
 };
 
-#define ROW struct list_glasses_glass_row
+#define ROW struct glass_row
 
 static const struct column columns[] = {
     {SHOWN(name), .name = "glass", BRIEF, .help = "name, as the catalogue spells it"},
@@ -36,7 +37,7 @@ static bool list_glasses(struct list *list, struct error *error)
         return false;
     }
     while (glass_catalogs_next(&catalogs, &record, error)) {
-        struct list_glasses_glass_row row = {
+        struct glass_row row = {
             .name = list_string(list, record.glass.name),
             .catalog = list_string(list, record.glass.catalog),
             .status = list_string(list, record.status),
@@ -58,5 +59,54 @@ static bool list_glasses(struct list *list, struct error *error)
     return error->code == ERROR_NONE;
 }
 
-const struct topic topic_glasses = {SHEET(columns, struct list_glasses_glass_row), list_glasses,
-                                    false};
+const struct topic topic_glasses = {SHEET(columns, struct glass_row), list_glasses, false};
+
+/* -------- tolerances -------- */
+
+struct tolerance_row {
+    const char *grade, *quantity, *unit, *distribution, *confidence, *source, *place;
+    double value;
+};
+
+#undef ROW
+#define ROW struct tolerance_row
+
+static const struct column tolerance_columns[] = {
+    {SHOWN(grade), .name = "grade", BRIEF, .help = "name for --grade of tolerance"},
+    {SHOWN(quantity), .name = "quantity", BRIEF,
+     .help = "of every surface, or of every element; radius in fringes: of planes"},
+    {SHOWN(value), .name = "value", BRIEF | COLUMN_ECHO, .dimension = &dimension_number,
+     .help = "plus and minus"},
+    {SHOWN(unit), .name = "unit", BRIEF,
+     .help = "of the value; a fringe is half a wave of 546.07 nm"},
+    {SHOWN(distribution), .name = "distribution", .help = "between the limits"},
+    {SHOWN(confidence), .name = "confidence", BRIEF, .help = "sourced, or recall (from memory)"},
+    {SHOWN(source), .name = "source", BRIEF, .help = "the table that the value is from"},
+    {SHOWN(place), .name = "database", .help = "embedded, or the user's own folder"},
+};
+
+static bool list_tolerances(struct list *list, struct error *error)
+{
+    struct lensdb_table grades;
+    struct lensdb_tolerance one;
+    bool open = lensdb_grades_open(&grades, list->run->db, list->place, error);
+    while (open && lensdb_grades_next(&grades, &one, error)) {
+        const struct tolerance_row row = {
+            .grade = list_string(list, one.grade),
+            .quantity = list_string(list, one.quantity),
+            .unit = list_string(list, one.unit),
+            .distribution = list_string(list, one.distribution),
+            .confidence = list_string(list, one.confidence),
+            .source = list_string(list, one.source),
+            .place = list_place(one.place),
+            .value = one.value,
+        };
+        if (list_matches(list, row.grade, (const char *[]){row.grade, row.quantity}, 2)) {
+            list_row(list, &row);
+        }
+    }
+    return error->code == ERROR_NONE;
+}
+
+const struct topic topic_tolerances = {SHEET(tolerance_columns, struct tolerance_row),
+                                       list_tolerances, true};

@@ -91,17 +91,6 @@ static void list_broken(struct list *list, struct list_lenses_lens_row *row,
          list->run->db->directory);
 }
 
-/* A row outlives its lens. */
-static void list_lenses_emit(struct list *list, struct list_lenses_lens_row *row)
-{
-    const char **const texts[] = {&row->title,  &row->kind, &row->positions,
-                                  &row->source, &row->note, &row->warning};
-    for (size_t i = 0; i < sizeof texts / sizeof texts[0]; i++) {
-        *texts[i] = *texts[i] != NULL ? list_string(list, text_of(*texts[i])) : NULL;
-    }
-    list_row(list, row);
-}
-
 /* `arena` is given up after each lens. */
 static void list_lens(struct list *list, const char *name, struct arena *arena)
 {
@@ -126,7 +115,13 @@ static void list_lens(struct list *list, const char *name, struct arena *arena)
                            : row.kind;
     if (list_matches(list, kind, (const char *[]){row.name, row.title, row.source}, 3)) {
         list_lenses_compute(&lens, arena, &row);
-        list_lenses_emit(list, &row);
+        /* A row outlives its lens. */
+        const char **const texts[] = {&row.title,  &row.kind, &row.positions,
+                                      &row.source, &row.note, &row.warning};
+        for (size_t i = 0; i < sizeof texts / sizeof texts[0]; i++) {
+            *texts[i] = *texts[i] != NULL ? list_string(list, text_of(*texts[i])) : NULL;
+        }
+        list_row(list, &row);
     }
 }
 

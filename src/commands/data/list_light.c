@@ -66,45 +66,37 @@ static double corrected(const struct reciprocity *model, double metered)
     return reciprocity_corrected(model, metered, &time, &ignored) ? time : NAN;
 }
 
-static bool list_film(struct list *list, const struct lensdb_film *film, struct error *error)
-{
-    struct reciprocity model;
-    if (!lensdb_film_model(film, &model, error)) {
-        return false;
-    }
-    struct film_row row = {
-        .film = arena_printf(list->run->arena, "%.*s%s%.*s", (int)film->maker.length,
-                             film->maker.start, film->maker.length > 0 ? " " : "",
-                             (int)film->name.length, film->name.start),
-        .maker = list_string(list, film->maker),
-        .aliases = list_string(list, film->aliases),
-        .speeds = list_string(list, film->speeds),
-        .type = list_string(list, film->type),
-        .model = model_words(list, &model),
-        .confidence = list_string(list, film->status),
-        .source = list_string(list, film->source),
-        .note = list_string(list, film->note),
-        .place = list_place(film->place),
-        .onset = model.onset,
-        .longest = model.valid_to,
-        .at_1 = corrected(&model, 1),
-        .at_10 = corrected(&model, 10),
-        .at_100 = corrected(&model, 100),
-    };
-    if (list_matches(list, row.maker, (const char *[]){row.film, row.aliases, row.source}, 3)) {
-        list_row(list, &row);
-    }
-    return true;
-}
-
 static bool list_films(struct list *list, struct error *error)
 {
     struct lensdb_table facts;
     struct lensdb_film film;
     bool open = lensdb_films_open(&facts, list->run->db, list->place, error);
     while (open && lensdb_films_next(&facts, &film, error)) {
-        if (!list_film(list, &film, error)) {
+        struct reciprocity model;
+        if (!lensdb_film_model(&film, &model, error)) {
             return false;
+        }
+        struct film_row row = {
+            .film = arena_printf(list->run->arena, "%.*s%s%.*s", (int)film.maker.length,
+                                 film.maker.start, film.maker.length > 0 ? " " : "",
+                                 (int)film.name.length, film.name.start),
+            .maker = list_string(list, film.maker),
+            .aliases = list_string(list, film.aliases),
+            .speeds = list_string(list, film.speeds),
+            .type = list_string(list, film.type),
+            .model = model_words(list, &model),
+            .confidence = list_string(list, film.status),
+            .source = list_string(list, film.source),
+            .note = list_string(list, film.note),
+            .place = list_place(film.place),
+            .onset = model.onset,
+            .longest = model.valid_to,
+            .at_1 = corrected(&model, 1),
+            .at_10 = corrected(&model, 10),
+            .at_100 = corrected(&model, 100),
+        };
+        if (list_matches(list, row.maker, (const char *[]){row.film, row.aliases, row.source}, 3)) {
+            list_row(list, &row);
         }
     }
     return error->code == ERROR_NONE;

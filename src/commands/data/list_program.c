@@ -5,6 +5,8 @@
 #include "commands/tables.h"
 
 #include "cli/answer/columns.h"
+#include "exchange/lens_formats.h"
+#include "exchange/word_table.h"
 
 #include <math.h>
 
@@ -26,30 +28,6 @@ static const struct column stop_columns[] = {
     {SHOWN(note), .name = "note", .help = "remark"},
 };
 
-static bool list_series(struct list *list, const char *file, const char *quantity,
-                        double stops_per_octave, const char *series, struct error *error)
-{
-    struct lensdb_stop *stops;
-    size_t count;
-    if (!lensdb_stops(list->run->db, file, series, &stops, &count, error)) {
-        return false;
-    }
-    for (size_t i = 0; i < count; i++) {
-        struct stop_row row = {
-            .quantity = quantity,
-            .series = series,
-            .label = list_string(list, stops[i].label),
-            .note = list_string(list, stops[i].note),
-            .exact = stops[i].exact,
-            .off = stops_per_octave * log2(stops[i].value / stops[i].exact) + 0.0,
-        };
-        if (list_matches(list, series, (const char *[]){row.label, quantity, series}, 3)) {
-            list_row(list, &row);
-        }
-    }
-    return true;
-}
-
 static bool list_stops(struct list *list, struct error *error)
 {
     static const struct {
@@ -60,9 +38,27 @@ static bool list_stops(struct list *list, struct error *error)
     static const char *const series[] = {"full", "half", "third"};
     for (size_t i = 0; i < 3; i++) {
         for (size_t j = 0; j < 3; j++) {
-            if (!list_series(list, quantities[i].file, quantities[i].quantity,
-                             quantities[i].stops_per_octave, series[j], error)) {
+            struct lensdb_stop *stops;
+            size_t count;
+            if (!lensdb_stops(list->run->db, quantities[i].file, series[j], &stops, &count,
+                              error)) {
                 return false;
+            }
+            for (size_t k = 0; k < count; k++) {
+                struct stop_row row = {
+                    .quantity = quantities[i].quantity,
+                    .series = series[j],
+                    .label = list_string(list, stops[k].label),
+                    .note = list_string(list, stops[k].note),
+                    .exact = stops[k].exact,
+                    .off = quantities[i].stops_per_octave * log2(stops[k].value / stops[k].exact) +
+                           0.0,
+                };
+                if (list_matches(list, series[j],
+                                 (const char *[]){row.label, quantities[i].quantity, series[j]},
+                                 3)) {
+                    list_row(list, &row);
+                }
             }
         }
     }
@@ -186,17 +182,6 @@ static bool list_program_list_options(struct list *list, struct error *error)
     return true;
 }
 
-/* Is it of the commands of --kind, with the words that are searched for? */
-static bool list_column_is_found(const struct column_row *row, const char *kind, struct text words)
-{
-    const char *const texts[] = {row->column, row->label, row->help};
-    bool found = words.length == 0;
-    for (size_t i = 0; i < sizeof texts / sizeof texts[0] && !found; i++) {
-        found = texts[i] != NULL && text_contains_name(text_of(texts[i]), words);
-    }
-    return found && (kind == NULL || text_same_name(text_of(kind), text_of(row->command)));
-}
-
 static bool list_columns(struct list *list, struct error *error)
 {
     (void)error;
@@ -211,13 +196,59 @@ static bool list_columns(struct list *list, struct error *error)
             rows = columns_describe(commands[i], &count, list->run->arena);
         }
         for (size_t k = 0; k < count; k++) {
-            if (list_column_is_found(&rows[k], list->input->kind, words)) {
+            /* Is it of the commands of --kind, with the words that are searched for? */
+            const char *const texts[] = {rows[k].column, rows[k].label, rows[k].help};
+            bool found = words.length == 0;
+            for (size_t j = 0; j < sizeof texts / sizeof texts[0] && !found; j++) {
+                found = texts[j] != NULL && text_contains_name(text_of(texts[j]), words);
+            }
+            if (found && (list->input->kind == NULL ||
+                          text_same_name(text_of(list->input->kind), text_of(rows[k].command)))) {
                 list_row(list, &rows[k]);
             }
         }
     }
     return true;
 }
+
+/* -------- keywords -------- */
+
+struct keyword_row {
+    const char *keyword, *format, *place, *fate, *what;
+};
+
+#undef ROW
+#define ROW struct keyword_row
+
+static const struct column keyword_columns[] = {
+    {SHOWN(keyword), .name = "keyword", BRIEF, .help = "the word"},
+    {SHOWN(format), .name = "format", BRIEF, .help = "the kind of file it is of"},
+    {SHOWN(place), .name = "place", BRIEF, .help = "where in the file it stands"},
+    {SHOWN(fate), .name = "fate", BRIEF,
+     .help = "kept (what a lens cannot hold of it is a loss), harmless, lost or refused"},
+    {SHOWN(what), .name = "meaning", BRIEF, .help = "what it says"},
+};
+
+static bool list_keywords(struct list *list, struct error *error)
+{
+    (void)error;
+    for (const struct foreign_format *const *one = foreign_formats; *one != NULL; one++) {
+        struct word_entry entry = {(*one)->words, {NULL, 0}};
+        while (entry.group != NULL && word_table_next(&entry)) {
+            const struct keyword_row row = {list_string(list, entry.word), (*one)->type.word.word,
+                                            entry.group->place, word_fate_name(entry.group->fate),
+                                            entry.group->what};
+            if (list_matches(list, row.format, (const char *[]){row.keyword, row.fate, row.what},
+                             3)) {
+                list_row(list, &row);
+            }
+        }
+    }
+    return true;
+}
+
+const struct topic topic_keywords = {SHEET(keyword_columns, struct keyword_row), list_keywords,
+                                     false};
 
 const struct topic topic_stops = {SHEET(stop_columns, struct stop_row), list_stops, false};
 const struct topic topic_units = {SHEET(unit_columns, struct unit_row), list_program_list_units,

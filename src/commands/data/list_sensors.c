@@ -55,8 +55,9 @@ static const struct column camera_columns[] = {
     SENSOR_ORIGIN,
 };
 
-static bool list_sensors(struct list *list, bool cameras, struct error *error)
+static bool list_sensors(struct list *list, struct error *error)
 {
+    const bool cameras = list->topic == &topic_cameras;
     struct lensdb_table sensors;
     struct lensdb_sensor sensor;
     if (!lensdb_sensors_open(&sensors, list->run->db, list->place, cameras, error)) {
@@ -92,16 +93,5 @@ static bool list_sensors(struct list *list, bool cameras, struct error *error)
     return error->code == ERROR_NONE;
 }
 
-static bool list_sensors_list_formats(struct list *list, struct error *error)
-{
-    return list_sensors(list, false, error);
-}
-
-static bool list_cameras(struct list *list, struct error *error)
-{
-    return list_sensors(list, true, error);
-}
-
-const struct topic topic_formats = {SHEET(format_columns, struct sensor_row),
-                                    list_sensors_list_formats, true};
-const struct topic topic_cameras = {SHEET(camera_columns, struct sensor_row), list_cameras, true};
+const struct topic topic_formats = {SHEET(format_columns, struct sensor_row), list_sensors, true};
+const struct topic topic_cameras = {SHEET(camera_columns, struct sensor_row), list_sensors, true};

@@ -2,6 +2,7 @@
 /* SPDX-License-Identifier: MIT */
 #include "analysis/rays/paraxial_check.h"
 #include "commands/lens/lens_options.h"
+#include "commands/tables.h"
 #include "draw/plot.h"
 
 #include "base/constants.h"
@@ -12,23 +13,22 @@ struct check_input {
     long steps;
 };
 
+#define INPUT struct check_input
+
 static const struct option options[] = {
-    LENS_OPTION(struct check_input, question),
-    LENS_WAVELENGTH_OPTION(struct check_input, question, LENS_PRIMARY_WAVELENGTH),
-    LENS_FNUMBER_OPTION(struct check_input, question),
-    {OPTION(struct check_input, question.field), .name = "field", .dimension = &dimension_angle,
-     .unit = "deg", .lowest = -PI, .highest = PI,
-     .flags = OPTION_FIELD | OPTION_ABOVE_LOWEST | OPTION_BELOW_HIGHEST, .value = "ANGLE",
+    LENS_OPTION(INPUT, question),
+    LENS_WAVELENGTH_OPTION(INPUT, question, LENS_PRIMARY_WAVELENGTH),
+    LENS_FNUMBER_OPTION(INPUT, question),
+    {MEASURE(question.field, angle, "deg", "ANGLE"), .name = "field", .lowest = -PI, .highest = PI,
+     .flags = OPTION_FIELD | OPTION_ABOVE_LOWEST | OPTION_BELOW_HIGHEST,
      .help = "largest field angle, in object space, a list is swept; without it that of the lens, "
              "else 5 deg"},
-    LENS_FIELD_X_OPTION(struct check_input, question.field_x),
-    LENS_POSITION_OPTION(struct check_input, question),
-    LENS_SECTION_OPTION(struct check_input, question),
-    {OPTION(struct check_input, tolerance), .name = "tolerance", .column = "tolerance",
-     .dimension = &dimension_ratio, .lowest = 0, .highest = 1, .flags = OPTION_ABOVE_LOWEST,
-     .fallback = "1%", .value = "RATIO", .help = "tolerance for the verdict 'trusted'"},
-    {OPTION(struct check_input, steps), .name = "steps", .lowest = 1, .highest = 100,
-     .fallback = "3", .value = "COUNT",
+    LENS_FIELD_X_OPTION(INPUT, question.field_x),
+    LENS_POSITION_OPTION(INPUT, question),
+    LENS_SECTION_OPTION(INPUT, question),
+    {MEASURE(tolerance, ratio, NULL, "RATIO"), REPEATED("tolerance"), .lowest = 0, .highest = 1,
+     .flags = OPTION_ABOVE_LOWEST, .fallback = "1%", .help = "tolerance for the verdict 'trusted'"},
+    {ASKED(steps), .name = "steps", .lowest = 1, .highest = 100, .fallback = "3", .value = "COUNT",
      .help = "number of apertures, each a stop smaller, and of fields, evenly spaced"},
 };
 
@@ -41,16 +41,16 @@ struct check_row {
     long lost;
 };
 
-#define LENGTH(member_name, more)                                                                  \
-    COLUMN_OF_LENGTH(struct check_row, member_name, "mm"), .flags = (more)
-#define ANGLE(member_name, more)                                                                   \
-    COLUMN_OF_ANGLE(struct check_row, member_name, "deg"), .flags = (more)
-#define PLAIN(member_name, more) COLUMN(struct check_row, member_name), .flags = (more)
+#define ROW struct check_row
+
+#define MM(member, more)      LENGTH(member, "mm"), .flags = (more)
+#define DEGREES(member, more) ANGLE(member), .flags = (more)
+#define PLAIN(member, more)   SHOWN(member), .flags = (more)
 
 static const struct column columns[] = {
-    {COLUMN_OF_WAVELENGTH(struct check_row, wavelength), .flags = COLUMN_ECHO, .name = "wavelength",
+    {COLUMN_OF_WAVELENGTH(ROW, wavelength), .flags = COLUMN_ECHO, .name = "wavelength",
      .with = "wavelength", .help = "wavelength"},
-    LENS_POSITION_COLUMN(struct check_row, position, 0),
+    LENS_POSITION_COLUMN(ROW, position, 0),
     {PLAIN(quantity, COLUMN_BRIEF), .name = "quantity", .help = "what is compared"},
     {PLAIN(unit, COLUMN_BRIEF), .name = "unit",
      .help = "of paraxial, exact and difference: mm, deg, or 1"},
@@ -59,9 +59,9 @@ static const struct column columns[] = {
     {PLAIN(fnumber, COLUMN_BRIEF | COLUMN_SPARSE), .name = "fnumber", .symbol = "N",
      .label = "f-number",
      .help = "of the ray's height: paraxial, near objects: working; absent where a field is"},
-    {LENGTH(height, COLUMN_HIDDEN), .name = "height", .symbol = "h",
+    {MM(height, COLUMN_HIDDEN), .name = "height", .symbol = "h",
      .help = "of the ray in the paraxial entrance pupil"},
-    {ANGLE(field, COLUMN_BRIEF | COLUMN_ECHO | COLUMN_SPARSE), .name = "field", .symbol = "t",
+    {DEGREES(field, COLUMN_BRIEF | COLUMN_ECHO | COLUMN_SPARSE), .name = "field", .symbol = "t",
      .help = "of the chief ray as seen from the first vertex; else absent"},
     {PLAIN(paraxial, COLUMN_BRIEF | COLUMN_INFINITE), .name = "paraxial",
      .help = "without aberrations"},
@@ -69,8 +69,7 @@ static const struct column columns[] = {
      .help = "by the exact ray; absent where it is lost"},
     {PLAIN(difference, COLUMN_BRIEF), .name = "difference", .symbol = "d",
      .help = "exact - paraxial"},
-    {COLUMN(struct check_row, relative), .dimension = &dimension_ratio, .unit = "percent",
-     .flags = COLUMN_BRIEF, .name = "relative",
+    {MEASURED(relative, ratio, "percent"), BRIEF, .name = "relative",
      .help = "difference over the paraxial value, of places over the focal length"},
     {PLAIN(local_order, COLUMN_BRIEF), .name = "local_order", .label = "order here", .digits = 3,
      .help = "log2 of the difference here over that at half the aperture or field"},
@@ -83,11 +82,10 @@ static const struct column columns[] = {
      .help = "fraction up to which the relative difference keeps within the tolerance"},
     {PLAIN(trusted_fnumber, COLUMN_HIDDEN | COLUMN_INFINITE), .name = "trusted_fnumber",
      .label = "trusted from", .help = "the same as an f-number"},
-    {ANGLE(trusted_field, COLUMN_HIDDEN), .name = "trusted_field", .label = "trusted to field",
+    {DEGREES(trusted_field, COLUMN_HIDDEN), .name = "trusted_field", .label = "trusted to field",
      .help = "the same as a field angle"},
-    {COLUMN(struct check_row, tolerance), .dimension = &dimension_ratio, .unit = "percent",
-     .name = "tolerance", .flags = COLUMN_ECHO | COLUMN_HIDDEN, .with = "tolerance",
-     .help = "of the verdict"},
+    {MEASURED(tolerance, ratio, "percent"), .name = "tolerance",
+     .flags = COLUMN_ECHO | COLUMN_HIDDEN, .with = "tolerance", .help = "of the verdict"},
     {PLAIN(status, COLUMN_HIDDEN), .name = "status",
      .help = "of the exact ray: ok miss total_reflection not_converged; clear apertures are not "
              "looked at"},
@@ -95,8 +93,8 @@ static const struct column columns[] = {
      .help = "where the exact ray is lost"},
     {PLAIN(verdict, COLUMN_NOTE), .name = "verdict",
      .help = "how far the paraxial value may be trusted, in words"},
-    LENS_TITLE_COLUMN(struct check_row, lens),
-    LENS_WARNING_COLUMN(struct check_row, warning),
+    LENS_TITLE_COLUMN(ROW, lens),
+    LENS_WARNING_COLUMN(ROW, warning),
 };
 
 /* How a quantity is called, and its unit. */
@@ -248,39 +246,6 @@ static void check_judge(const struct check_job *check, enum check_quantity quant
 
 /* -------- rows -------- */
 
-static void check_fill(const struct check_job *check, enum check_quantity quantity, double fraction,
-                       struct arena *arena, struct check_row *row)
-{
-    struct check_value here = check_at(&check->problem, quantity, fraction, arena);
-    struct check_value half = check_at(&check->problem, quantity, fraction / 2, arena);
-    double unit = quantity == CHECK_EXIT_ANGLE ? DEGREES_PER_RADIAN : 1;
-    row->fraction = fraction;
-    row->fnumber = here.fnumber;
-    row->height = here.height;
-    row->field = here.angle;
-    row->paraxial = unit * here.paraxial + 0.0;
-    row->exact = unit * here.exact + 0.0;
-    row->difference = isfinite(here.paraxial) ? row->exact - row->paraxial : (double)NAN;
-    row->relative = row->difference / here.scale;
-    double before = fabs(half.exact - half.paraxial), now = fabs(here.exact - here.paraxial);
-    bool rounded = fraction / 2 <= row->rounding || isnan(row->order);
-    if (quantity == CHECK_FNUMBER) {
-        before /= half.scale;
-        now /= here.scale;
-    }
-    row->local_order = rounded || !isfinite(now) ? (double)NAN : log2(now / before);
-    row->local_order = isfinite(row->local_order) ? row->local_order : (double)NAN;
-    row->status = ray_status_name(here.status);
-    row->lost = here.surface > 0 ? (long)here.surface : NO_INTEGER;
-}
-
-/* Each aperture a stop smaller; fields evenly spaced; from the edge inwards. */
-static double fraction_of(enum check_quantity quantity, long step, long steps)
-{
-    return check_is_of_field(quantity) ? (double)(steps - step) / (double)steps
-                                       : exp2(-0.5 * (double)step);
-}
-
 static bool check_compare(const struct check_input *input, const struct lens_case *one,
                           struct run *run, struct error *error)
 {
@@ -302,8 +267,32 @@ static bool check_compare(const struct check_input *input, const struct lens_cas
         }
         check_judge(&check, (enum check_quantity)quantity, run->arena, &row);
         for (long step = 0; step < input->steps; step++) {
-            double fraction = fraction_of((enum check_quantity)quantity, step, input->steps);
-            check_fill(&check, (enum check_quantity)quantity, fraction, run->arena, &row);
+            double fraction = check_is_of_field((enum check_quantity)quantity)
+                                  ? (double)(input->steps - step) / (double)input->steps
+                                  : exp2(-0.5 * (double)step);
+            enum check_quantity what = (enum check_quantity)quantity;
+            struct check_value here = check_at(&check.problem, what, fraction, run->arena);
+            struct check_value inner = check_at(&check.problem, what, fraction / 2, run->arena);
+            double unit = what == CHECK_EXIT_ANGLE ? DEGREES_PER_RADIAN : 1;
+            row.fraction = fraction;
+            row.fnumber = here.fnumber;
+            row.height = here.height;
+            row.field = here.angle;
+            row.paraxial = unit * here.paraxial + 0.0;
+            row.exact = unit * here.exact + 0.0;
+            row.difference = isfinite(here.paraxial) ? row.exact - row.paraxial : (double)NAN;
+            row.relative = row.difference / here.scale;
+            double before = fabs(inner.exact - inner.paraxial),
+                   now = fabs(here.exact - here.paraxial);
+            bool rounded = fraction / 2 <= row.rounding || isnan(row.order);
+            if (what == CHECK_FNUMBER) {
+                before /= inner.scale;
+                now /= here.scale;
+            }
+            row.local_order = rounded || !isfinite(now) ? (double)NAN : log2(now / before);
+            row.local_order = isfinite(row.local_order) ? row.local_order : (double)NAN;
+            row.status = ray_status_name(here.status);
+            row.lost = here.surface > 0 ? (long)here.surface : NO_INTEGER;
             if (!run_emit(run, &row)) {
                 return true;
             }
@@ -327,28 +316,6 @@ static bool check_command_run(const void *data, struct run *run, struct error *e
 /* -------- the plot -------- */
 
 enum { POINTS = 41 };
-
-/* The curves of a case, which fill a page. */
-static void check_add_curves(const struct check_job *check, struct arena *arena, struct plot *plot,
-                             struct plot_series *series)
-{
-    for (int quantity = 0; quantity < CHECK_QUANTITIES; quantity++) {
-        const struct check_problem *problem = &check->problem;
-        enum check_quantity what = (enum check_quantity)quantity;
-        if (!check_applies(problem, what) || isnan(check_at(problem, what, 0.5, arena).scale)) {
-            continue;
-        }
-        double *y = ARENA_ARRAY(arena, POINTS, double);
-        for (size_t i = 0; i < POINTS; i++) {
-            struct check_value value = check_at(problem, what, plot->x[i], arena);
-            double relative = fabs(value.exact - value.paraxial) / value.scale;
-            y[i] = relative > 1e-13 ? 100 * relative : (double)NAN;
-        }
-        series[plot->series_count] = (struct plot_series){
-            .label = names[quantity].name, .y = y, .style = plot->series_count};
-        plot->series_count++;
-    }
-}
 
 static const char *check_subtitle(const struct check_job *check, struct arena *arena)
 {
@@ -398,7 +365,24 @@ static bool check_draw(const struct artifact_job *job, struct output *sink, stru
     for (size_t i = 0; i < POINTS; i++) {
         x[i] = pow(10, -1.5 * (1 - (double)i / (POINTS - 1)));
     }
-    check_add_curves(&check, svg.arena, &plot, series);
+    /* The curves of a case, which fill a page. */
+    struct arena *arena = svg.arena;
+    for (int quantity = 0; quantity < CHECK_QUANTITIES; quantity++) {
+        const struct check_problem *problem = &check.problem;
+        enum check_quantity what = (enum check_quantity)quantity;
+        if (!check_applies(problem, what) || isnan(check_at(problem, what, 0.5, arena).scale)) {
+            continue;
+        }
+        double *y = ARENA_ARRAY(arena, POINTS, double);
+        for (size_t k = 0; k < POINTS; k++) {
+            struct check_value value = check_at(problem, what, plot.x[k], arena);
+            double relative = fabs(value.exact - value.paraxial) / value.scale;
+            y[k] = relative > 1e-13 ? 100 * relative : (double)NAN;
+        }
+        series[plot.series_count] =
+            (struct plot_series){.label = names[quantity].name, .y = y, .style = plot.series_count};
+        plot.series_count++;
+    }
     return plot_draw(&plot, &svg, error) && drawing_write(job, &svg, sink, error);
 }
 
@@ -429,10 +413,7 @@ static const struct example examples[] = {
 
 const struct command command_check = {
     .name = "check",
-    .group = "a lens",
-    .summary = "paraxial results against exact rays, and how far to trust them",
-    COMMAND_ASKS(struct check_input),
-    COMMAND_ANSWERS(struct check_row),
+    COMMAND_OF("a lens", "paraxial results against exact rays, and how far to trust them"),
     .run = check_command_run,
     .makes_many = command_always_many,
     COMMAND_MAKES(artifacts),

@@ -2,6 +2,7 @@
 /* SPDX-License-Identifier: MIT */
 #include "commands/lens/focus_gaps.h"
 #include "commands/lens/lens_options.h"
+#include "commands/tables.h"
 #include "data/glass_catalog.h"
 #include "file/lens_glass.h"
 #include "optics/conjugates.h"
@@ -33,38 +34,34 @@ static const struct word focusings[] = {
     {NULL, NULL},
 };
 
-#define MILLIMETRES(member_name)                                                                   \
-    OPTION(struct conjugate_input, member_name), .dimension = &dimension_length, .unit = "mm",     \
-                                                 .value = "LENGTH"
-
 static const struct lens_policy policy = {.wavelengths = WAVELENGTHS_PRIMARY,
                                           .fields = FIELDS_LARGEST};
 
+#define INPUT struct conjugate_input
+
 static const struct option options[] = {
-    LENS_OPTION(struct conjugate_input, question),
-    {MILLIMETRES(object), .name = "object",
+    LENS_OPTION(INPUT, question),
+    {MEASURE(object, length, "mm", "LENGTH"), .name = "object",
      .help = "distance of the object before the lens; negative: a virtual object behind it"},
-    {MILLIMETRES(image), .name = "image",
+    {MEASURE(image, length, "mm", "LENGTH"), .name = "image",
      .help = "distance of the image behind the lens; negative: a virtual image"},
-    {OPTION(struct conjugate_input, magnification), .name = "magnification", .letter = 'm',
-     .dimension = &dimension_ratio, .value = "RATIO",
+    {MEASURE(magnification, ratio, NULL, "RATIO"), .name = "magnification", .letter = 'm',
      .help = "lateral magnification; negative: upside down, as a camera's"},
-    {OPTION(struct conjugate_input, from), .name = "from", .quantity = "distance origin",
-     .column = "distance_from", .words = froms, .fallback = "principal", .value = "PLACE",
+    {ASKED(from), .name = "from", .quantity = "distance origin", .column = "distance_from",
+     .words = froms, .fallback = "principal", .value = "PLACE",
      .help = "where distances are measured from"},
-    {OPTION(struct conjugate_input, focus_by), .name = "focus-by", .column = "focus_by",
-     .words = focusings, .fallback = "nothing", .value = "HOW",
-     .help = "bring the image to the image plane"},
-    {OPTION(struct conjugate_input, gap), .name = "gap", .value = "GAPS",
+    {ASKED(focus_by), .name = "focus-by", .column = "focus_by", .words = focusings,
+     .fallback = "nothing", .value = "HOW", .help = "bring the image to the image plane"},
+    {ASKED(gap), .name = "gap", .value = "GAPS",
      .help = "focus by these gaps: variables or surface numbers, each with a weight: d5,10:-1"},
-    {OPTION(struct conjugate_input, object_medium), .name = "object-medium", .value = "MEDIUM",
+    {ASKED(object_medium), .name = "object-medium", .value = "MEDIUM",
      .help = "medium before the lens: a glass, nd/Vd or an index"},
-    {OPTION(struct conjugate_input, image_medium), .name = "image-medium", .value = "MEDIUM",
+    {ASKED(image_medium), .name = "image-medium", .value = "MEDIUM",
      .help = "medium behind the lens"},
-    LENS_WAVELENGTH_OPTION(struct conjugate_input, question, LENS_PRIMARY_WAVELENGTH),
-    LENS_FNUMBER_OPTION(struct conjugate_input, question),
-    LENS_POSITION_OPTION(struct conjugate_input, question),
-    LENS_SECTION_OPTION(struct conjugate_input, question),
+    LENS_WAVELENGTH_OPTION(INPUT, question, LENS_PRIMARY_WAVELENGTH),
+    LENS_FNUMBER_OPTION(INPUT, question),
+    LENS_POSITION_OPTION(INPUT, question),
+    LENS_SECTION_OPTION(INPUT, question),
 };
 
 struct conjugate_row {
@@ -76,23 +73,24 @@ struct conjugate_row {
     struct conjugate_points all;
 };
 
-#define LENGTH(member_name, more)                                                                  \
-    COLUMN_OF_LENGTH(struct conjugate_row, member_name, "mm"), .flags = (more)
-#define PLAIN(member_name, more) COLUMN(struct conjugate_row, member_name), .flags = (more)
+#define ROW struct conjugate_row
+
+#define MM(member, more)    LENGTH(member, "mm"), .flags = (more)
+#define PLAIN(member, more) SHOWN(member), .flags = (more)
 
 static const struct column columns[] = {
-    {COLUMN_OF_WAVELENGTH(struct conjugate_row, wavelength), .flags = COLUMN_ECHO,
-     .name = "wavelength", .with = "wavelength", .help = "wavelength"},
-    LENS_POSITION_COLUMN(struct conjugate_row, position, COLUMN_BRIEF),
-    {LENGTH(movement, COLUMN_BRIEF | COLUMN_SPARSE), .name = "movement",
+    {COLUMN_OF_WAVELENGTH(ROW, wavelength), .flags = COLUMN_ECHO, .name = "wavelength",
+     .with = "wavelength", .help = "wavelength"},
+    LENS_POSITION_COLUMN(ROW, position, COLUMN_BRIEF),
+    {MM(movement, COLUMN_BRIEF | COLUMN_SPARSE), .name = "movement",
      .when = "with --focus-by lens, or --gap",
      .help = "by how much the gaps grow, times their weights; the extension of the whole lens"},
     {PLAIN(gaps, COLUMN_BRIEF | COLUMN_SPARSE), .name = "gaps",
      .when = "with --focus-by lens, or --gap", .label = "gaps after it",
      .help = "the moved gaps in mm"},
-    {LENGTH(object, COLUMN_BRIEF | COLUMN_INFINITE), .name = "object_distance", .label = "object",
+    {MM(object, COLUMN_BRIEF | COLUMN_INFINITE), .name = "object_distance", .label = "object",
      .repeats = "object", .help = "the object, to the left of where --from says"},
-    {LENGTH(image, COLUMN_BRIEF | COLUMN_INFINITE), .name = "image_distance", .label = "image",
+    {MM(image, COLUMN_BRIEF | COLUMN_INFINITE), .name = "image_distance", .label = "image",
      .repeats = "image", .help = "the image, to the right of the point that belongs to --from"},
     {PLAIN(all.magnification, COLUMN_BRIEF | COLUMN_INFINITE), .name = "magnification",
      .symbol = "m", .help = "image over object height, n u/(n' u'); negative upside down"},
@@ -113,32 +111,32 @@ static const struct column columns[] = {
      .help = "numerical aperture n sin u"},
     {PLAIN(na_image, 0), .name = "na_image", .label = "aperture of the image",
      .help = "numerical aperture n' sin u'"},
-    {LENGTH(efl, COLUMN_INFINITE), .name = "efl", .symbol = "f", .label = "focal length",
+    {MM(efl, COLUMN_INFINITE), .name = "efl", .symbol = "f", .label = "focal length",
      .help = "effective focal length, after focusing"},
-    {LENGTH(all.object, COLUMN_INFINITE), .name = "object_front", .label = "object from vertex 1",
+    {MM(all.object, COLUMN_INFINITE), .name = "object_front", .label = "object from vertex 1",
      .help = "the object, to the left of the first vertex"},
-    {LENGTH(all.object_principal, COLUMN_INFINITE), .name = "object_principal", .symbol = "s",
+    {MM(all.object_principal, COLUMN_INFINITE), .name = "object_principal", .symbol = "s",
      .label = "object from H", .help = "to the left of the principal point H"},
-    {LENGTH(all.object_focal, COLUMN_INFINITE), .name = "object_focal", .symbol = "x",
+    {MM(all.object_focal, COLUMN_INFINITE), .name = "object_focal", .symbol = "x",
      .label = "object from F", .help = "to the left of the focal point F"},
-    {LENGTH(all.object_pupil, COLUMN_INFINITE), .name = "object_pupil",
+    {MM(all.object_pupil, COLUMN_INFINITE), .name = "object_pupil",
      .label = "object from entrance pupil", .help = "to the left of the entrance pupil"},
-    {LENGTH(all.image, COLUMN_INFINITE), .name = "image_rear", .label = "image from last vertex",
+    {MM(all.image, COLUMN_INFINITE), .name = "image_rear", .label = "image from last vertex",
      .help = "the image, to the right of the last vertex"},
-    {LENGTH(all.image_principal, COLUMN_INFINITE), .name = "image_principal", .symbol = "s'",
+    {MM(all.image_principal, COLUMN_INFINITE), .name = "image_principal", .symbol = "s'",
      .label = "image from H'", .help = "to the right of the principal point H'"},
-    {LENGTH(all.image_focal, COLUMN_INFINITE), .name = "image_focal", .symbol = "x'",
+    {MM(all.image_focal, COLUMN_INFINITE), .name = "image_focal", .symbol = "x'",
      .label = "image from F'", .help = "to the right of the focal point F'"},
-    {LENGTH(all.image_pupil, COLUMN_INFINITE), .name = "image_pupil",
-     .label = "image from exit pupil", .help = "to the right of the exit pupil"},
-    {LENGTH(all.total, COLUMN_INFINITE), .name = "total", .symbol = "T",
+    {MM(all.image_pupil, COLUMN_INFINITE), .name = "image_pupil", .label = "image from exit pupil",
+     .help = "to the right of the exit pupil"},
+    {MM(all.total, COLUMN_INFINITE), .name = "total", .symbol = "T",
      .label = "total, object to image", .help = "from the object to the image"},
     {PLAIN(from, COLUMN_EXTRA | COLUMN_ASSUMED), .name = "distance_from", .depends = "from",
      .label = "distances from", .help = "where the first two distances are measured from"},
     {PLAIN(focus_by, COLUMN_EXTRA | COLUMN_ASSUMED), .name = "focus_by", .depends = "focus-by",
      .label = "focused by", .help = "what moves; absent where nothing does"},
-    LENS_TITLE_COLUMN(struct conjugate_row, lens),
-    LENS_WARNING_COLUMN(struct conjugate_row, warning),
+    LENS_TITLE_COLUMN(ROW, lens),
+    LENS_WARNING_COLUMN(ROW, warning),
 };
 
 /* What is asked of one lens, wavelength after wavelength. */
@@ -191,39 +189,6 @@ static const char *orientation_of(const struct conjugate_points *all, double pow
     return "inverted";
 }
 
-/* The first of the two distances, as --from has them. */
-static void set_distances(const struct conjugate_points *all, int from, struct conjugate_row *row)
-{
-    const double pairs[CONJUGATE_FROMS][2] = {
-        [CONJUGATE_FROM_PRINCIPAL] = {all->object_principal, all->image_principal},
-        [CONJUGATE_FROM_FRONT] = {all->object, all->image},
-        [CONJUGATE_FROM_FOCAL] = {all->object_focal, all->image_focal},
-        [CONJUGATE_FROM_ENTRANCE] = {all->object_pupil, all->image_pupil},
-        [CONJUGATE_FROM_SENSOR] = {all->total, all->image},
-    };
-    row->object = pairs[from][0];
-    row->image = pairs[from][1];
-}
-
-/* Brightness with the stop as wide as it is, for the object of the row. */
-static void set_brightness(const struct paraxial_system *system, const struct paraxial_trace *trace,
-                           const struct conjugate_object *object, double stop_radius,
-                           struct conjugate_row *row)
-{
-    struct first_order first;
-    first_order_compute(system, trace, object, &first);
-    first_order_use_stop(&first, object, stop_radius, FIELD_NONE, NAN);
-    row->efl = first.efl;
-    row->working_fnumber = first.working_fnumber;
-    row->na_image = first.na_image;
-    double slope = first.marginal_v / first.index_object;
-    row->na_object = first.index_object * fabs(slope) / sqrt(1 + slope * slope);
-    if (isinf(row->all.image) && !isnan(first.working_fnumber)) {
-        row->working_fnumber = INFINITY;
-        row->na_image = 0;
-    }
-}
-
 /* The row of one object, which lies on `place` (mm to the left of the first vertex). */
 static bool conjugate_emit_row(const struct lens_case *one, const struct task *task,
                                const struct lens *lens, const struct conjugate_ray *ray,
@@ -255,8 +220,29 @@ static bool conjugate_emit_row(const struct lens_case *one, const struct task *t
     const struct conjugate_ray here = {
         far ? pair_of(1) : pair_divide(object.distance, system.index[0]), pair_of(far ? 0 : 1)};
     conjugate_compute(&system, &trace, &here, &row.all);
-    set_distances(&row.all, task->input->from, &row);
-    set_brightness(&system, &trace, &object, one->light.first.stop_radius, &row);
+    /* The first of the two distances, as --from has them. */
+    const double pairs[CONJUGATE_FROMS][2] = {
+        [CONJUGATE_FROM_PRINCIPAL] = {row.all.object_principal, row.all.image_principal},
+        [CONJUGATE_FROM_FRONT] = {row.all.object, row.all.image},
+        [CONJUGATE_FROM_FOCAL] = {row.all.object_focal, row.all.image_focal},
+        [CONJUGATE_FROM_ENTRANCE] = {row.all.object_pupil, row.all.image_pupil},
+        [CONJUGATE_FROM_SENSOR] = {row.all.total, row.all.image},
+    };
+    row.object = pairs[task->input->from][0];
+    row.image = pairs[task->input->from][1];
+    /* Brightness with the stop as wide as it is, for the object of the row. */
+    struct first_order first;
+    first_order_compute(&system, &trace, &object, &first);
+    first_order_use_stop(&first, &object, one->light.first.stop_radius, FIELD_NONE, NAN);
+    row.efl = first.efl;
+    row.working_fnumber = first.working_fnumber;
+    row.na_image = first.na_image;
+    double slope = first.marginal_v / first.index_object;
+    row.na_object = first.index_object * fabs(slope) / sqrt(1 + slope * slope);
+    if (isinf(row.all.image) && !isnan(first.working_fnumber)) {
+        row.working_fnumber = INFINITY;
+        row.na_image = 0;
+    }
     row.object_kind = conjugate_kind_of(row.all.object, row.all.object_is_virtual);
     row.image_kind = conjugate_kind_of(row.all.image, row.all.image_is_virtual);
     row.orientation = orientation_of(&row.all, trace.whole.c.hi == 0 ? 0 : -trace.whole.c.hi);
@@ -286,41 +272,6 @@ static bool emit_unmoved(const struct lens_case *one, const struct task *task, s
     return count > 0;
 }
 
-/* Where the file has its image plane, in its own media, at the wavelength it is focused at. */
-static bool find_image_plane(const struct lens_case *one, const struct task *task,
-                             struct pair *plane, struct error *error)
-{
-    const struct lens *typed = task->typed.lens;
-    size_t position = 0;
-    while (position + 1 < typed->position_count &&
-           typed->positions[position] != one->setup->position) {
-        position++;
-    }
-    const struct lens *lens = lens_at_position(typed, position, task->run->arena);
-    struct first_order first;
-    if (!first_order_of_lens(lens, lens_primary_wavelength(lens), one->setup->section,
-                             task->run->arena, &first, error)) {
-        return false;
-    }
-    *plane = setup_paraxial_image(lens, &first);
-    return true;
-}
-
-static const char *list_gaps(const struct task *task, const struct focused *focused,
-                             struct arena *arena)
-{
-    const char *all = NULL;
-    for (size_t i = 0; i < task->gap_count; i++) {
-        const struct named_gap *gap = &task->gaps[i];
-        size_t surface = gap->gap.surface;
-        double t = focused->lens->surfaces[surface].thickness.value.hi;
-        const char *text =
-            arena_printf(arena, "%.*s %.6g", (int)gap->name.length, gap->name.start, t);
-        all = all == NULL ? text : arena_printf(arena, "%s, %s", all, text);
-    }
-    return all;
-}
-
 /* Focused at the primary wavelength; at the others the same lens looks at the same object. */
 static bool emit_focused(const struct lens_case *one, const struct task *task, struct error *error)
 {
@@ -336,9 +287,20 @@ static bool emit_focused(const struct lens_case *one, const struct task *task, s
                                        .section = one->setup->section,
                                        .gaps = gaps,
                                        .gap_count = task->gap_count};
-    if (!find_image_plane(one, task, &focusing.image_plane, error)) {
+    /* Where the file has its image plane, in its own media, at the wavelength it is focused at. */
+    const struct lens *typed = task->typed.lens;
+    size_t position = 0;
+    while (position + 1 < typed->position_count &&
+           typed->positions[position] != one->setup->position) {
+        position++;
+    }
+    const struct lens *placed = lens_at_position(typed, position, task->run->arena);
+    struct first_order first;
+    if (!first_order_of_lens(placed, lens_primary_wavelength(placed), one->setup->section,
+                             task->run->arena, &first, error)) {
         return false;
     }
+    focusing.image_plane = setup_paraxial_image(placed, &first);
     size_t count = focus_solve(&focusing, &question, arena, solutions, error);
     for (size_t i = 0; i < count; i++) {
         struct paraxial_system system;
@@ -353,7 +315,16 @@ static bool emit_focused(const struct lens_case *one, const struct task *task, s
             return false;
         }
         const struct conjugate_ray place = conjugate_place_of(&ray, system.index[0]);
-        const char *names = list_gaps(task, &solutions[i], arena);
+        const char *all = NULL;
+        for (size_t k = 0; k < task->gap_count; k++) {
+            const struct named_gap *named = &task->gaps[k];
+            size_t surface = named->gap.surface;
+            double t = solutions[i].lens->surfaces[surface].thickness.value.hi;
+            const char *text =
+                arena_printf(arena, "%.*s %.6g", (int)named->name.length, named->name.start, t);
+            all = all == NULL ? text : arena_printf(arena, "%s, %s", all, text);
+        }
+        const char *names = all;
         if (!conjugate_emit_row(one, task, solutions[i].lens, &place, names,
                                 solutions[i].movement.hi, error)) {
             return false;
@@ -397,8 +368,12 @@ static bool put_into_media(const struct conjugate_input *input, struct lens_valu
     return true;
 }
 
-static bool conjugate_check_asked(const struct conjugate_input *input, struct error *error)
+static bool conjugate_run(const void *data, struct run *run, struct error *error)
 {
+    const struct conjugate_input *input = data;
+    struct lens_question question = input->question;
+    struct task task = {.input = input, .run = run, .typed = input->question.lens};
+    question.field = question.field_x = NAN;
     int given = !isnan(input->object) + !isnan(input->image) + !isnan(input->magnification);
     if (given > 1) {
         return fail(error, ERROR_USAGE,
@@ -413,26 +388,12 @@ static bool conjugate_check_asked(const struct conjugate_input *input, struct er
             error, ERROR_USAGE,
             "{--gap} and {--focus-by} exclude each other: the gap of the whole lens is 'last'");
     }
-    return true;
-}
-
-static bool conjugate_run(const void *data, struct run *run, struct error *error)
-{
-    const struct conjugate_input *input = data;
-    struct lens_question question = input->question;
-    struct task task = {.input = input, .run = run, .typed = input->question.lens};
-    question.field = question.field_x = NAN;
-    if (!conjugate_check_asked(input, error)) {
-        return false;
-    }
     const struct lens *lens = question.lens.lens;
     if (lens != NULL) {
         const char *gap = input->focus_by == FOCUS_BY_LENS ? "last" : input->gap;
-        if (gap != NULL &&
-            !focus_gaps_read(text_of(gap), lens, task.gaps, &task.gap_count, error)) {
-            return false;
-        }
-        if (!put_into_media(input, &question.lens, run->arena, error)) {
+        if ((gap != NULL &&
+             !focus_gaps_read(text_of(gap), lens, task.gaps, &task.gap_count, error)) ||
+            !put_into_media(input, &question.lens, run->arena, error)) {
             return false;
         }
     }
@@ -477,11 +438,9 @@ static const struct example examples[] = {
 
 const struct command command_conjugate = {
     .name = "conjugate",
-    .group = "a lens",
-    .summary =
-        "object and image anywhere, in any medium; focusing by moving the lens or changing gaps",
-    COMMAND_ASKS(struct conjugate_input),
-    COMMAND_ANSWERS(struct conjugate_row),
+    COMMAND_OF(
+        "a lens",
+        "object and image anywhere, in any medium; focusing by moving the lens or changing gaps"),
     .run = conjugate_run,
     .makes_many = conjugate_makes_many,
     .plot = "magnification|image_principal_mm",

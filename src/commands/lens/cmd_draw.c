@@ -1,6 +1,7 @@
 /* commands/lens/cmd_draw.c - lenscalc draw: cross-section of a lens as SVG. */
 /* SPDX-License-Identifier: MIT */
 #include "commands/lens/lens_options.h"
+#include "commands/tables.h"
 #include "draw/section.h"
 
 struct draw_input {
@@ -9,66 +10,21 @@ struct draw_input {
     const char *title;
 };
 
+#define INPUT struct draw_input
+
 static const struct option options[] = {
-    LENS_OPTION(struct draw_input, question),
-    LENS_WAVELENGTH_OPTION(struct draw_input, question, LENS_PRIMARY_WAVELENGTH),
-    LENS_FNUMBER_OPTION(struct draw_input, question),
-    LENS_FIELD_OPTIONS(struct draw_input, question),
-    LENS_POSITION_OPTION(struct draw_input, question),
-    LENS_SECTION_OPTION(struct draw_input, question),
-    {OPTION(struct draw_input, planes), .name = "planes",
-     .help = "principal planes, focal points and pupils"},
-    {OPTION(struct draw_input, construction), .name = "construction", .excludes = "field field-x",
+    LENS_OPTION(INPUT, question),
+    LENS_WAVELENGTH_OPTION(INPUT, question, LENS_PRIMARY_WAVELENGTH),
+    LENS_FNUMBER_OPTION(INPUT, question),
+    LENS_FIELD_OPTIONS(INPUT, question),
+    LENS_POSITION_OPTION(INPUT, question),
+    LENS_SECTION_OPTION(INPUT, question),
+    {ASKED(planes), .name = "planes", .help = "principal planes, focal points and pupils"},
+    {ASKED(construction), .name = "construction", .excludes = "field field-x",
      .help = "the three Gauss rays of the equivalent lens in place of the bundles"},
-    {OPTION(struct draw_input, no_rays), .name = "no-rays", .excludes = "field field-x",
-     .help = "the lens alone"},
-    {OPTION(struct draw_input, title), .name = "title", .value = "TEXT",
-     .help = "title in place of the lens's own"},
+    {ASKED(no_rays), .name = "no-rays", .excludes = "field field-x", .help = "the lens alone"},
+    {ASKED(title), .name = "title", .value = "TEXT", .help = "title in place of the lens's own"},
 };
-
-static const char *draw_subtitle_of(const struct lens_case *one, struct arena *arena)
-{
-    const struct first_order *first = &one->light.first;
-    const char *focal =
-        first->is_afocal ? "afocal" : arena_printf(arena, "f = %.5g mm", first->efl);
-    const char *speed =
-        isfinite(first->fnumber) ? arena_printf(arena, ", f/%.3g", first->fnumber) : "";
-    const char *position = one->setup->position != NULL
-                               ? arena_printf(arena, ", position %s", one->setup->position)
-                               : "";
-    return arena_printf(arena, "%s%s%s, at %.5g nm", focal, speed, position,
-                        1000 * one->light.wavelength);
-}
-
-static bool draw_case(const struct draw_input *input, const struct lens_case *one, struct svg *svg,
-                      struct error *error)
-{
-    struct arena *arena = svg->arena;
-    const struct layout_request request = {.wavelength = one->index,
-                                           .light = &one->light,
-                                           .planes = input->planes,
-                                           .construction = input->construction,
-                                           .no_rays = input->no_rays};
-    const char *title = one->setup->lens->title;
-    struct layout layout;
-    if ((input->construction || input->planes) && !layout_is_centred(one->setup->lens)) {
-        return fail(error, ERROR_DOMAIN,
-                    "{--%s} is for centred lenses, and parts of this one are decentred, tilted or "
-                    "behind a coordinate break",
-                    input->construction ? "construction" : "planes");
-    }
-    if (!layout_make(one->setup, &request, arena, &layout, error)) {
-        return false;
-    }
-    if (one->warning != NULL) {
-        layout_note(&layout, arena_printf(arena, "warning: %s", one->warning));
-    }
-    const struct section section = {.title = input->title != NULL ? input->title : title,
-                                    .subtitle = draw_subtitle_of(one, arena),
-                                    .layout = &layout,
-                                    .faint = input->construction};
-    return section_draw(&section, svg, error);
-}
 
 static bool draw_check(const struct artifact_job *job, struct error *error)
 {
@@ -92,8 +48,47 @@ static bool draw_draw(const struct artifact_job *job, struct output *sink, struc
         .wavelengths = WAVELENGTHS_PRIMARY, .fields = FIELDS_LARGEST, .focus = &focus};
     struct svg svg = {.arena = job->run->arena};
     struct lens_cursor at = lens_begin(&input->question, &policy, svg.arena);
-    return lens_next(&at, error) && draw_case(input, &at.one, &svg, error) &&
-           drawing_write(job, &svg, sink, error);
+    if (!lens_next(&at, error)) {
+        return false;
+    }
+    struct arena *arena = svg.arena;
+    const struct layout_request request = {.wavelength = at.one.index,
+                                           .light = &at.one.light,
+                                           .planes = input->planes,
+                                           .construction = input->construction,
+                                           .no_rays = input->no_rays};
+    const char *title = at.one.setup->lens->title;
+    struct layout layout;
+    if ((input->construction || input->planes) && !layout_is_centred(at.one.setup->lens)) {
+        return fail(error, ERROR_DOMAIN,
+                    "{--%s} is for centred lenses, and parts of this one are decentred, tilted or "
+                    "behind a coordinate break",
+                    input->construction ? "construction" : "planes");
+    }
+    if (!layout_make(at.one.setup, &request, arena, &layout, error)) {
+        return false;
+    }
+    if (at.one.warning != NULL) {
+        layout_note(&layout, arena_printf(arena, "warning: %s", at.one.warning));
+    }
+    const struct first_order *first = &at.one.light.first;
+    const char *focal =
+        first->is_afocal ? "afocal" : arena_printf(arena, "f = %.5g mm", first->efl);
+    const char *speed =
+        isfinite(first->fnumber) ? arena_printf(arena, ", f/%.3g", first->fnumber) : "";
+    const char *position = at.one.setup->position != NULL
+                               ? arena_printf(arena, ", position %s", at.one.setup->position)
+                               : "";
+    const struct section section = {.title = input->title != NULL ? input->title : title,
+                                    .subtitle =
+                                        arena_printf(arena, "%s%s%s, at %.5g nm", focal, speed,
+                                                     position, 1000 * at.one.light.wavelength),
+                                    .layout = &layout,
+                                    .faint = input->construction};
+    if (!section_draw(&section, &svg, error)) {
+        return false;
+    }
+    return drawing_write(job, &svg, sink, error);
 }
 
 static const struct artifact artifacts[] = {
@@ -112,6 +107,6 @@ const struct command command_draw = {
     .name = "draw",
     .group = "a lens",
     .summary = "cross-section of a lens as an SVG drawing",
-    COMMAND_ASKS(struct draw_input),
+    COMMAND_ASKS(INPUT),
     COMMAND_MAKES(artifacts),
 };

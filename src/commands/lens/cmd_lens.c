@@ -1,6 +1,7 @@
 /* commands/lens/cmd_lens.c - lenscalc lens: first-order data of a lens. */
 /* SPDX-License-Identifier: MIT */
 #include "commands/lens/lens_options.h"
+#include "commands/tables.h"
 
 struct lens_input {
     struct lens_question question;
@@ -9,13 +10,15 @@ struct lens_input {
 static const struct lens_policy policy = {
     .wavelengths = WAVELENGTHS_ALL, .fields = FIELDS_LARGEST, .telecentric = true};
 
+#define INPUT struct lens_input
+
 static const struct option options[] = {
-    LENS_OPTION(struct lens_input, question),
-    LENS_WAVELENGTH_OPTION(struct lens_input, question, LENS_ALL_WAVELENGTHS),
-    LENS_FNUMBER_OPTION(struct lens_input, question),
-    LENS_FIELD_OPTIONS(struct lens_input, question),
-    LENS_POSITION_OPTION(struct lens_input, question),
-    LENS_SECTION_OPTION(struct lens_input, question),
+    LENS_OPTION(INPUT, question),
+    LENS_WAVELENGTH_OPTION(INPUT, question, LENS_ALL_WAVELENGTHS),
+    LENS_FNUMBER_OPTION(INPUT, question),
+    LENS_FIELD_OPTIONS(INPUT, question),
+    LENS_POSITION_OPTION(INPUT, question),
+    LENS_SECTION_OPTION(INPUT, question),
 };
 
 struct lens_command_row {
@@ -25,15 +28,15 @@ struct lens_command_row {
     struct first_order first;
 };
 
-#define PLACE(member_name, more)                                                                   \
-    COLUMN_OF_LENGTH(struct lens_command_row, member_name, "mm"), .flags = (more)
-#define NUMBER(member_name, more) COLUMN(struct lens_command_row, member_name), .flags = (more)
+#define ROW struct lens_command_row
+
+#define PLACE(member_name, more)  LENGTH(member_name, "mm"), .flags = (more)
+#define NUMBER(member_name, more) SHOWN(member_name), .flags = (more)
 
 static const struct column columns[] = {
-    LENS_WAVELENGTH_COLUMN(struct lens_command_row, wavelength),
-    LENS_POSITION_COLUMN(struct lens_command_row, position, COLUMN_BRIEF),
-    {COLUMN(struct lens_command_row, first.power), .dimension = &dimension_vergence,
-     .unit = "per_m", .name = "power", .symbol = "P",
+    LENS_WAVELENGTH_COLUMN(ROW, wavelength),
+    LENS_POSITION_COLUMN(ROW, position, COLUMN_BRIEF),
+    {MEASURED(first.power, vergence, "per_m"), .name = "power", .symbol = "P",
      .help = "power, from before the first to "
              "behind the last surface"},
     {PLACE(first.efl, COLUMN_BRIEF | COLUMN_INFINITE), .name = "efl", .symbol = "f",
@@ -86,11 +89,10 @@ static const struct column columns[] = {
     {PLACE(first.petzval_radius, COLUMN_INFINITE), .name = "petzval_radius",
      .label = "Petzval radius", .help = "radius of the Petzval surface at the image"},
     {PLACE(track, COLUMN_INFINITE), .name = "track", .help = "first vertex to the image plane"},
-    LENS_TITLE_COLUMN(struct lens_command_row, lens),
-    {COLUMN(struct lens_command_row, places), .name = "places_from",
-     .flags = COLUMN_EXTRA | COLUMN_ASSUMED, .label = "places from",
-     .help = "where places on the axis are measured from"},
-    LENS_WARNING_COLUMN(struct lens_command_row, warning),
+    LENS_TITLE_COLUMN(ROW, lens),
+    {SHOWN(places), .name = "places_from", .flags = COLUMN_EXTRA | COLUMN_ASSUMED,
+     .label = "places from", .help = "where places on the axis are measured from"},
+    LENS_WARNING_COLUMN(ROW, warning),
 };
 
 static bool lens_run(const void *data, struct run *run, struct error *error)
@@ -142,10 +144,7 @@ static const struct example examples[] = {
 
 const struct command command_lens = {
     .name = "lens",
-    .group = "a lens",
-    .summary = "first-order data: focal length, cardinal points, pupils",
-    COMMAND_ASKS(struct lens_input),
-    COMMAND_ANSWERS(struct lens_command_row),
+    COMMAND_OF("a lens", "first-order data: focal length, cardinal points, pupils"),
     .run = lens_run,
     .makes_many = lens_command_makes_many,
     .plot = "bfl_mm",

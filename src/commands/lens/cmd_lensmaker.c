@@ -2,6 +2,7 @@
 /* SPDX-License-Identifier: MIT */
 #include "base/arena.h"
 #include "cli/question/command.h"
+#include "commands/tables.h"
 #include "draw/svg.h"
 #include "file/lens_file.h"
 #include "optics/lensmaker.h"
@@ -22,12 +23,10 @@ static const struct word solutions[] = {
     {NULL, NULL},
 };
 
-#define INDEX(member_name)                                                                         \
-    OPTION(struct lensmaker_input, lens.member_name), .dimension = &dimension_number,              \
-                                                      OPTION_POSITIVE, .value = "INDEX"
-#define PLACE(member_name)                                                                         \
-    OPTION(struct lensmaker_input, lens.member_name), .dimension = &dimension_length,              \
-                                                      .unit = "mm", .value = "LENGTH"
+#define INDEX(member_name) MEASURE(lens.member_name, number, NULL, "INDEX"), OPTION_POSITIVE
+#define PLACE(member_name) MEASURE(lens.member_name, length, "mm", "LENGTH")
+
+#define INPUT struct lensmaker_input
 
 static const struct option options[] = {
     {PLACE(f), .name = "focal-length", .letter = 'f', .column = "focal", .flags = OPTION_GOAL,
@@ -42,19 +41,17 @@ static const struct option options[] = {
     {PLACE(d), .name = "thickness", .letter = 'd', .column = "thickness", .lowest = 0,
      .highest = INFINITY, .flags = OPTION_NO_INFINITY | OPTION_SETTING,
      .help = "thickness at the vertices, of a ball its diameter; 0 (thin) unless solved for"},
-    {OPTION(struct lensmaker_input, lens.q), .name = "shape", .letter = 'q', .column = "shape",
-     .dimension = &dimension_number, .value = "NUMBER", .flags = OPTION_GOAL,
+    {MEASURE(lens.q, number, NULL, "NUMBER"), REPEATED("shape"), .letter = 'q',
+     .flags = OPTION_GOAL,
      .help = "shape factor (R2 + R1)/(R2 - R1): 0 equiconvex, 1 and -1 with a plane, beyond a "
              "meniscus"},
     {INDEX(n0), .name = "before", .column = "index_before", .fallback = "1",
      .flags = OPTION_ABOVE_LOWEST | OPTION_NO_INFINITY, .help = "index of the medium before"},
     {INDEX(n1), .name = "after", .column = "index_after", .fallback = "1",
      .flags = OPTION_ABOVE_LOWEST | OPTION_NO_INFINITY, .help = "index of the medium after"},
-    {OPTION(struct lensmaker_input, ball), .name = "ball",
-     .help = "a ball lens of diameter --thickness"},
-    {OPTION(struct lensmaker_input, solution), .name = "solution", .column = "solution",
-     .words = solutions, .fallback = "first", .value = "WHICH",
-     .help = "which solution, where there are two"},
+    {ASKED(ball), .name = "ball", .help = "a ball lens of diameter --thickness"},
+    {ASKED(solution), REPEATED("solution"), .words = solutions, .fallback = "first",
+     .value = "WHICH", .help = "which solution, where there are two"},
 };
 
 struct lensmaker_row {
@@ -64,59 +61,56 @@ struct lensmaker_row {
     const char *solution;
 };
 
-#define LENGTH(member_name) COLUMN_OF_LENGTH(struct lensmaker_row, member_name, "mm")
-#define POWER(member_name)                                                                         \
-    COLUMN(struct lensmaker_row, facts.member_name), .dimension = &dimension_vergence,             \
-                                                     .unit = "diopter"
-#define SURE .condition = offsetof(struct lensmaker_row, facts.condition)
+#define ROW struct lensmaker_row
+
+#define MM(member)         LENGTH(member, "mm")
+#define POWER(member_name) MEASURED(facts.member_name, vergence, "diopter")
+#define SURE               .condition = offsetof(ROW, facts.condition)
 
 static const struct column columns[] = {
-    {LENGTH(lens.f), .name = "focal", .flags = COLUMN_ECHO | COLUMN_INFINITE | COLUMN_BRIEF,
+    {MM(lens.f), .name = "focal", .flags = COLUMN_ECHO | COLUMN_INFINITE | COLUMN_BRIEF,
      .with = "focal-length", .symbol = "f", .label = "focal length", SURE,
      .help = "1/power, in every medium"},
-    {LENGTH(lens.R1), .name = "radius_1", .flags = COLUMN_ECHO | COLUMN_INFINITE | COLUMN_BRIEF,
+    {MM(lens.R1), .name = "radius_1", .flags = COLUMN_ECHO | COLUMN_INFINITE | COLUMN_BRIEF,
      .with = "r1", .symbol = "R1", .label = "first radius", .help = "radius of the first surface"},
-    {LENGTH(lens.R2), .name = "radius_2", .flags = COLUMN_ECHO | COLUMN_INFINITE | COLUMN_BRIEF,
+    {MM(lens.R2), .name = "radius_2", .flags = COLUMN_ECHO | COLUMN_INFINITE | COLUMN_BRIEF,
      .with = "r2", .symbol = "R2", .label = "second radius",
      .help = "radius of the second surface"},
-    {COLUMN(struct lensmaker_row, lens.n), .name = "index", .flags = COLUMN_ECHO | COLUMN_BRIEF,
-     .with = "index", .symbol = "n", .help = "index of the lens"},
-    {LENGTH(lens.d), .name = "thickness", .flags = COLUMN_ECHO | COLUMN_BRIEF, .with = "thickness",
+    {SHOWN(lens.n), .name = "index", .flags = COLUMN_ECHO | COLUMN_BRIEF, .with = "index",
+     .symbol = "n", .help = "index of the lens"},
+    {MM(lens.d), .name = "thickness", .flags = COLUMN_ECHO | COLUMN_BRIEF, .with = "thickness",
      .symbol = "d", .help = "between the vertices"},
-    {COLUMN(struct lensmaker_row, lens.q), .name = "shape", .flags = COLUMN_ECHO | COLUMN_INFINITE,
-     .with = "shape", .symbol = "q", .label = "shape factor", .help = "(R2 + R1)/(R2 - R1)"},
+    {SHOWN(lens.q), .name = "shape", .flags = COLUMN_ECHO | COLUMN_INFINITE, .with = "shape",
+     .symbol = "q", .label = "shape factor", .help = "(R2 + R1)/(R2 - R1)"},
     {POWER(power), .name = "power", .symbol = "P", .flags = COLUMN_BRIEF,
      .help = "power of the lens", SURE},
     {POWER(P1), .name = "power_1", .symbol = "P1", .label = "power of the first surface",
      .help = "(n - n0)/R1"},
     {POWER(P2), .name = "power_2", .symbol = "P2", .label = "power of the second surface",
      .help = "(n1 - n)/R2"},
-    {LENGTH(facts.bfl), .name = "bfl", .symbol = "bfl", .flags = COLUMN_INFINITE | COLUMN_BRIEF,
+    {MM(facts.bfl), .name = "bfl", .symbol = "bfl", .flags = COLUMN_INFINITE | COLUMN_BRIEF,
      .label = "back focal length", SURE,
      .help = "rear focus F' from the last vertex, + to the right"},
-    {LENGTH(facts.ffl), .name = "ffl", .symbol = "ffl", .flags = COLUMN_INFINITE, SURE,
+    {MM(facts.ffl), .name = "ffl", .symbol = "ffl", .flags = COLUMN_INFINITE, SURE,
      .label = "front focal length", .help = "front focus F from the first vertex"},
-    {LENGTH(facts.front_focal), .name = "front_focal", .flags = COLUMN_INFINITE | COLUMN_HIDDEN,
+    {MM(facts.front_focal), .name = "front_focal", .flags = COLUMN_INFINITE | COLUMN_HIDDEN,
      .label = "principal to front focus", SURE, .help = "from H to F, -n0/P"},
-    {LENGTH(facts.rear_focal), .name = "rear_focal", .flags = COLUMN_INFINITE | COLUMN_HIDDEN,
+    {MM(facts.rear_focal), .name = "rear_focal", .flags = COLUMN_INFINITE | COLUMN_HIDDEN,
      .label = "principal to rear focus", SURE, .help = "from H' to F', n1/P"},
-    {LENGTH(facts.H), .name = "front_principal", .symbol = "H", .flags = COLUMN_INFINITE,
+    {MM(facts.H), .name = "front_principal", .symbol = "H", .flags = COLUMN_INFINITE,
      .label = "front principal plane", SURE, .help = "H from the first vertex, + to the right"},
-    {LENGTH(facts.H_rear), .name = "rear_principal", .symbol = "H'", .flags = COLUMN_INFINITE,
+    {MM(facts.H_rear), .name = "rear_principal", .symbol = "H'", .flags = COLUMN_INFINITE,
      .label = "rear principal plane", SURE, .help = "H' from the last vertex, + to the right"},
-    {LENGTH(facts.N), .name = "front_nodal", .flags = COLUMN_INFINITE | COLUMN_HIDDEN,
+    {MM(facts.N), .name = "front_nodal", .flags = COLUMN_INFINITE | COLUMN_HIDDEN,
      .label = "front nodal point", SURE, .help = "N from the first vertex"},
-    {LENGTH(facts.N_rear), .name = "rear_nodal", .flags = COLUMN_INFINITE | COLUMN_HIDDEN,
+    {MM(facts.N_rear), .name = "rear_nodal", .flags = COLUMN_INFINITE | COLUMN_HIDDEN,
      .label = "rear nodal point", SURE, .help = "N' from the last vertex"},
-    {COLUMN(struct lensmaker_row, solutions), .name = "solutions",
+    {SHOWN(solutions), .name = "solutions",
      .help = "how many lenses answer the question: see --solution"},
-    {COLUMN(struct lensmaker_row, solution), .name = "solution", .flags = COLUMN_EXTRA,
-     .with = "solution", .help = "which of them this is"},
-    {COLUMN(struct lensmaker_row, lens.n0), .name = "index_before", .symbol = "n0",
-     .flags = COLUMN_ASSUMED | COLUMN_EXTRA | COLUMN_ECHO, .depends = "before",
+    {SHOWN(solution), .name = "solution", WITH("solution"), .help = "which of them this is"},
+    {SHOWN(lens.n0), .name = "index_before", .symbol = "n0", ASSUMED_BY("before") | COLUMN_ECHO,
      .label = "index before", .help = "index of the medium before the lens"},
-    {COLUMN(struct lensmaker_row, lens.n1), .name = "index_after", .symbol = "n1",
-     .flags = COLUMN_ASSUMED | COLUMN_EXTRA | COLUMN_ECHO, .depends = "after",
+    {SHOWN(lens.n1), .name = "index_after", .symbol = "n1", ASSUMED_BY("after") | COLUMN_ECHO,
      .label = "index after", .help = "index of the medium after the lens"},
 };
 
@@ -230,10 +224,8 @@ static const struct example examples[] = {
 
 const struct command command_lensmaker = {
     .name = "lensmaker",
-    .group = "one surface, one lens",
-    .summary = "one lens, thin or thick: focal length, or radii, index, thickness for it",
-    COMMAND_ASKS(struct lensmaker_input),
-    COMMAND_ANSWERS(struct lensmaker_row),
+    COMMAND_OF("one surface, one lens",
+               "one lens, thin or thick: focal length, or radii, index, thickness for it"),
     .run = lensmaker_run,
     COMMAND_MAKES(artifacts),
     .plot = "focal_mm,bfl_mm",

@@ -1,6 +1,7 @@
 /* commands/lens/cmd_matrix.c - lenscalc matrix: refractions and transfers and their product. */
 /* SPDX-License-Identifier: MIT */
 #include "commands/lens/lens_options.h"
+#include "commands/tables.h"
 
 struct matrix_input {
     struct lens_question question;
@@ -10,12 +11,14 @@ struct matrix_input {
 static const struct lens_policy policy = {
     .wavelengths = WAVELENGTHS_ALL, .fields = FIELDS_LARGEST, .telecentric = true};
 
+#define INPUT struct matrix_input
+
 static const struct option options[] = {
-    LENS_OPTION(struct matrix_input, question),
-    LENS_WAVELENGTH_OPTION(struct matrix_input, question, LENS_ALL_WAVELENGTHS),
-    LENS_POSITION_OPTION(struct matrix_input, question),
-    LENS_SECTION_OPTION(struct matrix_input, question),
-    {OPTION(struct matrix_input, perspective), .name = "perspective",
+    LENS_OPTION(INPUT, question),
+    LENS_WAVELENGTH_OPTION(INPUT, question, LENS_ALL_WAVELENGTHS),
+    LENS_POSITION_OPTION(INPUT, question),
+    LENS_SECTION_OPTION(INPUT, question),
+    {ASKED(perspective), .name = "perspective",
      .help = "the 4x4 matrix of the equivalent thick lens instead"},
 };
 
@@ -25,22 +28,23 @@ struct matrix_command_row {
     double a, b, c, d, determinant;
 };
 
-#define PLAIN(member_name) COLUMN(struct matrix_command_row, member_name), .flags = COLUMN_BRIEF
+#define ROW struct matrix_command_row
+
+#define PLAIN(member_name) SHOWN(member_name), .flags = COLUMN_BRIEF
 
 static const struct column columns[] = {
-    LENS_WAVELENGTH_COLUMN(struct matrix_command_row, wavelength),
-    LENS_POSITION_COLUMN(struct matrix_command_row, position, 0),
+    LENS_WAVELENGTH_COLUMN(ROW, wavelength),
+    LENS_POSITION_COLUMN(ROW, position, 0),
     {PLAIN(factor), .name = "factor",
      .help = "R1 refraction at surface 1, T1 transfer from it to the next; system, their product"},
     {PLAIN(a), .name = "a", .help = "[y'; v'] = [[a, b], [c, d]] [y; v], v = n u"},
-    {COLUMN_OF_LENGTH(struct matrix_command_row, b, "mm"), .name = "b", .flags = COLUMN_BRIEF,
-     .help = "of a transfer t/n"},
-    {COLUMN(struct matrix_command_row, c), .dimension = &dimension_vergence, .unit = "per_mm",
-     .name = "c", .flags = COLUMN_BRIEF, .help = "of a refraction -P; of the system -power"},
+    {LENGTH(b, "mm"), .name = "b", BRIEF, .help = "of a transfer t/n"},
+    {MEASURED(c, vergence, "per_mm"), .name = "c", BRIEF,
+     .help = "of a refraction -P; of the system -power"},
     {PLAIN(d), .name = "d", .help = "the fourth"},
     {PLAIN(determinant), .name = "determinant", .help = "a d - b c: 1"},
-    LENS_TITLE_COLUMN(struct matrix_command_row, lens),
-    LENS_WARNING_COLUMN(struct matrix_command_row, warning),
+    LENS_TITLE_COLUMN(ROW, lens),
+    LENS_WARNING_COLUMN(ROW, warning),
 };
 
 struct perspective_row {
@@ -55,8 +59,7 @@ struct perspective_row {
 static const struct column perspective_columns[] = {
     LENS_WAVELENGTH_COLUMN(struct perspective_row, wavelength),
     LENS_POSITION_COLUMN(struct perspective_row, position, 0),
-    {COLUMN(struct perspective_row, row), .name = "row", .flags = COLUMN_BRIEF,
-     .help = "row of the matrix"},
+    {COLUMN(struct perspective_row, row), .name = "row", BRIEF, .help = "row of the matrix"},
     {CELL(x), .label = "x", .help = "times x of the object point"},
     {CELL(y), .label = "y", .help = "times y"},
     {CELL(z), .label = "z",
@@ -67,28 +70,24 @@ static const struct column perspective_columns[] = {
     LENS_WARNING_COLUMN(struct perspective_row, warning),
 };
 
-static const struct sheet matrix_sheet = SHEET(columns, struct matrix_command_row);
+static const struct sheet matrix_sheet = SHEET(columns, ROW);
 static const struct sheet perspective_sheet = SHEET(perspective_columns, struct perspective_row);
 static const struct sheet *const sheets[] = {&matrix_sheet, &perspective_sheet, NULL};
-
-static double matrix_determinant(const struct paraxial_matrix *m)
-{
-    return pair_subtract(pair_multiply(m->a, m->d), pair_multiply(m->b, m->c)).hi;
-}
 
 static bool emit_matrix(const struct lens_case *one, struct run *run, const char *factor,
                         const struct paraxial_matrix *m)
 {
-    const struct matrix_command_row row = {one->light.wavelength,
-                                           one->setup->position,
-                                           factor,
-                                           one->setup->lens->title,
-                                           one->warning,
-                                           m->a.hi,
-                                           m->b.hi,
-                                           m->c.hi + 0.0,
-                                           m->d.hi,
-                                           matrix_determinant(m)};
+    const struct matrix_command_row row = {
+        one->light.wavelength,
+        one->setup->position,
+        factor,
+        one->setup->lens->title,
+        one->warning,
+        m->a.hi,
+        m->b.hi,
+        m->c.hi + 0.0,
+        m->d.hi,
+        (pair_subtract(pair_multiply(m->a, m->d), pair_multiply(m->b, m->c)).hi)};
     return run_emit(run, &row);
 }
 
@@ -172,10 +171,7 @@ static const struct example examples[] = {
 
 const struct command command_matrix = {
     .name = "matrix",
-    .group = "a lens",
-    .summary = "refraction and transfer matrices, and the 4x4 of the thick lens",
-    COMMAND_ASKS(struct matrix_input),
-    COMMAND_ANSWERS(struct matrix_command_row),
+    COMMAND_OF("a lens", "refraction and transfer matrices, and the 4x4 of the thick lens"),
     .run = matrix_run,
     .choose_sheet = matrix_choose_sheet,
     .sheets = sheets,

@@ -1,6 +1,7 @@
 /* commands/lens/cmd_pupil.c - lenscalc pupil: shapes of the entrance and exit pupil. */
 /* SPDX-License-Identifier: MIT */
 #include "commands/lens/pupil_cases.h"
+#include "commands/tables.h"
 #include "draw/outlines.h"
 #include "report/row.h"
 
@@ -15,31 +16,29 @@ static const struct word sides[] = {
     {NULL, NULL},
 };
 
+#define INPUT struct pupil_input
+
 static const struct option options[] = {
-    LENS_OPTION(struct pupil_input, question),
-    LENS_WAVELENGTH_OPTION(struct pupil_input, question, LENS_PRIMARY_WAVELENGTH),
-    LENS_FNUMBER_OPTION(struct pupil_input, question),
-    {OPTION(struct pupil_input, question.field), .name = "field", .column = "field",
-     .dimension = &dimension_angle, .unit = "deg", .lowest = -PI, .highest = PI,
-     .flags = OPTION_FIELD | OPTION_ABOVE_LOWEST | OPTION_BELOW_HIGHEST, .value = "ANGLE",
+    LENS_OPTION(INPUT, question),
+    LENS_WAVELENGTH_OPTION(INPUT, question, LENS_PRIMARY_WAVELENGTH),
+    LENS_FNUMBER_OPTION(INPUT, question),
+    {MEASURE(question.field, angle, "deg", "ANGLE"), REPEATED("field"), .lowest = -PI,
+     .highest = PI, .flags = OPTION_FIELD | OPTION_ABOVE_LOWEST | OPTION_BELOW_HIGHEST,
      .help = "field angle in object space, of 90 deg and more too, a list is swept; without it "
              "those of the lens"},
-    LENS_FIELD_X_OPTION(struct pupil_input, question.field_x),
-    {OPTION(struct pupil_input, height), .name = "height", .column = "height",
-     .dimension = &dimension_length, .unit = "mm", .lowest = -INFINITY, .highest = INFINITY,
-     .flags = OPTION_NO_INFINITY, .value = "LENGTH",
+    LENS_FIELD_X_OPTION(INPUT, question.field_x),
+    {MEASURE(height, length, "mm", "LENGTH"), REPEATED("height"), .lowest = -INFINITY,
+     .highest = INFINITY, .flags = OPTION_NO_INFINITY,
      .help = "a point on the film instead, at this distance from the axis"},
-    {OPTION(struct pupil_input, height_x), .name = "height-x", .column = "height_x",
-     .dimension = &dimension_length, .unit = "mm", .flags = OPTION_NO_INFINITY, .value = "LENGTH",
-     .help = "its offset in x"},
-    {OPTION(struct pupil_input, focus), .name = "focus", .dimension = &dimension_length,
-     .unit = "mm", .value = "PLANE", .wants = "height|height-x",
+    {MEASURE(height_x, length, "mm", "LENGTH"), .name = "height-x", .column = "height_x",
+     .flags = OPTION_NO_INFINITY, .help = "its offset in x"},
+    {MEASURE(focus, length, "mm", "PLANE"), .name = "focus", .wants = "height|height-x",
      .help = "position of the film: paraxial, table, best, or a distance behind the last vertex"},
-    LENS_POSITION_OPTION(struct pupil_input, question),
-    {OPTION(struct pupil_input, side), .name = "side", .column = "side_wanted", .words = sides,
-     .fallback = "both", .value = "SIDE", .help = "which pupil"},
-    {OPTION(struct pupil_input, outline), .name = "outline", .lowest = 3, .highest = PUPIL_EDGES,
-     .value = "COUNT", .help = "print this many points of the edge instead"},
+    LENS_POSITION_OPTION(INPUT, question),
+    {ASKED(side), .name = "side", .column = "side_wanted", .words = sides, .fallback = "both",
+     .value = "SIDE", .help = "which pupil"},
+    {ASKED(outline), .name = "outline", .lowest = 3, .highest = PUPIL_EDGES, .value = "COUNT",
+     .help = "print this many points of the edge instead"},
 };
 
 struct pupil_row {
@@ -56,56 +55,53 @@ struct pupil_row {
     double edge_x, edge_y, edge_vertex_x, edge_vertex_y, stop_x, stop_y;
 };
 
-#define LENGTH(member_name, more)                                                                  \
-    COLUMN_OF_LENGTH(struct pupil_row, member_name, "mm"), .flags = (more)
-#define PLAIN(member_name, more) COLUMN(struct pupil_row, member_name), .flags = (more)
+#define ROW struct pupil_row
+
+#define MM(member, more)    LENGTH(member, "mm"), .flags = (more)
+#define PLAIN(member, more) SHOWN(member), .flags = (more)
 /* What both sheets begin with. */
 #define CASE_COLUMNS                                                                               \
-    ENTRY(COLUMN_OF_WAVELENGTH(struct pupil_row, wavelength), .name = "wavelength",                \
-          .flags = COLUMN_ECHO, .with = "wavelength", .help = "wavelength"),                       \
-        LENS_POSITION_COLUMN(struct pupil_row, position, COLUMN_BRIEF),                            \
-        ENTRY(COLUMN_OF_ANGLE(struct pupil_row, field, "deg"), .name = "field",                    \
+    ENTRY(COLUMN_OF_WAVELENGTH(ROW, wavelength), .name = "wavelength", .flags = COLUMN_ECHO,       \
+          .with = "wavelength", .help = "wavelength"),                                             \
+        LENS_POSITION_COLUMN(ROW, position, COLUMN_BRIEF),                                         \
+        ENTRY(COLUMN_OF_ANGLE(ROW, field, "deg"), .name = "field",                                 \
               .flags = COLUMN_BRIEF | COLUMN_ECHO | COLUMN_SPARSE,                                 \
               .help =                                                                              \
                   "angle of the chief ray as seen from the first vertex; absent from the film"),   \
-        ENTRY(LENGTH(object, COLUMN_BRIEF | COLUMN_ECHO | COLUMN_SPARSE), .name = "object",        \
+        ENTRY(MM(object, COLUMN_BRIEF | COLUMN_ECHO | COLUMN_SPARSE), .name = "object",            \
               .help = "height of the object point; absent at infinity"),                           \
-        ENTRY(LENGTH(height, COLUMN_BRIEF | COLUMN_ECHO | COLUMN_SPARSE), .name = "height",        \
+        ENTRY(MM(height, COLUMN_BRIEF | COLUMN_ECHO | COLUMN_SPARSE), .name = "height",            \
               .help = "of the point in the film; absent from the object"),                         \
-        ENTRY(COLUMN_OF_ANGLE(struct pupil_row, field_x, "deg"),                                   \
+        ENTRY(COLUMN_OF_ANGLE(ROW, field_x, "deg"),                                                \
               .flags = COLUMN_EXTRA | COLUMN_BRIEF | COLUMN_ECHO, .with = "field-x",               \
               .name = "field_x", .label = "field x",                                               \
               .help = "angle in the x-z plane; on request, and where some is not 0"),              \
-        ENTRY(LENGTH(object_x, COLUMN_EXTRA | COLUMN_BRIEF), .with = "field-x",                    \
-              .name = "object_x", .label = "object x",                                             \
-              .help = "of the object point; absent at infinity"),                                  \
-        ENTRY(LENGTH(height_x, COLUMN_EXTRA | COLUMN_BRIEF | COLUMN_ECHO), .with = "height-x",     \
+        ENTRY(MM(object_x, COLUMN_EXTRA | COLUMN_BRIEF), .with = "field-x", .name = "object_x",    \
+              .label = "object x", .help = "of the object point; absent at infinity"),             \
+        ENTRY(MM(height_x, COLUMN_EXTRA | COLUMN_BRIEF | COLUMN_ECHO), .with = "height-x",         \
               .name = "height_x", .label = "height x", .help = "of the point in the film"),        \
         ENTRY(PLAIN(pupil, COLUMN_BRIEF), .name = "pupil", .help = "entrance or exit")
 
 static const struct column columns[] = {
     CASE_COLUMNS,
-    {LENGTH(z, COLUMN_BRIEF | COLUMN_INFINITE), .name = "z",
+    {MM(z, COLUMN_BRIEF | COLUMN_INFINITE), .name = "z",
      .help = "the paraxial pupil's place, from the first (last) vertex"},
-    {LENGTH(side.pupil.low[0], COLUMN_HIDDEN), .name = "x_min", .label = "x min",
+    {MM(side.pupil.low[0], COLUMN_HIDDEN), .name = "x_min", .label = "x min",
      .help = "bounds in that plane; absent where the rays do not cross it"},
-    {LENGTH(side.pupil.high[0], COLUMN_BRIEF), .name = "x_max", .label = "x max",
-     .help = "the same"},
-    {LENGTH(side.pupil.low[1], COLUMN_BRIEF), .name = "y_min", .label = "y min",
-     .help = "the same"},
-    {LENGTH(side.pupil.high[1], COLUMN_BRIEF), .name = "y_max", .label = "y max",
-     .help = "the same"},
-    {LENGTH(side.pupil.centre[0], COLUMN_HIDDEN), .name = "x", .help = "centroid there"},
-    {LENGTH(side.pupil.centre[1], COLUMN_HIDDEN), .name = "y", .help = "centroid there"},
+    {MM(side.pupil.high[0], COLUMN_BRIEF), .name = "x_max", .label = "x max", .help = "the same"},
+    {MM(side.pupil.low[1], COLUMN_BRIEF), .name = "y_min", .label = "y min", .help = "the same"},
+    {MM(side.pupil.high[1], COLUMN_BRIEF), .name = "y_max", .label = "y max", .help = "the same"},
+    {MM(side.pupil.centre[0], COLUMN_HIDDEN), .name = "x", .help = "centroid there"},
+    {MM(side.pupil.centre[1], COLUMN_HIDDEN), .name = "y", .help = "centroid there"},
     {PLAIN(side.pupil.area, COLUMN_HIDDEN), .name = "area_mm2", .label = "area",
      .help = "area there, mm^2; absent where the bundle folds over itself"},
-    {LENGTH(side.vertex.low[0], COLUMN_HIDDEN), .name = "vertex_x_min", .label = "vertex x min",
+    {MM(side.vertex.low[0], COLUMN_HIDDEN), .name = "vertex_x_min", .label = "vertex x min",
      .help = "bounds in the plane of the first (last) vertex"},
-    {LENGTH(side.vertex.high[0], COLUMN_HIDDEN), .name = "vertex_x_max", .label = "vertex x max",
+    {MM(side.vertex.high[0], COLUMN_HIDDEN), .name = "vertex_x_max", .label = "vertex x max",
      .help = "the same"},
-    {LENGTH(side.vertex.low[1], COLUMN_HIDDEN), .name = "vertex_y_min", .label = "vertex y min",
+    {MM(side.vertex.low[1], COLUMN_HIDDEN), .name = "vertex_y_min", .label = "vertex y min",
      .help = "the same"},
-    {LENGTH(side.vertex.high[1], COLUMN_HIDDEN), .name = "vertex_y_max", .label = "vertex y max",
+    {MM(side.vertex.high[1], COLUMN_HIDDEN), .name = "vertex_y_max", .label = "vertex y max",
      .help = "the same"},
     {PLAIN(side.vertex.area, COLUMN_HIDDEN), .name = "vertex_area_mm2", .label = "vertex area",
      .help = "area there, mm^2"},
@@ -138,12 +134,12 @@ static const struct column columns[] = {
      .help = "at x_min"},
     {PLAIN(limit[PUPIL_RIGHT], COLUMN_HIDDEN), .name = "right_surface", .label = "right by",
      .help = "at x_max"},
-    {LENGTH(side.chief.point[0], COLUMN_HIDDEN), .name = "chief_x", .label = "chief x",
+    {MM(side.chief.point[0], COLUMN_HIDDEN), .name = "chief_x", .label = "chief x",
      .help = "chief ray, through the middle of the stop: a point, where it can in the plane of "
              "the first (last) vertex"},
-    {LENGTH(side.chief.point[1], COLUMN_HIDDEN), .name = "chief_y", .label = "chief y",
+    {MM(side.chief.point[1], COLUMN_HIDDEN), .name = "chief_y", .label = "chief y",
      .help = "the same"},
-    {LENGTH(side.chief.point[2], COLUMN_HIDDEN), .name = "chief_z", .label = "chief z",
+    {MM(side.chief.point[2], COLUMN_HIDDEN), .name = "chief_z", .label = "chief z",
      .help = "the same"},
     {PLAIN(side.chief.cosine[0], COLUMN_HIDDEN), .name = "chief_cos_x", .label = "chief cos x",
      .help = "its direction cosines, as light goes (from the film: backwards)"},
@@ -156,29 +152,28 @@ static const struct column columns[] = {
              "nothing arrives"},
     {PLAIN(lost, COLUMN_SPARSE | COLUMN_BRIEF), .name = "surface", .label = "lost at surface",
      .help = "where the chief ray or all rays are lost"},
-    {LENGTH(film, COLUMN_HIDDEN | COLUMN_ECHO), .name = "film",
+    {MM(film, COLUMN_HIDDEN | COLUMN_ECHO), .name = "film",
      .help = "where the film stands, from the last vertex; absent for fields"},
     {PLAIN(rays, COLUMN_EXTRA), .name = "rays", .help = "about how many were traced"},
-    LENS_TITLE_COLUMN(struct pupil_row, lens),
-    LENS_WARNING_COLUMN(struct pupil_row, warning),
+    LENS_TITLE_COLUMN(ROW, lens),
+    LENS_WARNING_COLUMN(ROW, warning),
 };
 
 static const struct column outline_columns[] = {
     CASE_COLUMNS,
     {PLAIN(point, COLUMN_BRIEF), .name = "point", .help = "number of the edge point, from 1"},
-    {LENGTH(z, COLUMN_HIDDEN | COLUMN_INFINITE), .name = "z",
+    {MM(z, COLUMN_HIDDEN | COLUMN_INFINITE), .name = "z",
      .help = "the paraxial pupil's place, from the first (last) vertex"},
-    {LENGTH(edge_x, COLUMN_BRIEF), .name = "x", .help = "in that plane"},
-    {LENGTH(edge_y, COLUMN_BRIEF), .name = "y", .help = "in that plane"},
-    {LENGTH(edge_vertex_x, COLUMN_BRIEF), .name = "vertex_x", .label = "vertex x",
+    {MM(edge_x, COLUMN_BRIEF), .name = "x", .help = "in that plane"},
+    {MM(edge_y, COLUMN_BRIEF), .name = "y", .help = "in that plane"},
+    {MM(edge_vertex_x, COLUMN_BRIEF), .name = "vertex_x", .label = "vertex x",
      .help = "in the plane of the first (last) vertex"},
-    {LENGTH(edge_vertex_y, COLUMN_BRIEF), .name = "vertex_y", .label = "vertex y",
-     .help = "the same"},
+    {MM(edge_vertex_y, COLUMN_BRIEF), .name = "vertex_y", .label = "vertex y", .help = "the same"},
     {PLAIN(stop_x, COLUMN_BRIEF), .name = "stop_x", .label = "stop x",
      .help = "in the stop, in units of its radius"},
     {PLAIN(stop_y, COLUMN_BRIEF), .name = "stop_y", .label = "stop y", .help = "the same"},
-    LENS_TITLE_COLUMN(struct pupil_row, lens),
-    LENS_WARNING_COLUMN(struct pupil_row, warning),
+    LENS_TITLE_COLUMN(ROW, lens),
+    LENS_WARNING_COLUMN(ROW, warning),
 };
 
 static const struct sheet outline_sheet = SHEET(outline_columns, struct pupil_row);
@@ -340,56 +335,47 @@ static bool pupil_brings(const void *data, const char *option)
 
 /* -------- the drawing -------- */
 
-struct pupil_painter {
-    struct arena *arena;
-    struct pupil_outline *shapes;
-    size_t count, room;
-    const char *title;
-    bool several; /* cases of one input: each says which it is */
-};
-
-/* The point on the axis, for comparison, then each point. */
-static void pupil_add_shape(struct pupil_painter *painter, const struct pupil_case *point)
-{
-    struct arena *arena = painter->arena;
-    const struct pupil_shape *shape = point->shape;
-    const struct lens_case *one = point->one;
-    painter->shapes =
-        arena_grow(arena, painter->shapes, painter->count, &painter->room, sizeof *painter->shapes);
-    const char *words = pupil_point_words(point, arena);
-    struct pupil_outline outline = {.label = words,
-                                    .dashed = point->axis->across,
-                                    .dashed_count = point->axis->is_empty ? 0 : point->axis->count};
-    if (painter->several) {
-        outline.label = arena_printf(
-            arena, "%s%s%.4g nm, %s", one->setup->position != NULL ? one->setup->position : "",
-            one->setup->position != NULL ? ", " : "", 1000 * one->light.wavelength, words);
-    }
-    if (shape->is_empty) {
-        outline.note = arena_printf(arena, "nothing: %s at %zu", ray_status_name(shape->status),
-                                    shape->surface);
-    } else {
-        outline.points = shape->across;
-        outline.count = shape->count;
-        outline.note = arena_printf(arena, "%.3g mm\xc2\xb2, %.3g %%", shape->projected,
-                                    100 * shape->projected / point->axis->projected);
-    }
-    painter->title = one->setup->lens->title;
-    painter->shapes[painter->count++] = outline;
-}
-
 static bool pupil_draw(const struct artifact_job *job, struct output *sink, struct error *error)
 {
     struct svg svg = {.arena = job->run->arena};
-    struct pupil_painter painter = {.arena = svg.arena};
+    struct arena *arena = svg.arena;
+    struct pupil_outline *shapes = NULL;
+    size_t count = 0, room = 0;
+    const char *title = NULL;
     for (size_t i = 0; i < job->count; i++) {
         const struct pupil_input *input = job->inputs[i];
-        painter.several =
+        /* cases of one input: each says which it is */
+        const bool several =
             lens_positions_several(input->question.lens.lens, input->question.position);
         struct pupil_cursor at;
-        pupil_begin(&at, input, NULL, PUPIL_EDGES, svg.arena);
+        pupil_begin(&at, input, NULL, PUPIL_EDGES, arena);
         while (pupil_next(&at, error)) {
-            pupil_add_shape(&painter, &at.point);
+            /* The point on the axis, for comparison, then each point. */
+            const struct pupil_shape *shape = at.point.shape;
+            const struct lens_case *one = at.point.one;
+            shapes = arena_grow(arena, shapes, count, &room, sizeof *shapes);
+            const char *words = pupil_point_words(&at.point, arena);
+            struct pupil_outline outline = {.label = words,
+                                            .dashed = at.point.axis->across,
+                                            .dashed_count =
+                                                at.point.axis->is_empty ? 0 : at.point.axis->count};
+            if (several) {
+                outline.label = arena_printf(
+                    arena, "%s%s%.4g nm, %s",
+                    one->setup->position != NULL ? one->setup->position : "",
+                    one->setup->position != NULL ? ", " : "", 1000 * one->light.wavelength, words);
+            }
+            if (shape->is_empty) {
+                outline.note = arena_printf(arena, "nothing: %s at %zu",
+                                            ray_status_name(shape->status), shape->surface);
+            } else {
+                outline.points = shape->across;
+                outline.count = shape->count;
+                outline.note = arena_printf(arena, "%.3g mm\xc2\xb2, %.3g %%", shape->projected,
+                                            100 * shape->projected / at.point.axis->projected);
+            }
+            title = one->setup->lens->title;
+            shapes[count++] = outline;
         }
         if (error->code != ERROR_NONE) {
             return false;
@@ -398,15 +384,15 @@ static bool pupil_draw(const struct artifact_job *job, struct output *sink, stru
     const struct pupil_input *first = job->inputs[0];
     bool film = pupil_is_from_film(first);
     const struct outlines outlines = {
-        .title = arena_printf(svg.arena, "Pupils of %s", painter.title),
+        .title = arena_printf(arena, "Pupils of %s", title),
         .subtitle = film ? "exit pupil as points of the film see it, across the way to its middle; "
                            "origin: the chief ray"
                          : "entrance pupil as field points see it, across the ray to the first "
                            "vertex; origin: the chief ray",
         .unit = "mm",
         .legend = {"what arrives", "from the axis: 100 %"},
-        .shapes = painter.shapes,
-        .count = painter.count,
+        .shapes = shapes,
+        .count = count,
     };
     return outlines_draw(&outlines, &svg, error) && drawing_write(job, &svg, sink, error);
 }
@@ -436,10 +422,7 @@ static const struct example examples[] = {
 
 const struct command command_pupil = {
     .name = "pupil",
-    .group = "a lens",
-    .summary = "shapes and bounds of the entrance and exit pupil",
-    COMMAND_ASKS(struct pupil_input),
-    COMMAND_ANSWERS(struct pupil_row),
+    COMMAND_OF("a lens", "shapes and bounds of the entrance and exit pupil"),
     .run = pupil_run,
     .choose_sheet = pupil_choose_sheet,
     .sheets = sheets,

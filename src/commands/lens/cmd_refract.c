@@ -1,6 +1,7 @@
 /* commands/lens/cmd_refract.c - lenscalc refract: one surface, exactly and paraxially. */
 /* SPDX-License-Identifier: MIT */
 #include "cli/question/command.h"
+#include "commands/tables.h"
 #include "optics/refract.h"
 
 #include "base/constants.h"
@@ -21,12 +22,10 @@ static const struct word planes[] = {
     {NULL, NULL},
 };
 
-#define INDEX(member_name)                                                                         \
-    OPTION(struct refract_input, member_name), .dimension = &dimension_number, OPTION_POSITIVE,    \
-                                               .value = "INDEX"
-#define PLACE(member_name)                                                                         \
-    OPTION(struct refract_input, member_name), .dimension = &dimension_length, .unit = "mm",       \
-                                               .value = "LENGTH"
+#define INDEX(member_name) MEASURE(member_name, number, NULL, "INDEX"), OPTION_POSITIVE
+#define PLACE(member_name) MEASURE(member_name, length, "mm", "LENGTH")
+
+#define INPUT struct refract_input
 
 static const struct option options[] = {
     {INDEX(n), .name = "before", .column = "index_before",
@@ -44,13 +43,12 @@ static const struct option options[] = {
      .help = "wanted Gaussian image, + to the right: solves for what is not given"},
     {PLACE(aim.height), .name = "height", .letter = 'y', .column = "height",
      .flags = OPTION_NO_INFINITY, .help = "height of the ray: adds the exact results"},
-    {OPTION(struct refract_input, aim.angle), .name = "angle", .letter = 'u',
-     .dimension = &dimension_angle, .unit = "deg", .lowest = -PI / 2, .highest = PI / 2,
-     .value = "ANGLE",
+    {MEASURE(aim.angle, angle, "deg", "ANGLE"), .name = "angle", .letter = 'u', .lowest = -PI / 2,
+     .highest = PI / 2,
      .help = "slope angle U of the ray, + rising to the right; instead of --height or --object"},
-    {OPTION(struct refract_input, height_at), .name = "height-at", .words = planes,
-     .fallback = "surface", .value = "PLACE", .help = "where --height is measured"},
-    {OPTION(struct refract_input, mirror), .name = "mirror", .help = "a mirror: n' = -n"},
+    {ASKED(height_at), .name = "height-at", .words = planes, .fallback = "surface",
+     .value = "PLACE", .help = "where --height is measured"},
+    {ASKED(mirror), .name = "mirror", .help = "a mirror: n' = -n"},
 };
 
 struct refract_row {
@@ -62,31 +60,30 @@ struct refract_row {
     const char *object_kind, *image_kind;
 };
 
-#define LENGTH(member_name) COLUMN_OF_LENGTH(struct refract_row, member_name, "mm")
-#define ANGLE(member_name)  COLUMN_OF_ANGLE(struct refract_row, ray.member_name, "deg")
-#define VERGENCE(member_name)                                                                      \
-    COLUMN(struct refract_row, member_name), .dimension = &dimension_vergence, .unit = "diopter"
+#define ROW struct refract_row
+
+#define MM(member)            LENGTH(member, "mm")
+#define RAY_ANGLE(member)     ANGLE(ray.member)
+#define VERGENCE(member_name) MEASURED(member_name, vergence, "diopter")
 
 /* Of the exact ray. */
 #define WITH_RAY .when = "with --height or --angle"
 
 static const struct column columns[] = {
-    {COLUMN(struct refract_row, surface.n), .name = "index_before", .flags = COLUMN_ECHO,
-     .with = "before", .symbol = "n", .label = "index before", .help = "index before the surface"},
-    {COLUMN(struct refract_row, index_after), .name = "index_after", .flags = COLUMN_ECHO,
-     .with = "after", .symbol = "n'", .label = "index after",
-     .help = "index after the surface; -n of a mirror"},
-    {LENGTH(surface.R), .name = "radius", .flags = COLUMN_ECHO | COLUMN_INFINITE, .with = "radius",
+    {SHOWN(surface.n), .name = "index_before", .flags = COLUMN_ECHO, .with = "before",
+     .symbol = "n", .label = "index before", .help = "index before the surface"},
+    {SHOWN(index_after), .name = "index_after", .flags = COLUMN_ECHO, .with = "after",
+     .symbol = "n'", .label = "index after", .help = "index after the surface; -n of a mirror"},
+    {MM(surface.R), .name = "radius", .flags = COLUMN_ECHO | COLUMN_INFINITE, .with = "radius",
      .symbol = "R", .help = "radius, + with the centre to the right"},
-    {LENGTH(surface.z), .name = "object", .flags = COLUMN_ECHO | COLUMN_INFINITE | COLUMN_BRIEF,
+    {MM(surface.z), .name = "object", .flags = COLUMN_ECHO | COLUMN_INFINITE | COLUMN_BRIEF,
      .with = "object", .symbol = "z", .help = "object point from the vertex, + to the right"},
-    {LENGTH(surface.z_image), .name = "image", .flags = COLUMN_INFINITE | COLUMN_BRIEF,
-     .symbol = "z'", .label = "image, paraxial",
-     .condition = offsetof(struct refract_row, condition),
+    {MM(surface.z_image), .name = "image", .flags = COLUMN_INFINITE | COLUMN_BRIEF, .symbol = "z'",
+     .label = "image, paraxial", .condition = offsetof(struct refract_row, condition),
      .help = "Gaussian image from the vertex, + to the right"},
-    {COLUMN(struct refract_row, object_kind), .name = "object_kind", .label = "object is",
+    {SHOWN(object_kind), .name = "object_kind", .label = "object is",
      .help = "real before the surface, virtual behind it"},
-    {COLUMN(struct refract_row, image_kind), .name = "image_kind", .label = "image is",
+    {SHOWN(image_kind), .name = "image_kind", .label = "image is",
      .help = "real where the light goes, else virtual"},
     {VERGENCE(power), .name = "power", .symbol = "P", .label = "power of the surface",
      .help = "(n' - n)/R"},
@@ -94,57 +91,39 @@ static const struct column columns[] = {
      .label = "vergence before", .help = "n/z, of the light that arrives"},
     {VERGENCE(image_vergence), .name = "image_vergence", .symbol = "V'", .label = "vergence after",
      .help = "n'/z', of the light that leaves"},
-    {COLUMN(struct refract_row, magnification), .name = "magnification", .flags = COLUMN_INFINITE,
-     .symbol = "m", .help = "n z'/(n' z); negative is upside down"},
-    {LENGTH(ray.height), .name = "height", .flags = COLUMN_ECHO, .with = "height", .symbol = "h",
+    {SHOWN(magnification), .name = "magnification", .flags = COLUMN_INFINITE, .symbol = "m",
+     .help = "n z'/(n' z); negative is upside down"},
+    {MM(ray.height), .name = "height", .flags = COLUMN_ECHO, .with = "height", .symbol = "h",
      .help = "of the point where the ray meets the surface"},
-    {LENGTH(ray.sag), .name = "sag", WITH_RAY, .symbol = "x",
+    {MM(ray.sag), .name = "sag", WITH_RAY, .symbol = "x",
      .help = "that point from the plane through the vertex"},
-    {ANGLE(slope), .name = "slope", WITH_RAY, .symbol = "U", .label = "slope before, U",
+    {RAY_ANGLE(slope), .name = "slope", WITH_RAY, .symbol = "U", .label = "slope before, U",
      .help = "angle of the ray with the axis, + rising"},
-    {ANGLE(normal), .name = "normal", WITH_RAY, .symbol = "phi", .label = "normal, phi",
+    {RAY_ANGLE(normal), .name = "normal", WITH_RAY, .symbol = "phi", .label = "normal, phi",
      .help = "angle of the surface's radius with the axis"},
-    {ANGLE(incidence), .name = "incidence", WITH_RAY, .flags = COLUMN_BRIEF, .symbol = "I",
+    {RAY_ANGLE(incidence), .name = "incidence", WITH_RAY, .flags = COLUMN_BRIEF, .symbol = "I",
      .label = "incidence, I", .help = "angle of incidence, U + phi"},
-    {ANGLE(refraction), .name = "refraction", WITH_RAY, .flags = COLUMN_BRIEF, .symbol = "I'",
+    {RAY_ANGLE(refraction), .name = "refraction", WITH_RAY, .flags = COLUMN_BRIEF, .symbol = "I'",
      .label = "refraction, I'", .help = "angle of refraction (of reflection: -I)"},
-    {ANGLE(slope_after), .name = "slope_after", WITH_RAY, .symbol = "U'",
+    {RAY_ANGLE(slope_after), .name = "slope_after", WITH_RAY, .symbol = "U'",
      .label = "slope after, U'", .help = "angle of the refracted ray with the axis"},
-    {LENGTH(ray.crossing), .name = "crossing", WITH_RAY, .flags = COLUMN_INFINITE | COLUMN_BRIEF,
+    {MM(ray.crossing), .name = "crossing", WITH_RAY, .flags = COLUMN_INFINITE | COLUMN_BRIEF,
      .symbol = "z'(h)", .label = "crosses the axis at",
      .help = "where the exact ray crosses the axis, from the vertex"},
-    {LENGTH(ray.difference), .name = "difference", WITH_RAY, .flags = COLUMN_BRIEF, .symbol = "dz'",
+    {MM(ray.difference), .name = "difference", WITH_RAY, .flags = COLUMN_BRIEF, .symbol = "dz'",
      .label = "difference, exact - paraxial", .help = "longitudinal aberration: crossing - image"},
-    {LENGTH(ray.transverse), .name = "transverse", WITH_RAY, .symbol = "dy'",
+    {MM(ray.transverse), .name = "transverse", WITH_RAY, .symbol = "dy'",
      .label = "transverse aberration",
      .help = "transverse aberration: height of the exact ray in the Gaussian image plane"},
-    {ANGLE(paraxial_slope), .name = "paraxial_slope", WITH_RAY, .symbol = "u",
+    {RAY_ANGLE(paraxial_slope), .name = "paraxial_slope", WITH_RAY, .symbol = "u",
      .label = "u, paraxial", .help = "-h/z"},
-    {ANGLE(paraxial_incidence), .name = "paraxial_incidence", WITH_RAY, .symbol = "i",
+    {RAY_ANGLE(paraxial_incidence), .name = "paraxial_incidence", WITH_RAY, .symbol = "i",
      .label = "i, paraxial", .help = "u + h/R"},
-    {ANGLE(paraxial_refraction), .name = "paraxial_refraction", WITH_RAY, .symbol = "i'",
+    {RAY_ANGLE(paraxial_refraction), .name = "paraxial_refraction", WITH_RAY, .symbol = "i'",
      .label = "i', paraxial", .help = "n i/n'"},
-    {ANGLE(paraxial_slope_after), .name = "paraxial_slope_after", WITH_RAY, .symbol = "u'",
+    {RAY_ANGLE(paraxial_slope_after), .name = "paraxial_slope_after", WITH_RAY, .symbol = "u'",
      .label = "u', paraxial", .help = "(n u - h P)/n'"},
 };
-
-static bool has_ray(const struct refract_input *input)
-{
-    return !isnan(input->aim.height) || !isnan(input->aim.angle);
-}
-
-/* What is not said: air before, an object at infinity; never what is asked for. */
-static void refract_assume(const struct refract_input *input, struct refract_surface *surface)
-{
-    bool after = surface->mirror || !isnan(surface->n_after);
-    int unknown = !after + isnan(surface->R) + isnan(surface->z) + isnan(surface->z_image);
-    if (isnan(surface->n) && (unknown > 0 || surface->mirror)) {
-        surface->n = 1;
-    }
-    if (isnan(surface->z) && unknown > 1 && isnan(input->aim.angle)) {
-        surface->z = -INFINITY;
-    }
-}
 
 /* Four of five, named as they are typed. */
 static bool refract_check_count(const struct refract_surface *s, struct error *error)
@@ -154,8 +133,7 @@ static bool refract_check_count(const struct refract_surface *s, struct error *e
     if (unknown == 0) {
         return fail(error, ERROR_USAGE,
                     "{--before}, {--after}, {--radius}, {--object} and {--image} are all given: "
-                    "leave one out "
-                    "and it is found");
+                    "leave one out and it is found");
     }
     if (unknown > 1) {
         return fail(error, ERROR_USAGE, "too little is given:%s%s%s wanted, or {--image}%s",
@@ -222,7 +200,7 @@ static bool refract_row_solve(const struct refract_input *input, const struct re
     if (!refract_check_count(s, error) || !refract_solve(s, error)) {
         return false;
     }
-    if (!has_ray(input)) {
+    if (isnan(input->aim.height) && isnan(input->aim.angle)) {
         row->ray = no_ray;
         return true;
     }
@@ -244,7 +222,15 @@ static bool refract_run(const void *data, struct run *run, struct error *error)
     if (isnan(aim.height) && !isnan(aim.angle) && isnan(s->z) && isnan(s->z_image)) {
         return fail(error, ERROR_USAGE, "{--angle} needs {--height} or {--object} beside it");
     }
-    refract_assume(input, s);
+    /* What is not said: air before, an object at infinity; never what is asked for. */
+    bool after = s->mirror || !isnan(s->n_after);
+    int unknown = !after + isnan(s->R) + isnan(s->z) + isnan(s->z_image);
+    if (isnan(s->n) && (unknown > 0 || s->mirror)) {
+        s->n = 1;
+    }
+    if (isnan(s->z) && unknown > 1 && isnan(input->aim.angle)) {
+        s->z = -INFINITY;
+    }
     if (!refract_row_solve(input, &aim, &row, error)) {
         return false;
     }
@@ -285,10 +271,8 @@ static const struct example examples[] = {
 
 const struct command command_refract = {
     .name = "refract",
-    .group = "one surface, one lens",
-    .summary = "one surface or mirror: conjugate points, a ray exactly and paraxially",
-    COMMAND_ASKS(struct refract_input),
-    COMMAND_ANSWERS(struct refract_row),
+    COMMAND_OF("one surface, one lens",
+               "one surface or mirror: conjugate points, a ray exactly and paraxially"),
     .run = refract_run,
     .plot = "crossing_mm,image_mm",
     .cell = "image_mm",

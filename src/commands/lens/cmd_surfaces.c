@@ -1,6 +1,7 @@
 /* commands/lens/cmd_surfaces.c - lenscalc surfaces: a lens surface by surface. */
 /* SPDX-License-Identifier: MIT */
 #include "commands/lens/lens_options.h"
+#include "commands/tables.h"
 
 struct surfaces_input {
     struct lens_question question;
@@ -9,13 +10,15 @@ struct surfaces_input {
 static const struct lens_policy policy = {
     .wavelengths = WAVELENGTHS_PRIMARY, .fields = FIELDS_LARGEST, .telecentric = true};
 
+#define INPUT struct surfaces_input
+
 static const struct option options[] = {
-    LENS_OPTION(struct surfaces_input, question),
-    LENS_WAVELENGTH_OPTION(struct surfaces_input, question, LENS_PRIMARY_WAVELENGTH),
-    LENS_FNUMBER_OPTION(struct surfaces_input, question),
-    LENS_FIELD_OPTIONS(struct surfaces_input, question),
-    LENS_POSITION_OPTION(struct surfaces_input, question),
-    LENS_SECTION_OPTION(struct surfaces_input, question),
+    LENS_OPTION(INPUT, question),
+    LENS_WAVELENGTH_OPTION(INPUT, question, LENS_PRIMARY_WAVELENGTH),
+    LENS_FNUMBER_OPTION(INPUT, question),
+    LENS_FIELD_OPTIONS(INPUT, question),
+    LENS_POSITION_OPTION(INPUT, question),
+    LENS_SECTION_OPTION(INPUT, question),
 };
 
 struct surfaces_row {
@@ -27,37 +30,34 @@ struct surfaces_row {
     struct paraxial_ray marginal, chief;
 };
 
-#define LENGTH(member_name, more)                                                                  \
-    COLUMN_OF_LENGTH(struct surfaces_row, member_name, "mm"), .flags = (more)
-#define PER_LENGTH(member_name, more)                                                              \
-    COLUMN(struct surfaces_row, member_name), .dimension = &dimension_vergence, .unit = "per_m",   \
-                                              .flags = (more)
-#define PLAIN(member_name, more) COLUMN(struct surfaces_row, member_name), .flags = (more)
+#define ROW struct surfaces_row
+
+#define MM(member, more)              LENGTH(member, "mm"), .flags = (more)
+#define PER_LENGTH(member_name, more) MEASURED(member_name, vergence, "per_m"), .flags = (more)
+#define PLAIN(member, more)           SHOWN(member), .flags = (more)
 
 static const struct column columns[] = {
-    {COLUMN_OF_WAVELENGTH(struct surfaces_row, wavelength), .name = "wavelength",
-     .flags = COLUMN_ECHO, .with = "wavelength", .help = "wavelength"},
-    {COLUMN_OF_ANGLE(struct surfaces_row, field, "deg"), .name = "field",
-     .flags = COLUMN_ECHO | COLUMN_EXTRA, .with = "field",
+    {COLUMN_OF_WAVELENGTH(ROW, wavelength), .name = "wavelength", .flags = COLUMN_ECHO,
+     .with = "wavelength", .help = "wavelength"},
+    {ANGLE(field), .name = "field", ECHO_WITH("field"),
      .help = "field angle of the chief ray, as --field says it"},
-    {COLUMN_OF_ANGLE(struct surfaces_row, field_x, "deg"), .name = "field_x",
-     .flags = COLUMN_ECHO | COLUMN_EXTRA, .with = "field-x", .label = "field x",
+    {ANGLE(field_x), .name = "field_x", ECHO_WITH("field-x"), .label = "field x",
      .help = "that in the x-z plane, as --field-x says it"},
-    LENS_POSITION_COLUMN(struct surfaces_row, position, 0),
+    LENS_POSITION_COLUMN(ROW, position, 0),
     {PLAIN(surface, COLUMN_BRIEF), .name = "surface", .head = "surf",
      .help = "number of the surface, from 1, the stop counted"},
     {PLAIN(kind, COLUMN_BRIEF), .name = "kind",
      .help = "plane, sphere, conic, asphere, odd asphere, cylinder, mirror, thick or stop"},
     {PLAIN(name, 0), .name = "name", .help = "its name in the file"},
-    {LENGTH(radius, COLUMN_BRIEF | COLUMN_INFINITE), .name = "radius", .symbol = "R",
+    {MM(radius, COLUMN_BRIEF | COLUMN_INFINITE), .name = "radius", .symbol = "R",
      .help = "radius of curvature at the vertex, A2 included; infinite for a "
              "plane"},
-    {LENGTH(thickness, COLUMN_BRIEF | COLUMN_ECHO), .name = "thickness", .symbol = "t",
-     .head = "thick", .help = "to the next vertex; after the last surface as the file has it"},
+    {MM(thickness, COLUMN_BRIEF | COLUMN_ECHO), .name = "thickness", .symbol = "t", .head = "thick",
+     .help = "to the next vertex; after the last surface as the file has it"},
     {PLAIN(medium, COLUMN_BRIEF), .name = "medium", .help = "what follows the surface"},
     {PLAIN(index, COLUMN_BRIEF), .name = "index", .symbol = "n",
      .help = "index of refraction after the surface; negative after a mirror"},
-    {LENGTH(diameter, COLUMN_BRIEF | COLUMN_ECHO), .name = "diameter", .head = "diam",
+    {MM(diameter, COLUMN_BRIEF | COLUMN_ECHO), .name = "diameter", .head = "diam",
      .help = "full clear aperture"},
     {PLAIN(conic, COLUMN_ECHO), .name = "conic", .symbol = "k",
      .help = "conic constant; absent for a sphere or plane"},
@@ -69,20 +69,20 @@ static const struct column columns[] = {
     {PER_LENGTH(vergence_after, COLUMN_BRIEF | COLUMN_INFINITE), .name = "vergence_after",
      .symbol = "V'", .head = "V'", .label = "vergence after the surface",
      .help = "the same after it"},
-    {LENGTH(marginal.y, COLUMN_BRIEF | COLUMN_SPARSE), .name = "marginal_y", .symbol = "y",
-     .head = "y", .label = "height of the marginal ray",
+    {MM(marginal.y, COLUMN_BRIEF | COLUMN_SPARSE), .name = "marginal_y", .symbol = "y", .head = "y",
+     .label = "height of the marginal ray",
      .help = "height of the marginal ray; absent without an aperture"},
     {PLAIN(marginal.after, COLUMN_BRIEF | COLUMN_SPARSE), .name = "marginal_v", .symbol = "v",
      .head = "v", .label = "n u of the marginal ray",
      .help = "n u of the marginal ray after the surface; absent without an aperture"},
-    {LENGTH(chief.y, COLUMN_BRIEF | COLUMN_SPARSE), .name = "chief_y", .symbol = "ybar",
-     .head = "ybar", .label = "height of the chief ray",
+    {MM(chief.y, COLUMN_BRIEF | COLUMN_SPARSE), .name = "chief_y", .symbol = "ybar", .head = "ybar",
+     .label = "height of the chief ray",
      .help = "height of the chief ray; absent without a stop or a field"},
     {PLAIN(chief.after, COLUMN_BRIEF | COLUMN_SPARSE), .name = "chief_v", .symbol = "vbar",
      .head = "vbar", .label = "n u of the chief ray",
      .help = "n u of the chief ray after the surface; absent without a stop or a field"},
-    LENS_TITLE_COLUMN(struct surfaces_row, lens),
-    LENS_WARNING_COLUMN(struct surfaces_row, warning),
+    LENS_TITLE_COLUMN(ROW, lens),
+    LENS_WARNING_COLUMN(ROW, warning),
 };
 
 static const char *surfaces_kind_of(const struct surface *surface)
@@ -122,59 +122,53 @@ static struct paraxial_ray *follow_axial(const struct lens_case *one, struct are
                            arena);
 }
 
-static void surfaces_emit_rows(const struct lens_question *question, const struct lens_case *one,
-                               struct run *run)
-{
-    const struct first_order *first = &one->light.first;
-    const struct paraxial_ray *axial = follow_axial(one, run->arena);
-    const struct paraxial_ray *marginal =
-        surfaces_follow(one, first->marginal_y, first->marginal_v, run->arena);
-    const struct paraxial_ray *chief =
-        surfaces_follow(one, first->chief_y, first->chief_v, run->arena);
-    for (size_t i = 0; i < one->light.system.count; i++) {
-        const struct surface *surface = &one->setup->lens->surfaces[i];
-        double curvature = one->light.system.curvature[i].hi;
-        struct text medium = surface->medium.written;
-        struct surfaces_row row = {
-            .surface = (long)i + 1,
-            .kind = surfaces_kind_of(surface),
-            .name = surface->name,
-            .medium = arena_string(run->arena, medium.start, medium.length),
-            .position = one->setup->position,
-            .lens = one->setup->lens->title,
-            .warning = one->warning,
-            .wavelength = one->light.wavelength,
-            .field = question->field,
-            .field_x = question->field_x,
-            .radius = curvature != 0 ? 1 / curvature : INFINITY,
-            .thickness = surface->has_thickness ? surface->thickness.value.hi : NAN,
-            .index = one->light.system.index[i + 1].hi,
-            .diameter = surface->has_diameter ? surface->diameter.value.hi : NAN,
-            .conic = surface->conic.value.hi != 0 ? surface->conic.value.hi : NAN,
-            .power = one->light.system.surfaces[i].power.hi + 0.0,
-            .vergence_before = surfaces_vergence(axial[i].y, axial[i].before),
-            .vergence_after = surfaces_vergence(axial[i].y, axial[i].after),
-            .marginal = marginal[i],
-            .chief = chief[i],
-        };
-        if (i == one->light.system.stop && !isnan(row.chief.y)) {
-            row.chief.y = 0; /* by definition, where the trace leaves 1e-16 */
-        }
-        bool plain = !surface_reflects(surface) && !surface->is_plane &&
-                     surface->coefficients == 0 && surface_is_round(surface);
-        row.radius = plain ? surface->radius.value.hi : row.radius;
-        if (!run_emit(run, &row)) {
-            break;
-        }
-    }
-}
-
 static bool surfaces_run(const void *data, struct run *run, struct error *error)
 {
     const struct surfaces_input *input = data;
     struct lens_cursor at = lens_begin(&input->question, &policy, run->arena);
     while (lens_next(&at, error)) {
-        surfaces_emit_rows(&input->question, &at.one, run);
+        const struct first_order *first = &at.one.light.first;
+        const struct paraxial_ray *axial = follow_axial(&at.one, run->arena);
+        const struct paraxial_ray *marginal =
+            surfaces_follow(&at.one, first->marginal_y, first->marginal_v, run->arena);
+        const struct paraxial_ray *chief =
+            surfaces_follow(&at.one, first->chief_y, first->chief_v, run->arena);
+        for (size_t i = 0; i < at.one.light.system.count; i++) {
+            const struct surface *surface = &at.one.setup->lens->surfaces[i];
+            double curvature = at.one.light.system.curvature[i].hi;
+            struct text medium = surface->medium.written;
+            struct surfaces_row row = {
+                .surface = (long)i + 1,
+                .kind = surfaces_kind_of(surface),
+                .name = surface->name,
+                .medium = arena_string(run->arena, medium.start, medium.length),
+                .position = at.one.setup->position,
+                .lens = at.one.setup->lens->title,
+                .warning = at.one.warning,
+                .wavelength = at.one.light.wavelength,
+                .field = input->question.field,
+                .field_x = input->question.field_x,
+                .radius = curvature != 0 ? 1 / curvature : INFINITY,
+                .thickness = surface->has_thickness ? surface->thickness.value.hi : NAN,
+                .index = at.one.light.system.index[i + 1].hi,
+                .diameter = surface->has_diameter ? surface->diameter.value.hi : NAN,
+                .conic = surface->conic.value.hi != 0 ? surface->conic.value.hi : NAN,
+                .power = at.one.light.system.surfaces[i].power.hi + 0.0,
+                .vergence_before = surfaces_vergence(axial[i].y, axial[i].before),
+                .vergence_after = surfaces_vergence(axial[i].y, axial[i].after),
+                .marginal = marginal[i],
+                .chief = chief[i],
+            };
+            if (i == at.one.light.system.stop && !isnan(row.chief.y)) {
+                row.chief.y = 0; /* by definition, where the trace leaves 1e-16 */
+            }
+            bool plain = !surface_reflects(surface) && !surface->is_plane &&
+                         surface->coefficients == 0 && surface_is_round(surface);
+            row.radius = plain ? surface->radius.value.hi : row.radius;
+            if (!run_emit(run, &row)) {
+                break;
+            }
+        }
     }
     return error->code == ERROR_NONE;
 }
@@ -201,10 +195,7 @@ static double surfaces_weight(const void *data)
 
 const struct command command_surfaces = {
     .name = "surfaces",
-    .group = "a lens",
-    .summary = "a lens surface by surface: powers, vergences, paraxial rays",
-    COMMAND_ASKS(struct surfaces_input),
-    COMMAND_ANSWERS(struct surfaces_row),
+    COMMAND_OF("a lens", "a lens surface by surface: powers, vergences, paraxial rays"),
     .run = surfaces_run,
     .makes_many = command_always_many,
     .weight = surfaces_weight,

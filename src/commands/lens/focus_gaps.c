@@ -24,24 +24,6 @@ static bool focus_gaps_add(struct named_gap *gaps, size_t *count, struct named_g
     return true;
 }
 
-/* All thicknesses that the variable stands for. */
-static bool add_variable(const struct lens *lens, struct named_gap gap, struct named_gap *gaps,
-                         size_t *count, bool *found, struct error *error)
-{
-    for (size_t i = 0; i < lens->surface_count; i++) {
-        size_t variable = lens->surfaces[i].thickness.variable;
-        if (variable == LENS_NONE || !text_same_name(gap.name, lens->variables[variable].name)) {
-            continue;
-        }
-        gap.gap.surface = i;
-        *found = true;
-        if (!focus_gaps_add(gaps, count, gap, error)) {
-            return false;
-        }
-    }
-    return true;
-}
-
 static size_t focus_gaps_surface_of(const struct lens *lens, struct text name)
 {
     double number;
@@ -58,21 +40,6 @@ static size_t focus_gaps_surface_of(const struct lens *lens, struct text name)
     bool exists = is_number && number >= 1 && number <= (double)lens->surface_count &&
                   number == floor(number);
     return exists ? (size_t)number - 1 : LENS_NONE;
-}
-
-static bool focus_gaps_unknown(const struct lens *lens, struct text name, struct error *error)
-{
-    struct nearest nearest = {.typed = name};
-    for (size_t i = 0; i < lens->variable_count; i++) {
-        nearest_offer(&nearest, lens->variables[i].name);
-    }
-    fail(error, ERROR_USAGE,
-         "{--gap} '%.*s' is not a gap: it must be a variable of the lens, the number (1 to %zu) or "
-         "name "
-         "of the surface before it, or 'last'",
-         text_shown_up_to(name, 40), name.start, lens->surface_count);
-    return nearest.best.start != NULL &&
-           error_hint(error, "did you mean '%.*s'?", (int)nearest.best.length, nearest.best.start);
 }
 
 bool focus_gaps_read(struct text text, const struct lens *lens, struct named_gap *gaps,
@@ -92,15 +59,36 @@ bool focus_gaps_read(struct text text, const struct lens *lens, struct named_gap
             return fail(error, ERROR_USAGE, "{--gap} '%.*s': the weight must be finite and not 0",
                         text_shown_up_to(item, 40), item.start);
         }
-        if (!add_variable(lens, gap, gaps, count, &found, error)) {
-            return false;
+        /* All thicknesses that the variable stands for. */
+        for (size_t i = 0; i < lens->surface_count; i++) {
+            size_t variable = lens->surfaces[i].thickness.variable;
+            if (variable == LENS_NONE ||
+                !text_same_name(gap.name, lens->variables[variable].name)) {
+                continue;
+            }
+            gap.gap.surface = i;
+            found = true;
+            if (!focus_gaps_add(gaps, count, gap, error)) {
+                return false;
+            }
         }
         if (found) {
             continue;
         }
         gap.gap.surface = focus_gaps_surface_of(lens, gap.name);
         if (gap.gap.surface == LENS_NONE) {
-            return focus_gaps_unknown(lens, gap.name, error);
+            struct text name = gap.name;
+            struct nearest nearest = {.typed = name};
+            for (size_t k = 0; k < lens->variable_count; k++) {
+                nearest_offer(&nearest, lens->variables[k].name);
+            }
+            fail(error, ERROR_USAGE,
+                 "{--gap} '%.*s' is not a gap: it must be a variable of the lens, the number (1 to "
+                 "%zu) or name of the surface before it, or 'last'",
+                 text_shown_up_to(name, 40), name.start, lens->surface_count);
+            return nearest.best.start != NULL &&
+                   error_hint(error, "did you mean '%.*s'?", (int)nearest.best.length,
+                              nearest.best.start);
         }
         if (!focus_gaps_add(gaps, count, gap, error)) {
             return false;

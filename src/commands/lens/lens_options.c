@@ -139,16 +139,6 @@ bool lens_fields_asked(const struct lens_question *question, size_t position,
     return true;
 }
 
-/* Two angles have tangents only below 90 degrees. */
-static bool check_pair(const struct lens_question *question, struct error *error)
-{
-    const double quarter = PI / 2, x = fabs(question->field_x);
-    const double y = fabs(question->field);
-    return !(x > 0 && y > 0) || (x < quarter && y < quarter) ||
-           fail(error, ERROR_DOMAIN,
-                "{--field} and {--field-x}: where neither is 0 both must be below 90 degrees");
-}
-
 /* The focal length of each position at the primary wavelength, mm; NaN where it has none. */
 static const double *focal_lengths(const struct lens *lens, struct arena *arena)
 {
@@ -162,18 +152,6 @@ static const double *focal_lengths(const struct lens *lens, struct arena *arena)
         focals[i] = known && isfinite(first.efl) ? fabs(first.efl) : (double)NAN;
     }
     return focals;
-}
-
-/* "wide (70.55 mm), mid (137.0 mm), tele (205.3 mm)" */
-static const char *positions_in_words(const struct lens *lens, const double *focals,
-                                      struct arena *arena)
-{
-    const char *words = "";
-    for (size_t i = 0; i < lens->position_count; i++) {
-        words = arena_printf(arena, "%s%s%s", words, i > 0 ? ", " : "", lens->positions[i]);
-        words = isnan(focals[i]) ? words : arena_printf(arena, "%s (%.4g mm)", words, focals[i]);
-    }
-    return words;
 }
 
 /*
@@ -220,8 +198,14 @@ bool lens_position_named(const struct lens *lens, struct text name, struct arena
     for (size_t i = 0; i < lens->position_count; i++) {
         nearest_offer(&nearest, text_of(lens->positions[i]));
     }
+    /* "wide (70.55 mm), mid (137.0 mm), tele (205.3 mm)" */
+    const char *words = "";
+    for (size_t k = 0; k < lens->position_count; k++) {
+        words = arena_printf(arena, "%s%s%s", words, k > 0 ? ", " : "", lens->positions[k]);
+        words = isnan(focals[k]) ? words : arena_printf(arena, "%s (%.4g mm)", words, focals[k]);
+    }
     fail(error, ERROR_USAGE, "the lens has no position '%.*s'%s%s", text_shown(name), name.start,
-         lens->position_count > 0 ? ": it has " : "", positions_in_words(lens, focals, arena));
+         lens->position_count > 0 ? ": it has " : "", words);
     return nearest.best.start != NULL &&
            error_hint(error, "did you mean '%.*s'?", (int)nearest.best.length, nearest.best.start);
 }
@@ -283,10 +267,15 @@ static bool lens_cursor_open(struct lens_cursor *at, size_t position, struct err
         .takes_telecentric = policy->telecentric,
     };
     fields[0] = lens_field(FIELD_ANGLE, question->field_x, question->field, question->section);
-    if (!check_pair(question, error) || !lens_fields_asked(question, position, fields, error)) {
-        return false;
+    /* Two angles have tangents only below 90 degrees. */
+    const double quarter = PI / 2, x = fabs(question->field_x);
+    const double y = fabs(question->field);
+    if (x > 0 && y > 0 && (!(x < quarter) || !(y < quarter))) {
+        return fail(error, ERROR_DOMAIN,
+                    "{--field} and {--field-x}: where neither is 0 both must be below 90 degrees");
     }
-    if (!setup_open(&asked, arena, setup, error) ||
+    if (!lens_fields_asked(question, position, fields, error) ||
+        !setup_open(&asked, arena, setup, error) ||
         (policy->focus != NULL && !lens_place_image(setup, policy->focus, error))) {
         return false;
     }

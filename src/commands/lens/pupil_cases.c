@@ -7,16 +7,6 @@
 
 #include <string.h>
 
-/* Both systems go the way the light of the points does. */
-static bool pupil_cases_open_systems(struct pupil_cursor *at, unsigned way, struct error *error)
-{
-    const struct lens_case *one = &at->lens.one;
-    at->open = setup_system(one->setup, one->index, SETUP_OPEN | way, error);
-    at->clipped =
-        at->open != NULL ? setup_system(one->setup, one->index, SETUP_CLIPPED | way, error) : NULL;
-    return at->clipped != NULL;
-}
-
 static bool check_film(double film, struct error *error)
 {
     if (isnan(film) || film == 0) {
@@ -55,27 +45,6 @@ static bool pupil_cases_show(struct pupil_cursor *at, const struct beam *beam, s
     at->point.one = &at->lens.one;
     return (is_axis && at->shape.count == at->edges) ||
            pupil_cases_shape_of(at, beam, &at->shape, error);
-}
-
-static bool show_field(struct pupil_cursor *at, const struct field_point *field,
-                       struct error *error)
-{
-    const struct setup *setup = at->lens.one.setup;
-    struct beam beam;
-    if (!setup_beam(setup, field, &beam, error)) {
-        return false;
-    }
-    at->point = (struct pupil_case){
-        .height = NAN, .height_x = NAN, .film = NAN, .object = NAN, .object_x = NAN};
-    /* as it was asked for, to the last digit */
-    const bool angle = field->kind == FIELD_ANGLE;
-    at->point.angle = angle ? field->value[1] : atan2(beam.axis[1], beam.axis[2]);
-    at->point.angle_x = angle ? field->value[0] : atan2(beam.axis[0], beam.axis[2]);
-    if (!setup->object.is_infinite) {
-        at->point.object = -beam.axis[1] * beam.distance + 0.0;
-        at->point.object_x = -beam.axis[0] * beam.distance + 0.0;
-    }
-    return pupil_cases_show(at, &beam, error);
 }
 
 /* -------- the point on the axis, once for all points of a sweep -------- */
@@ -153,8 +122,16 @@ static bool pupil_cases_open(struct pupil_cursor *at, struct error *error)
     at->film = from_film ? setup->image : (double)NAN;
     at->next = 0;
     at->count = from_film ? 1 : setup->field_count;
-    if (!pupil_cases_open_systems(at, from_film ? SETUP_REVERSED : 0, error) ||
-        (from_film && !check_film(setup->image, error))) {
+    /* Both systems go the way the light of the points does. */
+    unsigned way = from_film ? SETUP_REVERSED : 0;
+    const struct lens_case *one = &at->lens.one;
+    at->open = setup_system(one->setup, one->index, SETUP_OPEN | way, error);
+    at->clipped =
+        at->open != NULL ? setup_system(one->setup, one->index, SETUP_CLIPPED | way, error) : NULL;
+    if (at->clipped == NULL) {
+        return false;
+    }
+    if ((from_film && !check_film(setup->image, error))) {
         return false;
     }
     if (from_film) {
@@ -196,7 +173,23 @@ bool pupil_next(struct pupil_cursor *at, struct error *error)
         }
     }
     if (!from_film) {
-        return show_field(at, &at->lens.one.setup->fields[at->next++].point, error);
+        const struct field_point *field = &at->lens.one.setup->fields[at->next++].point;
+        const struct setup *setup = at->lens.one.setup;
+        struct beam lit;
+        if (!setup_beam(setup, field, &lit, error)) {
+            return false;
+        }
+        at->point = (struct pupil_case){
+            .height = NAN, .height_x = NAN, .film = NAN, .object = NAN, .object_x = NAN};
+        /* as it was asked for, to the last digit */
+        const bool angle = field->kind == FIELD_ANGLE;
+        at->point.angle = angle ? field->value[1] : atan2(lit.axis[1], lit.axis[2]);
+        at->point.angle_x = angle ? field->value[0] : atan2(lit.axis[0], lit.axis[2]);
+        if (!setup->object.is_infinite) {
+            at->point.object = -lit.axis[1] * lit.distance + 0.0;
+            at->point.object_x = -lit.axis[0] * lit.distance + 0.0;
+        }
+        return pupil_cases_show(at, &lit, error);
     }
     at->next++;
     at->point = (struct pupil_case){.from_film = true,

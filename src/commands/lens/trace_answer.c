@@ -21,9 +21,17 @@ static const struct {
 
 enum { FEW = sizeof few / sizeof few[0] };
 
-static struct trace_row blank_row(const struct ray_case *one, double wavelength)
+bool trace_job_open(const struct trace_input *input, const struct ray_case *one,
+                    struct trace_job *job, struct error *error)
 {
-    return (struct trace_row){
+    double wavelength = one->setup.wavelengths[0].wavelength;
+    *job = (struct trace_job){.input = input, .one = one, .wavelength = wavelength};
+    job->system = ray_case_system(one, error);
+    if (job->system == NULL) {
+        return false;
+    }
+    job->to = one->to_image ? job->system->places : one->surfaces;
+    job->blank = (struct trace_row){
         .position = one->setup.position,
         .focus = one->to_image ? one->setup.focus : NULL,
         .image = one->to_image ? one->setup.image : (double)NAN,
@@ -45,19 +53,6 @@ static struct trace_row blank_row(const struct ray_case *one, double wavelength)
         .path_error = NAN,
         .surface = NO_INTEGER,
     };
-}
-
-bool trace_job_open(const struct trace_input *input, const struct ray_case *one,
-                    struct trace_job *job, struct error *error)
-{
-    double wavelength = one->setup.wavelengths[0].wavelength;
-    *job = (struct trace_job){.input = input, .one = one, .wavelength = wavelength};
-    job->system = ray_case_system(one, error);
-    if (job->system == NULL) {
-        return false;
-    }
-    job->to = one->to_image ? job->system->places : one->surfaces;
-    job->blank = blank_row(one, wavelength);
     return true;
 }
 
@@ -160,17 +155,6 @@ static bool emit_all(const struct trace_job *job, const struct ray *start, struc
     return true;
 }
 
-/* A ray that never started: the search for it was lost there. */
-static bool emit_lost(const struct trace_job *job, const struct ray *start, struct trace_row *row,
-                      struct run *run)
-{
-    for (int i = 0; i < 3; i++) {
-        row->start[i] = row->start_cosine[i] = NAN;
-    }
-    trace_answer_set_end(job, start, false, row);
-    return run_emit(run, row);
-}
-
 /* Rays that share everything but their start. */
 struct trace_answer_bundle {
     const struct trace_job *job;
@@ -179,46 +163,6 @@ struct trace_answer_bundle {
     bool is_named;                    /* the rays of `few` */
     bool folds;                       /* points of the stop are met by several rays */
 };
-
-/* The weights of a quadrature are those of the whole pupil. */
-static const char *weight_warning(const struct trace_answer_bundle *bundle, const char *other,
-                                  struct arena *arena)
-{
-    static const char text[] =
-        "the weights of gauss do not integrate over a pupil of which rays are lost";
-    const struct trace_input *input = bundle->job->input;
-    bool weighs = bundle->points != NULL && !input->pupil.is_given &&
-                  input->pattern == TRACE_FEW + 1 + PATTERN_GAUSS;
-    return lens_warnings_join(other, weighs ? text : NULL, arena);
-}
-
-/* Of two rays through one point of the stop the one was aimed that is joined to the chief ray. */
-static const char *trace_answer_fold_warning(const struct trace_answer_bundle *bundle,
-                                             const char *other, struct arena *arena)
-{
-    static const char text[] =
-        "the pupil folds inside the stop: near its edge a point is met by two rays, and the one "
-        "that was aimed may be the wrong one: clipped where the other passes";
-    return lens_warnings_join(other, bundle->folds ? text : NULL, arena);
-}
-
-static void label_row(const struct trace_answer_bundle *bundle, size_t i, struct trace_row *row)
-{
-    row->field = bundle->field;
-    row->field_x = bundle->field_x;
-    row->height = bundle->height;
-    row->height_x = bundle->height_x;
-    if (bundle->points != NULL) {
-        row->pupil[0] = bundle->points[i].x;
-        row->pupil[1] = bundle->points[i].y;
-        row->weight = bundle->points[i].weight;
-        row->ray = bundle->is_named ? few[i].name : NULL;
-    } else {
-        /* of a row that another trace has written */
-        row->pupil[0] = bundle->job->input->pupil_at[0];
-        row->pupil[1] = bundle->job->input->pupil_at[1];
-    }
-}
 
 static bool emit_bundle(const struct trace_answer_bundle *bundle, const struct ray *starts,
                         size_t first, size_t count, struct run *run, struct error *error)
@@ -234,14 +178,46 @@ static bool emit_bundle(const struct trace_answer_bundle *bundle, const struct r
         struct trace_row row;
         bool going;
         trace_row_begin(job, &starts[i], &row);
-        label_row(bundle, first + i, &row);
-        row.warning = trace_answer_fold_warning(bundle, row.warning, run->arena);
+        size_t at = first + i;
+        row.field = bundle->field;
+        row.field_x = bundle->field_x;
+        row.height = bundle->height;
+        row.height_x = bundle->height_x;
+        if (bundle->points != NULL) {
+            row.pupil[0] = bundle->points[at].x;
+            row.pupil[1] = bundle->points[at].y;
+            row.weight = bundle->points[at].weight;
+            row.ray = bundle->is_named ? few[at].name : NULL;
+        } else {
+            /* of a row that another trace has written */
+            row.pupil[0] = bundle->job->input->pupil_at[0];
+            row.pupil[1] = bundle->job->input->pupil_at[1];
+        }
+        /*
+         * Of two rays through one point of the stop the one was aimed that is joined to the
+         * chief ray.
+         */
+        static const char folds[] =
+            "the pupil folds inside the stop: near its edge a point is met by two rays, and the "
+            "one that was aimed may be the wrong one: clipped where the other passes";
+        row.warning = lens_warnings_join(row.warning, bundle->folds ? folds : NULL, run->arena);
         if (starts[i].status != RAY_OK ||
             ray_block_status(&rays.blocks[i / RAYS_BLOCK], i % RAYS_BLOCK) != RAY_OK) {
-            row.warning = weight_warning(bundle, row.warning, run->arena);
+            /* The weights of a quadrature are those of the whole pupil. */
+            static const char text[] =
+                "the weights of gauss do not integrate over a pupil of which rays are lost";
+            const struct trace_input *input = bundle->job->input;
+            bool weighs = bundle->points != NULL && !input->pupil.is_given &&
+                          input->pattern == TRACE_FEW + 1 + PATTERN_GAUSS;
+            row.warning = lens_warnings_join(row.warning, weighs ? text : NULL, run->arena);
         }
         if (starts[i].status != RAY_OK) {
-            going = emit_lost(job, &starts[i], &row, run);
+            /* A ray that never started: the search for it was lost there. */
+            for (int k = 0; k < 3; k++) {
+                row.start[k] = row.start_cosine[k] = NAN;
+            }
+            trace_answer_set_end(job, &starts[i], false, &row);
+            going = run_emit(run, &row);
         } else if (job->input->all) {
             going = emit_all(job, &starts[i], &row, run, error);
         } else {
@@ -436,13 +412,6 @@ static bool aim_without_chief(const struct trace_job *job, const struct beam *be
     return true;
 }
 
-/* A few rays of a beam that clear apertures cut: those at its edges. */
-static bool wants_edges(const struct trace_job *job)
-{
-    return job->input->pattern == TRACE_FEW && !trace_has_pupil(job->input) && job->one->clip &&
-           trace_answer_aim_of(job) == AIM_STOP;
-}
-
 static bool emit_field(struct trace_answer_bundle *bundle, const struct field_point *field,
                        struct run *run, struct error *error)
 {
@@ -451,7 +420,8 @@ static bool emit_field(struct trace_answer_bundle *bundle, const struct field_po
     struct clear_cross cross = {.is_empty = true};
     struct beam beam;
     struct aim aim;
-    bool edges = wants_edges(job);
+    bool edges = job->input->pattern == TRACE_FEW && !trace_has_pupil(job->input) &&
+                 job->one->clip && trace_answer_aim_of(job) == AIM_STOP;
     bool aims = trace_answer_aim_of(job) == AIM_STOP && !(edges && setup->lens->stop == LENS_NONE);
     if (!setup_beam(setup, field, &beam, error) ||
         (aims && !aim_open(job->open, &beam, run->arena, &aim, error) &&
@@ -510,15 +480,6 @@ static bool emit_explicit(const struct trace_job *job, struct run *run, struct e
            (emit_bundle(&bundle, &start, 0, 1, run, error) || error->code == ERROR_NONE);
 }
 
-static bool check_field(const struct trace_input *input, struct error *error)
-{
-    const bool angle = !isnan(input->field) || !isnan(input->field_x);
-    if (angle && (!isnan(input->height) || !isnan(input->height_x))) {
-        return fail(error, ERROR_USAGE, "{--field} and {--height} exclude each other");
-    }
-    return true;
-}
-
 /* What cannot go together, whatever the lens. */
 static bool trace_answer_check(const struct trace_input *input, struct error *error)
 {
@@ -543,8 +504,9 @@ static bool trace_answer_check(const struct trace_input *input, struct error *er
     if (trace_has_pupil(input) && input->pattern != TRACE_FEW) {
         return fail(error, ERROR_USAGE, "{--pupil-point} is one ray, {--pattern} many");
     }
-    if (!check_field(input, error)) {
-        return false;
+    const bool angle = !isnan(input->field) || !isnan(input->field_x);
+    if (angle && (!isnan(input->height) || !isnan(input->height_x))) {
+        return fail(error, ERROR_USAGE, "{--field} and {--height} exclude each other");
     }
     if (input->verify && input->question.to.kind == TARGET_SURFACE) {
         return fail(error, ERROR_USAGE, "{--verify} works with rays that pass the whole lens");
@@ -552,23 +514,17 @@ static bool trace_answer_check(const struct trace_input *input, struct error *er
     return true;
 }
 
-/* The field that the options name; null: those of the lens. */
-static const struct setup_field *field_given(const struct trace_input *input,
-                                             struct setup_field *field)
-{
-    const enum field_kind of_image = input->real ? FIELD_REAL : FIELD_IMAGE;
-    const bool is_height = !isnan(input->height) || !isnan(input->height_x);
-    *field = is_height ? lens_field(of_image, input->height_x, input->height, SECTION_Y)
-                       : lens_field(FIELD_ANGLE, input->field_x, input->field, SECTION_Y);
-    return trace_has_field(input) ? field : NULL;
-}
-
 bool trace_answer(const void *data, struct run *run, struct error *error)
 {
     const struct trace_input *input = data;
     const struct ray_question *question = &input->question;
     struct setup_field named;
-    const struct setup_field *field = field_given(input, &named);
+    /* The field that the options name; null: those of the lens. */
+    const enum field_kind of_image = input->real ? FIELD_REAL : FIELD_IMAGE;
+    const bool is_height = !isnan(input->height) || !isnan(input->height_x);
+    named = is_height ? lens_field(of_image, input->height_x, input->height, SECTION_Y)
+                      : lens_field(FIELD_ANGLE, input->field_x, input->field, SECTION_Y);
+    const struct setup_field *field = trace_has_field(input) ? &named : NULL;
     const size_t *positions;
     size_t count;
     if (!lens_positions(question->lens.lens, question->position, run->arena, &positions, &count,

@@ -4,21 +4,6 @@
 
 #include "photo/attach.h"
 
-static bool attachments_check_question(const struct attachments *a, const struct photo_lens *lens,
-                                       struct error *error)
-{
-    if (isnan(lens->f)) {
-        return fail(error, ERROR_USAGE,
-                    "{--%s} needs {--focal-length} or {--lens}: it is added to a known lens",
-                    SAID_FIRST({!isnan(a->close_up), "close-up"}, {!isnan(a->tube), "tube"},
-                               {true, "converter"}));
-    }
-    return isnan(a->converter) || lens->measuring.from != FROM_SENSOR ||
-           fail(error, ERROR_USAGE,
-                "{--from} sensor works without {--converter}: how far it moves the sensor from the "
-                "lens is not known");
-}
-
 bool attachments_combine(const struct attachments *a, const struct photo_lens *lens,
                          struct photo_lens *room, struct attached_lens *attached,
                          struct error *error)
@@ -34,7 +19,19 @@ bool attachments_combine(const struct attachments *a, const struct photo_lens *l
                                         {ATTACH_TUBE, a->tube, 0, 0},
                                         {ATTACH_CONVERTER, a->converter, 0, 0}};
     struct attach_lens all;
-    if (!attachments_check_question(a, lens, error) || !attach_bare(&sold, &all, error) ||
+    if (isnan(lens->f)) {
+        return fail(error, ERROR_USAGE,
+                    "{--%s} needs {--focal-length} or {--lens}: it is added to a known lens",
+                    SAID_FIRST({!isnan(a->close_up), "close-up"}, {!isnan(a->tube), "tube"},
+                               {true, "converter"}));
+    }
+    if (!isnan(a->converter) && !(lens->measuring.from != FROM_SENSOR)) {
+        return fail(
+            error, ERROR_USAGE,
+            "{--from} sensor works without {--converter}: how far it moves the sensor from the "
+            "lens is not known");
+    }
+    if (!attach_bare(&sold, &all, error) ||
         !attach_apply(&all, steps, sizeof steps / sizeof steps[0], error)) {
         return false;
     }

@@ -11,13 +11,6 @@
 
 const struct by_rays_row by_rays_none = {NAN, NULL, NULL};
 
-static bool bad_rule(const char *text, struct error *error)
-{
-    fail(error, ERROR_USAGE, "unknown rule '%.40s'", text);
-    return error_hint(error, "rms, energy1 to energy99 (the share of the light in %%), or "
-                             "mtf@40/mm (a frequency above 0)");
-}
-
 /* A number behind a word, with what may follow it. */
 static bool by_rays_read_number(const char *text, const char *word, const char *unit, double *value)
 {
@@ -44,7 +37,9 @@ static bool read_rule(const char *text, struct blur_rule *rule, struct error *er
         *rule = (struct blur_rule){BLUR_MTF, value};
         return true;
     }
-    return bad_rule(text, error);
+    fail(error, ERROR_USAGE, "unknown rule '%.40s'", text);
+    return error_hint(error, "rms, energy1 to energy99 (the share of the light in %%), or "
+                             "mtf@40/mm (a frequency above 0)");
 }
 
 bool by_rays_accepts(const char *criterion, struct error *error)
@@ -66,28 +61,22 @@ static const char *by_rays_words_of(struct blur_rule rule, struct arena *arena)
     return "root mean square";
 }
 
-/* What may not be asked together with rays. */
-static bool by_rays_check(const struct photo_lens_question *question, const struct photo_lens *lens,
-                          struct error *error)
+bool by_rays_open(const struct photo_lens_question *question, const struct photo_lens *lens,
+                  double distance, double c, struct run *run, struct real_focus *focus,
+                  struct by_rays_row *row, struct error *error)
 {
+    struct setup setup;
+    struct real_focus_question seen = {.c = c};
+    /* What may not be asked together with rays. */
     if (lens->lens == NULL) {
         return fail(error, ERROR_USAGE, "{--exact} traces rays: it needs {--lens}");
     }
     /* of a lens without a stop it says what nothing else can */
-    return !(question->pupil > 0) || isnan(lens->first->pupil_magnification) ||
-           fail(error, ERROR_USAGE,
-                "{--exact} goes by the lens's own pupils: it excludes {--pupil}");
-}
-
-bool by_rays_open(const struct by_rays_question *all, struct run *run, struct real_focus *focus,
-                  struct by_rays_row *row, struct error *error)
-{
-    const struct photo_lens_question *question = all->question;
-    const struct photo_lens *lens = all->lens;
-    struct setup setup;
-    struct real_focus_question seen = {.c = all->c};
-    if (!by_rays_check(question, lens, error) ||
-        !read_rule(all->asked->criterion, &seen.rule, error)) {
+    if (question->pupil > 0 && !isnan(lens->first->pupil_magnification)) {
+        return fail(error, ERROR_USAGE,
+                    "{--exact} goes by the lens's own pupils: it excludes {--pupil}");
+    }
+    if (!read_rule(question->rays.criterion, &seen.rule, error)) {
         return false;
     }
     seen.lens = (struct setup_question){
@@ -99,7 +88,7 @@ bool by_rays_open(const struct by_rays_question *all, struct run *run, struct re
         .wavelengths = WAVELENGTHS_ALL,
         .fnumber = question->fnumber > 0 ? question->fnumber : (double)NAN,
     };
-    seen.object = isinf(all->distance) ? all->distance : all->distance - lens->measuring.front;
+    seen.object = isinf(distance) ? distance : distance - lens->measuring.front;
     if (!setup_open(&seen.lens, run->arena, &setup, error)) {
         return false;
     }

@@ -7,12 +7,6 @@
 #include "commands/photo/photo_lens.h"
 #include "commands/tables.h"
 
-/* Whether they are wanted, and what counts as sharp. The options of a command fill it. */
-struct by_rays {
-    bool exact;
-    const char *criterion; /* "rms", "energy80", "mtf@40/mm" */
-};
-
 /* Is that a criterion? Errors: ERROR_USAGE */
 bool by_rays_accepts(const char *criterion, struct error *error);
 
@@ -48,23 +42,19 @@ extern const struct by_rays_row by_rays_none;
               ASSUMED_WITH("exact", "lens wavelength"), .label = "wavelengths",                    \
               .help = "of the rays, each with its weight")
 
-/* What is to be looked at. */
-struct by_rays_question {
-    const struct by_rays *asked;
-    const struct photo_lens_question *question; /* of the command: with its wavelength, if given */
-    const struct photo_lens *lens;              /* as photo_lens_each made it */
-    double distance; /* of a subject, from the front principal plane, mm; may be infinite */
-    double c;        /* the blur that matters, mm */
-};
-
 /*
  * Make the lens ready for rays.
  *
- * Given     row  receives rule and spectrum
+ * Given     question  of the command: with its wavelength, if given
+ *           lens      as photo_lens_each made it
+ *           distance  of a subject, from the front principal plane, mm; may be infinite
+ *           c         the blur that matters, mm
+ *           row       receives rule and spectrum
  * Errors    ERROR_USAGE: no lens, {--pupil} of a lens that has pupils; as
  *           real_focus_open
  */
-bool by_rays_open(const struct by_rays_question *all, struct run *run, struct real_focus *focus,
+bool by_rays_open(const struct photo_lens_question *question, const struct photo_lens *lens,
+                  double distance, double c, struct run *run, struct real_focus *focus,
                   struct by_rays_row *row, struct error *error);
 
 /*

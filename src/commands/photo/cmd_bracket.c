@@ -84,15 +84,6 @@ static bool count_shots(const struct bracket_input *input, struct bracket_given 
     return true;
 }
 
-/* From one end alone there is no telling how far. */
-static bool check_ends(const struct bracket_given *given, struct error *error)
-{
-    bool from = is_given(given->from), to = is_given(given->to);
-    return from == to || is_given(given->shots) ||
-           fail(error, ERROR_USAGE, "{--%s} needs {--%s} too, or {--shots}", from ? "from" : "to",
-                from ? "to" : "from");
-}
-
 static bool make_plan(const struct bracket_input *input, struct bracket *plan, struct error *error)
 {
     struct bracket_given given = input->given;
@@ -109,7 +100,13 @@ static bool make_plan(const struct bracket_input *input, struct bracket *plan, s
                     "{--from} or {--to}, its ends");
     }
     if (!is_given(input->time)) {
-        return check_ends(&given, error) && bracket_plan(&given, plan, error);
+        /* From one end alone there is no telling how far. */
+        bool from = is_given(given.from), to = is_given(given.to);
+        if (from != to && !is_given(given.shots)) {
+            return fail(error, ERROR_USAGE, "{--%s} needs {--%s} too, or {--shots}",
+                        from ? "from" : "to", from ? "to" : "from");
+        }
+        return bracket_plan(&given, plan, error);
     }
     if (is_given(given.from) || is_given(given.to) || !is_given(given.shots)) {
         return fail(error, ERROR_USAGE,
@@ -152,9 +149,7 @@ static bool bracket_run(const void *data, struct run *run, struct error *error)
 
 static const struct explanation explanations[] = {
     {"shots", "n = round({span}/{step}) + 1",
-     "definition; the span is |log2(from/to)| rounded to "
-     "whole steps",
-     NULL},
+     "definition; the span is |log2(from/to)| rounded to whole steps", NULL},
     {"time", "t = longest 2^-(i {step})", "[Apex60]: a stop is a factor of two in time",
      "a camera's 30 s is 32 s and its 1/1000 s is 1/1024 s: say --nominal for them"},
     {"covered", "covered = range + {span}", "each shot moves the same window by one step",

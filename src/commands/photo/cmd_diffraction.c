@@ -203,11 +203,6 @@ static const struct sheet *diffraction_choose_sheet(const void *data,
     return &all;
 }
 
-static double um_from_mm(double length)
-{
-    return 1000 * length;
-}
-
 /* Absent until computed. */
 static const struct diffraction_row empty = {
     .airy = {NAN, NAN, NAN, NAN, NAN, NAN, NAN, NAN},
@@ -220,43 +215,6 @@ static const struct diffraction_row empty = {
     .fnumber_film = NAN,
     .fnumber_coc = NAN,
 };
-
-/* Where the Airy disc outgrows pixels, circle of confusion and film. */
-static bool compute_limits(const struct diffraction_input *input, struct diffraction_row *row,
-                           struct error *error)
-{
-    const struct diffraction_setting *s = &row->setting;
-    const struct {
-        double diameter; /* mm; NaN = not asked for */
-        double *fnumber;
-    } limits[] = {
-        {row->pitch * input->pixels, &row->fnumber_pixel},
-        {row->coc > 0 ? row->coc : NAN, &row->fnumber_coc},
-        {2 / input->film, &row->fnumber_film},
-    };
-    for (size_t i = 0; i < sizeof limits / sizeof limits[0]; i++) {
-        if (!isnan(limits[i].diameter) &&
-            !diffraction_fnumber(limits[i].diameter, s->wavelength, s->m, s->P, limits[i].fnumber,
-                                 error)) {
-            return false;
-        }
-    }
-    return true;
-}
-
-/* Without an f-number the answer is the best one, to which what is sharp says nothing. */
-static bool check_best(const struct diffraction_input *input, const struct sharpness *sharp,
-                       struct error *error)
-{
-    const bool is_best =
-        isnan(input->lens.fnumber) && (!isnan(input->near) || !isnan(input->focus_spread));
-    const char *idle = SAID_FIRST({!input->sharp.coc.is_fallback, "coc"},
-                                  {sharp->coc.coc.kind == COC_PRINT, "print"},
-                                  {!isnan(input->film), "film"}, {input->defocus > 0, "defocus"});
-    return !is_best || idle == NULL ||
-           fail(error, ERROR_USAGE,
-                "{--%s} says nothing of the best f-number: give {--aperture} too", idle);
-}
 
 static bool compute_optimum(const struct diffraction_input *input, struct diffraction_row *row,
                             struct error *error)
@@ -306,9 +264,18 @@ static bool diffraction_answer(const void *data, const struct photo_lens *lens, 
     struct sharpness own = input->sharp;
     const struct sharpness *sharp = &own;
     struct diffraction_row row = empty;
-    if (!sharpness_settle(&own, PITCH_FOR_MORE, run->doubts, error) ||
-        !check_best(input, sharp, error)) {
+    if (!sharpness_settle(&own, PITCH_FOR_MORE, run->doubts, error)) {
         return false;
+    }
+    /* Without an f-number the answer is the best one, to which what is sharp says nothing. */
+    const bool is_best =
+        isnan(input->lens.fnumber) && (!isnan(input->near) || !isnan(input->focus_spread));
+    const char *idle = SAID_FIRST({!input->sharp.coc.is_fallback, "coc"},
+                                  {sharp->coc.coc.kind == COC_PRINT, "print"},
+                                  {!isnan(input->film), "film"}, {input->defocus > 0, "defocus"});
+    if (is_best && idle != NULL) {
+        return fail(error, ERROR_USAGE,
+                    "{--%s} says nothing of the best f-number: give {--aperture} too", idle);
     }
     row.real = *lens->real;
     row.focal = lens->f;
@@ -317,7 +284,7 @@ static bool diffraction_answer(const void *data, const struct photo_lens *lens, 
     row.setting = (struct diffraction_setting){.N = lens->N,
                                                .m = input->magnification,
                                                .P = lens->P,
-                                               .wavelength = um_from_mm(lens->wavelength),
+                                               .wavelength = 1000 * lens->wavelength,
                                                .blur = input->defocus,
                                                .pitch = isnan(row.pitch) ? 0 : row.pitch};
     row.pixels = input->pixels;
@@ -330,8 +297,27 @@ static bool diffraction_answer(const void *data, const struct photo_lens *lens, 
     }
     if (!sharpness_resolve_in(sharp, lens->wavelength,
                               diffracting_fnumber(lens->N, input->magnification, lens->P), &row.coc,
-                              error) ||
-        !compute_limits(input, &row, error) || !compute_optimum(input, &row, error)) {
+                              error)) {
+        return false;
+    }
+    /* Where the Airy disc outgrows pixels, circle of confusion and film. */
+    const struct diffraction_setting *s = &row.setting;
+    const struct {
+        double diameter; /* mm; NaN = not asked for */
+        double *fnumber;
+    } limits[] = {
+        {row.pitch * input->pixels, &row.fnumber_pixel},
+        {row.coc > 0 ? row.coc : NAN, &row.fnumber_coc},
+        {2 / input->film, &row.fnumber_film},
+    };
+    for (size_t i = 0; i < sizeof limits / sizeof limits[0]; i++) {
+        if (!isnan(limits[i].diameter) &&
+            !diffraction_fnumber(limits[i].diameter, s->wavelength, s->m, s->P, limits[i].fnumber,
+                                 error)) {
+            return false;
+        }
+    }
+    if (!compute_optimum(input, &row, error)) {
         return false;
     }
     /* without an f-number there is still what limits it */

@@ -43,8 +43,8 @@ static const struct option options[] = {
     ATTACHMENT_OPTIONS(attached),
     OPTION_SQUEEZE(squeeze, NULL, "anamorphic squeeze: adds what it does across the picture"),
     OPTION_T_NUMBER(t_stop, "T-stop of the lens, for exposure; -N gives the depth of field"),
-    BY_RAYS_EXACT_OPTION(rays, "limits by the rays of --lens, aberrations included"),
-    BY_RAYS_CRITERION_OPTION(rays),
+    BY_RAYS_EXACT_OPTION(lens.rays, "limits by the rays of --lens, aberrations included"),
+    BY_RAYS_CRITERION_OPTION(lens.rays),
 };
 
 struct dof_row {
@@ -171,26 +171,6 @@ static const struct column columns[] = {
     PHOTO_LENS_WARNING_COLUMN(real),
 };
 
-/* What attachments, squeeze and T-stop add to a row. */
-static bool fill_more(const struct dof_question *input, const struct attached_lens *attached,
-                      struct dof_row *row, struct error *error)
-{
-    double transmittance, T = input->t_stop;
-    double exposes = row->dof.working_fnumber / row->setting.N;
-    row->attached = input->attached;
-    row->focal = isnan(attached->focal) ? row->setting.f : attached->focal;
-    row->fnumber = row->setting.N / attached->fnumber_factor;
-    row->t_stop = isnan(T) ? row->fnumber * attached->lens->t_ratio : T;
-    row->working_t_stop = row->t_stop * attached->fnumber_factor * exposes;
-    row->squeeze = input->squeeze;
-    row->across = (struct anamorphic){NAN, NAN, NAN, NAN};
-    return (isnan(input->t_stop) ||
-            transmittance_from_t_stop(row->fnumber, input->t_stop, &transmittance, error)) &&
-           (isnan(input->squeeze) ||
-            anamorphic_view(&row->setting, &row->dof, &input->sharp.sensor.size, input->squeeze,
-                            &row->across, error));
-}
-
 /* Complete a row that has its setting and what follows from it. */
 static bool dof_fill_row(const struct dof_question *input, const struct attached_lens *attached,
                          struct dof_row *row, struct error *error)
@@ -220,9 +200,23 @@ static bool dof_fill_row(const struct dof_question *input, const struct attached
     row->sensor = input->sharp.sensor.name;
     row->criterion = input->sharp.coc.criterion;
     row->wavelength = photo_lens_light(lens, sharpness_is_airy(&input->sharp));
-    row->model = input->rays.exact ? "rays" : dof_models[input->model].word;
+    row->model = input->lens.rays.exact ? "rays" : dof_models[input->model].word;
     row->from = distances_from[input->lens.from].word;
-    return fill_more(input, attached, row, error);
+    /* What attachments, squeeze and T-stop add to a row. */
+    double transmittance, T = input->t_stop;
+    double exposes = row->dof.working_fnumber / row->setting.N;
+    row->attached = input->attached;
+    row->focal = isnan(attached->focal) ? row->setting.f : attached->focal;
+    row->fnumber = row->setting.N / attached->fnumber_factor;
+    row->t_stop = isnan(T) ? row->fnumber * attached->lens->t_ratio : T;
+    row->working_t_stop = row->t_stop * attached->fnumber_factor * exposes;
+    row->squeeze = input->squeeze;
+    row->across = (struct anamorphic){NAN, NAN, NAN, NAN};
+    return (isnan(input->t_stop) ||
+            transmittance_from_t_stop(row->fnumber, input->t_stop, &transmittance, error)) &&
+           (isnan(input->squeeze) ||
+            anamorphic_view(&row->setting, &row->dof, &input->sharp.sensor.size, input->squeeze,
+                            &row->across, error));
 }
 
 /* The same picture on another format, if that is asked for. */
@@ -344,7 +338,7 @@ static bool dof_answer(const void *data, const struct photo_lens *lens, struct r
     }
     if (!dof_question_solve(input, &attached, setting, error) ||
         !dof_compute(setting, (enum dof_model)input->model, &row.dof, error) ||
-        (input->rays.exact &&
+        (input->lens.rays.exact &&
          !dof_question_by_rays(input, &attached, run, setting, &row.dof, &row.rays, error)) ||
         !dof_fill_row(input, &attached, &row, error)) {
         return false;
@@ -388,9 +382,7 @@ static const struct explanation explanations[] = {
      "[Ray02], with pupil magnification; infinite where the denominator is not positive",
      "ill-conditioned near the hyperfocal distance"},
     {"dof !blur_rule", "T = {front} + {behind}",
-     "front = X e/(1 + e), behind = X e/(1 - e), X = f (1/m + 1/P), "
-     "e = N c/(m f)",
-     NULL},
+     "front = X e/(1 + e), behind = X e/(1 - e), X = f (1/m + 1/P), e = N c/(m f)", NULL},
     {"distance_sensor", "Ds = {s} + {v} + {HH'}",
      "[Gauss41] HH' from the front to the rear principal plane",
      "near and far limit likewise: the sensor stays where it is"},
@@ -421,7 +413,7 @@ static const struct explanation explanations[] = {
 static bool check_scale(const struct artifact_job *job, struct error *error)
 {
     const struct dof_question *input = job->inputs[0];
-    return !input->rays.exact ||
+    return !input->lens.rays.exact ||
            fail(error, ERROR_USAGE, "{--scale} draws what formulas say: it excludes {--exact}");
 }
 
@@ -444,7 +436,7 @@ static const struct example examples[] = {
     {NULL, NULL},
 };
 
-BY_RAYS_WEIGHT(rays)
+BY_RAYS_WEIGHT(lens.rays)
 
 const struct command command_dof = {
     .name = "dof",

@@ -108,39 +108,6 @@ static const struct column columns[] = {
     PHOTO_LENS_WARNING_COLUMN(real),
 };
 
-/* Magnification from distance or as given; 0 where neither is. */
-static bool find_magnification(const struct equivalent_input *input, double f, double *m,
-                               struct error *error)
-{
-    struct conjugates c;
-    bool at_infinity = isnan(input->distance) && isnan(input->magnification);
-    struct conjugates_given given = {
-        .f = f,
-        .s = input->distance,
-        .v = NAN,
-        .m = at_infinity ? 0 : input->magnification,
-        .T = NAN,
-    };
-    if (isnan(f)) {
-        return fail(error, ERROR_USAGE, "give {--focal-length}, or {--lens}");
-    }
-    if (!isnan(input->distance) && !isnan(input->magnification)) {
-        return fail(error, ERROR_USAGE, "give one of {--distance} and {--magnification}");
-    }
-    if (!conjugates_solve(&given, &c, error)) {
-        return false;
-    }
-    *m = c.m;
-    return true;
-}
-
-/* Without an f-number: everything that does not follow from it. */
-static void forget_fnumber(struct equivalent_row *row)
-{
-    row->setting.N = row->equal.N = NAN;
-    row->equal.pupil_diameter = row->equal.working_fnumber = NAN;
-}
-
 static bool equivalent_answer(const void *data, const struct photo_lens *lens, struct run *run,
                               struct error *error)
 {
@@ -162,8 +129,27 @@ static bool equivalent_answer(const void *data, const struct photo_lens *lens, s
         .wavelength = photo_lens_light(lens, sharpness_is_airy(&input->sharp)),
         .crop = sensor_crop(&input->sharp.sensor.size),
     };
-    if (!find_magnification(input, lens->f, &row.setting.m, error) ||
-        (!isnan(input->distance) && !photo_lens_check_subject(lens, input->distance, error)) ||
+    /* Magnification from distance or as given; 0 where neither is. */
+    struct conjugates c;
+    bool at_infinity = isnan(input->distance) && isnan(input->magnification);
+    struct conjugates_given given = {
+        .f = lens->f,
+        .s = input->distance,
+        .v = NAN,
+        .m = at_infinity ? 0 : input->magnification,
+        .T = NAN,
+    };
+    if (isnan(lens->f)) {
+        return fail(error, ERROR_USAGE, "give {--focal-length}, or {--lens}");
+    }
+    if (!isnan(input->distance) && !isnan(input->magnification)) {
+        return fail(error, ERROR_USAGE, "give one of {--distance} and {--magnification}");
+    }
+    if (!conjugates_solve(&given, &c, error)) {
+        return false;
+    }
+    row.setting.m = c.m;
+    if ((!isnan(input->distance) && !photo_lens_check_subject(lens, input->distance, error)) ||
         !sharpness_resolve_in(&sharp, lens->wavelength,
                               diffracting_fnumber(lens->N, row.setting.m, lens->P), &row.setting.c,
                               error) ||
@@ -174,7 +160,9 @@ static bool equivalent_answer(const void *data, const struct photo_lens *lens, s
         return false;
     }
     if (!has_fnumber) {
-        forget_fnumber(&row);
+        /* Without an f-number: everything that does not follow from it. */
+        row.setting.N = row.equal.N = NAN;
+        row.equal.pupil_diameter = row.equal.working_fnumber = NAN;
     }
     run_emit(run, &row);
     return true;

@@ -14,6 +14,10 @@
 
 #define INPUT struct exposure_input
 
+#define OPTION_KELVIN(member, option_name, words)                                                  \
+    ENTRY(MEASURE(member, colour, NULL, "KELVIN"), REPEATED(option_name),                          \
+          .quantity = "colour temperature", .lowest = 500, .highest = 100000, .help = (words))
+
 static const struct option options[] = {
     PHOTO_LENS_OPTIONS(lens),
     OPTION_WAVELENGTH_OF_LENS(lens.wavelength, "lens"),
@@ -66,10 +70,17 @@ static const struct option options[] = {
     {MEASURE(given.C, number, NULL, "C"), .name = "meter-c", .quantity = "meter constant C",
      .column = "meter_c", ABOVE_0, .fallback = "250",
      .help = "constant of the incident-light meter: 250 flat, 340 with a dome"},
-    BY_RAYS_EXACT_OPTION(rays, "T-stop of --lens by its rays, in place of the f-number"),
+    BY_RAYS_EXACT_OPTION(lens.rays, "T-stop of --lens by its rays, in place of the f-number"),
     {ASKED(fresnel), .name = "fresnel", .wants = "exact",
      .help = "with what its uncoated faces reflect"},
-    LAMP_OPTIONS(lamps),
+    OPTION_KELVIN(lamps.kelvin, "kelvin",
+                  "colour temperature of the light: 3200K; what filters make of it"),
+    OPTION_KELVIN(lamps.balance, "balance",
+                  "what film or white balance is made for: finds the conversion filter"),
+    {MEASURE(lamps.mains, rate, "Hz", "50|60"), REPEATED("mains"), .quantity = "mains frequency",
+     ABOVE_0,
+     .help = "frequency of the mains that lamps follow: times and shutter angles "
+             "without flicker"},
     OPTION_SERIES(series),
     {ASKED(equivalent), .name = "equivalent",
      .help = "all equal exposures of the series, one row an f-number"},
@@ -130,7 +141,32 @@ static const struct column columns[] = {
      .label = "shutter angle", .help = "of a film camera at that time"},
     {MEASURED(frame_rate, rate, "fps"), .name = "frame_rate", ECHO_WITH("shutter-angle mains"),
      .symbol = "rate", .label = "frame rate", .help = "frames per second"},
-    LAMP_COLUMNS(lamps),
+    {MEASURED(lamps.kelvin, colour, "K"), .name = "kelvin", ECHO_WITH("kelvin"), .symbol = "K1",
+     .label = "colour temperature", .help = "of the light"},
+    {MEASURED(lamps.balance, colour, "K"), .name = "balance", ECHO_WITH("balance"), .symbol = "K2",
+     .label = "balanced for", .help = "colour temperature of film or white balance"},
+    {SHOWN(lamps.shift), .name = "mired_shift", WITH("filter"), .symbol = "M",
+     .label = "mired shift of the filter", .help = "of the filters that are on: + amber, - blue"},
+    {MEASURED(lamps.filtered, colour, "K"), .name = "filtered", BRIEF_WITH("filter"),
+     .symbol = "K3", .label = "behind the filter",
+     .help = "colour temperature behind the filters that are on"},
+    {SHOWN(lamps.wanted), .name = "mired_wanted", BRIEF_WITH("balance"), .symbol = "Mw",
+     .label = "mired shift wanted", .help = "beside the filters that are on"},
+    {SHOWN(lamps.conversion), .name = "conversion_filter", BRIEF_WITH("balance"),
+     .label = "nearest filter", .help = "conversion filter with the nearest shift"},
+    {SHOWN(lamps.conversion_shift), .name = "conversion_shift", WITH("balance"),
+     .label = "its mired shift", .help = "of the nearest filter"},
+    {SHOWN(lamps.flicker), .name = "flicker", BRIEF_WITH("mains"),
+     .help = "of this exposure under lamps on the mains"},
+    {TIME(lamps.free_time), .name = "flicker_free_time", BRIEF_WITH("mains"), .symbol = "tf",
+     .label = "nearest time without flicker", .help = "whole pulses of the lamps, within a frame"},
+    {SHOWN(lamps.free_times), .name = "flicker_free_times", WITH("mains"),
+     .label = "times without flicker", .help = "the first of them, in s"},
+    {SHOWN(lamps.free_angles), .name = "flicker_free_angles", WITH("mains"),
+     .label = "shutter angles without flicker", .help = "at the frame rate, in degrees"},
+    {MEASURED(lamps.mains, rate, "Hz"), .name = "mains",
+     ASSUMED_WITH("mains", "mains") | COLUMN_ECHO, .symbol = "mains",
+     .label = "lamps on a mains of", .help = "frequency of the mains"},
     {MEASURED(focal_plane, exposure, "lx_s"), .name = "exposure", BRIEF_WITH("focal-plane"),
      .symbol = "H", .label = "exposure of the film", .help = "luminous exposure of film or sensor"},
     {SHOWN(q), .name = "lens_q", WITH("focal-plane"), .symbol = "q", .label = "lens constant q",
@@ -171,54 +207,45 @@ static const struct column columns[] = {
     PHOTO_LENS_WARNING_COLUMN(real),
 };
 
-/*
- * The T-stop of the real lens as the transmittance that gives it: of its f-number and extension,
- * which count too, whatever the rays make of these.
- */
-static bool light_by_rays(const struct photo_lens *lens, struct run *run,
-                          struct exposure_input *own, struct by_rays_row *row, struct error *error)
-{
-    const double m = own->magnification, near = isnan(m) ? 0 : m;
-    const double distance = near > 0 ? lens->f * (1 + 1 / near) : INFINITY;
-    const double object = isinf(distance) ? distance : distance - lens->measuring.front;
-    struct real_focus focus;
-    struct real_point point;
-    struct real_light light;
-    if (isnan(lens->N)) {
-        return fail(
-            error, ERROR_USAGE,
-            "{--exact} finds the T-stop of an f-number: give {--aperture}, and leave one of "
-            "{--time}, {--iso} and the light to be found");
-    }
-    if (own->equivalent) {
-        return fail(error, ERROR_USAGE,
-                    "{--exact} finds the T-stop of one f-number: it excludes {--equivalent}");
-    }
-    if (!isnan(own->t_stop) || !isnan(own->transmittance)) {
-        return fail(error, ERROR_USAGE, "{--exact} finds the T-stop: it excludes {--%s}",
-                    !isnan(own->t_stop) ? "t-stop" : "transmittance");
-    }
-    const struct by_rays_question question = {&own->rays, &own->lens, lens, distance, 0};
-    if (!by_rays_open(&question, run, &focus, row, error) ||
-        !real_focus_point(&focus, object, &point, error)) {
-        return false;
-    }
-    const struct real_light_question seen = {focus.asked, object, point.sharpest, own->fresnel};
-    if (!real_light_find(&seen, run->arena, &light, error)) {
-        return false;
-    }
-    const double working = diffracting_fnumber(lens->N, near, lens->P);
-    own->transmittance = working / light.t_stop * (working / light.t_stop);
-    return true;
-}
-
 /* What of the light the lens lets pass: by its rays, or as its source states it. */
 static bool take_lens_light(const struct photo_lens *lens, struct run *run,
                             struct exposure_input *own, struct by_rays_row *row,
                             struct error *error)
 {
-    if (own->rays.exact) {
-        return light_by_rays(lens, run, own, row, error);
+    if (own->lens.rays.exact) {
+        /* its T-stop as the transmittance that gives it: of its f-number and extension, which count
+           too, whatever the rays make of these */
+        const double m = own->magnification, near = isnan(m) ? 0 : m;
+        const double distance = near > 0 ? lens->f * (1 + 1 / near) : INFINITY;
+        const double object = isinf(distance) ? distance : distance - lens->measuring.front;
+        struct real_focus focus;
+        struct real_point point;
+        struct real_light light;
+        if (isnan(lens->N)) {
+            return fail(
+                error, ERROR_USAGE,
+                "{--exact} finds the T-stop of an f-number: give {--aperture}, and leave one of "
+                "{--time}, {--iso} and the light to be found");
+        }
+        if (own->equivalent) {
+            return fail(error, ERROR_USAGE,
+                        "{--exact} finds the T-stop of one f-number: it excludes {--equivalent}");
+        }
+        if (!isnan(own->t_stop) || !isnan(own->transmittance)) {
+            return fail(error, ERROR_USAGE, "{--exact} finds the T-stop: it excludes {--%s}",
+                        !isnan(own->t_stop) ? "t-stop" : "transmittance");
+        }
+        if (!by_rays_open(&own->lens, lens, distance, 0, run, &focus, row, error) ||
+            !real_focus_point(&focus, object, &point, error)) {
+            return false;
+        }
+        const struct real_light_question seen = {focus.asked, object, point.sharpest, own->fresnel};
+        if (!real_light_find(&seen, run->arena, &light, error)) {
+            return false;
+        }
+        const double working = diffracting_fnumber(lens->N, near, lens->P);
+        own->transmittance = working / light.t_stop * (working / light.t_stop);
+        return true;
     }
     if (isnan(own->t_stop) && isnan(own->transmittance) && !isnan(lens->t_ratio)) {
         own->transmittance = 1 / (lens->t_ratio * lens->t_ratio);
@@ -238,18 +265,18 @@ static bool exposure_row_answer(const void *data, const struct photo_lens *lens,
         return false;
     }
     own.lens.pupil = lens->P;
-    bool blank = lamps_asked(&input->lamps) && !exposure_is_asked(input);
-    if (!(blank ? exposure_blank : exposure_answer)(input, &row, error)) {
-        return false;
-    }
-    if (!lamps_answer(&input->lamps, input->filter.mired, row.x.t, input->frame_rate, run,
-                      &row.lamps, error)) {
+    const struct lamps *lamps = &input->lamps;
+    bool blank = !(isnan(lamps->kelvin) && isnan(lamps->balance) && isnan(lamps->mains)) &&
+                 !exposure_is_asked(input);
+    if (!(blank ? exposure_blank : exposure_answer)(input, &row, error) ||
+        !lamps_answer(lamps, input->filter.mired, row.x.t, input->frame_rate, run, &row.lamps,
+                      error)) {
         return false;
     }
     row.real = *lens->real;
     row.pupil = lens->P;
     row.spectrum = rays.spectrum;
-    if (!input->rays.exact) {
+    if (!input->lens.rays.exact) {
         row.traced = NULL;
     } else if (input->fresnel) {
         row.traced = "rays of the lens, its faces uncoated";
@@ -279,20 +306,15 @@ static bool exposure_row_answer(const void *data, const struct photo_lens *lens,
                              row.x.ev_set);
 }
 
-/* The f-number is found where all the rest is given; else that of a real lens counts. */
-static bool exposure_solves_fnumber(const struct exposure_input *input)
+static bool exposure_run(const void *data, struct run *run, struct error *error)
 {
+    const struct exposure_input *input = data;
+    /* The f-number is found where all the rest is given; else that of a real lens counts. */
     const struct exposure_given *g = &input->given;
     bool time = !isnan(g->t) || !isnan(input->shutter_angle) || !isnan(input->corrected_time);
     bool light = !isnan(g->ev100) || !isnan(g->ev) || !isnan(g->L) || !isnan(g->E) ||
                  input->scene.name != NULL;
-    return time && light && !isnan(g->S);
-}
-
-static bool exposure_run(const void *data, struct run *run, struct error *error)
-{
-    const struct exposure_input *input = data;
-    int use = (exposure_solves_fnumber(input) ? PHOTO_LENS_SOLVES_FNUMBER : 0) |
+    int use = ((time && light && !isnan(g->S)) ? PHOTO_LENS_SOLVES_FNUMBER : 0) |
               (isnan(input->magnification) ? PHOTO_LENS_WITHOUT_PUPILS : 0);
     return photo_lens_each(&input->lens, use, run, exposure_row_answer, input, error);
 }
@@ -356,7 +378,7 @@ static const struct example examples[] = {
     {NULL, NULL},
 };
 
-BY_RAYS_WEIGHT(rays)
+BY_RAYS_WEIGHT(lens.rays)
 
 const struct command command_exposure = {
     .name = "exposure",

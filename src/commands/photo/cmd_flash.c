@@ -201,13 +201,6 @@ static bool flash_join(const struct flash_input *input, double one, double *join
     return flash_sum(both, 2, joint, error);
 }
 
-/* Beside other light a flash of given power is not solved for: it may expose too much or little. */
-static bool flash_is_complete(const struct flash_input *input, const struct flash_setting *setting)
-{
-    return is_given(input->ev) && is_given(setting->GN) && is_given(setting->N) &&
-           is_given(setting->d) && is_given(setting->power);
-}
-
 static bool flash_row_solve(const struct flash_input *input, double one, struct flash_row *row,
                             struct error *error)
 {
@@ -222,7 +215,8 @@ static bool flash_row_solve(const struct flash_input *input, double one, struct 
         return false;
     }
     setting->d = row->path;
-    if (flash_is_complete(input, setting)) {
+    if (is_given(input->ev) && is_given(setting->GN) && is_given(setting->N) &&
+        is_given(setting->d) && is_given(setting->power)) {
         setting->S = is_given(setting->S) ? setting->S : 100;
         setting->flashes = is_given(setting->flashes) ? setting->flashes : 1;
     } else if (!flash_solve(setting, &unknown, error)) {
@@ -232,25 +226,6 @@ static bool flash_row_solve(const struct flash_input *input, double one, struct 
     row->path = setting->d;
     row->distance = is_given(input->distance) ? input->distance : setting->d;
     return true;
-}
-
-static bool fill_background(const struct flash_input *input, struct flash_row *row,
-                            struct error *error)
-{
-    row->background = input->background;
-    return !is_given(input->background) ||
-           flash_falloff(row->path, input->background, &row->background_stops, error);
-}
-
-/* Flash and other light; a filter takes from both, and is in the flash's loss already. */
-static bool fill_balance(const struct flash_input *input, struct flash_row *row,
-                         struct error *error)
-{
-    const struct flash_ambient light = {row->setting, input->time, input->sync,
-                                        input->ev - input->filter.stops};
-    row->time = input->time;
-    row->ev = input->ev;
-    return !is_given(input->ev) || flash_against_ambient(&light, &row->balance, error);
 }
 
 static bool fill_ratio(const struct flash_input *input, struct flash_row *row, struct error *error)
@@ -264,14 +239,6 @@ static bool fill_ratio(const struct flash_input *input, struct flash_row *row, s
         return lighting_stops(input->ratio, &row->key_to_fill, error);
     }
     return !is_given(input->key_to_fill) || lighting_ratio(input->key_to_fill, &row->ratio, error);
-}
-
-/* A lighting ratio may be asked for by itself. */
-static bool is_ratio_only(const struct flash_input *input)
-{
-    bool ratio = is_given(input->ratio) || is_given(input->key_to_fill);
-    return ratio && !is_given(input->guide_number) && input->zoom == NULL &&
-           !is_given(input->fnumber) && !is_given(input->distance);
 }
 
 static bool flash_run(const void *data, struct run *run, struct error *error)
@@ -294,10 +261,25 @@ static bool flash_run(const void *data, struct run *run, struct error *error)
         !fill_ratio(input, &row, error)) {
         return false;
     }
-    if (!is_ratio_only(input) &&
-        (!flash_row_solve(input, one, &row, error) || !fill_background(input, &row, error) ||
-         !fill_balance(input, &row, error))) {
-        return false;
+    /* A lighting ratio may be asked for by itself. */
+    bool ratio = is_given(input->ratio) || is_given(input->key_to_fill);
+    const bool flashes = is_given(input->guide_number) || input->zoom != NULL ||
+                         is_given(input->fnumber) || is_given(input->distance);
+    if (!ratio || flashes) {
+        row.background = input->background;
+        row.time = input->time;
+        row.ev = input->ev;
+        if (!flash_row_solve(input, one, &row, error) ||
+            (is_given(row.background) &&
+             !flash_falloff(row.path, row.background, &row.background_stops, error))) {
+            return false;
+        }
+        /* a filter takes from flash and other light, and is in the flash's loss already */
+        const struct flash_ambient light = {row.setting, row.time, input->sync,
+                                            row.ev - input->filter.stops};
+        if (is_given(row.ev) && !flash_against_ambient(&light, &row.balance, error)) {
+            return false;
+        }
     }
     const struct series_value *series = &input->series;
     row.nominal_fnumber =
@@ -308,8 +290,7 @@ static bool flash_run(const void *data, struct run *run, struct error *error)
 
 static const struct explanation explanations[] = {
     {"guide_number", "GN = {N} {d}/sqrt({n} {S}/100 {power} 2^-{loss})",
-     "[IsoFlash07]; the same "
-     "equation gives N, d, S, the power or the number of flashes",
+     "[IsoFlash07]; the same equation gives N, d, S, the power or the number of flashes",
      "a point source in a normal room; outdoors 0.5 to 1 stop less"},
     {"path", "d = sqrt({s}^2 + (up + down)^2)", "mirror image of the flash in the ceiling",
      "a white ceiling scatters: add its --loss"},

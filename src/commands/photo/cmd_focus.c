@@ -18,7 +18,6 @@ struct focus_input {
     struct attachments attached;
     double stacked, stacked_aperture, gap, converter_length;
     int order;
-    struct by_rays rays;
 };
 
 /* Indexed by the member `order`. */
@@ -69,8 +68,8 @@ static const struct option options[] = {
      .help = "how much longer the converter makes the lens"},
     {ASKED(order), REPEATED("order"), .words = orders, .fallback = "tube-converter",
      .value = "ORDER", .help = "which of tube and converter is nearer to the lens"},
-    BY_RAYS_EXACT_OPTION(rays, "put the sensor where the rays of --lens are sharpest"),
-    BY_RAYS_CRITERION_OPTION(rays),
+    BY_RAYS_EXACT_OPTION(lens.rays, "put the sensor where the rays of --lens are sharpest"),
+    BY_RAYS_CRITERION_OPTION(lens.rays),
 };
 
 struct focus_row {
@@ -254,16 +253,10 @@ static bool focus_find_by_rays(const struct focus_input *input, const struct pho
     struct photo_lens_question wide = input->lens;
     double infinity, wide_image, ignored;
     wide.fnumber = NAN;
-    const struct by_rays_question question = {&input->rays, &input->lens, lens, c->s, 0};
-    const struct by_rays_question opened = {&input->rays, &wide, lens, c->s, 0};
-    if (!by_rays_open(&question, run, &focus, &row->rays, error)) {
-        return false;
-    }
-    if ((input->lens.from == FROM_SENSOR || !isnan(input->sensor_distance)) &&
-        !by_rays_distance(&focus, lens, c->s, c->T, &c->s, error)) {
-        return false;
-    }
-    if (!by_rays_image(&focus, lens, c->s, &c->v, &row->rays.blur, error) ||
+    if (!by_rays_open(&input->lens, lens, c->s, 0, run, &focus, &row->rays, error) ||
+        ((input->lens.from == FROM_SENSOR || !isnan(input->sensor_distance)) &&
+         !by_rays_distance(&focus, lens, c->s, c->T, &c->s, error)) ||
+        !by_rays_image(&focus, lens, c->s, &c->v, &row->rays.blur, error) ||
         !by_rays_image(&focus, lens, INFINITY, &infinity, &ignored, error)) {
         return false;
     }
@@ -272,7 +265,7 @@ static bool focus_find_by_rays(const struct focus_input *input, const struct pho
     if (isnan(lens->first->entrance_diameter)) {
         return true; /* how wide it opens is not known: neither is the shift */
     }
-    if (!by_rays_open(&opened, run, &open, &row->rays, error) ||
+    if (!by_rays_open(&wide, lens, c->s, 0, run, &open, &row->rays, error) ||
         !by_rays_image(&open, lens, c->s, &wide_image, &ignored, error)) {
         return false;
     }
@@ -289,12 +282,10 @@ static bool run_plain(const struct focus_input *input, const struct photo_lens *
     struct conjugates_exposure exposure;
     double front = lens->measuring.front;
     if (!focus_row_solve(input, lens, false, &row.c, error) ||
-        (input->rays.exact && !focus_find_by_rays(input, lens, run, &row, error)) ||
-        !conjugates_exposure(isnan(lens->N) ? 1 : lens->N, row.c.m, lens->P, &exposure, error)) {
-        return false;
-    }
-    if (!isnan(front) &&
-        !conjugates_working_distance(row.c.s, front, &row.working_distance, error)) {
+        (input->lens.rays.exact && !focus_find_by_rays(input, lens, run, &row, error)) ||
+        !conjugates_exposure(isnan(lens->N) ? 1 : lens->N, row.c.m, lens->P, &exposure, error) ||
+        (!isnan(front) &&
+         !conjugates_working_distance(row.c.s, front, &row.working_distance, error))) {
         return false;
     }
     row.focal = row.c.f;
@@ -304,27 +295,6 @@ static bool run_plain(const struct focus_input *input, const struct photo_lens *
     focus_fill_row(input, lens, lens->P, &row);
     run_emit(run, &row);
     return true;
-}
-
-/* Put on what is attached, in its order: see --order and the manual. */
-static bool focus_attach(const struct focus_input *input, const struct photo_lens *lens,
-                         const struct conjugates *bare, struct attach_lens *all,
-                         struct error *error)
-{
-    const struct attach_step tube = {ATTACH_TUBE, input->attached.tube, 0, 0};
-    const struct attach_step converter = {ATTACH_CONVERTER, input->attached.converter,
-                                          input->converter_length, 0};
-    bool tube_first = input->order == 0;
-    const struct attach_step steps[] = {
-        {ATTACH_REVERSED, input->reversed ? bare->v : NAN, lens->measuring.hiatus,
-         -lens->real->rear},
-        {ATTACH_CLOSE_UP, 1000 * input->attached.close_up, input->gap, 0},
-        {ATTACH_STACKED, input->stacked, input->gap,
-         isnan(input->stacked_aperture) ? 0 : input->stacked_aperture},
-        tube_first ? tube : converter,
-        tube_first ? converter : tube,
-    };
-    return attach_apply(all, steps, sizeof steps / sizeof steps[0], error);
 }
 
 static bool emit_focus(const struct focus_input *input, const struct photo_lens *bare,
@@ -378,7 +348,24 @@ static bool run_attached(const struct focus_input *input, const struct photo_len
                                      .m_near = bare.m,
                                      .front = front,
                                      .hiatus = real->measuring.hiatus};
-    if (!attach_bare(&sold, &lens, error) || !focus_attach(input, real, &bare, &lens, error)) {
+    if (!attach_bare(&sold, &lens, error)) {
+        return false;
+    }
+    /* Put on what is attached, in its order: see --order and the manual. */
+    const struct attach_step tube = {ATTACH_TUBE, input->attached.tube, 0, 0};
+    const struct attach_step converter = {ATTACH_CONVERTER, input->attached.converter,
+                                          input->converter_length, 0};
+    bool tube_first = input->order == 0;
+    const struct attach_step steps[] = {
+        {ATTACH_REVERSED, input->reversed ? bare.v : NAN, real->measuring.hiatus,
+         -real->real->rear},
+        {ATTACH_CLOSE_UP, 1000 * input->attached.close_up, input->gap, 0},
+        {ATTACH_STACKED, input->stacked, input->gap,
+         isnan(input->stacked_aperture) ? 0 : input->stacked_aperture},
+        tube_first ? tube : converter,
+        tube_first ? converter : tube,
+    };
+    if (!attach_apply(&lens, steps, sizeof steps / sizeof steps[0], error)) {
         return false;
     }
     bool moves = lens.m_near > lens.m_far;
@@ -402,7 +389,7 @@ static bool focus_answer(const void *data, const struct photo_lens *lens, struct
     struct photo_real said = *lens->real;
     said.hiatus = own.measuring.hiatus;
     own.real = &said;
-    if (input->rays.exact && !focus_check_rays(input, error)) {
+    if (input->lens.rays.exact && !focus_check_rays(input, error)) {
         return false;
     }
     return has_attachments(input) ? run_attached(input, &own, run, error)
@@ -452,7 +439,7 @@ static const struct example examples[] = {
     {NULL, NULL},
 };
 
-BY_RAYS_WEIGHT(rays)
+BY_RAYS_WEIGHT(lens.rays)
 
 const struct command command_focus = {
     .name = "focus",

@@ -34,7 +34,6 @@ struct fov_input {
     double horizontal, vertical, diagonal;            /* wanted angles, rad */
     double field_width, field_height, field_diagonal; /* wanted fields, mm */
     double altitude, gsd, pitch;                      /* of a camera in the air, mm */
-    struct by_rays rays;
     int focus_by;
     const char *gap;
     /* of a lens that is focused by its gaps, as it stands for infinity, and its position */
@@ -88,8 +87,8 @@ static const struct option options[] = {
     {MEASURE(gsd, length, "cm", "LENGTH"), REPEATED("gsd"), .quantity = "ground sample", ABOVE_0,
      .help = "wanted ground sampling distance, in place of --altitude: solves for it"},
     OPTION_PITCH_ALONE(pitch, "altitude|gsd", "pixel pitch (otherwise that of the camera)"),
-    BY_RAYS_EXACT_OPTION(rays, "put the sensor where the rays of --lens are sharpest"),
-    BY_RAYS_CRITERION_OPTION(rays),
+    BY_RAYS_EXACT_OPTION(lens.rays, "put the sensor where the rays of --lens are sharpest"),
+    BY_RAYS_CRITERION_OPTION(lens.rays),
     {ASKED(focus_by), .name = "focus-by", .words = focusings, .fallback = "lens", .wants = "lens",
      .excludes = "gap", .value = "HOW", .help = "how --lens is focused; adds how much it breathes"},
     {ASKED(gap), .name = "gap", .wants = "lens", .value = "GAPS",
@@ -176,15 +175,6 @@ static const struct column columns[] = {
     PHOTO_LENS_WARNING_COLUMN(real),
 };
 
-/* The focal length from the one goal that is given. */
-static bool fov_row_solve(const struct fov_input *input, const struct fov_setting *setting,
-                          double *f, struct error *error)
-{
-    const struct fov_goals goals = {input->horizontal,  input->vertical,     input->diagonal,
-                                    input->field_width, input->field_height, input->field_diagonal};
-    return fov_solve(setting, &input->sensor.size, &goals, f, error);
-}
-
 static void doubt(struct fov_row *row, const char *warning, struct arena *arena)
 {
     row->real.warning = lens_warnings_join(row->real.warning, warning, arena);
@@ -195,17 +185,6 @@ static bool wants_rays(const struct fov_input *input, const struct photo_lens *l
 {
     return input->projection == VIEW_RAYS ||
            (input->projection == VIEW_AUTO && lens->lens != NULL && isnan(input->lens.pupil));
-}
-
-static bool fov_check_rays(const struct fov_input *input, const struct photo_lens *lens,
-                           struct error *error)
-{
-    if (lens->lens == NULL) {
-        return fail(error, ERROR_USAGE, "{--projection} chief-rays needs {--lens}");
-    }
-    return isnan(input->lens.pupil) ||
-           fail(error, ERROR_USAGE,
-                "{--projection} chief-rays goes by the lens's own pupils: it excludes {--pupil}");
 }
 
 /* What the exact chief rays of the real lens make of it, the film so far behind H'. */
@@ -239,8 +218,7 @@ static bool place_film(const struct fov_input *input, const struct photo_lens *l
         return fail(error, ERROR_USAGE,
                     "{--exact} moves the whole lens to where it is sharpest: it excludes {--gap}");
     }
-    const struct by_rays_question question = {&input->rays, &input->lens, lens, *distance, 0};
-    return by_rays_open(&question, run, &focus, row, error) &&
+    return by_rays_open(&input->lens, lens, *distance, 0, run, &focus, row, error) &&
            (input->lens.from != FROM_SENSOR || isinf(*distance) ||
             by_rays_distance(&focus, lens, *distance, input->distance, distance, error)) &&
            by_rays_image(&focus, lens, *distance, image, &row->blur, error);
@@ -254,7 +232,8 @@ static bool find_breathing(const struct fov_input *input, const struct photo_len
     double image = far->f, distance = INFINITY;
     struct by_rays_row ignored;
     struct view view;
-    if ((input->rays.exact && !place_film(input, far, &distance, run, &image, &ignored, error)) ||
+    if ((input->lens.rays.exact &&
+         !place_film(input, far, &distance, run, &image, &ignored, error)) ||
         !trace_view(input, far, INFINITY, image, run->arena, &view, error)) {
         return false;
     }
@@ -262,44 +241,44 @@ static bool find_breathing(const struct fov_input *input, const struct photo_len
     return true;
 }
 
-static void take_view(const struct view *view, double diagonal, struct fov_row *row,
-                      struct arena *arena)
-{
-    row->fov =
-        (struct fov){view->horizontal.angle,        view->vertical.angle, view->diagonal.angle,
-                     view->horizontal.size,         view->vertical.size,  view->diagonal.size,
-                     fov_kind(view->diagonal.angle)};
-    row->projection = ways[VIEW_RAYS].word;
-    row->circle = view->circle;
-    if (!isnan(view->circle)) {
-        doubt(row,
-              arena_printf(arena,
-                           "the image circle, %.4g mm across, does not cover the sensor, %.4g mm: "
-                           "angles and fields end at its edge",
-                           view->circle, diagonal),
-              arena);
-    }
-    if (!isnan(view->clear)) {
-        doubt(row,
-              arena_printf(
-                  arena,
-                  "the chief rays are stopped by clear apertures outside a circle of %.4g mm: "
-                  "the corners are strongly vignetted",
-                  view->clear),
-              arena);
-    }
-}
-
 /* In place of what the projection says, which has checked the setting. */
 static bool view_by_rays(const struct fov_input *input, const struct photo_lens *lens,
                          struct fov_row *row, struct arena *arena, struct error *error)
 {
     struct view view;
-    if (!fov_check_rays(input, lens, error) ||
-        !trace_view(input, lens, row->setting.s, row->image, arena, &view, error)) {
+    if (lens->lens == NULL) {
+        return fail(error, ERROR_USAGE, "{--projection} chief-rays needs {--lens}");
+    }
+    if (!isnan(input->lens.pupil)) {
+        return fail(
+            error, ERROR_USAGE,
+            "{--projection} chief-rays goes by the lens's own pupils: it excludes {--pupil}");
+    }
+    if (!trace_view(input, lens, row->setting.s, row->image, arena, &view, error)) {
         return false;
     }
-    take_view(&view, sensor_diagonal(&input->sensor.size), row, arena);
+    row->fov = (struct fov){view.horizontal.angle,        view.vertical.angle, view.diagonal.angle,
+                            view.horizontal.size,         view.vertical.size,  view.diagonal.size,
+                            fov_kind(view.diagonal.angle)};
+    row->projection = ways[VIEW_RAYS].word;
+    row->circle = view.circle;
+    if (!isnan(view.circle)) {
+        doubt(row,
+              arena_printf(arena,
+                           "the image circle, %.4g mm across, does not cover the sensor, %.4g mm: "
+                           "angles and fields end at its edge",
+                           view.circle, sensor_diagonal(&input->sensor.size)),
+              arena);
+    }
+    if (!isnan(view.clear)) {
+        doubt(row,
+              arena_printf(
+                  arena,
+                  "the chief rays are stopped by clear apertures outside a circle of %.4g mm: "
+                  "the corners are strongly vignetted",
+                  view.clear),
+              arena);
+    }
     return true;
 }
 
@@ -380,8 +359,13 @@ static bool fov_answer(const void *data, const struct photo_lens *lens, struct r
         .rays = by_rays_none,
     };
     if (!find_subject(input, lens, &row.setting.s, error) ||
-        !photo_lens_check_subject(lens, row.setting.s, error) ||
-        !fov_row_solve(input, &row.setting, &row.setting.f, error) ||
+        !photo_lens_check_subject(lens, row.setting.s, error)) {
+        return false;
+    }
+    /* The focal length from the one goal that is given. */
+    const struct fov_goals goals = {input->horizontal,  input->vertical,     input->diagonal,
+                                    input->field_width, input->field_height, input->field_diagonal};
+    if (!fov_solve(&row.setting, &input->sensor.size, &goals, &row.setting.f, error) ||
         !fov_compute(&row.setting, &input->sensor.size, &row.fov, error)) {
         return false;
     }
@@ -389,14 +373,10 @@ static bool fov_answer(const void *data, const struct photo_lens *lens, struct r
     if (input->position != NULL) {
         row.real.position = input->position;
     }
-    if (input->rays.exact &&
-        !place_film(input, lens, &row.setting.s, run, &row.image, &row.rays, error)) {
-        return false;
-    }
-    if (wants_rays(input, lens) && !look_by_rays(input, lens, run, &row, error)) {
-        return false;
-    }
-    if (!fill_ground(input, &row, run, error)) {
+    if ((input->lens.rays.exact &&
+         !place_film(input, lens, &row.setting.s, run, &row.image, &row.rays, error)) ||
+        (wants_rays(input, lens) && !look_by_rays(input, lens, run, &row, error)) ||
+        !fill_ground(input, &row, run, error)) {
         return false;
     }
     row.magnification = row.setting.f / (row.setting.s - row.setting.f);
@@ -530,7 +510,7 @@ static const struct example examples[] = {
 
 PHOTO_LENS_MAKES_MANY(lens)
 
-BY_RAYS_WEIGHT(rays)
+BY_RAYS_WEIGHT(lens.rays)
 
 const struct command command_fov = {
     .name = "fov",

@@ -14,7 +14,6 @@ struct hyperfocal_input {
     struct photo_lens_question lens;
     struct sharpness sharp;
     double squeeze;
-    struct by_rays rays;
 };
 
 #define INPUT struct hyperfocal_input
@@ -32,8 +31,8 @@ static const struct option options[] = {
      ABOVE_0 | OPTION_GOAL, .help = "wanted near limit there, in place of --hyperfocal"},
     OPTION_SQUEEZE(squeeze, NULL,
                    "anamorphic squeeze: adds the horizontal focal length; -f is the marked one"),
-    BY_RAYS_EXACT_OPTION(rays, "by the rays of --lens, aberrations included"),
-    BY_RAYS_CRITERION_OPTION(rays),
+    BY_RAYS_EXACT_OPTION(lens.rays, "by the rays of --lens, aberrations included"),
+    BY_RAYS_CRITERION_OPTION(lens.rays),
 };
 
 struct hyperfocal_row {
@@ -130,8 +129,7 @@ static bool hyperfocal_find_by_rays(const struct hyperfocal_input *input,
         return fail(error, ERROR_USAGE,
                     "{--exact} answers for a lens and an f-number: it excludes {--%s}", other);
     }
-    const struct by_rays_question question = {&input->rays, &input->lens, lens, INFINITY, c};
-    if (!by_rays_open(&question, run, &focus, &row->rays, error) ||
+    if (!by_rays_open(&input->lens, lens, INFINITY, c, run, &focus, &row->rays, error) ||
         !real_range_hyperfocal(&focus, front, c, &row->hyperfocal, &blur, error)) {
         return false;
     }
@@ -186,7 +184,8 @@ static bool hyperfocal_answer(const void *data, const struct photo_lens *lens, s
         .criterion = sharp.coc.criterion,
     };
     row.image = distance_image(setting.f, row.hyperfocal);
-    if (input->rays.exact && !hyperfocal_find_by_rays(input, lens, setting.c, run, &row, error)) {
+    if (input->lens.rays.exact &&
+        !hyperfocal_find_by_rays(input, lens, setting.c, run, &row, error)) {
         return false;
     }
     double to_sensor = row.image + lens->measuring.hiatus;
@@ -235,7 +234,7 @@ static const struct example examples[] = {
 
 PHOTO_LENS_MAKES_MANY(lens)
 
-BY_RAYS_WEIGHT(rays)
+BY_RAYS_WEIGHT(lens.rays)
 
 const struct command command_hyperfocal = {
     .name = "hyperfocal",

@@ -164,10 +164,7 @@ static bool solve_shake(const struct motion_input *input, struct motion_row *row
     }
     *shake = (struct shake){row->focal, input->rotation, row->motion.t, NAN,
                             is_given(row->motion.m) ? row->motion.m : 0};
-    if (alone && !limit(input, row->c, open, &shake->blur, error)) {
-        return false;
-    }
-    if (!shake_solve(shake, error)) {
+    if ((alone && !limit(input, row->c, open, &shake->blur, error)) || !shake_solve(shake, error)) {
         return false;
     }
     row->focal = shake->f;
@@ -183,26 +180,6 @@ static bool solve_panning(const struct motion_input *input, struct motion_row *r
                                      row->focal,    row->distance,     input->track};
     row->track = input->track;
     return panning_solve(&pan, &row->pan, error);
-}
-
-static bool motion_row_solve(const struct motion_input *input, struct motion_row *row,
-                             struct error *error)
-{
-    const struct sensor *sensor = &input->sharp.sensor.size;
-    bool turns = is_given(input->rotation);
-    if (!sharpness_resolve(&input->sharp, NAN, &row->c, error) ||
-        !magnify(input, &row->motion.m, error) ||
-        ((!turns || is_given(input->speed)) && !solve_subject(input, row, error)) ||
-        (turns && !solve_shake(input, row, error)) ||
-        (is_given(input->track) && !solve_panning(input, row, error))) {
-        return false;
-    }
-    if (is_given(input->readout) &&
-        !rolling_shutter(row->image_speed, input->readout, sensor->height, &row->skew, error)) {
-        return false;
-    }
-    return !is_given(row->focal) ||
-           handheld_time(row->focal, sensor_crop(sensor), input->stabiliser, &row->handheld, error);
 }
 
 static bool motion_run(const void *data, struct run *run, struct error *error)
@@ -229,7 +206,19 @@ static bool motion_run(const void *data, struct run *run, struct error *error)
         .sensor = input->sharp.sensor.name,
         .criterion = input->sharp.coc.criterion,
     };
-    if (!motion_row_solve(input, &row, error)) {
+    const struct sensor *sensor = &input->sharp.sensor.size;
+    bool turns = is_given(input->rotation);
+    if (!sharpness_resolve(&input->sharp, NAN, &row.c, error) ||
+        !magnify(input, &row.motion.m, error) ||
+        ((!turns || is_given(input->speed)) && !solve_subject(input, &row, error)) ||
+        (turns && !solve_shake(input, &row, error)) ||
+        (is_given(input->track) && !solve_panning(input, &row, error)) ||
+        (is_given(input->readout) &&
+         !rolling_shutter(row.image_speed, input->readout, sensor->height, &row.skew, error))) {
+        return false;
+    }
+    if (is_given(row.focal) &&
+        !handheld_time(row.focal, sensor_crop(sensor), input->stabiliser, &row.handheld, error)) {
         return false;
     }
     run_emit(run, &row);

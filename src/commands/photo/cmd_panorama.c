@@ -1,7 +1,6 @@
 /* commands/photo/cmd_panorama.c - lenscalc panorama: frames, steps, size and parallax. */
 /* SPDX-License-Identifier: MIT */
 #include "cli/question/command.h"
-#include "commands/photo/photo_columns.h"
 #include "commands/photo/photo_options.h"
 #include "commands/tables.h"
 #include "photo/conjugate.h"

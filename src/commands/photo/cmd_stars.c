@@ -114,25 +114,6 @@ static const struct column columns[] = {
      .label = "trail criterion", .help = "where the allowed trail comes from"},
 };
 
-/* How long a trail may be: as asked, else the circle of confusion. */
-static bool allow(const struct stars_input *input, struct warnings *doubts, struct stars_row *row,
-                  struct error *error)
-{
-    struct sharpness sharp = input->sharp;
-    if (!sharpness_settle(&sharp, PITCH_FOR_MORE, doubts, error)) {
-        return false;
-    }
-    if (is_given(input->trail.coc.value)) {
-        if (coc_is_print(&sharp.coc) && !coc_is_print(&input->trail)) {
-            return fail(error, ERROR_USAGE,
-                        "{--print}, {--viewing} and {--acuity} serve {--trail} print only");
-        }
-        sharp.coc = input->trail;
-    }
-    row->criterion = sharp.coc.criterion;
-    return sharpness_resolve(&sharp, input->fnumber, &row->allowed, error);
-}
-
 /* A camera and a lens of today for the NPF rule, where neither is given. */
 #define USUAL_FNUMBER    2.8
 #define USUAL_MEGAPIXELS 24
@@ -159,11 +140,9 @@ static void stars_assume(const struct sensor *sensor, struct stars_row *row, str
 static bool apply_rules(struct stars_row *row, struct error *error)
 {
     row->npf = row->npf_simple = row->four_minus_crop = NAN;
-    if (!star_rule_time(row->rule, row->focal, row->crop, &row->rule_time, error)) {
-        return false;
-    }
-    if (row->crop < 4 &&
-        !four_minus_crop_time(row->focal, row->crop, &row->four_minus_crop, error)) {
+    if (!star_rule_time(row->rule, row->focal, row->crop, &row->rule_time, error) ||
+        (row->crop < 4 &&
+         !four_minus_crop_time(row->focal, row->crop, &row->four_minus_crop, error))) {
         return false;
     }
     const double f = row->focal, N = row->npf_fnumber, pitch = row->npf_pitch;
@@ -206,7 +185,20 @@ static bool stars_run(const void *data, struct run *run, struct error *error)
                     "the longest focal length");
     }
     stars_assume(sensor, &row, run->arena);
-    if (!allow(input, run->doubts, &row, error) ||
+    /* How long a trail may be: as asked, else the circle of confusion. */
+    struct sharpness sharp = input->sharp;
+    if (!sharpness_settle(&sharp, PITCH_FOR_MORE, run->doubts, error)) {
+        return false;
+    }
+    if (is_given(input->trail.coc.value)) {
+        if (coc_is_print(&sharp.coc) && !coc_is_print(&input->trail)) {
+            return fail(error, ERROR_USAGE,
+                        "{--print}, {--viewing} and {--acuity} serve {--trail} print only");
+        }
+        sharp.coc = input->trail;
+    }
+    row.criterion = sharp.coc.criterion;
+    if (!sharpness_resolve(&sharp, input->fnumber, &row.allowed, error) ||
         (!is_given(row.focal) &&
          !star_focal_length(row.declination, row.exposure, row.allowed, &row.focal, error)) ||
         !star_time(row.focal, row.declination, row.allowed, &row.time, error) ||

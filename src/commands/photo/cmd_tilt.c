@@ -202,35 +202,6 @@ static bool tilt_row_solve(const struct tilt_input *input, struct tilt *camera, 
            tilt_solve(&given, camera, error);
 }
 
-/* The image circle that is needed, and how much one that is given leaves. */
-static void fill_coverage(const struct tilt_input *input, struct tilt_row *row)
-{
-    const struct sensor *size = &input->sharp.sensor.size;
-    const struct tilt_frame frame = {size->width, size->height, input->rise, input->shift};
-    const struct tilt_frame turned = {.width = size->height, .height = size->width};
-    const struct tilt *camera = &row->camera;
-    struct tilt_coverage coverage = {NAN, INFINITY};
-    struct error ignored;
-    bool untilted = !(fabs(camera->tilt) > 0);
-    if (!tilt_coverage(camera, &frame, &coverage, &ignored)) {
-        coverage = (struct tilt_coverage){NAN, INFINITY}; /* no circle is large enough */
-    }
-    row->coverage = coverage.angle;
-    row->needed = coverage.circle;
-    if (isnan(input->circle)) {
-        row->covers = NULL;
-    } else if (input->circle >= coverage.circle) {
-        row->covers = "yes";
-    } else {
-        row->covers = "no";
-    }
-    row->rise_limit = row->shift_limit = NAN;
-    if (untilted && !isnan(input->circle)) {
-        tilt_shift_limit(camera, input->circle, &frame, &row->rise_limit, &ignored);
-        tilt_shift_limit(camera, input->circle, &turned, &row->shift_limit, &ignored);
-    }
-}
-
 static bool tilt_run(const void *data, struct run *run, struct error *error)
 {
     struct tilt_input own = *(const struct tilt_input *)data;
@@ -253,7 +224,31 @@ static bool tilt_run(const void *data, struct run *run, struct error *error)
     }
     row.height = -row.camera.image * slope;
     row.reach = tilt_along(&row.camera, slope);
-    fill_coverage(input, &row);
+    /* The image circle that is needed, and how much one that is given leaves. */
+    const struct sensor *size = &input->sharp.sensor.size;
+    const struct tilt_frame frame = {size->width, size->height, input->rise, input->shift};
+    const struct tilt_frame turned = {.width = size->height, .height = size->width};
+    const struct tilt *camera = &row.camera;
+    struct tilt_coverage coverage = {NAN, INFINITY};
+    struct error ignored;
+    bool untilted = !(fabs(camera->tilt) > 0);
+    if (!tilt_coverage(camera, &frame, &coverage, &ignored)) {
+        coverage = (struct tilt_coverage){NAN, INFINITY}; /* no circle is large enough */
+    }
+    row.coverage = coverage.angle;
+    row.needed = coverage.circle;
+    if (isnan(input->circle)) {
+        row.covers = NULL;
+    } else if (input->circle >= coverage.circle) {
+        row.covers = "yes";
+    } else {
+        row.covers = "no";
+    }
+    row.rise_limit = row.shift_limit = NAN;
+    if (untilted && !isnan(input->circle)) {
+        tilt_shift_limit(camera, input->circle, &frame, &row.rise_limit, &ignored);
+        tilt_shift_limit(camera, input->circle, &turned, &row.shift_limit, &ignored);
+    }
     run_emit(run, &row);
     return true;
 }

@@ -1,28 +1,19 @@
 /* commands/photo/dof_question.c - what `dof` is asked, and the setting that answers it. */
 /* SPDX-License-Identifier: MIT */
 #include "commands/photo/dof_question.h"
+#include "base/arena.h"
+#include "draw/barrel.h"
+#include "photo/dof.h"
 
-/* Is the f-number what the wishes are for? Otherwise that of a real lens counts. */
-static bool dof_question_solves_fnumber(const struct dof_question *input)
-{
-    const struct dof_targets *t = &input->targets;
-    int wishes = !isnan(t->near) + !isnan(t->far) + !isnan(t->total) + !isnan(t->hyperfocal) +
-                 !isnan(t->magnification);
-    return wishes > (input->stack ? 2 : isnan(input->distance));
-}
+#include <math.h>
 
 int dof_question_use(const struct dof_question *input)
 {
-    return dof_question_solves_fnumber(input) ? PHOTO_LENS_SOLVES_FNUMBER : 0;
-}
-
-/* Is the subject where the lens itself is focused at infinity? So it is if nothing else is said. */
-static bool stays_at_infinity(const struct dof_question *input,
-                              const struct attached_lens *attached)
-{
+    /* Is the f-number what the wishes are for? Otherwise that of a real lens counts. */
     const struct dof_targets *t = &input->targets;
-    return isfinite(attached->farthest) && isnan(input->distance) && isnan(t->near) &&
-           isnan(t->far) && isnan(t->total) && isnan(t->magnification) && isnan(t->hyperfocal);
+    int wishes = !isnan(t->near) + !isnan(t->far) + !isnan(t->total) + !isnan(t->hyperfocal) +
+                 !isnan(t->magnification);
+    return (wishes > (input->stack ? 2 : isnan(input->distance))) ? PHOTO_LENS_SOLVES_FNUMBER : 0;
 }
 
 static bool dof_question_set_up(const struct dof_question *input,
@@ -66,14 +57,6 @@ static bool solve_airy(const struct dof_question *input, const struct photo_lens
         "no distance agrees with the Airy disc that belongs to it: give {--coc} as a length");
 }
 
-static bool dof_question_complete(const struct dof_question *input, const struct photo_lens *lens,
-                                  struct dof_setting *setting, struct error *error)
-{
-    return sharpness_is_airy(&input->sharp)
-               ? solve_airy(input, lens, setting, error)
-               : distance_solve(setting, &input->targets, &lens->measuring, error);
-}
-
 /* Rays answer for a lens, an f-number and a distance; nothing is solved for. */
 static bool dof_question_check_rays(const struct dof_question *input, struct error *error)
 {
@@ -94,7 +77,7 @@ bool dof_question_open(const struct dof_question *input, const struct photo_lens
                        struct photo_lens *room, struct attached_lens *attached,
                        struct dof_setting *setting, struct error *error)
 {
-    return (!input->rays.exact || dof_question_check_rays(input, error)) &&
+    return (!input->lens.rays.exact || dof_question_check_rays(input, error)) &&
            attachments_apply(&input->attached, lens, room, attached, error) &&
            dof_question_set_up(input, attached, setting, error);
 }
@@ -102,44 +85,87 @@ bool dof_question_open(const struct dof_question *input, const struct photo_lens
 bool dof_question_solve(const struct dof_question *input, const struct attached_lens *attached,
                         struct dof_setting *setting, struct error *error)
 {
-    if (stays_at_infinity(input, attached)) {
+    /* the subject is where the lens itself is focused at infinity if nothing else is said */
+    const struct dof_targets *t = &input->targets;
+    if (isfinite(attached->farthest) && isnan(input->distance) && isnan(t->near) && isnan(t->far) &&
+        isnan(t->total) && isnan(t->magnification) && isnan(t->hyperfocal)) {
         setting->s = attached->farthest;
         return dof_check(setting, error);
     }
-    return dof_question_complete(input, attached->lens, setting, error) &&
-           photo_lens_check_subject(attached->lens, setting->s, error) &&
+    if (!(sharpness_is_airy(&input->sharp)
+              ? solve_airy(input, attached->lens, setting, error)
+              : distance_solve(setting, &input->targets, &attached->lens->measuring, error))) {
+        return false;
+    }
+    return photo_lens_check_subject(attached->lens, setting->s, error) &&
            attached_check_reach(attached, setting->s, error);
 }
 
-/* -------- focus stacks -------- */
+/* -------- the scale of a barrel -------- */
 
-static bool stack_check(const struct dof_question *input, struct error *error)
+/* The f-numbers of a lens barrel and the one in use among them, ascending. */
+static size_t barrel_fnumbers(double chosen, double *fnumbers, size_t *at)
 {
-    const struct dof_targets *t = &input->targets;
-    const int ends = !isnan(t->near) + !isnan(t->far) + !isnan(t->total);
-    if (!isnan(input->distance) || ends + !isnan(t->magnification) < 2) {
-        return fail(error, ERROR_USAGE,
-                    "{--stack} needs two of {--near}, {--far} and {--dof}, or {--far} or {--dof} "
-                    "with the {--magnification} of its first shot, and no {--distance} of its own");
+    static const double usual[] = {1, 1.4, 2, 2.8, 4, 5.6, 8, 11, 16, 22, 32, 45, 64};
+    size_t count = 0;
+    bool placed = false;
+    for (size_t i = 0; i < sizeof usual / sizeof usual[0]; i++) {
+        if (!placed && chosen <= usual[i] * 1.03) {
+            *at = count;
+            fnumbers[count++] = chosen;
+            placed = true;
+            if (chosen > usual[i] / 1.03) {
+                continue;
+            }
+        }
+        /* far from the one in use the marks would lie on the index or off the scale */
+        if (usual[i] > chosen / 9 && usual[i] < chosen * 5) {
+            fnumbers[count++] = usual[i];
+        }
     }
-    if (ends == 3) {
-        return fail(error, ERROR_USAGE,
-                    "{--stack} needs two of {--near}, {--far} and {--dof}: the third follows");
+    if (!placed) {
+        *at = count;
+        fnumbers[count++] = chosen;
     }
-    if (isnan(t->far) && isnan(t->total)) {
-        return fail(error, ERROR_USAGE, "{--stack} has no end: give {--far} or {--dof}");
-    }
-    if (sharpness_is_airy(&input->sharp)) {
-        return fail(error, ERROR_USAGE,
-                    "{--stack} needs one circle of confusion for all shots: not {--coc} airy");
-    }
-    if (input->lens.from == FROM_SENSOR || input->model != DOF_EXACT) {
-        return fail(error, ERROR_USAGE,
-                    "{--stack} works with exact formulas and distances from the "
-                    "principal plane");
-    }
-    return true;
+    return count;
 }
+
+bool dof_draw_scale(const struct artifact_job *job, struct output *sink, struct error *error)
+{
+    struct dof_question own = *(const struct dof_question *)job->inputs[0];
+    const struct dof_question *input = &own;
+    struct svg svg = {.arena = job->run->arena};
+    struct photo_lens lens, room;
+    struct attached_lens attached;
+    struct dof_setting setting;
+    struct barrel_mark marks[16];
+    struct barrel barrel = {.marks = marks};
+    double fnumbers[16];
+    if (!sharpness_settle(&own.sharp, PITCH_FOR_COC, NULL, error) ||
+        !photo_lens_single(&input->lens, dof_question_use(input), svg.arena, &lens, error) ||
+        !dof_question_open(input, &lens, &room, &attached, &setting, error) ||
+        !dof_question_solve(input, &attached, &setting, error)) {
+        return false;
+    }
+    barrel.mark_count = barrel_fnumbers(setting.N, fnumbers, &barrel.chosen);
+    for (size_t i = 0; i < barrel.mark_count; i++) {
+        double near, far;
+        dof_vergences(&setting, fnumbers[i], &near, &far);
+        marks[i] = (struct barrel_mark){fnumbers[i], 1000 * near, 1000 * far};
+    }
+    barrel.focus_diopter = 1000 / setting.s;
+    barrel.title = lens.real->title != NULL
+                       ? arena_printf(svg.arena, "Depth of field of %s", lens.real->title)
+                       : arena_printf(svg.arena, "Depth of field of a %.4g mm lens", setting.f);
+    barrel.subtitle =
+        arena_printf(svg.arena,
+                     "focused at %.4g m, f/%.4g, circle of confusion %.4g mm, distances from the "
+                     "front principal plane",
+                     setting.s / 1000, setting.N, setting.c);
+    return barrel_draw(&barrel, &svg, error) && drawing_write(job, &svg, sink, error);
+}
+
+/* -------- focus stacks -------- */
 
 /* Near and far of a stack from the principal plane, once f, N and c are known. */
 static bool stack_limits(const struct dof_targets *t, const struct photo_lens *lens,
@@ -176,8 +202,29 @@ bool dof_question_plan(const struct dof_question *input, const struct photo_lens
     const bool is_known = !isnan(setting->f) && !isnan(setting->N) && !isnan(setting->c) &&
                           isnan(t->magnification) && isnan(t->hyperfocal);
     double near, far;
-    if (!stack_check(input, error) ||
-        (!is_known && !distance_solve(setting, &first, &lens->measuring, error)) ||
+    const int ends = !isnan(t->near) + !isnan(t->far) + !isnan(t->total);
+    if (!isnan(input->distance) || ends + !isnan(t->magnification) < 2) {
+        return fail(error, ERROR_USAGE,
+                    "{--stack} needs two of {--near}, {--far} and {--dof}, or {--far} or {--dof} "
+                    "with the {--magnification} of its first shot, and no {--distance} of its own");
+    }
+    if (ends == 3) {
+        return fail(error, ERROR_USAGE,
+                    "{--stack} needs two of {--near}, {--far} and {--dof}: the third follows");
+    }
+    if (isnan(t->far) && isnan(t->total)) {
+        return fail(error, ERROR_USAGE, "{--stack} has no end: give {--far} or {--dof}");
+    }
+    if (sharpness_is_airy(&input->sharp)) {
+        return fail(error, ERROR_USAGE,
+                    "{--stack} needs one circle of confusion for all shots: not {--coc} airy");
+    }
+    if (input->lens.from == FROM_SENSOR || input->model != DOF_EXACT) {
+        return fail(error, ERROR_USAGE,
+                    "{--stack} works with exact formulas and distances from the "
+                    "principal plane");
+    }
+    if ((!is_known && !distance_solve(setting, &first, &lens->measuring, error)) ||
         !stack_limits(t, lens, setting, &near, &far, error) ||
         !dof_plan_make(setting, near, far, input->overlap, plan, error)) {
         return false;
@@ -190,21 +237,6 @@ bool dof_question_plan(const struct dof_question *input, const struct photo_lens
 
 /* -------- by rays -------- */
 
-/* What the rays found, as formulas would have it: distances from principal planes. */
-static void take_range(const struct real_range *range, double rear, struct dof *dof)
-{
-    dof->near = range->near;
-    dof->far = range->far;
-    dof->near_vergence = 1 / range->near;
-    dof->far_vergence = 1 / range->far;
-    dof->near_condition = dof->far_condition = 1;
-    dof->image = range->film - rear;
-    dof->image_near = range->film_near - rear;
-    dof->image_far = range->film_far - rear;
-    dof->depth_of_focus = range->film_high - range->film_low;
-    dof->blur_at_infinity = range->blur_at_infinity;
-}
-
 bool dof_question_by_rays(const struct dof_question *input, const struct attached_lens *attached,
                           struct run *run, struct dof_setting *setting, struct dof *dof,
                           struct by_rays_row *rays, struct error *error)
@@ -214,20 +246,25 @@ bool dof_question_by_rays(const struct dof_question *input, const struct attache
     struct real_focus focus;
     struct real_range range;
     double blur; /* of infinity */
-    const struct by_rays_question question = {&input->rays, &input->lens, lens, setting->s,
-                                              setting->c};
-    if (!by_rays_open(&question, run, &focus, rays, error)) {
-        return false;
-    }
-    if (input->lens.from == FROM_SENSOR && !isnan(input->distance) &&
-        !by_rays_distance(&focus, lens, setting->s, input->distance, &setting->s, error)) {
-        return false;
-    }
-    if (!real_range_find(&focus, front, setting->s, setting->c, &range, error) ||
+    if (!by_rays_open(&input->lens, lens, setting->s, setting->c, run, &focus, rays, error) ||
+        (input->lens.from == FROM_SENSOR && !isnan(input->distance) &&
+         !by_rays_distance(&focus, lens, setting->s, input->distance, &setting->s, error)) ||
+        !real_range_find(&focus, front, setting->s, setting->c, &range, error) ||
         !real_range_hyperfocal(&focus, front, setting->c, &dof->hyperfocal, &blur, error)) {
         return false;
     }
-    take_range(&range, lens->real->rear, dof);
+    /* What the rays found, as formulas would have it: distances from principal planes. */
+    double rear = lens->real->rear;
+    dof->near = range.near;
+    dof->far = range.far;
+    dof->near_vergence = 1 / range.near;
+    dof->far_vergence = 1 / range.far;
+    dof->near_condition = dof->far_condition = 1;
+    dof->image = range.film - rear;
+    dof->image_near = range.film_near - rear;
+    dof->image_far = range.film_far - rear;
+    dof->depth_of_focus = range.film_high - range.film_low;
+    dof->blur_at_infinity = range.blur_at_infinity;
     dof->front = setting->s - dof->near;
     dof->behind = isinf(dof->far) ? dof->far : dof->far - setting->s;
     dof->total = dof->front + dof->behind;

@@ -23,7 +23,6 @@ struct dof_question {
     struct sensor_value other;
     struct attachments attached;
     double squeeze, t_stop;
-    struct by_rays rays;
 };
 
 /* enum photo_lens_use: a real lens's own f-number does not count where that is what is wished. */

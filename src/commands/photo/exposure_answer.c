@@ -2,7 +2,12 @@
 /* SPDX-License-Identifier: MIT */
 #include "commands/photo/exposure_answer.h"
 
+#include "base/arena.h"
+#include "base/constants.h"
 #include "base/quantity.h"
+#include "data/lensdb_facts.h"
+#include "photo/flicker.h"
+#include "photo/mired.h"
 #include "photo/sensitometry.h"
 #include "photo/stops.h"
 
@@ -107,36 +112,6 @@ static bool take_t_stop(const struct exposure_input *input, struct exposure_give
     return transmittance_from_t_stop(g->N, input->t_stop, &row->transmittance, error);
 }
 
-static bool take_loss(const struct exposure_input *input, struct exposure_given *g,
-                      struct exposure_row *row, struct error *error)
-{
-    const struct light_loss loss = {
-        NAN, NAN, input->filter.stops, row->transmittance, input->magnification, input->lens.pupil};
-    bool any =
-        input->filter.name != NULL || !isnan(row->transmittance) || !isnan(input->magnification);
-    if (any && !light_loss(&loss, &row->loss, error)) {
-        return false;
-    }
-    g->loss = row->loss;
-    return true;
-}
-
-/* Everything is given: the light asks for one exposure, the camera makes another. */
-static bool exposure_answer_compare(const struct exposure_given *given, struct exposure_row *row,
-                                    struct error *error)
-{
-    struct exposure_given light = *given;
-    light.t = NAN;
-    if (!exposure_deviation(given, &row->deviation, error) ||
-        !exposure_solve(&light, &row->x, error)) {
-        return false;
-    }
-    row->x.t = given->t;
-    row->x.ev_set -= row->deviation;
-    row->x.Tv = row->x.ev_set - row->x.Av;
-    return true;
-}
-
 /* A film and a time are a question of their own. */
 static void take_time_only(const struct exposure_given *g, struct exposure_row *row)
 {
@@ -202,7 +177,17 @@ static bool exposure_answer_solve(const struct exposure_input *input, struct exp
         g->N = 1; /* any will do: all of them are asked for */
     }
     if (lights > 0 && !isnan(g->N) && !isnan(g->t) && !isnan(g->S)) {
-        return exposure_answer_compare(g, row, error);
+        /* Everything is given: the light asks for one exposure, the camera makes another. */
+        struct exposure_given light = *g;
+        light.t = NAN;
+        if (!exposure_deviation(g, &row->deviation, error) ||
+            !exposure_solve(&light, &row->x, error)) {
+            return false;
+        }
+        row->x.t = g->t;
+        row->x.ev_set -= row->deviation;
+        row->x.Tv = row->x.ev_set - row->x.Av;
+        return true;
     }
     if (input->film.model != NULL && lights == 0 && isnan(g->N) && !isnan(g->t)) {
         take_time_only(g, row);
@@ -226,12 +211,6 @@ static bool exposure_answer_correct(const struct exposure_input *input, struct e
     row->reciprocity_stops = reciprocity_stops(row->x.t, row->corrected_time);
     row->time_to_set = asks ? row->corrected_time : NAN;
     return true;
-}
-
-static bool fill_t_stop(struct exposure_row *row, struct error *error)
-{
-    return isnan(row->transmittance) || isnan(row->x.N) ||
-           t_stop(row->x.N, row->transmittance, &row->t_stop, error);
 }
 
 static bool fill_shutter(const struct exposure_input *input, struct exposure_row *row,
@@ -304,6 +283,112 @@ static void fill_nominal(const struct exposure_input *input, struct exposure_row
     row->residual += solved_speed ? log2(S / row->x.S) : 0;
 }
 
+/* -------- lamps -------- */
+
+static bool answer_colour(const struct lamps *lamps, double filter, struct run *run,
+                          struct lamp_row *row, struct error *error)
+{
+    double behind = lamps->kelvin;
+    if (isnan(lamps->kelvin)) {
+        return isnan(lamps->balance) || fail(error, ERROR_USAGE, "{--balance} wants {--kelvin}");
+    }
+    if (!isnan(filter)) {
+        if (!mired_filtered(lamps->kelvin, filter, &behind, error)) {
+            return false;
+        }
+        row->filtered = behind;
+    }
+    if (isnan(lamps->balance)) {
+        return true;
+    }
+    if (isnan(filter)) {
+        return fail(error, ERROR_USAGE,
+                    "{--filter} has a colour that is none of light: leave it out to find the "
+                    "conversion filter");
+    }
+    return mired_shift(behind, lamps->balance, &row->wanted, error) &&
+           lensdb_nearest_conversion(run->db, row->wanted, run->arena, &row->conversion,
+                                     &row->conversion_shift, error);
+}
+
+/* "1/50": a number of pulses in seconds. */
+static const char *time_words(double mains, long pulses, struct arena *arena)
+{
+    double per_second = 2 * mains;
+    if (per_second != floor(per_second) || per_second > 1e6) {
+        return arena_printf(arena, "%.4g", flicker_time(mains, pulses));
+    }
+    long below = (long)per_second, above = pulses, divisor = below, rest = above;
+    while (rest > 0) { /* Euclid */
+        long next = divisor % rest;
+        divisor = rest;
+        rest = next;
+    }
+    return below == divisor ? arena_printf(arena, "%ld", above / divisor)
+                            : arena_printf(arena, "%ld/%ld", above / divisor, below / divisor);
+}
+
+static const char *flicker_words(const struct flicker *flicker, double rate, struct arena *arena)
+{
+    bool film = !isnan(rate);
+    if (film && flicker->longest == 0) {
+        return "cannot be avoided: a frame is shorter than a pulse of the lamps";
+    }
+    if (isnan(flicker->pulses)) {
+        return flicker->is_steady ? "none between frames at any shutter angle" : NULL;
+    }
+    if (flicker->is_free) {
+        return "none";
+    }
+    if (flicker->is_steady) {
+        return "none between frames; bands with a rolling shutter";
+    }
+    return arena_printf(arena, "%s: %.4g pulses of the lamps",
+                        film ? "visible" : "uneven, or bands", flicker->pulses);
+}
+
+bool lamps_answer(const struct lamps *lamps, double filter, double t, double rate, struct run *run,
+                  struct lamp_row *row, struct error *error)
+{
+    *row = (struct lamp_row){.kelvin = lamps->kelvin,
+                             .balance = lamps->balance,
+                             .shift = fabs(filter) > 0 || !isnan(lamps->kelvin) ? filter : NAN,
+                             .filtered = NAN,
+                             .wanted = NAN,
+                             .conversion_shift = NAN,
+                             .mains = lamps->mains,
+                             .free_time = NAN};
+    if (!answer_colour(lamps, filter, run, row, error)) {
+        return false;
+    }
+    struct flicker flicker;
+    if (isnan(lamps->mains)) {
+        return true;
+    }
+    if (!flicker_check(lamps->mains, t, rate, &flicker, error)) {
+        return false;
+    }
+    row->free_time = flicker.nearest;
+    row->flicker = flicker_words(&flicker, rate, run->arena);
+    /* The times without flicker and their angles, the first of them. */
+    struct arena *arena = run->arena;
+    enum { FOR_A_PICTURE = 6, MOST = 12 };
+    bool film = !isnan(rate);
+    const long longest = flicker.longest < MOST ? flicker.longest : MOST;
+    const long count = film ? longest : FOR_A_PICTURE;
+    for (long i = 1; i <= count; i++) {
+        const char *comma = i > 1 ? ", " : "";
+        row->free_times = arena_printf(arena, "%s%s%s", i > 1 ? row->free_times : "", comma,
+                                       time_words(lamps->mains, i, arena));
+        if (film) {
+            double angle = degrees_from_radians(flicker_angle(lamps->mains, rate, i));
+            row->free_angles =
+                arena_printf(arena, "%s%s%.5g", i > 1 ? row->free_angles : "", comma, angle);
+        }
+    }
+    return true;
+}
+
 bool exposure_is_asked(const struct exposure_input *input)
 {
     const struct exposure_given *g = &input->given;
@@ -335,11 +420,22 @@ bool exposure_answer(const struct exposure_input *input, struct exposure_row *ro
     exposure_answer_begin_row(input, row);
     if (!exposure_answer_take_scene(input, &given, error) ||
         !exposure_answer_take_time(input, &given, row, error) ||
-        !take_t_stop(input, &given, row, error) || !take_loss(input, &given, row, error) ||
-        !(isnan(input->metered) ? exposure_answer_solve : solve_metered)(input, &given, row,
+        !take_t_stop(input, &given, row, error)) {
+        return false;
+    }
+    const struct light_loss loss = {
+        NAN, NAN, input->filter.stops, row->transmittance, input->magnification, input->lens.pupil};
+    bool any =
+        input->filter.name != NULL || !isnan(row->transmittance) || !isnan(input->magnification);
+    if (any && !light_loss(&loss, &row->loss, error)) {
+        return false;
+    }
+    given.loss = row->loss;
+    if (!(isnan(input->metered) ? exposure_answer_solve : solve_metered)(input, &given, row,
                                                                          error) ||
-        !fill_t_stop(row, error) || !fill_shutter(input, row, error) ||
-        !fill_focal_plane(input, row, error) ||
+        (!isnan(row->transmittance) && !isnan(row->x.N) &&
+         !t_stop(row->x.N, row->transmittance, &row->t_stop, error)) ||
+        !fill_shutter(input, row, error) || !fill_focal_plane(input, row, error) ||
         (!input->equivalent && !exposure_answer_correct(input, row, error))) {
         return false;
     }

@@ -5,12 +5,24 @@
 
 #include "base/error.h"
 #include "cli/options/option_light.h"
-#include "commands/photo/by_rays.h"
-#include "commands/photo/lamps.h"
 #include "commands/photo/photo_lens.h"
 #include "photo/exposure.h"
 
 #include <stdbool.h>
+
+/* What the options say of lamps; NaN = not given. */
+struct lamps {
+    double kelvin, balance; /* colour temperature of the light, and that of film or camera, K */
+    double mains;           /* Hz */
+};
+
+/* What is answered of them; NaN and null = absent. */
+struct lamp_row {
+    double kelvin, balance, shift, filtered, wanted, conversion_shift;
+    const char *conversion;
+    double mains, free_time;
+    const char *flicker, *free_times, *free_angles;
+};
 
 /* What is given; NaN = not given. Options of the command. */
 struct exposure_input {
@@ -28,8 +40,7 @@ struct exposure_input {
     bool equivalent;
     struct photo_lens_question lens;
     struct lamps lamps;
-    struct by_rays rays; /* the light of the lens by its rays */
-    bool fresnel;        /* with what its faces reflect */
+    bool fresnel; /* with what its faces reflect */
 };
 
 /* Everything about one exposure; NaN and null = absent. */
@@ -75,5 +86,15 @@ bool exposure_answer(const struct exposure_input *input, struct exposure_row *ro
  */
 bool exposure_equivalent_row(const struct exposure_input *input, const struct exposure_row *answer,
                              int step, struct exposure_row *line);
+
+/*
+ * Answer what is asked.
+ *
+ * Given     filter   before the lens, mired, as struct loss_value has it; 0 for none
+ *           t, rate  exposure time, s, and frames per second; NaN = not known
+ * Errors    --balance without --kelvin (ERROR_USAGE); as photo/mired.h and photo/flicker.h
+ */
+bool lamps_answer(const struct lamps *lamps, double filter, double t, double rate, struct run *run,
+                  struct lamp_row *row, struct error *error);
 
 #endif

@@ -5,7 +5,6 @@
 
 #include "cli/question/command.h"
 #include "commands/lens/lens_options.h"
-#include "commands/photo/photo_columns.h"
 #include "commands/photo/photo_options.h"
 #include "commands/tables.h"
 #include "exchange/lens_formats.h"
@@ -13,6 +12,12 @@
 #include "photo/distance_from.h"
 
 #include <math.h>
+
+/* Whether an answer by rays is wanted, and what counts as sharp. */
+struct by_rays {
+    bool exact;
+    const char *criterion; /* "rms", "energy80", "mtf@40/mm" */
+};
 
 /*
  * Which lens is asked for: a thin one, or a real one and how it is set. The options of a command
@@ -26,6 +31,7 @@ struct photo_lens_question {
     double wavelength;     /* mm */
     double fnumber, pupil; /* in place of those of a real lens */
     int from;              /* enum distance_from */
+    struct by_rays rays;
 };
 
 /* What the answer makes of it; added up. */

@@ -8,15 +8,11 @@ static double given_or(double value, double usual)
     return isnan(value) ? usual : value;
 }
 
-static bool is_print_given(const struct sharpness *a)
-{
-    return !isnan(a->print.longer) || !isnan(a->viewing) || !isnan(a->acuity);
-}
-
 bool sharpness_settle(struct sharpness *a, enum pitch_use use, struct warnings *doubts,
                       struct error *error)
 {
-    bool is_print = is_print_given(a), is_pitch = !isnan(a->pitch) && use == PITCH_FOR_COC;
+    bool is_print = !isnan(a->print.longer) || !isnan(a->viewing) || !isnan(a->acuity),
+         is_pitch = !isnan(a->pitch) && use == PITCH_FOR_COC;
     if (coc_is_print(&a->coc) && a->print.criterion != NULL) {
         a->coc.criterion = a->print.criterion;
     }

@@ -3,7 +3,6 @@
 #ifndef LENSCALC_COMMANDS_PHOTO_SHARPNESS_H
 #define LENSCALC_COMMANDS_PHOTO_SHARPNESS_H
 
-#include "commands/photo/photo_columns.h"
 #include "commands/photo/photo_options.h"
 #include "commands/tables.h"
 

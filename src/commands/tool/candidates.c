@@ -51,13 +51,6 @@ static void candidates_offer(const struct typed_words *typing, const char *candi
     }
 }
 
-static void offer_words(const struct typed_words *typing, const struct option *option)
-{
-    for (size_t i = 0; option_word(option, i) != NULL; i++) {
-        candidates_offer(typing, option_word(option, i)->word, option_word(option, i)->help);
-    }
-}
-
 /* -------- names that lists hold -------- */
 
 static bool offer_row(struct run *run, const void *row)
@@ -138,29 +131,23 @@ static const struct word *words_of_kind(const struct option_kind *kind)
 
 /* -------- what depends on the words before -------- */
 
-static const struct option *candidates_find_letter(const struct command *command, char letter)
+/* By its letter, or by its name where `letter` is 0. */
+static bool is_called(const struct option *option, char letter, struct text name)
 {
-    const struct option *common = NULL;
-    for (size_t i = 0; command_option(command, i) != NULL; i++) {
-        if (command_option(command, i)->letter == letter) {
-            return command_option(command, i);
-        }
-    }
-    while ((common = command_next_common(command, common)) != NULL && common->letter != letter) {
-    }
-    return common;
+    return letter != '\0' ? option->letter == letter : text_same_name(name, text_of(option->name));
 }
 
-static const struct option *find_name(const struct command *command, struct text name)
+static const struct option *find_option(const struct command *command, char letter,
+                                        struct text name)
 {
     const struct option *common = NULL;
     for (size_t i = 0; command_option(command, i) != NULL; i++) {
-        if (text_same_name(name, text_of(command_option(command, i)->name))) {
+        if (is_called(command_option(command, i), letter, name)) {
             return command_option(command, i);
         }
     }
     while ((common = command_next_common(command, common)) != NULL &&
-           !text_same_name(name, text_of(common->name))) {
+           !is_called(common, letter, name)) {
     }
     return common;
 }
@@ -171,7 +158,7 @@ static const struct option *candidates_option_of(const struct command *command, 
 {
     *value = (struct text){NULL, 0};
     if (word.length == 2 && word.start[0] == '-' && word.start[1] != '-') {
-        return candidates_find_letter(command, word.start[1]);
+        return find_option(command, word.start[1], word);
     }
     struct text name = text_behind(word, "--");
     if (name.start == NULL) {
@@ -179,7 +166,7 @@ static const struct option *candidates_option_of(const struct command *command, 
     }
     *value = name;
     name = text_cut(value, '=');
-    return find_name(command, name);
+    return find_option(command, '\0', name);
 }
 
 static bool takes_value(const struct option *option)
@@ -244,28 +231,25 @@ static void offer_positions(const struct typed_words *typing)
 
 /* -------- what is being typed -------- */
 
-/* In a list only what follows the last comma. */
-static void step_into_list(struct typed_words *typing)
-{
-    struct text typed = typing->typed;
-    size_t at = typed.length;
-    while (at > 0 && typed.start[at - 1] != ',') {
-        at--;
-    }
-    typing->before =
-        arena_printf(typing->run->arena, "%s%.*s", typing->before, (int)at, typed.start);
-    typing->typed = (struct text){typed.start + at, typed.length - at};
-}
-
 static void offer_value(struct typed_words *typing, const struct option *option)
 {
     bool is_columns = strcmp(option->name, "columns") == 0;
     bool is_position = strcmp(option->name, "position") == 0;
     bool is_file = (option->flags & OPTION_FILE) != 0;
     if (option->kind->is_list || is_columns || is_position) {
-        step_into_list(typing);
+        /* In a list only what follows the last comma. */
+        struct text typed = typing->typed;
+        size_t at = typed.length;
+        while (at > 0 && typed.start[at - 1] != ',') {
+            at--;
+        }
+        typing->before =
+            arena_printf(typing->run->arena, "%s%.*s", typing->before, (int)at, typed.start);
+        typing->typed = (struct text){typed.start + at, typed.length - at};
     }
-    offer_words(typing, option);
+    for (size_t j = 0; option_word(option, j) != NULL; j++) {
+        candidates_offer(typing, option_word(option, j)->word, option_word(option, j)->help);
+    }
     const struct word *word = words_of_kind(option->kind);
     for (; word != NULL && word->word != NULL; word++) {
         candidates_offer(typing, word->word, word->help);
@@ -295,17 +279,6 @@ static void offer_value(struct typed_words *typing, const struct option *option)
 static void offer_option(const struct typed_words *typing, const struct option *option)
 {
     candidates_offer(typing, arena_printf(typing->run->arena, "--%s", option->name), option->help);
-}
-
-static void offer_options(const struct typed_words *typing)
-{
-    const struct option *common = NULL;
-    for (size_t i = 0; command_option(typing->command, i) != NULL; i++) {
-        offer_option(typing, command_option(typing->command, i));
-    }
-    while ((common = command_next_common(typing->command, common)) != NULL) {
-        offer_option(typing, common);
-    }
 }
 
 static void offer_commands(const struct typed_words *typing)
@@ -362,31 +335,26 @@ static void offer_operand(struct typed_words *typing)
     }
 }
 
-/* The words and the command they ask. False if that is not known. */
-static bool candidates_split(struct typed_words *typing, const char *words)
-{
-    struct text rest = text_of(words);
-    struct arena *arena = typing->run->arena;
-    typing->words = ARENA_ARRAY(arena, rest.length + 1, struct text);
-    char **strings = ARENA_ARRAY(arena, rest.length + 1, char *);
-    while (rest.start != NULL) {
-        struct text word = text_cut(&rest, OPTION_MANY_SEPARATOR);
-        strings[typing->count] = arena_string(arena, word.start, word.length);
-        typing->words[typing->count++] = word;
-    }
-    typing->typed = typing->words[typing->count - 1];
-    typing->command = command_find(typing->words[0]);
-    if (typing->command != NULL) {
-        typing->command = command_asked(typing->command, (int)typing->count - 1, strings + 1);
-    }
-    return typing->command != NULL;
-}
-
 void candidates_write(const char *words, struct run *run, struct output *output)
 {
     struct typed_words typing = {.before = "", .run = run, .output = output};
     struct text value;
-    bool is_known = candidates_split(&typing, words);
+    /* The words and the command they ask. False if that is not known. */
+    struct text rest = text_of(words);
+    struct arena *arena = typing.run->arena;
+    typing.words = ARENA_ARRAY(arena, rest.length + 1, struct text);
+    char **strings = ARENA_ARRAY(arena, rest.length + 1, char *);
+    while (rest.start != NULL) {
+        struct text word = text_cut(&rest, OPTION_MANY_SEPARATOR);
+        strings[typing.count] = arena_string(arena, word.start, word.length);
+        typing.words[typing.count++] = word;
+    }
+    typing.typed = typing.words[typing.count - 1];
+    typing.command = command_find(typing.words[0]);
+    if (typing.command != NULL) {
+        typing.command = command_asked(typing.command, (int)typing.count - 1, strings + 1);
+    }
+    bool is_known = typing.command != NULL;
     if (typing.count == 1) {
         offer_commands(&typing);
         return;
@@ -395,7 +363,8 @@ void candidates_write(const char *words, struct run *run, struct output *output)
         return;
     }
     struct lensdb own = *run->db;
-    struct text folder = candidates_value_of(&typing, find_name(typing.command, text_of("lensdb")));
+    struct text folder =
+        candidates_value_of(&typing, find_option(typing.command, '\0', text_of("lensdb")));
     if (folder.start != NULL) {
         own = (struct lensdb){.arena = own.arena,
                               .directory = arena_string(run->arena, folder.start, folder.length)};
@@ -416,7 +385,13 @@ void candidates_write(const char *words, struct run *run, struct output *output)
         typing.typed = value;
         offer_value(&typing, option);
     } else if (last.length > 0 && last.start[0] == '-') {
-        offer_options(&typing);
+        const struct option *other = NULL;
+        for (size_t i = 0; command_option(typing.command, i) != NULL; i++) {
+            offer_option(&typing, command_option(typing.command, i));
+        }
+        while ((other = command_next_common(typing.command, other)) != NULL) {
+            offer_option(&typing, other);
+        }
     } else {
         offer_operand(&typing);
     }

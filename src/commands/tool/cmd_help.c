@@ -8,6 +8,55 @@
 #include <string.h>
 #include <unistd.h>
 
+/* A line of the list of commands. */
+static void write_entry(const char *name, const char *summary, struct output *output)
+{
+    enum { SUMMARY_AT = 15 };
+    output_printf(output, "  %-12s ", name);
+    output_paragraph(output, summary, SUMMARY_AT, SUMMARY_AT, help_width(output));
+}
+
+/* What there is: all commands by group. */
+static void help_write_overview(struct output *output)
+{
+    const char *group = "";
+    output_string(output, "lenscalc: optics for photographers, lens designers and programmers\n\n"
+                          "  lenscalc COMMAND [options]\n  lenscalc COMMAND --help\n");
+    for (size_t i = 0; commands[i] != NULL; i++) {
+        if (strcmp(group, commands[i]->group) != 0) {
+            group = commands[i]->group;
+            output_printf(output, "\n%s:\n", group);
+        }
+        write_entry(commands[i]->name, commands[i]->summary, output);
+    }
+    output_string(output, "\ntopics (lenscalc help TOPIC):\n");
+    for (const struct topic_text *topic = help_topics; topic->name != NULL; topic++) {
+        write_entry(topic->name, topic->summary, output);
+    }
+    output_string(output, "\nFor example:\n"
+                          "  lenscalc dof -f 50mm -N 2.8 -s 3m\n"
+                          "  lenscalc fov -f 24mm --sensor aps-c\n");
+}
+
+void help_short(void)
+{
+    struct arena arena = {0};
+    struct output output;
+    output_begin(&output, STDERR_FILENO, &arena);
+    output_wrapped(&output,
+                   "usage: lenscalc COMMAND [options], for example:\n"
+                   "  lenscalc dof -f 50mm -N 2.8 -s 3m",
+                   help_width(&output));
+    const char *line = "commands:";
+    for (size_t i = 0; commands[i] != NULL; i++) {
+        line = arena_printf(&arena, "%s %s", line, commands[i]->name);
+    }
+    output_paragraph(&output, line, 0, 2, help_width(&output));
+    output_wrapped(&output, "more: lenscalc help, lenscalc COMMAND --help", help_width(&output));
+    output_flush(&output);
+    arena_free(&arena);
+}
+
 struct help_input {
     const char *topic;
 };
@@ -35,15 +84,6 @@ static bool help_unknown(const char *topic, struct error *error)
     return false;
 }
 
-static void write_topic(const struct topic_text *topic, struct output *output)
-{
-    output_printf(output, "%s: %s\n\n", topic->name, topic->summary);
-    output_wrapped(output, topic->text, help_width(output));
-    if (topic->list != NULL) {
-        topic->list(output);
-    }
-}
-
 static bool help_explain(const struct artifact_job *job, struct output *output, struct error *error)
 {
     const struct help_input *input = job->inputs[0];
@@ -54,7 +94,11 @@ static bool help_explain(const struct artifact_job *job, struct output *output, 
     }
     const struct topic_text *topic = help_topic_find(input->topic);
     if (topic != NULL) {
-        write_topic(topic, output);
+        output_printf(output, "%s: %s\n\n", topic->name, topic->summary);
+        output_wrapped(output, topic->text, help_width(output));
+        if (topic->list != NULL) {
+            topic->list(output);
+        }
         return true;
     }
     const struct command *command = command_find(text_of(input->topic));

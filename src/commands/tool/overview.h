@@ -5,9 +5,6 @@
 
 #include "report/output.h"
 
-/* What there is: all commands by group. */
-void help_write_overview(struct output *output);
-
 /* What all commands have in common, by topic; ends with a null name. */
 struct topic_text {
     const char *name, *summary, *text;
