@@ -94,38 +94,27 @@ static const struct column matrix_columns[] = {
 };
 
 const struct sheet fit_matrix_sheet = SHEET(matrix_columns, struct matrix_row);
-/* What the fitted lens makes of the rays of a part, less what they are, in the image. */
-static void fit_view_find_errors(const struct fit_job *job, const struct ray_part *part, double *dx,
-                                 double *dy)
-{
-    thick_errors(&part->rays, job->fit.lenses, job->task.planes[0], dx, dy);
-}
-
-static bool emit_ray(const struct fit_job *job, const struct thick_rays *rays, size_t i, double dx,
-                     double dy)
-{
-    double field = fit_field(job, rays->field[i]);
-    bool angle = job->setup->lens->object_is_infinite;
-    const struct ray_row row = {.position = job->setup->position,
-                                .wavelength = job->setup->wavelengths[rays->group[i]].wavelength,
-                                .field = angle ? field : NAN,
-                                .object_height = angle ? NAN : field,
-                                .stop_x = rays->stop_x[i],
-                                .stop_y = rays->stop_y[i],
-                                .dx = dx,
-                                .dy = dy,
-                                .distance = hypot(dx, dy)};
-    return run_emit(job->run, &row);
-}
-
 void fit_show_rays(struct fit_job *job)
 {
+    const struct setup *setup = job->setup;
+    const bool is_angle = setup->lens->object_is_infinite;
     const struct ray_part *part;
     double dx[RAY_PART], dy[RAY_PART];
     while ((part = ray_data_next(&job->ray_data)) != NULL) {
-        fit_view_find_errors(job, part, dx, dy);
-        for (size_t i = 0; i < part->rays.count; i++) {
-            if (!emit_ray(job, &part->rays, i, dx[i], dy[i])) {
+        const struct thick_rays *rays = &part->rays;
+        thick_errors(rays, job->fit.lenses, job->task.planes[0], dx, dy);
+        for (size_t i = 0; i < rays->count; i++) {
+            const double field = fit_field(job, rays->field[i]);
+            const struct ray_row row = {.position = setup->position,
+                                        .wavelength = setup->wavelengths[rays->group[i]].wavelength,
+                                        .field = is_angle ? field : NAN,
+                                        .object_height = is_angle ? NAN : field,
+                                        .stop_x = rays->stop_x[i],
+                                        .stop_y = rays->stop_y[i],
+                                        .dx = dx[i],
+                                        .dy = dy[i],
+                                        .distance = hypot(dx[i], dy[i])};
+            if (!run_emit(job->run, &row)) {
                 ray_data_rewind(&job->ray_data);
                 return;
             }
@@ -180,7 +169,7 @@ void fit_show_matrix(struct fit_job *job)
 }
 
 /* The points of all rays; those that came through first. Result: the largest error, mm. */
-static double fit_view_place_points(struct fit_job *job, struct ray_map *map)
+static double place_points(struct fit_job *job, struct ray_map *map)
 {
     const struct ray_data *ray_data = &job->ray_data;
     const struct ray_part *part;
@@ -190,7 +179,7 @@ static double fit_view_place_points(struct fit_job *job, struct ray_map *map)
     size_t count = 0, lost = ray_data->count;
     while ((part = ray_data_next(&job->ray_data)) != NULL) {
         const struct thick_rays *rays = &part->rays;
-        fit_view_find_errors(job, part, dx, dy);
+        thick_errors(rays, job->fit.lenses, job->task.planes[0], dx, dy);
         for (size_t i = 0; i < rays->count; i++) {
             points[count++] =
                 (struct ray_map_point){rays->field[i],  rays->group[i], rays->stop_x[i],
@@ -231,7 +220,7 @@ bool fit_draw_map(const struct artifact_job *wanted, struct output *sink, struct
     map.column_count = job->setup->field_count;
     map.rows = rows;
     map.row_count = job->setup->wavelength_count;
-    const double largest = fit_view_place_points(job, &map);
+    const double largest = place_points(job, &map);
     map.title = arena_printf(arena, "%s%s%s: exact rays against the fitted thick lens", title,
                              job->setup->position != NULL ? ", " : "",
                              job->setup->position != NULL ? job->setup->position : "");
@@ -272,8 +261,8 @@ struct lens fit_equal_lens(const struct fit_job *job)
 bool fit_save_lens(const struct artifact_job *wanted, struct output *sink, struct error *error)
 {
     const struct lens lens = fit_equal_lens(wanted->run->state);
-    struct text text = lens_write(&lens, wanted->run->arena);
     (void)error;
+    const struct text text = lens_write(&lens, wanted->run->arena);
     output_text(sink, text.start, text.length);
     return true;
 }

@@ -1,6 +1,6 @@
 /* commands/design/tolerance_files.c - lenses as they may be made, and parts of a divided run. */
 /* SPDX-License-Identifier: MIT */
-#include "commands/design/fit.h"
+#include "commands/design/design.h"
 #include "commands/design/tolerance_job.h"
 #include "file/lens_file.h"
 
@@ -68,13 +68,16 @@ bool tolerance_check_output(const struct artifact_job *job, struct error *error)
 static void note_view(const struct tolerance_job *job, struct lens *lens)
 {
     struct arena *arena = job->run->arena;
-    fit_note(lens, arena_printf(arena, "that is by rays %s", tolerance_about_of(job).rays), arena);
+    design_note(lens, arena_printf(arena, "that is by rays %s", tolerance_about_of(job).rays),
+                arena);
     if (job->question.view.clip) {
-        fit_note(lens, "and what the nominal lens lets through: this one does not quite the same",
-                 arena);
+        design_note(lens,
+                    "and what the nominal lens lets through: this one does not quite the same",
+                    arena);
     }
     if (job->tolerance.irregularity_count > 0) {
-        fit_note(lens, "without the irregularity of its surfaces, which is in that figure", arena);
+        design_note(lens, "without the irregularity of its surfaces, which is in that figure",
+                    arena);
     }
 }
 
@@ -100,16 +103,16 @@ static bool save_trial(struct tolerance_job *job, uint64_t number, struct output
         lens->stated_count[i] = 0;
     }
     const struct criterion_type *type = criterion_type(job->question.criterion.kind);
-    fit_note(lens,
-             arena_printf(arena, "as made in trial %llu of seed %llu: %s %.6g %s",
-                          (unsigned long long)number + 1, (unsigned long long)job->trials.seed,
-                          job->question.criterion.name,
-                          type->scale * tolerance_judged(tolerance, job->trials.of, trial.figures),
-                          type->unit),
-             arena);
+    design_note(
+        lens,
+        arena_printf(
+            arena, "as made in trial %llu of seed %llu: %s %.6g %s", (unsigned long long)number + 1,
+            (unsigned long long)job->trials.seed, job->question.criterion.name,
+            type->scale * tolerance_judged(tolerance, job->trials.of, trial.figures), type->unit),
+        arena);
     note_view(job, lens);
     if (lens->source != NULL) {
-        fit_note(lens, arena_printf(arena, "made after: %s", lens->source), arena);
+        design_note(lens, arena_printf(arena, "made after: %s", lens->source), arena);
         lens->source = NULL;
     }
     struct text text = lens_write(lens, arena);
