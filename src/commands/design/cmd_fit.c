@@ -1,6 +1,5 @@
 /* commands/design/cmd_fit.c - lenscalc fit: thick lenses from exact rays, glasses from indices. */
 /* SPDX-License-Identifier: MIT */
-#include "base/watch.h"
 #include "commands/design/fit.h"
 #include "file/lens_file.h"
 #include "trace/aim/sample.h"
@@ -79,38 +78,6 @@ static const struct option options[] = {
     {OPTION(struct fit_input, name), .name = "name", .value = "NAME", .wants = "output",
      .help = "name of the glass in the file that is written"},
 };
-
-/* One row of parameters or correlations, whatever was fitted. */
-struct fit_row {
-    const char *position, *parameter, *with;
-    double value, error, correlation;
-    const char *note; /* "at its bound", "not determined"; null = nothing */
-};
-
-static const struct column parameter_columns[] = {
-    {COLUMN_NAMED(struct fit_row, position, COLUMN_BRIEF | COLUMN_SPARSE),
-     .help = "zoom or focus position"},
-    {COLUMN_NAMED(struct fit_row, parameter, COLUMN_BRIEF), .help = "what was fitted"},
-    {COLUMN_NAMED(struct fit_row, value, COLUMN_BRIEF), .digits = 9,
-     .help = "its value; lengths in mm"},
-    {COLUMN(struct fit_row, error), .flags = COLUMN_BRIEF, .name = "stderr",
-     .label = "standard error",
-     .help = "standard error; absent at a bound and where the data leave it open"},
-    {COLUMN_NAMED(struct fit_row, note, 0),
-     .help = "at its bound, or not determined; absent if neither"},
-};
-
-static const struct column correlation_columns[] = {
-    {COLUMN_NAMED(struct fit_row, position, COLUMN_BRIEF | COLUMN_SPARSE),
-     .help = "zoom or focus position"},
-    {COLUMN_NAMED(struct fit_row, parameter, COLUMN_BRIEF), .help = "one parameter"},
-    {COLUMN_NAMED(struct fit_row, with, COLUMN_BRIEF), .help = "another"},
-    {COLUMN_NAMED(struct fit_row, correlation, COLUMN_BRIEF),
-     .help = "covariance over the product of the standard errors, -1 to 1"},
-};
-
-static const struct sheet fit_parameter_sheet = SHEET(parameter_columns, struct fit_row);
-static const struct sheet fit_correlation_sheet = SHEET(correlation_columns, struct fit_row);
 
 static const struct file_type glass_type = {{"tsv", "glass catalogue"}, ".tsv"};
 
@@ -245,51 +212,6 @@ static bool check_saved(const struct artifact_job *job, struct error *error)
 static bool fit_save(const struct artifact_job *job, struct output *sink, struct error *error)
 {
     return fit_kind_of(job->inputs[0])->save(job, sink, error);
-}
-
-void fit_emit(const char *position, size_t count, const char *const *names, const double *values,
-              const struct solver_summary *summary, enum fit_show show, struct run *run)
-{
-    const double *errors = summary->standard_error;
-    bool goes_on = true;
-    for (size_t i = 0; i < count && goes_on; i++) {
-        if (show != FIT_CORRELATIONS) {
-            const struct fit_row row = {.position = position,
-                                        .parameter = names[i],
-                                        .value = values[i],
-                                        .error = errors[i],
-                                        .note = summary->at_bound[i]       ? "at its bound"
-                                                : summary->undetermined[i] ? "not determined"
-                                                                           : NULL};
-            goes_on = run_emit(run, &row);
-            continue;
-        }
-        for (size_t j = i + 1; j < count && goes_on; j++) {
-            const struct fit_row row = {.position = position,
-                                        .parameter = names[i],
-                                        .with = names[j],
-                                        .correlation = summary->covariance[i * count + j] /
-                                                       (errors[i] * errors[j])};
-            goes_on = run_emit(run, &row);
-        }
-    }
-}
-
-const char *fit_status(const struct solver_summary *summary)
-{
-    static const char *const words[] = {
-        [SOLVER_CONVERGED] = "converged",
-        [SOLVER_LIMIT] = "not converged: as many iterations as allowed",
-        [SOLVER_STOPPED] = "stopped",
-        [SOLVER_STUCK] = "not converged: no step lowers the residual",
-    };
-    return words[summary->status];
-}
-
-bool fit_goes_on(void *watch, const struct solver_progress *progress)
-{
-    (void)progress;
-    return watch_add(watch, 1);
 }
 
 static const struct artifact artifacts[] = {

@@ -31,6 +31,8 @@ struct fit_input {
     bool chromatic, clip, no_clip;
 };
 
+extern const struct sheet fit_parameter_sheet, fit_correlation_sheet;
+
 /* Hand out the rows of FIT_PARAMETERS or FIT_CORRELATIONS, of `count` parameters. */
 void fit_emit(const char *position, size_t count, const char *const *names, const double *values,
               const struct solver_summary *summary, enum fit_show show, struct run *run);

@@ -116,6 +116,23 @@ static bool take_result(const struct optimize_global *global, struct arena *aren
     return true;
 }
 
+static bool take_starts(const struct optimize_global *global, struct arena *arena,
+                        const struct part_file *file)
+{
+    const struct part_range range = part_range(file->head.part, file->head.total);
+    const uint64_t starts = range.end - range.begin;
+    const char *flags = file->body.start;
+    bool good = file->body.length >= starts;
+    struct text rest = {flags + starts, good ? file->body.length - starts : 0};
+    uint64_t done = 0;
+    for (uint64_t k = 0; k < starts && good; k++) {
+        done += flags[k] != 0;
+        good =
+            flags[k] == 0 || take_result(global, arena, &rest, &global->results[range.begin + k]);
+    }
+    return good && rest.length == 0 && done == file->head.done;
+}
+
 /* What a result depends on besides words and files: glasses, what the lens is and has. */
 static struct text facts_of_search(const struct optimize_job *job)
 {
@@ -169,18 +186,7 @@ bool optimize_part_begin(struct optimize_job *job, struct error *error)
         return false;
     }
     for (size_t i = 0; i < count; i++) {
-        const struct part_range range = part_range(files[i].head.part, files[i].head.total);
-        const uint64_t starts = range.end - range.begin;
-        const char *flags = files[i].body.start;
-        bool good = files[i].body.length >= starts;
-        struct text rest = {flags + starts, good ? files[i].body.length - starts : 0};
-        uint64_t done = 0;
-        for (uint64_t k = 0; k < starts && good; k++) {
-            done += flags[k] != 0;
-            good = flags[k] == 0 ||
-                   take_result(global, run->arena, &rest, &global->results[range.begin + k]);
-        }
-        if (!(good && rest.length == 0 && done == files[i].head.done)) {
+        if (!take_starts(global, run->arena, &files[i])) {
             return fail(error, ERROR_DATA, "%s: its starts are not those that its head says",
                         files[i].path);
         }

@@ -202,7 +202,7 @@ static bool optimize_job_goes_on(void *context)
     return watch_add(job->run->watch, 1) && progress_clock() < job->until;
 }
 
-/* Read what is asked; the merit is that of the question. job->goals: in words that --goals takes. */
+/* Read what is asked; the merit is that of the question, its goals those that --goals takes. */
 static bool optimize_open(struct optimize_job *job, struct merit_question *question,
                           struct error *error)
 {

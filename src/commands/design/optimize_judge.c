@@ -28,6 +28,18 @@ void optimize_warn(struct optimize_job *job, const char *format, ...)
         lens_warnings_join(job->warning, ARENA_JOIN(job->run->arena, words), job->run->arena);
 }
 
+double optimize_wrong_by(const struct operand *operand, double value)
+{
+    const double off = value - operand->target;
+    if (operand->relation == OPERAND_BELOW) {
+        return off;
+    }
+    if (operand->relation == OPERAND_ABOVE) {
+        return -off;
+    }
+    return fabs(off);
+}
+
 /* Contrasts that are off by so much are said. */
 static const double doubtful = 0.01;
 

@@ -116,18 +116,6 @@ static double squares(const double *residuals, const struct merit_slot *slot)
     return sum;
 }
 
-double optimize_wrong_by(const struct operand *operand, double value)
-{
-    const double off = value - operand->target;
-    if (operand->relation == OPERAND_BELOW) {
-        return off;
-    }
-    if (operand->relation == OPERAND_ABOVE) {
-        return -off;
-    }
-    return fabs(off);
-}
-
 /* A figure, of many the worst, in the unit that the goal has; of rays their root sum square. */
 static double optimize_value_of(const struct optimize_state *state, const struct merit_slot *slot)
 {

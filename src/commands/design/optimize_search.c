@@ -189,13 +189,41 @@ static bool keep_lenses(struct optimize_job *job, struct error *error)
     return count == 0 || job->kept_count > 0;
 }
 
+/* All starts that are to be searched; how many of `all` are done, which is said. */
+static size_t run_starts(struct optimize_job *job, size_t all)
+{
+    struct optimize_global *global = job->global;
+    const struct optimize_input *input = job->input;
+    const bool is_merged = job->run->parts != NULL;
+    struct watch *watch = job->run->watch;
+    struct arena *arena = job->run->arena;
+    size_t left = global->end - global->begin;
+    for (size_t k = global->begin; k < global->end; k++) {
+        left -= global->results[k].is_done;
+    }
+    watch_begin(watch, "starts", left);
+    optimize_global_search(global, arena);
+    if (job->state_path != NULL && watch_is_ended(watch)) {
+        optimize_part_save(job);
+    }
+    const size_t done = count_done(job);
+    job->search = arena_printf(arena, "%zu start%s %s, with %ld escape%s each, by seed %ld", done,
+                               done == 1 ? "" : "s", range_in_words(job), input->escapes,
+                               input->escapes == 1 ? "" : "s", input->seed);
+    job->is_late = done < all && !watch_is_ended(watch) && !is_merged;
+    if (done < all && !job->is_late) {
+        job->incomplete = arena_printf(arena, "%s%zu of %zu starts: the best so far, incomplete",
+                                       is_merged ? "only " : "interrupted after ", done, all);
+    }
+    return done;
+}
+
 bool optimize_search(struct optimize_job *job, const struct merit_question *question,
                      struct error *error)
 {
     const struct optimize_input *input = job->input;
     struct arena *arena = job->run->arena;
     struct watch *watch = job->run->watch;
-    const bool is_merged = job->run->parts != NULL;
     struct optimize_global *global = ARENA_NEW(arena, struct optimize_global);
     *global = (struct optimize_global){.merit = &job->merit,
                                        .iterations = (int)input->iterations,
@@ -224,25 +252,8 @@ bool optimize_search(struct optimize_job *job, const struct merit_question *ques
     }
     job->until = until;
     global->pause = job->state_path != NULL ? keep_state : NULL;
-    const size_t own = global->end - global->begin, all = is_merged ? global->start_count : own;
-    size_t there = 0;
-    for (size_t k = global->begin; k < global->end; k++) {
-        there += global->results[k].is_done;
-    }
-    watch_begin(watch, "starts", own - there);
-    optimize_global_search(global, arena);
-    if (job->state_path != NULL && watch_is_ended(watch)) {
-        optimize_part_save(job);
-    }
-    const size_t done = count_done(job);
-    job->search = arena_printf(arena, "%zu start%s %s, with %ld escape%s each, by seed %ld", done,
-                               done == 1 ? "" : "s", range_in_words(job), input->escapes,
-                               input->escapes == 1 ? "" : "s", input->seed);
-    job->is_late = done < all && !watch_is_ended(watch) && !is_merged;
-    if (done < all && !job->is_late) {
-        job->incomplete = arena_printf(arena, "%s%zu of %zu starts: the best so far, incomplete",
-                                       is_merged ? "only " : "interrupted after ", done, all);
-    }
+    const size_t all = job->run->parts != NULL ? global->start_count : global->end - global->begin;
+    const size_t done = run_starts(job, all);
     if (!keep_lenses(job, error)) {
         return false;
     }
