@@ -4,7 +4,7 @@
 #include "cli/options/tolerances.h"
 #include "clock.h"
 #include "design/tolerance/sensitivity.h"
-#include "design/tolerance/tolerance_model.h"
+#include "design/tolerance/tolerance_trial.h"
 #include "exchange/lens_open.h"
 
 #include <math.h>
@@ -25,7 +25,8 @@ struct fixture {
     struct perturbations perturbations;
     struct tolerance_question question;
     struct tolerance tolerance;
-    struct tolerance_model model;
+    struct second_order_problem problem;
+    double *nominal;
 };
 
 static void stop(const struct error *error)
@@ -76,12 +77,12 @@ static double found(struct fixture *fixture)
 {
     struct arena *arena = &fixture->arena;
     const char *failure;
-    tolerance_model_open(&fixture->tolerance, NULL, arena, &fixture->model);
-    const struct second_order_problem *problem = &fixture->model.problem;
+    fixture->problem = tolerance_problem(&fixture->tolerance, NULL, arena, &fixture->nominal);
+    const struct second_order_problem *problem = &fixture->problem;
     struct sensitivity *table =
         ARENA_ARRAY(arena, problem->error_count * problem->figure_count, struct sensitivity);
     const double before = processor_time();
-    sensitivity_find(problem, fixture->model.nominal, arena, table, &failure);
+    sensitivity_find(problem, fixture->nominal, arena, table, &failure);
     return processor_time() - before;
 }
 

@@ -8,7 +8,7 @@
 #include "design/merit/merit_rays.h"
 #include "design/tolerance/irregularity.h"
 #include "design/tolerance/sensitivity.h"
-#include "design/tolerance/tolerance_model.h"
+#include "design/tolerance/tolerance_trial.h"
 
 #include <string.h>
 
@@ -22,7 +22,8 @@ static struct arena arena;
 struct under_test {
     struct lens lens;
     struct tolerance tolerance;
-    struct tolerance_model model;
+    struct second_order_problem problem;
+    double *nominal;
 };
 
 /* Spots of 12 Gauss rays, or another criterion; `question` says what is not usual. */
@@ -42,8 +43,8 @@ static bool open_test(struct under_test *test, const char *text, struct toleranc
     const bool done = tolerance_open(&question, &arena, &test->tolerance, &error);
     CHECK(done);
     if (done) {
-        tolerance_model_open(&test->tolerance, NULL, &arena, &test->model);
-        CHECK(test->model.problem.figure_count <= FIGURES);
+        test->problem = tolerance_problem(&test->tolerance, NULL, &arena, &test->nominal);
+        CHECK(test->problem.figure_count <= FIGURES);
     } else {
         printf("%s\n%s\n", text, error.message);
     }
@@ -53,7 +54,7 @@ static bool open_test(struct under_test *test, const char *text, struct toleranc
 static void try(struct under_test *test, const double *errors, double *figures)
 {
     struct error why = {.code = ERROR_NONE};
-    const bool done = test->model.problem.trial(test->model.problem.context, errors, figures, &why);
+    const bool done = test->problem.trial(test->problem.context, errors, figures, &why);
     CHECK(done);
     if (!done) {
         printf("%s\n", why.message);
@@ -153,9 +154,9 @@ static void check_linear(void)
     if (!open_test(&test, double_gauss, question, several, SEVERAL)) {
         return;
     }
-    const size_t figures = test.model.problem.figure_count;
+    const size_t figures = test.problem.figure_count;
     struct sensitivity *rows = ARENA_ARRAY(&arena, SEVERAL * figures, struct sensitivity);
-    sensitivity_find(&test.model.problem, test.model.nominal, &arena, rows, &failure);
+    sensitivity_find(&test.problem, test.nominal, &arena, rows, &failure);
     CHECK(failure == NULL);
     memset(table, 0, sizeof table);
     open_columns(&test, &variables, &merit);
@@ -182,7 +183,7 @@ static void check_linear(void)
         for (size_t f = 0; f < 3; f++) {
             slope[f] *= several[j].amount * unit / sqrt(square[f]);
             scale = fmax(scale, fabs(slope[f]));
-            CHECK_RELATIVE(sqrt(square[f]), test.model.nominal[f], 1e-12, "nominal");
+            CHECK_RELATIVE(sqrt(square[f]), test.nominal[f], 1e-12, "nominal");
         }
         for (size_t f = 0; f < 3; f++) {
             CHECK_NEAR(rows[j * figures + f].linear, slope[f], 1e-9 * fmax(scale, 1e-6),
@@ -209,9 +210,9 @@ static void check_deviation(enum criterion_kind kind, enum tolerance_refocus ref
     if (!open_test(&test, double_gauss, question, small, SEVERAL)) {
         return;
     }
-    const size_t figures = test.model.problem.figure_count;
+    const size_t figures = test.problem.figure_count;
     struct sensitivity *rows = ARENA_ARRAY(&arena, SEVERAL * figures, struct sensitivity);
-    sensitivity_find(&test.model.problem, test.model.nominal, &arena, rows, &failure);
+    sensitivity_find(&test.problem, test.nominal, &arena, rows, &failure);
     double sum[FIGURES] = {0}, squares[FIGURES] = {0}, fourths[FIGURES] = {0};
     for (uint64_t k = 0; k < TRIALS; k++) {
         double errors[SEVERAL], at[FIGURES];
@@ -220,7 +221,7 @@ static void check_deviation(enum criterion_kind kind, enum tolerance_refocus ref
         }
         try(&test, errors, at);
         for (size_t f = 0; f < figures; f++) {
-            const double off = at[f] - test.model.nominal[f];
+            const double off = at[f] - test.nominal[f];
             sum[f] += off;
             squares[f] += off * off;
             fourths[f] += off * off * off * off;
@@ -253,7 +254,7 @@ static void check_second(enum tolerance_refocus refocus)
         }
         const struct tolerance_question question = {.refocus = refocus};
         if (!open_test(&test, double_gauss, question, list, SEVERAL) ||
-            !second_order_open(&test.model.problem, &arena, &differential, &error)) {
+            !second_order_open(&test.problem, &arena, &differential, &error)) {
             CHECK(false);
             return;
         }
@@ -304,7 +305,7 @@ static void check_pairs(void)
             errors[i] = side == 0 ? 1 : -1;
             try(&test, errors, at[i][side]);
         }
-        CHECK(fabs(at[i][0][0] - test.model.nominal[0]) > 1e-5);
+        CHECK(fabs(at[i][0][0] - test.nominal[0]) > 1e-5);
         CHECK_NEAR(at[i][0][0], at[i][1][0], 1e-12, "both signs");
         CHECK_NEAR(at[i][0][1], at[i][1][1], 1e-12, "both refocus");
     }
@@ -333,7 +334,7 @@ static void check_concentric(void)
         double errors[3] = {0}, at[FIGURES];
         errors[i] = 1;
         try(&test, errors, at);
-        const double off = fabs(at[1] - test.model.nominal[1]);
+        const double off = fabs(at[1] - test.nominal[1]);
         CHECK(i < 2 ? off < 1e-13 : off > 1e-5);
     }
     arena_free(&arena);
@@ -345,7 +346,7 @@ static void look(const char *text, double *figures)
     static struct under_test test;
     const struct tolerance_question question = {.refocus = REFOCUS_NONE, .aims = true};
     if (open_test(&test, text, question, NULL, 0)) {
-        memcpy(figures, test.model.nominal, test.tolerance.figure_count * sizeof *figures);
+        memcpy(figures, test.nominal, test.tolerance.figure_count * sizeof *figures);
     }
 }
 
@@ -386,7 +387,7 @@ static void check_breaks(void)
         }
         try(&test, errors, displaced);
         for (size_t f = 0; f < 2; f++) {
-            CHECK(fabs(displaced[f] - test.model.nominal[f]) > 1e-5);
+            CHECK(fabs(displaced[f] - test.nominal[f]) > 1e-5);
         }
         look(cases[k].broken, broken);
         for (size_t f = 0; f < 2; f++) {

@@ -122,13 +122,8 @@ static const struct sheet *const all_sheets[] = {&fit_lens_sheet,        &fit_pa
 
 static const struct fit_kind *fit_kind_of(const struct fit_input *input)
 {
-    if (input->glass != NULL) {
-        return &glass;
-    }
-    if (input->goals != NULL) {
-        return &prescription;
-    }
-    return &thick_lens;
+    const struct fit_kind *of_lens = input->goals != NULL ? &prescription : &thick_lens;
+    return input->glass != NULL ? &glass : of_lens;
 }
 
 /* Those that there are not are refused by `run`. */

@@ -3,7 +3,7 @@
 #ifndef LENSCALC_COMMANDS_DESIGN_FIT_H
 #define LENSCALC_COMMANDS_DESIGN_FIT_H
 
-#include "commands/lens/lens_options.h"
+#include "commands/design/design.h"
 #include "design/fit/ray_data.h"
 #include "design/fit/thick.h"
 #include "design/solver/solver.h"
@@ -31,29 +31,11 @@ struct fit_input {
     bool chromatic, clip, no_clip;
 };
 
-/* One row of parameters or correlations, whatever was fitted. */
-struct fit_row {
-    const char *position, *parameter, *with;
-    double value, error, correlation;
-    const char *note; /* "at its bound", "not determined"; null = nothing */
-};
-
 extern const struct sheet fit_parameter_sheet, fit_correlation_sheet;
 
-/* What a fit found, for the rows above. */
-struct fit_found {
-    const char *position;
-    size_t count;
-    const char *const *names;
-    const double *values;
-    const struct solver_summary *summary;
-};
-
-/* Hand out the rows of FIT_PARAMETERS or FIT_CORRELATIONS. */
-void fit_emit(const struct fit_found *found, enum fit_show show, struct run *run);
-
-/* What a lens that is written says of how it was found; null: nothing. */
-void fit_note(struct lens *lens, const char *note, struct arena *arena);
+/* Hand out the rows of FIT_PARAMETERS or FIT_CORRELATIONS, of `count` parameters. */
+void fit_emit(const char *position, size_t count, const char *const *names, const double *values,
+              const struct solver_summary *summary, enum fit_show show, struct run *run);
 
 /* "converged", or in words why the fit ended otherwise. */
 const char *fit_status(const struct solver_summary *summary);
@@ -105,19 +87,19 @@ struct fit_job {
     struct thick_pupil entrance, exit;    /* NaN where there is no stop */
 };
 
-/* A field: rad of a distant object, else its height in mm. */
-static inline double fit_field(const struct fit_job *job, size_t i)
-{
-    return job->setup->fields[i].point.value[setup_axis(job->setup)];
-}
-
 /* Trace and fit. */
 bool fit_job_run(struct fit_job *job, struct error *error);
 
 /* The thick lens that was found, in place of the lens: optics/thick_lens.h. */
 struct lens fit_equal_lens(const struct fit_job *job);
 
-/* -------- commands/design/fit_view.c: rows and files of what was found -------- */
+/* A field: rad of a distant object, else its height in mm. */
+static inline double fit_field(const struct fit_job *job, size_t i)
+{
+    return job->setup->fields[i].point.value[setup_axis(job->setup)];
+}
+
+/* -------- commands/design/fit_view.c: rows of what was found -------- */
 
 void fit_show_rays(struct fit_job *job);
 void fit_show_models(struct fit_job *job);

@@ -71,18 +71,6 @@ static const struct column index_columns[] = {
 
 const struct sheet fit_index_sheet = SHEET(index_columns, struct index_row);
 
-static bool fit_glass_read_indices(const struct fit_input *input, struct run *run,
-                                   struct index_table *table, struct error *error)
-{
-    struct text content;
-    if (!whole_file(input->glass, run->arena, &content, error)) {
-        return error->code != ERROR_NONE
-                   ? false
-                   : fail(error, ERROR_IO, "cannot read %s: there is no such file", input->glass);
-    }
-    return index_table_read(run->db, input->glass, content, run->arena, table, error);
-}
-
 /* "1.03961212 0.00600069867 .." */
 static const char *coefficients_of(const struct glass *glass, struct arena *arena)
 {
@@ -95,63 +83,51 @@ static const char *coefficients_of(const struct glass *glass, struct arena *aren
     return all;
 }
 
-static void emit_indices(const struct index_table *table, const struct dispersion_fit *fit,
-                         struct run *run)
-{
-    for (size_t i = 0; i < table->count; i++) {
-        const struct index_row row = {table->wavelength[i], table->index[i],
-                                      table->index[i] + fit->residuals[i], fit->residuals[i]};
-        if (!run_emit(run, &row)) {
-            return;
-        }
-    }
-}
-
-static void emit_glass(const struct index_table *table, const struct dispersion_fit *fit,
-                       struct run *run)
-{
-    const struct glass_summary summary = glass_summary(&fit->glass);
-    const struct fit_glass_row row = {
-        .formula = glass_formula_name(fit->glass.formula),
-        .coefficients = coefficients_of(&fit->glass, run->arena),
-        .status = fit_status(&fit->summary),
-        .rms = fit->rms,
-        .largest = fit->largest,
-        .from = fit->glass.shortest,
-        .to = fit->glass.longest,
-        .nd = summary.nd,
-        .Vd = summary.Vd,
-        .indices = (long)table->count,
-        .iterations = fit->summary.iterations,
-    };
-    run_emit(run, &row);
-}
-
 bool fit_glass(const struct fit_input *input, struct run *run, struct error *error)
 {
     struct index_table table;
-    struct dispersion_fit fit;
-    if (!fit_glass_read_indices(input, run, &table, error)) {
+    struct dispersion_fit *fit = ARENA_NEW(run->arena, struct dispersion_fit);
+    struct text content;
+    if (!whole_file(input->glass, run->arena, &content, error)) {
+        return error->code != ERROR_NONE
+                   ? false
+                   : fail(error, ERROR_IO, "cannot read %s: there is no such file", input->glass);
+    }
+    if (!index_table_read(run->db, input->glass, content, run->arena, &table, error)) {
         return false;
     }
     const struct dispersion_data data = {table.count, table.wavelength, table.index,
                                          table.deviation};
-    size_t terms = input->terms > 0 ? (size_t)input->terms : 0;
-    if (!dispersion_fit(&data, formulas[input->formula], terms, run->arena, &fit, error)) {
+    const size_t terms = input->terms > 0 ? (size_t)input->terms : 0;
+    if (!dispersion_fit(&data, formulas[input->formula], terms, run->arena, fit, error)) {
         return false;
     }
-    const struct fit_found found = {NULL, fit.parameter_count, fit.names, fit.parameters,
-                                    &fit.summary};
     if (input->show == FIT_ANSWER) {
-        emit_glass(&table, &fit, run);
+        const struct glass_summary summary = glass_summary(&fit->glass);
+        const struct fit_glass_row row = {.formula = glass_formula_name(fit->glass.formula),
+                                          .coefficients = coefficients_of(&fit->glass, run->arena),
+                                          .status = fit_status(&fit->summary),
+                                          .rms = fit->rms,
+                                          .largest = fit->largest,
+                                          .from = fit->glass.shortest,
+                                          .to = fit->glass.longest,
+                                          .nd = summary.nd,
+                                          .Vd = summary.Vd,
+                                          .indices = (long)table.count,
+                                          .iterations = fit->summary.iterations};
+        run_emit(run, &row);
     } else if (input->show == FIT_RESIDUALS) {
-        emit_indices(&table, &fit, run);
+        bool goes_on = true;
+        for (size_t i = 0; i < table.count && goes_on; i++) {
+            const struct index_row row = {table.wavelength[i], table.index[i],
+                                          table.index[i] + fit->residuals[i], fit->residuals[i]};
+            goes_on = run_emit(run, &row);
+        }
     } else {
-        fit_emit(&found, (enum fit_show)input->show, run);
+        fit_emit(NULL, fit->parameter_count, fit->names, fit->parameters, &fit->summary,
+                 (enum fit_show)input->show, run);
     }
-    struct dispersion_fit *kept = ARENA_NEW(run->arena, struct dispersion_fit);
-    *kept = fit;
-    run->state = kept;
+    run->state = fit;
     return true;
 }
 

@@ -14,19 +14,6 @@ static struct thick_lens thick_of(const struct first_order *first, const struct 
                                    lens->object_is_infinite ? INFINITY : lens->object.value.hi};
 }
 
-static void fit_job_set_pupils(struct fit_job *job)
-{
-    const struct thick_pupil none = {NAN, NAN, NAN, NAN, NAN, NAN, NAN};
-    struct thick_pupil *const pupils[2] = {&job->entrance, &job->exit};
-    struct error ignored;
-    for (int k = 0; k < 2; k++) {
-        if (job->setup->lens->stop == LENS_NONE ||
-            !thick_fit_pupil(&job->pupils[k], k == 1, true, job->run->arena, pupils[k], &ignored)) {
-            *pupils[k] = none;
-        }
-    }
-}
-
 /* The fields of which no ray came through, as a sentence; null = none. */
 static const char *fit_missing_fields(const struct fit_job *job)
 {
@@ -64,25 +51,21 @@ static size_t distortion_terms(const struct fit_job *job)
     return off_axis / 2 < THICK_DISTORTIONS ? off_axis / 2 : THICK_DISTORTIONS;
 }
 
-static bool open_rays(const struct fit_job *job, size_t rays, struct ray_data *ray_data,
-                      struct error *error)
-{
-    const struct fit_input *input = job->input;
-    const struct ray_data_request request = {.setup = job->setup,
-                                             .pattern = (enum pattern)input->pattern,
-                                             .ray_count = rays,
-                                             .seed = (uint64_t)input->seed,
-                                             .no_clip = input->no_clip};
-    return ray_data_open(&request, job->run->arena, ray_data, error);
-}
-
-/* Trace all rays and add them up; also for the pupils unless that is null. */
-static bool fit_job_add_rays(const struct fit_job *job, struct ray_data *ray_data,
+/* Trace so many rays a field and add them up; also for the pupils unless that is null. */
+static bool fit_job_add_rays(const struct fit_job *job, size_t rays, struct ray_data *ray_data,
                              struct thick_sums *sums, struct thick_pupil_sums *pupils,
                              struct error *error)
 {
     const struct setup *setup = job->setup;
+    const struct ray_data_request request = {.setup = setup,
+                                             .pattern = (enum pattern)job->input->pattern,
+                                             .ray_count = rays,
+                                             .seed = (uint64_t)job->input->seed,
+                                             .no_clip = job->input->no_clip};
     const struct ray_part *part;
+    if (!ray_data_open(&request, job->run->arena, ray_data, error)) {
+        return false;
+    }
     *sums = thick_sums_open(setup->field_count, setup->wavelength_count,
                             thick_of(&job->light.first, setup->lens).object, job->run->arena);
     while ((part = ray_data_next(ray_data)) != NULL) {
@@ -95,27 +78,6 @@ static bool fit_job_add_rays(const struct fit_job *job, struct ray_data *ray_dat
         }
     }
     return ray_data_check(ray_data, error);
-}
-
-static void set_task(struct fit_job *job)
-{
-    const struct fit_input *input = job->input;
-    const struct first_order *first = &job->light.first;
-    bool image = input->match == FIT_IMAGE;
-    job->task = (struct thick_task){
-        .sums = &job->sums,
-        .group_count = job->setup->wavelength_count,
-        .index_object = job->ray_data.index_object,
-        .index_image = job->ray_data.index_image,
-        .separate = input->chromatic,
-        .planes = {setup_paraxial_image(job->setup->lens, first).hi,
-                   isfinite(first->exit_pupil) ? first->exit_pupil : first->rear_principal},
-        .plane_weights = {1, image ? THICK_PUPIL_WEIGHT : 1},
-        .focus_weight = image ? THICK_FOCUS_WEIGHT : 0,
-        .distortions = distortion_terms(job),
-        .options = {.progress = fit_goes_on, .progress_context = job->run->watch},
-        .start = thick_of(first, job->setup->lens)};
-    job->task.object = job->task.start.object;
 }
 
 /* What the sample of the pupil costs: all once more with twice the rays. */
@@ -131,9 +93,9 @@ static void set_sampling(struct fit_job *job)
     struct arena_mark mark = arena_mark(arena);
     task.sums = &sums;
     task.start = job->fit.lenses[0];
-    bool found = open_rays(job, 2 * (size_t)job->input->rays, &ray_data, &ignored) &&
-                 fit_job_add_rays(job, &ray_data, &sums, NULL, &ignored) &&
-                 thick_fit(&task, arena, &fit, &ignored);
+    bool found =
+        fit_job_add_rays(job, 2 * (size_t)job->input->rays, &ray_data, &sums, NULL, &ignored) &&
+        thick_fit(&task, arena, &fit, &ignored);
     for (size_t g = 0; g < job->setup->wavelength_count; g++) {
         const struct thick_lens *one = &job->fit.lenses[g], *other = found ? &fit.lenses[g] : one;
         job->sampling[g] = (struct fit_sampling_change){NAN, NAN, NAN, NAN};
@@ -148,36 +110,61 @@ static void set_sampling(struct fit_job *job)
 
 bool fit_job_run(struct fit_job *job, struct error *error)
 {
-    if (job->setup->wavelength_count > MOST_WAVELENGTHS) {
+    const struct fit_input *input = job->input;
+    const struct setup *setup = job->setup;
+    const struct first_order *first = &job->light.first;
+    struct arena *arena = job->run->arena;
+    const size_t count = setup->wavelength_count;
+    const bool is_image = input->match == FIT_IMAGE;
+    if (count > MOST_WAVELENGTHS) {
         return fail(error, ERROR_DOMAIN, "the lens has more than %d wavelengths", MOST_WAVELENGTHS);
     }
-    if (job->light.first.is_afocal) {
+    if (first->is_afocal) {
         return fail(error, ERROR_DOMAIN,
                     "an afocal lens has no principal planes: no thick lens equals it");
     }
-    if (!open_rays(job, (size_t)job->input->rays, &job->ray_data, error) ||
-        !fit_job_add_rays(job, &job->ray_data, &job->sums, job->pupils, error)) {
+    if (!fit_job_add_rays(job, (size_t)input->rays, &job->ray_data, &job->sums, job->pupils,
+                          error)) {
         return false;
     }
-    set_task(job);
+    job->task = (struct thick_task){
+        .sums = &job->sums,
+        .group_count = count,
+        .index_object = job->ray_data.index_object,
+        .index_image = job->ray_data.index_image,
+        .separate = input->chromatic,
+        .planes = {setup_paraxial_image(setup->lens, first).hi,
+                   isfinite(first->exit_pupil) ? first->exit_pupil : first->rear_principal},
+        .plane_weights = {1, is_image ? THICK_PUPIL_WEIGHT : 1},
+        .focus_weight = is_image ? THICK_FOCUS_WEIGHT : 0,
+        .distortions = distortion_terms(job),
+        .options = {.progress = fit_goes_on, .progress_context = job->run->watch},
+        .start = thick_of(first, setup->lens)};
+    job->task.object = job->task.start.object;
     watch_begin(job->run->watch, "iterations", 0);
     /* What the fitted lens is compared with: the paraxial lens, and the thin one. */
-    size_t count = job->setup->wavelength_count;
-    job->paraxial = ARENA_ARRAY(job->run->arena, count, struct thick_lens);
-    job->thin = ARENA_ARRAY(job->run->arena, count, struct thick_lens);
+    job->paraxial = ARENA_ARRAY(arena, count, struct thick_lens);
+    job->thin = ARENA_ARRAY(arena, count, struct thick_lens);
     for (size_t g = 0; g < count; g++) {
-        job->paraxial[g] = thick_of(&job->light.first, job->setup->lens);
+        job->paraxial[g] = job->task.start;
         job->paraxial[g].index_object = job->ray_data.index_object[g];
         job->paraxial[g].index_image = job->ray_data.index_image[g];
         job->thin[g] = job->paraxial[g];
-        job->thin[g].front = job->light.first.length + job->thin[g].rear;
+        job->thin[g].front = first->length + job->thin[g].rear;
     }
-    fit_job_set_pupils(job);
-    if (!thick_fit(&job->task, job->run->arena, &job->fit, error)) {
+    for (int k = 0; k < 2; k++) {
+        struct thick_pupil *pupil = k == 0 ? &job->entrance : &job->exit;
+        struct error ignored;
+        if (setup->lens->stop == LENS_NONE ||
+            !thick_fit_pupil(&job->pupils[k], k == 1, true, arena, pupil, &ignored)) {
+            *pupil = (struct thick_pupil){NAN, NAN, NAN, NAN, NAN, NAN, NAN};
+        }
+    }
+    if (!thick_fit(&job->task, arena, &job->fit, error)) {
         const char *missing = fit_missing_fields(job);
         return missing == NULL ? false : error_hint(error, "%s", missing);
     }
-    if (job->input->show == FIT_ANSWER) {
+    if (input->show == FIT_ANSWER) {
         set_sampling(job);
     }
     return true;
@@ -188,11 +175,10 @@ struct fit_lens_row {
     const char *position, *lens, *fields, *status, *warning;
     double wavelength; /* um; NaN = all of them */
     double fnumber;
-    double efl, front, rear, efl_error, front_error, rear_error;
+    struct thick_lens found, paraxial;
+    double efl_error, front_error, rear_error;
     struct fit_sampling_change sampling;
     double rms, rms_percent, largest, rms_pupil, rms_paraxial, rms_thin;
-    double paraxial_efl, paraxial_front, paraxial_rear;
-    double d[THICK_DISTORTIONS];
     struct thick_pupil entrance, exit;
     double entrance_diameter, exit_diameter;
     double object; /* mm */
@@ -215,11 +201,11 @@ static const struct column columns[] = {
      .help = "f-number of the rays"},
     {LENGTH(object, "mm", COLUMN_ECHO | COLUMN_INFINITE), .name = "object", .with = "object",
      .label = "object", .help = "distance of the object from the first vertex"},
-    {LENGTH(efl, "mm", COLUMN_BRIEF), .name = "efl", .symbol = "f", .digits = 7,
+    {LENGTH(found.focal, "mm", COLUMN_BRIEF), .name = "efl", .symbol = "f", .digits = 7,
      .label = "focal length f", .help = "focal length of the thick lens that equals the rays best"},
-    {LENGTH(front, "mm", COLUMN_BRIEF), .name = "front_principal", .symbol = "H", .digits = 6,
+    {LENGTH(found.front, "mm", COLUMN_BRIEF), .name = "front_principal", .symbol = "H", .digits = 6,
      .label = "principal point H", .help = "its front principal point, from the first vertex"},
-    {LENGTH(rear, "mm", COLUMN_BRIEF), .name = "rear_principal", .symbol = "H'", .digits = 6,
+    {LENGTH(found.rear, "mm", COLUMN_BRIEF), .name = "rear_principal", .symbol = "H'", .digits = 6,
      .label = "principal point H'", .help = "its rear principal point, from the last vertex"},
     {LENGTH(efl_error, "mm", 0), .name = "efl_stderr", .label = "standard error of f",
      .help = "standard error of the focal length, by leaving out one field at a time"},
@@ -236,10 +222,11 @@ static const struct column columns[] = {
      .label = "sampling error of H'", .help = "the same for H'"},
     {LENGTH(sampling.rms, "um", 0), .name = "rms_sampling", .digits = 1,
      .label = "sampling error of the rms", .help = "the same for rms_um"},
-    {NUMBER(d[0], 0), .name = "d1", .label = "distortion d1",
+    {NUMBER(found.distortion[0], 0), .name = "d1", .label = "distortion d1",
      .help = "image height times 1 + d1 s + d2 s^2 + d3 s^3, s = tan^2 of the field"},
-    {NUMBER(d[1], 0), .name = "d2", .label = "d2", .help = "second term of the distortion"},
-    {NUMBER(d[2], 0), .name = "d3", .label = "d3", .help = "third term"},
+    {NUMBER(found.distortion[1], 0), .name = "d2", .label = "d2",
+     .help = "second term of the distortion"},
+    {NUMBER(found.distortion[2], 0), .name = "d3", .label = "d3", .help = "third term"},
     {LENGTH(rms, "um", COLUMN_BRIEF), .name = "rms", .label = "error in the image, rms",
      .help = "distance in the image between exact rays and this lens's, root mean square"},
     {NUMBER(rms_percent, 0), .name = "rms_percent", .label = "error, rms, % of the image height",
@@ -252,11 +239,11 @@ static const struct column columns[] = {
      .help = "the same for a thin lens of that f at H', where it focuses alike"},
     {LENGTH(rms_pupil, "um", 0), .name = "rms_pupil", .label = "error in the exit pupil",
      .help = "distance between exact rays and this lens's in the exit pupil, root mean square"},
-    {LENGTH(paraxial_efl, "mm", 0), .name = "paraxial_efl", .digits = 7, .label = "paraxial f",
+    {LENGTH(paraxial.focal, "mm", 0), .name = "paraxial_efl", .digits = 7, .label = "paraxial f",
      .help = "focal length in the paraxial limit, at the primary wavelength"},
-    {LENGTH(paraxial_front, "mm", 0), .name = "paraxial_front_principal", .digits = 6,
+    {LENGTH(paraxial.front, "mm", 0), .name = "paraxial_front_principal", .digits = 6,
      .label = "paraxial H", .help = "H in the paraxial limit"},
-    {LENGTH(paraxial_rear, "mm", 0), .name = "paraxial_rear_principal", .digits = 6,
+    {LENGTH(paraxial.rear, "mm", 0), .name = "paraxial_rear_principal", .digits = 6,
      .label = "paraxial H'", .help = "H' in the paraxial limit"},
     {LENGTH(entrance.place, "mm", 0), .name = "entrance_pupil", .label = "entrance pupil",
      .help = "where the rays put the entrance pupil, from the first vertex; absent without a stop"},
@@ -300,77 +287,63 @@ static const struct column columns[] = {
 
 const struct sheet fit_lens_sheet = SHEET(columns, struct fit_lens_row);
 
-/* What clear apertures leave of the stop, percent, over all fields. */
-static double clear_percent(const struct fit_job *job)
-{
-    double sum = 0;
-    for (size_t f = 0; f < job->setup->field_count; f++) {
-        sum += job->ray_data.clear[f];
-    }
-    return 100 * sum / (double)job->setup->field_count;
-}
-
-/* Where a user must not trust the equivalent; the scale is that of a picture, not of a point. */
-static const char *misfit(const struct fit_job *job, double height)
-{
-    double scale = fmax(height, fabs(job->light.first.efl) / 5);
-    return job->fit.rms > 0.01 * scale
-               ? arena_printf(job->run->arena,
-                              "no thick lens equals these rays: they are off by %.3g %% of the "
-                              "image height, rms",
-                              100 * job->fit.rms / height)
-               : NULL;
-}
-
 static void show_answers(struct fit_job *job)
 {
     const struct thick_fit *fit = &job->fit;
+    const struct setup *setup = job->setup;
+    const struct solver_summary *summary = &fit->summary;
+    struct arena *arena = job->run->arena;
     struct thick_score score = {.largest = 0};
-    double z = job->task.planes[0], height = 0;
+    const double z = job->task.planes[0];
+    double height = 0, clear = 0;
     const struct ray_part *part;
     while ((part = ray_data_next(&job->ray_data)) != NULL) {
         const struct thick_rays *rays = &part->rays;
-        thick_score_add(rays, job->fit.lenses, job->task.planes, &score);
+        thick_score_add(rays, fit->lenses, job->task.planes, &score);
         for (size_t i = 0; i < rays->count; i++) {
             height = fmax(height, hypot(rays->x_out[i] + z * rays->p_out[i],
                                         rays->y_out[i] + z * rays->q_out[i]));
         }
     }
-    for (size_t g = 0; g < (job->input->chromatic ? job->setup->wavelength_count : 1); g++) {
-        const struct solver_summary *summary = &fit->summary;
-        size_t base = job->task.separate ? 3 * g : 0;
-        double plane = job->task.planes[0];
-        bool one = job->task.separate || job->input->question.wavelength.name != NULL;
+    for (size_t f = 0; f < setup->field_count; f++) {
+        clear += job->ray_data.clear[f];
+    }
+    const char *warning = lens_warnings_join(job->warning, fit_missing_fields(job), arena);
+    /* where a user must not trust the equivalent; the scale is that of a picture, not of a point */
+    if (fit->rms > 0.01 * fmax(height, fabs(job->light.first.efl) / 5)) {
+        const char *misfit = arena_printf(
+            arena,
+            "no thick lens equals these rays: they are off by %.3g %% of the image height, rms",
+            100 * fit->rms / height);
+        warning = lens_warnings_join(warning, misfit, arena);
+    }
+    for (size_t g = 0; g < (job->input->chromatic ? setup->wavelength_count : 1); g++) {
+        const double *errors = &summary->standard_error[job->task.separate ? 3 * g : 0];
+        const bool is_one = job->task.separate || job->input->question.wavelength.name != NULL;
         struct fit_lens_row row = {
-            .position = job->setup->position,
-            .lens = job->setup->lens->title,
-            .fields = job->setup->fields_from != NULL ? job->setup->fields_from
-                                                      : job->input->question.fields.text,
+            .position = setup->position,
+            .lens = setup->lens->title,
+            .fields =
+                setup->fields_from != NULL ? setup->fields_from : job->input->question.fields.text,
             .status = fit_status(summary),
-            .warning = lens_warnings_join(
-                lens_warnings_join(job->warning, fit_missing_fields(job), job->run->arena),
-                misfit(job, height), job->run->arena),
-            .wavelength = one ? job->setup->wavelengths[g].wavelength : NAN,
+            .warning = warning,
+            .wavelength = is_one ? setup->wavelengths[g].wavelength : NAN,
             .fnumber = job->light.first.fnumber,
             .object = job->task.object,
-            .efl = fit->lenses[g].focal,
-            .front = fit->lenses[g].front,
-            .rear = fit->lenses[g].rear,
-            .efl_error = summary->standard_error[base],
-            .front_error = summary->standard_error[base + 1],
-            .rear_error = summary->standard_error[base + 2],
+            .found = fit->lenses[g],
+            .efl_error = errors[0],
+            .front_error = errors[1],
+            .rear_error = errors[2],
             .rms = fit->rms,
             .largest = score.largest,
             .rms_percent = 100 * fit->rms / height,
             .rms_pupil = fit->rms_second,
-            .rms_paraxial = thick_sums_rms(&job->sums, job->paraxial, plane),
-            .rms_thin = thick_sums_rms(&job->sums, job->thin, plane),
-            .paraxial_efl = job->light.first.efl,
-            .paraxial_front = job->light.first.front_principal,
-            .paraxial_rear = job->light.first.rear_principal,
+            .rms_paraxial = thick_sums_rms(&job->sums, job->paraxial, z),
+            .rms_thin = thick_sums_rms(&job->sums, job->thin, z),
+            .paraxial = job->paraxial[g],
             .rays = (long)job->ray_data.count,
             .lost = (long)(job->ray_data.wanted - job->ray_data.count),
-            .clear_percent = clear_percent(job),
+            .clear_percent = 100 * clear / (double)setup->field_count,
             .terms = (long)job->task.distortions,
             .sampling = job->sampling[g],
             .iterations = summary->iterations,
@@ -379,28 +352,12 @@ static void show_answers(struct fit_job *job)
             .entrance_diameter = 2 * fabs(job->entrance.radius),
             .exit_diameter = 2 * fabs(job->exit.radius),
         };
-        for (size_t j = 0; j < THICK_DISTORTIONS; j++) {
-            row.d[j] = j < job->task.distortions ? fit->lenses[g].distortion[j] : NAN;
+        for (size_t j = job->task.distortions; j < THICK_DISTORTIONS; j++) {
+            row.found.distortion[j] = NAN;
         }
         run_emit(job->run, &row);
     }
 }
-
-static void fit_lens_show_found(struct fit_job *job)
-{
-    const struct fit_found found = {job->setup->position, job->fit.parameter_count, job->fit.names,
-                                    job->fit.parameters, &job->fit.summary};
-    fit_emit(&found, (enum fit_show)job->input->show, job->run);
-}
-
-static void (*const views[FIT_SHOWS])(struct fit_job *job) = {
-    [FIT_ANSWER] = show_answers,
-    [FIT_PARAMETERS] = fit_lens_show_found,
-    [FIT_CORRELATIONS] = fit_lens_show_found,
-    [FIT_RESIDUALS] = fit_show_rays,
-    [FIT_MODELS] = fit_show_models,
-    [FIT_MATRIX] = fit_show_matrix,
-};
 
 bool fit_lens(const struct fit_input *input, struct run *run, struct error *error)
 {
@@ -431,7 +388,23 @@ bool fit_lens(const struct fit_input *input, struct run *run, struct error *erro
             return false;
         }
         run->state = job;
-        views[input->show](job);
+        switch ((enum fit_show)input->show) {
+        case FIT_ANSWER:
+            show_answers(job);
+            break;
+        case FIT_RESIDUALS:
+            fit_show_rays(job);
+            break;
+        case FIT_MODELS:
+            fit_show_models(job);
+            break;
+        case FIT_MATRIX:
+            fit_show_matrix(job);
+            break;
+        default:
+            fit_emit(job->setup->position, job->fit.parameter_count, job->fit.names,
+                     job->fit.parameters, &job->fit.summary, (enum fit_show)input->show, run);
+        }
     }
     return error->code == ERROR_NONE;
 }

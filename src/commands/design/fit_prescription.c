@@ -107,27 +107,6 @@ static bool fit_read_goals(const char *list, struct run *run, double wavelength,
     return true;
 }
 
-/* A pick-up would have to follow what is fitted, and keep what it sets. */
-static bool fit_check_pickups(const struct lens *lens, const struct variable *one,
-                              struct error *error)
-{
-    for (size_t i = 0; i < lens->pickup_count; i++) {
-        const struct lens_pickup *pickup = &lens->pickups[i];
-        const struct parameter glass = {one->what.surface, PARAMETER_GLASS, 0};
-        bool medium = one->what.kind == PARAMETER_INDEX;
-        if (parameter_is_same(pickup->what, one->what) ||
-            parameter_is_same(pickup->from, one->what) ||
-            (medium &&
-             (parameter_is_same(pickup->what, glass) || parameter_is_same(pickup->from, glass)))) {
-            return fail(error, ERROR_DOMAIN,
-                        "%s has to do with the pick-up of %c%zu, which fit does not follow",
-                        one->name, parameter_type(pickup->what.kind)->name[0],
-                        pickup->what.surface + 1);
-        }
-    }
-    return true;
-}
-
 /* --vary, or the marks of the lens that fit takes. */
 static bool fit_read_parts(const struct fit_input *input, const struct lens *lens, struct run *run,
                            struct wishes *wishes, struct error *error)
@@ -155,10 +134,19 @@ static bool fit_read_parts(const struct fit_input *input, const struct lens *len
     wishes->parts = ARENA_ARRAY(run->arena, wishes->part_count, struct prescription_part);
     wishes->part_names = ARENA_ARRAY(run->arena, wishes->part_count, const char *);
     for (size_t i = 0; i < wishes->part_count; i++) {
-        wishes->parts[i] = (struct prescription_part){list[i].what, list[i].low, list[i].high};
+        const struct parameter what = list[i].what, glass = {what.surface, PARAMETER_GLASS, 0};
+        const bool is_medium = what.kind == PARAMETER_INDEX;
+        wishes->parts[i] = (struct prescription_part){what, list[i].low, list[i].high};
         wishes->part_names[i] = list[i].name;
-        if (!fit_check_pickups(lens, &list[i], error)) {
-            return false;
+        /* a pick-up would have to follow what is fitted, and keep what it sets */
+        for (size_t k = 0; k < lens->pickup_count; k++) {
+            const struct parameter to = lens->pickups[k].what, from = lens->pickups[k].from;
+            if (parameter_is_same(to, what) || parameter_is_same(from, what) ||
+                (is_medium && (parameter_is_same(to, glass) || parameter_is_same(from, glass)))) {
+                return fail(error, ERROR_DOMAIN,
+                            "%s has to do with the pick-up of %c%zu, which fit does not follow",
+                            list[i].name, parameter_type(to.kind)->name[0], to.surface + 1);
+            }
         }
     }
     return true;
@@ -174,34 +162,6 @@ static const char *fit_goal_miss(const struct wishes *wishes, const struct presc
                ? NULL
                : arena_printf(arena, "%s is missed by %.4g mm, its deviation is %.4g mm",
                               wishes->goal_names[g], fabs(off), goal->deviation);
-}
-
-/* All goals that are missed, in words; null: none is. */
-static const char *fit_goal_misses(const struct wishes *wishes, const struct prescription_fit *fit,
-                                   struct arena *arena)
-{
-    const char *all = NULL;
-    for (size_t g = 0; g < wishes->goal_count; g++) {
-        all = lens_warnings_join(all, fit_goal_miss(wishes, fit, g, arena), arena);
-    }
-    return all;
-}
-
-/* The fitted lens, checked; `doubt` receives what is odd about it. */
-static bool fit_apply(const struct lens *lens, const struct wishes *wishes,
-                      const struct prescription_fit *fit, struct arena *arena, struct lens *fitted,
-                      const char **doubt, struct error *error)
-{
-    struct lens_warnings warnings;
-    *fitted = prescription_apply(lens, wishes->parts, wishes->part_count, fit, arena);
-    *doubt = NULL;
-    if (!lens_check(fitted, arena, &warnings, error)) {
-        return error_prefix(error, "the fitted lens: ");
-    }
-    for (size_t i = 0; i < warnings.count; i++) {
-        *doubt = lens_warnings_join(*doubt, warnings.texts[i], arena);
-    }
-    return true;
 }
 
 /* A mark whose bounds the fitted value violates is left without them: no fit would take it. */
@@ -236,36 +196,6 @@ static void free_marks(struct lens *fitted, const struct wishes *wishes,
     }
 }
 
-static void emit_goals(const struct wishes *wishes, const struct prescription_fit *fit,
-                       const struct lens *fitted, const char *doubt, struct run *run)
-{
-    for (size_t g = 0; g < wishes->goal_count; g++) {
-        const struct fit_goal_row row = {
-            .goal = wishes->goal_names[g],
-            .lens = fitted->title,
-            .status = fit_status(&fit->summary),
-            .warning =
-                lens_warnings_join(fit_goal_miss(wishes, fit, g, run->arena), doubt, run->arena),
-            .target = wishes->goals[g].value,
-            .deviation = wishes->goals[g].deviation,
-            .reached = fit->reached[g],
-            .off = fit->reached[g] - wishes->goals[g].value};
-        if (!run_emit(run, &row)) {
-            break;
-        }
-    }
-}
-
-/* Rows that fall short of what was asked stand, with exit status 1. */
-static void fit_judge(const char *missed, const struct prescription_fit *fit, struct run *run)
-{
-    if (missed != NULL) {
-        fail(&run->shortfall, ERROR_DOMAIN, "%s", missed);
-    } else if (fit->summary.status != SOLVER_CONVERGED) {
-        fail(&run->shortfall, ERROR_DOMAIN, "%s", fit_status(&fit->summary));
-    }
-}
-
 /* What --output saves. */
 struct fitted {
     struct lens lens;
@@ -276,16 +206,19 @@ struct fitted {
 static bool fit_prescription_of(const struct fit_input *input, const struct lens_case *one,
                                 struct run *run, struct error *error)
 {
-    struct wishes *wishes = ARENA_NEW(run->arena, struct wishes);
+    struct arena *arena = run->arena;
+    const struct lens *lens = one->setup->lens;
+    struct wishes *wishes = ARENA_NEW(arena, struct wishes);
+    struct fitted *fitted = ARENA_NEW(arena, struct fitted);
     struct prescription_fit fit;
-    struct lens fitted;
-    const char *doubt;
+    struct lens_warnings warnings;
+    const char *doubt = NULL; /* what is odd about the fitted lens */
     if (one->setup->position != NULL) {
         return fail(error, ERROR_DOMAIN,
                     "a lens with positions: its prescription is not that of one of them");
     }
     if (!fit_read_goals(input->goals, run, one->light.wavelength, wishes, error) ||
-        !fit_read_parts(input, one->setup->lens, run, wishes, error)) {
+        !fit_read_parts(input, lens, run, wishes, error)) {
         return false;
     }
     const struct prescription_task task = {
@@ -295,26 +228,47 @@ static bool fit_prescription_of(const struct fit_input *input, const struct lens
         .part_count = wishes->part_count,
         .options = {.progress = fit_goes_on, .progress_context = run->watch}};
     watch_begin(run->watch, "iterations", 0);
-    if (!prescription_fit(one->setup->lens, &task, run->arena, &fit, error)) {
+    if (!prescription_fit(lens, &task, arena, &fit, error)) {
         return false;
     }
-    if (!fit_apply(one->setup->lens, wishes, &fit, run->arena, &fitted, &doubt, error)) {
-        return false;
+    fitted->lens = prescription_apply(lens, wishes->parts, wishes->part_count, &fit, arena);
+    if (!lens_check(&fitted->lens, arena, &warnings, error)) {
+        return error_prefix(error, "the fitted lens: ");
     }
-    const char *missed = fit_goal_misses(wishes, &fit, run->arena), *freed = NULL;
-    free_marks(&fitted, wishes, &fit, run, &freed);
-    if (input->show == FIT_ANSWER || input->show == FIT_RESIDUALS) {
-        emit_goals(wishes, &fit, &fitted, doubt, run);
-    } else {
+    for (size_t i = 0; i < warnings.count; i++) {
+        doubt = lens_warnings_join(doubt, warnings.texts[i], arena);
+    }
+    for (size_t g = 0; g < wishes->goal_count; g++) {
+        fitted->missed =
+            lens_warnings_join(fitted->missed, fit_goal_miss(wishes, &fit, g, arena), arena);
+    }
+    free_marks(&fitted->lens, wishes, &fit, run, &fitted->freed);
+    const bool is_of_goals = input->show == FIT_ANSWER || input->show == FIT_RESIDUALS;
+    bool goes_on = is_of_goals;
+    for (size_t g = 0; g < wishes->goal_count && goes_on; g++) {
+        const struct prescription_goal *goal = &wishes->goals[g];
+        const struct fit_goal_row row = {
+            .goal = wishes->goal_names[g],
+            .lens = fitted->lens.title,
+            .status = fit_status(&fit.summary),
+            .warning = lens_warnings_join(fit_goal_miss(wishes, &fit, g, arena), doubt, arena),
+            .target = goal->value,
+            .deviation = goal->deviation,
+            .reached = fit.reached[g],
+            .off = fit.reached[g] - goal->value};
+        goes_on = run_emit(run, &row);
+    }
+    if (!is_of_goals) {
         memcpy(fit.summary.standard_error, fit.errors, wishes->part_count * sizeof(double));
-        const struct fit_found found = {NULL, wishes->part_count, wishes->part_names, fit.values,
-                                        &fit.summary};
-        fit_emit(&found, (enum fit_show)input->show, run);
+        fit_emit(NULL, wishes->part_count, wishes->part_names, fit.values, &fit.summary,
+                 (enum fit_show)input->show, run);
     }
-    struct fitted *kept = ARENA_NEW(run->arena, struct fitted);
-    *kept = (struct fitted){fitted, missed, freed};
-    run->state = kept;
-    fit_judge(missed, &fit, run);
+    run->state = fitted;
+    /* rows that fall short of what was asked stand, with exit status 1 */
+    if (fitted->missed != NULL || fit.summary.status != SOLVER_CONVERGED) {
+        fail(&run->shortfall, ERROR_DOMAIN, "%s",
+             fitted->missed != NULL ? fitted->missed : fit_status(&fit.summary));
+    }
     return true;
 }
 
@@ -325,8 +279,8 @@ bool fit_save_prescription(const struct artifact_job *job, struct output *sink, 
     struct arena *arena = job->run->arena;
     struct lens lens = fitted->lens;
     (void)error;
-    fit_note(&lens, fitted->missed, arena);
-    fit_note(&lens, fitted->freed, arena);
+    design_note(&lens, fitted->missed, arena);
+    design_note(&lens, fitted->freed, arena);
     struct text text = lens_write(&lens, arena);
     output_text(sink, text.start, text.length);
     return true;

@@ -1,12 +1,89 @@
 /* commands/design/fit_view.c - what a fit found, as rows and files. */
 /* SPDX-License-Identifier: MIT */
+#include "base/constants.h"
+#include "base/watch.h"
 #include "commands/design/fit.h"
 #include "draw/ray_map.h"
 #include "draw/svg.h"
 #include "file/lens_file.h"
 #include "optics/thick_lens.h"
 
-#include "base/constants.h"
+/* One row of parameters or correlations, whatever was fitted. */
+struct fit_row {
+    const char *position, *parameter, *with;
+    double value, error, correlation;
+    const char *note; /* "at its bound", "not determined"; null = nothing */
+};
+
+static const struct column parameter_columns[] = {
+    {COLUMN_NAMED(struct fit_row, position, COLUMN_BRIEF | COLUMN_SPARSE),
+     .help = "zoom or focus position"},
+    {COLUMN_NAMED(struct fit_row, parameter, COLUMN_BRIEF), .help = "what was fitted"},
+    {COLUMN_NAMED(struct fit_row, value, COLUMN_BRIEF), .digits = 9,
+     .help = "its value; lengths in mm"},
+    {COLUMN(struct fit_row, error), .flags = COLUMN_BRIEF, .name = "stderr",
+     .label = "standard error",
+     .help = "standard error; absent at a bound and where the data leave it open"},
+    {COLUMN_NAMED(struct fit_row, note, 0),
+     .help = "at its bound, or not determined; absent if neither"},
+};
+
+static const struct column correlation_columns[] = {
+    {COLUMN_NAMED(struct fit_row, position, COLUMN_BRIEF | COLUMN_SPARSE),
+     .help = "zoom or focus position"},
+    {COLUMN_NAMED(struct fit_row, parameter, COLUMN_BRIEF), .help = "one parameter"},
+    {COLUMN_NAMED(struct fit_row, with, COLUMN_BRIEF), .help = "another"},
+    {COLUMN_NAMED(struct fit_row, correlation, COLUMN_BRIEF),
+     .help = "covariance over the product of the standard errors, -1 to 1"},
+};
+
+const struct sheet fit_parameter_sheet = SHEET(parameter_columns, struct fit_row);
+const struct sheet fit_correlation_sheet = SHEET(correlation_columns, struct fit_row);
+
+void fit_emit(const char *position, size_t count, const char *const *names, const double *values,
+              const struct solver_summary *summary, enum fit_show show, struct run *run)
+{
+    const double *errors = summary->standard_error;
+    bool goes_on = true;
+    for (size_t i = 0; i < count && goes_on; i++) {
+        if (show != FIT_CORRELATIONS) {
+            const struct fit_row row = {.position = position,
+                                        .parameter = names[i],
+                                        .value = values[i],
+                                        .error = errors[i],
+                                        .note = summary->at_bound[i]       ? "at its bound"
+                                                : summary->undetermined[i] ? "not determined"
+                                                                           : NULL};
+            goes_on = run_emit(run, &row);
+            continue;
+        }
+        for (size_t j = i + 1; j < count && goes_on; j++) {
+            const struct fit_row row = {.position = position,
+                                        .parameter = names[i],
+                                        .with = names[j],
+                                        .correlation = summary->covariance[i * count + j] /
+                                                       (errors[i] * errors[j])};
+            goes_on = run_emit(run, &row);
+        }
+    }
+}
+
+const char *fit_status(const struct solver_summary *summary)
+{
+    static const char *const words[] = {
+        [SOLVER_CONVERGED] = "converged",
+        [SOLVER_LIMIT] = "not converged: as many iterations as allowed",
+        [SOLVER_STOPPED] = "stopped",
+        [SOLVER_STUCK] = "not converged: no step lowers the residual",
+    };
+    return words[summary->status];
+}
+
+bool fit_goes_on(void *watch, const struct solver_progress *progress)
+{
+    (void)progress;
+    return watch_add(watch, 1);
+}
 
 /* One ray: where in field and pupil the equivalent fails. */
 struct ray_row {
@@ -94,38 +171,27 @@ static const struct column matrix_columns[] = {
 };
 
 const struct sheet fit_matrix_sheet = SHEET(matrix_columns, struct matrix_row);
-/* What the fitted lens makes of the rays of a part, less what they are, in the image. */
-static void fit_view_find_errors(const struct fit_job *job, const struct ray_part *part, double *dx,
-                                 double *dy)
-{
-    thick_errors(&part->rays, job->fit.lenses, job->task.planes[0], dx, dy);
-}
-
-static bool emit_ray(const struct fit_job *job, const struct thick_rays *rays, size_t i, double dx,
-                     double dy)
-{
-    double field = fit_field(job, rays->field[i]);
-    bool angle = job->setup->lens->object_is_infinite;
-    const struct ray_row row = {.position = job->setup->position,
-                                .wavelength = job->setup->wavelengths[rays->group[i]].wavelength,
-                                .field = angle ? field : NAN,
-                                .object_height = angle ? NAN : field,
-                                .stop_x = rays->stop_x[i],
-                                .stop_y = rays->stop_y[i],
-                                .dx = dx,
-                                .dy = dy,
-                                .distance = hypot(dx, dy)};
-    return run_emit(job->run, &row);
-}
-
 void fit_show_rays(struct fit_job *job)
 {
+    const struct setup *setup = job->setup;
+    const bool is_angle = setup->lens->object_is_infinite;
     const struct ray_part *part;
     double dx[RAY_PART], dy[RAY_PART];
     while ((part = ray_data_next(&job->ray_data)) != NULL) {
-        fit_view_find_errors(job, part, dx, dy);
-        for (size_t i = 0; i < part->rays.count; i++) {
-            if (!emit_ray(job, &part->rays, i, dx[i], dy[i])) {
+        const struct thick_rays *rays = &part->rays;
+        thick_errors(rays, job->fit.lenses, job->task.planes[0], dx, dy);
+        for (size_t i = 0; i < rays->count; i++) {
+            const double field = fit_field(job, rays->field[i]);
+            const struct ray_row row = {.position = setup->position,
+                                        .wavelength = setup->wavelengths[rays->group[i]].wavelength,
+                                        .field = is_angle ? field : NAN,
+                                        .object_height = is_angle ? NAN : field,
+                                        .stop_x = rays->stop_x[i],
+                                        .stop_y = rays->stop_y[i],
+                                        .dx = dx[i],
+                                        .dy = dy[i],
+                                        .distance = hypot(dx[i], dy[i])};
+            if (!run_emit(job->run, &row)) {
                 ray_data_rewind(&job->ray_data);
                 return;
             }
@@ -180,7 +246,7 @@ void fit_show_matrix(struct fit_job *job)
 }
 
 /* The points of all rays; those that came through first. Result: the largest error, mm. */
-static double fit_view_place_points(struct fit_job *job, struct ray_map *map)
+static double place_points(struct fit_job *job, struct ray_map *map)
 {
     const struct ray_data *ray_data = &job->ray_data;
     const struct ray_part *part;
@@ -190,7 +256,7 @@ static double fit_view_place_points(struct fit_job *job, struct ray_map *map)
     size_t count = 0, lost = ray_data->count;
     while ((part = ray_data_next(&job->ray_data)) != NULL) {
         const struct thick_rays *rays = &part->rays;
-        fit_view_find_errors(job, part, dx, dy);
+        thick_errors(rays, job->fit.lenses, job->task.planes[0], dx, dy);
         for (size_t i = 0; i < rays->count; i++) {
             points[count++] =
                 (struct ray_map_point){rays->field[i],  rays->group[i], rays->stop_x[i],
@@ -231,7 +297,7 @@ bool fit_draw_map(const struct artifact_job *wanted, struct output *sink, struct
     map.column_count = job->setup->field_count;
     map.rows = rows;
     map.row_count = job->setup->wavelength_count;
-    const double largest = fit_view_place_points(job, &map);
+    const double largest = place_points(job, &map);
     map.title = arena_printf(arena, "%s%s%s: exact rays against the fitted thick lens", title,
                              job->setup->position != NULL ? ", " : "",
                              job->setup->position != NULL ? job->setup->position : "");
@@ -272,8 +338,8 @@ struct lens fit_equal_lens(const struct fit_job *job)
 bool fit_save_lens(const struct artifact_job *wanted, struct output *sink, struct error *error)
 {
     const struct lens lens = fit_equal_lens(wanted->run->state);
-    struct text text = lens_write(&lens, wanted->run->arena);
     (void)error;
+    const struct text text = lens_write(&lens, wanted->run->arena);
     output_text(sink, text.start, text.length);
     return true;
 }

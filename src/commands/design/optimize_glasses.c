@@ -55,19 +55,8 @@ static void glass_list_wavelengths(struct glass_list *list)
     }
 }
 
-/* Is one of the list the same to light? As one with higher transmittance is, by another name. */
-static bool glass_list_has(const struct glass_list *list, const struct glass_candidate *one)
-{
-    bool found = false;
-    for (size_t i = 0; i < list->count && !found; i++) {
-        const struct glass_candidate *other = &list->glasses[i];
-        found = other->nd == one->nd && other->Vd == one->Vd &&
-                (other->deviation == one->deviation || isnan(one->deviation));
-    }
-    return found;
-}
-
-/* The glass as a lens file finds it by its full name; of several that are the same the first. */
+/* The glass as a lens file finds it by its full name; of several that are the same to light, as one
+   with higher transmittance is by another name, the first. */
 static bool add_glass(struct glass_list *list, const struct glass *glass, struct error *error)
 {
     const struct glass_source source = lens_glass_source(&list->place);
@@ -91,8 +80,12 @@ static bool add_glass(struct glass_list *list, const struct glass *glass, struct
     if (!isfinite(one.nd) || !isfinite(one.Vd)) {
         return fail(error, ERROR_DOMAIN, "glass %s has no nd and Vd to choose it by", name);
     }
-    if (glass_list_has(list, &one)) {
-        return true;
+    for (size_t i = 0; i < list->count; i++) {
+        const struct glass_candidate *other = &list->glasses[i];
+        if (other->nd == one.nd && other->Vd == one.Vd &&
+            (other->deviation == one.deviation || isnan(one.deviation))) {
+            return true;
+        }
     }
     list->glasses = arena_grow(list->arena, list->glasses, list->count, &list->room, sizeof one);
     list->glasses[list->count++] = one;
@@ -132,23 +125,8 @@ static bool glass_list_read_catalogs(struct glass_list *list, bool takes, struct
     return error->code == ERROR_NONE;
 }
 
-/* A word that is no catalogue is a glass. */
-static bool add_named(struct glass_list *list, const struct glass_word *word, struct error *error)
-{
-    struct glass_record record;
-    if (glass_find(list->job->run->db, word->text, GLASS_OWN_NAMES, list->arena, &record, error)) {
-        return add_glass(list, &record.glass, error);
-    }
-    if (error->code == ERROR_USAGE && word->nearest.best.start != NULL) {
-        const struct text meant = word->nearest.best;
-        fail(error, ERROR_USAGE, "'%.*s' is neither a catalogue nor a glass of one",
-             text_shown(word->text), word->text.start);
-        return error_hint(error, "did you mean '%.*s'?", (int)meant.length, meant.start);
-    }
-    return false;
-}
-
-static bool glass_list_read_words(struct glass_list *list, const char *typed, struct error *error)
+/* Catalogues, and words that are none of them: those that are named come first. */
+static bool glass_list_read(struct glass_list *list, const char *typed, struct error *error)
 {
     size_t most = 1;
     for (const char *at = typed; *at != '\0'; at++) {
@@ -167,41 +145,51 @@ static bool glass_list_read_words(struct glass_list *list, const char *typed, st
         return false;
     }
     for (size_t i = 0; i < list->word_count; i++) {
-        if (!list->words[i].is_catalog && !add_named(list, &list->words[i], error)) {
-            return false;
+        const struct text word = list->words[i].text, meant = list->words[i].nearest.best;
+        struct glass_record record;
+        if (list->words[i].is_catalog ||
+            (glass_find(list->job->run->db, word, GLASS_OWN_NAMES, list->arena, &record, error) &&
+             add_glass(list, &record.glass, error))) {
+            continue;
         }
+        if (error->code == ERROR_USAGE && meant.start != NULL) {
+            fail(error, ERROR_USAGE, "'%.*s' is neither a catalogue nor a glass of one",
+                 text_shown(word), word.start);
+            error_hint(error, "did you mean '%.*s'?", (int)meant.length, meant.start);
+        }
+        return false;
     }
-    return glass_list_read_catalogs(list, true, error) && /* those that were named come first */
+    return glass_list_read_catalogs(list, true, error) &&
            (list->count > 0 || fail(error, ERROR_DOMAIN,
                                     "'%s' has no glass that is made, has nd and Vd, and reaches "
                                     "to all wavelengths",
                                     typed));
 }
 
-static bool fail_without(const struct optimize_job *job, struct error *error)
-{
-    if (job->input->global == 0) {
-        return fail(error, ERROR_USAGE, "{--show} glasses needs {--glasses}");
-    }
-    fail(error, ERROR_USAGE, "{--global} exchanges no glasses");
-    return error_hint(error, "write what it keeps by -o NEW.lens; a second run, with NEW.lens and "
-                             "{--glasses}, exchanges them");
-}
-
 bool optimize_glasses_open(struct optimize_job *job, struct error *error)
 {
+    const struct optimize_input *input = job->input;
     struct arena *arena = job->run->arena;
     struct glass_list list = {.job = job, .arena = arena, .place = {job->run->db, arena}};
     size_t *surfaces = ARENA_ARRAY(arena, job->variables.count + 1, size_t);
-    if (job->input->glasses == NULL) {
-        return job->input->show != OPTIMIZE_GLASSES || fail_without(job, error);
+    if (input->glasses == NULL && input->show == OPTIMIZE_GLASSES && input->global == 0) {
+        return fail(error, ERROR_USAGE, "{--show} glasses needs {--glasses}");
+    }
+    if (input->glasses == NULL && input->show == OPTIMIZE_GLASSES) {
+        fail(error, ERROR_USAGE, "{--global} exchanges no glasses");
+        return error_hint(error,
+                          "write what it keeps by -o NEW.lens; a second run, with NEW.lens and "
+                          "{--glasses}, exchanges them");
+    }
+    if (input->glasses == NULL) {
+        return true;
     }
     if (glass_choice_models(&job->variables, surfaces) == 0) {
         fail(error, ERROR_DOMAIN, "{--glasses}: no model glass nd/Vd varies");
         return error_hint(error, "those that do are replaced: {--vary} glass3, or the mark glass~");
     }
     glass_list_wavelengths(&list);
-    if (!glass_list_read_words(&list, job->input->glasses, error)) {
+    if (!glass_list_read(&list, input->glasses, error)) {
         return error_prefix(error, "{--glasses}: ");
     }
     job->glasses = list.glasses;
@@ -238,30 +226,10 @@ static void merge_answer(struct optimize_job *job, const struct glass_choice *ch
     answer->is_idle = is_idle;
 }
 
-/* Model glasses that were left as they are, as they do not vary. */
-static void warn_of_models(struct optimize_job *job)
-{
-    const struct lens *lens = job->found;
-    struct arena *arena = job->run->arena;
-    const char *names = NULL;
-    for (size_t i = 0; i < lens->surface_count; i++) {
-        if (lens->surfaces[i].medium.kind == MEDIUM_MODEL &&
-            !surface_reflects(&lens->surfaces[i])) {
-            names = names == NULL ? arena_printf(arena, "glass%zu", i + 1)
-                                  : arena_printf(arena, "%s, glass%zu", names, i + 1);
-        }
-    }
-    if (names != NULL && job->choice->missing == 0) {
-        job->warning = lens_warnings_join(
-            job->warning,
-            arena_printf(arena, "model glasses that do not vary stay as they are: %s", names),
-            arena);
-    }
-}
-
 bool optimize_glasses_choose(struct optimize_job *job, struct error *error)
 {
-    struct glass_choice *choice = ARENA_NEW(job->run->arena, struct glass_choice);
+    struct arena *arena = job->run->arena;
+    struct glass_choice *choice = ARENA_NEW(arena, struct glass_choice);
     const struct glass_choice_task task = {
         .question = &job->merit.question,
         .how = &job->task,
@@ -275,7 +243,7 @@ bool optimize_glasses_choose(struct optimize_job *job, struct error *error)
     if (job->input->glasses == NULL) {
         return true;
     }
-    if (!glass_choose(&task, job->run->arena, choice, error)) {
+    if (!glass_choose(&task, arena, choice, error)) {
         return error_prefix(error, "{--glasses}: ");
     }
     job->choice = choice;
@@ -289,7 +257,18 @@ bool optimize_glasses_choose(struct optimize_job *job, struct error *error)
     if (choice->is_stopped) {
         job->answer.summary.status = SOLVER_STOPPED;
     }
-    warn_of_models(job);
+    /* model glasses that were left as they are, as they do not vary */
+    const char *names = NULL;
+    for (size_t i = 0; i < job->found->surface_count; i++) {
+        const struct surface *surface = &job->found->surfaces[i];
+        if (surface->medium.kind == MEDIUM_MODEL && !surface_reflects(surface)) {
+            names = arena_printf(arena, "%s%sglass%zu", names == NULL ? "" : names,
+                                 names == NULL ? "" : ", ", i + 1);
+        }
+    }
+    if (names != NULL && choice->missing == 0) {
+        optimize_warn(job, "model glasses that do not vary stay as they are: %s", names);
+    }
     return true;
 }
 

@@ -15,46 +15,6 @@
 #include <math.h>
 #include <string.h>
 
-/* mm; NaN: an afocal lens. */
-static double focal_length(const struct optimize_job *job, size_t position)
-{
-    const struct lens *lens = job->lens;
-    const enum lens_section section = (enum lens_section)job->input->question.section;
-    struct arena *arena = job->run->arena;
-    const double stated = lens_stated(lens, STATED_EFL, position);
-    struct first_order first;
-    struct error ignored;
-    if (!isnan(stated)) {
-        return stated;
-    }
-    const bool known =
-        first_order_of_lens(lens_at_position(lens, position, arena), lens_primary_wavelength(lens),
-                            section, arena, &first, &ignored);
-    return known && isfinite(first.efl) ? first.efl : NAN;
-}
-
-static const char *add_focal_lengths(const struct optimize_job *job,
-                                     const struct merit_question *question, const char *words,
-                                     double *size)
-{
-    const struct lens *lens = job->lens;
-    struct arena *arena = job->run->arena;
-    const size_t all = lens->position_count > 0 ? lens->position_count : 1;
-    const size_t count = question->position_count > 0 ? question->position_count : all;
-    *size = INFINITY;
-    for (size_t i = 0; i < count; i++) {
-        const size_t at = question->position_count > 0 ? question->positions[i] : i;
-        const double focal = focal_length(job, at);
-        if (!isnan(focal)) {
-            words = all > 1 ? arena_printf(arena, "%s, efl@%s = %.6g", words, lens->positions[at],
-                                           focal)
-                            : arena_printf(arena, "%s, efl = %.6g", words, focal);
-            *size = fmin(*size, fabs(focal));
-        }
-    }
-    return words;
-}
-
 /* The least of the lens's own centres, edges or gaps, mm; NaN: it cannot be told. */
 static double least_of_goal(struct optimize_job *job, const struct merit_question *question,
                             const char *name)
@@ -86,15 +46,12 @@ static double least_of_goal(struct optimize_job *job, const struct merit_questio
     return least;
 }
 
-/* Two digits of it, not more than it is. */
-static double round_down(double value)
-{
-    const double step = pow(10, floor(log10(value)) - 1);
-    return floor(value / step * (1 + 1e-12)) * step;
-}
-
-/* No glass and no gap thinner than so much of the focal length, or than the thinnest that is there;
-   what cannot be told, as of surfaces that end before their edges, is left out. */
+/*
+ * What is wanted where nothing is said: `poly`, the focal length that is stated or else the lens's
+ * own in each position, and no glass and no gap thinner than so much of the shortest of them, or
+ * than the thinnest that is there; what cannot be told, as of surfaces that end before their edges,
+ * is left out.
+ */
 static const char *usual_goals(struct optimize_job *job, const struct merit_question *question)
 {
     static const struct {
@@ -102,26 +59,36 @@ static const char *usual_goals(struct optimize_job *job, const struct merit_ques
         double share;
     } limits[] = {{"center", 0.02}, {"edge", 0.01}, {"air", 0.001}};
     struct arena *arena = job->run->arena;
-    double size;
-    const char *words = add_focal_lengths(job, question, "poly", &size);
+    const struct lens *lens = job->lens;
+    const char *words = "poly";
+    double size = INFINITY;
+    for (size_t i = 0; i < question->position_count; i++) {
+        const size_t at = question->positions[i];
+        double focal = lens_stated(lens, STATED_EFL, at);
+        struct first_order first;
+        struct error ignored;
+        if (isnan(focal) &&
+            first_order_of_lens(lens_at_position(lens, at, arena), lens_primary_wavelength(lens),
+                                question->section, arena, &first, &ignored)) {
+            focal = first.efl;
+        }
+        if (isfinite(focal)) {
+            const char *place =
+                lens->position_count > 1 ? arena_printf(arena, "@%s", lens->positions[at]) : "";
+            words = arena_printf(arena, "%s, efl%s = %.6g", words, place, focal);
+            size = fmin(size, fabs(focal));
+        }
+    }
     for (size_t i = 0; i < sizeof limits / sizeof limits[0] && isfinite(size); i++) {
         const double least = least_of_goal(job, question, limits[i].name),
                      usual = limits[i].share * size;
         if (!isnan(least)) {
+            /* two digits of it, not more than it is */
+            const double bound = least > 0 ? fmin(least, usual) : usual,
+                         step = pow(10, floor(log10(bound)) - 1);
             words = arena_printf(arena, "%s, %s > %.2g", words, limits[i].name,
-                                 round_down(least > 0 ? fmin(least, usual) : usual));
+                                 floor(bound / step * (1 + 1e-12)) * step);
         }
-    }
-    return words;
-}
-
-static const char *join_goals(const struct lens *lens, struct arena *arena)
-{
-    const char *words = "";
-    for (size_t i = 0; i < lens->goal_count; i++) {
-        const struct text text = lens->goals[i].text;
-        words =
-            arena_printf(arena, "%s%s%.*s", words, i > 0 ? ", " : "", (int)text.length, text.start);
     }
     return words;
 }
@@ -144,32 +111,6 @@ static void goals_add_grazing(struct optimize_job *job, struct goals *goals)
         goals->list = all;
         job->guards = true;
     }
-}
-
-/*
- * The goals of a job, whose variables are open; job->goals receives them in words that --goals
- * takes.
- *
- * Given     question  for its merit, but for the goals
- * Result    without any: `poly`, the focal length that is stated or else the lens's own in each
- *           position, and centres, edges and gaps not below 2 %, 1 % and 0.1 % of the shortest of
- *           them, or below the thinnest that the lens has
- * Errors    as goals_read
- */
-static bool optimize_read_goals(struct optimize_job *job, const struct merit_question *question,
-                                struct goals *goals, struct error *error)
-{
-    struct arena *arena = job->run->arena;
-    const char *typed = job->input->goals;
-    const bool own = typed == NULL && job->lens->goal_count > 0;
-    const struct goals_reader reader = {
-        .db = job->run->db, .lens = job->lens, .arena = arena, .where = "--goals", .deviation = 1};
-    if (own) {
-        job->goals = join_goals(job->lens, arena);
-        return goals_of_lens(&reader, job->lens, goals, error);
-    }
-    job->goals = typed != NULL ? typed : usual_goals(job, question);
-    return goals_read(&reader, text_of(job->goals), goals, error);
 }
 
 /* Wavelengths and fields that are asked for count for goals alone that name none. */
@@ -221,86 +162,6 @@ static bool optimize_errors(struct optimize_job *job, const struct goals *goals,
 
 /* -------- the job -------- */
 
-/* What is seen of the lens while it changes. */
-struct optimize_job_view {
-    struct setup_field *fields;
-    const size_t *positions;
-    size_t position_count;
-};
-
-/* A position that is named twice would count twice. */
-static bool check_positions_once(const struct lens *lens, const struct optimize_job_view *view,
-                                 struct error *error)
-{
-    for (size_t i = 0; i < view->position_count; i++) {
-        for (size_t k = 0; k < i; k++) {
-            if (view->positions[i] == view->positions[k]) {
-                return fail(error, ERROR_USAGE, "{--position} has '%s' twice",
-                            lens->positions[view->positions[i]]);
-            }
-        }
-    }
-    return true;
-}
-
-static bool set_view(const struct optimize_job *job, struct optimize_job_view *view,
-                     struct error *error)
-{
-    const struct lens_question *question = &job->input->question;
-    struct arena *arena = job->run->arena;
-    const char *names = question->position != NULL ? question->position : "all";
-    view->fields = ARENA_ARRAY(arena, question->fields.count + 1, struct setup_field);
-    return lens_positions(question->lens.lens, names, arena, &view->positions,
-                          &view->position_count, error) &&
-           check_positions_once(question->lens.lens, view, error) &&
-           lens_fields_asked(question, view->positions[0], view->fields, error);
-}
-
-/* The question of the merit, without goals. */
-static struct merit_question optimize_question_of(struct optimize_job *job,
-                                                  const struct optimize_job_view *view)
-{
-    const struct optimize_input *input = job->input;
-    return (struct merit_question){.lens = job->lens,
-                                   .variables = &job->variables,
-                                   .variable_count = job->variables.count,
-                                   .wavelengths = input->waves.items,
-                                   .wavelength_count = input->waves.count,
-                                   .fields = view->fields,
-                                   .field_count = input->question.fields.count,
-                                   .positions = view->positions,
-                                   .position_count = view->position_count,
-                                   .section = (enum lens_section)input->question.section,
-                                   .fnumber = input->question.fnumber,
-                                   .from_entrance = input->aim == ANALYSIS_AIM_ENTRANCE,
-                                   .clip = input->clip,
-                                   .pattern = (enum pattern)input->pattern,
-                                   .rays = (size_t)input->rays,
-                                   .seed = (uint64_t)input->seed};
-}
-
-/*
- * A stop is no glass, so that goals of air pass over it; but it cannot lie within a lens. Gaps
- * beside it that no bounds are given for stay on their side of 0; those of a search all do, as it
- * would meet many lenses that are none.
- */
-static void bound_gap(const struct lens *lens, bool is_search, struct variable *variable)
-{
-    const size_t at = variable->what.surface;
-    if (variable->what.kind != PARAMETER_THICKNESS || !isinf(variable->low) ||
-        !isinf(variable->high) ||
-        (!is_search && lens->surfaces[at].kind != SURFACE_STOP &&
-         !(at + 1 < lens->surface_count && lens->surfaces[at + 1].kind == SURFACE_STOP))) {
-        return;
-    }
-    const double now = parameter_get(lens, variable->what);
-    if (now >= 0) {
-        variable->low = 0;
-    } else {
-        variable->high = 0;
-    }
-}
-
 static bool open_variables(struct optimize_job *job, struct error *error)
 {
     struct arena *arena = job->run->arena;
@@ -310,19 +171,28 @@ static bool open_variables(struct optimize_job *job, struct error *error)
     if (!vary_list(&reader, job->input->vary, job->input->hold, &list, &count, error)) {
         return false;
     }
+    /*
+     * A stop is no glass, so that goals of air pass over it; but it cannot lie within a lens. Gaps
+     * beside it that no bounds are given for stay on their side of 0; those of a search all do, as
+     * it would meet many lenses that are none.
+     */
     for (size_t i = 0; i < count; i++) {
-        const size_t position = list[i].position != LENS_NONE ? list[i].position : 0;
-        bound_gap(lens_at_position(job->lens, position, arena), job->input->global > 0, &list[i]);
+        struct variable *one = &list[i];
+        const size_t at = one->what.surface;
+        const size_t position = one->position != LENS_NONE ? one->position : 0;
+        const struct lens *lens = lens_at_position(job->lens, position, arena);
+        const bool is_bounded = !isinf(one->low) || !isinf(one->high);
+        if (one->what.kind == PARAMETER_THICKNESS && !is_bounded &&
+            (job->input->global > 0 || lens->surfaces[at].kind == SURFACE_STOP ||
+             (at + 1 < lens->surface_count && lens->surfaces[at + 1].kind == SURFACE_STOP))) {
+            if (parameter_get(lens, one->what) >= 0) {
+                one->low = 0;
+            } else {
+                one->high = 0;
+            }
+        }
     }
-    if (!variables_open(job->lens, list, count, arena, &job->variables, error)) {
-        return false;
-    }
-    const char **names = ARENA_ARRAY(arena, count + 1, const char *);
-    for (size_t i = 0; i < count; i++) {
-        names[i] = list[i].name;
-    }
-    job->names = names;
-    return true;
+    return variables_open(job->lens, list, count, arena, &job->variables, error);
 }
 
 /* Once an iteration, from any thread. */
@@ -332,16 +202,50 @@ static bool optimize_job_goes_on(void *context)
     return watch_add(job->run->watch, 1) && progress_clock() < job->until;
 }
 
-bool optimize_open(struct optimize_job *job, struct merit_question *question, struct error *error)
+/* Read what is asked; the merit is that of the question, its goals those that --goals takes. */
+static bool optimize_open(struct optimize_job *job, struct merit_question *question,
+                          struct error *error)
 {
-    struct optimize_job_view view;
+    const struct optimize_input *input = job->input;
+    const struct lens *lens = input->question.lens.lens;
+    struct arena *arena = job->run->arena;
+    const struct goals_reader reader = {
+        .db = job->run->db, .lens = lens, .arena = arena, .where = "--goals", .deviation = 1};
     struct goals goals;
-    job->lens = job->input->question.lens.lens;
-    if (!set_view(job, &view, error) || !open_variables(job, error)) {
+    job->lens = lens;
+    if (!design_view(&input->question, &input->waves, arena, question, error)) {
         return false;
     }
-    *question = optimize_question_of(job, &view);
-    if (!optimize_read_goals(job, question, &goals, error) ||
+    for (size_t i = 0; i < question->position_count; i++) {
+        for (size_t k = 0; k < i; k++) { /* it would count twice */
+            if (question->positions[i] == question->positions[k]) {
+                return fail(error, ERROR_USAGE, "{--position} has '%s' twice",
+                            lens->positions[question->positions[i]]);
+            }
+        }
+    }
+    if (!open_variables(job, error)) {
+        return false;
+    }
+    question->variables = &job->variables;
+    question->variable_count = job->variables.count;
+    question->from_entrance = input->aim == ANALYSIS_AIM_ENTRANCE;
+    question->clip = input->clip;
+    question->pattern = (enum pattern)input->pattern;
+    question->rays = (size_t)input->rays;
+    question->seed = (uint64_t)input->seed;
+    const bool is_own = input->goals == NULL && lens->goal_count > 0;
+    job->goals = input->goals;
+    for (size_t i = 0; is_own && i < lens->goal_count; i++) {
+        const struct text text = lens->goals[i].text;
+        job->goals = arena_printf(arena, "%s%s%.*s", i > 0 ? job->goals : "", i > 0 ? ", " : "",
+                                  (int)text.length, text.start);
+    }
+    if (job->goals == NULL) {
+        job->goals = usual_goals(job, question);
+    }
+    if (!(is_own ? goals_of_lens(&reader, lens, &goals, error)
+                 : goals_read(&reader, text_of(job->goals), &goals, error)) ||
         !check_used(question, &goals, error)) {
         return false;
     }
@@ -352,13 +256,20 @@ bool optimize_open(struct optimize_job *job, struct merit_question *question, st
     question->errors = &job->errors;
     question->operands = goals.list;
     question->operand_count = goals.count;
-    return merit_open(question, job->run->arena, &job->merit, error) &&
-           optimize_glasses_open(job, error);
+    return merit_open(question, arena, &job->merit, error) && optimize_glasses_open(job, error);
 }
 
-bool optimize_near(struct optimize_job *job, struct error *error)
+bool optimize_job_run(struct optimize_job *job, struct error *error)
 {
     const struct optimize_input *input = job->input;
+    struct arena *arena = job->run->arena;
+    struct merit_question question;
+    if (!optimize_open(job, &question, error)) {
+        return false;
+    }
+    if (input->global > 0) {
+        return optimize_search(job, &question, error);
+    }
     job->task = (struct optimize_task){.merit = &job->merit,
                                        .engine = (enum solver_engine)input->solver,
                                        .iterations = (int)input->iterations,
@@ -366,10 +277,10 @@ bool optimize_near(struct optimize_job *job, struct error *error)
                                        .context = job};
     job->until = isnan(input->seconds) ? INFINITY : progress_clock() + input->seconds;
     watch_begin(job->run->watch, "iterations", 0);
-    if (!optimize_run(&job->task, job->run->arena, &job->answer, error)) {
+    if (!optimize_run(&job->task, arena, &job->answer, error)) {
         return false;
     }
-    job->found = variables_lens(&job->variables, job->answer.after.numbers, job->run->arena);
+    job->found = variables_lens(&job->variables, job->answer.after.numbers, arena);
     if (!optimize_glasses_choose(job, error)) {
         return false;
     }

@@ -4,8 +4,7 @@
 #define LENSCALC_COMMANDS_DESIGN_OPTIMIZE_JOB_H
 
 #include "cli/options/goals.h"
-#include "cli/question/division.h"
-#include "commands/lens/lens_options.h"
+#include "commands/design/design.h"
 #include "design/glass_choice.h"
 #include "design/optimize.h"
 #include "design/optimize_global.h"
@@ -42,9 +41,8 @@ struct optimize_job {
     struct run *run;
     const struct lens *lens; /* as read */
     struct variables variables;
-    const char *const *names; /* of the variables */
-    const char *goals;        /* in words that --goals takes */
-    bool guards;              /* the last goal keeps rays from loss, and is none of these words */
+    const char *goals; /* in words that --goals takes */
+    bool guards;       /* the last goal keeps rays from loss, and is none of these words */
     struct perturbations errors; /* of the goal asbuilt */
     const char *made;            /* what they are, in words; null: there is no such goal */
     struct merit merit;
@@ -59,21 +57,18 @@ struct optimize_job {
     double until;                 /* of progress_clock; infinite: no limit */
     bool is_late;
     /* of --global */
-    const char *search;         /* in words; null: there is none */
-    struct optimize_part *part; /* what of it goes into files */
-    struct optimize_job *kept;  /* the best first, each a job with an answer */
+    const char *search; /* in words; null: there is none */
+    struct optimize_global *global;
+    struct part_head part, state; /* of --part, and of --state, which is asked less */
+    const char *state_path;       /* null: nobody wants one */
+    time_t saved;                 /* when the state was written last */
+    struct optimize_job *kept;    /* the best first, each a job with an answer */
     size_t kept_count;
     long rank, hits;  /* of one of them; starts that led to it */
     long evaluations; /* of the search */
     double *ends;     /* the best merit of each start that has one, the best first */
     size_t end_count;
 };
-
-/* Read what is asked; the merit is that of the question. */
-bool optimize_open(struct optimize_job *job, struct merit_question *question, struct error *error);
-
-/* Optimise from the lens itself, and look at what was found. */
-bool optimize_near(struct optimize_job *job, struct error *error);
 
 /* What rows of every sheet have: what a sweep varies, so that they can be told apart, the lens. */
 struct optimize_about {
@@ -107,6 +102,9 @@ bool optimize_open_setup(const struct optimize_job *job, const struct lens *lens
                          const struct setup_wavelength *lights, size_t light_count,
                          bool takes_telecentric, struct setup *setup, struct error *error);
 
+/* How far a figure is on the wrong side of what is wanted; of '=' how far away. */
+double optimize_wrong_by(const struct operand *operand, double value);
+
 /* The rows of --show. */
 extern const struct sheet *const optimize_sheets[];
 bool optimize_emit(struct optimize_job *job, struct error *error);
@@ -125,31 +123,18 @@ bool optimize_plot(const struct artifact_job *job, struct output *sink, struct e
 
 /* -------- parts and states of a search: what starts led to, in files -------- */
 
-/* A search as its files have it; internal but for its place. */
-struct optimize_part {
-    const struct run *run;
-    struct optimize_global *global;
-    struct part_head part, state; /* of --part, and of --state, which is asked less */
-    const char *state_path;       /* null: nobody wants one */
-    time_t saved;                 /* when the state was written last */
-};
-
 /*
  * Before a search.
  *
- * Given     global  its starts, of which none is done; receives which of them are searched, and
- *                   what files say of the others: parts that are merged, the state it goes on from
+ * Given     job  its search, of whose starts none is done; receives which of them are searched, and
+ *                what files say of the others: parts that are merged, the state it goes on from
  * Errors    ERROR_USAGE: --part without a file; as division_head and division_found; ERROR_DATA: a
  *           file that does not hold what its head says
  */
-bool optimize_part_begin(const struct optimize_job *job, struct optimize_global *global,
-                         struct optimize_part *part, struct error *error);
-
-/* Now and then during one: the state is written, if it is wanted and half a minute has passed. */
-void optimize_part_pause(struct optimize_part *part);
+bool optimize_part_begin(struct optimize_job *job, struct error *error);
 
 /* Write the state where it is wanted, at once; what cannot be written is said at the end. */
-void optimize_part_save(struct optimize_part *part);
+void optimize_part_save(struct optimize_job *job);
 
 /* -------- optimize --glasses: model glasses end as real ones -------- */
 
@@ -169,14 +154,6 @@ bool optimize_glasses_choose(struct optimize_job *job, struct error *error);
 extern const struct sheet optimize_glass_sheet;
 bool optimize_emit_glasses(struct optimize_job *job, struct error *error);
 
-/* -------- optimize --global: the best of many starts -------- */
-
-/* Is --global asked for? */
-static inline bool optimize_is_global(const struct optimize_input *input)
-{
-    return input->global > 0;
-}
-
 /* How many lenses it keeps at most. */
 size_t optimize_keep_count(const void *input);
 
@@ -187,5 +164,9 @@ size_t optimize_keep_count(const void *input);
  *           was found, with what is wrong with the lens itself
  */
 bool optimize_job_run(struct optimize_job *job, struct error *error);
+
+/* With --global, whose merit is that of the question. */
+bool optimize_search(struct optimize_job *job, const struct merit_question *question,
+                     struct error *error);
 
 #endif

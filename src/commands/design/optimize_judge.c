@@ -28,6 +28,18 @@ void optimize_warn(struct optimize_job *job, const char *format, ...)
         lens_warnings_join(job->warning, ARENA_JOIN(job->run->arena, words), job->run->arena);
 }
 
+double optimize_wrong_by(const struct operand *operand, double value)
+{
+    const double off = value - operand->target;
+    if (operand->relation == OPERAND_BELOW) {
+        return off;
+    }
+    if (operand->relation == OPERAND_ABOVE) {
+        return -off;
+    }
+    return fabs(off);
+}
+
 /* Contrasts that are off by so much are said. */
 static const double doubtful = 0.01;
 
@@ -59,49 +71,23 @@ bool optimize_open_setup(const struct optimize_job *job, const struct lens *lens
            setup_place_image(setup, &(struct plane_value){.kind = PLANE_OF_LENS}, error);
 }
 
-/* One field by the analysis, which takes as many rays as it needs. */
-static bool look_again(const struct optimize_job *job, const struct merit_slot *slot,
-                       const struct setup *setup, const struct field_point *field, struct mtf *mtf,
-                       struct error *error)
-{
-    struct arena *arena = job->run->arena;
-    const struct mtf_question question = {
-        .bundle = {.setup = setup,
-                   .field = field,
-                   .from_entrance = job->merit.question.from_entrance,
-                   .pattern = PATTERN_GAUSS},
-        .by_rays = slot->operand->kind == OPERAND_GMTF,
-        .error = doubtful / 10};
-    struct mtf_source source;
-    return mtf_open(&question, arena, &source, error) &&
-           mtf_find(&source, slot->operand->frequency, arena, mtf, error);
-}
-
 /* The contrast that is off most. */
 struct contrast_doubt {
     const struct operand *operand;
     double off, seen, is; /* is NaN: it is not known */
 };
 
-static void contrast_compare(const struct optimize_job *job, const struct merit_slot *slot,
-                             size_t row, double is, struct contrast_doubt *doubt)
-{
-    const double seen = job->answer.after.values[slot->first + row];
-    const double off = isnan(is) ? 1 : fabs(is - seen);
-    if (off > doubt->off) {
-        *doubt = (struct contrast_doubt){slot->operand, off, seen, is};
-    }
-}
-
-/* All residuals of a slot: of fields that count, tangential before sagittal. */
+/* All residuals of a slot, of fields that count, tangential before sagittal, by the analysis, which
+   takes as many rays as it needs. */
 static void look_at_slot(const struct optimize_job *job, const struct merit_slot *slot,
                          struct contrast_doubt *doubt)
 {
     const struct operand *operand = slot->operand;
     const struct setup_field axis = {{.kind = FIELD_NONE}, 1};
+    struct arena *arena = job->run->arena;
     struct setup setup;
     struct error ignored;
-    size_t row = 0;
+    const double *seen = &job->answer.after.values[slot->first];
     const struct setup_wavelength own = {operand->wavelength, 1};
     const struct merit_question *question = &job->merit.question;
     const bool has_own = !isnan(own.wavelength);
@@ -114,18 +100,30 @@ static void look_at_slot(const struct optimize_job *job, const struct merit_slot
                                                                 : &axis;
     const size_t count = operand->field == NULL && start->field_count > 0 ? start->field_count : 1;
     for (size_t i = 0; i < count; i++) {
-        struct mtf mtf = {.contrast = {NAN, NAN}};
+        const struct mtf_question asked = {.bundle = {.setup = &setup,
+                                                      .field = &fields[i].point,
+                                                      .from_entrance = question->from_entrance,
+                                                      .pattern = PATTERN_GAUSS},
+                                           .by_rays = operand->kind == OPERAND_GMTF,
+                                           .error = doubtful / 10};
+        struct mtf mtf;
+        struct mtf_source source;
         if (!(fields[i].weight > 0)) {
             continue;
         }
-        if (!is_open || !look_again(job, slot, &setup, &fields[i].point, &mtf, &ignored)) {
-            mtf.contrast[0] = mtf.contrast[1] = NAN;
-        }
-        if (operand->orientation != ORIENTATION_SAGITTAL) {
-            contrast_compare(job, slot, row++, mtf.contrast[MTF_TANGENTIAL], doubt);
-        }
-        if (operand->orientation != ORIENTATION_TANGENTIAL) {
-            contrast_compare(job, slot, row++, mtf.contrast[MTF_SAGITTAL], doubt);
+        const bool found = is_open && mtf_open(&asked, arena, &source, &ignored) &&
+                           mtf_find(&source, operand->frequency, arena, &mtf, &ignored);
+        for (int k = MTF_TANGENTIAL; k <= MTF_SAGITTAL; k++) {
+            if (operand->orientation ==
+                (k == MTF_TANGENTIAL ? ORIENTATION_SAGITTAL : ORIENTATION_TANGENTIAL)) {
+                continue;
+            }
+            const double is = found ? mtf.contrast[k] : NAN;
+            const double off = isnan(is) ? 1 : fabs(is - *seen);
+            if (off > doubt->off) {
+                *doubt = (struct contrast_doubt){operand, off, *seen, is};
+            }
+            seen++;
         }
     }
 }
@@ -154,39 +152,23 @@ static void warn_of_contrast(struct optimize_job *job)
     }
 }
 
-/* -------- as wanted -------- */
-
-/* By how much a contrast is missed; "= 1" is how one asks for as much as can be. */
-static double contrast_missed_by(const struct operand *operand, double value)
-{
-    switch (operand->relation) {
-    case OPERAND_ABOVE:
-        return operand->target - value;
-    case OPERAND_BELOW:
-        return value - operand->target;
-    case OPERAND_NEAR:
-        return operand->target < 1 ? fabs(value - operand->target) : 0;
-    case OPERAND_EXACT:
-    case OPERAND_RELATIONS:
-        break;
-    }
-    return 0;
-}
-
-/* Goals of contrast that are missed by more than 0.01, though not by a deviation: the worst. */
+/* Goals of contrast that are missed by more than 0.01, though not by a deviation: the worst; "= 1"
+   is how one asks for as much as can be. */
 static void warn_of_missed_contrast(struct optimize_job *job)
 {
     const struct operand *worst = NULL;
     double most = doubtful;
     for (size_t i = 0; i < job->merit.slot_count; i++) {
         const struct merit_slot *slot = &job->merit.slots[i];
-        for (size_t k = 0; k < slot->count && is_contrast(slot->operand); k++) {
-            const double by =
-                contrast_missed_by(slot->operand, job->answer.after.values[slot->first + k]);
+        const struct operand *operand = slot->operand;
+        const bool counts = is_contrast(operand) && operand->relation != OPERAND_EXACT &&
+                            (operand->relation != OPERAND_NEAR || operand->target < 1);
+        for (size_t k = 0; k < slot->count && counts; k++) {
+            const double by = optimize_wrong_by(operand, job->answer.after.values[slot->first + k]);
             /* more than a deviation is said of all goals alike */
-            if (by > most && by <= slot->operand->deviation) {
+            if (by > most && by <= operand->deviation) {
                 most = by;
-                worst = slot->operand;
+                worst = operand;
             }
         }
     }
@@ -197,18 +179,6 @@ static void warn_of_missed_contrast(struct optimize_job *job)
 
 /* -------- what is doubtful -------- */
 
-static const char *optimize_status_of(const struct optimize_job *job)
-{
-    static const char *const words[] = {
-        [SOLVER_CONVERGED] = "converged",
-        [SOLVER_LIMIT] = "as many iterations as allowed",
-        [SOLVER_STOPPED] = "interrupted",
-        [SOLVER_STUCK] = "no step makes it better",
-    };
-    const enum solver_status status = job->answer.summary.status;
-    return status == SOLVER_STOPPED && job->is_late ? "the time is up" : words[status];
-}
-
 /* Variables that nothing depends on, in words. */
 static void warn_of_idle(struct optimize_job *job)
 {
@@ -217,8 +187,8 @@ static void warn_of_idle(struct optimize_job *job)
     size_t count = 0;
     for (size_t i = 0; i < job->variables.count; i++) {
         if (job->answer.is_idle[i]) {
-            names =
-                names == NULL ? job->names[i] : arena_printf(arena, "%s, %s", names, job->names[i]);
+            const char *name = job->variables.list[i].name;
+            names = names == NULL ? name : arena_printf(arena, "%s, %s", names, name);
             count++;
         }
     }
@@ -228,22 +198,8 @@ static void warn_of_idle(struct optimize_job *job)
     }
 }
 
-/* By how many deviations a goal of a figure is missed; those of rays have no target. */
-static double goal_missed_by(const struct optimize_job *job, const struct merit_slot *slot)
-{
-    const struct operand *operand = slot->operand;
-    double most = 0;
-    if ((operand_type(operand->kind)->is & OPERAND_OF_RAYS) != 0 ||
-        operand->kind == OPERAND_GRAZING || operand->relation == OPERAND_EXACT) {
-        return 0;
-    }
-    for (size_t i = slot->first; i < slot->first + slot->count; i++) {
-        most = fmax(most, fabs(job->answer.after.residuals[i]));
-    }
-    return most;
-}
-
-/* A goal that is off by more than it may be is out of reach, of the variables or of other goals. */
+/* A goal that is off by more than it may be is out of reach, of the variables or of other goals;
+   those of rays have no target. */
 static void warn_of_missed(struct optimize_job *job)
 {
     const struct merit *merit = &job->merit;
@@ -251,11 +207,18 @@ static void warn_of_missed(struct optimize_job *job)
     double most = 1;
     size_t count = 0;
     for (size_t i = 0; i < merit->slot_count; i++) {
-        const double by = goal_missed_by(job, &merit->slots[i]);
+        const struct merit_slot *slot = &merit->slots[i];
+        const struct operand *operand = slot->operand;
+        const bool counts = (operand_type(operand->kind)->is & OPERAND_OF_RAYS) == 0 &&
+                            operand->kind != OPERAND_GRAZING && operand->relation != OPERAND_EXACT;
+        double by = 0; /* deviations */
+        for (size_t k = slot->first; counts && k < slot->first + slot->count; k++) {
+            by = fmax(by, fabs(job->answer.after.residuals[k]));
+        }
         count += by > 1;
         if (by > most) {
             most = by;
-            name = merit->slots[i].operand->name;
+            name = operand->name;
         }
     }
     const char *others = count == 2 ? ", and another by more than one" : "";
@@ -349,36 +312,31 @@ static void warn_of_glasses(struct optimize_job *job)
     }
 }
 
-/* Does a goal that counts in a place hold the focal length there? */
-static bool holds_power(const struct merit *merit, size_t place)
-{
-    bool holds = false;
-    for (size_t i = 0; i < merit->slot_count; i++) {
-        const enum operand_kind kind = merit->slots[i].operand->kind;
-        holds = holds ||
-                (merit->slots[i].place == place &&
-                 (kind == OPERAND_EFL || kind == OPERAND_MAGNIFICATION || kind == OPERAND_HEIGHT));
-    }
-    return holds;
-}
-
-/* Small spots are easiest to have of a lens that is another: one that has become so is told. */
+/* Small spots are easiest to have of a lens that is another: one that has become so is told, where
+   no goal that counts holds the focal length. */
 static bool warn_of_power(struct optimize_job *job, struct error *error)
 {
     static const double most = 0.05; /* of a change that goes without saying */
+    const struct merit *merit = &job->merit;
     struct arena *arena = job->run->arena;
-    for (size_t i = 0; i < job->merit.place_count; i++) {
-        const struct merit_place *place = &job->merit.places[i];
+    for (size_t i = 0; i < merit->place_count; i++) {
+        const struct merit_place *place = &merit->places[i];
         const struct lens *found = lens_at_position(job->found, place->position, arena);
         const char *position = place->setup.position;
         const double before = place->setup.first.efl;
         struct first_order first;
+        bool is_held = false;
         if (!first_order_of_lens(found, lens_primary_wavelength(found), place->setup.section, arena,
                                  &first, error)) {
             return error_prefix(error, "the lens that was found: ");
         }
-        if (isfinite(before) && !(fabs(first.efl / before - 1) <= most) &&
-            !holds_power(&job->merit, i)) {
+        for (size_t k = 0; k < merit->slot_count; k++) {
+            const enum operand_kind kind = merit->slots[k].operand->kind;
+            is_held |=
+                merit->slots[k].place == i &&
+                (kind == OPERAND_EFL || kind == OPERAND_MAGNIFICATION || kind == OPERAND_HEIGHT);
+        }
+        if (isfinite(before) && !(fabs(first.efl / before - 1) <= most) && !is_held) {
             optimize_warn(job, "%s%sno goal holds the focal length: it was %.4g mm and is %.4g",
                           position != NULL ? position : "", position != NULL ? ": " : "", before,
                           first.efl);
@@ -387,70 +345,59 @@ static bool warn_of_power(struct optimize_job *job, struct error *error)
     return true;
 }
 
-/* What lenscalc would say of the lens that was found. */
-static bool check_found(struct optimize_job *job, struct error *error)
+/* Why it is not what was asked for: it came to no end, or a goal with == is missed, the worst. */
+static void judge_end(struct optimize_job *job)
 {
-    struct arena *arena = job->run->arena;
-    struct lens_warnings warnings;
-    if (!lens_check(job->found, arena, &warnings, error)) {
-        return error_prefix(error, "the lens that was found: ");
-    }
-    for (size_t i = 0; i < warnings.count; i++) {
-        optimize_warn(job, "%s", warnings.texts[i]);
-    }
-    return true;
-}
-
-/* Conditions are met to this, in their deviations. */
-static const double exactly = 1e-10;
-
-/* The goal with == that is missed most. */
-static const char *missed_goal(const struct optimize_job *job)
-{
-    const struct merit *merit = &job->merit;
-    const char *name = "a goal with ==";
-    double most = 0;
-    for (size_t i = 0; i < merit->slot_count; i++) {
-        const struct merit_slot *slot = &merit->slots[i];
-        for (size_t k = 0; k < slot->count && slot->operand->relation == OPERAND_EXACT; k++) {
-            const double off = fabs(job->answer.after.residuals[slot->first + k]);
-            name = off > most ? slot->operand->name : name;
-            most = fmax(most, off);
-        }
-    }
-    return name;
-}
-
-static void optimize_judge_end(struct optimize_job *job)
-{
+    static const double exactly = 1e-10; /* conditions are met to this, in their deviations */
     const struct solver_summary *summary = &job->answer.summary;
+    const struct merit *merit = &job->merit;
     struct arena *arena = job->run->arena;
-    const char *why = NULL;
     const size_t missing = job->choice != NULL ? job->choice->missing : 0;
     const char *left = missing == 0 ? ""
                                     : arena_printf(arena, ", %zu model glass%s left", missing,
                                                    missing > 1 ? "es" : "");
+    job->incomplete = NULL;
     if (summary->status == SOLVER_STOPPED && !job->is_late) {
-        why = arena_printf(arena, "interrupted after %ld iterations: the best so far, incomplete%s",
-                           summary->iterations, left);
+        job->incomplete =
+            arena_printf(arena, "interrupted after %ld iterations: the best so far, incomplete%s",
+                         summary->iterations, left);
     } else if (missing > 0) {
-        why = arena_printf(arena, "the time was up: the best so far, incomplete%s", left);
+        job->incomplete =
+            arena_printf(arena, "the time was up: the best so far, incomplete%s", left);
     } else if (!(summary->excess <= exactly)) {
-        why = arena_printf(arena,
-                           "the goal %s is missed by %.3g deviations: it contradicts another goal "
-                           "or the bounds, or wants more iterations",
-                           missed_goal(job), summary->excess);
+        const char *name = "a goal with ==";
+        double most = 0;
+        for (size_t i = 0; i < merit->slot_count; i++) {
+            const struct merit_slot *slot = &merit->slots[i];
+            for (size_t k = 0; k < slot->count && slot->operand->relation == OPERAND_EXACT; k++) {
+                const double off = fabs(job->answer.after.residuals[slot->first + k]);
+                name = off > most ? slot->operand->name : name;
+                most = fmax(most, off);
+            }
+        }
+        job->incomplete =
+            arena_printf(arena,
+                         "the goal %s is missed by %.3g deviations: it contradicts another goal "
+                         "or the bounds, or wants more iterations",
+                         name, summary->excess);
         job->status = "a goal with == is missed";
     }
-    job->incomplete = why;
-    if (why != NULL) {
-        fail(&job->run->shortfall, ERROR_DOMAIN, "%s", why);
+    if (job->incomplete != NULL) {
+        fail(&job->run->shortfall, ERROR_DOMAIN, "%s", job->incomplete);
     }
 }
 
 bool optimize_judge(struct optimize_job *job, struct error *error)
 {
-    job->status = optimize_status_of(job);
+    static const char *const words[] = {
+        [SOLVER_CONVERGED] = "converged",
+        [SOLVER_LIMIT] = "as many iterations as allowed",
+        [SOLVER_STOPPED] = "interrupted",
+        [SOLVER_STUCK] = "no step makes it better",
+    };
+    const enum solver_status status = job->answer.summary.status;
+    struct lens_warnings warnings;
+    job->status = status == SOLVER_STOPPED && job->is_late ? "the time is up" : words[status];
     if (job->answer.begun != NULL) {
         optimize_warn(job, "%s", job->answer.begun);
     }
@@ -462,8 +409,17 @@ bool optimize_judge(struct optimize_job *job, struct error *error)
     warn_of_glasses(job);
     warn_of_missed_contrast(job);
     warn_of_contrast(job);
-    optimize_judge_end(job);
-    return warn_of_power(job, error) && check_found(job, error);
+    judge_end(job);
+    if (!warn_of_power(job, error)) {
+        return false;
+    }
+    if (!lens_check(job->found, job->run->arena, &warnings, error)) {
+        return error_prefix(error, "the lens that was found: ");
+    }
+    for (size_t i = 0; i < warnings.count; i++) {
+        optimize_warn(job, "%s", warnings.texts[i]);
+    }
+    return true;
 }
 
 struct optimize_about optimize_about_of(const struct optimize_job *job, bool is_first)

@@ -48,32 +48,28 @@ static const struct column answer_columns[] = {
 
 static const struct sheet answer_sheet = SHEET(answer_columns, struct answer_row);
 
-static const char *optimize_rays_in_words(const struct optimize_input *input, struct arena *arena)
-{
-    return arena_printf(arena, "%ld %s, in the %s, %s", input->rays, patterns[input->pattern].word,
-                        input->aim == ANALYSIS_AIM_ENTRANCE ? "entrance pupil" : "stop",
-                        input->clip ? "clipped" : "not clipped");
-}
-
 static bool optimize_emit_answer(struct optimize_job *job, struct error *error)
 {
     (void)error;
     const struct optimize_answer *answer = &job->answer;
-    const struct answer_row row = {.about = optimize_about_of(job, true),
-                                   .hits = job->hits,
-                                   .merit_before = answer->before.merit,
-                                   .merit_after = answer->after.merit,
-                                   .evaluations = job->rank > 0 ? job->evaluations
-                                                                : answer->summary.evaluations,
-                                   .iterations = answer->summary.iterations,
-                                   .variables = (long)job->variables.count,
-                                   .residuals = (long)job->merit.residual_count,
-                                   .solver = job->input->solver == SOLVER_CERES ? "ceres" : "dls",
-                                   .status = job->status,
-                                   .goals = job->goals,
-                                   .made = job->made,
-                                   .rays = optimize_rays_in_words(job->input, job->run->arena),
-                                   .search = job->search};
+    const struct answer_row row = {
+        .about = optimize_about_of(job, true),
+        .hits = job->hits,
+        .merit_before = answer->before.merit,
+        .merit_after = answer->after.merit,
+        .evaluations = job->rank > 0 ? job->evaluations : answer->summary.evaluations,
+        .iterations = answer->summary.iterations,
+        .variables = (long)job->variables.count,
+        .residuals = (long)job->merit.residual_count,
+        .solver = job->input->solver == SOLVER_CERES ? "ceres" : "dls",
+        .status = job->status,
+        .goals = job->goals,
+        .made = job->made,
+        .rays = arena_printf(job->run->arena, "%ld %s, in the %s, %s", job->input->rays,
+                             patterns[job->input->pattern].word,
+                             job->input->aim == ANALYSIS_AIM_ENTRANCE ? "entrance pupil" : "stop",
+                             job->input->clip ? "clipped" : "not clipped"),
+        .search = job->search};
     run_emit(job->run, &row);
     return true;
 }
@@ -120,19 +116,6 @@ static double squares(const double *residuals, const struct merit_slot *slot)
     return sum;
 }
 
-/* How far a figure is on the wrong side of what is wanted; of '=' how far away. */
-static double wrong_by(const struct operand *operand, double value)
-{
-    const double off = value - operand->target;
-    if (operand->relation == OPERAND_BELOW) {
-        return off;
-    }
-    if (operand->relation == OPERAND_ABOVE) {
-        return -off;
-    }
-    return fabs(off);
-}
-
 /* A figure, of many the worst, in the unit that the goal has; of rays their root sum square. */
 static double optimize_value_of(const struct optimize_state *state, const struct merit_slot *slot)
 {
@@ -140,7 +123,7 @@ static double optimize_value_of(const struct optimize_state *state, const struct
     const struct operand_type *type = operand_type(operand->kind);
     double worst = state->values[slot->first];
     for (size_t i = slot->first; i < slot->first + slot->count; i++) {
-        if (wrong_by(operand, state->values[i]) > wrong_by(operand, worst)) {
+        if (optimize_wrong_by(operand, state->values[i]) > optimize_wrong_by(operand, worst)) {
             worst = state->values[i];
         }
     }
@@ -148,11 +131,6 @@ static double optimize_value_of(const struct optimize_state *state, const struct
         worst = sqrt(squares(state->residuals, slot)) * operand->deviation;
     }
     return unit_from_own(unit_find(type->dimension, text_of(type->unit)), worst);
-}
-
-static const char *optimize_unit_words(const char *unit)
-{
-    return unit[0] != '\0' ? unit : NULL;
 }
 
 static bool emit_merit(struct optimize_job *job, struct error *error)
@@ -164,17 +142,17 @@ static bool emit_merit(struct optimize_job *job, struct error *error)
         const struct merit_slot *slot = &merit->slots[i];
         const double before = squares(answer->before.residuals, slot);
         const double after = squares(answer->after.residuals, slot);
+        const char *unit = operand_type(slot->operand->kind)->unit;
         const bool is_exact = slot->operand->relation == OPERAND_EXACT;
-        const struct optimize_goal_row row = {
-            .about = optimize_about_of(job, i == 0),
-            .position = merit->places[slot->place].setup.position,
-            .goal = slot->operand->name,
-            .unit = optimize_unit_words(operand_type(slot->operand->kind)->unit),
-            .before = optimize_value_of(&answer->before, slot),
-            .after = optimize_value_of(&answer->after, slot),
-            .share_before = before,
-            .share_after = after,
-            .part = is_exact ? NAN : after / answer->after.merit};
+        const struct optimize_goal_row row = {.about = optimize_about_of(job, i == 0),
+                                              .position = merit->places[slot->place].setup.position,
+                                              .goal = slot->operand->name,
+                                              .unit = *unit != '\0' ? unit : NULL,
+                                              .before = optimize_value_of(&answer->before, slot),
+                                              .after = optimize_value_of(&answer->after, slot),
+                                              .share_before = before,
+                                              .share_after = after,
+                                              .part = is_exact ? NAN : after / answer->after.merit};
         const bool is_quiet =
             job->guards && slot->operand->kind == OPERAND_GRAZING && !(before > 0) && !(after > 0);
         if (!is_quiet && !run_emit(job->run, &row)) {
@@ -307,42 +285,32 @@ static double optimize_spot_of(const struct optimize_job *job, const struct setu
     return found && !spot.is_angular ? spot.rms : NAN;
 }
 
-static bool emit_spots_of(struct optimize_job *job, size_t place,
-                          const struct setup_wavelength *light, struct error *error)
-{
-    const struct merit_place *at_place = &job->merit.places[place];
-    const bool is_first = place == 0 && light == at_place->setup.wavelengths;
-    const struct setup_wavelength alone = {light->wavelength, 1}; /* whatever it counted for */
-    struct setup before, after;
-    if (!optimize_open_setup(job, job->lens, place, &alone, 1, false, &before, error) ||
-        !optimize_open_setup(job, job->found, place, &alone, 1, false, &after, error)) {
-        return false;
-    }
-    for (size_t f = 0; f < before.field_count; f++) {
-        const struct field_point *point = &before.fields[f].point;
-        const double at = point->value[setup_axis(&before)];
-        const bool is_angle = point->kind == FIELD_ANGLE || point->kind == FIELD_NONE;
-        const struct spot_row row = {.about = optimize_about_of(job, f == 0 && is_first),
-                                     .position = before.position,
-                                     .field = is_angle ? at : NAN,
-                                     .height = is_angle ? NAN : at,
-                                     .wavelength = light->wavelength,
-                                     .before = optimize_spot_of(job, &before, f),
-                                     .after = optimize_spot_of(job, &after, f)};
-        if (!run_emit(job->run, &row)) {
-            return true;
-        }
-    }
-    return true;
-}
-
 static bool emit_spots(struct optimize_job *job, struct error *error)
 {
+    bool goes_on = true, is_first = true;
     for (size_t p = 0; p < job->merit.place_count; p++) {
         const struct setup *setup = &job->merit.places[p].setup;
-        for (size_t w = 0; w < setup->wavelength_count; w++) {
-            if (!emit_spots_of(job, p, &setup->wavelengths[w], error)) {
+        for (size_t w = 0; w < setup->wavelength_count && goes_on; w++) {
+            /* whatever it counted for */
+            const struct setup_wavelength alone = {setup->wavelengths[w].wavelength, 1};
+            struct setup before, after;
+            if (!optimize_open_setup(job, job->lens, p, &alone, 1, false, &before, error) ||
+                !optimize_open_setup(job, job->found, p, &alone, 1, false, &after, error)) {
                 return false;
+            }
+            for (size_t f = 0; f < before.field_count && goes_on; f++) {
+                const struct field_point *point = &before.fields[f].point;
+                const double at = point->value[setup_axis(&before)];
+                const bool is_angle = point->kind == FIELD_ANGLE || point->kind == FIELD_NONE;
+                const struct spot_row row = {.about = optimize_about_of(job, is_first),
+                                             .position = before.position,
+                                             .field = is_angle ? at : NAN,
+                                             .height = is_angle ? NAN : at,
+                                             .wavelength = alone.wavelength,
+                                             .before = optimize_spot_of(job, &before, f),
+                                             .after = optimize_spot_of(job, &after, f)};
+                goes_on = run_emit(job->run, &row);
+                is_first = false;
             }
         }
     }

@@ -5,7 +5,6 @@
 #include "base/constants.h"
 #include "cli/options/tolerances.h"
 #include "design/tolerance/sensitivity.h"
-#include "design/tolerance/tolerance_model.h"
 #include "file/lens_tolerance.h"
 #include "file/lens_unit.h"
 #include "optics/growing.h"
@@ -44,19 +43,12 @@ static struct tolerance_range tolerance_range_of(const struct perturbation *one)
 
 /* What rows have of an error. */
 #define ERROR_COLUMNS(S)                                                                           \
-    {COLUMN_NAMED(S, perturbation, COLUMN_BRIEF),                                                  \
-     .help = "what is wrong with the lens, and nothing else"},                                     \
-        {COLUMN(S, range),                                                                         \
-         .flags = COLUMN_BRIEF,                                                                    \
-         .name = "tolerance",                                                                      \
-         .head = "+-",                                                                             \
-         .digits = 4,                                                                              \
-         .label = "tolerance",                                                                     \
-         .help = "plus and minus: half the range"},                                                \
-    {                                                                                              \
-        COLUMN(S, range_unit), .flags = COLUMN_BRIEF, .name = "tolerance_unit", .head = "",        \
-                               .label = "its unit", .help = "of the tolerance"                     \
-    }
+    ENTRY(COLUMN_NAMED(S, perturbation, COLUMN_BRIEF),                                             \
+          .help = "what is wrong with the lens, and nothing else"),                                \
+        ENTRY(COLUMN(S, range), .flags = COLUMN_BRIEF, .name = "tolerance", .head = "+-",          \
+              .digits = 4, .label = "tolerance", .help = "plus and minus: half the range"),        \
+        ENTRY(COLUMN(S, range_unit), .flags = COLUMN_BRIEF, .name = "tolerance_unit", .head = "",  \
+              .label = "its unit", .help = "of the tolerance")
 
 /* -------- sensitivity -------- */
 
@@ -68,10 +60,7 @@ struct sensitivity_row {
 };
 
 #define CHANGE(member, words)                                                                      \
-    {                                                                                              \
-        COLUMN(struct sensitivity_row, member), .flags = COLUMN_BRIEF, .digits = 4,                \
-                                                .name = #member, .label = #member, .help = words   \
-    }
+    ENTRY(COLUMN_NAMED(struct sensitivity_row, member, COLUMN_BRIEF), .digits = 4, .help = words)
 
 static const struct column sensitivity_columns[] = {
     ERROR_COLUMNS(struct sensitivity_row),
@@ -107,13 +96,14 @@ bool tolerance_emit_sensitivity(struct tolerance_job *job, struct error *error)
     const struct criterion_type *type = criterion_type(job->question.criterion.kind);
     const struct tolerance_about about = tolerance_about_of(job);
     double *moves = ARENA_ARRAY(arena, tolerance_moves(tolerance), double);
-    struct tolerance_model *model = ARENA_NEW(arena, struct tolerance_model);
     const char *failure;
+    double *nominal;
     (void)error;
-    tolerance_model_open(&job->tolerance, job->run->watch, arena, model);
-    const size_t n = model->problem.error_count, figures = model->problem.figure_count;
+    const struct second_order_problem problem =
+        tolerance_problem(&job->tolerance, job->run->watch, arena, &nominal);
+    const size_t n = problem.error_count, figures = problem.figure_count;
     struct sensitivity *table = ARENA_ARRAY(arena, n * figures, struct sensitivity);
-    const size_t done = sensitivity_find(&model->problem, model->nominal, arena, table, &failure);
+    const size_t done = sensitivity_find(&problem, nominal, arena, table, &failure);
     if (done < n) {
         fail(&job->run->shortfall, ERROR_DOMAIN,
              "interrupted after %zu of %zu errors: those so far, incomplete", done, n);
@@ -215,13 +205,12 @@ static double tolerance_cost_of(void *context, const double *figures)
 static struct perturbations of_grade(const struct tolerance_job *job, const char *grade)
 {
     const struct run *run = job->run;
-    const struct lens_tolerance *none = NULL;
     struct lens *bare = ARENA_NEW(run->arena, struct lens);
     struct perturbations perturbations = {NULL, 0, NULL, NULL};
     const char *assumed;
     struct error ignored;
     *bare = *job->lens;
-    bare->tolerances = (struct lens_tolerance *)none;
+    bare->tolerances = NULL;
     bare->tolerance_count = 0;
     const struct tolerances_reader reader = {.lens = bare, .db = run->db, .arena = run->arena};
     if (!tolerances_of(&reader, grade, NULL, &perturbations, &assumed, &ignored)) {
@@ -274,17 +263,6 @@ static struct things things_of(const struct tolerance_job *job)
     return things;
 }
 
-/* "element 3..5 tilt" of "element 3..5 tilt x". */
-static const char *thing_name(const struct tolerance_job *job, const struct things *things,
-                              size_t thing)
-{
-    const size_t first = things->first[thing];
-    const char *name = job->question.perturbations[first].name, *end = strrchr(name, ' ');
-    const bool is_one = thing + 1 < things->count ? things->first[thing + 1] == first + 1
-                                                  : first + 1 == job->question.perturbation_count;
-    return is_one || end == NULL ? name : arena_string(job->run->arena, name, (size_t)(end - name));
-}
-
 /* The line of the tolerance, so many times as wide, in the unit that it was written in. */
 static const char *tolerance_line_of(const struct tolerance_job *job,
                                      const struct perturbation *one, double factor)
@@ -311,10 +289,10 @@ bool tolerance_emit_inverse(struct tolerance_job *job, struct error *error)
     struct arena *arena = job->run->arena;
     const struct criterion_type *type = criterion_type(job->question.criterion.kind);
     const struct things things = things_of(job);
-    struct tolerance_model *model = ARENA_NEW(arena, struct tolerance_model);
     struct inverse *answers = ARENA_ARRAY(arena, things.count + 1, struct inverse);
-    tolerance_model_open(&job->tolerance, job->run->watch, arena, model);
-    const struct inverse_question question = {.problem = &model->problem,
+    const struct second_order_problem problem =
+        tolerance_problem(&job->tolerance, job->run->watch, arena, NULL);
+    const struct inverse_question question = {.problem = &problem,
                                               .cost = tolerance_cost_of,
                                               .context = job,
                                               .drop = job->drop,
@@ -346,7 +324,13 @@ bool tolerance_emit_inverse(struct tolerance_job *job, struct error *error)
         const struct perturbation *one = &job->question.perturbations[things.first[i]];
         const struct tolerance_range range = tolerance_range_of(one);
         const double proposed = one->amount * range.scale * answers[i].factor;
-        const char *name = thing_name(job, &things, i);
+        /* "element 3..5 tilt" of "element 3..5 tilt x" where it has both */
+        const char *name = one->name, *end = strrchr(name, ' ');
+        const size_t next =
+            i + 1 < things.count ? things.first[i + 1] : job->question.perturbation_count;
+        if (next != things.first[i] + 1 && end != NULL) {
+            name = arena_string(arena, name, (size_t)(end - name));
+        }
         const struct inverse_row row = {.about = about,
                                         .perturbation = name,
                                         .range = one->amount * range.scale,
@@ -401,36 +385,30 @@ static int by_share(const void *a, const void *b)
                                                       : 1;
 }
 
-/* What figures, of roots their squares, spread by rounding alone. */
-static double rounding_of(const struct second_order_problem *problem, const double *nominal)
-{
-    const double rounding = 1e-9; /* of second differences */
-    double sum = 0;
-    for (size_t f = 0; f < problem->judged_count; f++) {
-        sum += problem->is_root[f] ? nominal[f] * nominal[f] : fabs(nominal[f]);
-    }
-    return rounding * sum / (double)problem->judged_count;
-}
-
 bool tolerance_offenders(struct tolerance_job *job, struct tolerance_offender **offenders,
-                         double *deviation, struct error *error)
+                         struct error *error)
 {
     struct arena *arena = job->run->arena;
     const size_t n = job->question.perturbation_count;
-    struct tolerance_model *model = ARENA_NEW(arena, struct tolerance_model);
+    const double rounding = 1e-9; /* of second differences */
     struct second_order differential;
     struct second_order_share *shares = ARENA_ARRAY(arena, n + 1, struct second_order_share);
     struct perturbation_moments *moments = ARENA_ARRAY(arena, n + 1, struct perturbation_moments);
-    tolerance_model_open(&job->tolerance, job->run->watch, arena, model);
-    if (!second_order_open(&model->problem, arena, &differential, error)) {
+    double *nominal, sum = 0;
+    const struct second_order_problem problem =
+        tolerance_problem(&job->tolerance, job->run->watch, arena, &nominal);
+    if (!second_order_open(&problem, arena, &differential, error)) {
         return false;
     }
     for (size_t i = 0; i < n; i++) {
         moments[i] = perturbation_moments(&job->question.perturbations[i]);
     }
-    *deviation = second_order_shares(&differential, moments, LENS_NONE, shares);
-    if (*deviation <= rounding_of(&model->problem, model->nominal)) {
-        *deviation = 0;
+    const double deviation = second_order_shares(&differential, moments, LENS_NONE, shares);
+    /* what figures, of roots their squares, spread by rounding alone */
+    for (size_t f = 0; f < problem.judged_count; f++) {
+        sum += problem.is_root[f] ? nominal[f] * nominal[f] : fabs(nominal[f]);
+    }
+    if (deviation <= rounding * sum / (double)problem.judged_count) {
         memset(shares, 0, n * sizeof *shares);
     }
     *offenders = ARENA_ARRAY(arena, n + 1, struct tolerance_offender);
@@ -445,8 +423,7 @@ bool tolerance_emit_offenders(struct tolerance_job *job, struct error *error)
 {
     const struct tolerance_about about = tolerance_about_of(job);
     struct tolerance_offender *offenders;
-    double deviation;
-    if (!tolerance_offenders(job, &offenders, &deviation, error)) {
+    if (!tolerance_offenders(job, &offenders, error)) {
         return false;
     }
     for (size_t i = 0; i < job->question.perturbation_count; i++) {

@@ -1,6 +1,6 @@
 /* commands/design/tolerance_files.c - lenses as they may be made, and parts of a divided run. */
 /* SPDX-License-Identifier: MIT */
-#include "commands/design/fit.h"
+#include "commands/design/design.h"
 #include "commands/design/tolerance_job.h"
 #include "file/lens_file.h"
 
@@ -8,13 +8,7 @@
 
 const struct file_type *tolerance_types(size_t i)
 {
-    if (i == 0) {
-        return &lens_file_type;
-    }
-    if (i == 1) {
-        return division_types(0);
-    }
-    return NULL;
+    return i == 0 ? &lens_file_type : division_types(i - 1);
 }
 
 static bool is_part(const struct artifact_job *job)
@@ -64,26 +58,13 @@ bool tolerance_check_output(const struct artifact_job *job, struct error *error)
                 job->path != NULL ? job->path : "");
 }
 
-/* What the figure is by, and what of the trial the lens cannot have. */
-static void note_view(const struct tolerance_job *job, struct lens *lens)
-{
-    struct arena *arena = job->run->arena;
-    fit_note(lens, arena_printf(arena, "that is by rays %s", tolerance_about_of(job).rays), arena);
-    if (job->question.view.clip) {
-        fit_note(lens, "and what the nominal lens lets through: this one does not quite the same",
-                 arena);
-    }
-    if (job->tolerance.irregularity_count > 0) {
-        fit_note(lens, "without the irregularity of its surfaces, which is in that figure", arena);
-    }
-}
-
 /* The lens of a trial, which is made once more. */
 static bool save_trial(struct tolerance_job *job, uint64_t number, struct output *sink,
                        struct error *error)
 {
     struct arena *arena = job->run->arena;
     struct tolerance *tolerance = &job->tolerance;
+    const unsigned long long shown = (unsigned long long)number + 1, seed = job->trials.seed;
     double *errors = ARENA_ARRAY(arena, job->perturbations.count + 1, double);
     struct tolerance_trial trial = {.figures = ARENA_ARRAY(arena, tolerance->figure_count, double),
                                     .moves =
@@ -91,28 +72,32 @@ static bool save_trial(struct tolerance_job *job, uint64_t number, struct output
     tolerance_errors(&job->question, job->trials.seed, number, errors);
     if (!tolerance_trial(tolerance, errors, &trial)) {
         *error = trial.why;
-        return error_prefix(error, "trial %llu has no figures: ", (unsigned long long)number + 1);
+        return error_prefix(error, "trial %llu has no figures: ", shown);
     }
     struct lens *lens = tolerance_lens(tolerance, &trial, arena);
     lens->tolerance_count = 0; /* it is made: nothing of it is uncertain */
-    for (int i = 0; i < STATED_COUNT; i++) {
-        lens->stated[i] = NULL;
-        lens->stated_count[i] = 0;
-    }
     const struct criterion_type *type = criterion_type(job->question.criterion.kind);
-    fit_note(lens,
-             arena_printf(arena, "as made in trial %llu of seed %llu: %s %.6g %s",
-                          (unsigned long long)number + 1, (unsigned long long)job->trials.seed,
-                          job->question.criterion.name,
-                          type->scale * tolerance_judged(tolerance, job->trials.of, trial.figures),
-                          type->unit),
-             arena);
-    note_view(job, lens);
-    if (lens->source != NULL) {
-        fit_note(lens, arena_printf(arena, "made after: %s", lens->source), arena);
-        lens->source = NULL;
+    design_note(
+        lens,
+        arena_printf(arena, "as made in trial %llu of seed %llu: %s %.6g %s", shown, seed,
+                     job->question.criterion.name,
+                     type->scale * tolerance_judged(tolerance, job->trials.of, trial.figures),
+                     type->unit),
+        arena);
+    /* what the figure is by, and what of the trial the lens cannot have */
+    design_note(lens, arena_printf(arena, "that is by rays %s", tolerance_about_of(job).rays),
+                arena);
+    if (job->question.view.clip) {
+        design_note(lens,
+                    "and what the nominal lens lets through: this one does not quite the same",
+                    arena);
     }
-    struct text text = lens_write(lens, arena);
+    if (tolerance->irregularity_count > 0) {
+        design_note(lens, "without the irregularity of its surfaces, which is in that figure",
+                    arena);
+    }
+    design_note_source(lens, "made after", arena);
+    const struct text text = lens_write(lens, arena);
     output_text(sink, text.start, text.length);
     return true;
 }

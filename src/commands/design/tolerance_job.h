@@ -4,11 +4,9 @@
 #define LENSCALC_COMMANDS_DESIGN_TOLERANCE_JOB_H
 
 #include "cli/question/artifact.h"
-#include "cli/question/division.h"
 #include "commands/analysis/analysis_options.h"
-#include "commands/lens/lens_options.h"
+#include "commands/design/design.h"
 #include "design/tolerance/second_order.h"
-#include "design/tolerance/tolerance_model.h"
 #include "design/tolerance/tolerance_run.h"
 
 enum tolerance_show {
@@ -53,7 +51,6 @@ struct tolerance_job {
     long save_count;       /* of --save worst:K; 0: none */
     long save_trial;       /* of --save trial:K, from 1; 0: none */
     struct second_order differential; /* of --method differential */
-    struct tolerance_model model;     /* of its trials */
     double method_rms, method_most;   /* by what exact trials differ from it, of figures */
     const char *incomplete, *warning; /* null: all is well */
 };
@@ -86,7 +83,7 @@ size_t tolerance_count_output(const void *input);
 struct tolerance_about {
     double fnumber;
     long seed;
-    const char *made, *lens, *method, *rays, *adjusted, *limit, *warning;
+    const char *tolerances, *lens, *method, *rays, *adjusted, *limit, *warning;
 };
 
 /* Whatever trials depend on: some of them say how far rays and methods are right. */
@@ -94,39 +91,32 @@ struct tolerance_about {
     "lens grade tolerances criterion of refocus gap adjust trials seed method aim wavelength "     \
     "field position aperture section pattern rays clip no-clip"
 
+#define TOLERANCE_ABOUT_COLUMN(S, member, on, words)                                               \
+    ENTRY(COLUMN(S, about.member), .flags = COLUMN_EXTRA | COLUMN_ASSUMED, .name = #member,        \
+          .depends = on, .label = #member, .help = words)
+
 #define TOLERANCE_ABOUT_COLUMNS(S)                                                                 \
     LENS_FNUMBER_COLUMN(S, about.fnumber),                                                         \
         LENS_SEED_COLUMN(S, about.seed, "another one gives other trials"),                         \
-        {COLUMN(S, about.made), .flags = COLUMN_EXTRA | COLUMN_ASSUMED,                            \
-         .name = "tolerances",  .depends = "grade tolerances lens",                                \
-         .label = "tolerances", .help = "how many independent errors, and where they are from"},   \
-        {COLUMN(S, about.limit), .flags = COLUMN_EXTRA | COLUMN_ASSUMED,                           \
-         .name = "limit",        .depends = "limit",                                               \
-         .label = "limit",       .help = "of the figures of a lens that passes"},                  \
-        {COLUMN(S, about.adjusted),                                                                \
-         .flags = COLUMN_EXTRA | COLUMN_ASSUMED,                                                   \
-         .name = "adjusted",                                                                       \
-         .depends = "refocus gap adjust",                                                          \
-         .label = "adjusted",                                                                      \
-         .help = "what is moved in every lens, to make its spots or wave fronts best"},            \
-        {COLUMN(S, about.method), .flags = COLUMN_EXTRA | COLUMN_ASSUMED | COLUMN_SPARSE,          \
-         .name = "method",        .depends = TOLERANCE_TRIED_BY,                                   \
-         .label = "method",       .help = "how trials were made"},                                 \
-        {COLUMN(S, about.rays), .flags = COLUMN_EXTRA | COLUMN_ASSUMED,                            \
-         .name = "rays",        .depends = TOLERANCE_TRIED_BY,                                     \
-         .label = "rays",       .help = "those of each field and wavelength"},                     \
+        TOLERANCE_ABOUT_COLUMN(S, tolerances, "grade tolerances lens",                             \
+                               "how many independent errors, and where they are from"),            \
+        TOLERANCE_ABOUT_COLUMN(S, limit, "limit", "of the figures of a lens that passes"),         \
+        TOLERANCE_ABOUT_COLUMN(                                                                    \
+            S, adjusted, "refocus gap adjust",                                                     \
+            "what is moved in every lens, to make its spots or wave fronts best"),                 \
+        ENTRY(COLUMN(S, about.method), .flags = COLUMN_EXTRA | COLUMN_ASSUMED | COLUMN_SPARSE,     \
+              .name = "method", .depends = TOLERANCE_TRIED_BY, .label = "method",                  \
+              .help = "how trials were made"),                                                     \
+        TOLERANCE_ABOUT_COLUMN(S, rays, TOLERANCE_TRIED_BY, "those of each field and wavelength"), \
         LENS_TITLE_COLUMN(S, about.lens), LENS_WARNING_COLUMN(S, about.warning)
 
 /* What a row is of. */
 #define TOLERANCE_CRITERION_COLUMNS(S)                                                             \
     LENS_POSITION_COLUMN(S, position, COLUMN_BRIEF),                                               \
-        {COLUMN_NAMED(S, criterion, COLUMN_BRIEF), .help = "what lenses are judged by"},           \
-        {COLUMN_NAMED(S, of, COLUMN_BRIEF),                                                        \
-         .help = "worst or mean of all fields and positions, or the field"},                       \
-    {                                                                                              \
-        COLUMN(S, unit), .flags = COLUMN_BRIEF, .name = "unit", .label = "unit",                   \
-                         .help = "of its figures"                                                  \
-    }
+        ENTRY(COLUMN_NAMED(S, criterion, COLUMN_BRIEF), .help = "what lenses are judged by"),      \
+        ENTRY(COLUMN_NAMED(S, of, COLUMN_BRIEF),                                                   \
+              .help = "worst or mean of all fields and positions, or the field"),                  \
+        ENTRY(COLUMN_NAMED(S, unit, COLUMN_BRIEF), .help = "of its figures")
 
 struct tolerance_about tolerance_about_of(const struct tolerance_job *job);
 
@@ -140,11 +130,8 @@ const char *tolerance_position_of(const struct tolerance_job *job,
    its gap. */
 double tolerance_refocus_of(const struct tolerance_job *job, double refocus);
 
-/* What movements of a compensator are multiplied with to be in `unit`: mm, or of angles deg. */
-double tolerance_move_scale(const struct compensator *one, const char **unit);
-
 /* "5:-1 0.02 mm, ay9 0.1 deg" of the movements of a lens, the refocus first, which is left out;
-   null: nothing else is adjusted. */
+   of null what they were in all trials, "5:-1 0.02 +- 0.01 mm". Null: nothing else is adjusted. */
 const char *tolerance_moves_in_words(const struct tolerance_job *job, const double *moves);
 
 /* -------- what each error costs, and what errors may be -------- */
@@ -163,7 +150,7 @@ struct tolerance_offender {
     struct second_order_share share;
 };
 bool tolerance_offenders(struct tolerance_job *job, struct tolerance_offender **offenders,
-                         double *deviation, struct error *error);
+                         struct error *error);
 
 /* -------- the drawings of lenscalc tolerance -------- */
 

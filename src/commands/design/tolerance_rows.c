@@ -15,17 +15,15 @@ struct summary_row {
     struct tolerance_about about;
     const char *position, *criterion, *of, *unit;
     double nominal, yield, yield_error, mean, error, sd, sd_error, worst;
-    double p02, p10, p20, p50, p80, p90, p98;
+    double p[PERCENTILES];
     double nominal_refocus, refocus, refocus_sd;
     long failed, trials;
     const char *moves;
 };
 
-#define PERCENTILE_COLUMN(member, number, more)                                                    \
-    {                                                                                              \
-        COLUMN(struct summary_row, member), .flags = (more), .name = #member, .label = #member,    \
-                                            .help = number " % of the lenses have less"            \
-    }
+#define PERCENTILE_COLUMN(k, number, called, more)                                                 \
+    ENTRY(COLUMN(struct summary_row, p[k]), .flags = (more), .name = called, .label = called,      \
+          .help = number " % of the lenses have less")
 
 static const struct column summary_columns[] = {
     TOLERANCE_CRITERION_COLUMNS(struct summary_row),
@@ -44,13 +42,13 @@ static const struct column summary_columns[] = {
      .help = "standard deviation of the figures"},
     {COLUMN(struct summary_row, sd_error), .flags = COLUMN_HIDDEN, .name = "sd_standard_error",
      .label = "error of the deviation", .help = "standard error of the deviation"},
-    PERCENTILE_COLUMN(p02, "2", COLUMN_HIDDEN),
-    PERCENTILE_COLUMN(p10, "10", COLUMN_BRIEF),
-    PERCENTILE_COLUMN(p20, "20", COLUMN_HIDDEN),
-    PERCENTILE_COLUMN(p50, "50", COLUMN_BRIEF),
-    PERCENTILE_COLUMN(p80, "80", COLUMN_HIDDEN),
-    PERCENTILE_COLUMN(p90, "90", COLUMN_BRIEF),
-    PERCENTILE_COLUMN(p98, "98", COLUMN_HIDDEN),
+    PERCENTILE_COLUMN(0, "2", "p02", COLUMN_HIDDEN),
+    PERCENTILE_COLUMN(1, "10", "p10", COLUMN_BRIEF),
+    PERCENTILE_COLUMN(2, "20", "p20", COLUMN_HIDDEN),
+    PERCENTILE_COLUMN(3, "50", "p50", COLUMN_BRIEF),
+    PERCENTILE_COLUMN(4, "80", "p80", COLUMN_HIDDEN),
+    PERCENTILE_COLUMN(5, "90", "p90", COLUMN_BRIEF),
+    PERCENTILE_COLUMN(6, "98", "p98", COLUMN_HIDDEN),
     {COLUMN_NAMED(struct summary_row, worst, COLUMN_BRIEF), .help = "the worst figure"},
     {COLUMN_NAMED(struct summary_row, failed, COLUMN_BRIEF),
      .help = "lenses without a figure: rays miss a surface, say"},
@@ -72,80 +70,47 @@ static const struct column summary_columns[] = {
 
 static const struct sheet summary_sheet = SHEET(summary_columns, struct summary_row);
 
-static const char *moves_in_words(const struct tolerance_job *job)
-{
-    const char *words = NULL;
-    for (size_t i = 0; i < job->question.compensator_count; i++) {
-        const struct trial_statistics_moments moments =
-            trial_statistics_moments(&job->result.moves[i + 1]);
-        const char *unit;
-        const double scale = tolerance_move_scale(&job->question.compensators[i], &unit);
-        words = arena_printf(job->run->arena, "%s%s%s %.4g +- %.4g %s", words != NULL ? words : "",
-                             words != NULL ? ", " : "", job->question.compensators[i].name,
-                             moments.mean * scale, moments.sd * scale, unit);
-    }
-    return words;
-}
-
-/* The worst of a column: of a sense that looks both ways the one that is farther off. */
-static double tolerance_rows_worst_of(const struct tolerance_job *job,
-                                      const struct trial_statistics *tally)
-{
-    const enum criterion_kind kind = job->question.criterion.kind;
-    const bool is_high = criterion_badness(kind, tally->highest, tally->nominal) >=
-                         criterion_badness(kind, tally->lowest, tally->nominal);
-    if (tally->count == 0) {
-        return NAN;
-    }
-    if (is_high) {
-        return tally->highest;
-    }
-    return tally->lowest;
-}
-
 static bool emit_summaries(struct tolerance_job *job, struct error *error)
 {
     (void)error;
+    const enum criterion_kind kind = job->question.criterion.kind;
+    const struct criterion_type *type = criterion_type(kind);
+    const double scale = type->scale, done = (double)job->result.done;
     for (size_t i = 0; i < job->result.column_count; i++) {
         struct tolerance_column *column = &job->result.columns[i];
-        const struct criterion_type *type = criterion_type(job->question.criterion.kind);
-        const double scale = type->scale, done = (double)job->result.done;
-        const struct trial_statistics_moments moments = trial_statistics_moments(&column->tally);
+        struct trial_statistics *tally = &column->tally;
+        const struct trial_statistics_moments moments = trial_statistics_moments(tally);
         const struct trial_statistics_moments moves =
             trial_statistics_moments(&job->result.moves[0]);
         const double yield = (double)column->passed / done;
         const bool judges = !isnan(job->limit);
-        double p[PERCENTILES];
+        /* of a sense that looks both ways the one that is farther off */
+        const bool is_high = criterion_badness(kind, tally->highest, tally->nominal) >=
+                             criterion_badness(kind, tally->lowest, tally->nominal);
+        const double worst = is_high ? tally->highest : tally->lowest;
+        struct summary_row row = {.about = tolerance_about_of(job),
+                                  .position = tolerance_position_of(job, column->of),
+                                  .criterion = job->question.criterion.name,
+                                  .of = tolerance_name_of(job, column->of),
+                                  .unit = type->unit,
+                                  .nominal = scale * tally->nominal,
+                                  .yield = judges ? yield : NAN,
+                                  .yield_error = judges ? sqrt(yield * (1 - yield) / done) : NAN,
+                                  .mean = scale * moments.mean,
+                                  .error = scale * moments.mean_error,
+                                  .sd = scale * moments.sd,
+                                  .sd_error = scale * moments.sd_error,
+                                  .worst = tally->count > 0 ? scale * worst : NAN,
+                                  .failed = (long)job->result.failed,
+                                  .trials = (long)job->result.done,
+                                  .nominal_refocus =
+                                      tolerance_refocus_of(job, job->tolerance.nominal_moves[0]),
+                                  .refocus = tolerance_refocus_of(job, moves.mean),
+                                  .refocus_sd = tolerance_refocus_of(job, moves.sd),
+                                  .moves = tolerance_moves_in_words(job, NULL)};
         for (int k = 0; k < PERCENTILES; k++) {
-            p[k] = scale * trial_statistics_quantile(&column->tally, shares[k], NULL);
+            row.p[k] = scale * trial_statistics_quantile(tally, shares[k], NULL);
         }
-        const struct summary_row row = {
-            .about = tolerance_about_of(job),
-            .position = tolerance_position_of(job, column->of),
-            .criterion = job->question.criterion.name,
-            .of = tolerance_name_of(job, column->of),
-            .unit = type->unit,
-            .nominal = scale * column->tally.nominal,
-            .yield = judges ? yield : NAN,
-            .yield_error = judges ? sqrt(yield * (1 - yield) / done) : NAN,
-            .mean = scale * moments.mean,
-            .error = scale * moments.mean_error,
-            .sd = scale * moments.sd,
-            .sd_error = scale * moments.sd_error,
-            .worst = scale * tolerance_rows_worst_of(job, &column->tally),
-            .p02 = p[0],
-            .p10 = p[1],
-            .p20 = p[2],
-            .p50 = p[3],
-            .p80 = p[4],
-            .p90 = p[5],
-            .p98 = p[6],
-            .failed = (long)job->result.failed,
-            .trials = (long)job->result.done,
-            .nominal_refocus = tolerance_refocus_of(job, job->tolerance.nominal_moves[0]),
-            .refocus = tolerance_refocus_of(job, moves.mean),
-            .refocus_sd = tolerance_refocus_of(job, moves.sd),
-            .moves = moves_in_words(job)};
         run_emit(job->run, &row);
     }
     return true;
@@ -232,70 +197,66 @@ static const struct column trial_columns[] = {
 
 static const struct sheet trial_sheet = SHEET(trial_columns, struct trial_row);
 
-static bool emit_trial(struct tolerance_job *job, uint64_t number, bool found,
-                       const struct tolerance_trial *trial, const struct tolerance_about *about)
-{
-    const struct tolerance *tolerance = &job->tolerance;
-    const struct criterion_type *type = criterion_type(job->question.criterion.kind);
-    bool goes_on = true;
-    for (size_t i = 0; i < job->result.column_count && goes_on; i++) {
-        const struct tolerance_column *column = &job->result.columns[i];
-        const double figure = column->of != NULL
-                                  ? trial->figures[i]
-                                  : tolerance_judged(tolerance, job->trials.of, trial->figures);
-        const struct trial_row row = {
-            .about = *about,
-            .position = tolerance_position_of(job, column->of),
-            .criterion = job->question.criterion.name,
-            .of = tolerance_name_of(job, column->of),
-            .unit = type->unit,
-            .moves = found ? tolerance_moves_in_words(job, trial->moves) : NULL,
-            .why = found ? NULL : trial->why.message,
-            .figure = found ? type->scale * figure : NAN,
-            .refocus = found ? tolerance_refocus_of(job, trial->moves[0]) : NAN,
-            .trial = (long)number + 1,
-            .passes = found && (isnan(job->limit) ||
-                                tolerance_passes(tolerance, &job->trials, i, trial->figures))};
-        goes_on = run_emit(job->run, &row);
-    }
-    return goes_on;
-}
-
 /* Up to the first that was not made. */
 static bool emit_trials(struct tolerance_job *job, struct error *error)
 {
     enum { AT_ONCE = 2048 };
     struct arena *arena = job->run->arena;
-    const struct tolerance_about about = tolerance_about_of(job);
-    struct tolerance_round round = {.trials = ARENA_ARRAY(arena, AT_ONCE, struct tolerance_trial),
+    const struct tolerance *tolerance = &job->tolerance;
+    const struct criterion_type *type = criterion_type(job->question.criterion.kind);
+    struct tolerance_round round = {.begin = job->trials.begin,
+                                    .trials = ARENA_ARRAY(arena, AT_ONCE, struct tolerance_trial),
                                     .made = ARENA_ARRAY(arena, AT_ONCE, bool),
                                     .found = ARENA_ARRAY(arena, AT_ONCE, bool)};
+    struct trial_row row = {.about = tolerance_about_of(job),
+                            .criterion = job->question.criterion.name,
+                            .unit = type->unit};
     for (size_t i = 0; i < AT_ONCE; i++) {
-        round.trials[i].figures = ARENA_ARRAY(arena, job->tolerance.figure_count, double);
-        round.trials[i].moves = ARENA_ARRAY(arena, tolerance_moves(&job->tolerance), double);
+        round.trials[i].figures = ARENA_ARRAY(arena, tolerance->figure_count, double);
+        round.trials[i].moves = ARENA_ARRAY(arena, tolerance_moves(tolerance), double);
     }
-    uint64_t k = job->trials.begin;
-    watch_begin(job->run->watch, "trials", (size_t)(job->trials.end - k));
+    watch_begin(job->run->watch, "trials", (size_t)(job->trials.end - round.begin));
     struct tolerance_team *team = tolerance_team_open(&job->trials, &job->result);
     bool goes_on = true, done = true;
-    while (k < job->trials.end && goes_on && done) {
-        const uint64_t left = job->trials.end - k;
-        round.begin = k;
+    while (round.begin < job->trials.end && goes_on && done) {
+        const uint64_t left = job->trials.end - round.begin;
         round.count = left < AT_ONCE ? (size_t)left : AT_ONCE;
         memset(round.made, 0, round.count * sizeof *round.made);
         done = tolerance_team_round(team, &round, error);
         const struct arena_mark mark = arena_mark(arena);
-        for (size_t i = 0; i < round.count && goes_on && done; i++) {
-            goes_on = round.made[i] && emit_trial(job, k, round.found[i], &round.trials[i], &about);
-            k += goes_on ? 1 : 0;
+        for (size_t k = 0; k < round.count && goes_on && done; k++) {
+            const struct tolerance_trial *trial = &round.trials[k];
+            const bool found = round.found[k];
+            goes_on = round.made[k];
+            row.moves = found ? tolerance_moves_in_words(job, trial->moves) : NULL;
+            row.why = found ? NULL : trial->why.message;
+            row.refocus = found ? tolerance_refocus_of(job, trial->moves[0]) : NAN;
+            row.trial = (long)round.begin + 1;
+            for (size_t i = 0; i < job->result.column_count && goes_on; i++) {
+                const struct tolerance_figure *of = job->result.columns[i].of;
+                row.position = tolerance_position_of(job, of);
+                row.of = tolerance_name_of(job, of);
+                row.figure = NAN;
+                if (found) {
+                    row.figure =
+                        type->scale *
+                        (of != NULL ? trial->figures[i]
+                                    : tolerance_judged(tolerance, job->trials.of, trial->figures));
+                }
+                row.passes =
+                    found && (isnan(job->limit) ||
+                              tolerance_passes(tolerance, &job->trials, i, trial->figures));
+                goes_on = run_emit(job->run, &row);
+            }
+            round.begin += goes_on;
         }
         arena_reset(arena, mark);
     }
     tolerance_team_close(team);
-    if (k < job->trials.end && watch_is_ended(job->run->watch)) {
+    if (round.begin < job->trials.end && watch_is_ended(job->run->watch)) {
         fail(&job->run->shortfall, ERROR_DOMAIN,
              "interrupted after %llu of %llu trials: those so far, incomplete",
-             (unsigned long long)(k - job->trials.begin),
+             (unsigned long long)(round.begin - job->trials.begin),
              (unsigned long long)(job->trials.end - job->trials.begin));
     }
     return done;

@@ -18,7 +18,6 @@ bool tolerance_view_check(const struct artifact_job *job, struct error *error)
                 "{--plot} shows one figure of each lens: {--of} worst or {--of} mean");
 }
 
-/* "RMS spot radius": the first letter large. */
 static const char *title_of(const struct tolerance_job *job, const char *what)
 {
     return arena_printf(job->run->arena, "%s: %s of %s", job->lens->title, what,
@@ -28,7 +27,8 @@ static const char *title_of(const struct tolerance_job *job, const char *what)
 static const char *tolerance_subtitle_of(const struct tolerance_job *job, const char *which)
 {
     const struct tolerance_about about = tolerance_about_of(job);
-    return arena_printf(job->run->arena, "%s%s, adjusted: %s", which, about.made, about.adjusted);
+    return arena_printf(job->run->arena, "%s%s, adjusted: %s", which, about.tolerances,
+                        about.adjusted);
 }
 
 /* Of the figure of each lens. */
@@ -66,54 +66,36 @@ static const char *lenses_of(const struct tolerance_job *job)
                         job->incomplete != NULL ? " (incomplete)" : "");
 }
 
-static bool draw_histogram(struct tolerance_job *job, struct svg *svg, struct error *error)
-{
-    struct trial_statistics *tally = &job->result.columns[0].tally;
-    const double scale = criterion_type(job->question.criterion.kind)->scale;
-    double *counts = ARENA_ARRAY(job->run->arena, BARS, double);
-    struct tally_plot plot = {.title = title_of(job, "spread"),
-                              .subtitle = tolerance_subtitle_of(job, lenses_of(job)),
-                              .x_label = tolerance_label_of(job, ""),
-                              .y_label = "lenses",
-                              .low = scale * tally->lowest,
-                              .high = scale * tally->highest,
-                              .values = counts,
-                              .count = BARS};
-    if (tally->count > 0) {
-        trial_statistics_histogram(tally, tally->lowest, tally->highest, BARS, counts);
-    }
-    tolerance_view_mark(job, scale * tally->nominal, &plot);
-    return tally_plot_draw(&plot, svg, error);
-}
-
-/* How many pass a limit: those below it, or of contrasts those above; of departures their size. */
-static bool draw_yield(struct tolerance_job *job, struct svg *svg, struct error *error)
+/* A histogram of the figures, or how many pass a limit: those below it, or of contrasts those
+   above; of departures their size. */
+static bool draw_lenses(struct tolerance_job *job, bool is_yield, struct svg *svg,
+                        struct error *error)
 {
     const struct criterion_type *type = criterion_type(job->question.criterion.kind);
-    const bool plain = type->sense == SENSE_LEAST || type->sense == SENSE_MOST;
-    struct trial_statistics *tally =
-        plain ? &job->result.columns[0].tally : &job->result.columns[0].badness;
-    double *shares = ARENA_ARRAY(job->run->arena, STEPS + 1, double);
-    double *counts = ARENA_ARRAY(job->run->arena, STEPS, double), sum = 0;
-    struct tally_plot plot = {.title = title_of(job, "yield"),
+    const bool is_plain = !is_yield || type->sense == SENSE_LEAST || type->sense == SENSE_MOST;
+    struct tolerance_column *column = &job->result.columns[0];
+    struct trial_statistics *tally = is_plain ? &column->tally : &column->badness;
+    const size_t bins = is_yield ? STEPS : BARS;
+    double *counts = ARENA_ARRAY(job->run->arena, bins, double), sum = 0;
+    double *yields = ARENA_ARRAY(job->run->arena, bins + 1, double);
+    struct tally_plot plot = {.title = title_of(job, is_yield ? "yield" : "spread"),
                               .subtitle = tolerance_subtitle_of(job, lenses_of(job)),
-                              .x_label = tolerance_label_of(job, "limit of "),
-                              .y_label = "lenses that pass (%)",
+                              .x_label = tolerance_label_of(job, is_yield ? "limit of " : ""),
+                              .y_label = is_yield ? "lenses that pass (%)" : "lenses",
                               .low = type->scale * tally->lowest,
                               .high = type->scale * tally->highest,
-                              .values = shares,
-                              .count = STEPS,
-                              .is_curve = true};
+                              .values = is_yield ? yields : counts,
+                              .count = bins,
+                              .is_curve = is_yield};
     if (tally->count > 0) {
-        trial_statistics_histogram(tally, tally->lowest, tally->highest, STEPS, counts);
+        trial_statistics_histogram(tally, tally->lowest, tally->highest, bins, counts);
     }
-    for (int i = 0; i <= STEPS; i++) {
-        const double below = sum, above = (double)tally->count - sum;
-        const double pass = type->sense == SENSE_MOST ? above : below;
-        shares[i] = 100 * pass / (double)job->result.done;
-        sum += i < STEPS ? counts[i] : 0;
+    for (size_t i = 0; i <= bins; i++) {
+        const double pass = type->sense == SENSE_MOST ? (double)tally->count - sum : sum;
+        yields[i] = 100 * pass / (double)job->result.done;
+        sum += i < bins ? counts[i] : 0;
     }
-    tolerance_view_mark(job, plain ? type->scale * tally->nominal : NAN, &plot);
+    tolerance_view_mark(job, is_plain ? type->scale * tally->nominal : NAN, &plot);
     return tally_plot_draw(&plot, svg, error);
 }
 
@@ -122,8 +104,7 @@ static bool draw_offenders(struct tolerance_job *job, struct svg *svg, struct er
     const size_t count = job->question.perturbation_count;
     struct tolerance_offender *offenders;
     struct pareto_bar *bars = ARENA_ARRAY(job->run->arena, count + 1, struct pareto_bar);
-    double deviation;
-    if (!tolerance_offenders(job, &offenders, &deviation, error)) {
+    if (!tolerance_offenders(job, &offenders, error)) {
         return false;
     }
     for (size_t i = 0; i < count; i++) {
@@ -146,8 +127,8 @@ bool tolerance_view_draw(const struct artifact_job *job, struct output *sink, st
     struct tolerance_job *done = job->run->state;
     struct svg svg = {.arena = job->run->arena};
     const int show = done->input->show;
-    const bool draws = show == TOLERANCE_YIELD         ? draw_yield(done, &svg, error)
-                       : show >= TOLERANCE_SENSITIVITY ? draw_offenders(done, &svg, error)
-                                                       : draw_histogram(done, &svg, error);
+    const bool draws = show >= TOLERANCE_SENSITIVITY
+                           ? draw_offenders(done, &svg, error)
+                           : draw_lenses(done, show == TOLERANCE_YIELD, &svg, error);
     return draws && drawing_write(job, &svg, sink, error);
 }

@@ -21,17 +21,6 @@ double escape_distance(const struct solver_problem *problem, const double *a, co
 /* Beyond this a hill is nothing, and its exponential out of range. */
 static const double far_away = 30; /* widths */
 
-static void put_hill(const struct solver_problem *problem, const struct escape_hill *hill,
-                     const double *parameters, double *residual, double *row)
-{
-    const double d = escape_distance(problem, parameters, hill->at) / hill->width;
-    *residual = d < far_away ? sqrt(hill->height) * exponential(-d * d / 2) : 0;
-    for (size_t j = 0; j < problem->parameter_count && row != NULL; j++) {
-        const double wide = problem->scale[j] * hill->width;
-        row[j] = -*residual * (parameters[j] - hill->at[j]) / (wide * wide);
-    }
-}
-
 /* The residuals of the problem, hills between them and the exact ones. */
 static bool escape_evaluate(void *context, const double *parameters, double *residuals,
                             double *jacobian)
@@ -49,8 +38,15 @@ static bool escape_evaluate(void *context, const double *parameters, double *res
                 exact * n * sizeof *jacobian);
     }
     for (size_t i = 0; i < escape->count; i++) {
-        put_hill(problem, &escape->hills[i], parameters, residuals + squares + i,
-                 jacobian != NULL ? jacobian + (squares + i) * n : (double *)NULL);
+        const struct escape_hill *hill = &escape->hills[i];
+        const double d = escape_distance(problem, parameters, hill->at) / hill->width;
+        double *residual = residuals + squares + i;
+        *residual = d < far_away ? sqrt(hill->height) * exponential(-d * d / 2) : 0;
+        for (size_t j = 0; j < n && jacobian != NULL; j++) {
+            const double wide = problem->scale[j] * hill->width;
+            jacobian[(squares + i) * n + j] =
+                -*residual * (parameters[j] - hill->at[j]) / (wide * wide);
+        }
     }
     return true;
 }

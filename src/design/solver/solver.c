@@ -34,9 +34,6 @@ bool solver_has(enum solver_engine engine)
 static bool check_blocks(const struct solver_problem *problem, struct error *error)
 {
     size_t sum = 0;
-    if (problem->blocks == NULL) {
-        return true;
-    }
     if (problem->sides != NULL) {
         return fail(error, ERROR_DOMAIN, "residuals of one side have no loss");
     }
@@ -53,34 +50,11 @@ static bool check_blocks(const struct solver_problem *problem, struct error *err
                 solver_squares(problem));
 }
 
-static bool solver_check_bounds(const struct solver_problem *problem, const double *parameters,
-                                struct error *error)
-{
-    for (size_t i = 0; i < problem->parameter_count; i++) {
-        double low = solver_low(problem, i), high = solver_high(problem, i);
-        if (!isfinite(parameters[i])) {
-            return fail(error, ERROR_DOMAIN, "parameter %zu begins at %.6g", i + 1, parameters[i]);
-        }
-        if (!(low < high)) {
-            return fail(error, ERROR_DOMAIN,
-                        "the bounds %.10g to %.10g of parameter %zu leave "
-                        "nothing between them",
-                        low, high, i + 1);
-        }
-        if (!(low <= parameters[i] && parameters[i] <= high)) {
-            return fail(error, ERROR_DOMAIN,
-                        "parameter %zu begins at %.10g, outside its bounds %.10g to %.10g", i + 1,
-                        parameters[i], low, high);
-        }
-    }
-    return true;
-}
-
 /* Errors    as solver_run, but for the start without finite residuals */
 static bool solver_check(const struct solver_problem *problem, const struct solver_options *options,
                          const double *parameters, struct error *error)
 {
-    size_t n = problem->parameter_count, m = problem->residual_count;
+    const size_t n = problem->parameter_count, m = problem->residual_count;
     /* What only damped least squares can. */
     if (!solver_has(options->engine)) {
         return fail(error, ERROR_DOMAIN, "this program is without the solver Ceres");
@@ -99,7 +73,24 @@ static bool solver_check(const struct solver_problem *problem, const struct solv
     if (n > SOLVER_COLUMNS || m > 100000000 / n) {
         return fail(error, ERROR_DOMAIN, "%zu residuals of %zu parameters are too many", m, n);
     }
-    return solver_check_bounds(problem, parameters, error) && check_blocks(problem, error);
+    for (size_t i = 0; i < n; i++) {
+        const double low = solver_low(problem, i), high = solver_high(problem, i);
+        if (!isfinite(parameters[i])) {
+            return fail(error, ERROR_DOMAIN, "parameter %zu begins at %.6g", i + 1, parameters[i]);
+        }
+        if (!(low < high)) {
+            return fail(error, ERROR_DOMAIN,
+                        "the bounds %.10g to %.10g of parameter %zu leave "
+                        "nothing between them",
+                        low, high, i + 1);
+        }
+        if (!(low <= parameters[i] && parameters[i] <= high)) {
+            return fail(error, ERROR_DOMAIN,
+                        "parameter %zu begins at %.10g, outside its bounds %.10g to %.10g", i + 1,
+                        parameters[i], low, high);
+        }
+    }
+    return problem->blocks == NULL || check_blocks(problem, error);
 }
 
 /* Residuals that count on one side only, for an engine that knows nothing of sides. */
@@ -120,17 +111,7 @@ static bool evaluate_counted(void *context, const double *parameters, double *re
     return true;
 }
 
-/* The problem for an engine that knows nothing of sides: what does not count is 0. */
-static struct solver_problem solver_without_sides(struct solver_problem *problem)
-{
-    struct solver_problem plain = *problem;
-    plain.evaluate = evaluate_counted;
-    plain.context = problem;
-    plain.sides = NULL;
-    return plain;
-}
-
-static bool solver_look_all_finite(const double *values, size_t count)
+static bool all_are_finite(const double *values, size_t count)
 {
     for (size_t i = 0; i < count; i++) {
         if (!isfinite(values[i])) {
@@ -153,8 +134,7 @@ static bool solving_look(struct solver_state *solving, const double *parameters,
     memcpy(solving->seen, parameters, n * sizeof(double));
     solving->seen_cost = NAN;
     if (!problem->evaluate(problem->context, parameters, solving->residuals, solving->jacobian) ||
-        !solver_look_all_finite(solving->residuals, m) ||
-        !solver_look_all_finite(solving->jacobian, m * n)) {
+        !all_are_finite(solving->residuals, m) || !all_are_finite(solving->jacobian, m * n)) {
         return false;
     }
     *cost = solver_cost(problem, solving->residuals, solving->weights);
@@ -167,37 +147,37 @@ static bool solving_look(struct solver_state *solving, const double *parameters,
             gradient[j] += r * row[j];
         }
     }
-    if (!isfinite(*cost) || !solver_look_all_finite(solving->gradient, n)) {
+    if (!isfinite(*cost) || !all_are_finite(solving->gradient, n)) {
         return false;
     }
     solving->seen_cost = *cost;
     return true;
 }
 
-/* Derivatives by the parameters that are free, weighted: what the errors follow from. */
-static struct linear_factors solver_errors_factor_free(struct solver_state *solving,
-                                                       const size_t *free_of, size_t count)
+/*
+ * Derivatives by the parameters that are free, weighted: what the errors follow from.
+ *
+ * Given     free_of  receives which these are; count: how many
+ */
+static struct linear_factors factor_free(struct solver_state *solving, size_t *free_of,
+                                         size_t *count)
 {
-    size_t n = solving->problem->parameter_count, m = solving->problem->residual_count;
-    double *a = ARENA_ARRAY(solving->arena, m * count + 1, double);
+    const size_t n = solving->problem->parameter_count, m = solving->problem->residual_count;
+    size_t k = 0;
+    for (size_t i = 0; i < n; i++) {
+        if (!solving->held[i]) {
+            free_of[k++] = i;
+        }
+    }
+    double *a = ARENA_ARRAY(solving->arena, m * k + 1, double);
     for (size_t i = 0; i < m; i++) {
         double root = sqrt(solving->weights[i]);
-        for (size_t j = 0; j < count; j++) {
-            a[i * count + j] = root * solving->jacobian[i * n + free_of[j]];
+        for (size_t j = 0; j < k; j++) {
+            a[i * k + j] = root * solving->jacobian[i * n + free_of[j]];
         }
     }
-    return linear_factor(a, m, count, solving->options.dependent, solving->arena);
-}
-
-static size_t solver_errors_list_free(const struct solver_state *solving, size_t *free_of)
-{
-    size_t count = 0;
-    for (size_t i = 0; i < solving->problem->parameter_count; i++) {
-        if (!solving->held[i]) {
-            free_of[count++] = i;
-        }
-    }
-    return count;
+    *count = k;
+    return linear_factor(a, m, k, solving->options.dependent, solving->arena);
 }
 
 /*
@@ -205,15 +185,14 @@ static size_t solver_errors_list_free(const struct solver_state *solving, size_t
  *
  * Result    what it promises to take off the sum of squares; NaN where there is no such step
  */
-static double solver_errors_newton_step(struct solver_state *solving, double *parameters)
+static double newton_step(struct solver_state *solving, double *parameters)
 {
     const struct solver_problem *problem = solving->problem;
     size_t n = problem->parameter_count, m = problem->residual_count;
-    size_t *free_of = ARENA_ARRAY(solving->arena, n, size_t);
-    size_t count = solver_errors_list_free(solving, free_of);
+    size_t *free_of = ARENA_ARRAY(solving->arena, n, size_t), count;
+    const struct linear_factors factors = factor_free(solving, free_of, &count);
     double *b = ARENA_ARRAY(solving->arena, m, double);
     double *step = ARENA_ARRAY(solving->arena, count + 1, double), promise = 0;
-    const struct linear_factors factors = solver_errors_factor_free(solving, free_of, count);
     for (size_t i = 0; i < m; i++) {
         b[i] = -sqrt(solving->weights[i]) * solving->residuals[i];
     }
@@ -243,7 +222,7 @@ static void solving_polish(struct solver_state *solving, double *parameters, dou
     double *next = ARENA_ARRAY(solving->arena, n, double), promised = INFINITY, there = cost;
     for (int i = 0; i < 20; i++) {
         memcpy(next, parameters, n * sizeof(double));
-        double promise = solver_errors_newton_step(solving, next);
+        double promise = newton_step(solving, next);
         if (!(promise < 0.5 * promised) || !solving_look(solving, next, &there) ||
             !(there <= cost * (1 + blurred))) {
             break;
@@ -261,9 +240,8 @@ static void solving_errors(struct solver_state *solving, struct solver_summary *
 {
     size_t n = solving->problem->parameter_count, m = solving->problem->residual_count;
     struct arena *arena = solving->arena;
-    size_t *free_of = ARENA_ARRAY(arena, n, size_t),
-           count = solver_errors_list_free(solving, free_of);
-    const struct linear_factors factors = solver_errors_factor_free(solving, free_of, count);
+    size_t *free_of = ARENA_ARRAY(arena, n, size_t), count;
+    const struct linear_factors factors = factor_free(solving, free_of, &count);
     double *inverse = ARENA_ARRAY(arena, count * count + 1, double);
     linear_normal_inverse(&factors, inverse, arena);
     summary->rank = factors.rank;
@@ -343,37 +321,19 @@ static size_t hold(struct solver_state *solving, const double *parameters)
     return count;
 }
 
-/* Let go what is held although the cost falls inwards. Result: how many. */
-static size_t release(struct solver_state *solving, const double *parameters)
-{
-    size_t count = 0;
-    for (size_t i = 0; i < solving->problem->parameter_count; i++) {
-        if (solving->held[i] && !falls_outwards(solving, parameters, i) &&
-            fabs(solving->gradient[i]) > 0) {
-            solving->held[i] = false;
-            count++;
-        }
-    }
-    return count;
-}
-
-static size_t count_free(const struct solver_state *solving)
-{
-    size_t count = 0;
-    for (size_t i = 0; i < solving->problem->parameter_count; i++) {
-        count += !solving->held[i];
-    }
-    return count;
-}
-
 /* One round over the parameters that are not held. */
 static void run_round(struct solver_state *solving, double *parameters,
                       struct solver_summary *summary, struct engine_run *run)
 {
-    size_t n = solving->problem->parameter_count;
-    bool *is_free = ARENA_ARRAY(solving->arena, n, bool);
+    const size_t n = solving->problem->parameter_count;
+    bool *is_free = ARENA_ARRAY(solving->arena, n, bool), is_any = false;
     for (size_t i = 0; i < n; i++) {
         is_free[i] = !solving->held[i];
+        is_any = is_any || is_free[i];
+    }
+    if (!is_any) {
+        *run = (struct engine_run){.end = ENGINE_CONVERGED, .message = "all is at its bounds"};
+        return;
     }
     *run = (struct engine_run){.problem = solving->problem,
                                .options = solving->options,
@@ -395,52 +355,23 @@ static void run_round(struct solver_state *solving, double *parameters,
     solving->done = (int)summary->iterations;
 }
 
-static enum solver_status solver_status_of(const struct solver_state *solving,
-                                           const struct engine_run *run)
-{
-    if (solving->stopped) {
-        return SOLVER_STOPPED;
-    }
-    if (run->end == ENGINE_FAILED) {
-        return SOLVER_STUCK;
-    }
-    if (run->end == ENGINE_LIMIT) {
-        return SOLVER_LIMIT;
-    }
-    return SOLVER_CONVERGED;
-}
-
-static void tell_end(const struct solver_state *solving, const struct engine_run *run,
-                     struct solver_summary *summary)
-{
-    summary->status = solver_status_of(solving, run);
-    summary->message = arena_printf(solving->arena, "%s", run->message);
-}
-
-/* One round of an engine that keeps bounds by itself. */
-static void solver_run_once(struct solver_state *solving, double *parameters,
-                            struct solver_summary *summary)
-{
-    struct engine_run run;
-    run_round(solving, parameters, summary, &run);
-    tell_end(solving, &run, summary);
-    memcpy(solving->held, solving->at_bound, solving->problem->parameter_count * sizeof(bool));
-}
-
-/* Rounds until no parameter is newly held and none wants to be let go. */
+/* Rounds until no parameter is newly held and none wants to be let go; of an engine that keeps
+   bounds by itself one. */
 static void run_rounds(struct solver_state *solving, double *parameters,
                        struct solver_summary *summary)
 {
+    const size_t n = solving->problem->parameter_count;
     struct engine_run run = {.end = ENGINE_CONVERGED};
     double best = summary->initial_cost, cost = best;
-    size_t releases = 0, n = solving->problem->parameter_count;
-    hold(solving, parameters);
-    while (summary->iterations < solving->options.iterations) {
-        if (count_free(solving) > 0) {
-            run_round(solving, parameters, summary, &run);
-        } else {
-            run = (struct engine_run){.end = ENGINE_CONVERGED, .message = "all is at its bounds"};
-        }
+    size_t releases = 0;
+    if (solving->engine->keeps_bounds) {
+        run_round(solving, parameters, summary, &run);
+        memcpy(solving->held, solving->at_bound, n * sizeof(bool));
+    } else {
+        hold(solving, parameters);
+    }
+    while (!solving->engine->keeps_bounds && summary->iterations < solving->options.iterations) {
+        run_round(solving, parameters, summary, &run);
         if (solving->stopped || run.end == ENGINE_FAILED ||
             !solving_look(solving, parameters, &cost)) {
             break;
@@ -448,32 +379,42 @@ static void run_rounds(struct solver_state *solving, double *parameters,
         if (hold(solving, parameters) > 0 || run.end == ENGINE_WATCHED) {
             continue;
         }
-        if (run.end == ENGINE_LIMIT || releases++ > 4 * n || release(solving, parameters) == 0) {
+        if (run.end == ENGINE_LIMIT || releases++ > 4 * n) {
             break;
         }
-        if (releases > 1 && !(cost < best)) {
+        /* let go what is held although the cost falls inwards */
+        size_t count = 0;
+        for (size_t i = 0; i < n; i++) {
+            if (solving->held[i] && !falls_outwards(solving, parameters, i) &&
+                fabs(solving->gradient[i]) > 0) {
+                solving->held[i] = false;
+                count++;
+            }
+        }
+        if (count == 0 || (releases > 1 && !(cost < best))) {
             break; /* what was let go brought nothing */
         }
         best = cost;
     }
-    run.end = run.end == ENGINE_WATCHED && !solving->stopped ? ENGINE_LIMIT : run.end;
-    tell_end(solving, &run, summary);
+    static const enum solver_status statuses[] = {[ENGINE_CONVERGED] = SOLVER_CONVERGED,
+                                                  [ENGINE_LIMIT] = SOLVER_LIMIT,
+                                                  [ENGINE_WATCHED] = SOLVER_LIMIT,
+                                                  [ENGINE_FAILED] = SOLVER_STUCK};
+    summary->status = solving->stopped ? SOLVER_STOPPED : statuses[run.end];
+    summary->message = arena_printf(solving->arena, "%s", run.message);
 }
 
-static double or_usual(double value, double otherwise)
-{
-    return value > 0 ? value : otherwise;
-}
-
-static struct solver_options solver_complete(const struct solver_options *options)
+static struct solver_options complete_options(const struct solver_options *options)
 {
     struct solver_options all = options != NULL ? *options : usual;
+    double *const own[] = {&all.function, &all.gradient, &all.parameter, &all.initial_trust,
+                           &all.dependent};
+    const double usually[] = {usual.function, usual.gradient, usual.parameter, usual.initial_trust,
+                              usual.dependent};
     all.iterations = all.iterations > 0 ? all.iterations : usual.iterations;
-    all.function = or_usual(all.function, usual.function);
-    all.gradient = or_usual(all.gradient, usual.gradient);
-    all.parameter = or_usual(all.parameter, usual.parameter);
-    all.initial_trust = or_usual(all.initial_trust, usual.initial_trust);
-    all.dependent = or_usual(all.dependent, usual.dependent);
+    for (size_t i = 0; i < sizeof own / sizeof own[0]; i++) {
+        *own[i] = *own[i] > 0 ? *own[i] : usually[i];
+    }
     return all;
 }
 
@@ -482,12 +423,15 @@ bool solver_run(const struct solver_problem *problem, const struct solver_option
                 struct error *error)
 {
     size_t n = problem->parameter_count, m = problem->residual_count;
-    const struct solver_options all = solver_complete(options);
+    const struct solver_options all = complete_options(options);
     if (!solver_check(problem, &all, parameters, error)) {
         return false;
     }
-    struct solver_problem sided = *problem, plain = solver_without_sides(&sided);
+    struct solver_problem sided = *problem, plain = *problem;
     if (problem->sides != NULL && !solver_engines[all.engine].keeps_bounds) {
+        plain.evaluate = evaluate_counted;
+        plain.context = &sided;
+        plain.sides = NULL;
         problem = &plain;
     }
     struct solver_state solving = {.problem = problem,
@@ -520,7 +464,7 @@ bool solver_run(const struct solver_problem *problem, const struct solver_option
         return fail(error, ERROR_DOMAIN,
                     "the fit cannot begin: not all residuals and derivatives are numbers there");
     }
-    (solving.engine->keeps_bounds ? solver_run_once : run_rounds)(&solving, parameters, summary);
+    run_rounds(&solving, parameters, summary);
     if (!all.lean && summary->status == SOLVER_CONVERGED &&
         solving_look(&solving, parameters, &summary->final_cost)) {
         solving_polish(&solving, parameters, summary->final_cost);

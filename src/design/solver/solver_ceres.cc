@@ -7,6 +7,7 @@ extern "C" {
 #include <ceres/ceres.h>
 #include <glog/logging.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <exception>
@@ -26,27 +27,17 @@ class Model
         all_.assign(run->parameters, run->parameters + problem_->parameter_count);
         for (size_t i = 0; i < problem_->parameter_count; i++) {
             if (run->is_free[i]) {
-                places_.push_back(i);
+                places.push_back(i);
             }
         }
         residuals.resize(problem_->residual_count);
         jacobian.resize(problem_->residual_count * problem_->parameter_count);
     }
 
-    size_t count() const
-    {
-        return places_.size();
-    }
-
-    size_t place(size_t i) const
-    {
-        return places_[i];
-    }
-
     const double *scatter(const double *free)
     {
-        for (size_t i = 0; i < places_.size(); i++) {
-            all_[places_[i]] = free[i];
+        for (size_t i = 0; i < places.size(); i++) {
+            all_[places[i]] = free[i];
         }
         return all_.data();
     }
@@ -67,88 +58,57 @@ class Model
     {
         const double *row = &jacobian[first * problem_->parameter_count];
         for (size_t i = 0; i < rows; i++, row += problem_->parameter_count) {
-            for (size_t at : places_) {
+            for (size_t at : places) {
                 *to++ = row[at];
             }
         }
     }
 
+    std::vector<size_t> places; /* of the free parameters */
     std::vector<double> residuals, jacobian;
     bool good = false;
 
   private:
     static bool finite(const std::vector<double> &values)
     {
-        for (double value : values) {
-            if (!std::isfinite(value)) {
-                return false;
-            }
-        }
-        return true;
+        return std::all_of(values.begin(), values.end(), [](double x) { return std::isfinite(x); });
     }
 
     engine_run *run_;
     const solver_problem *problem_;
     std::vector<double> all_;
-    std::vector<size_t> places_;
 };
 
-/* All residuals at once. */
-class Whole final : public ceres::CostFunction
+/* All residuals at once, computed where they are asked for; or one observation: its part of what
+   Together computed. */
+class Part final : public ceres::CostFunction
 {
   public:
-    Whole(Model *model, size_t rows) : model_(model), rows_(rows)
+    Part(Model *model, size_t first, size_t rows, bool is_whole)
+        : model_(model), first_(first), rows_(rows), is_whole_(is_whole)
     {
         set_num_residuals(static_cast<int>(rows));
-        mutable_parameter_block_sizes()->push_back(static_cast<int>(model->count()));
+        mutable_parameter_block_sizes()->push_back(static_cast<int>(model->places.size()));
     }
 
     bool Evaluate(double const *const *parameters, double *residuals,
                   double **jacobians) const override
     {
         bool derivatives = jacobians != nullptr && jacobians[0] != nullptr;
-        if (!model_->compute(parameters[0], derivatives)) {
+        if (is_whole_ ? !model_->compute(parameters[0], derivatives) : !model_->good) {
             return false;
         }
-        std::copy(model_->residuals.begin(), model_->residuals.end(), residuals);
+        std::copy_n(&model_->residuals[first_], rows_, residuals);
         if (derivatives) {
-            model_->copy(0, rows_, jacobians[0]);
-        }
-        return true;
-    }
-
-  private:
-    Model *model_;
-    size_t rows_;
-};
-
-/* One observation: its part of what Together computed. */
-class Part final : public ceres::CostFunction
-{
-  public:
-    Part(const Model *model, size_t first, size_t rows) : model_(model), first_(first), rows_(rows)
-    {
-        set_num_residuals(static_cast<int>(rows));
-        mutable_parameter_block_sizes()->push_back(static_cast<int>(model->count()));
-    }
-
-    bool Evaluate(double const *const *, double *residuals, double **jacobians) const override
-    {
-        if (!model_->good) {
-            return false;
-        }
-        for (size_t i = 0; i < rows_; i++) {
-            residuals[i] = model_->residuals[first_ + i];
-        }
-        if (jacobians != nullptr && jacobians[0] != nullptr) {
             model_->copy(first_, rows_, jacobians[0]);
         }
         return true;
     }
 
   private:
-    const Model *model_;
+    Model *model_;
     size_t first_, rows_;
+    bool is_whole_;
 };
 
 /* Computes for all observations before Ceres asks each. */
@@ -214,32 +174,18 @@ void add_residuals(const solver_problem *from, Model *model, double *parameters,
                    ceres::Problem *problem)
 {
     if (from->blocks == nullptr) {
-        problem->AddResidualBlock(new Whole(model, from->residual_count), nullptr, parameters);
+        problem->AddResidualBlock(new Part(model, 0, from->residual_count, true), nullptr,
+                                  parameters);
         return;
     }
     size_t first = 0;
     for (size_t i = 0; i < from->block_count; i++) {
         const solver_block &block = from->blocks[i];
         if (block.residuals > 0) {
-            problem->AddResidualBlock(new Part(model, first, block.residuals), loss_of(block),
-                                      parameters);
+            problem->AddResidualBlock(new Part(model, first, block.residuals, false),
+                                      loss_of(block), parameters);
         }
         first += block.residuals;
-    }
-}
-
-void add_bounds(const solver_problem *from, const Model &model, double *parameters,
-                ceres::Problem *problem)
-{
-    for (size_t i = 0; i < model.count(); i++) {
-        double low = from->low != nullptr ? from->low[model.place(i)] : -INFINITY;
-        double high = from->high != nullptr ? from->high[model.place(i)] : INFINITY;
-        if (std::isfinite(low)) {
-            problem->SetParameterLowerBound(parameters, static_cast<int>(i), low);
-        }
-        if (std::isfinite(high)) {
-            problem->SetParameterUpperBound(parameters, static_cast<int>(i), high);
-        }
     }
 }
 
@@ -280,8 +226,8 @@ void minimize(engine_run *run)
 {
     Model model(run);
     std::vector<double> parameters;
-    for (size_t i = 0; i < model.count(); i++) {
-        parameters.push_back(run->parameters[model.place(i)]);
+    for (size_t at : model.places) {
+        parameters.push_back(run->parameters[at]);
     }
     Together together(&model, parameters.data());
     Watch watch(run, &model, parameters.data());
@@ -290,7 +236,17 @@ void minimize(engine_run *run)
     ceres::Problem problem(ways);
     problem.AddParameterBlock(parameters.data(), static_cast<int>(parameters.size()));
     add_residuals(run->problem, &model, parameters.data(), &problem);
-    add_bounds(run->problem, model, parameters.data(), &problem);
+    for (size_t i = 0; i < model.places.size(); i++) {
+        size_t at = model.places[i];
+        double low = run->problem->low != nullptr ? run->problem->low[at] : -INFINITY;
+        double high = run->problem->high != nullptr ? run->problem->high[at] : INFINITY;
+        if (std::isfinite(low)) {
+            problem.SetParameterLowerBound(parameters.data(), static_cast<int>(i), low);
+        }
+        if (std::isfinite(high)) {
+            problem.SetParameterUpperBound(parameters.data(), static_cast<int>(i), high);
+        }
+    }
     ceres::Solver::Options options = options_of(run->options);
     options.callbacks.push_back(&watch);
     ceres::Solver::Summary summary;

@@ -113,9 +113,7 @@ static void descent_set_equations(struct descent *descent)
     /* Without natural scales a parameter is measured by the largest effect that it had so far. */
     for (size_t i = 0; i < n && descent->problem->scale == NULL; i++) {
         const double effect = sqrt(descent->normal[i * n + i]);
-        if (effect > 0 && !(descent->scale[i] <= 1 / effect)) {
-            descent->scale[i] = 1 / effect;
-        }
+        descent->scale[i] = effect > 0 ? fmin(descent->scale[i], 1 / effect) : descent->scale[i];
     }
     solver_sided_set(&descent->sided, descent->jacobian);
     for (size_t i = 0; i < descent->sided.count * n; i++) {
@@ -418,26 +416,64 @@ static bool descent_step(struct descent *descent, double *promised)
     return true;
 }
 
-/* The last thing: exact residuals are 0 as nearly as can be. */
-static void descent_finish(struct descent *descent)
+static double longest(const struct descent *descent)
 {
-    const double excess = descent->here.excess;
-    if (!(excess > DESCENT_MET)) {
-        return;
+    double most = 0;
+    for (size_t i = 0; i < descent->n; i++) {
+        const double moved = descent->there.parameters[i] - descent->here.parameters[i];
+        const double size = fabs(descent->here.parameters[i]) + 1e-6 * descent_scale(descent, i);
+        most = fmax(most, fabs(moved) / size);
     }
-    memcpy(descent->there.parameters, descent->here.parameters, descent->n * sizeof(double));
-    memcpy(descent->there.residuals, descent->here.residuals,
-           (descent->squares + descent->exact) * sizeof(double));
-    descent->there.cost = descent->here.cost;
-    descent->there.excess = excess;
-    damp(descent);
-    if (return_to_exact(descent) && descent->there.excess < excess) {
-        descent->here = descent->there;
-    }
+    return most;
 }
 
-/* Go there. Result: false: there are no derivatives there */
-static bool solver_dls_accept(struct descent *descent, double gained)
+/* How it ended. Returns false. */
+static bool descent_end(const struct descent *descent, enum engine_end how, const char *why)
+{
+    descent->run->end = how;
+    snprintf(descent->run->message, sizeof descent->run->message, "%s", why);
+    return false;
+}
+
+/* Is the step that was just made one of the last? */
+static bool has_arrived(struct descent *descent, double gain, double moved)
+{
+    const struct solver_options *options = &descent->run->options;
+    const bool is_met = descent->exact == 0 || descent->here.excess <= DESCENT_MET;
+    const bool small = gain <= options->function * (descent_height(descent, &descent->here) + gain);
+    descent->steady = is_met && small ? descent->steady + 1 : 0;
+    double most = 0; /* of what pulls at a parameter that is free */
+    for (size_t i = 0; i < descent->n; i++) {
+        most = fmax(most, fabs(descent->gradient[i]) / descent_scale(descent, i));
+    }
+    return descent->steady >= 3 || (is_met && moved <= options->parameter) ||
+           (descent->exact == 0 && most <= options->gradient);
+}
+
+/* A step that brings nothing. Result: shall a shorter one be tried? */
+static bool descent_shorten(struct descent *descent, bool has_value, double promised)
+{
+    const double cost = descent_height(descent, &descent->here);
+    /* rounding moves the cost by as much, or it is nothing against what it was */
+    const bool blurred = promised <= 1e-8 * cost || cost <= 1e-20 * descent->first_cost;
+    if (!isnan(promised) && !(promised > 1e-16 * cost)) {
+        return descent_end(descent, ENGINE_CONVERGED, "nothing more is gained");
+    }
+    if (has_value && longest(descent) <= 1e-15) {
+        return descent_end(descent, blurred ? ENGINE_CONVERGED : ENGINE_FAILED,
+                           blurred ? "nothing more is gained" : "no step lowers the cost");
+    }
+    descent->damping *= has_value ? descent->growth : fmax(descent->growth, 8);
+    descent->growth *= 2;
+    if (!(descent->price * descent->here.excess < promised / 2)) {
+        descent->share /= 2; /* it went far for the exact residuals' sake */
+    }
+    return descent->damping < 1e200 || descent_end(descent, ENGINE_FAILED, "no step has a value");
+}
+
+/* Go there, after a step that gained a share of what it promised. Result: false: there are no
+   derivatives there */
+static bool descent_accept(struct descent *descent, double gained)
 {
     const bool learns = descent->problem->scale != NULL;
     double *explained = descent->before;
@@ -462,67 +498,8 @@ static bool solver_dls_accept(struct descent *descent, double gained)
     return true;
 }
 
-static double longest(const struct descent *descent)
-{
-    double most = 0;
-    for (size_t i = 0; i < descent->n; i++) {
-        const double moved = descent->there.parameters[i] - descent->here.parameters[i];
-        const double size = fabs(descent->here.parameters[i]) + 1e-6 * descent_scale(descent, i);
-        most = fmax(most, fabs(moved) / size);
-    }
-    return most;
-}
-
-static void solver_dls_end(struct engine_run *run, enum engine_end how, const char *why)
-{
-    run->end = how;
-    snprintf(run->message, sizeof run->message, "%s", why);
-}
-
-/* Is the step that was just made one of the last? */
-static bool has_arrived(struct descent *descent, double gain, double moved)
-{
-    const struct solver_options *options = &descent->run->options;
-    const bool is_met = descent->exact == 0 || descent->here.excess <= DESCENT_MET;
-    const bool small = gain <= options->function * (descent_height(descent, &descent->here) + gain);
-    descent->steady = is_met && small ? descent->steady + 1 : 0;
-    double most = 0; /* of what pulls at a parameter that is free */
-    for (size_t i = 0; i < descent->n; i++) {
-        most = fmax(most, fabs(descent->gradient[i]) / descent_scale(descent, i));
-    }
-    return descent->steady >= 3 || (is_met && moved <= options->parameter) ||
-           (descent->exact == 0 && most <= options->gradient);
-}
-
-/* A step that brings nothing. Result: shall a shorter one be tried? */
-static bool solver_dls_shorten(struct descent *descent, bool has_value, double promised)
-{
-    const double cost = descent_height(descent, &descent->here);
-    /* rounding moves the cost by as much, or it is nothing against what it was */
-    const bool blurred = promised <= 1e-8 * cost || cost <= 1e-20 * descent->first_cost;
-    if (!isnan(promised) && !(promised > 1e-16 * cost)) {
-        solver_dls_end(descent->run, ENGINE_CONVERGED, "nothing more is gained");
-        return false;
-    }
-    if (has_value && longest(descent) <= 1e-15) {
-        solver_dls_end(descent->run, blurred ? ENGINE_CONVERGED : ENGINE_FAILED,
-                       blurred ? "nothing more is gained" : "no step lowers the cost");
-        return false;
-    }
-    descent->damping *= has_value ? descent->growth : fmax(descent->growth, 8);
-    descent->growth *= 2;
-    if (!(descent->price * descent->here.excess < promised / 2)) {
-        descent->share /= 2; /* it went far for the exact residuals' sake */
-    }
-    if (!(descent->damping < 1e200)) {
-        solver_dls_end(descent->run, ENGINE_FAILED, "no step has a value");
-        return false;
-    }
-    return true;
-}
-
 /* One step. Result: shall it go on? */
-static bool solver_dls_advance(struct descent *descent)
+static bool descent_advance(struct descent *descent)
 {
     double promised;
     const bool has_value = descent_step(descent, &promised);
@@ -531,17 +508,13 @@ static bool solver_dls_advance(struct descent *descent)
     const double moved = longest(descent);
     descent->run->iterations++;
     if (!has_value || !(gain > 0)) {
-        return solver_dls_shorten(descent, has_value, promised);
+        return descent_shorten(descent, has_value, promised);
     }
-    if (!solver_dls_accept(descent, gain / promised)) {
-        solver_dls_end(descent->run, ENGINE_FAILED, "there are no derivatives where the step led");
-        return false;
+    if (!descent_accept(descent, gain / promised)) {
+        return descent_end(descent, ENGINE_FAILED, "there are no derivatives where the step led");
     }
-    if (has_arrived(descent, gain, moved)) {
-        solver_dls_end(descent->run, ENGINE_CONVERGED, "the cost does not change");
-        return false;
-    }
-    return true;
+    return !has_arrived(descent, gain, moved) ||
+           descent_end(descent, ENGINE_CONVERGED, "the cost does not change");
 }
 
 void dls_minimize(struct engine_run *run)
@@ -558,7 +531,7 @@ void dls_minimize(struct engine_run *run)
         descent.here.parameters[i] = run->parameters[i];
     }
     if (!descent_measure(&descent, &descent.here, descent.jacobian)) {
-        solver_dls_end(run, ENGINE_FAILED, "there is no value at the start");
+        descent_end(&descent, ENGINE_FAILED, "there is no value at the start");
         return;
     }
     descent.first_cost = descent.here.cost;
@@ -577,15 +550,26 @@ void dls_minimize(struct engine_run *run)
     descent.damping = (learns ? first_damping : plain_damping) / diagonal;
     descent.growth = 2;
     descent.share = 1;
-    solver_dls_end(run, ENGINE_LIMIT, "as many iterations as allowed");
-    while (run->iterations < run->options.iterations && solver_dls_advance(&descent)) {
+    descent_end(&descent, ENGINE_LIMIT, "as many iterations as allowed");
+    while (run->iterations < run->options.iterations && descent_advance(&descent)) {
         if (!run->watch(run->watch_context, run->iterations, descent.here.cost,
                         descent.here.parameters)) {
-            solver_dls_end(run, ENGINE_WATCHED, "stopped");
+            descent_end(&descent, ENGINE_WATCHED, "stopped");
             break;
         }
     }
-    descent_finish(&descent);
+    /* the last thing: exact residuals are 0 as nearly as can be */
+    if (descent.here.excess > DESCENT_MET) {
+        struct place *here = &descent.here, *there = &descent.there;
+        memcpy(there->parameters, here->parameters, descent.n * sizeof(double));
+        memcpy(there->residuals, here->residuals, problem->residual_count * sizeof(double));
+        there->cost = here->cost;
+        there->excess = here->excess;
+        damp(&descent);
+        if (return_to_exact(&descent) && there->excess < here->excess) {
+            *here = *there;
+        }
+    }
     memcpy(run->parameters, descent.here.parameters, descent.n * sizeof(double));
     for (size_t i = 0; i < descent.n; i++) {
         const double at = descent.here.parameters[i];

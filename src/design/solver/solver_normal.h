@@ -4,6 +4,7 @@
 #define LENSCALC_DESIGN_SOLVER_SOLVER_NORMAL_H
 
 #include "base/arena.h"
+#include "base/instruction_set.h"
 
 #include <stdbool.h>
 #include <stddef.h>
@@ -19,7 +20,14 @@ struct solver_rows {
 };
 
 /* Where columns of a block of rows are put together. */
-double *solver_normal_room(size_t columns, struct arena *arena);
+static inline double *solver_normal_room(size_t columns, struct arena *arena)
+{
+    return ARENA_ARRAY(arena, (columns + 1) * SOLVER_ROWS, double);
+}
+
+/* Internal: one variant an instruction set. */
+typedef void kernel_normal(const struct solver_rows *rows, double *normal, double *gradient);
+kernel_normal kernel_normal_sse2, kernel_normal_avx2, kernel_normal_avx512;
 
 /*
  * J^T W J and J^T W r.
@@ -28,10 +36,9 @@ double *solver_normal_room(size_t columns, struct arena *arena);
  *           gradient  receives `columns` numbers
  * Formula   sums in the same order, so the same bits, with every instruction set
  */
-void solver_normal(const struct solver_rows *rows, double *normal, double *gradient);
-
-/* Internal: one variant an instruction set. */
-typedef void kernel_normal(const struct solver_rows *rows, double *normal, double *gradient);
-kernel_normal kernel_normal_sse2, kernel_normal_avx2, kernel_normal_avx512;
+static inline void solver_normal(const struct solver_rows *rows, double *normal, double *gradient)
+{
+    KERNEL_FOR(SET_BEST, kernel_normal)(rows, normal, gradient);
+}
 
 #endif

@@ -138,36 +138,25 @@ static bool solve_free(struct solver_step *step)
     return true;
 }
 
-/* Where this parameter belongs after what was found. */
-static enum step_side solver_step_side_of(const struct solver_step *step, size_t i)
-{
-    if (step->side[i] == STEP_FREE) {
-        if (step->d[i] < step->low[i]) {
-            return STEP_AT_LOW;
-        }
-        if (step->d[i] > step->high[i]) {
-            return STEP_AT_HIGH;
-        }
-        return STEP_FREE;
-    }
-    if (!(step->low[i] < step->high[i])) {
-        return step->side[i];
-    }
-    double slope = solver_step_slope_at(step, i);
-    for (size_t r = 0; r < step->exact; r++) {
-        slope += step->multipliers[r] * step->slopes[r * step->count + i];
-    }
-    const bool is_pushed = step->side[i] == STEP_AT_LOW ? slope >= 0 : slope <= 0;
-    return is_pushed ? step->side[i] : STEP_FREE;
-}
-
 /* Change sides: of all that are wrong, or of the last. Result: was any? */
 static bool change_sides(struct solver_step *step, bool all)
 {
     enum step_side *wanted = step->system->wanted;
     bool changed = false;
     for (size_t i = 0; i < step->count; i++) {
-        wanted[i] = solver_step_side_of(step, i);
+        const double d = step->d[i], low = step->low[i], high = step->high[i];
+        wanted[i] = step->side[i];
+        if (step->side[i] == STEP_FREE) {
+            wanted[i] = d > high ? STEP_AT_HIGH : STEP_FREE;
+            wanted[i] = d < low ? STEP_AT_LOW : wanted[i];
+        } else if (low < high) {
+            double slope = solver_step_slope_at(step, i);
+            for (size_t r = 0; r < step->exact; r++) {
+                slope += step->multipliers[r] * step->slopes[r * step->count + i];
+            }
+            const bool is_pushed = step->side[i] == STEP_AT_LOW ? slope >= 0 : slope <= 0;
+            wanted[i] = is_pushed ? step->side[i] : STEP_FREE;
+        }
     }
     for (size_t i = step->count; i-- > 0 && (all || !changed);) {
         changed = changed || wanted[i] != step->side[i];
@@ -287,15 +276,11 @@ static bool solver_sided_choose(struct solver_sided *sided, const double *residu
     return changed;
 }
 
-/* Slope of the whole along the way from one step to another, a share of it on. */
-struct solver_sided_way {
-    double slope, bend; /* of the quadratic form */
-};
-
-static double solver_sided_slope_at(const struct solver_sided *sided,
-                                    const struct solver_sided_way *way, double share)
+/* Slope of the whole along the way from one step to another, a share of it on; slope and bend are
+   those of the quadratic form. */
+static double slope_along(const struct solver_sided *sided, double slope, double bend, double share)
 {
-    double sum = way->slope + share * way->bend;
+    double sum = slope + share * bend;
     for (size_t k = 0; k < sided->count; k++) {
         sum += sided->along[k] * counted(sided, k, sided->carried[k] + share * sided->along[k]);
     }
@@ -308,47 +293,29 @@ static double find_share(struct solver_sided *sided, const double *residuals, co
 {
     const size_t n = sided->columns;
     const double *from = sided->from;
-    struct solver_sided_way way = {0, 0};
+    double slope = 0, bend = 0, low = 0, high = 1;
     for (size_t i = 0; i < n; i++) {
         double at = g[i], on = 0;
         for (size_t j = 0; j < n; j++) {
             at += h[i * n + j] * from[j];
             on += h[i * n + j] * (to[j] - from[j]);
         }
-        way.slope += (to[i] - from[i]) * at;
-        way.bend += (to[i] - from[i]) * on;
+        slope += (to[i] - from[i]) * at;
+        bend += (to[i] - from[i]) * on;
     }
     for (size_t k = 0; k < sided->count; k++) {
         sided->carried[k] = carried(sided, k, residuals, from);
         sided->along[k] = carried(sided, k, residuals, to) - sided->carried[k];
     }
-    double low = 0, high = 1;
-    for (int i = 0; i < 50 && solver_sided_slope_at(sided, &way, 1) > 0; i++) {
+    for (int i = 0; i < 50 && slope_along(sided, slope, bend, 1) > 0; i++) {
         const double middle = (low + high) / 2;
-        if (solver_sided_slope_at(sided, &way, middle) > 0) {
+        if (slope_along(sided, slope, bend, middle) > 0) {
             high = middle;
         } else {
             low = middle;
         }
     }
     return high;
-}
-
-/* Not so far; who is on its bound follows. */
-static void solver_sided_cut(const struct solver_sided *sided, double share,
-                             struct solver_step *step)
-{
-    for (size_t i = 0; i < sided->columns; i++) {
-        const double d = sided->from[i] + share * (step->d[i] - sided->from[i]);
-        step->d[i] = d;
-        if (d <= step->low[i]) {
-            step->side[i] = STEP_AT_LOW;
-        } else if (d >= step->high[i]) {
-            step->side[i] = STEP_AT_HIGH;
-        } else {
-            step->side[i] = STEP_FREE;
-        }
-    }
 }
 
 bool solver_sided_find(struct solver_sided *sided, const double *residuals, const double *h,
@@ -383,8 +350,11 @@ bool solver_sided_find(struct solver_sided *sided, const double *residuals, cons
         }
         /* the first step meets conditions, which no step need do that lies before it */
         const double share = round > 0 ? find_share(sided, residuals, h, g, step->d) : 1;
-        if (share < 1) {
-            solver_sided_cut(sided, share, step);
+        for (size_t i = 0; i < n && share < 1; i++) { /* not so far; who is on its bound follows */
+            const double d = sided->from[i] + share * (step->d[i] - sided->from[i]);
+            step->d[i] = d;
+            step->side[i] = d >= step->high[i] ? STEP_AT_HIGH : STEP_FREE;
+            step->side[i] = d <= step->low[i] ? STEP_AT_LOW : step->side[i];
         }
         if (!solver_sided_choose(sided, residuals, step->d) && !(share < 1)) {
             break;

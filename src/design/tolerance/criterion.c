@@ -29,18 +29,6 @@ const struct criterion_type *criterion_type(enum criterion_kind kind)
     return &types[kind];
 }
 
-/* "40/mm", "40": lines per mm. */
-static bool read_frequency(struct text text, double *frequency, struct error *error)
-{
-    if (text.start == NULL) {
-        return fail(error, ERROR_USAGE, "mtf needs a frequency, as in mtf@40/mm");
-    }
-    return (quantity_read(text, &dimension_frequency, NULL, frequency, NULL, error) &&
-            *frequency > 0 && isfinite(*frequency)) ||
-           fail(error, ERROR_USAGE, "'%.*s' is no frequency above 0, as in mtf@40/mm",
-                text_shown(text), text.start);
-}
-
 bool criterion_read(struct text text, struct arena *arena, struct criterion *criterion,
                     struct error *error)
 {
@@ -66,8 +54,15 @@ bool criterion_read(struct text text, struct arena *arena, struct criterion *cri
     }
     *criterion = (struct criterion){.kind = (enum criterion_kind)kind, .frequency = NAN};
     criterion->name = arena_string(arena, text.start, text.length);
+    if (kind == CRITERION_MTF && rest.start == NULL) {
+        return fail(error, ERROR_USAGE, "mtf needs a frequency, as in mtf@40/mm");
+    }
     if (kind == CRITERION_MTF) {
-        return read_frequency(rest, &criterion->frequency, error);
+        double *frequency = &criterion->frequency; /* "40/mm", "40": lines per mm */
+        return (quantity_read(rest, &dimension_frequency, NULL, frequency, NULL, error) &&
+                *frequency > 0 && isfinite(*frequency)) ||
+               fail(error, ERROR_USAGE, "'%.*s' is no frequency above 0, as in mtf@40/mm",
+                    text_shown(rest), rest.start);
     }
     return rest.start == NULL ||
            fail(error, ERROR_USAGE, "only mtf has something behind '@', a frequency: not %s",

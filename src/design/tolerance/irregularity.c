@@ -24,12 +24,6 @@ struct irregularity_height irregularity_height(const struct irregularity *irregu
     }
 }
 
-/* A surface that is moved: where it has its vertex, and its axes. */
-struct irregularity_place {
-    struct surface_frame frame; /* own = turn (X - shift) */
-    double inverse[9]; /* of the axes that its tilts are about: turns from those by tilts */
-};
-
 static void invert(const double m[9], double inverse[9])
 {
     double determinant = 0;
@@ -47,27 +41,6 @@ static void invert(const double m[9], double inverse[9])
     }
 }
 
-static struct irregularity_place irregularity_place_of(const struct surface *surface)
-{
-    const struct displacement *decentre = surface->decentre;
-    struct irregularity_place place = {
-        .frame = frame_of(decentre != NULL ? decentre : &displacement_none, 0)};
-    double axes[9];
-    displacement_axes(decentre, axes);
-    invert(axes, place.inverse);
-    return place;
-}
-
-/* The turn about a point that gives the surface there these slopes more, in its own frame. */
-static void irregularity_turn_of(const double normal[3], const double slope[2], double turn[3])
-{
-    const double sx = -normal[0] / normal[2], sy = -normal[1] / normal[2];
-    const double over = 1 / (1 + sx * sx + sy * sy);
-    turn[0] = ((1 + sx * sx) * slope[1] - sx * sy * slope[0]) * over;
-    turn[1] = (sx * sy * slope[1] - (1 + sy * sy) * slope[0]) * over;
-    turn[2] = 0;
-}
-
 static void irregularity_apply(const double m[9], const double v[3], double result[3])
 {
     for (int i = 0; i < 3; i++) {
@@ -82,26 +55,35 @@ static void apply_back(const double m[9], const double v[3], double result[3])
     }
 }
 
-/* What a ray gains by each row that meets the surface at X, in the frame of the axis. */
+/*
+ * What a ray gains by each row that meets the surface at X, in the frame of the axis.
+ *
+ * Given     frame    of the surface: own = turn (X - shift)
+ *           inverse  of the axes that its tilts are about: turns from those by tilts
+ */
 static void irregularity_weights(const struct irregularity *irregularity,
-                                 const struct system *system,
-                                 const struct irregularity_place *place, const double X[3],
+                                 const struct system *system, const struct surface_frame *frame,
+                                 const double inverse[9], const double X[3],
                                  double weights[IRREGULARITY_ROWS])
 {
-    const double *shift = place->frame.shift, *turn = place->frame.turn;
+    const double *shift = frame->shift, *turn = frame->turn;
     const double from[3] = {X[0] - shift[0], X[1] - shift[1], X[2] - shift[2]};
-    double at[3], seen[3], normal[3], own[3], w[3], along[3];
+    double at[3], seen[3], normal[3], w[3], along[3];
     irregularity_apply(turn, from, at);
     system_normal(system, irregularity->surface, X, seen);
     irregularity_apply(turn, seen, normal);
     const struct irregularity_height height = irregularity_height(irregularity, at[0], at[1]);
-    irregularity_turn_of(normal, height.slope, own);
+    /* the turn about the point that gives the surface there these slopes more, in its own frame */
+    const double sx = -normal[0] / normal[2], sy = -normal[1] / normal[2];
+    const double over = 1 / (1 + sx * sx + sy * sy);
+    const double own[3] = {((1 + sx * sx) * height.slope[1] - sx * sy * height.slope[0]) * over,
+                           (sx * sy * height.slope[1] - (1 + sy * sy) * height.slope[0]) * over, 0};
     apply_back(turn, own, w);
     apply_back(turn, (double[3]){0, 0, height.z}, along);
     weights[0] = along[0] - (w[1] * from[2] - w[2] * from[1]);
     weights[1] = along[1] - (w[2] * from[0] - w[0] * from[2]);
     weights[DERIVE_SHIFT_Z] = along[2] - (w[0] * from[1] - w[1] * from[0]);
-    apply_back(place->inverse, w, weights + 2); /* tilts */
+    apply_back(inverse, w, weights + 2); /* tilts */
 }
 
 void irregularity_weigh(const struct irregularity *irregularity,
@@ -110,12 +92,16 @@ void irregularity_weigh(const struct irregularity *irregularity,
     const struct system *system = sweep->system;
     const size_t step = system->begin[system_place(system, irregularity->surface) + 1];
     const struct ray_block *behind = &sweep->tape->blocks[step];
-    const struct irregularity_place place =
-        irregularity_place_of(&system->lens->surfaces[irregularity->surface]);
+    const struct displacement *decentre = system->lens->surfaces[irregularity->surface].decentre;
+    const struct surface_frame frame =
+        frame_of(decentre != NULL ? decentre : &displacement_none, 0);
+    double axes[9], inverse[9];
+    displacement_axes(decentre, axes);
+    invert(axes, inverse);
     for (int i = 0; i < sweep->tape->lanes; i++) {
         const double X[3] = {behind->x[i], behind->y[i], behind->z[i]};
         double weights[IRREGULARITY_ROWS];
-        irregularity_weights(irregularity, system, &place, X, weights);
+        irregularity_weights(irregularity, system, &frame, inverse, X, weights);
         for (size_t k = 0; k < IRREGULARITY_ROWS; k++) {
             all->rows[k][i] = weights[k];
         }

@@ -5,13 +5,10 @@
 #define JOINED(a, b) a##_##b
 #define NAMED(a, b)  JOINED(a, b)
 
-/* The change of one part of RAYS_FEW rays. */
+/* Added to the change of one part of RAYS_FEW rays. */
 static inline void change_of(const double *rows, size_t stride, const double *amounts, size_t count,
                              double change[RAYS_FEW])
 {
-    for (int l = 0; l < RAYS_FEW; l++) {
-        change[l] = 0;
-    }
     for (size_t i = 0; i < count; i++) {
         const double *restrict row = rows + i * stride;
         const double amount = amounts[i];

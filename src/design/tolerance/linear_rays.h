@@ -3,6 +3,7 @@
 #ifndef LENSCALC_DESIGN_TOLERANCE_LINEAR_RAYS_H
 #define LENSCALC_DESIGN_TOLERANCE_LINEAR_RAYS_H
 
+#include "base/instruction_set.h"
 #include "trace/kernel/rays.h"
 
 #include <stdbool.h>
@@ -24,6 +25,10 @@ typedef void kernel_bend(const double *rows, const double *amounts, size_t count
 kernel_bend kernel_bend_sse2, kernel_bend_avx2, kernel_bend_avx512;
 
 /* The same, with the best kernel. */
-kernel_bend bent_move;
+static inline void bent_move(const double *rows, const double *amounts, size_t count, int lanes,
+                             bool path, struct ray_block *end)
+{
+    KERNEL_FOR(SET_BEST, kernel_bend)(rows, amounts, count, lanes, path, end);
+}
 
 #endif

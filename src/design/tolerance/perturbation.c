@@ -64,53 +64,28 @@ static bool put_entry(struct work *work, struct perturbation_entry entry, struct
     return true;
 }
 
-/* A glass of which only the Abbe number is not known. */
-static void perturbation_leave_out(struct work *work, const struct perturbation_entry *entry)
-{
-    struct tolerance_place glass = entry->place;
-    glass.kind = TOLERANCE_INDEX;
-    if (entry->place.kind == TOLERANCE_ABBE && tolerance_place_wrong(&work->site, &glass) == NULL) {
-        growing_format(&work->left_out, "%s%s", work->left_out.length > 0 ? ", " : "",
-                       tolerance_place_name(&work->site, &entry->place));
-    }
-}
-
 /* One thing of a tolerance. */
 static bool perturbation_add(struct work *work, struct perturbation_entry entry,
                              struct error *error)
 {
+    const struct tolerance_site *site = &work->site;
     const struct lens_tolerance *from = entry.place.from;
     if (from->kind == TOLERANCE_THICKNESS) {
-        entry.place.kind = tolerance_place_space(&work->site, entry.place.first);
+        entry.place.kind = tolerance_place_space(site, entry.place.first);
     }
-    const char *wrong = tolerance_place_wrong(&work->site, &entry.place);
+    const char *wrong = tolerance_place_wrong(site, &entry.place);
     if (wrong != NULL && from->is_range) {
-        perturbation_leave_out(work, &entry);
+        /* a glass of which only the Abbe number is not known is said */
+        struct tolerance_place glass = entry.place;
+        glass.kind = TOLERANCE_INDEX;
+        if (entry.place.kind == TOLERANCE_ABBE && tolerance_place_wrong(site, &glass) == NULL) {
+            growing_format(&work->left_out, "%s%s", work->left_out.length > 0 ? ", " : "",
+                           tolerance_place_name(site, &entry.place));
+        }
         return true;
     }
     return wrong != NULL ? perturbation_refuse(work, &entry, wrong, error)
                          : put_entry(work, entry, error);
-}
-
-/* The elements from `first` to `last`: all of each. */
-static bool add_elements(struct work *work, struct perturbation_entry entry, struct error *error)
-{
-    const struct lens_tolerance *from = entry.place.from;
-    const char *wrong = tolerance_place_wrong(&work->site, &entry.place);
-    if (wrong != NULL) {
-        return perturbation_refuse(work, &entry, wrong, error);
-    }
-    for (size_t i = 0; i < work->site.element_count; i++) {
-        const struct element *one = &work->site.elements[i];
-        if (one->first >= from->first && one->last <= from->last) {
-            entry.place.first = one->first;
-            entry.place.last = one->last;
-            if (!put_entry(work, entry, error)) {
-                return false;
-            }
-        }
-    }
-    return true;
 }
 
 static bool perturbation_add_tolerance(struct work *work, const struct lens_tolerance *from,
@@ -123,16 +98,30 @@ static bool perturbation_add_tolerance(struct work *work, const struct lens_tole
                                        .rank = is_grade || from->is_range ? ranks[is_grade]
                                                                           : RANK_SINGLE};
     const enum tolerance_owner owner = tolerance_type(from->kind)->owner;
-    if (owner == TOLERANCE_OF_ELEMENT && from->is_range) {
-        return add_elements(work, entry, error);
+    if (owner == TOLERANCE_OF_SURFACE) {
+        for (size_t i = from->first; i <= from->last; i++) {
+            entry.place.first = entry.place.last = i;
+            if (!perturbation_add(work, entry, error)) {
+                return false;
+            }
+        }
+        return true;
     }
-    if (owner != TOLERANCE_OF_SURFACE) {
+    if (owner != TOLERANCE_OF_ELEMENT || !from->is_range) {
         return perturbation_add(work, entry, error);
     }
-    for (size_t i = from->first; i <= from->last; i++) {
-        entry.place.first = entry.place.last = i;
-        if (!perturbation_add(work, entry, error)) {
-            return false;
+    const char *wrong = tolerance_place_wrong(&work->site, &entry.place);
+    if (wrong != NULL) {
+        return perturbation_refuse(work, &entry, wrong, error);
+    }
+    for (size_t i = 0; i < work->site.element_count; i++) {
+        const struct element *one = &work->site.elements[i];
+        if (one->first >= from->first && one->last <= from->last) {
+            entry.place.first = one->first;
+            entry.place.last = one->last;
+            if (!put_entry(work, entry, error)) {
+                return false;
+            }
         }
     }
     return true;
@@ -195,42 +184,22 @@ static bool perturbation_keep_first(struct work *work, struct error *error)
     return true;
 }
 
-/* What of a perturbation is one number, and the end of its name; of axes a parameter more each. */
-struct component {
-    enum perturbation_axis axis;
-    const char *words;
-};
-struct components {
-    const struct component *list;
-    size_t count;
-    enum parameter_kind first; /* PARAMETER_KINDS: none */
-};
-
-static struct components components_of(enum tolerance_kind kind)
+/* Null: there are none. */
+static const char *names_or_none(struct text_buffer *names)
 {
-    static const struct component round[] = {{PERTURBATION_ROUND, ""}};
-    static const struct component axes[] = {{PERTURBATION_X, " x"}, {PERTURBATION_Y, " y"}};
-    static const struct component forms[] = {
-        {PERTURBATION_X, " 0deg"}, {PERTURBATION_Y, " 45deg"}, {PERTURBATION_ROUND, " spherical"}};
-    switch (kind) {
-    case TOLERANCE_IRREGULARITY:
-        return (struct components){forms, 3, PARAMETER_KINDS};
-    case TOLERANCE_TILT:
-    case TOLERANCE_WEDGE:
-        return (struct components){axes, 2, PARAMETER_TILT_X};
-    case TOLERANCE_DECENTER:
-        return (struct components){axes, 2, PARAMETER_DECENTER_X};
-    case TOLERANCE_ELEMENT_TILT:
-    case TOLERANCE_ELEMENT_DECENTER:
-        return (struct components){axes, 2, PARAMETER_KINDS};
-    default:
-        return (struct components){round, 1, PARAMETER_KINDS};
-    }
+    const struct text all = growing_done(names);
+    return all.length > 0 ? arena_string(names->arena, all.start, all.length) : NULL;
 }
 
+/* The numbers of a tolerance of one thing: along two axes, or in three forms. */
 static bool perturbation_emit(const struct work *work, const struct perturbation_entry *entry,
                               struct perturbations *perturbations, struct error *error)
 {
+    static const char *const axes[] = {
+        [PERTURBATION_ROUND] = "", [PERTURBATION_X] = " x", [PERTURBATION_Y] = " y"};
+    static const char *const forms[] = {[PERTURBATION_ROUND] = " spherical",
+                                        [PERTURBATION_X] = " 0deg",
+                                        [PERTURBATION_Y] = " 45deg"};
     const struct lens_tolerance *from = entry->place.from;
     struct lens_tolerance *line = ARENA_NEW(work->site.arena, struct lens_tolerance);
     *line = *from;
@@ -245,13 +214,19 @@ static bool perturbation_emit(const struct work *work, const struct perturbation
     if (wrong != NULL) {
         return perturbation_refuse(work, entry, wrong, error);
     }
-    const struct components components = components_of(one.kind);
-    for (size_t i = 0; i < components.count; i++) {
+    const bool is_tilt = one.kind == TOLERANCE_TILT || one.kind == TOLERANCE_WEDGE;
+    const bool is_decentre = one.kind == TOLERANCE_DECENTER;
+    const bool is_motion =
+        one.kind == TOLERANCE_ELEMENT_TILT || one.kind == TOLERANCE_ELEMENT_DECENTER;
+    const bool is_form = one.kind == TOLERANCE_IRREGULARITY;
+    const int count = is_tilt || is_decentre || is_motion ? 2 : 1;
+    for (int i = 0; i < (is_form ? 3 : count); i++) {
         struct perturbation part = one;
-        part.axis = components.list[i].axis;
-        part.name = ARENA_JOIN(work->site.arena, one.name, components.list[i].words);
-        if (components.first != PARAMETER_KINDS) {
-            const int kind = (int)components.first + (int)i;
+        part.axis = is_form || count == 2 ? (enum perturbation_axis)((PERTURBATION_X + i) % 3)
+                                          : PERTURBATION_ROUND;
+        part.name = ARENA_JOIN(work->site.arena, one.name, (is_form ? forms : axes)[part.axis]);
+        if (is_tilt || is_decentre) {
+            const int kind = (is_tilt ? PARAMETER_TILT_X : PARAMETER_DECENTER_X) + i;
             part.what = (struct parameter){one.first, (enum parameter_kind)kind, 0};
         }
         perturbations->list[perturbations->count++] = part;
@@ -259,24 +234,11 @@ static bool perturbation_emit(const struct work *work, const struct perturbation
     return true;
 }
 
-/* The names of those that won over the grade; null: none did. */
-static const char *won_over(const struct work *work)
-{
-    struct text_buffer names = {.arena = work->site.arena};
-    for (size_t i = 0; i < work->count; i++) {
-        if (work->entries[i].won) {
-            growing_format(&names, "%s%s", names.length > 0 ? ", " : "",
-                           tolerance_place_name(&work->site, &work->entries[i].place));
-        }
-    }
-    const struct text all = growing_done(&names);
-    return all.length > 0 ? arena_string(work->site.arena, all.start, all.length) : NULL;
-}
-
 bool perturbations_of(const struct lens *lens, const struct perturbation_wish *wish,
                       struct arena *arena, struct perturbations *perturbations, struct error *error)
 {
     struct work work = {.grade = wish->grade, .left_out = {.arena = arena}};
+    struct text_buffer won = {.arena = arena};
     struct element *elements;
     work.site = (struct tolerance_site){.all = lens,
                                         .lens = lens_at_position(lens, 0, arena),
@@ -300,16 +262,19 @@ bool perturbations_of(const struct lens *lens, const struct perturbation_wish *w
     if (!perturbation_keep_first(&work, error)) {
         return false;
     }
-    *perturbations = (struct perturbations){
-        .list = ARENA_ARRAY(arena, 3 * work.count, struct perturbation), .won = won_over(&work)};
+    *perturbations =
+        (struct perturbations){.list = ARENA_ARRAY(arena, 3 * work.count, struct perturbation)};
     for (size_t i = 0; i < work.count; i++) {
+        if (work.entries[i].won) {
+            growing_format(&won, "%s%s", won.length > 0 ? ", " : "",
+                           tolerance_place_name(&work.site, &work.entries[i].place));
+        }
         if (!perturbation_emit(&work, &work.entries[i], perturbations, error)) {
             return false;
         }
     }
-    const struct text left_out = growing_done(&work.left_out);
-    perturbations->left_out =
-        left_out.length > 0 ? arena_string(arena, left_out.start, left_out.length) : NULL;
+    perturbations->won = names_or_none(&won);
+    perturbations->left_out = names_or_none(&work.left_out);
     return true;
 }
 

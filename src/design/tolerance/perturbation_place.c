@@ -26,44 +26,16 @@ static const struct surface *site_surface(const struct tolerance_site *site, siz
 
 /* -------- what there is -------- */
 
-static const char *no_curve(const struct tolerance_site *site, const struct tolerance_place *place)
-{
-    const struct surface *surface = site_surface(site, place->first);
-    if (surface->kind == SURFACE_STOP || !surface_has(surface, SURFACE_HAS_CURVE)) {
-        return "the surface has no shape of its own";
-    }
-    if (element_at(site->elements, site->element_count, place->first) == NULL) {
-        return "a plane in air that bends no ray";
-    }
-    return NULL;
-}
-
-static const char *no_radius(const struct tolerance_site *site, const struct tolerance_place *place)
-{
-    const bool is_plane = surface_base_curvature(site_surface(site, place->first)).hi == 0;
-    const char *wrong = no_curve(site, place);
-    if (wrong != NULL) {
-        return wrong;
-    }
-    if (is_plane && place->from->unit != TOLERANCE_FRINGES) {
-        return "a plane has no radius: its tolerance is in fringes";
-    }
-    return NULL;
-}
-
-static bool is_air(const struct tolerance_site *site, size_t surface)
+enum tolerance_kind tolerance_place_space(const struct tolerance_site *site, size_t surface)
 {
     while (surface > 0 && surface_reflects(site_surface(site, surface))) {
         surface--;
     }
     return medium_is_air(surface_reflects(site_surface(site, surface))
                              ? &site->lens->object_medium
-                             : &site_surface(site, surface)->medium);
-}
-
-enum tolerance_kind tolerance_place_space(const struct tolerance_site *site, size_t surface)
-{
-    return is_air(site, surface) ? TOLERANCE_AIR : TOLERANCE_THICKNESS;
+                             : &site_surface(site, surface)->medium)
+               ? TOLERANCE_AIR
+               : TOLERANCE_THICKNESS;
 }
 
 /* The space behind a surface where it is narrowest, or widest, in any position, mm: not below 0. */
@@ -76,50 +48,6 @@ static double space_at(const struct tolerance_site *site, size_t surface, bool n
         space = narrowest ? fmin(space, one) : fmax(space, one);
     }
     return space;
-}
-
-static const char *no_space(const struct tolerance_site *site, const struct tolerance_place *place)
-{
-    if (place->first + 1 >= site->lens->surface_count) {
-        return "that is the image's distance: its tolerance is that of the focus";
-    }
-    if (space_at(site, place->first, false) == 0) {
-        return "the space is 0";
-    }
-    return tolerance_place_space(site, place->first) == place->kind
-               ? NULL
-               : "there is no air behind the surface";
-}
-
-static const char *no_glass(const struct tolerance_site *site, const struct tolerance_place *place)
-{
-    const struct surface *surface = site_surface(site, place->first);
-    struct melt melt;
-    if (surface_reflects(surface) || surface->kind == SURFACE_STOP ||
-        medium_is_air(&surface->medium)) {
-        return "there is no glass behind the surface";
-    }
-    if (place->kind == TOLERANCE_INDEX) {
-        return NULL;
-    }
-    melt_open(&surface->medium, &melt);
-    return melt.has_abbe ? NULL : "the medium behind it has no Abbe number";
-}
-
-static const char *perturbation_place_no_number(const struct tolerance_site *site,
-                                                const struct tolerance_place *place)
-{
-    const struct surface *surface = site_surface(site, place->first);
-    const enum parameter_kind kind = tolerance_type(place->kind)->parameter;
-    const struct figure *figure = parameter_figure(surface, kind, place->from->order);
-    const bool is_nothing = figure == NULL || figure->value.hi == 0;
-    if (!surface_has(surface, SURFACE_HAS_CURVE)) {
-        return "the surface has no shape of its own";
-    }
-    if (is_nothing && (place->from->is_range || place->from->unit == TOLERANCE_PERCENT)) {
-        return "it is 0 there";
-    }
-    return NULL;
 }
 
 static const char *no_element(const struct tolerance_site *site,
@@ -138,25 +66,64 @@ static const char *no_element(const struct tolerance_site *site,
     return has_one ? NULL : "there is no element";
 }
 
+static const char *no_glass(const struct surface *surface, enum tolerance_kind kind)
+{
+    struct melt melt;
+    if (surface_reflects(surface) || surface->kind == SURFACE_STOP ||
+        medium_is_air(&surface->medium)) {
+        return "there is no glass behind the surface";
+    }
+    melt_open(&surface->medium, &melt);
+    return kind == TOLERANCE_INDEX || melt.has_abbe ? NULL
+                                                    : "the medium behind it has no Abbe number";
+}
+
 const char *tolerance_place_wrong(const struct tolerance_site *site,
                                   const struct tolerance_place *place)
 {
+    const struct surface *surface = site_surface(site, place->first);
+    const enum parameter_kind parameter = tolerance_type(place->kind)->parameter;
+    const enum tolerance_unit unit = place->from->unit;
+    const struct figure *figure;
     switch (place->kind) {
-    case TOLERANCE_RADIUS:
-        return no_radius(site, place);
     case TOLERANCE_THICKNESS:
     case TOLERANCE_AIR:
-        return no_space(site, place);
+        if (place->first + 1 >= site->lens->surface_count) {
+            return "that is the image's distance: its tolerance is that of the focus";
+        }
+        if (space_at(site, place->first, false) == 0) {
+            return "the space is 0";
+        }
+        return tolerance_place_space(site, place->first) == place->kind
+                   ? NULL
+                   : "there is no air behind the surface";
     case TOLERANCE_INDEX:
     case TOLERANCE_ABBE:
-        return no_glass(site, place);
+        return no_glass(surface, place->kind);
     case TOLERANCE_CONIC:
     case TOLERANCE_COEFFICIENT:
-        return perturbation_place_no_number(site, place);
+        if (!surface_has(surface, SURFACE_HAS_CURVE)) {
+            return "the surface has no shape of its own";
+        }
+        figure = parameter_figure(surface, parameter, place->from->order);
+        return (figure == NULL || figure->value.hi == 0) &&
+                       (place->from->is_range || unit == TOLERANCE_PERCENT)
+                   ? "it is 0 there"
+                   : NULL;
+    case TOLERANCE_RADIUS:
     case TOLERANCE_TILT:
     case TOLERANCE_DECENTER:
     case TOLERANCE_IRREGULARITY:
-        return no_curve(site, place);
+        if (surface->kind == SURFACE_STOP || !surface_has(surface, SURFACE_HAS_CURVE)) {
+            return "the surface has no shape of its own";
+        }
+        if (element_at(site->elements, site->element_count, place->first) == NULL) {
+            return "a plane in air that bends no ray";
+        }
+        return place->kind == TOLERANCE_RADIUS && unit != TOLERANCE_FRINGES &&
+                       surface_base_curvature(surface).hi == 0
+                   ? "a plane has no radius: its tolerance is in fringes"
+                   : NULL;
     case TOLERANCE_FOCUS:
     case TOLERANCE_KINDS:
         return NULL;
@@ -166,31 +133,6 @@ const char *tolerance_place_wrong(const struct tolerance_site *site,
 }
 
 /* -------- by how much -------- */
-
-/* The number itself: of a glass its index at d, or Vd. */
-static double site_number(const struct tolerance_site *site, const struct tolerance_place *place)
-{
-    const struct surface *surface = site_surface(site, place->first);
-    if (place->kind == TOLERANCE_INDEX) {
-        struct pair n = {1, 0}; /* of what has none at d an index above that of air */
-        struct error ignored;
-        return medium_index(&surface->medium, WAVELENGTH_D, &n, &ignored) ? n.hi : 1;
-    }
-    if (place->kind == TOLERANCE_ABBE) {
-        struct melt melt;
-        melt_open(&surface->medium, &melt);
-        return melt.Vd;
-    }
-    if (place->kind == TOLERANCE_RADIUS) {
-        return 1 / surface_base_curvature(surface).hi;
-    }
-    if (place->kind == TOLERANCE_THICKNESS || place->kind == TOLERANCE_AIR) {
-        return space_at(site, place->first, true);
-    }
-    const struct figure *figure =
-        parameter_figure(surface, tolerance_type(place->kind)->parameter, place->from->order);
-    return figure != NULL ? figure->value.hi : 0;
-}
 
 /* That surface, and behind a range all others that have none either. */
 static const char *no_diameter(const struct tolerance_site *site,
@@ -244,13 +186,13 @@ static const char *number_amount(const struct tolerance_site *site,
                                  const struct tolerance_place *place, struct perturbation *result)
 {
     const struct lens_tolerance *from = place->from;
+    const struct surface *surface = site_surface(site, place->first);
     const enum parameter_kind kind = tolerance_type(place->kind)->parameter;
     const bool is_share = from->unit == TOLERANCE_PERCENT;
     const bool may_pass_0 = place->kind == TOLERANCE_CONIC ||
                             place->kind == TOLERANCE_COEFFICIENT ||
                             (place->kind == TOLERANCE_AIR &&
-                             (site_surface(site, place->first)->kind == SURFACE_STOP ||
-                              site_surface(site, place->first + 1)->kind == SURFACE_STOP));
+                             (surface->kind == SURFACE_STOP || surface[1].kind == SURFACE_STOP));
     result->what = (struct parameter){
         place->first, kind == PARAMETER_KINDS ? PARAMETER_THICKNESS : kind, from->order};
     if (from->unit == TOLERANCE_FRINGES) {
@@ -260,27 +202,29 @@ static const char *number_amount(const struct tolerance_site *site,
         result->what.kind == PARAMETER_THICKNESS) {
         return "a word of the positions has no one number to take a share of: give it in mm";
     }
-    const double number = fabs(site_number(site, place));
-    const double amount = from->amount.value.hi;
-    result->amount = is_share ? amount / 100 * number : amount;
+    /* the number itself: of a glass its index at d, or Vd */
+    double number = 0;
+    if (place->kind == TOLERANCE_INDEX) {
+        struct pair n = {1, 0}; /* of what has none at d an index above that of air */
+        struct error ignored;
+        number = medium_index(&surface->medium, WAVELENGTH_D, &n, &ignored) ? n.hi : 1;
+    } else if (place->kind == TOLERANCE_ABBE) {
+        struct melt melt;
+        melt_open(&surface->medium, &melt);
+        number = melt.Vd;
+    } else if (place->kind == TOLERANCE_RADIUS) {
+        number = 1 / surface_base_curvature(surface).hi;
+    } else if (place->kind == TOLERANCE_THICKNESS || place->kind == TOLERANCE_AIR) {
+        number = space_at(site, place->first, true);
+    } else {
+        const struct figure *figure = parameter_figure(surface, kind, from->order);
+        number = figure != NULL ? figure->value.hi : 0;
+    }
+    number = fabs(number);
+    result->amount = is_share ? from->amount.value.hi / 100 * number : from->amount.value.hi;
     return may_pass_0 || result->amount < number
                ? NULL
                : arena_printf(site->arena, "it is as wide as the number itself, %.6g", number);
-}
-
-/* Of the largest of the element's surfaces, mm; NaN where one has none, which `missing` receives */
-static double element_diameter(const struct tolerance_site *site,
-                               const struct tolerance_place *place, size_t *missing)
-{
-    double largest = 0;
-    for (size_t i = place->first; i <= place->last; i++) {
-        if (!site_surface(site, i)->has_diameter) {
-            *missing = i;
-            return NAN;
-        }
-        largest = fmax(largest, site_surface(site, i)->diameter.value.hi);
-    }
-    return largest;
 }
 
 static const char *wedge(const struct tolerance_site *site, const struct tolerance_place *place,
@@ -288,7 +232,7 @@ static const char *wedge(const struct tolerance_site *site, const struct toleran
 {
     const struct lens_tolerance *from = place->from;
     const size_t tilted = from->pivot == LENS_NONE ? place->last : from->pivot;
-    size_t missing = 0;
+    double diameter = 0; /* of the largest of the element's surfaces, mm */
     if (tilted < place->first || tilted > place->last) {
         return arena_printf(site->arena, "surface %zu is none of the element's", tilted + 1);
     }
@@ -297,9 +241,11 @@ static const char *wedge(const struct tolerance_site *site, const struct toleran
     if (from->unit != TOLERANCE_LENGTH) {
         return NULL;
     }
-    const double diameter = element_diameter(site, place, &missing);
-    if (isnan(diameter)) {
-        return no_diameter(site, place, missing, "the runout is measured over");
+    for (size_t i = place->first; i <= place->last; i++) {
+        if (!site_surface(site, i)->has_diameter) {
+            return no_diameter(site, place, i, "the runout is measured over");
+        }
+        diameter = fmax(diameter, site_surface(site, i)->diameter.value.hi);
     }
     result->amount /= diameter;
     return result->amount < 1 ? NULL

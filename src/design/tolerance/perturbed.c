@@ -50,22 +50,6 @@ static size_t perturbed_number_of(struct perturbed *perturbed, struct parameter 
     return i;
 }
 
-/* Tilt about x and y of one tolerance are one motion, as are decentres along them. */
-static size_t motion_of(struct perturbed *perturbed, size_t at)
-{
-    const struct perturbation *one = &perturbed->list[at];
-    for (size_t i = 0; i < at; i++) {
-        const struct perturbation *other = &perturbed->list[i];
-        if (other->kind == one->kind && other->thing == one->thing && other->first == one->first &&
-            other->last == one->last && perturbed_part_of(other) != perturbed_part_of(one)) {
-            return perturbed->target[i];
-        }
-    }
-    perturbed->motions[perturbed->motion_count] =
-        (struct perturbed_motion){.first = one->first, .last = one->last, .pivot = one->pivot};
-    return perturbed->motion_count++;
-}
-
 static bool add_medium(struct perturbed *perturbed, size_t at, struct error *error)
 {
     const struct perturbation *one = &perturbed->list[at];
@@ -99,7 +83,20 @@ static bool perturbed_add(struct perturbed *perturbed, size_t at, struct error *
                             i + 1);
             }
         }
-        perturbed->target[at] = motion_of(perturbed, at);
+        /* tilt about x and y of one tolerance are one motion, as are decentres along them */
+        for (size_t i = 0; i < at && perturbed->target[at] == LENS_NONE; i++) {
+            const struct perturbation *other = &perturbed->list[i];
+            if (other->kind == one->kind && other->thing == one->thing &&
+                other->first == one->first && other->last == one->last &&
+                perturbed_part_of(other) != perturbed_part_of(one)) {
+                perturbed->target[at] = perturbed->target[i];
+            }
+        }
+        if (perturbed->target[at] == LENS_NONE) {
+            perturbed->target[at] = perturbed->motion_count;
+            perturbed->motions[perturbed->motion_count++] = (struct perturbed_motion){
+                .first = one->first, .last = one->last, .pivot = one->pivot};
+        }
         for (size_t i = one->first; i <= one->last; i++) {
             perturbed->is_posed[i] = true;
             perturbed_number_of(perturbed, thickness_behind(i));
@@ -165,32 +162,6 @@ void perturbed_keep(struct perturbed *perturbed, struct parameter what)
 
 /* -------- adding up -------- */
 
-static void perturbed_add_up(struct perturbed *perturbed, const double *errors)
-{
-    for (size_t i = 0; i < perturbed->number_count; i++) {
-        perturbed->numbers[i].sum = 0;
-    }
-    for (size_t i = 0; i < perturbed->motion_count; i++) {
-        struct perturbed_motion *motion = &perturbed->motions[i];
-        motion->shift[0] = motion->shift[1] = motion->tilt[0] = motion->tilt[1] = 0;
-    }
-    memset(perturbed->off, 0, (perturbed->lens->surface_count + 1) * sizeof *perturbed->off);
-    for (size_t i = 0; i < perturbed->count; i++) {
-        const struct perturbation *one = &perturbed->list[i];
-        const size_t target = perturbed->target[i];
-        const double error = one->amount * errors[i];
-        if (one->kind == TOLERANCE_ELEMENT_TILT) {
-            perturbed->motions[target].tilt[perturbed_part_of(one)] += error;
-        } else if (one->kind == TOLERANCE_ELEMENT_DECENTER) {
-            perturbed->motions[target].shift[perturbed_part_of(one)] += error;
-        } else if (perturbed_is_of_medium(one)) {
-            perturbed->off[target][one->kind == TOLERANCE_ABBE ? 1 : 0] += error;
-        } else if (target != LENS_NONE) {
-            perturbed->numbers[target].sum += error;
-        }
-    }
-}
-
 /* -------- poses -------- */
 
 /* Rx(a) Ry(b) Rz(c), row by row, as trace/frames.h has it. */
@@ -250,40 +221,28 @@ static double place_within(const struct lens *lens, size_t first, size_t surface
     return z;
 }
 
+/* Poses as the errors have them, motions apart. */
 static void begin_poses(struct perturbed *perturbed, const struct lens *nominal)
 {
     for (size_t i = 0; i < perturbed->lens->surface_count; i++) {
         const struct displacement *base = nominal->surfaces[i].decentre;
         struct perturbed_pose *pose = &perturbed->poses[i];
         *pose = (struct perturbed_pose){.z = 0};
-        for (int k = 0; k < 2 && base != NULL; k++) {
-            pose->decenter[k] = base->decenter[k].value.hi;
-        }
         for (int k = 0; k < 3 && base != NULL; k++) {
             pose->tilt[k] = base->tilt[k].value.hi;
+            if (k < 2) {
+                pose->decenter[k] = base->decenter[k].value.hi;
+            }
         }
     }
     for (size_t i = 0; i < perturbed->number_count; i++) {
         const struct perturbed_number *number = &perturbed->numbers[i];
         struct perturbed_pose *pose = &perturbed->poses[number->what.surface];
-        if (!is_pose(number->what.kind)) {
-            continue;
-        }
-        if (number->what.kind >= PARAMETER_TILT_X) {
-            pose->tilt[number->what.kind - PARAMETER_TILT_X] += number->sum;
-        } else {
-            pose->decenter[number->what.kind - PARAMETER_DECENTER_X] += number->sum;
-        }
-    }
-}
-
-static void move_all(struct perturbed *perturbed, const struct lens *lens)
-{
-    for (size_t m = 0; m < perturbed->motion_count; m++) {
-        const struct perturbed_motion *motion = &perturbed->motions[m];
-        for (size_t i = motion->first; i <= motion->last; i++) {
-            const double z = place_within(lens, motion->first, i) - motion->pivot;
-            perturbed_move(motion, z, surface_is_round(&lens->surfaces[i]), &perturbed->poses[i]);
+        const enum parameter_kind kind = number->what.kind;
+        if (is_pose(kind) && kind >= PARAMETER_TILT_X) {
+            pose->tilt[kind - PARAMETER_TILT_X] += number->sum;
+        } else if (is_pose(kind)) {
+            pose->decenter[kind - PARAMETER_DECENTER_X] += number->sum;
         }
     }
 }
@@ -335,34 +294,29 @@ static void restore(const struct surface *from, struct parameter what, struct su
     }
 }
 
-static void perturbed_put_numbers(struct perturbed *perturbed, size_t position)
+/* Sums of the errors: of numbers, motions and media. */
+static void sum_errors(struct perturbed *perturbed, const double *errors)
 {
-    struct lens_numbers *lens = &perturbed->lenses[position];
-    const struct lens *base = perturbed->at[position];
     for (size_t i = 0; i < perturbed->number_count; i++) {
-        const struct parameter what = perturbed->numbers[i].what;
-        if (!is_pose(what.kind)) {
-            restore(&base->surfaces[what.surface], what, &lens->lens.surfaces[what.surface]);
-        }
+        perturbed->numbers[i].sum = 0;
     }
-    for (size_t i = 0; i < perturbed->number_count; i++) {
-        const struct perturbed_number *number = &perturbed->numbers[i];
-        if (number->sum != 0 && !is_pose(number->what.kind)) {
-            const double was = parameter_get(&lens->lens, number->what);
-            lens_numbers_set(lens, number->what, was + number->sum);
-        }
+    for (size_t i = 0; i < perturbed->motion_count; i++) {
+        struct perturbed_motion *motion = &perturbed->motions[i];
+        motion->shift[0] = motion->shift[1] = motion->tilt[0] = motion->tilt[1] = 0;
     }
-}
-
-static void put_media(struct perturbed *perturbed, size_t position)
-{
-    struct lens *lens = &perturbed->lenses[position].lens;
-    for (size_t space = 0; space <= lens->surface_count; space++) {
-        if (perturbed->is_melted[space]) {
-            const double *off = perturbed->off[space];
-            struct medium *medium =
-                space == 0 ? &lens->object_medium : &lens->surfaces[space - 1].medium;
-            *medium = *melt_set(perturbed_melt(perturbed, position, space), off[0], off[1]);
+    memset(perturbed->off, 0, (perturbed->lens->surface_count + 1) * sizeof *perturbed->off);
+    for (size_t i = 0; i < perturbed->count; i++) {
+        const struct perturbation *one = &perturbed->list[i];
+        const size_t target = perturbed->target[i];
+        const double error = one->amount * errors[i];
+        if (one->kind == TOLERANCE_ELEMENT_TILT) {
+            perturbed->motions[target].tilt[perturbed_part_of(one)] += error;
+        } else if (one->kind == TOLERANCE_ELEMENT_DECENTER) {
+            perturbed->motions[target].shift[perturbed_part_of(one)] += error;
+        } else if (perturbed_is_of_medium(one)) {
+            perturbed->off[target][one->kind == TOLERANCE_ABBE ? 1 : 0] += error;
+        } else if (target != LENS_NONE) {
+            perturbed->numbers[target].sum += error;
         }
     }
 }
@@ -370,13 +324,41 @@ static void put_media(struct perturbed *perturbed, size_t position)
 void perturbed_put(struct perturbed *perturbed, const double *errors)
 {
     const size_t count = perturbed->lens->surface_count;
-    perturbed_add_up(perturbed, errors);
+    sum_errors(perturbed, errors);
     for (size_t p = 0; p < perturbed->position_count; p++) {
-        struct lens_numbers *lens = &perturbed->lenses[p];
-        perturbed_put_numbers(perturbed, p);
-        put_media(perturbed, p);
+        struct lens_numbers *numbers = &perturbed->lenses[p];
+        struct lens *lens = &numbers->lens;
+        const struct surface *base = perturbed->at[p]->surfaces;
+        for (size_t i = 0; i < perturbed->number_count; i++) {
+            const struct parameter what = perturbed->numbers[i].what;
+            if (!is_pose(what.kind)) {
+                restore(&base[what.surface], what, &lens->surfaces[what.surface]);
+            }
+        }
+        for (size_t i = 0; i < perturbed->number_count; i++) {
+            const struct perturbed_number *number = &perturbed->numbers[i];
+            if (number->sum != 0 && !is_pose(number->what.kind)) {
+                lens_numbers_set(numbers, number->what,
+                                 parameter_get(lens, number->what) + number->sum);
+            }
+        }
+        for (size_t space = 0; space <= count; space++) {
+            if (perturbed->is_melted[space]) {
+                const double *off = perturbed->off[space];
+                struct medium *medium =
+                    space == 0 ? &lens->object_medium : &lens->surfaces[space - 1].medium;
+                *medium = *melt_set(perturbed_melt(perturbed, p, space), off[0], off[1]);
+            }
+        }
         begin_poses(perturbed, perturbed->at[p]);
-        move_all(perturbed, &lens->lens);
+        for (size_t m = 0; m < perturbed->motion_count; m++) {
+            const struct perturbed_motion *motion = &perturbed->motions[m];
+            for (size_t i = motion->first; i <= motion->last; i++) {
+                const double z = place_within(lens, motion->first, i) - motion->pivot;
+                perturbed_move(motion, z, surface_is_round(&lens->surfaces[i]),
+                               &perturbed->poses[i]);
+            }
+        }
         for (size_t i = 0; i < count; i++) {
             if (perturbed->is_posed[i]) {
                 put_pose(perturbed, p, i);
@@ -387,8 +369,8 @@ void perturbed_put(struct perturbed *perturbed, const double *errors)
             const double behind = i + 1 < count ? perturbed->poses[i + 1].z : 0;
             const double more = behind - perturbed->poses[i].z;
             if (more != 0) {
-                const double now = parameter_get(&lens->lens, thickness_behind(i));
-                lens_numbers_set(lens, thickness_behind(i), now + more);
+                const double now = parameter_get(lens, thickness_behind(i));
+                lens_numbers_set(numbers, thickness_behind(i), now + more);
             }
         }
     }

@@ -69,46 +69,40 @@ static struct medium written(const struct writing_lens *writing, size_t position
 }
 
 /* What the positions set, as it was made. */
-static void written_put_setting(const struct writing_lens *writing, struct lens_setting *setting)
-{
-    const size_t positions = writing->perturbed->position_count;
-    const struct parameter what = setting->parameter;
-    bool alike;
-    if (setting->media == NULL) {
-        setting->figures = written_figures(writing, what, setting->figures, &alike);
-        return;
-    }
-    struct medium *media = ARENA_ARRAY(writing->arena, positions, struct medium);
-    for (size_t p = 0; p < positions; p++) {
-        media[p] = written(writing, p, what.surface == LENS_NONE ? 0 : what.surface + 1);
-    }
-    setting->media = media;
-}
-
 static void written_put_settings(const struct writing_lens *writing)
 {
     enum { POSES = PARAMETER_TILT_Z - PARAMETER_DECENTER_X + 1 };
     const struct lens *from = writing->perturbed->lens;
     struct lens *to = writing->to;
+    bool alike;
     to->settings = ARENA_ARRAY(writing->arena, from->setting_count + POSES * from->surface_count,
                                struct lens_setting);
     for (size_t i = 0; i < from->setting_count; i++) {
-        to->settings[i] = from->settings[i];
-        written_put_setting(writing, &to->settings[i]);
+        struct lens_setting *setting = &to->settings[i];
+        const struct parameter what = from->settings[i].parameter;
+        *setting = from->settings[i];
+        if (setting->media == NULL) {
+            setting->figures = written_figures(writing, what, setting->figures, &alike);
+            continue;
+        }
+        struct medium *media = ARENA_ARRAY(writing->arena, from->position_count, struct medium);
+        for (size_t p = 0; p < from->position_count; p++) {
+            media[p] = written(writing, p, what.surface == LENS_NONE ? 0 : what.surface + 1);
+        }
+        setting->media = media;
     }
+    /* displacements that have become others in each position */
     for (size_t i = 0; i < from->surface_count && from->position_count > 0; i++) {
-        if (writing->perturbed->is_posed[i]) {
-            /* A displacement that has become another one in each position. */
-            for (int kind = PARAMETER_DECENTER_X; kind <= PARAMETER_TILT_Z; kind++) {
-                const struct parameter what = {i, (enum parameter_kind)kind, 0};
-                bool alike, is_set = false;
-                const struct figure *values = written_figures(writing, what, NULL, &alike);
-                for (size_t k = 0; k < to->setting_count; k++) {
-                    is_set = is_set || parameter_is_same(to->settings[k].parameter, what);
-                }
-                if (!alike && !is_set) {
-                    to->settings[to->setting_count++] = (struct lens_setting){what, values, NULL};
-                }
+        for (int kind = PARAMETER_DECENTER_X;
+             kind <= PARAMETER_TILT_Z && writing->perturbed->is_posed[i]; kind++) {
+            const struct parameter what = {i, (enum parameter_kind)kind, 0};
+            bool is_set = false;
+            const struct figure *values = written_figures(writing, what, NULL, &alike);
+            for (size_t k = 0; k < to->setting_count; k++) {
+                is_set = is_set || parameter_is_same(to->settings[k].parameter, what);
+            }
+            if (!alike && !is_set) {
+                to->settings[to->setting_count++] = (struct lens_setting){what, values, NULL};
             }
         }
     }

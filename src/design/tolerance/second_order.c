@@ -48,25 +48,6 @@ static bool second_order_look(const struct expansion *developing, size_t i, size
     return true;
 }
 
-static bool second_order_look_across(const struct expansion *developing, size_t i, size_t j,
-                                     struct second_order_form *forms)
-{
-    const size_t figures = developing->problem->figure_count, n = developing->problem->error_count;
-    if (!second_order_look(developing, i, j, step, developing->up) ||
-        !second_order_look(developing, i, j, -step, developing->down)) {
-        return false;
-    }
-    for (size_t f = 0; f < figures; f++) {
-        const size_t a = i * figures + f, b = j * figures + f;
-        const double one = developing->above[a] + developing->below[a];
-        const double other = developing->above[b] + developing->below[b];
-        const double bend =
-            developing->up[f] + developing->down[f] - one - other + 2 * developing->middle[f];
-        forms[f].curve[i * n + j] = forms[f].curve[j * n + i] = bend / (2 * step * step);
-    }
-    return true;
-}
-
 static bool develop(const struct expansion *developing, struct second_order_form *forms)
 {
     if (!second_order_look(developing, 0, 0, 0, developing->middle)) {
@@ -93,8 +74,17 @@ static bool develop(const struct expansion *developing, struct second_order_form
                 (above[f] + below[f] - 2 * developing->middle[f]) / (step * step);
         }
         for (size_t j = 0; j < i; j++) {
-            if (!second_order_look_across(developing, i, j, forms)) {
+            if (!second_order_look(developing, i, j, step, developing->up) ||
+                !second_order_look(developing, i, j, -step, developing->down)) {
                 return false;
+            }
+            for (size_t f = 0; f < figures; f++) {
+                const size_t b = j * figures + f;
+                const double one = above[f] + below[f];
+                const double other = developing->above[b] + developing->below[b];
+                const double bend = developing->up[f] + developing->down[f] - one - other +
+                                    2 * developing->middle[f];
+                forms[f].curve[i * n + j] = forms[f].curve[j * n + i] = bend / (2 * step * step);
             }
         }
     }
@@ -107,21 +97,6 @@ static bool develop(const struct expansion *developing, struct second_order_form
 static size_t rows_size(size_t n)
 {
     return n + n * (n + 1) / 2;
-}
-
-static void lay_rows(const struct second_order *differential)
-{
-    const size_t n = differential->error_count;
-    for (size_t f = 0; f < differential->figure_count; f++) {
-        const struct second_order_form *form = &differential->forms[f];
-        double *row = differential->rows + f * rows_size(n);
-        for (size_t i = 0; i < n; i++) {
-            *row++ = form->slope[i];
-            for (size_t j = 0; j <= i; j++) {
-                *row++ = form->curve[i * n + j] * (j == i ? 0.5 : 1);
-            }
-        }
-    }
 }
 
 bool second_order_open(const struct second_order_problem *problem, struct arena *arena,
@@ -150,7 +125,16 @@ bool second_order_open(const struct second_order_problem *problem, struct arena 
     if (!develop(&developing, differential->forms)) {
         return false;
     }
-    lay_rows(differential);
+    double *row = differential->rows;
+    for (size_t f = 0; f < figures; f++) {
+        const struct second_order_form *form = &differential->forms[f];
+        for (size_t i = 0; i < n; i++) {
+            *row++ = form->slope[i];
+            for (size_t j = 0; j <= i; j++) {
+                *row++ = form->curve[i * n + j] * (j == i ? 0.5 : 1);
+            }
+        }
+    }
     return true;
 }
 

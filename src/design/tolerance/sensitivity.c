@@ -27,26 +27,6 @@ enum { SIDES = 4 };
 static const double part = 1.0 / 8;
 static const double sides[SIDES] = {1, -1, part, -part};
 
-static struct sensitivity of_figure(const double values[SIDES], double nominal, bool is_root)
-{
-    double at[SIDES];
-    for (int k = 0; k < SIDES; k++) {
-        at[k] = is_root ? values[k] * values[k] : values[k];
-    }
-    const double near = (at[2] - at[3]) / (2 * part), far = (at[0] - at[1]) / 2;
-    const double slope = (near - part * part * far) / (1 - part * part);
-    struct sensitivity all = {.plus = values[0] - nominal, .minus = values[1] - nominal};
-    if (!is_root) {
-        all.linear = slope;
-    } else if (nominal > 0) {
-        all.linear = slope / (2 * nominal);
-    } else {
-        all.linear = (double)NAN;
-    }
-    all.quadratic = (all.plus + all.minus) / 2;
-    return all;
-}
-
 size_t sensitivity_find(const struct second_order_problem *problem, const double *nominal,
                         struct arena *arena, struct sensitivity *table, const char **failure)
 {
@@ -67,11 +47,23 @@ size_t sensitivity_find(const struct second_order_problem *problem, const double
             }
         }
         for (size_t f = 0; f < figures; f++) {
+            struct sensitivity *all = &table[i * figures + f];
+            const bool is_root = problem->is_root[f];
             double values[SIDES];
             for (size_t k = 0; k < SIDES; k++) {
-                values[k] = at[k * figures + f];
+                const double value = at[k * figures + f];
+                values[k] = is_root ? value * value : value;
             }
-            table[i * figures + f] = of_figure(values, nominal[f], problem->is_root[f]);
+            const double near = (values[2] - values[3]) / (2 * part);
+            const double far = (values[0] - values[1]) / 2;
+            const double slope = (near - part * part * far) / (1 - part * part);
+            all->plus = at[f] - nominal[f];
+            all->minus = at[figures + f] - nominal[f];
+            all->linear = slope;
+            if (is_root) {
+                all->linear = nominal[f] > 0 ? slope / (2 * nominal[f]) : (double)NAN;
+            }
+            all->quadratic = (all->plus + all->minus) / 2;
         }
     }
     return problem->error_count;
@@ -84,35 +76,27 @@ struct inverse_search {
     double *errors, *figures;
 };
 
-/* The worse of both ends of one error; infinite: there is no lens. 0 at least. */
-static double cost_of_one(const struct inverse_search *searching, size_t i, double factor)
-{
-    const struct inverse_question *question = searching->question;
-    double worst = 0;
-    for (int side = -1; side <= 1; side += 2) {
-        struct error why;
-        if (!watch_add(question->problem->watch, 1)) {
-            return worst; /* of no use to anybody */
-        }
-        const bool made = try_one(question->problem, i, side * factor, searching->errors,
-                                  searching->figures, &why);
-        const double cost =
-            made ? question->cost(question->context, searching->figures) : (double)INFINITY;
-        worst = cost > worst ? cost : worst;
-    }
-    return worst;
-}
-
-/* Of all errors of a tolerance. */
+/* Of all errors of a tolerance, of each the worse of both ends, 0 at least; infinite: there is no
+   lens. */
 static double sensitivity_cost_of(const struct inverse_search *searching, size_t thing,
                                   double factor)
 {
+    const struct inverse_question *question = searching->question;
     double sum = 0;
-    for (size_t i = 0; i < searching->question->problem->error_count; i++) {
-        if (searching->question->thing[i] == thing) {
-            const double cost = cost_of_one(searching, i, factor);
-            sum += cost * cost;
+    for (size_t i = 0; i < question->problem->error_count; i++) {
+        double worst = 0;
+        for (int side = -1; side <= 1 && question->thing[i] == thing; side += 2) {
+            struct error why;
+            if (!watch_add(question->problem->watch, 1)) {
+                break; /* of no use to anybody */
+            }
+            const bool made = try_one(question->problem, i, side * factor, searching->errors,
+                                      searching->figures, &why);
+            const double cost =
+                made ? question->cost(question->context, searching->figures) : (double)INFINITY;
+            worst = cost > worst ? cost : worst;
         }
+        sum += worst * worst;
     }
     return sqrt(sum);
 }
@@ -175,22 +159,19 @@ double inverse_find(const struct inverse_question *question, struct arena *arena
     }
     const double share = sensitivity_share_of(bounds, n, question->drop);
     for (size_t i = 0; i < n; i++) {
+        struct inverse *answer = &answers[i];
+        answer->limit = INVERSE_FREE;
         if (bounds[i].tightest >= share) {
-            answers[i].limit = INVERSE_TIGHTEST;
+            answer->limit = INVERSE_TIGHTEST;
+            answer->factor = question->low[i];
         } else if (bounds[i].loosest <= share) {
-            answers[i].limit = INVERSE_LOOSEST;
+            answer->limit = INVERSE_LOOSEST;
+            answer->factor = question->high[i];
         } else {
-            answers[i].limit = INVERSE_FREE;
+            answer->factor = sensitivity_factor_of(&searching, i, share);
         }
-        if (answers[i].limit == INVERSE_TIGHTEST) {
-            answers[i].factor = question->low[i];
-        } else if (answers[i].limit == INVERSE_LOOSEST) {
-            answers[i].factor = question->high[i];
-        } else {
-            answers[i].factor = sensitivity_factor_of(&searching, i, share);
-        }
-        answers[i].cost = sensitivity_cost_of(&searching, i, answers[i].factor);
-        sum += answers[i].cost * answers[i].cost;
+        answer->cost = sensitivity_cost_of(&searching, i, answer->factor);
+        sum += answer->cost * answer->cost;
     }
     return watch_is_ended(question->problem->watch) ? (double)NAN : sqrt(sum);
 }

@@ -9,46 +9,46 @@
 
 /* -------- the image plane as a distance -------- */
 
-/* Where the file has it, in one position. */
-static bool image_find(const struct merit_question *view, size_t position, struct arena *arena,
-                       double *image, struct error *error)
+/*
+ * The image plane as a distance: of a lens with `focus paraxial` or `best` where that is in each
+ * position, as the last thickness, a word where positions differ.
+ */
+static bool fix_image(struct tolerance *tolerance, struct arena *arena, struct error *error)
 {
-    const struct setup_question asked = {.lens = view->lens,
-                                         .position = position,
-                                         .section = view->section,
-                                         .wavelength = NAN,
-                                         .wavelengths = WAVELENGTHS_ALL,
-                                         .spectrum = view->wavelengths,
-                                         .spectrum_count = view->wavelength_count,
-                                         .fnumber = view->fnumber,
-                                         .fields = view->fields,
-                                         .field_count = view->field_count,
-                                         .field_policy = FIELDS_ALL,
-                                         .takes_telecentric = true};
-    struct setup setup;
-    if (!setup_open(&asked, arena, &setup, error) ||
-        !setup_place_image(&setup, &(struct plane_value){.kind = PLANE_OF_LENS}, error)) {
-        return false;
+    const struct merit_question *view = &tolerance->question.view;
+    const struct surface *as_read = &view->lens->surfaces[view->lens->surface_count - 1];
+    tolerance->lens = view->lens;
+    if (view->lens->focus == FOCUS_TABLE && as_read->has_thickness) {
+        return true;
     }
-    *image = setup.image;
-    return isfinite(*image) ||
-           fail(error, ERROR_DOMAIN, "the image is infinitely far away: nothing is in focus there");
-}
-
-/* The last thickness of a lens with `focus paraxial` or `best`: a word where positions differ. */
-static bool image_put(const struct merit_question *view, struct lens *lens, struct arena *arena,
-                      struct error *error)
-{
-    static const char word[] = "image_distance";
+    struct lens *lens = parameter_apply(view->lens, NULL, NULL, 0, arena);
     const size_t count = lens->position_count > 0 ? lens->position_count : 1;
     struct figure *values = ARENA_ARRAY(arena, count, struct figure);
     struct surface *last = &lens->surfaces[lens->surface_count - 1];
+    tolerance->lens = lens;
     for (size_t p = 0; p < count; p++) {
-        double image;
-        if (!image_find(view, p, arena, &image, error)) {
+        const struct setup_question asked = {.lens = view->lens,
+                                             .position = p,
+                                             .section = view->section,
+                                             .wavelength = NAN,
+                                             .wavelengths = WAVELENGTHS_ALL,
+                                             .spectrum = view->wavelengths,
+                                             .spectrum_count = view->wavelength_count,
+                                             .fnumber = view->fnumber,
+                                             .fields = view->fields,
+                                             .field_count = view->field_count,
+                                             .field_policy = FIELDS_ALL,
+                                             .takes_telecentric = true};
+        struct setup setup;
+        if (!setup_open(&asked, arena, &setup, error) ||
+            !setup_place_image(&setup, &(struct plane_value){.kind = PLANE_OF_LENS}, error)) {
             return false;
         }
-        values[p] = figure_number(pair_of(image));
+        if (!isfinite(setup.image)) {
+            return fail(error, ERROR_DOMAIN,
+                        "the image is infinitely far away: nothing is in focus there");
+        }
+        values[p] = figure_number(pair_of(setup.image));
     }
     lens->focus = FOCUS_TABLE;
     last->has_thickness = true;
@@ -59,7 +59,8 @@ static bool image_put(const struct merit_question *view, struct lens *lens, stru
         for (size_t i = 0; i < lens->variable_count; i++) {
             words[i] = lens->variables[i];
         }
-        words[lens->variable_count] = (struct lens_variable){text_of(word), values, NULL};
+        words[lens->variable_count] =
+            (struct lens_variable){text_of("image_distance"), values, NULL};
         last->thickness.variable = lens->variable_count;
         lens->variables = words;
         lens->variable_count++;
@@ -67,38 +68,7 @@ static bool image_put(const struct merit_question *view, struct lens *lens, stru
     return true;
 }
 
-static bool fix_image(struct tolerance *tolerance, struct arena *arena, struct error *error)
-{
-    const struct merit_question *view = &tolerance->question.view;
-    const struct surface *last = &view->lens->surfaces[view->lens->surface_count - 1];
-    tolerance->lens = view->lens;
-    if (view->lens->focus == FOCUS_TABLE && last->has_thickness) {
-        return true;
-    }
-    struct lens *lens = parameter_apply(view->lens, NULL, NULL, 0, arena);
-    tolerance->lens = lens;
-    return image_put(view, lens, arena, error);
-}
-
 /* -------- what is adjusted -------- */
-
-/* The image plane, in every position. */
-static void add_refocus(struct tolerance *tolerance, struct arena *arena)
-{
-    const struct lens *lens = tolerance->lens;
-    const struct parameter last = {lens->surface_count - 1, PARAMETER_THICKNESS, 0};
-    const bool is_word = lens->surfaces[last.surface].thickness.variable != LENS_NONE;
-    const size_t count = is_word ? lens->position_count : 1;
-    struct compensator *mover = &tolerance->movers[tolerance->mover_count++];
-    *mover = (struct compensator){.parts = ARENA_ARRAY(arena, count, struct compensator_part),
-                                  .part_count = count,
-                                  .low = -INFINITY,
-                                  .high = INFINITY,
-                                  .name = "refocus"};
-    for (size_t p = 0; p < count; p++) {
-        mover->parts[p] = (struct compensator_part){last, is_word ? p : LENS_NONE, 1};
-    }
-}
 
 static size_t variable_of(const struct compensator_part *part, struct variable *list, size_t *count,
                           const char *name)
@@ -132,13 +102,23 @@ static bool moves_image(const struct tolerance_question *question, const struct 
 static bool open_movers(struct tolerance *tolerance, struct arena *arena, struct error *error)
 {
     struct tolerance_question *question = &tolerance->question;
+    const struct lens *lens = tolerance->lens;
+    const struct parameter last = {lens->surface_count - 1, PARAMETER_THICKNESS, 0};
     size_t parts = question->view.lens->position_count + 1, count = 0, at = 0;
     tolerance->movers = ARENA_ARRAY(arena, question->compensator_count + 1, struct compensator);
-    if (question->refocus == REFOCUS_BEST && moves_image(question, tolerance->lens)) {
+    if (question->refocus == REFOCUS_BEST && moves_image(question, lens)) {
         question->refocus = REFOCUS_NONE;
     }
     if (question->refocus == REFOCUS_BEST && !tolerance->closed) {
-        add_refocus(tolerance, arena);
+        /* the image plane, in every position */
+        const bool is_word = lens->surfaces[last.surface].thickness.variable != LENS_NONE;
+        const size_t cells = is_word ? lens->position_count : 1;
+        struct compensator_part *images = ARENA_ARRAY(arena, cells, struct compensator_part);
+        for (size_t p = 0; p < cells; p++) {
+            images[p] = (struct compensator_part){last, is_word ? p : LENS_NONE, 1};
+        }
+        tolerance->movers[tolerance->mover_count++] =
+            (struct compensator){images, cells, -INFINITY, INFINITY, "refocus"};
     }
     for (size_t i = 0; i < question->compensator_count; i++) {
         tolerance->movers[tolerance->mover_count++] = question->compensators[i];
@@ -154,9 +134,10 @@ static bool open_movers(struct tolerance *tolerance, struct arena *arena, struct
     }
     tolerance->numbers = ARENA_ARRAY(arena, count + 1, double);
     tolerance->base = ARENA_ARRAY(arena, count + 1, double);
-    return variables_open(tolerance->lens, list, count, arena, &tolerance->variables, error);
+    return variables_open(lens, list, count, arena, &tolerance->variables, error);
 }
 
+/* With height and slopes of surfaces that perturbations are of. */
 static bool open_perturbed(struct tolerance *tolerance, struct arena *arena, struct error *error)
 {
     const struct tolerance_question *question = &tolerance->question;
@@ -166,6 +147,7 @@ static bool open_perturbed(struct tolerance *tolerance, struct arena *arena, str
                                              .list = question->perturbations,
                                              .count = question->perturbation_count,
                                              .lenses = tolerance->variables.lenses};
+    struct perturbed_forms forms;
     if (!perturbed_open(&asked, arena, perturbed, error)) {
         return false;
     }
@@ -173,17 +155,8 @@ static bool open_perturbed(struct tolerance *tolerance, struct arena *arena, str
     for (size_t i = 0; i < tolerance->variables.count; i++) {
         perturbed_keep(perturbed, tolerance->variables.list[i].what);
     }
-    return true;
-}
-
-/* Height and slopes of a surface: what its perturbations are of. */
-static bool open_irregularities(struct tolerance *tolerance, struct arena *arena,
-                                struct error *error)
-{
-    const struct tolerance_question *question = &tolerance->question;
-    struct perturbed_forms forms;
-    if (!perturbed_forms_of(tolerance->lens, question->perturbations, question->perturbation_count,
-                            arena, &forms, error)) {
+    if (!perturbed_forms_of(lens, question->perturbations, question->perturbation_count, arena,
+                            &forms, error)) {
         return false;
     }
     tolerance->irregularities = forms.list;
@@ -208,7 +181,9 @@ static bool is_skew(const struct tolerance_question *question)
     return is;
 }
 
-static struct merit_question view_of(struct tolerance *tolerance)
+/* The merit of some operands, of the lens while it is adjusted. */
+static bool open_merit(struct tolerance *tolerance, const struct operand *operands, size_t count,
+                       struct arena *arena, struct merit *merit, struct error *error)
 {
     struct merit_question view = tolerance->question.view;
     view.lens = tolerance->lens;
@@ -219,7 +194,9 @@ static struct merit_question view_of(struct tolerance *tolerance)
     view.irregularity_count = tolerance->irregularity_count;
     view.irregularity_amounts =
         tolerance->irregularity_count > 0 ? tolerance->irregular_amounts : NULL;
-    return view;
+    view.operands = operands;
+    view.operand_count = count;
+    return merit_open(&view, arena, merit, error);
 }
 
 /* Spots or wave fronts, where they are the figures or what is adjusted for. */
@@ -234,10 +211,7 @@ static bool open_quality(struct tolerance *tolerance, struct arena *arena, struc
     struct operand *operand = ARENA_NEW(arena, struct operand);
     *operand = tolerance_looks_at_waves(asked) ? operand_of(OPERAND_OPD, "wavefront")
                                                : operand_of(OPERAND_POLY, "spot");
-    struct merit_question question = view_of(tolerance);
-    question.operands = operand;
-    question.operand_count = 1;
-    if (!merit_open(&question, arena, &tolerance->quality, error)) {
+    if (!open_merit(tolerance, operand, 1, arena, &tolerance->quality, error)) {
         return false;
     }
     const struct merit *merit = &tolerance->quality;
@@ -256,120 +230,86 @@ static bool open_quality(struct tolerance *tolerance, struct arena *arena, struc
     return true;
 }
 
-/* Those of a place, from its setup. */
-static bool field_counts(enum criterion_kind kind, const struct setup_field *field)
-{
-    const bool is_axis = field->point.kind == FIELD_NONE ||
-                         (field->point.value[0] == 0 && field->point.value[1] == 0);
-    return field->weight > 0 &&
-           !(is_axis && criterion_type(kind)->operand != OPERAND_KINDS && kind != CRITERION_MTF);
-}
-
 static double field_distance(const struct setup_field *field)
 {
     return field->point.kind == FIELD_NONE ? 0
                                            : hypot(field->point.value[0], field->point.value[1]);
 }
 
-static bool add_figures(struct tolerance *tolerance, const struct setup *setup, size_t place,
-                        size_t spot)
-{
-    static const struct setup_field axis = {{.kind = FIELD_NONE}, 1};
-    const enum criterion_kind kind = tolerance->question.criterion.kind;
-    const size_t before = tolerance->figure_count;
-    const size_t count = setup->field_count > 0 ? setup->field_count : 1;
-    const struct setup_field *fields = setup->field_count > 0 ? setup->fields : &axis;
-    struct tolerance_figure *figures = tolerance->figures;
-    if (criterion_type(kind)->of_fields) {
-        for (size_t f = 0; f < count; f++) {
-            if (field_counts(kind, &fields[f])) {
-                struct tolerance_figure figure = {place, &fields[f], spot + f, ORIENTATION_BOTH};
-                if (kind == CRITERION_MTF) {
-                    figure.orientation = ORIENTATION_TANGENTIAL;
-                    figures[tolerance->figure_count++] = figure;
-                    figure.orientation = ORIENTATION_SAGITTAL;
-                }
-                figures[tolerance->figure_count++] = figure;
-            }
-        }
-        return tolerance->figure_count > before;
-    }
-    size_t nearest = 0;
-    for (size_t f = 1; f < count; f++) {
-        nearest = field_distance(&fields[f]) < field_distance(&fields[nearest]) ? f : nearest;
-    }
-    figures[tolerance->figure_count++] =
-        (struct tolerance_figure){place, NULL, spot + nearest, ORIENTATION_BOTH};
-    return true;
-}
-
 /* What figures there are, once the positions are known; `merit` knows them. */
 static bool list_figures(struct tolerance *tolerance, const struct merit *merit,
                          struct arena *arena, struct error *error)
 {
+    static const struct setup_field axis = {{.kind = FIELD_NONE}, 1};
+    const enum criterion_kind kind = tolerance->question.criterion.kind;
+    const struct criterion_type *type = criterion_type(kind);
+    const bool has_axis = type->operand == OPERAND_KINDS || kind == CRITERION_MTF;
     size_t room = 0, spot = 0;
     for (size_t i = 0; i < merit->place_count; i++) {
         room += 2 * (merit->places[i].setup.field_count + 1);
     }
-    tolerance->figures = ARENA_ARRAY(arena, room, struct tolerance_figure);
+    struct tolerance_figure *figures = ARENA_ARRAY(arena, room, struct tolerance_figure);
+    tolerance->figures = figures;
     for (size_t i = 0; i < merit->place_count; i++) {
         const struct setup *setup = &merit->places[i].setup;
-        if (!add_figures(tolerance, setup, i, spot)) {
+        const size_t before = tolerance->figure_count;
+        const size_t count = setup->field_count > 0 ? setup->field_count : 1;
+        const struct setup_field *fields = setup->field_count > 0 ? setup->fields : &axis;
+        size_t nearest = 0;
+        for (size_t f = 0; f < count; f++) {
+            const double distance = field_distance(&fields[f]);
+            struct tolerance_figure figure = {i, &fields[f], spot + f, ORIENTATION_BOTH};
+            nearest = distance < field_distance(&fields[nearest]) ? f : nearest;
+            if (!type->of_fields || !(fields[f].weight > 0) || (!(distance > 0) && !has_axis)) {
+                continue;
+            }
+            if (kind == CRITERION_MTF) {
+                figure.orientation = ORIENTATION_TANGENTIAL;
+                figures[tolerance->figure_count++] = figure;
+                figure.orientation = ORIENTATION_SAGITTAL;
+            }
+            figures[tolerance->figure_count++] = figure;
+        }
+        if (!type->of_fields) {
+            figures[tolerance->figure_count++] =
+                (struct tolerance_figure){i, NULL, spot + nearest, ORIENTATION_BOTH};
+        }
+        if (tolerance->figure_count == before) {
             return fail(error, ERROR_DOMAIN, "%s is that of a field off the axis: there is none",
                         tolerance->question.criterion.name);
         }
-        spot += setup->field_count > 0 ? setup->field_count : 1;
+        spot += count;
     }
     return true;
 }
 
 /* -------- operands that are the criterion -------- */
 
-static struct operand judging_operand(const struct tolerance *tolerance, const struct merit *merit,
-                                      const struct tolerance_figure *figure)
-{
-    const struct criterion *criterion = &tolerance->question.criterion;
-    struct operand operand = operand_of(criterion_type(criterion->kind)->operand, criterion->name);
-    operand.target = criterion->kind == CRITERION_EFL || criterion->kind == CRITERION_MTF;
-    operand.field = figure->field;
-    operand.position = merit->places[figure->place].position;
-    operand.frequency = criterion->frequency;
-    return operand;
-}
-
-/* The positions alone, where nothing else has looked at them: by their focal length. */
-static bool open_places(struct tolerance *tolerance, struct arena *arena, struct merit *merit,
-                        struct error *error)
-{
-    struct operand *efl = ARENA_NEW(arena, struct operand);
-    *efl = operand_of(OPERAND_EFL, "efl");
-    efl->target = 1;
-    struct merit_question question = view_of(tolerance);
-    question.operands = efl;
-    question.operand_count = 1;
-    return merit_open(&question, arena, merit, error);
-}
-
 static bool open_judge(struct tolerance *tolerance, const struct merit *merit, struct arena *arena,
                        struct error *error)
 {
+    const struct criterion *criterion = &tolerance->question.criterion;
+    const enum operand_kind kind = criterion_type(criterion->kind)->operand;
     const size_t count = tolerance->figure_count;
-    if (criterion_type(tolerance->question.criterion.kind)->operand == OPERAND_KINDS) {
+    const bool is_contrast = criterion->kind == CRITERION_MTF;
+    if (kind == OPERAND_KINDS) {
         return true;
     }
     struct operand *operands = ARENA_ARRAY(arena, count, struct operand);
-    const bool is_contrast = tolerance->question.criterion.kind == CRITERION_MTF;
     for (size_t i = 0; i < count; i++) {
-        operands[i] = judging_operand(tolerance, merit, &tolerance->figures[i]);
+        const struct tolerance_figure *figure = &tolerance->figures[i];
+        operands[i] = operand_of(kind, criterion->name);
+        operands[i].target = criterion->kind == CRITERION_EFL || is_contrast;
+        operands[i].field = figure->field;
+        operands[i].position = merit->places[figure->place].position;
+        operands[i].frequency = criterion->frequency;
     }
     if (is_contrast) { /* all of them in one look, in this order */
         operands[0].field = NULL;
         operands[0].position = LENS_NONE;
     }
-    struct merit_question question = view_of(tolerance);
-    question.operands = operands;
-    question.operand_count = is_contrast ? 1 : count;
-    if (!merit_open(&question, arena, &tolerance->judge, error)) {
+    if (!open_merit(tolerance, operands, is_contrast ? 1 : count, arena, &tolerance->judge,
+                    error)) {
         return false;
     }
     tolerance->judged = ARENA_ARRAY(arena, tolerance->judge.residual_count, double);
@@ -378,14 +318,10 @@ static bool open_judge(struct tolerance *tolerance, const struct merit *merit, s
 
 /* -------- the nominal lens -------- */
 
-/* Contrasts are those of rays that stay, as spots are. */
-static bool aim_judge(struct tolerance *tolerance, struct error *error)
+static bool settle_rays(struct tolerance *tolerance, struct merit *merit, double *residuals,
+                        struct error *error)
 {
-    struct merit *merit = &tolerance->judge;
-    if (tolerance->question.criterion.kind != CRITERION_MTF) {
-        return true;
-    }
-    if (!merit_evaluate(merit, tolerance->numbers, tolerance->judged, NULL)) {
+    if (!merit_evaluate(merit, tolerance->numbers, residuals, NULL)) {
         *error = merit->why;
         return false;
     }
@@ -399,26 +335,16 @@ static bool aim_judge(struct tolerance *tolerance, struct error *error)
     return true;
 }
 
-/* Rays are aimed at the stop of the nominal lens, whatever is adjusted in it. */
+/* Rays are aimed at the stop of the nominal lens, whatever is adjusted in it; contrasts are those
+   of rays that stay, as spots are. */
 static bool aim_nominal(struct tolerance *tolerance, struct arena *arena, struct error *error)
 {
-    struct merit *merit = &tolerance->quality;
     variables_get(&tolerance->variables, tolerance->numbers);
-    if (merit->slot_count == 0) {
-        return true;
-    }
-    if (!merit_evaluate(merit, tolerance->numbers, tolerance->residuals, NULL)) {
-        *error = merit->why;
-        return false;
-    }
-    for (size_t i = 0; i < merit->slot_count; i++) {
-        merit_beams_settle(merit->slots[i].beams, !tolerance->question.aims);
-        if (tolerance->irregularity_count > 0 &&
-            !merit_beams_deform(merit->slots[i].beams, error)) {
-            return false;
-        }
-    }
-    return aim_judge(tolerance, error) && tolerance_check_movers(tolerance, arena, error);
+    return tolerance->quality.slot_count == 0 ||
+           (settle_rays(tolerance, &tolerance->quality, tolerance->residuals, error) &&
+            (tolerance->question.criterion.kind != CRITERION_MTF ||
+             settle_rays(tolerance, &tolerance->judge, tolerance->judged, error)) &&
+            tolerance_check_movers(tolerance, arena, error));
 }
 
 bool tolerance_open(const struct tolerance_question *question, struct arena *arena,
@@ -433,12 +359,15 @@ bool tolerance_open(const struct tolerance_question *question, struct arena *are
                     "a paraxial refocus takes no notice of what is adjusted beside it");
     }
     if (!fix_image(tolerance, arena, error) || !open_movers(tolerance, arena, error) ||
-        !open_perturbed(tolerance, arena, error) || !open_irregularities(tolerance, arena, error) ||
-        !open_quality(tolerance, arena, error)) {
+        !open_perturbed(tolerance, arena, error) || !open_quality(tolerance, arena, error)) {
         return false;
     }
-    if (tolerance->quality.slot_count == 0) {
-        if (!open_places(tolerance, arena, &places, error)) {
+    if (tolerance->quality.slot_count ==
+        0) { /* the positions alone, as nothing else has looked at them */
+        struct operand *efl = ARENA_NEW(arena, struct operand);
+        *efl = operand_of(OPERAND_EFL, "efl");
+        efl->target = 1;
+        if (!open_merit(tolerance, efl, 1, arena, &places, error)) {
             return false;
         }
         view = &places;

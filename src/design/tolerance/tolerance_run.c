@@ -33,7 +33,7 @@ static double badness(const struct tolerance *tolerance, size_t figure, double v
 }
 
 /* The mean by the weights of the fields. */
-static double tolerance_run_mean_of(const struct tolerance *tolerance, const double *figures)
+static double mean_figure(const struct tolerance *tolerance, const double *figures)
 {
     double sum = 0, weights = 0;
     for (size_t i = 0; i < tolerance->figure_count; i++) {
@@ -45,7 +45,7 @@ static double tolerance_run_mean_of(const struct tolerance *tolerance, const dou
     return sum / weights;
 }
 
-static size_t tolerance_run_worst_of(const struct tolerance *tolerance, const double *figures)
+static size_t worst_figure(const struct tolerance *tolerance, const double *figures)
 {
     size_t worst = 0;
     for (size_t i = 1; i < tolerance->figure_count; i++) {
@@ -59,29 +59,21 @@ static size_t tolerance_run_worst_of(const struct tolerance *tolerance, const do
 double tolerance_judged(const struct tolerance *tolerance, enum tolerance_of of,
                         const double *figures)
 {
-    return of == TOLERANCE_OF_MEAN ? tolerance_run_mean_of(tolerance, figures)
-                                   : figures[tolerance_run_worst_of(tolerance, figures)];
+    return of == TOLERANCE_OF_MEAN ? mean_figure(tolerance, figures)
+                                   : figures[worst_figure(tolerance, figures)];
 }
 
-/* How bad a lens is as a whole. */
-static double badness_of(const struct tolerance *tolerance, enum tolerance_of of,
-                         const double *figures)
-{
-    if (of == TOLERANCE_OF_MEAN) {
-        return criterion_badness(tolerance->question.criterion.kind,
-                                 tolerance_run_mean_of(tolerance, figures),
-                                 tolerance_run_mean_of(tolerance, tolerance->nominal));
-    }
-    const size_t worst = tolerance_run_worst_of(tolerance, figures);
-    return badness(tolerance, worst, figures[worst]);
-}
-
-/* Of one column. */
+/* How bad a lens is: by the figure of one column, or as a whole. */
 static double column_badness(const struct tolerance *tolerance, enum tolerance_of of, size_t column,
                              const double *figures)
 {
-    return of == TOLERANCE_OF_EACH ? badness(tolerance, column, figures[column])
-                                   : badness_of(tolerance, of, figures);
+    if (of == TOLERANCE_OF_MEAN) {
+        return criterion_badness(tolerance->question.criterion.kind,
+                                 mean_figure(tolerance, figures),
+                                 mean_figure(tolerance, tolerance->nominal));
+    }
+    const size_t at = of == TOLERANCE_OF_EACH ? column : worst_figure(tolerance, figures);
+    return badness(tolerance, at, figures[at]);
 }
 
 bool tolerance_passes(const struct tolerance *tolerance, const struct tolerance_run *run,
@@ -119,15 +111,12 @@ void tolerance_result_open(const struct tolerance_run *run, const struct toleran
     }
 }
 
-static bool is_worse(const struct tolerance_worst *a, const struct tolerance_worst *b)
-{
-    return a->badness > b->badness || (a->badness == b->badness && a->trial < b->trial);
-}
-
 static void keep_worst(struct tolerance_result *result, struct tolerance_worst one)
 {
     size_t at = result->worst_count;
-    while (at > 0 && is_worse(&one, &result->worst[at - 1])) {
+    while (at > 0 && (one.badness > result->worst[at - 1].badness ||
+                      (one.badness == result->worst[at - 1].badness &&
+                       one.trial < result->worst[at - 1].trial))) {
         at--;
     }
     if (at >= result->worst_most) {
@@ -172,60 +161,10 @@ static void keep_reason(struct tolerance_result *result, struct tolerance_reason
     result->reason_count++;
 }
 
-static void count_trial(const struct tolerance_run *run, uint64_t number, bool found,
-                        const struct tolerance_trial *trial, struct tolerance_result *result)
-{
-    result->done++;
-    if (!found) {
-        result->failed++;
-        keep_reason(result, (struct tolerance_reason){1, number, trial->why.message});
-        return;
-    }
-    const enum criterion_kind kind = run->question->criterion.kind;
-    for (size_t i = 0; i < result->column_count; i++) {
-        struct tolerance_column *column = &result->columns[i];
-        const double bad = column_badness(result->tolerance, run->of, i, trial->figures);
-        trial_statistics_add(&column->tally,
-                             column->of != NULL
-                                 ? trial->figures[i]
-                                 : tolerance_judged(result->tolerance, run->of, trial->figures));
-        trial_statistics_add(&column->badness, bad);
-        column->passed += criterion_passes(kind, bad, run->limit) ? 1 : 0;
-    }
-    for (size_t i = 0; i < tolerance_moves(result->tolerance); i++) {
-        trial_statistics_add(&result->moves[i], trial->moves[i]);
-    }
-    keep_worst(result, (struct tolerance_worst){
-                           number, badness_of(result->tolerance, run->of, trial->figures)});
-}
-
-static void tolerance_run_join(struct tolerance_result *result, const struct tolerance_result *more)
-{
-    result->done += more->done;
-    result->failed += more->failed;
-    for (size_t i = 0; i < result->column_count; i++) {
-        trial_statistics_join(&result->columns[i].tally, &more->columns[i].tally);
-        trial_statistics_join(&result->columns[i].badness, &more->columns[i].badness);
-        result->columns[i].passed += more->columns[i].passed;
-    }
-    for (size_t i = 0; i < tolerance_moves(result->tolerance); i++) {
-        trial_statistics_join(&result->moves[i], &more->moves[i]);
-    }
-    for (size_t i = 0; i < more->worst_count; i++) {
-        keep_worst(result, more->worst[i]);
-    }
-    for (size_t i = 0; i < more->reason_count; i++) {
-        keep_reason(result, more->reasons[i]);
-    }
-    if (more->others.count > 0) {
-        add_reason(&result->others, &more->others);
-    }
-}
-
 /* -------- threads -------- */
 
 /* What a thread has: opened when it takes its first piece. */
-struct tolerance_run_worker {
+struct trial_worker {
     bool is_open;
     struct tolerance *tolerance; /* null: to second order, in */
     double *lanes;               /* errors, figures and movements */
@@ -238,114 +177,122 @@ struct tolerance_run_worker {
 struct tolerance_team {
     const struct tolerance_run *run;
     struct tolerance_result *result;
-    struct tolerance_run_worker workers[PARALLEL_MOST];
+    struct trial_worker workers[PARALLEL_MOST];
     struct parallel threads;
     const struct tolerance_round *round;
 };
 
-/* A lens of its own; to second order none is needed. */
-static bool open_worker(const struct tolerance_team *team, size_t thread, struct arena *arena,
-                        struct tolerance_run_worker *worker)
-{
-    const struct tolerance *nominal = team->result->tolerance;
-    const size_t figures = nominal->figure_count, moves = tolerance_moves(nominal);
-    if (team->run->differential == NULL) {
-        struct tolerance_question question = *team->run->question;
-        question.view.watch = NULL; /* that counts trials */
-        worker->tolerance = thread == 0 ? team->run->ready : NULL;
-        if (worker->tolerance == NULL) {
-            worker->tolerance = ARENA_NEW(arena, struct tolerance);
-            if (!tolerance_open(&question, arena, worker->tolerance, &worker->error)) {
-                return false;
-            }
-        }
-    } else {
-        worker->lanes = ARENA_ARRAY(
-            arena, SECOND_ORDER_LANES * (team->run->question->perturbation_count + figures + moves),
-            double);
-    }
-    tolerance_result_open(team->run, nominal, team->result->worst_most, arena, &worker->result);
-    worker->trial.figures = ARENA_ARRAY(arena, figures, double);
-    worker->trial.moves = ARENA_ARRAY(arena, moves, double);
-    worker->errors = ARENA_ARRAY(arena, team->run->question->perturbation_count + 1, double);
-    worker->is_open = true;
-    return true;
-}
-
 /* A trial that was made. */
-static void tolerance_run_count(const struct tolerance_team *team,
-                                struct tolerance_run_worker *worker, size_t at, bool found)
+static void count_trial(const struct tolerance_team *team, struct trial_worker *worker, size_t at,
+                        bool found)
 {
+    const struct tolerance_run *run = team->run;
     const struct tolerance_round *round = team->round;
     const struct tolerance *tolerance = team->result->tolerance;
-    count_trial(team->run, round->begin + at, found, &worker->trial, &worker->result);
+    const struct tolerance_trial *trial = &worker->trial;
+    struct tolerance_result *result = &worker->result;
+    const uint64_t number = round->begin + at;
+    const size_t moves = tolerance_moves(tolerance);
     if (round->trials != NULL) {
         struct tolerance_trial *kept = &round->trials[at];
         round->made[at] = true;
         round->found[at] = found;
-        memcpy(kept->figures, worker->trial.figures, tolerance->figure_count * sizeof(double));
-        memcpy(kept->moves, worker->trial.moves, tolerance_moves(tolerance) * sizeof(double));
-        kept->why = worker->trial.why;
+        memcpy(kept->figures, trial->figures, tolerance->figure_count * sizeof(double));
+        memcpy(kept->moves, trial->moves, moves * sizeof(double));
+        kept->why = trial->why;
     }
+    result->done++;
+    if (!found) {
+        result->failed++;
+        keep_reason(result, (struct tolerance_reason){1, number, trial->why.message});
+        return;
+    }
+    for (size_t i = 0; i < result->column_count; i++) {
+        struct tolerance_column *column = &result->columns[i];
+        const double bad = column_badness(tolerance, run->of, i, trial->figures);
+        trial_statistics_add(&column->tally,
+                             column->of != NULL
+                                 ? trial->figures[i]
+                                 : tolerance_judged(tolerance, run->of, trial->figures));
+        trial_statistics_add(&column->badness, bad);
+        column->passed += criterion_passes(run->question->criterion.kind, bad, run->limit) ? 1 : 0;
+    }
+    for (size_t i = 0; i < moves; i++) {
+        trial_statistics_add(&result->moves[i], trial->moves[i]);
+    }
+    const enum tolerance_of whole = run->of == TOLERANCE_OF_EACH ? TOLERANCE_OF_WORST : run->of;
+    keep_worst(result, (struct tolerance_worst){
+                           number, column_badness(tolerance, whole, 0, trial->figures)});
 }
 
-static void try_exactly(const struct tolerance_team *team, struct tolerance_run_worker *worker,
-                        size_t at)
+/* A lens of its own; to second order none is needed. */
+static bool worker_open(const struct tolerance_team *team, size_t thread, struct arena *arena,
+                        struct trial_worker *worker)
 {
+    const struct tolerance *nominal = team->result->tolerance;
     const struct tolerance_run *run = team->run;
-    tolerance_errors(run->question, run->seed, team->round->begin + at, worker->errors);
-    tolerance_run_count(team, worker, at,
-                        tolerance_trial(worker->tolerance, worker->errors, &worker->trial));
-}
-
-/* SECOND_ORDER_LANES of them at most; a lane that nobody asked for has no errors. */
-static void tolerance_run_try_about(const struct tolerance_team *team,
-                                    struct tolerance_run_worker *worker, size_t begin, size_t end)
-{
-    enum { LANES = SECOND_ORDER_LANES };
-    const struct tolerance_run *run = team->run;
-    const size_t n = run->question->perturbation_count;
-    const size_t figures = team->result->tolerance->figure_count;
-    const size_t moves = tolerance_moves(team->result->tolerance);
-    double *errors = worker->lanes, *results = errors + n * LANES;
-    memset(errors, 0, n * LANES * sizeof *errors);
-    for (size_t at = begin; at < end; at++) {
-        tolerance_errors(run->question, run->seed, team->round->begin + at, worker->errors);
-        for (size_t i = 0; i < n; i++) {
-            errors[i * LANES + at - begin] = worker->errors[i];
+    const size_t figures = nominal->figure_count, moves = tolerance_moves(nominal);
+    const size_t errors = run->question->perturbation_count;
+    if (run->differential != NULL) {
+        worker->lanes = ARENA_ARRAY(arena, SECOND_ORDER_LANES * (errors + figures + moves), double);
+    } else if (thread == 0 && run->ready != NULL) {
+        worker->tolerance = run->ready;
+    } else {
+        struct tolerance_question question = *run->question;
+        question.view.watch = NULL; /* that counts trials */
+        worker->tolerance = ARENA_NEW(arena, struct tolerance);
+        if (!tolerance_open(&question, arena, worker->tolerance, &worker->error)) {
+            return false;
         }
     }
-    second_order_trials(run->differential, errors, results);
-    for (size_t at = begin; at < end; at++) {
-        for (size_t f = 0; f < figures; f++) {
-            worker->trial.figures[f] = results[f * LANES + at - begin];
-        }
-        for (size_t m = 0; m < moves; m++) {
-            worker->trial.moves[m] = results[(figures + m) * LANES + at - begin];
-        }
-        tolerance_run_count(team, worker, at, true);
-    }
+    tolerance_result_open(run, nominal, team->result->worst_most, arena, &worker->result);
+    worker->trial.figures = ARENA_ARRAY(arena, figures, double);
+    worker->trial.moves = ARENA_ARRAY(arena, moves, double);
+    worker->errors = ARENA_ARRAY(arena, errors + 1, double);
+    worker->is_open = true;
+    return true;
 }
 
 /* parallel_work: some trials, until the watch stops them. */
-static void tolerance_run_work(void *context, const struct parallel_piece *piece)
+static void run_trials(void *context, const struct parallel_piece *piece)
 {
+    enum { LANES = SECOND_ORDER_LANES };
     struct tolerance_team *team = context;
-    struct tolerance_run_worker *worker = &team->workers[piece->thread];
-    if (worker->error.code != ERROR_NONE ||
-        !watch_add(team->run->watch, piece->end - piece->begin) ||
-        (!worker->is_open && !open_worker(team, piece->thread, piece->arena, worker))) {
+    struct trial_worker *worker = &team->workers[piece->thread];
+    const struct tolerance_run *run = team->run;
+    if (worker->error.code != ERROR_NONE || !watch_add(run->watch, piece->end - piece->begin) ||
+        (!worker->is_open && !worker_open(team, piece->thread, piece->arena, worker))) {
         return;
     }
-    if (team->run->differential == NULL) {
-        for (size_t at = piece->begin; at < piece->end; at++) {
-            try_exactly(team, worker, at);
+    const size_t n = run->question->perturbation_count;
+    const size_t figures = team->result->tolerance->figure_count;
+    const size_t moves = tolerance_moves(team->result->tolerance);
+    for (size_t at = piece->begin; at < piece->end && run->differential == NULL; at++) {
+        tolerance_errors(run->question, run->seed, team->round->begin + at, worker->errors);
+        count_trial(team, worker, at,
+                    tolerance_trial(worker->tolerance, worker->errors, &worker->trial));
+    }
+    for (size_t begin = piece->begin; begin < piece->end && run->differential != NULL;
+         begin += LANES) {
+        const size_t end = begin + LANES < piece->end ? begin + LANES : piece->end;
+        double *errors = worker->lanes, *results = errors + n * LANES;
+        memset(errors, 0, n * LANES * sizeof *errors); /* of lanes that nobody asked for */
+        for (size_t at = begin; at < end; at++) {
+            tolerance_errors(run->question, run->seed, team->round->begin + at, worker->errors);
+            for (size_t i = 0; i < n; i++) {
+                errors[i * LANES + at - begin] = worker->errors[i];
+            }
         }
-        return;
-    }
-    for (size_t at = piece->begin; at < piece->end; at += SECOND_ORDER_LANES) {
-        const size_t next = at + SECOND_ORDER_LANES;
-        tolerance_run_try_about(team, worker, at, next < piece->end ? next : piece->end);
+        second_order_trials(run->differential, errors, results);
+        for (size_t at = begin; at < end; at++) {
+            for (size_t f = 0; f < figures; f++) {
+                worker->trial.figures[f] = results[f * LANES + at - begin];
+            }
+            for (size_t m = 0; m < moves; m++) {
+                worker->trial.moves[m] = results[(figures + m) * LANES + at - begin];
+            }
+            count_trial(team, worker, at, true);
+        }
     }
 }
 
@@ -366,7 +313,7 @@ bool tolerance_team_round(struct tolerance_team *team, const struct tolerance_ro
     const size_t exact = team->run->question->view.rays < MANY ? PIECE : 1;
     const size_t piece = team->run->differential != NULL ? SECOND_ORDER_LANES : exact;
     team->round = round;
-    parallel_pieces(&team->threads, round->count, piece, tolerance_run_work, team);
+    parallel_pieces(&team->threads, round->count, piece, run_trials, team);
     for (size_t i = 0; i < PARALLEL_MOST; i++) {
         if (team->workers[i].error.code != ERROR_NONE) {
             *error = team->workers[i].error;
@@ -378,9 +325,30 @@ bool tolerance_team_round(struct tolerance_team *team, const struct tolerance_ro
 
 void tolerance_team_close(struct tolerance_team *team)
 {
-    for (size_t i = 0; i < PARALLEL_MOST; i++) {
-        if (team->workers[i].is_open && team->workers[i].error.code == ERROR_NONE) {
-            tolerance_run_join(team->result, &team->workers[i].result);
+    struct tolerance_result *result = team->result;
+    for (size_t k = 0; k < PARALLEL_MOST; k++) {
+        const struct tolerance_result *more = &team->workers[k].result;
+        if (!team->workers[k].is_open || team->workers[k].error.code != ERROR_NONE) {
+            continue;
+        }
+        result->done += more->done;
+        result->failed += more->failed;
+        for (size_t i = 0; i < result->column_count; i++) {
+            trial_statistics_join(&result->columns[i].tally, &more->columns[i].tally);
+            trial_statistics_join(&result->columns[i].badness, &more->columns[i].badness);
+            result->columns[i].passed += more->columns[i].passed;
+        }
+        for (size_t i = 0; i < tolerance_moves(result->tolerance); i++) {
+            trial_statistics_join(&result->moves[i], &more->moves[i]);
+        }
+        for (size_t i = 0; i < more->worst_count; i++) {
+            keep_worst(result, more->worst[i]);
+        }
+        for (size_t i = 0; i < more->reason_count; i++) {
+            keep_reason(result, more->reasons[i]);
+        }
+        if (more->others.count > 0) {
+            add_reason(&result->others, &more->others);
         }
     }
     parallel_free(&team->threads);
@@ -432,69 +400,54 @@ struct text tolerance_result_write(const struct tolerance_result *result, struct
     return growing_done(&text);
 }
 
-static bool take_numbers(struct text *rest, uint64_t *numbers, size_t count)
+static bool take_numbers(struct text *line, uint64_t *numbers, size_t count)
 {
-    struct text line = text_cut(rest, '\n');
     bool took = true;
     for (size_t i = 0; i < count && took; i++) {
         int64_t number;
-        took = trial_statistics_take(&line, &number);
+        took = trial_statistics_take(line, &number);
         numbers[i] = (uint64_t)number;
     }
     return took;
 }
 
-static bool read_reason(struct text *rest, struct tolerance_result *result)
+bool tolerance_result_read(struct text body, struct tolerance_result *result)
 {
-    struct text line = text_cut(rest, '\n');
-    int64_t count, first;
-    if (!trial_statistics_take(&line, &count) || !trial_statistics_take(&line, &first) ||
-        line.start == NULL) {
-        return false;
-    }
-    keep_reason(result,
-                (struct tolerance_reason){(uint64_t)count, (uint64_t)first,
-                                          arena_string(result->arena, line.start, line.length)});
-    return true;
-}
-
-static bool read_lists(struct text *rest, struct tolerance_result *result)
-{
+    struct text rest = body, line = text_cut(&rest, '\n');
     uint64_t head[HEAD_NUMBERS], one[2];
-    if (!take_numbers(rest, head, HEAD_NUMBERS)) {
+    bool read = take_numbers(&line, head, HEAD_NUMBERS);
+    if (!read) {
         return false;
     }
     result->done += head[0];
     result->failed += head[1];
-    for (uint64_t i = 0; i < head[2]; i++) {
+    for (uint64_t i = 0; i < head[2] && read; i++) {
         struct tolerance_worst worst;
-        if (!take_numbers(rest, one, 2)) {
-            return false;
+        line = text_cut(&rest, '\n');
+        read = take_numbers(&line, one, 2);
+        if (read) {
+            worst.trial = one[0];
+            memcpy(&worst.badness, &one[1], sizeof one[1]);
+            keep_worst(result, worst);
         }
-        worst.trial = one[0];
-        memcpy(&worst.badness, &one[1], sizeof one[1]);
-        keep_worst(result, worst);
     }
-    bool read = true;
     for (uint64_t i = 0; i < head[3] && read; i++) {
-        read = read_reason(rest, result);
+        line = text_cut(&rest, '\n');
+        read = take_numbers(&line, one, 2) && line.start != NULL;
+        if (read) {
+            const char *why = arena_string(result->arena, line.start, line.length);
+            keep_reason(result, (struct tolerance_reason){one[0], one[1], why});
+        }
     }
-    if (head[4] > 0) {
+    if (read && head[4] > 0) {
         add_reason(&result->others, &(struct tolerance_reason){.count = head[4], .first = head[5]});
     }
-    return read;
-}
-
-bool tolerance_result_read(struct text body, struct tolerance_result *result)
-{
-    struct text rest = body;
-    bool read = read_lists(&rest, result);
     for (size_t i = 0; i < result->column_count && read; i++) {
-        uint64_t passed = 0;
-        read = take_numbers(&rest, &passed, 1) &&
-               trial_statistics_read(&rest, &result->columns[i].tally) &&
-               trial_statistics_read(&rest, &result->columns[i].badness);
-        result->columns[i].passed += passed;
+        struct tolerance_column *column = &result->columns[i];
+        line = text_cut(&rest, '\n');
+        read = take_numbers(&line, one, 1) && trial_statistics_read(&rest, &column->tally) &&
+               trial_statistics_read(&rest, &column->badness);
+        column->passed += read ? one[0] : 0;
     }
     for (size_t i = 0; i < tolerance_moves(result->tolerance) && read; i++) {
         read = trial_statistics_read(&rest, &result->moves[i]);

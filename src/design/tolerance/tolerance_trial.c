@@ -79,7 +79,7 @@ static bool adjusted(void *context, const double *moves, double *residuals, doub
 }
 
 /* Changes that are alike: 1 mm, and half a degree. */
-static double tolerance_trial_scale_of(const struct compensator *mover)
+static double alike_change(const struct compensator *mover)
 {
     const bool is_angle = (parameter_type(mover->parts[0].what.kind)->is & PARAMETER_IS_ANGLE) != 0;
     return is_angle ? 0.01 : 1;
@@ -104,7 +104,7 @@ bool tolerance_check_movers(struct tolerance *tolerance, struct arena *arena, st
         for (size_t r = 0; r < rows; r++) {
             sum += jacobian[r * count + i] * jacobian[r * count + i];
         }
-        if (!(sqrt(sum) * tolerance_trial_scale_of(&tolerance->movers[i]) > least)) {
+        if (!(sqrt(sum) * alike_change(&tolerance->movers[i]) > least)) {
             return fail(error, ERROR_DOMAIN, "%s cannot adjust anything: rays do not depend on it",
                         tolerance->movers[i].name);
         }
@@ -124,7 +124,7 @@ static bool adjust(struct tolerance *tolerance, double *moves, struct error *err
     for (size_t i = 0; i < count; i++) {
         low[i] = tolerance->movers[i].low;
         high[i] = tolerance->movers[i].high;
-        scale[i] = tolerance_trial_scale_of(&tolerance->movers[i]);
+        scale[i] = alike_change(&tolerance->movers[i]);
     }
     const struct solver_problem problem = {.parameter_count = count,
                                            .residual_count = tolerance->quality.residual_count,
@@ -162,22 +162,6 @@ static bool find_spots(struct tolerance *tolerance, struct error *error)
         spots += merit->slots[i].beams->bundle.wish.field_count;
     }
     return true;
-}
-
-/* Where spots are best by least squares; weights are those of fields. */
-static double best_shift(const struct tolerance *tolerance)
-{
-    const struct merit *merit = &tolerance->quality;
-    const struct merit_spot *spot = tolerance->spots;
-    double by = 0, bend = 0;
-    for (size_t i = 0; i < merit->slot_count; i++) {
-        const struct bundle_wish *wish = &merit->slots[i].beams->bundle.wish;
-        for (size_t f = 0; f < wish->field_count; f++, spot++) {
-            by += wish->fields[f].weight * spot->by;
-            bend += wish->fields[f].weight * spot->bend;
-        }
-    }
-    return -by / bend;
 }
 
 /* From the image plane to the paraxial image of the first position. */
@@ -220,20 +204,15 @@ static void sum_waves(const struct tolerance *tolerance, double *figures)
     }
 }
 
-/* Figures of spots that lie s behind. */
+/* Figures of spots that lie s behind the image plane. */
 static void judge_spots(const struct tolerance *tolerance, double s, double *figures)
 {
-    const struct merit_spot *spots = tolerance->spots;
     for (size_t i = 0; i < tolerance->figure_count; i++) {
-        const struct merit_spot *spot = &spots[tolerance->figures[i].spot];
+        const struct merit_spot *spot = &tolerance->spots[tolerance->figures[i].spot];
+        const double *rest = tolerance->rest[i];
         if (tolerance->question.criterion.kind == CRITERION_BORESIGHT) {
-            double centroid[2];
-            /* The centroid of a spot that lies `s` behind the image plane. */
-            for (int k = 0; k < 2; k++) {
-                centroid[k] = spot->centroid[k] + s * spot->drift[k];
-            }
-            figures[i] =
-                hypot(centroid[0] - tolerance->rest[i][0], centroid[1] - tolerance->rest[i][1]);
+            figures[i] = hypot(spot->centroid[0] + s * spot->drift[0] - rest[0],
+                               spot->centroid[1] + s * spot->drift[1] - rest[1]);
         } else {
             const double square = spot->at + s * (2 * spot->by + s * spot->bend);
             figures[i] = sqrt(fmax(square, 0));
@@ -263,14 +242,23 @@ static bool try_closed(struct tolerance *tolerance, struct tolerance_trial *tria
 {
     const enum tolerance_refocus refocus = tolerance->question.refocus;
     struct merit *merit = &tolerance->quality;
-    double s = 0;
+    double s = 0, by = 0, bend = 0;
     if (merit->slot_count > 0) {
         merit_put_lens(merit, tolerance->numbers, false);
         if (!find_spots(tolerance, &trial->why) ||
             (refocus == REFOCUS_PARAXIAL && !paraxial_shift(merit, &s, &trial->why))) {
             return false;
         }
-        s = refocus == REFOCUS_BEST ? best_shift(tolerance) : s;
+        /* where spots are best by least squares; weights are those of fields */
+        const struct merit_spot *spot = tolerance->spots;
+        for (size_t i = 0; i < merit->slot_count; i++) {
+            const struct bundle_wish *wish = &merit->slots[i].beams->bundle.wish;
+            for (size_t f = 0; f < wish->field_count; f++, spot++) {
+                by += wish->fields[f].weight * spot->by;
+                bend += wish->fields[f].weight * spot->bend;
+            }
+        }
+        s = refocus == REFOCUS_BEST ? -by / bend : s;
         if (!isfinite(s)) {
             return fail(&trial->why, ERROR_DOMAIN, "there is no best focus");
         }
@@ -357,4 +345,43 @@ struct lens *tolerance_lens(struct tolerance *tolerance, const struct tolerance_
         shift_image(tolerance, trial->moves[0]);
     }
     return perturbed_lens(&tolerance->perturbed, wavelengths, count, arena);
+}
+
+/* second_order_problem.trial */
+static bool try_errors(void *context, const double *errors, double *figures, struct error *why)
+{
+    struct tolerance *tolerance = context;
+    struct tolerance_trial trial = {.figures = figures, .moves = figures + tolerance->figure_count};
+    return tolerance_trial(tolerance, errors, &trial) || (*why = trial.why, false);
+}
+
+struct second_order_problem tolerance_problem(struct tolerance *tolerance, struct watch *watch,
+                                              struct arena *arena, double **nominal)
+{
+    const struct tolerance_question *question = &tolerance->question;
+    const enum criterion_kind kind = question->criterion.kind;
+    const size_t figures = tolerance->figure_count, all = figures + tolerance_moves(tolerance);
+    bool *roots = ARENA_ARRAY(arena, all, bool);
+    const char **names = ARENA_ARRAY(arena, question->perturbation_count + 1, const char *);
+    for (size_t f = 0; f < figures; f++) {
+        roots[f] =
+            kind == CRITERION_SPOT || kind == CRITERION_WAVEFRONT || kind == CRITERION_BORESIGHT;
+    }
+    for (size_t i = 0; i < question->perturbation_count; i++) {
+        names[i] = question->perturbations[i].name;
+    }
+    if (nominal != NULL) {
+        *nominal = ARENA_ARRAY(arena, all, double);
+        memcpy(*nominal, tolerance->nominal, figures * sizeof(double));
+        memcpy(*nominal + figures, tolerance->nominal_moves, (all - figures) * sizeof(double));
+    }
+    watch_begin(watch, "trials", 0);
+    return (struct second_order_problem){.trial = try_errors,
+                                         .context = tolerance,
+                                         .error_count = question->perturbation_count,
+                                         .figure_count = all,
+                                         .judged_count = figures,
+                                         .is_root = roots,
+                                         .names = names,
+                                         .watch = watch};
 }

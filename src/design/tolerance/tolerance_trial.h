@@ -7,6 +7,7 @@
 #include "design/merit/merit_spots.h"
 #include "design/tolerance/criterion.h"
 #include "design/tolerance/perturbed.h"
+#include "design/tolerance/second_order.h"
 
 #include <stdbool.h>
 #include <stddef.h>
@@ -120,6 +121,17 @@ bool tolerance_trial(struct tolerance *tolerance, const double *errors,
 /* The lens of the trial that was made last, as adjusted, to be written: perturbed_lens. */
 struct lens *tolerance_lens(struct tolerance *tolerance, const struct tolerance_trial *trial,
                             struct arena *arena);
+
+/*
+ * Trials as plain functions of errors, of which the tolerance does one after the other: of figures,
+ * and behind them what was adjusted, as many as tolerance_moves says.
+ *
+ * Given     watch    counts the trials, and may stop them; or null
+ *           nominal  receives all of them without errors; or null
+ * Result    RMS and distances are roots of squares; pointers into the tolerance and the arena
+ */
+struct second_order_problem tolerance_problem(struct tolerance *tolerance, struct watch *watch,
+                                              struct arena *arena, double **nominal);
 
 /* Does the criterion, or what is adjusted for it, look at the wave front? */
 static inline bool tolerance_looks_at_waves(const struct tolerance_question *question)

@@ -105,7 +105,7 @@ struct trial_statistics_moments trial_statistics_moments(const struct trial_stat
 
 /* -------- percentiles -------- */
 
-static int trial_statistics_by_size(const void *a, const void *b)
+static int by_departure(const void *a, const void *b)
 {
     const double x = *(const double *)a, y = *(const double *)b;
     return x < y ? -1 : x > y;
@@ -187,7 +187,7 @@ double trial_statistics_quantile(struct trial_statistics *tally, double share, d
         return NAN;
     }
     if (tally->keeps && !tally->is_sorted) {
-        qsort(tally->kept, tally->count, sizeof(double), trial_statistics_by_size);
+        qsort(tally->kept, tally->count, sizeof(double), by_departure);
         tally->is_sorted = true;
     }
     const double rank = share * (n - 1);
@@ -199,8 +199,8 @@ double trial_statistics_quantile(struct trial_statistics *tally, double share, d
 
 /* -------- drawing -------- */
 
-static void tally_put_part(double departure, double count, const double range[2], size_t bins,
-                           double *counts)
+static void put_part(double departure, double count, const double range[2], size_t bins,
+                     double *counts)
 {
     const double at = (departure - range[0]) / (range[1] - range[0]) * (double)bins;
     if (at >= 0 && at <= (double)bins) {
@@ -214,13 +214,13 @@ void trial_statistics_histogram(struct trial_statistics *tally, double low, doub
     const double range[2] = {low - tally->nominal, high - tally->nominal};
     memset(counts, 0, bins * sizeof *counts);
     for (size_t i = 0; tally->keeps && i < tally->count; i++) {
-        tally_put_part(tally->kept[i], 1, range, bins, counts);
+        put_part(tally->kept[i], 1, range, bins, counts);
     }
     struct bin_walk walk = {tally, 0};
     double from, to;
     uint64_t count;
     while (!tally->keeps && next_bin(&walk, &from, &to, &count)) {
-        tally_put_part((from + to) / 2, (double)count, range, bins, counts);
+        put_part((from + to) / 2, (double)count, range, bins, counts);
     }
 }
 
@@ -283,41 +283,25 @@ static bool take_double(struct text *line, double *value)
     return true;
 }
 
-static bool read_powers(struct text *rest, struct trial_statistics *more)
-{
-    for (int k = 0; k < TRIAL_STATISTICS_POWERS; k++) {
-        struct text line = text_cut(rest, '\n');
-        for (int i = 0; i < EXACT_ACCUMULATOR_DIGITS; i++) {
-            if (!trial_statistics_take(&line, &more->powers[k].digits[i])) {
-                return false;
-            }
-        }
-    }
-    return true;
-}
-
 /* What is kept, or bins and their counts. */
-static bool trial_statistics_read_figures(struct text line, struct trial_statistics *more)
+static bool read_figures(struct text *line, struct trial_statistics *more)
 {
-    if (more->keeps) {
-        for (size_t i = 0; i < more->count; i++) {
-            if (!take_double(&line, &more->kept[i])) {
-                return false;
-            }
-        }
-        return true;
-    }
+    bool read = true;
     uint64_t counted = 0;
-    while (counted < more->count) {
-        int64_t at, count;
-        if (!trial_statistics_take(&line, &at) || !trial_statistics_take(&line, &count) || at < 0 ||
-            at >= (int64_t)PAGES * PAGE_BINS || count < 1) {
-            return false;
+    while (counted < more->count && read) {
+        int64_t at, in_bin = 1;
+        if (more->keeps) {
+            read = take_double(line, &more->kept[counted]);
+        } else {
+            read = trial_statistics_take(line, &at) && trial_statistics_take(line, &in_bin) &&
+                   at >= 0 && at < (int64_t)PAGES * PAGE_BINS && in_bin >= 1;
         }
-        tally_page(more, (size_t)at / PAGE_BINS)[(size_t)at % PAGE_BINS] = (uint64_t)count;
-        counted += (uint64_t)count;
+        if (read && !more->keeps) {
+            tally_page(more, (size_t)at / PAGE_BINS)[(size_t)at % PAGE_BINS] = (uint64_t)in_bin;
+        }
+        counted += (uint64_t)in_bin;
     }
-    return counted == more->count;
+    return read && counted == more->count;
 }
 
 bool trial_statistics_read(struct text *rest, struct trial_statistics *tally)
@@ -336,15 +320,18 @@ bool trial_statistics_read(struct text *rest, struct trial_statistics *tally)
     trial_statistics_open(tally->nominal, tally->keeps ? (uint64_t)count : room + 1, tally->arena,
                           &more);
     more.count = (uint64_t)count;
-    if (!take_double(&line, &more.lowest) || !take_double(&line, &more.highest) ||
-        !read_powers(rest, &more)) {
-        return false;
+    bool read = take_double(&line, &more.lowest) && take_double(&line, &more.highest);
+    for (int k = 0; k < TRIAL_STATISTICS_POWERS && read; k++) {
+        line = text_cut(rest, '\n');
+        for (int i = 0; i < EXACT_ACCUMULATOR_DIGITS && read; i++) {
+            read = trial_statistics_take(&line, &more.powers[k].digits[i]);
+        }
     }
-    struct text figures = text_cut(rest, '\n');
-    if (figures.length > 0) {
-        text_cut(&figures, ' '); /* they begin with one */
+    line = text_cut(rest, '\n');
+    if (line.length > 0) {
+        text_cut(&line, ' '); /* figures begin with one */
     }
-    if (!trial_statistics_read_figures(figures, &more)) {
+    if (!read || !read_figures(&line, &more)) {
         return false;
     }
     trial_statistics_join(tally, &more);

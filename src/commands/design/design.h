@@ -1,0 +1,29 @@
+/* commands/design/design.h - what fit, optimize and tolerance share. */
+/* SPDX-License-Identifier: MIT */
+#ifndef LENSCALC_COMMANDS_DESIGN_DESIGN_H
+#define LENSCALC_COMMANDS_DESIGN_DESIGN_H
+
+#include "cli/question/division.h"
+#include "commands/lens/lens_options.h"
+#include "design/merit/merit.h"
+
+/* What a lens that is written says of how it was found; null: nothing. */
+void design_note(struct lens *lens, const char *note, struct arena *arena);
+
+/* What a source says is of the lens that it was: nothing is stated any more, and a note says what
+   became of the source, "optimized from". */
+void design_note_source(struct lens *lens, const char *words, struct arena *arena);
+
+/*
+ * What of a merit the options say that optimize and tolerance share: the lens and its positions, by
+ * default all, fields, wavelengths, section and f-number.
+ *
+ * Errors    as lens_positions and lens_fields_asked
+ */
+bool design_view(const struct lens_question *asked, const struct spectrum_value *waves,
+                 struct arena *arena, struct merit_question *view, struct error *error);
+
+/* The part that is asked for; of parts that are merged the first; count 0: the run is whole. */
+struct part design_part(const struct run *run, struct part asked);
+
+#endif
