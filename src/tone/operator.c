@@ -48,28 +48,6 @@ static double shown(const struct tone_display *showing, double luminance)
     return histogram_shown(&showing->toned->histogram, luminance);
 }
 
-static double result(const struct tone_display *showing, double luminance)
-{
-    const struct display *display = &showing->way->display;
-    const double cut = fmin(fmax(shown(showing, luminance), display->least), display->most);
-    return showing->way->as_light ? cut : (cut - display->least) / (display->most - display->least);
-}
-
-/* Per luminance, unless channels go by themselves. */
-static struct operator_curve operator_curve_of(const struct tone_display *showing,
-                                               struct arena *arena)
-{
-    const uint32_t first = bytes_bits(LOWEST) >> FRACTION_BITS;
-    const uint32_t last = bytes_bits(HIGHEST) >> FRACTION_BITS;
-    const bool is_single = showing->way->operation == TONE_FILMIC;
-    float *values = ARENA_ARRAY(arena, last - first + 2, float);
-    for (uint32_t i = first; i <= last + 1; i++) {
-        const double luminance = (double)bytes_float(i << FRACTION_BITS);
-        values[i - first] = (float)(result(showing, luminance) / (is_single ? 1 : luminance));
-    }
-    return (struct operator_curve){values, first};
-}
-
 static float operator_look_up(const struct operator_curve *curve, float x)
 {
     const float held = x > LOWEST ? (x < HIGHEST ? x : HIGHEST) : LOWEST;
@@ -162,7 +140,20 @@ bool tone_show(const struct tone_way *way, const struct foveal *foveal, struct i
     if (!choose_white(way, foveal, toned, error)) {
         return false;
     }
-    const struct operator_curve curve = operator_curve_of(&showing, arena);
+    /* per luminance, unless channels go by themselves */
+    const uint32_t first = bytes_bits(LOWEST) >> FRACTION_BITS;
+    const uint32_t last = bytes_bits(HIGHEST) >> FRACTION_BITS;
+    const bool is_single = way->operation == TONE_FILMIC;
+    const struct display *display = &way->display;
+    float *values = ARENA_ARRAY(arena, last - first + 2, float);
+    for (uint32_t i = first; i <= last + 1; i++) {
+        const double luminance = (double)bytes_float(i << FRACTION_BITS);
+        const double cut = fmin(fmax(shown(&showing, luminance), display->least), display->most);
+        const double light =
+            way->as_light ? cut : (cut - display->least) / (display->most - display->least);
+        values[i - first] = (float)(light / (is_single ? 1 : luminance));
+    }
+    const struct operator_curve curve = {values, first};
     for (size_t i = 0; i < image->width * image->height; i++) {
         show_pixel(&showing, &curve, image->pixels + CHANNELS * i);
     }
