@@ -83,15 +83,6 @@ static bool may_meet_tree(const struct bvh *tree, const struct backdrop_rays *ra
     return may;
 }
 
-static bool may_meet_plane(const struct world_thing *thing, const struct backdrop_rays *rays)
-{
-    const struct vector up = thing->pose.turned.z;
-    const double above = vector_dot(up, vector_minus(rays->center, thing->pose.at));
-    const struct vector away = vector_times(above < 0 ? -1 : 1, up);
-    return thing->moves || !(fabs(above) > rays->radius * (1 + slight)) ||
-           backdrop_angle_between(away, rays->direction) + rays->angle + slight >= PI / 2;
-}
-
 /* -------- what is behind -------- */
 
 static bool is_even_light(const struct scene_light *light, const struct backdrop_rays *rays)
@@ -121,7 +112,12 @@ bool backdrop_is_uniform(const struct backdrop *backdrop, const struct backdrop_
     const struct scene *scene = world->scene;
     bool is_even = !backdrop->has_views && rays->angle < PI / 2;
     for (size_t i = 0; i < world->endless_count && is_even; i++) {
-        is_even = !may_meet_plane(&world->things[world->endless[i]], rays);
+        const struct world_thing *thing = &world->things[world->endless[i]];
+        const struct vector up = thing->pose.turned.z;
+        const double above = vector_dot(up, vector_minus(rays->center, thing->pose.at));
+        const struct vector away = vector_times(above < 0 ? -1 : 1, up);
+        is_even = !thing->moves && fabs(above) > rays->radius * (1 + slight) &&
+                  !(backdrop_angle_between(away, rays->direction) + rays->angle + slight >= PI / 2);
     }
     for (size_t i = 0; i < scene->light_count && is_even; i++) {
         is_even = is_even_light(&scene->lights[i], rays);

@@ -34,14 +34,6 @@ bool scene_moves(const struct scene *scene)
     return moves;
 }
 
-/* With a picture: where that is not black. */
-static bool thing_shines(const struct scene *scene, const struct scene_thing *thing)
-{
-    return (thing->shines && thing->mean > 0) ||
-           (thing->material != SCENE_NONE &&
-            scene->materials[thing->material].emission.kind != SPECTRUM_NONE);
-}
-
 bool scene_reflects(const struct scene *scene, const struct scene_thing *thing)
 {
     return thing->material == SCENE_NONE ? !thing->shines
@@ -53,7 +45,7 @@ struct scene_light_content {
     bool seen, points, black, surface;
 };
 
-static struct scene_light_content look_over(const struct scene *scene)
+bool scene_check(const struct scene *scene, int bounces, struct error *error)
 {
     struct scene_light_content has = {false, false, false, false};
     for (size_t i = 0; i < scene->light_count; i++) {
@@ -66,16 +58,12 @@ static struct scene_light_content look_over(const struct scene *scene)
     }
     for (size_t i = 0; i < scene->thing_count; i++) {
         const struct scene_thing *thing = &scene->things[i];
-        has.seen = has.seen || thing_shines(scene, thing);
+        has.seen = has.seen || ((thing->shines && thing->mean > 0) ||
+                                (thing->material != SCENE_NONE &&
+                                 scene->materials[thing->material].emission.kind != SPECTRUM_NONE));
         has.black = has.black || thing->shines;
         has.surface = has.surface || scene_reflects(scene, thing);
     }
-    return has;
-}
-
-bool scene_check(const struct scene *scene, int bounces, struct error *error)
-{
-    const struct scene_light_content has = look_over(scene);
     if (has.seen || (has.points && has.surface && bounces > 0)) {
         return true;
     }

@@ -41,17 +41,6 @@ static void to_beam(const struct outline_rays *sight, struct pupil_outline_point
     beam_place(&sight->beam, (double[3]){place->x + far * x, place->y + far * y, 0}, at);
 }
 
-static void outline_rays_to_disc(const struct outline_rays *sight, struct pupil_outline_point way,
-                                 double uv[2])
-{
-    const struct stop_beam *disc = &sight->disc;
-    double at[2];
-    to_beam(sight, way, at);
-    for (int k = 0; k < 2; k++) {
-        uv[k] = (at[k] - disc->origin[k]) / disc->axes[3 * k];
-    }
-}
-
 static struct pupil_outline_point outline_rays_from_disc(const struct outline_rays *sight,
                                                          const double uv[2])
 {
@@ -104,17 +93,6 @@ struct patch {
 
 enum { SIDE = 11, ALL = SIDE * SIDE };
 
-static void look_at_patch(const struct outline_rays *sight, struct patch *patch)
-{
-    for (size_t i = 0; i < ALL; i++) {
-        for (size_t k = 0; k < 2; k++) {
-            const double place = (double)(k == 0 ? i % SIDE : i / SIDE) * 2 / (SIDE - 1) - 1;
-            patch->points[i][k] = patch->centre[k] + place * patch->half[k];
-        }
-    }
-    clearances_look(&sight->margins, (const double(*)[2])patch->points, ALL);
-}
-
 /*
  * A smaller one about the rays that pass, or about that which fails by least.
  *
@@ -161,7 +139,13 @@ bool outline_is_lit(const struct pupil_outline_search *search, size_t wavelength
     size_t lit = 0;
     outline_rays_open(search, wavelength, outline, SIGHT_AROUND, &sight);
     for (int level = 0; level < LEVELS && lit < ENOUGH; level++) {
-        look_at_patch(&sight, &patch);
+        for (size_t i = 0; i < ALL; i++) {
+            for (size_t k = 0; k < 2; k++) {
+                const double place = (double)(k == 0 ? i % SIDE : i / SIDE) * 2 / (SIDE - 1) - 1;
+                patch.points[i][k] = patch.centre[k] + place * patch.half[k];
+            }
+        }
+        clearances_look(&sight.margins, (const double(*)[2])patch.points, ALL);
         lit = outline_search_narrow(&sight, outline->is_half, &patch);
     }
     const bool is_lit = lit > 0 && lit != SIZE_MAX;
@@ -317,18 +301,6 @@ static bool follow_hole(const struct outline_rays *sight, const struct spokes *s
     return holds;
 }
 
-/* Where it ends on the way out, wherever that is. */
-static void search_hole(const struct outline_rays *sight, const struct spokes *spokes,
-                        double *shares)
-{
-    struct clear_intervals intervals[FILM_SECTORS + 1];
-    pupil_boundary_intervals(&sight->margins, &sight->frame, spokes->angles, spokes->count,
-                             spokes->ends, intervals);
-    for (size_t k = 0; k < spokes->count; k++) {
-        shares[k] = intervals[k].count > 0 ? intervals[k].low[0] : 1;
-    }
-}
-
 /* What is dark in the middle, if it is so in all directions. */
 static void pupil_outline_find_hole(const struct outline_rays *sight, const double *angles,
                                     const struct edge *edges, struct pupil_outline *outline)
@@ -344,7 +316,14 @@ static void pupil_outline_find_hole(const struct outline_rays *sight, const doub
         spokes.ends[k] = edges[step * k];
     }
     if (!(outline->knows_hole && follow_hole(sight, &spokes, outline->share))) {
-        search_hole(sight, &spokes, outline->share);
+        /* where it ends on the way out, wherever that is */
+        double *shares = outline->share;
+        struct clear_intervals intervals[FILM_SECTORS + 1];
+        pupil_boundary_intervals(&sight->margins, &sight->frame, spokes.angles, spokes.count,
+                                 spokes.ends, intervals);
+        for (size_t k = 0; k < spokes.count; k++) {
+            shares[k] = intervals[k].count > 0 ? intervals[k].low[0] : 1;
+        }
     }
     for (size_t k = 0; k < spokes.count; k++) {
         double at[2];
@@ -423,10 +402,18 @@ void pupil_outline_foresee(const struct pupil_outline *last, const struct pupil_
     }
 }
 
-/* Where to look first: each direction, a half width away or where a neighbour has its edge. */
-static void guess_edge(const struct outline_rays *sight, const struct pupil_outline *outline,
-                       const struct pupil_outline *near, double *angles, double *radii)
+/* The edge as seen in a disc; does the disc itself end some of it? */
+static bool look_within(const struct outline_rays *sight, const struct pupil_outline *near,
+                        struct pupil_outline *outline)
 {
+    double angles[PUPIL_OUTLINE_STEPS + 1], radii[PUPIL_OUTLINE_STEPS + 1];
+    struct edge edges[PUPIL_OUTLINE_STEPS + 1];
+    bool fills = false;
+    if (near != NULL && near->knows_hole) {
+        outline->knows_hole = true;
+        memcpy(outline->share, near->share, sizeof near->share);
+    }
+    /* where to look first: each direction, a half width away or where a neighbour has its edge */
     const double all = outline->is_half ? PI : 2 * PI;
     for (size_t k = 0; k <= PUPIL_OUTLINE_STEPS / outline->each; k++) {
         const size_t i = k * outline->each;
@@ -440,23 +427,14 @@ static void guess_edge(const struct outline_rays *sight, const struct pupil_outl
         }
         at.x += outline->centre.x;
         at.y += outline->centre.y;
-        outline_rays_to_disc(sight, at, uv);
+        const struct stop_beam *disc = &sight->disc;
+        double shifted[2];
+        to_beam(sight, at, shifted);
+        for (int j = 0; j < 2; j++) {
+            uv[j] = (shifted[j] - disc->origin[j]) / disc->axes[3 * j];
+        }
         edge_polar(&sight->frame, uv, 0, &angles[k], &radii[k]);
     }
-}
-
-/* The edge as seen in a disc; does the disc itself end some of it? */
-static bool look_within(const struct outline_rays *sight, const struct pupil_outline *near,
-                        struct pupil_outline *outline)
-{
-    double angles[PUPIL_OUTLINE_STEPS + 1], radii[PUPIL_OUTLINE_STEPS + 1];
-    struct edge edges[PUPIL_OUTLINE_STEPS + 1];
-    bool fills = false;
-    if (near != NULL && near->knows_hole) {
-        outline->knows_hole = true;
-        memcpy(outline->share, near->share, sizeof near->share);
-    }
-    guess_edge(sight, outline, near, angles, radii);
     edges_find(&sight->margins, &sight->frame, angles, near != NULL ? radii : NULL,
                PUPIL_OUTLINE_STEPS / outline->each + 1, 0, roughly, edges);
     for (size_t k = 0; k <= PUPIL_OUTLINE_STEPS / outline->each; k++) {

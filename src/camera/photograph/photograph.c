@@ -45,16 +45,6 @@ static size_t count_missing(const struct tile_work *work)
 
 /* -------- what the picture is of -------- */
 
-/* How far out on the card a point of the film looks, through the middle of what is clear, mm. */
-static void photograph_look_through(const struct tile_work *work, const double from[2],
-                                    struct tile_scratch *scratch, double at[2])
-{
-    lens_film_chief(work->rays.film, from, &scratch->samples, &scratch->rays);
-    if (!subject_meets(scratch->rays.blocks, 0, work->question->card.distance, at)) {
-        at[0] = at[1] = 0;
-    }
-}
-
 /* As large as the film sees, or as high as it is wide. */
 static bool size_card(const struct tile_work *work, struct tile_scratch *scratch, struct card *card,
                       struct error *error)
@@ -67,7 +57,14 @@ static bool size_card(const struct tile_work *work, struct tile_scratch *scratch
         const double from[3][2] = {{w, 0}, {0, h}, {w, h}};
         for (int i = 0; i < 3; i++) {
             double at[2];
-            photograph_look_through(work, from[i], scratch, at);
+            /*
+             * how far out on the card a point of the film looks, through the middle of what is
+             * clear, mm
+             */
+            lens_film_chief(work->rays.film, from[i], &scratch->samples, &scratch->rays);
+            if (!subject_meets(scratch->rays.blocks, 0, work->question->card.distance, at)) {
+                at[0] = at[1] = 0;
+            }
             const double needed = 2 * fmax(fabs(at[0]), proportion * fabs(at[1]));
             card->width = fmax(card->width, needed);
         }
@@ -114,15 +111,6 @@ static bool open_subject(struct tile_work *work, const struct card *card, struct
     return depth_card_open(&asked, arena, relief, error);
 }
 
-/* Are there tiles of a scene that are worth looking for? */
-static bool may_see_backdrop(const struct tile_work *work, const struct backdrop *backdrop,
-                             size_t rays)
-{
-    enum { FEW_RAYS = 1 << 18 };
-    return !tile_rays_in_bands(&work->rays) && !scene_place_moves(&work->question->view->camera) &&
-           !backdrop->has_views && (backdrop->is_dark || rays >= FEW_RAYS);
-}
-
 /* What need not be traced; a table of light costs less than a hundredth of the picture. */
 static void open_reuse(struct tile_work *work, const struct card *card, struct arena *arena)
 {
@@ -145,7 +133,11 @@ static void open_reuse(struct tile_work *work, const struct card *card, struct a
                                 .watch = question->watch};
     if (view != NULL) {
         reuse->backdrop = backdrop_open(view->path->world, view->path->lights);
-        if (!may_see_backdrop(work, &reuse->backdrop, rays)) {
+        /* are there tiles of a scene that are worth looking for? */
+        const struct backdrop *backdrop = &reuse->backdrop;
+        enum { FEW_RAYS = 1 << 18 };
+        if (tile_rays_in_bands(&work->rays) || scene_place_moves(&work->question->view->camera) ||
+            backdrop->has_views || (!backdrop->is_dark && rays < FEW_RAYS)) {
             return;
         }
     }
@@ -162,11 +154,6 @@ double photograph_share(const struct photograph *photograph, enum depth_card_sig
         all += (double)photograph->counts[i];
     }
     return all > 0 ? (double)photograph->counts[sight] / all : 0;
-}
-
-static size_t photograph_least_of(size_t a, size_t b)
-{
-    return a < b ? a : b;
 }
 
 static size_t photograph_most_of(size_t a, size_t b)
@@ -202,7 +189,9 @@ static void take_stages(struct tile_work *work, struct arena *arena, struct phot
     for (size_t i = 0; i < tiles; i++) {
         const struct tile_stage *stage = &work->stages[i];
         if (stage->samples > 0) { /* it is lit */
-            photograph->reached[0] = photograph_least_of(photograph->reached[0], stage->samples);
+            const size_t a = photograph->reached[0];
+            const size_t b = stage->samples;
+            photograph->reached[0] = a < b ? a : b;
             photograph->reached[1] = photograph_most_of(photograph->reached[1], stage->samples);
         }
         if (stage->samples > CONVERGENCE_LEAST && question->error > 0) {
@@ -268,20 +257,6 @@ static bool open_card(struct tile_work *work, struct tile_scratch *scratch, stru
     return true;
 }
 
-/* Where the film has a pupil, which its pole has. */
-static bool measure_white(const struct tile_work *work, struct tile_scratch *scratch,
-                          struct photograph *photograph, struct error *error)
-{
-    enum { BLOCKS = 256 };
-    const double *at = work->rays.film->region.pole;
-    photograph->reference = work->scale * tile_rays_light(&work->rays, at, BLOCKS, scratch);
-    memcpy(photograph->reference_at, at, sizeof photograph->reference_at);
-    return photograph->reference > 0 ||
-           fail(error, ERROR_DOMAIN,
-                "the film takes no light at %.4g mm from its middle, where white is measured",
-                hypot(at[0], at[1]));
-}
-
 bool photograph_take(const struct photograph_question *question, struct arena *arena,
                      struct photograph *photograph, struct error *error)
 {
@@ -319,8 +294,15 @@ bool photograph_take(const struct photograph_question *question, struct arena *a
         return false;
     }
     work.done = question->done != NULL ? question->done : ARENA_ARRAY(arena, tiles, unsigned char);
-    if (!measure_white(&work, scratch, photograph, error)) {
-        return false;
+    /* where the film has a pupil, which its pole has */
+    enum { BLOCKS = 256 };
+    const double *at = work.rays.film->region.pole;
+    photograph->reference = work.scale * tile_rays_light(&work.rays, at, BLOCKS, scratch);
+    memcpy(photograph->reference_at, at, sizeof photograph->reference_at);
+    if (!(photograph->reference > 0)) {
+        return fail(error, ERROR_DOMAIN,
+                    "the film takes no light at %.4g mm from its middle, where white is measured",
+                    hypot(at[0], at[1]));
     }
     work.unit = work.scale / (photograph->reference * question->error);
     watch_begin(question->watch, "pixels", TILE_PIXELS * count_missing(&work));

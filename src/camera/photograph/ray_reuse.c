@@ -102,15 +102,6 @@ struct reuse_grid {
 
 enum { NODES_ACROSS = 16, NODES_DOWN = RAYS_BLOCK / NODES_ACROSS };
 
-static struct reuse_grid *reuse_grid_new(size_t passes, struct arena *arena)
-{
-    struct reuse_grid *grid = ARENA_NEW(arena, struct reuse_grid);
-    grid->pupil = ARENA_ARRAY(arena, passes, struct pupil_rays);
-    grid->nodes = arena_array(arena, passes, sizeof *grid->nodes);
-    grid->rays = rays_new(arena, RAYS_BLOCK);
-    return grid;
-}
-
 /* -------- traced -------- */
 
 /* Trace the samples of the grid. */
@@ -118,21 +109,6 @@ static void corners_trace(const struct ray_reuse *reuse, size_t wavelength, stru
 {
     reuse->film->aim(reuse->film, &grid->samples, grid->rays.blocks);
     lens_film_trace(reuse->film, wavelength, &grid->samples, &grid->rays);
-}
-
-/* Each as often as its weight wants, so that all count the same. */
-static void even_out(struct pupil_rays *pupil, double all)
-{
-    const struct pupil_rays from = *pupil;
-    double sum = 0;
-    size_t taken = 0;
-    for (size_t i = 0; i < from.count; i++) {
-        sum += from.weight[i];
-        while (taken < from.count && ((double)taken + 0.5) * all < sum * (double)from.count) {
-            pupil->from[taken++] = from.from[i];
-        }
-    }
-    pupil->count = taken;
 }
 
 /* Rays of a tile's middle, all over the pupil: how far they are from that of its middle. */
@@ -161,7 +137,17 @@ static bool trace_pupil(const struct ray_reuse *reuse, const struct film_plan *p
             all += grid->samples.weight[i];
         }
     }
-    even_out(pupil, all);
+    /* each as often as its weight wants, so that all count the same */
+    const struct pupil_rays from = *pupil;
+    double sum = 0;
+    size_t taken = 0;
+    for (size_t i = 0; i < from.count; i++) {
+        sum += from.weight[i];
+        while (taken < from.count && ((double)taken + 0.5) * all < sum * (double)from.count) {
+            pupil->from[taken++] = from.from[i];
+        }
+    }
+    pupil->count = taken;
     return pupil->count > 0 && grid->rays.blocks->lost[0] == 0;
 }
 
@@ -282,23 +268,6 @@ static bool reuse_grid_look_through(const struct ray_reuse *reuse, const struct 
     return true;
 }
 
-/*
- * The light of half of the samples' points of the film, through grids that were traced.
- *
- * Given     sights, sums  as ray_reuse_take has them
- * Result    false: the watch has ended it
- */
-static bool reuse_grid_look(const struct ray_reuse *reuse, const struct film_plan *plan,
-                            size_t samples, struct reuse_grid *grid,
-                            uint64_t sights[DEPTH_CARD_SIGHTS], double (*sums)[CARD_CHANNELS])
-{
-    bool is_whole = true;
-    for (size_t i = 0; i < reuse->passes && is_whole; i++) {
-        is_whole = reuse_grid_look_through(reuse, plan, samples, i, grid, sights, sums);
-    }
-    return is_whole;
-}
-
 /* -------- tiles before their rays are traced -------- */
 
 enum { CORNERS = 4, RIM = RAYS_BLOCK / CORNERS };
@@ -316,7 +285,11 @@ static const double around = 0.1;
 struct ray_reuse_scratch *ray_reuse_scratch_new(size_t passes, struct arena *arena)
 {
     struct ray_reuse_scratch *scratch = ARENA_NEW(arena, struct ray_reuse_scratch);
-    scratch->grid = reuse_grid_new(passes, arena);
+    struct reuse_grid *grid = ARENA_NEW(arena, struct reuse_grid);
+    grid->pupil = ARENA_ARRAY(arena, passes, struct pupil_rays);
+    grid->nodes = arena_array(arena, passes, sizeof *grid->nodes);
+    grid->rays = rays_new(arena, RAYS_BLOCK);
+    scratch->grid = grid;
     scratch->rims =
         (struct tile_rims){.passes = passes,
                            .ray = arena_array(arena, passes, sizeof *scratch->rims.ray),
@@ -386,22 +359,6 @@ static void widen(const struct ray_reuse *reuse, const struct ray_reuse_scratch 
 }
 
 static const struct card_part nothing = {{INFINITY, INFINITY}, {-INFINITY, -INFINITY}};
-
-/* Do enough rays of every corner pass to tell what it sees? */
-static bool has_rims(const struct ray_reuse *reuse, const struct ray_reuse_scratch *scratch)
-{
-    bool all = true;
-    for (size_t pass = 0; pass < reuse->passes; pass++) {
-        size_t passed[CORNERS] = {0};
-        for (size_t i = 0; i < RAYS_BLOCK; i++) {
-            passed[i / RIM] += scratch->rims.passed[pass][i];
-        }
-        for (size_t corner = 0; corner < CORNERS; corner++) {
-            all = all && passed[corner] >= RIM / 2;
-        }
-    }
-    return all;
-}
 
 /* All of it, and between which w it lies. */
 static void find_part(const struct ray_reuse *reuse, const struct ray_reuse_scratch *scratch,
@@ -482,33 +439,6 @@ static bool has_light(const struct ray_reuse *reuse, const struct film_plan *pla
     return reuse->light != NULL && hypot(x, y) < 0.95 * reuse->film->region.largest;
 }
 
-/* Does all of what is seen lie on the card, whatever hides it? */
-static bool may_be_even(const struct ray_reuse *reuse, const struct card_part *part)
-{
-    const struct depth_card *relief = reuse->relief;
-    const double half[AXES] = {reuse->card->width / 2, reuse->card->height / 2};
-    bool is_within = true;
-    for (int k = X; k < AXES; k++) {
-        is_within = is_within && part->low[k] >= -half[k] && part->high[k] <= half[k];
-    }
-    return !skip_is_kept(reuse->kept, SKIP_UNIFORM) &&
-           (relief == NULL ||
-            (relief->hidden == HIDDEN_NEARBY && (is_within || !relief->is_endless)));
-}
-
-static enum ray_reuse_way take_backdrop(const struct ray_reuse *reuse, const struct film_plan *plan,
-                                        size_t samples, const struct ray_reuse_scratch *scratch,
-                                        double (*sums)[CARD_CHANNELS])
-{
-    struct card_light light = {{0, 0, 0}};
-    if (tile_sees_backdrop(reuse->view, &reuse->backdrop, &scratch->rims, &light) &&
-        (has_light(reuse, plan) || is_black(light))) {
-        ray_reuse_fill(reuse, plan, samples, light, sums);
-        return RAY_REUSE_EVEN;
-    }
-    return RAY_REUSE_TRACED;
-}
-
 enum ray_reuse_way ray_reuse_take(const struct ray_reuse *reuse, const struct film_plan *plan,
                                   size_t samples, struct ray_reuse_scratch *scratch,
                                   uint64_t sights[DEPTH_CARD_SIGHTS], double (*sums)[CARD_CHANNELS])
@@ -517,15 +447,40 @@ enum ray_reuse_way ray_reuse_take(const struct ray_reuse *reuse, const struct fi
     struct card_part part;
     struct card_light light = {{0, 0, 0}};
     trace_rims(reuse, plan, scratch);
-    if (!has_rims(reuse, scratch)) {
+    /* do enough rays of every corner pass to tell what it sees? */
+    bool all = true;
+    for (size_t pass = 0; pass < reuse->passes; pass++) {
+        size_t passed[CORNERS] = {0};
+        for (size_t i = 0; i < RAYS_BLOCK; i++) {
+            passed[i / RIM] += scratch->rims.passed[pass][i];
+        }
+        for (size_t corner = 0; corner < CORNERS; corner++) {
+            all = all && passed[corner] >= RIM / 2;
+        }
+    }
+    if (!all) {
         return RAY_REUSE_TRACED;
     }
     if (reuse->view != NULL) {
-        return take_backdrop(reuse, plan, samples, scratch, sums);
+        if (tile_sees_backdrop(reuse->view, &reuse->backdrop, &scratch->rims, &light) &&
+            (has_light(reuse, plan) || is_black(light))) {
+            ray_reuse_fill(reuse, plan, samples, light, sums);
+            return RAY_REUSE_EVEN;
+        }
+        return RAY_REUSE_TRACED;
     }
     find_part(reuse, scratch, w, &part);
-    if (may_be_even(reuse, &part) && card_is_even(reuse->card, &part, &light) &&
-        (has_light(reuse, plan) || is_black(light))) {
+    /* does all of what is seen lie on the card, whatever hides it? */
+    const struct depth_card *relief = reuse->relief;
+    const double half[AXES] = {reuse->card->width / 2, reuse->card->height / 2};
+    bool is_within = true;
+    for (int k = X; k < AXES; k++) {
+        is_within = is_within && part.low[k] >= -half[k] && part.high[k] <= half[k];
+    }
+    if ((!skip_is_kept(reuse->kept, SKIP_UNIFORM) &&
+         (relief == NULL ||
+          (relief->hidden == HIDDEN_NEARBY && (is_within || !relief->is_endless)))) &&
+        card_is_even(reuse->card, &part, &light) && (has_light(reuse, plan) || is_black(light))) {
         ray_reuse_fill(reuse, plan, samples, light, sums);
         sights[SIGHT_SEEN] += RAYS_BLOCK * samples * reuse->passes;
         return RAY_REUSE_EVEN;
@@ -533,8 +488,13 @@ enum ray_reuse_way ray_reuse_take(const struct ray_reuse *reuse, const struct fi
     if (!skip_is_kept(reuse->kept, SKIP_BLUR) && has_light(reuse, plan) &&
         !reuse->film->region.has_hole && is_sharp(reuse, scratch, &part, w) &&
         reuse_grid_trace(reuse, plan, scratch->grid)) {
-        return reuse_grid_look(reuse, plan, samples, scratch->grid, sights, sums) ? RAY_REUSE_SHARP
-                                                                                  : RAY_REUSE_ENDED;
+        /* the light of half of the samples' points of the film, through grids that were traced */
+        struct reuse_grid *grid = scratch->grid;
+        bool is_whole = true;
+        for (size_t i = 0; i < reuse->passes && is_whole; i++) {
+            is_whole = reuse_grid_look_through(reuse, plan, samples, i, grid, sights, sums);
+        }
+        return is_whole ? RAY_REUSE_SHARP : RAY_REUSE_ENDED;
     }
     return RAY_REUSE_TRACED;
 }
