@@ -64,23 +64,6 @@ static void pupil_boundary_measure(const struct pupil_boundary *boundary, double
     }
 }
 
-/* The same edges in another frame; false where they are out of order there, or far apart. */
-static bool change_frame(struct pupil_boundary *boundary, const struct edge_frame *frame)
-{
-    const double widest = 0.45;
-    bool sound = true;
-    for (size_t i = 0; i < boundary->count; i++) {
-        double point[2], before = i > 0 ? boundary->angles[i - 1] : boundary->angles[0];
-        edge_point(&boundary->frame, boundary->angles[i], boundary->edges[i].radius, point);
-        edge_polar(frame, point, before, &boundary->angles[i], &boundary->edges[i].radius);
-        double gap = boundary->angles[i] - before;
-        sound = sound && (i == 0 || (gap > 0 && gap < widest));
-    }
-    double gap = boundary->angles[0] + 2 * PI - boundary->angles[boundary->count - 1];
-    boundary->frame = *frame;
-    return sound && gap > 0 && gap < widest;
-}
-
 /* About the centroid, stretched as the edge is. Result: false: directions are to be made anew. */
 static bool fit_frame(const struct pupil_boundary_search *search)
 {
@@ -99,7 +82,19 @@ static bool fit_frame(const struct pupil_boundary_search *search)
         frame.centre[k] = centroid[k];
         frame.stretch[k] = widths[k] / 2;
     }
-    return change_frame(boundary, &frame);
+    /* the same edges in another frame; false where they are out of order there, or far apart */
+    const double widest = 0.45;
+    bool sound = true;
+    for (size_t i = 0; i < boundary->count; i++) {
+        double point[2], before = i > 0 ? boundary->angles[i - 1] : boundary->angles[0];
+        edge_point(&boundary->frame, boundary->angles[i], boundary->edges[i].radius, point);
+        edge_polar(&frame, point, before, &boundary->angles[i], &boundary->edges[i].radius);
+        double gap = boundary->angles[i] - before;
+        sound = sound && (i == 0 || (gap > 0 && gap < widest));
+    }
+    double gap = boundary->angles[0] + 2 * PI - boundary->angles[boundary->count - 1];
+    boundary->frame = frame;
+    return sound && gap > 0 && gap < widest;
 }
 
 /* -------- directions -------- */

@@ -54,23 +54,6 @@ static void add_sectors(struct patches *all, double from, double to)
     }
 }
 
-/* All that lies beyond the edge, in sectors from corner to corner; of twin halves one. */
-static void patches_begin(struct patches *all)
-{
-    const struct pupil_boundary *boundary = all->boundary;
-    const bool is_half = all->margins->is_mirrored && boundary->frame.centre[0] == 0;
-    const double first = boundary->corner_count > 0 && !is_half ? boundary->corners[0] : 0;
-    const double end = first + (is_half ? PI : 2 * PI);
-    double from = first;
-    for (size_t i = 0; i < boundary->corner_count; i++) {
-        if (boundary->corners[i] > from && boundary->corners[i] < end) {
-            add_sectors(all, from, boundary->corners[i]);
-            from = boundary->corners[i];
-        }
-    }
-    add_sectors(all, from, end);
-}
-
 /* Rays in one direction. */
 static void place_arm(const struct patches *all, double angle, const double *ways, size_t count,
                       double (*points)[2])
@@ -134,25 +117,6 @@ static double parabola_lowest(double before, double here, double after)
     return 2 * valley - least - fmax(bend, 0) / 16;
 }
 
-/*
- * What a margin is at the rays of a patch; infinite where they miss its surface, beyond any rim.
- * Result: false: of some it is not known.
- */
-static bool take_values(const struct traced_patch *seen, size_t k, double *values)
-{
-    const struct clearances *margins = seen->all->margins;
-    const double *row = margins->rows + k * RAYS_BLOCK;
-    const struct clearance *margin = &margins->all[k];
-    bool known = true;
-    for (size_t i = 0; i < EACH; i++) {
-        const size_t lane = seen->first + i;
-        bool misses = margins->limit[lane] == clearances_missed(margin->surface);
-        values[i] = misses ? (double)INFINITY : row[lane];
-        known = known && !isnan(values[i]);
-    }
-    return known;
-}
-
 /* Is a margin above 0 in all of a patch? At the boundary it begins at 0. */
 static bool margin_blocks_patch(const double *values, bool at_edge)
 {
@@ -184,21 +148,22 @@ static bool pupil_islands_is_dark(const struct traced_patch *seen)
         dark = dark && margins->limit[seen->first + i] == limit;
     }
     for (size_t k = 0; k < margins->count && !dark; k++) {
-        dark =
-            take_values(seen, k, values) && margin_blocks_patch(values, !(seen->patch.low[1] > 0));
+        /*
+         * What a margin is at the rays of a patch; infinite where they miss its surface, beyond any
+         * rim. Result: false: of some it is not known.
+         */
+        const double *row = margins->rows + k * RAYS_BLOCK;
+        const struct clearance *margin = &margins->all[k];
+        bool known = true;
+        for (size_t i = 0; i < EACH; i++) {
+            const size_t lane = seen->first + i;
+            bool misses = margins->limit[lane] == clearances_missed(margin->surface);
+            values[i] = misses ? (double)INFINITY : row[lane];
+            known = known && !isnan(values[i]);
+        }
+        dark = known && margin_blocks_patch(values, !(seen->patch.low[1] > 0));
     }
     return dark;
-}
-
-/* Does a ray of it pass? Those at the boundary do not count. */
-static bool patch_has_light(const struct traced_patch *seen)
-{
-    bool light = false;
-    for (size_t i = 0; i < EACH; i++) {
-        bool at_edge = i % SIDE == 0 && !(seen->patch.low[1] > 0);
-        light = light || (!at_edge && seen->all->margins->excess[seen->first + i] <= 0);
-    }
-    return light;
 }
 
 /* Do its rays lie as closely as those of the grid? step: 1 on the way outwards, SIDE across it. */
@@ -253,7 +218,13 @@ static bool patch_settle(struct patches *all, const struct traced_patch *seen)
     if (patch_is_beyond(seen) || pupil_islands_is_dark(seen)) {
         return true;
     }
-    if (patch_has_light(seen)) {
+    /* does a ray of it pass? Those at the boundary do not count */
+    bool light = false;
+    for (size_t i = 0; i < EACH; i++) {
+        bool at_edge = i % SIDE == 0 && !(seen->patch.low[1] > 0);
+        light = light || (!at_edge && seen->all->margins->excess[seen->first + i] <= 0);
+    }
+    if (light) {
         return false;
     }
     if (!is_fine(seen, 1) || !is_fine(seen, SIDE)) {
@@ -282,7 +253,19 @@ static bool settle_patches(struct patches *all, size_t first, size_t count)
 /* Does nothing pass beyond the boundary? False: perhaps. */
 static bool is_alone(struct patches *all)
 {
-    patches_begin(all);
+    /* all that lies beyond the edge, in sectors from corner to corner; of twin halves one */
+    const struct pupil_boundary *boundary = all->boundary;
+    const bool is_half = all->margins->is_mirrored && boundary->frame.centre[0] == 0;
+    const double first = boundary->corner_count > 0 && !is_half ? boundary->corners[0] : 0;
+    const double end = first + (is_half ? PI : 2 * PI);
+    double from = first;
+    for (size_t i = 0; i < boundary->corner_count; i++) {
+        if (boundary->corners[i] > from && boundary->corners[i] < end) {
+            add_sectors(all, from, boundary->corners[i]);
+            from = boundary->corners[i];
+        }
+    }
+    add_sectors(all, from, end);
     size_t done = 0;
     bool dark = true;
     while (dark && done < all->count && all->count <= MOST) {
