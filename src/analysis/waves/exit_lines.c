@@ -301,18 +301,6 @@ static bool is_mirrored_along(const struct exit_lines *lines, double size)
     return is_mirrored;
 }
 
-/* What mirrors leave of the pupil, of lines along one of its axes. */
-static void find_mirrors(const struct exit_pupil *pupil, double size, struct exit_lines *lines)
-{
-    for (size_t k = 0; k < 2; k++) {
-        if (fabs(lines->along[k]) >= 1) {
-            lines->is_mirrored_across =
-                pupil->is_mirrored[1 - k] && is_mirrored_across(lines, size);
-            lines->is_mirrored_along = pupil->is_mirrored[k] && is_mirrored_along(lines, size);
-        }
-    }
-}
-
 void exit_lines_find(const struct exit_pupil *pupil, const double along[2], struct arena *arena,
                      struct exit_lines *lines)
 {
@@ -334,7 +322,15 @@ void exit_lines_find(const struct exit_pupil *pupil, const double along[2], stru
         fill_piece(&seeking, low, breaks[i], &lines->pieces[lines->count]);
         lines->count += lines->pieces[lines->count].count > 0;
     }
-    find_mirrors(pupil, seeking.size, lines);
+    /* what mirrors leave of the pupil, of lines along one of its axes */
+    const double size = seeking.size;
+    for (size_t k = 0; k < 2; k++) {
+        if (fabs(lines->along[k]) >= 1) {
+            lines->is_mirrored_across =
+                pupil->is_mirrored[1 - k] && is_mirrored_across(lines, size);
+            lines->is_mirrored_along = pupil->is_mirrored[k] && is_mirrored_along(lines, size);
+        }
+    }
 }
 
 double exit_piece_at(const struct exit_piece *piece, double angle, double *slope,

@@ -184,31 +184,6 @@ static bool exit_pupil_find_rim(struct exit_pupil *pupil, struct arena *arena,
     return rim->count > 8;
 }
 
-static void set_box(struct exit_pupil *pupil, const struct exit_pupil_pairs *rim)
-{
-    double low[2] = {INFINITY, INFINITY}, high[2] = {-INFINITY, -INFINITY};
-    pupil->rim_count = rim->count;
-    for (size_t i = 0; i < rim->count; i++) {
-        for (int k = 0; k < 2; k++) {
-            pupil->rim[i][k] = rim->to[i][k];
-            low[k] = fmin(low[k], rim->to[i][k]);
-            high[k] = fmax(high[k], rim->to[i][k]);
-        }
-    }
-    double reach = 1;
-    for (int k = 0; k < 2; k++) {
-        pupil->middle[k] = (low[k] + high[k]) / 2;
-        pupil->half[k] = (high[k] - low[k]) / 2;
-    }
-    for (size_t i = 0; i < rim->count; i++) {
-        reach = fmax(reach, hypot((rim->to[i][0] - pupil->middle[0]) / pupil->half[0],
-                                  (rim->to[i][1] - pupil->middle[1]) / pupil->half[1]));
-    }
-    for (int k = 0; k < 2; k++) {
-        pupil->scale[k] = reach * pupil->half[k];
-    }
-}
-
 /* Only the terms of a function that mirrors leave, which is odd in a or b or even in both. */
 static void exit_pupil_mirror(const struct exit_pupil *pupil, const bool odd[2], double *c)
 {
@@ -407,7 +382,27 @@ static bool exit_pupil_open_pupil(const struct exit_pupils *pupils, size_t g, st
         const struct pupil_point *point = &inside.sample.points[i];
         pupil->energy += PI * point->weight * stop_beam_density(&source->pupil, point->x, point->y);
     }
-    set_box(pupil, &rim);
+    double low[2] = {INFINITY, INFINITY}, high[2] = {-INFINITY, -INFINITY};
+    pupil->rim_count = rim.count;
+    for (size_t i = 0; i < rim.count; i++) {
+        for (int k = 0; k < 2; k++) {
+            pupil->rim[i][k] = rim.to[i][k];
+            low[k] = fmin(low[k], rim.to[i][k]);
+            high[k] = fmax(high[k], rim.to[i][k]);
+        }
+    }
+    double reach = 1;
+    for (int k = 0; k < 2; k++) {
+        pupil->middle[k] = (low[k] + high[k]) / 2;
+        pupil->half[k] = (high[k] - low[k]) / 2;
+    }
+    for (size_t i = 0; i < rim.count; i++) {
+        reach = fmax(reach, hypot((rim.to[i][0] - pupil->middle[0]) / pupil->half[0],
+                                  (rim.to[i][1] - pupil->middle[1]) / pupil->half[1]));
+    }
+    for (int k = 0; k < 2; k++) {
+        pupil->scale[k] = reach * pupil->half[k];
+    }
     /* wavelengths do not differ in what they need */
     return (pupil->half[0] > 0 && pupil->half[1] > 0 &&
             find_map(pupil, &rim, &inside, g > 0 ? pupils->list[0].terms.orders - 1 : ORDER_FIRST,

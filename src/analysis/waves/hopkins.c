@@ -119,12 +119,6 @@ static size_t hopkins_find_breaks(const struct exit_piece *piece, double shift, 
     return count;
 }
 
-/* Does the half of a part say all? In the other one the phase is the opposite. */
-static bool halves_part(const struct overlap_integral *summing, double low, double high)
-{
-    return summing->front->lines->is_mirrored_along && fabs(low + high) <= 1e-5 * (high - low);
-}
-
 /* Add up a part of a line; phases: receives those of its points, or null. */
 static void hopkins_add_part(const struct overlap_integral *summing, const struct exit_line *line,
                              const struct hopkins_parts *parts, size_t p,
@@ -137,7 +131,9 @@ static void hopkins_add_part(const struct overlap_integral *summing, const struc
     const struct pupil_cross cross = {
         LANES, {waves[0], waves[1]}, {amplitudes[0], amplitudes[1]}, weights, re, im, size};
     const double low = parts->low[p], length = parts->high[p] - low;
-    const bool is_half = halves_part(summing, low, parts->high[p]) && phases == NULL;
+    const double high = parts->high[p];
+    const bool is_half = summing->front->lines->is_mirrored_along &&
+                         fabs(low + high) <= 1e-5 * (high - low) && phases == NULL;
     const size_t count = along->each * along->panels / (is_half ? 2 : 1);
     const double times = (is_half ? 2 : 1) * weight;
     struct exit_series series[2];
@@ -352,12 +348,6 @@ bool overlap_is_known(double off)
     return off < too_rough;
 }
 
-/* What an integral may be off, in shares of the energy. */
-static double left_for_points(double error, double off)
-{
-    return fmax(error - off, fmax(error, off) / 4);
-}
-
 struct overlap overlap_find(const struct exit_front *front, struct gauss_rules *rules, double shift,
                             double error, bool only_perfect)
 {
@@ -378,7 +368,9 @@ struct overlap overlap_find(const struct exit_front *front, struct gauss_rules *
     for (size_t i = 0; i < summing.count && (is_steep || only_perfect); i++) {
         ranges[i].across = ranges[i].along = (struct hopkins_turns){0, 0}; /* which turns nothing */
     }
-    sum = refine(&summing, left_for_points(error, front->off) * energy, is_steep || only_perfect);
+    const double off = front->off;
+    sum = refine(&summing, fmax(error - off, fmax(error, off) / 4) * energy,
+                 is_steep || only_perfect);
     sum.error += front->off * energy;
     sum.has_converged = !is_steep && sum.error <= error * energy;
     if (is_steep || only_perfect) {
