@@ -45,7 +45,7 @@ struct scene_light_content {
     bool seen, points, black, surface;
 };
 
-bool scene_check(const struct scene *scene, int bounces, struct error *error)
+static struct scene_light_content look_over(const struct scene *scene)
 {
     struct scene_light_content has = {false, false, false, false};
     for (size_t i = 0; i < scene->light_count; i++) {
@@ -64,6 +64,12 @@ bool scene_check(const struct scene *scene, int bounces, struct error *error)
         has.black = has.black || thing->shines;
         has.surface = has.surface || scene_reflects(scene, thing);
     }
+    return has;
+}
+
+bool scene_check(const struct scene *scene, int bounces, struct error *error)
+{
+    const struct scene_light_content has = look_over(scene);
     if (has.seen || (has.points && has.surface && bounces > 0)) {
         return true;
     }

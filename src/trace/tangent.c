@@ -32,6 +32,24 @@ static void media_of(const struct system *system, size_t place, size_t media[2])
     media[1] = medium_before_mirrors(lens, reverse ? left : surface);
 }
 
+/* The thickness passed on the way to a place: of the surface left of the gap. */
+static void seed_thickness(const struct system *system, const struct parameter *by, size_t place,
+                           const struct step *step, struct tangent_seed *seed)
+{
+    size_t count = system->lens->surface_count;
+    bool reverse = system->options.reverse;
+    if (place == 0 || (place == count && reverse) ||
+        by->surface != (reverse ? count - 1 - place : place - 1)) {
+        return;
+    }
+    if (reverse && step->kind == STEP_MOVE &&
+        system->lens->surfaces[by->surface + 1].coordinate_break) {
+        seed->t_behind = 1; /* the way lies along the axis that is turned to */
+    } else {
+        seed->t = reverse ? -1 : 1;
+    }
+}
+
 static struct tangent_seed seed_of(const struct system *system, const struct parameter *by,
                                    size_t place, size_t i)
 {
@@ -39,18 +57,7 @@ static struct tangent_seed seed_of(const struct system *system, const struct par
     const struct step *step = &system->steps[i];
     bool here = step->kind != STEP_MOVE && by->surface == system_surface(system, place);
     if (by->kind == PARAMETER_THICKNESS && i == system->begin[place]) {
-        /* the thickness passed on the way to a place: of the surface left of the gap */
-        size_t count = system->lens->surface_count;
-        bool reverse = system->options.reverse;
-        if (!(place == 0 || (place == count && reverse) ||
-              by->surface != (reverse ? count - 1 - place : place - 1))) {
-            if (reverse && step->kind == STEP_MOVE &&
-                system->lens->surfaces[by->surface + 1].coordinate_break) {
-                seed.t_behind = 1; /* the way lies along the axis that is turned to */
-            } else {
-                seed.t = reverse ? -1 : 1;
-            }
-        }
+        seed_thickness(system, by, place, step, &seed);
     } else if (by->kind == PARAMETER_INDEX && step->kind != STEP_MOVE) {
         size_t media[2], medium = medium_before_mirrors(system->lens, by->surface);
         media_of(system, place, media);

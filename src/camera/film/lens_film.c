@@ -131,6 +131,21 @@ static bool open_region(const struct film_question *question, struct arena *aren
     return exit_pupil_bounds_open(&lens, arena, &film->region, error);
 }
 
+/* How far from the axis light arrives on the way to each of the corners: the least. */
+static double lit_of(const struct lens_film *film, double x, double y)
+{
+    const struct exit_pupil_bounds *region = &film->region;
+    double least = fmin(region->largest, film->corner);
+    for (int i = 0; i < 4 && region->is_grid; i++) {
+        const double right = (i % 2 == 0 ? x : -x) - region->pole[0];
+        const double up = (i < 2 ? y : -y) - region->pole[1];
+        const double by =
+            fmin(1, exit_pupil_bounds_end(region, right, up) / hypot(right, up) + 1e-9);
+        least = fmin(least, hypot(region->pole[0] + by * right, region->pole[1] + by * up));
+    }
+    return least;
+}
+
 bool lens_film_open(const struct film_question *question, struct arena *arena,
                     struct lens_film *film, struct error *error)
 {
@@ -194,19 +209,7 @@ bool lens_film_open(const struct film_question *question, struct arena *arena,
     if (film->region.largest == 0) {
         return fail(error, ERROR_DOMAIN, "no light reaches the film at %.6g mm", setup->image);
     }
-    /* how far from the axis light arrives on the way to each of the corners: the least */
-    const double x = question->width / 2;
-    const double y = question->height / 2;
-    const struct exit_pupil_bounds *region = &film->region;
-    double least = fmin(region->largest, film->corner);
-    for (int i = 0; i < 4 && region->is_grid; i++) {
-        const double right = (i % 2 == 0 ? x : -x) - region->pole[0];
-        const double up = (i < 2 ? y : -y) - region->pole[1];
-        const double by =
-            fmin(1, exit_pupil_bounds_end(region, right, up) / hypot(right, up) + 1e-9);
-        least = fmin(least, hypot(region->pole[0] + by * right, region->pole[1] + by * up));
-    }
-    film->lit = least;
+    film->lit = lit_of(film, question->width / 2, question->height / 2);
     film->aim = film->start;
     if (question->is_anywhere) {
         if (!lens_is_round(film->systems[0]->lens)) {

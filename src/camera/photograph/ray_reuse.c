@@ -360,6 +360,22 @@ static void widen(const struct ray_reuse *reuse, const struct ray_reuse_scratch 
 
 static const struct card_part nothing = {{INFINITY, INFINITY}, {-INFINITY, -INFINITY}};
 
+/* Do enough rays of every corner pass to tell what it sees? */
+static bool has_rims(const struct ray_reuse *reuse, const struct ray_reuse_scratch *scratch)
+{
+    bool all = true;
+    for (size_t pass = 0; pass < reuse->passes; pass++) {
+        size_t passed[CORNERS] = {0};
+        for (size_t i = 0; i < RAYS_BLOCK; i++) {
+            passed[i / RIM] += scratch->rims.passed[pass][i];
+        }
+        for (size_t corner = 0; corner < CORNERS; corner++) {
+            all = all && passed[corner] >= RIM / 2;
+        }
+    }
+    return all;
+}
+
 /* All of it, and between which w it lies. */
 static void find_part(const struct ray_reuse *reuse, const struct ray_reuse_scratch *scratch,
                       double w[2], struct card_part *part)
@@ -439,6 +455,33 @@ static bool has_light(const struct ray_reuse *reuse, const struct film_plan *pla
     return reuse->light != NULL && hypot(x, y) < 0.95 * reuse->film->region.largest;
 }
 
+/* Does all of what is seen lie on the card, whatever hides it? */
+static bool may_be_even(const struct ray_reuse *reuse, const struct card_part *part)
+{
+    const struct depth_card *relief = reuse->relief;
+    const double half[AXES] = {reuse->card->width / 2, reuse->card->height / 2};
+    bool is_within = true;
+    for (int k = X; k < AXES; k++) {
+        is_within = is_within && part->low[k] >= -half[k] && part->high[k] <= half[k];
+    }
+    return !skip_is_kept(reuse->kept, SKIP_UNIFORM) &&
+           (relief == NULL ||
+            (relief->hidden == HIDDEN_NEARBY && (is_within || !relief->is_endless)));
+}
+
+static enum ray_reuse_way take_backdrop(const struct ray_reuse *reuse, const struct film_plan *plan,
+                                        size_t samples, const struct ray_reuse_scratch *scratch,
+                                        double (*sums)[CARD_CHANNELS])
+{
+    struct card_light light = {{0, 0, 0}};
+    if (tile_sees_backdrop(reuse->view, &reuse->backdrop, &scratch->rims, &light) &&
+        (has_light(reuse, plan) || is_black(light))) {
+        ray_reuse_fill(reuse, plan, samples, light, sums);
+        return RAY_REUSE_EVEN;
+    }
+    return RAY_REUSE_TRACED;
+}
+
 enum ray_reuse_way ray_reuse_take(const struct ray_reuse *reuse, const struct film_plan *plan,
                                   size_t samples, struct ray_reuse_scratch *scratch,
                                   uint64_t sights[DEPTH_CARD_SIGHTS], double (*sums)[CARD_CHANNELS])
@@ -447,40 +490,15 @@ enum ray_reuse_way ray_reuse_take(const struct ray_reuse *reuse, const struct fi
     struct card_part part;
     struct card_light light = {{0, 0, 0}};
     trace_rims(reuse, plan, scratch);
-    /* do enough rays of every corner pass to tell what it sees? */
-    bool all = true;
-    for (size_t pass = 0; pass < reuse->passes; pass++) {
-        size_t passed[CORNERS] = {0};
-        for (size_t i = 0; i < RAYS_BLOCK; i++) {
-            passed[i / RIM] += scratch->rims.passed[pass][i];
-        }
-        for (size_t corner = 0; corner < CORNERS; corner++) {
-            all = all && passed[corner] >= RIM / 2;
-        }
-    }
-    if (!all) {
+    if (!has_rims(reuse, scratch)) {
         return RAY_REUSE_TRACED;
     }
     if (reuse->view != NULL) {
-        if (tile_sees_backdrop(reuse->view, &reuse->backdrop, &scratch->rims, &light) &&
-            (has_light(reuse, plan) || is_black(light))) {
-            ray_reuse_fill(reuse, plan, samples, light, sums);
-            return RAY_REUSE_EVEN;
-        }
-        return RAY_REUSE_TRACED;
+        return take_backdrop(reuse, plan, samples, scratch, sums);
     }
     find_part(reuse, scratch, w, &part);
-    /* does all of what is seen lie on the card, whatever hides it? */
-    const struct depth_card *relief = reuse->relief;
-    const double half[AXES] = {reuse->card->width / 2, reuse->card->height / 2};
-    bool is_within = true;
-    for (int k = X; k < AXES; k++) {
-        is_within = is_within && part.low[k] >= -half[k] && part.high[k] <= half[k];
-    }
-    if ((!skip_is_kept(reuse->kept, SKIP_UNIFORM) &&
-         (relief == NULL ||
-          (relief->hidden == HIDDEN_NEARBY && (is_within || !relief->is_endless)))) &&
-        card_is_even(reuse->card, &part, &light) && (has_light(reuse, plan) || is_black(light))) {
+    if (may_be_even(reuse, &part) && card_is_even(reuse->card, &part, &light) &&
+        (has_light(reuse, plan) || is_black(light))) {
         ray_reuse_fill(reuse, plan, samples, light, sums);
         sights[SIGHT_SEEN] += RAYS_BLOCK * samples * reuse->passes;
         return RAY_REUSE_EVEN;
@@ -489,10 +507,10 @@ enum ray_reuse_way ray_reuse_take(const struct ray_reuse *reuse, const struct fi
         !reuse->film->region.has_hole && is_sharp(reuse, scratch, &part, w) &&
         reuse_grid_trace(reuse, plan, scratch->grid)) {
         /* the light of half of the samples' points of the film, through grids that were traced */
-        struct reuse_grid *grid = scratch->grid;
         bool is_whole = true;
         for (size_t i = 0; i < reuse->passes && is_whole; i++) {
-            is_whole = reuse_grid_look_through(reuse, plan, samples, i, grid, sights, sums);
+            is_whole =
+                reuse_grid_look_through(reuse, plan, samples, i, scratch->grid, sights, sums);
         }
         return is_whole ? RAY_REUSE_SHARP : RAY_REUSE_ENDED;
     }

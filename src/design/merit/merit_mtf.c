@@ -75,22 +75,6 @@ static bool merit_mtf_check(const struct merit *merit, const struct operand *ope
                 question->rays);
 }
 
-static void open_fields(struct merit_mtf *mtf, size_t variable_count, struct arena *arena)
-{
-    const struct bundle_wish *wish = &mtf->beams.bundle.wish;
-    mtf->fields = ARENA_ARRAY(arena, wish->field_count, struct mtf_field);
-    for (size_t i = 0; i < wish->field_count; i++) {
-        struct mtf_field *field = &mtf->fields[i];
-        wave_section(&wish->fields[i].point, field->along[TANGENTIAL]);
-        field->along[SAGITTAL][0] = field->along[TANGENTIAL][1];
-        field->along[SAGITTAL][1] = -field->along[TANGENTIAL][0];
-        field->weight = wish->fields[i].weight;
-        for (int d = 0; d < DIRECTIONS; d++) {
-            field->slopes[d] = ARENA_ARRAY(arena, variable_count + 1, double);
-        }
-    }
-}
-
 static void merit_mtf_open_pupils(struct merit_mtf *mtf, struct arena *arena)
 {
     const struct merit_bundle *bundle = &mtf->beams.bundle;
@@ -192,7 +176,18 @@ size_t merit_prepare_mtf(struct merit *merit, struct merit_slot *slot, struct ar
         return 0;
     }
     mtf->columns = ARENA_ARRAY(arena, (merit->variable_count + 1) * RAYS_BLOCK, double);
-    open_fields(mtf, merit->variable_count, arena);
+    const struct bundle_wish *wish = &mtf->beams.bundle.wish;
+    mtf->fields = ARENA_ARRAY(arena, wish->field_count, struct mtf_field);
+    for (size_t i = 0; i < wish->field_count; i++) {
+        struct mtf_field *field = &mtf->fields[i];
+        wave_section(&wish->fields[i].point, field->along[TANGENTIAL]);
+        field->along[SAGITTAL][0] = field->along[TANGENTIAL][1];
+        field->along[SAGITTAL][1] = -field->along[TANGENTIAL][0];
+        field->weight = wish->fields[i].weight;
+        for (int d = 0; d < DIRECTIONS; d++) {
+            field->slopes[d] = ARENA_ARRAY(arena, merit->variable_count + 1, double);
+        }
+    }
     merit_mtf_open_pupils(mtf, arena);
     const size_t count = count_residuals(mtf);
     if (count == 0) {
