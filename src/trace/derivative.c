@@ -459,9 +459,9 @@ static void sweep_place(const struct adjoint_sweep *sweep, size_t place)
     }
 }
 
-void derivative_pass_begin(const struct derivative_pass *pass)
+void derivative_pass_begin(const struct derivative_pass *pass, size_t from)
 {
-    const struct ray_block *end = &pass->tape->blocks[pass->system->begin[pass->system->places]];
+    const struct ray_block *end = &pass->tape->blocks[pass->system->begin[from]];
     const size_t lanes = (size_t)pass->tape->lanes;
     for (size_t row = 0; row < pass->layout->rows; row++) {
         memset(pass->gradient + row * RAYS_BLOCK, 0, lanes * sizeof(double));
@@ -496,6 +496,6 @@ void derivative_sweep(const struct system *system, const struct derivative_layou
                                          .tape = tape,
                                          .adjoint = adjoint,
                                          .gradient = gradient};
-    derivative_pass_begin(&pass);
+    derivative_pass_begin(&pass, system->places);
     derivative_pass_part(&pass, system->places, 0);
 }

@@ -50,6 +50,21 @@ static void merit_beams_find_links(struct merit *merit, const struct merit_slot 
     }
 }
 
+bool merit_beams_begin(struct merit *merit, const struct merit_slot *slot, struct bundle_wish *wish,
+                       struct arena *arena, struct merit_beams *beams, struct error *error)
+{
+    *beams = (struct merit_beams){.bundle = {.wish = *wish}};
+    beams->links = ARENA_ARRAY(arena, wish->wavelength_count, struct bundle_links);
+    merit->derives = true; /* the links of the lens at the start */
+    merit->evaluation++;
+    merit_beams_find_links(merit, slot, beams);
+    for (size_t i = 0; i < wish->wavelength_count; i++) {
+        wish->is_round = wish->is_round && !displaces(beams->links[i].list, beams->links[i].count);
+    }
+    return merit_bundle_open(wish, beams->links, merit->variable_count, arena, &beams->bundle,
+                             error);
+}
+
 bool merit_beams_open(struct merit *merit, const struct merit_slot *slot, bool path, bool whole,
                       struct arena *arena, struct merit_beams *beams, struct error *error)
 {
@@ -69,16 +84,7 @@ bool merit_beams_open(struct merit *merit, const struct merit_slot *slot, bool p
                                .whole = whole};
     wish.from_entrance = wish.from_entrance || wish.setup->first.is_telecentric;
     merit_beams_choose(slot, arena, &wish);
-    *beams = (struct merit_beams){.bundle = {.wish = wish}};
-    beams->links = ARENA_ARRAY(arena, wish.wavelength_count, struct bundle_links);
-    merit->derives = true; /* the links of the lens at the start */
-    merit->evaluation++;
-    merit_beams_find_links(merit, slot, beams);
-    for (size_t i = 0; i < wish.wavelength_count; i++) {
-        wish.is_round = wish.is_round && !displaces(beams->links[i].list, beams->links[i].count);
-    }
-    if (!merit_bundle_open(&wish, beams->links, merit->variable_count, arena, &beams->bundle,
-                           error)) {
+    if (!merit_beams_begin(merit, slot, &wish, arena, beams, error)) {
         return false;
     }
     if (wish.path) {

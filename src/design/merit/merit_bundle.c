@@ -22,7 +22,7 @@ bool merit_bundle_goes_on(const struct merit_bundle *bundle, size_t rays, struct
 static bool merit_bundle_check(const struct bundle_wish *wish, struct error *error)
 {
     const struct lens *lens = wish->setup->lens;
-    if (lens->focus == FOCUS_BEST) {
+    if (lens->focus == FOCUS_BEST && !wish->is_bare) {
         fail(error, ERROR_DOMAIN,
              "the image plane of 'focus best' is looked for anew in every lens");
         return error_hint(error, "focus table with the last thickness varied, or focus paraxial");
@@ -47,10 +47,10 @@ static bool find_sample(const struct bundle_wish *wish, size_t field, size_t lig
                         struct bundle_source **before, struct aim_near *near, struct arena *arena,
                         struct sample *sample, struct error *error)
 {
-    if (wish->is_chief) {
-        sample->points = ARENA_NEW(arena, struct pupil_point);
-        sample->points->weight = 1;
-        sample->count = 1;
+    if (wish->points != NULL) {
+        sample->count = wish->point_count;
+        sample->points = ARENA_ARRAY(arena, sample->count, struct pupil_point);
+        memcpy(sample->points, wish->points, sample->count * sizeof *wish->points);
         return true;
     }
     if (!wish->clip) {
@@ -152,19 +152,21 @@ static size_t count_blocks(const struct merit_bundle *bundle)
     for (size_t i = 0; i < bundle->group_count; i++) {
         points += bundle->groups[i].points.count;
     }
-    return points / RAYS_BLOCK + 1 + bundle->wish.wavelength_count;
+    return bundle->wish.is_apart ? points : points / RAYS_BLOCK + 1 + bundle->wish.wavelength_count;
 }
 
 static void open_blocks(struct merit_bundle *bundle)
 {
     const size_t fields = bundle->wish.field_count;
     const size_t most = fields < RAYS_BLOCK ? fields : RAYS_BLOCK;
+    const bool is_apart = bundle->wish.is_apart;
     struct bundle_block *block = NULL;
     bundle->blocks = ARENA_ARRAY(bundle->arena, count_blocks(bundle), struct bundle_block);
     for (size_t g = 0; g < bundle->group_count; g++) {
         const struct bundle_group *group = &bundle->groups[g];
         for (size_t done = 0; done < group->points.count;) {
-            if (block == NULL || block->light != group->light || block->aimed.count == RAYS_BLOCK) {
+            if (block == NULL || block->light != group->light || is_apart ||
+                block->aimed.count == RAYS_BLOCK) {
                 block = &bundle->blocks[bundle->block_count++];
                 *block = (struct bundle_block){
                     .aimed = {.beams = ARENA_ARRAY(bundle->arena, most, struct aimed_beam)},
@@ -173,15 +175,18 @@ static void open_blocks(struct merit_bundle *bundle)
             }
             struct aimed *aimed = &block->aimed;
             const size_t left = group->points.count - done;
-            const size_t room = (size_t)(RAYS_BLOCK - aimed->count);
+            const size_t room = is_apart ? 1 : (size_t)(RAYS_BLOCK - aimed->count);
             const size_t end = done + (left < room ? left : room);
+            const int alike = is_apart ? BUNDLE_ALIKE : 1, count = alike * (int)(end - done);
             aimed->beams[aimed->beam_count++] = (struct aimed_beam){
-                bundle->beams[group->field], .first = aimed->count, .count = (int)(end - done)};
-            for (; done < end; done++, aimed->count++) {
-                block->lanes[aimed->count] = (struct bundle_lane){g, done, group->field};
-                aimed->x[aimed->count] = group->points.points[done].x;
-                aimed->y[aimed->count] = group->points.points[done].y;
+                bundle->beams[group->field], .first = aimed->count, .count = count};
+            for (int i = 0; i < count; i++, aimed->count++) {
+                const size_t point = done + (size_t)(i / alike);
+                block->lanes[aimed->count] = (struct bundle_lane){g, point, group->field};
+                aimed->x[aimed->count] = group->points.points[point].x;
+                aimed->y[aimed->count] = group->points.points[point].y;
             }
+            done = end;
         }
     }
     for (size_t k = 0; k < bundle->block_count; k++) { /* aimed_open keeps beams only */
@@ -216,7 +221,7 @@ static bool merit_bundle_compile(struct merit_bundle *bundle, size_t light, cons
     struct system_options options = system_options_default();
     options.image = bundle->image;
     options.path = bundle->wish.path;
-    options.stop_radius = stop_radius;
+    options.stop_radius = stop_radius > 0 || !bundle->wish.is_apart ? stop_radius : 1;
     options.indices = at->n;
     if (!lens_indices(lens, at->wavelength, at->asked, at->n, error)) {
         return false;
@@ -277,6 +282,10 @@ static bool open_lights(struct merit_bundle *bundle, const struct bundle_links *
 static bool merit_bundle_open_image(struct merit_bundle *bundle, struct error *error)
 {
     struct setup setup = *bundle->wish.setup;
+    bundle->image = NAN;
+    if (bundle->wish.is_bare) {
+        return true;
+    }
     if (isnan(setup.image) &&
         !setup_place_image(&setup, &(struct plane_value){.kind = PLANE_OF_LENS}, error)) {
         return false;
@@ -416,8 +425,8 @@ void merit_bundle_settle(struct merit_bundle *bundle, bool holds)
 static bool compile_all(struct merit_bundle *bundle, const struct lens *lens, double image,
                         double stop_radius, struct error *error)
 {
-    bundle->image = image;
-    if (!isfinite(bundle->image)) {
+    bundle->image = bundle->wish.is_bare ? (double)NAN : image;
+    if (!isfinite(bundle->image) && !bundle->wish.is_bare) {
         return fail(error, ERROR_DOMAIN, "the image is infinitely far away");
     }
     arena_reset(&bundle->within, (struct arena_mark){NULL, 0});
@@ -466,7 +475,8 @@ bool merit_bundle_aim(struct merit_bundle *bundle, const struct lens *lens,
     const bool is_first = !bundle->is_settled && !bundle->is_held;
     for (size_t k = 0; k < bundle->block_count; k++) {
         struct bundle_block *block = &bundle->blocks[k];
-        if (!aim_block(bundle, block, error) ||
+        block->is_lost = !aim_block(bundle, block, error);
+        if ((block->is_lost && !bundle->wish.is_apart) ||
             (is_first && !merit_bundle_goes_on(bundle, (size_t)block->aimed.lanes, error))) {
             return false;
         }

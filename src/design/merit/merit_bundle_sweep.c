@@ -215,22 +215,24 @@ static void merit_bundle_sweep_add_links(const struct merit_bundle *bundle,
     }
 }
 
-/* Their columns end there. */
+/* Their columns end there; those of surfaces behind the place are 0. */
 static void add_irregularities(const struct merit_bundle *bundle, const struct bundle_block *block,
-                               double *end)
+                               size_t place, double *end)
 {
     const struct bundle_light *light = &bundle->lights[block->light];
     const struct irregularity_sweep sweep = {&light->system, &light->layout, &bundle->work.tape,
                                              bundle->gradient};
     const bool has = bundle->wish.irregularity_amounts == NULL;
     for (size_t i = 0; i < bundle->wish.irregularity_count && has; i++) {
-        irregularity_column(&bundle->wish.irregularities[i], &sweep,
-                            end - (bundle->wish.irregularity_count - i) * RAYS_BLOCK);
+        if (bundle->wish.irregularities[i].surface < place) {
+            irregularity_column(&bundle->wish.irregularities[i], &sweep,
+                                end - (bundle->wish.irregularity_count - i) * RAYS_BLOCK);
+        }
     }
 }
 
 /* From derivatives by all parameters to those by the variables. */
-static void merit_bundle_sweep_gather(const struct merit_bundle *bundle, size_t which,
+static void merit_bundle_sweep_gather(const struct merit_bundle *bundle, size_t which, size_t place,
                                       const struct bundle_links *links, size_t variable_count,
                                       const struct ray_block *adjoint,
                                       const struct aimed_rates *rates, double *columns)
@@ -246,7 +248,7 @@ static void merit_bundle_sweep_gather(const struct merit_bundle *bundle, size_t 
         memset(columns + j * RAYS_BLOCK, 0, (size_t)lanes * sizeof *columns);
     }
     merit_bundle_sweep_add_links(bundle, block, links, adjoint, columns);
-    add_irregularities(bundle, block, columns + variable_count * RAYS_BLOCK);
+    add_irregularities(bundle, block, place, columns + variable_count * RAYS_BLOCK);
     for (size_t j = 0; j < variable_count; j++) {
         const struct bundle_rate *rate = &bundle->rates[j];
         double *column = columns + j * RAYS_BLOCK;
@@ -258,15 +260,16 @@ static void merit_bundle_sweep_gather(const struct merit_bundle *bundle, size_t 
     }
 }
 
-void merit_bundle_sweep(const struct merit_bundle *bundle, size_t which,
+void merit_bundle_sweep(const struct merit_bundle *bundle, size_t which, size_t place,
                         const struct bundle_links *links, size_t variable_count,
                         struct ray_block *adjoint, double *columns)
 {
     const struct bundle_block *block = &bundle->blocks[which];
+    const struct bundle_light *light = &bundle->lights[block->light];
+    const size_t from = place != LENS_NONE ? place : light->system.places;
     struct aimed_rates rates;
-    aimed_sweep(&block->aimed, &bundle->lights[block->light].layout, adjoint, bundle->gradient,
-                &rates);
-    merit_bundle_sweep_gather(bundle, which, links, variable_count, adjoint, &rates, columns);
+    aimed_sweep(&block->aimed, &light->layout, from, adjoint, bundle->gradient, &rates);
+    merit_bundle_sweep_gather(bundle, which, from, links, variable_count, adjoint, &rates, columns);
 }
 
 void merit_bundle_sweep_graze(const struct merit_bundle *bundle, size_t which,
@@ -278,7 +281,8 @@ void merit_bundle_sweep_graze(const struct merit_bundle *bundle, size_t which,
     struct aimed_rates rates;
     aimed_sweep_seeds(&block->aimed, &bundle->lights[block->light].layout, &grazing->seeds,
                       &adjoint, bundle->gradient, &rates);
-    merit_bundle_sweep_gather(bundle, which, links, variable_count, &adjoint, &rates, columns);
+    merit_bundle_sweep_gather(bundle, which, LENS_NONE, links, variable_count, &adjoint, &rates,
+                              columns);
 }
 
 /* -------- surfaces that are deformed -------- */
@@ -309,7 +313,8 @@ static void deform(struct merit_bundle *bundle, struct bundle_block *block,
         for (int i = 0; i < block->aimed.lanes; i++) {
             part(&adjoint, which)[i] = 1;
         }
-        aimed_sweep(&block->aimed, &light->layout, &adjoint, bundle->gradient, &rates);
+        aimed_sweep(&block->aimed, &light->layout, light->system.places, &adjoint, bundle->gradient,
+                    &rates);
         for (size_t i = 0; i < count; i++) {
             irregularity_gain(&wish->irregularities[i], &sweep, &weights[i],
                               block->deformed + ((size_t)which * count + i) * lanes);

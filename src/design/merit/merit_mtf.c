@@ -436,8 +436,8 @@ static void sweep_block(const struct merit *merit, struct merit_mtf *mtf, size_t
     }
     block->aimed.by_start[0] = start[0];
     block->aimed.by_start[1] = start[1];
-    merit_bundle_sweep(bundle, which, &mtf->beams.links[block->light], variable_count, &adjoint,
-                       mtf->columns);
+    merit_bundle_sweep(bundle, which, LENS_NONE, &mtf->beams.links[block->light], variable_count,
+                       &adjoint, mtf->columns);
     block->aimed.by_start[0] = block->aimed.by_start[1] = NULL;
     if (!mtf->by_rays) {
         merit_spheres_move(spheres, block, &by, mtf->columns);

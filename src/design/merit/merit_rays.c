@@ -129,7 +129,7 @@ static bool trace_block(struct merit *merit, const struct merit_slot *slot, size
             merit_spheres_back(spheres, bundle, block, &end, &by, &adjoint);
         }
         if (merit->derives) {
-            merit_bundle_sweep(bundle, which, links, rays->variable_count, &adjoint,
+            merit_bundle_sweep(bundle, which, LENS_NONE, links, rays->variable_count, &adjoint,
                                rows + RAYS_BLOCK);
         }
         if (merit->derives && spheres != NULL) {

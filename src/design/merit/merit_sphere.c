@@ -12,10 +12,12 @@ struct merit_spheres *merit_spheres_open(const struct bundle_wish *wish,
                                          const struct bundle_links *links, size_t variable_count,
                                          struct arena *arena, struct error *error)
 {
+    static const struct pupil_point middle = {0, 0, 1};
     struct merit_spheres *spheres = ARENA_NEW(arena, struct merit_spheres);
     struct bundle_wish one = *wish;
     one.wavelength_count = 1;
-    one.is_chief = true;
+    one.points = &middle;
+    one.point_count = 1;
     one.path = false;
     one.clip = false;
     one.from_entrance = wish->setup->first.is_telecentric;
@@ -82,8 +84,8 @@ static void merit_sphere_derive(struct merit_spheres *spheres, size_t which,
         for (int i = 0; i < block->aimed.lanes; i++) {
             of[part][i] = 1;
         }
-        merit_bundle_sweep(&spheres->chief, which, links, spheres->variable_count, &adjoint,
-                           spheres->columns);
+        merit_bundle_sweep(&spheres->chief, which, LENS_NONE, links, spheres->variable_count,
+                           &adjoint, spheres->columns);
         merit_sphere_put_part(spheres, block, links, part, end);
     }
 }

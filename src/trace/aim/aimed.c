@@ -222,7 +222,42 @@ static void move_pupil(const struct aimed *aimed, const double *fa, const double
     }
 }
 
-void aimed_sweep(const struct aimed *aimed, const struct derivative_layout *layout,
+/*
+ * Of functions that may lie before the stop: one sweep for what they are by a and b, and another
+ * with what the stop adds to that. Both begin before `from`, and gain `given` before `place`.
+ */
+static void sweep_twice(const struct aimed *aimed, struct derivative_pass *pass, size_t from,
+                        size_t place, const struct ray_block *given, struct aimed_rates *rates)
+{
+    double fa[RAYS_BLOCK], fb[RAYS_BLOCK], x[RAYS_BLOCK], y[RAYS_BLOCK];
+    struct ray_block *adjoint = pass->adjoint;
+    for (int turn = 0; turn < 2; turn++) {
+        memset(adjoint, 0, sizeof *adjoint);
+        derivative_pass_begin(pass, from);
+        derivative_pass_part(pass, from, place);
+        for (int i = 0; i < aimed->lanes && given != NULL; i++) {
+            adjoint->x[i] += given->x[i], adjoint->y[i] += given->y[i];
+            adjoint->z[i] += given->z[i], adjoint->path[i] += given->path[i];
+            adjoint->p[i] += given->p[i], adjoint->q[i] += given->q[i];
+            adjoint->r[i] += given->r[i];
+        }
+        derivative_pass_part(pass, place, 0);
+        if (turn == 1) {
+            return;
+        }
+        along_start(aimed, adjoint, aimed->work->slopes, fa, fb);
+        if (!aimed->at_stop) {
+            move_pupil(aimed, fa, fb, rates);
+            return;
+        }
+        aim_back(aimed, fa, fb, x, y, rates);
+        pass->at = aimed->system->stop;
+        pass->add_x = x;
+        pass->add_y = y;
+    }
+}
+
+void aimed_sweep(const struct aimed *aimed, const struct derivative_layout *layout, size_t place,
                  struct ray_block *adjoint, double *gradient, struct aimed_rates *rates)
 {
     struct derivative_pass pass = {.system = aimed->system,
@@ -231,24 +266,27 @@ void aimed_sweep(const struct aimed *aimed, const struct derivative_layout *layo
                                    .tape = &aimed->work->tape,
                                    .adjoint = adjoint,
                                    .gradient = gradient};
-    derivative_pass_begin(&pass);
-    if (aimed->at_stop) {
-        const size_t stop = aimed->system->stop;
-        double x[RAYS_BLOCK], y[RAYS_BLOCK], fa[RAYS_BLOCK], fb[RAYS_BLOCK];
-        derivative_pass_part(&pass, aimed->system->places, stop + 1);
-        along_start(aimed, pass.adjoint, aimed->work->tangents, fa, fb);
-        aim_back(aimed, fa, fb, x, y, rates);
-        pass.at = stop;
-        pass.add_x = x;
-        pass.add_y = y;
-        derivative_pass_part(&pass, stop + 1, 0);
-        pass.add_x = pass.add_y = NULL;
+    const size_t stop = aimed->system->stop;
+    if (aimed->at_stop && place <= stop) {
+        const struct ray_block given = *adjoint;
+        sweep_twice(aimed, &pass, stop + 1, place, &given, rates);
         return;
     }
-    derivative_pass_part(&pass, aimed->system->places, 0);
-    double fa[RAYS_BLOCK], fb[RAYS_BLOCK];
-    along_start(aimed, adjoint, aimed->work->slopes, fa, fb);
-    move_pupil(aimed, fa, fb, rates);
+    double x[RAYS_BLOCK], y[RAYS_BLOCK], fa[RAYS_BLOCK], fb[RAYS_BLOCK];
+    derivative_pass_begin(&pass, place);
+    if (!aimed->at_stop) {
+        derivative_pass_part(&pass, place, 0);
+        along_start(aimed, adjoint, aimed->work->slopes, fa, fb);
+        move_pupil(aimed, fa, fb, rates);
+        return;
+    }
+    derivative_pass_part(&pass, place, stop + 1);
+    along_start(aimed, adjoint, aimed->work->tangents, fa, fb);
+    aim_back(aimed, fa, fb, x, y, rates);
+    pass.at = stop;
+    pass.add_x = x;
+    pass.add_y = y;
+    derivative_pass_part(&pass, stop + 1, 0);
 }
 
 void aimed_sweep_seeds(const struct aimed *aimed, const struct derivative_layout *layout,
@@ -262,22 +300,7 @@ void aimed_sweep_seeds(const struct aimed *aimed, const struct derivative_layout
                                    .adjoint = adjoint,
                                    .gradient = gradient,
                                    .seeds = *seeds};
-    double fa[RAYS_BLOCK], fb[RAYS_BLOCK], x[RAYS_BLOCK], y[RAYS_BLOCK];
-    memset(adjoint, 0, sizeof *adjoint);
-    derivative_pass_begin(&pass);
-    derivative_pass_part(&pass, aimed->system->places, 0);
-    along_start(aimed, adjoint, aimed->work->slopes, fa, fb);
-    if (!aimed->at_stop) {
-        move_pupil(aimed, fa, fb, rates);
-        return;
-    }
-    aim_back(aimed, fa, fb, x, y, rates);
-    pass.at = aimed->system->stop;
-    pass.add_x = x;
-    pass.add_y = y;
-    memset(adjoint, 0, sizeof *adjoint);
-    derivative_pass_begin(&pass);
-    derivative_pass_part(&pass, aimed->system->places, 0);
+    sweep_twice(aimed, &pass, aimed->system->places, 0, NULL, rates);
 }
 
 /* -------- aim -------- */
@@ -287,7 +310,7 @@ static void aimed_trace_to_stop(const struct aimed *aimed, const double *a, cons
                                 struct ray_block *block)
 {
     const struct system *system = aimed->system;
-    const struct rays rays = {block, (size_t)aimed->count};
+    const struct rays rays = {block, (size_t)aimed->lanes}; /* those that nobody uses arrive, too */
     const struct trace_way way = {.set = aimed->set};
     aimed_start_rays(aimed, a, b, block);
     rays_trace_part(system, 0, system->stop + 1, &rays, &way);
