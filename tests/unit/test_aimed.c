@@ -95,8 +95,8 @@ static void sweep(struct under_test *test, unsigned what)
             of[output][i] = 1;
         }
         test->gradient[output] = ARENA_ARRAY(&test->arena, test->layout.rows * RAYS_BLOCK, double);
-        aimed_sweep(&test->aimed, &test->layout, test->system.places, &adjoint, test->gradient[output],
-                    &test->rates[output]);
+        aimed_sweep(&test->aimed, &test->layout, test->system.places, &adjoint,
+                    test->gradient[output], &test->rates[output]);
     }
 }
 

@@ -101,7 +101,8 @@ static void check_refused(void)
     for (size_t i = 0; i < bench.rule.count; i++) {
         bench.wave.parts[PUPIL_FROM_X][i] = 5 * bench.rule.x[i] * bench.rule.x[i];
     }
-    CHECK(!pupil_wave_find(&bench.wave, &error) && strstr(error.message, "folded within the pupil"));
+    CHECK(!pupil_wave_find(&bench.wave, &error) &&
+          strstr(error.message, "folded within the pupil"));
     set_perfect(&bench);
     for (size_t i = 0; i < bench.rule.count; i++) {
         bench.wave.parts[PUPIL_TO_X][i] = 0;

@@ -47,7 +47,7 @@ static struct dual distortion_of(const struct merit_place *place, const struct f
     return dual_scale(dual_divide(dual_subtract(height, ideal), ideal), 100);
 }
 
-/* The figure of the chief rays, which are aimed, into merit->change; of lateral colour there are two. */
+/* The figure of the chief rays, which are aimed, into merit->change: of lateral colour two. */
 static bool merit_chief_find(struct merit *merit, const struct merit_slot *slot)
 {
     const struct merit_place *place = &merit->places[slot->place];

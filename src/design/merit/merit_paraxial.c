@@ -308,31 +308,3 @@ bool merit_image_check(const struct merit_place *place, struct error *error)
     return lens->focus != FOCUS_AFOCAL ||
            fail(error, ERROR_DOMAIN, "the image of an afocal lens is infinitely far away");
 }
-
-const struct dual *merit_image(struct merit *merit, const struct merit_slot *slot)
-{
-    struct merit_place *place = &merit->places[slot->place];
-    const struct merit_light *light = merit_light(merit, slot, NAN);
-    const struct lens *lens = place->lens;
-    const size_t last = lens->surface_count - 1;
-    if (lens->focus != FOCUS_TABLE) {
-        const struct merit_figures *figures = merit_figures(merit, slot, NAN);
-        for (size_t j = 0; j < merit_columns(merit) && figures != NULL; j++) {
-            place->image[j] = figures[j].first.image;
-        }
-        return figures != NULL && (isfinite(place->image[0].value) ||
-                                   fail(&merit->why, ERROR_DOMAIN, "the image is infinitely far"))
-                   ? place->image
-                   : NULL;
-    }
-    for (size_t j = 0; j < merit_columns(merit); j++) {
-        place->image[j] = dual_of(lens->surfaces[last].thickness.value.hi);
-    }
-    for (size_t i = 0; i < light->link_count && merit->derives; i++) {
-        const struct variable_link *link = &light->links[i];
-        if (link->basis.kind == PARAMETER_THICKNESS && link->basis.surface == last) {
-            place->image[link->variable].slope += link->slope;
-        }
-    }
-    return place->image;
-}

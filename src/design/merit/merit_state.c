@@ -96,7 +96,6 @@ static bool open_place(const struct merit *merit, size_t position, struct arena 
         return place->setup.position != NULL &&
                error_prefix(error, "position %s: ", place->setup.position);
     }
-    place->image = ARENA_ARRAY(arena, merit->variable_count + 1, struct dual);
     list_lights(merit, place, arena);
     return true;
 }
