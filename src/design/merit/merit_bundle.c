@@ -146,22 +146,18 @@ static bool open_groups(struct merit_bundle *bundle, struct error *error)
 
 /* -------- blocks -------- */
 
-static size_t count_blocks(const struct merit_bundle *bundle)
-{
-    size_t points = 0;
-    for (size_t i = 0; i < bundle->group_count; i++) {
-        points += bundle->groups[i].points.count;
-    }
-    return bundle->wish.is_apart ? points : points / RAYS_BLOCK + 1 + bundle->wish.wavelength_count;
-}
-
 static void open_blocks(struct merit_bundle *bundle)
 {
     const size_t fields = bundle->wish.field_count;
     const size_t most = fields < RAYS_BLOCK ? fields : RAYS_BLOCK;
     const bool is_apart = bundle->wish.is_apart;
     struct bundle_block *block = NULL;
-    bundle->blocks = ARENA_ARRAY(bundle->arena, count_blocks(bundle), struct bundle_block);
+    size_t points = 0;
+    for (size_t i = 0; i < bundle->group_count; i++) {
+        points += bundle->groups[i].points.count;
+    }
+    const size_t full = points / RAYS_BLOCK + 1 + bundle->wish.wavelength_count;
+    bundle->blocks = ARENA_ARRAY(bundle->arena, is_apart ? points : full, struct bundle_block);
     for (size_t g = 0; g < bundle->group_count; g++) {
         const struct bundle_group *group = &bundle->groups[g];
         for (size_t done = 0; done < group->points.count;) {
@@ -317,25 +313,6 @@ bool merit_bundle_open(const struct bundle_wish *wish, const struct bundle_links
 
 /* -------- the lens as it is now -------- */
 
-static struct first_order merit_bundle_first_of(const struct merit_bundle *bundle,
-                                                const struct dual_first *first)
-{
-    const struct first_order *start = &bundle->wish.setup->first;
-    struct first_order now = {.is_telecentric = start->is_telecentric,
-                              .is_afocal = first->power.value == 0,
-                              .index_object = first->index_object.value,
-                              .power = first->power.value,
-                              .magnification = first->magnification.value,
-                              .entrance_pupil = first->entrance_pupil.value,
-                              .entrance_diameter = 2 * fabs(first->entrance_radius.value),
-                              .marginal_v = first->marginal_v.value};
-    now.matrix.c.hi = -first->power.value;
-    if (bundle->has_disc) {
-        now.entrance_pupil = 0;
-    }
-    return now;
-}
-
 static bool move_beams(struct merit_bundle *bundle, struct error *error)
 {
     const struct bundle_wish *wish = &bundle->wish;
@@ -356,19 +333,6 @@ static bool move_beams(struct merit_bundle *bundle, struct error *error)
     return true;
 }
 
-/* More steps than before: a surface that was not moved is. */
-static void merit_bundle_make_room(struct merit_bundle *bundle)
-{
-    for (size_t i = 0; i < bundle->wish.wavelength_count; i++) {
-        const struct system *system = &bundle->lights[i].system;
-        const size_t steps = system->begin[system->places];
-        if (steps > bundle->steps) {
-            bundle->steps = steps;
-            aimed_work_open(system, bundle->arena, &bundle->work);
-        }
-    }
-}
-
 void merit_bundle_forget(struct merit_bundle *bundle)
 {
     for (size_t k = 0; k < bundle->block_count; k++) {
@@ -380,37 +344,21 @@ void merit_bundle_forget(struct merit_bundle *bundle)
     }
 }
 
-/* What a block has of its rays, kept beside it. */
-static void bundle_settle(struct merit_bundle *bundle, struct bundle_block *block)
-{
-    const size_t count = block->aimed.beam_count;
-    if (block->settled == NULL) {
-        block->settled = ARENA_NEW(bundle->arena, struct aimed);
-        block->settled->beams = ARENA_ARRAY(bundle->arena, count, struct aimed_beam);
-    }
-    struct aimed_beam *beams = block->settled->beams;
-    memcpy(beams, block->aimed.beams, count * sizeof *beams);
-    *block->settled = block->aimed;
-    block->settled->beams = beams;
-}
-
-/* But for the beams themselves: of image heights they are those of the lens as it is now. */
-static void go_back(struct bundle_block *block)
-{
-    struct aimed_beam *beams = block->aimed.beams;
-    for (size_t g = 0; g < block->aimed.beam_count; g++) {
-        beams[g].near = block->settled->beams[g].near;
-    }
-    block->aimed = *block->settled;
-    block->aimed.beams = beams;
-}
-
 void merit_bundle_settle(struct merit_bundle *bundle, bool holds)
 {
     for (size_t k = 0; k < bundle->block_count; k++) {
         struct bundle_block *block = &bundle->blocks[k];
         if (!holds) {
-            bundle_settle(bundle, block);
+            /* what a block has of its rays, kept beside it */
+            const size_t count = block->aimed.beam_count;
+            if (block->settled == NULL) {
+                block->settled = ARENA_NEW(bundle->arena, struct aimed);
+                block->settled->beams = ARENA_ARRAY(bundle->arena, count, struct aimed_beam);
+            }
+            struct aimed_beam *beams = block->settled->beams;
+            memcpy(beams, block->aimed.beams, count * sizeof *beams);
+            *block->settled = block->aimed;
+            block->settled->beams = beams;
             continue;
         }
         block->aimed.at_stop = false; /* nor do derivatives know of any aim */
@@ -435,13 +383,16 @@ static bool compile_all(struct merit_bundle *bundle, const struct lens *lens, do
             return false;
         }
     }
-    merit_bundle_make_room(bundle);
+    /* more steps than before: a surface that was not moved is */
+    for (size_t i = 0; i < bundle->wish.wavelength_count; i++) {
+        const struct system *system = &bundle->lights[i].system;
+        const size_t steps = system->begin[system->places];
+        if (steps > bundle->steps) {
+            bundle->steps = steps;
+            aimed_work_open(system, bundle->arena, &bundle->work);
+        }
+    }
     return true;
-}
-
-static double merit_bundle_table_of(const struct lens *lens)
-{
-    return lens->surfaces[lens->surface_count - 1].thickness.value.hi;
 }
 
 static bool aim_block(struct merit_bundle *bundle, struct bundle_block *block, struct error *error)
@@ -452,7 +403,13 @@ static bool aim_block(struct merit_bundle *bundle, struct bundle_block *block, s
         return true;
     }
     if (bundle->is_settled) {
-        go_back(block);
+        /* but for the beams themselves: of image heights they are those of the lens as it is now */
+        struct aimed_beam *beams = block->aimed.beams;
+        for (size_t g = 0; g < block->aimed.beam_count; g++) {
+            beams[g].near = block->settled->beams[g].near;
+        }
+        block->aimed = *block->settled;
+        block->aimed.beams = beams;
     }
     return block->aimed.at_stop ? aimed_at_stop(&block->aimed, system, &bundle->within, error)
                                 : aimed_at_entrance(&block->aimed, system, &bundle->first, error);
@@ -462,9 +419,22 @@ bool merit_bundle_aim(struct merit_bundle *bundle, const struct lens *lens,
                       const struct dual_first *first, struct error *error)
 {
     double stop_radius = bundle->lights[0].system.stop_radius;
-    double image = merit_bundle_table_of(lens);
+    double image = lens->surfaces[lens->surface_count - 1].thickness.value.hi;
     if (first != NULL) {
-        bundle->first = merit_bundle_first_of(bundle, first);
+        const struct first_order *start = &bundle->wish.setup->first;
+        bundle->first =
+            (struct first_order){.is_telecentric = start->is_telecentric,
+                                 .is_afocal = first->power.value == 0,
+                                 .index_object = first->index_object.value,
+                                 .power = first->power.value,
+                                 .magnification = first->magnification.value,
+                                 .entrance_pupil = first->entrance_pupil.value,
+                                 .entrance_diameter = 2 * fabs(first->entrance_radius.value),
+                                 .marginal_v = first->marginal_v.value};
+        bundle->first.matrix.c.hi = -first->power.value;
+        if (bundle->has_disc) {
+            bundle->first.entrance_pupil = 0;
+        }
         stop_radius = fabs(first->stop_radius.value);
         image = bundle->image_moves ? first->image.value : image;
     }
@@ -484,26 +454,17 @@ bool merit_bundle_aim(struct merit_bundle *bundle, const struct lens *lens,
     return true;
 }
 
-static bool fail_lost(const struct bundle_block *block, const struct ray_block *end,
-                      struct error *error)
-{
-    for (int i = 0; i < block->aimed.count; i++) {
-        if (end->lost[i] != 0) {
-            return fail(error, ERROR_DOMAIN, "a ray of field %zu is lost at surface %zu (%s)",
-                        block->lanes[i].field + 1, ray_block_surface(end, (size_t)i),
-                        ray_status_name(ray_block_status(end, (size_t)i)));
-        }
-    }
-    return true;
-}
-
 bool merit_bundle_trace(struct merit_bundle *bundle, size_t block, bool derives,
                         struct ray_block *end, struct error *error)
 {
     bundle->blocks[block].aimed.keeps = bundle->keeps;
     aimed_trace(&bundle->blocks[block].aimed, derives, end);
-    if (!fail_lost(&bundle->blocks[block], end, error)) {
-        return false;
+    for (int i = 0; i < bundle->blocks[block].aimed.count; i++) {
+        if (end->lost[i] != 0) {
+            return fail(error, ERROR_DOMAIN, "a ray of field %zu is lost at surface %zu (%s)",
+                        bundle->blocks[block].lanes[i].field + 1, ray_block_surface(end, (size_t)i),
+                        ray_status_name(ray_block_status(end, (size_t)i)));
+        }
     }
     if (bundle->blocks[block].is_deformed) {
         bent_move(bundle->blocks[block].deformed, bundle->wish.irregularity_amounts,

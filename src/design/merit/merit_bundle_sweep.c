@@ -135,17 +135,6 @@ static double by_field(const struct merit_bundle *bundle, const struct bundle_bl
            by_coordinates(aimed, &bundle->beams[field], i, &at);
 }
 
-static void field_row(const struct merit_bundle *bundle, const struct bundle_block *block,
-                      const struct ray_block *adjoint, double *row)
-{
-    memset(row, 0, RAYS_BLOCK * sizeof *row);
-    for (int i = 0; i < block->aimed.count; i++) {
-        if (merit_bundle_moves(bundle, block->lanes[i].field)) {
-            row[i] = by_field(bundle, block, adjoint, i);
-        }
-    }
-}
-
 static void merit_bundle_sweep_add_row(double *restrict column, double factor,
                                        const double *restrict row, int lanes)
 {
@@ -215,22 +204,6 @@ static void merit_bundle_sweep_add_links(const struct merit_bundle *bundle,
     }
 }
 
-/* Their columns end there; those of surfaces behind the place are 0. */
-static void add_irregularities(const struct merit_bundle *bundle, const struct bundle_block *block,
-                               size_t place, double *end)
-{
-    const struct bundle_light *light = &bundle->lights[block->light];
-    const struct irregularity_sweep sweep = {&light->system, &light->layout, &bundle->work.tape,
-                                             bundle->gradient};
-    const bool has = bundle->wish.irregularity_amounts == NULL;
-    for (size_t i = 0; i < bundle->wish.irregularity_count && has; i++) {
-        if (bundle->wish.irregularities[i].surface < place) {
-            irregularity_column(&bundle->wish.irregularities[i], &sweep,
-                                end - (bundle->wish.irregularity_count - i) * RAYS_BLOCK);
-        }
-    }
-}
-
 /* From derivatives by all parameters to those by the variables. */
 static void merit_bundle_sweep_gather(const struct merit_bundle *bundle, size_t which, size_t place,
                                       const struct bundle_links *links, size_t variable_count,
@@ -243,12 +216,28 @@ static void merit_bundle_sweep_gather(const struct merit_bundle *bundle, size_t 
     const struct parameter last = {.surface = layout->surfaces - 1, .kind = PARAMETER_THICKNESS};
     const size_t image = bundle->image_moves ? derivative_row(layout, last) : 0;
     double field[RAYS_BLOCK];
-    field_row(bundle, block, adjoint, field);
+    memset(field, 0, RAYS_BLOCK * sizeof *field);
+    for (int i = 0; i < block->aimed.count; i++) {
+        if (merit_bundle_moves(bundle, block->lanes[i].field)) {
+            field[i] = by_field(bundle, block, adjoint, i);
+        }
+    }
     for (size_t j = 0; j < variable_count; j++) {
         memset(columns + j * RAYS_BLOCK, 0, (size_t)lanes * sizeof *columns);
     }
     merit_bundle_sweep_add_links(bundle, block, links, adjoint, columns);
-    add_irregularities(bundle, block, place, columns + variable_count * RAYS_BLOCK);
+    /* their columns end there; those of surfaces behind the place are 0 */
+    double *end = columns + variable_count * RAYS_BLOCK;
+    const struct bundle_light *light = &bundle->lights[block->light];
+    const struct irregularity_sweep sweep = {&light->system, &light->layout, &bundle->work.tape,
+                                             bundle->gradient};
+    const bool has = bundle->wish.irregularity_amounts == NULL;
+    for (size_t i = 0; i < bundle->wish.irregularity_count && has; i++) {
+        if (bundle->wish.irregularities[i].surface < place) {
+            irregularity_column(&bundle->wish.irregularities[i], &sweep,
+                                end - (bundle->wish.irregularity_count - i) * RAYS_BLOCK);
+        }
+    }
     for (size_t j = 0; j < variable_count; j++) {
         const struct bundle_rate *rate = &bundle->rates[j];
         double *column = columns + j * RAYS_BLOCK;

@@ -15,27 +15,6 @@ static bool bends(const struct lens *lens, size_t i)
            (surface_has(surface, SURFACE_HAS_MEDIUM) && !medium_is_same(before, &surface->medium));
 }
 
-static struct dual cross_square(const struct dual a[3], const struct dual b[3])
-{
-    struct dual sum = dual_of(0);
-    for (int i = 0; i < 3; i++) {
-        const int k = (i + 1) % 3, l = (i + 2) % 3;
-        const struct dual part =
-            dual_subtract(dual_multiply(a[k], b[l]), dual_multiply(a[l], b[k]));
-        sum = dual_add(sum, dual_multiply(part, part));
-    }
-    return sum;
-}
-
-static struct dual merit_incidence_square(const struct dual a[3])
-{
-    struct dual sum = dual_of(0);
-    for (int i = 0; i < 3; i++) {
-        sum = dual_add(sum, dual_multiply(a[i], a[i]));
-    }
-    return sum;
-}
-
 /* The angle whose sine is |p x p'|/(n |p' - p|): of the tangent, so that 90 deg is no pole. */
 static struct dual incidence(const struct merit_ray *before, const struct merit_ray *after)
 {
@@ -44,8 +23,18 @@ static struct dual incidence(const struct merit_ray *before, const struct merit_
         step[i] = dual_subtract(after->along[i], before->along[i]);
         dot = dual_add(dot, dual_multiply(step[i], before->along[i]));
     }
-    const struct dual cross = cross_square(before->along, after->along);
-    const struct dual size = merit_incidence_square(step);
+    const struct dual *a = before->along, *b = after->along;
+    struct dual cross = dual_of(0);
+    for (int i = 0; i < 3; i++) {
+        const int k = (i + 1) % 3, l = (i + 2) % 3;
+        const struct dual part =
+            dual_subtract(dual_multiply(a[k], b[l]), dual_multiply(a[l], b[k]));
+        cross = dual_add(cross, dual_multiply(part, part));
+    }
+    struct dual size = dual_of(0);
+    for (int i = 0; i < 3; i++) {
+        size = dual_add(size, dual_multiply(step[i], step[i]));
+    }
     if (!(cross.value > 1e-28 * size.value)) {
         return dual_of(0); /* at right angles: the slope of |i| has no sign there */
     }

@@ -6,20 +6,6 @@
 
 /* -------- figures of an evaluation -------- */
 
-/* The chief ray of the field of an operand, else of the edge. */
-static struct dual_question merit_paraxial_question_of(const struct merit_place *place,
-                                                       const struct merit_slot *slot)
-{
-    const struct setup *setup = &place->setup;
-    const struct field_point *point =
-        slot->operand->field != NULL ? &slot->operand->field->point : &setup->edge;
-    const struct field_point field = setup_in_section(setup, point);
-    return (struct dual_question){.object = &setup->object,
-                                  .aperture = &place->aperture,
-                                  .field_kind = field.kind,
-                                  .field = field.value[setup_axis(setup)]};
-}
-
 /* The lens changed by one variable. */
 static void merit_paraxial_change(const struct merit *merit, struct merit_light *light,
                                   size_t variable)
@@ -68,7 +54,15 @@ static const struct merit_figures *merit_paraxial_figures_of(struct merit *merit
 {
     struct merit_place *place = &merit->places[slot->place];
     struct merit_light *primary = merit_light(merit, slot, NAN);
-    const struct dual_question question = merit_paraxial_question_of(place, slot);
+    /* the chief ray of the field of an operand, else of the edge */
+    const struct setup *setup = &place->setup;
+    const struct field_point *point =
+        slot->operand->field != NULL ? &slot->operand->field->point : &setup->edge;
+    const struct field_point field = setup_in_section(setup, point);
+    const struct dual_question question = {.object = &setup->object,
+                                           .aperture = &place->aperture,
+                                           .field_kind = field.kind,
+                                           .field = field.value[setup_axis(setup)]};
     const bool done = merit_paraxial_compute(merit, place, primary, &question, NULL) &&
                       (light == primary ||
                        merit_paraxial_compute(merit, place, light, &question, primary->figures));
@@ -118,20 +112,6 @@ size_t merit_prepare_power(struct merit *merit, struct merit_slot *slot, struct 
                       "a finite length that is not 0 must be its target", error);
 }
 
-/* T/x, and how it goes on where that is far from T; and its derivative. */
-static struct dual continued(double target, struct dual x)
-{
-    double value = target / x.value, slope = -target / (x.value * x.value);
-    if (!(x.value >= 0.5)) {
-        slope = -4 * target;
-        value = 2 * target + slope * (x.value - 0.5);
-    } else if (x.value > 2) {
-        slope = -0.25 * target;
-        value = 0.5 * target + slope * (x.value - 2);
-    }
-    return (struct dual){value, slope * x.slope};
-}
-
 bool merit_fill_power(struct merit *merit, const struct merit_slot *slot, double *residuals,
                       double *jacobian)
 {
@@ -141,8 +121,17 @@ bool merit_fill_power(struct merit *merit, const struct merit_slot *slot, double
         return false;
     }
     for (size_t j = 0; j < merit_columns(merit); j++) {
-        merit->change[j] =
-            continued(target, dual_scale(merit_paraxial_member(&figures[j], slot), target));
+        /* T/x, and how it goes on where that is far from T; and its derivative */
+        const struct dual x = dual_scale(merit_paraxial_member(&figures[j], slot), target);
+        double value = target / x.value, slope = -target / (x.value * x.value);
+        if (!(x.value >= 0.5)) {
+            slope = -4 * target;
+            value = 2 * target + slope * (x.value - 0.5);
+        } else if (x.value > 2) {
+            slope = -0.25 * target;
+            value = 0.5 * target + slope * (x.value - 2);
+        }
+        merit->change[j] = (struct dual){value, slope * x.slope};
     }
     const bool done = merit_put(merit, slot, 0, residuals, jacobian);
     merit->values[slot->first] = 1 / merit_paraxial_member(&figures[0], slot).value;
@@ -219,18 +208,6 @@ bool merit_fill_axial(struct merit *merit, const struct merit_slot *slot, double
 
 /* -------- Seidel sums -------- */
 
-static bool has_cone(const struct lens *lens)
-{
-    bool is_cone = false;
-    for (size_t i = 0; i < lens->surface_count; i++) {
-        for (int order = 1; order <= 3; order += 2) {
-            is_cone = is_cone || (surface_has(&lens->surfaces[i], SURFACE_HAS_CURVE) &&
-                                  lens->surfaces[i].coefficient[surface_term(order)].value.hi != 0);
-        }
-    }
-    return is_cone;
-}
-
 size_t merit_prepare_seidel(struct merit *merit, struct merit_slot *slot, struct arena *arena,
                             struct error *error)
 {
@@ -245,7 +222,15 @@ size_t merit_prepare_seidel(struct merit *merit, struct merit_slot *slot, struct
     if (setup->lens->stop == LENS_NONE && !setup->first.is_telecentric) {
         return one_unless(true, "the lens has no stop: it has no chief rays", error);
     }
-    if (has_cone(setup->lens)) {
+    const struct lens *lens = setup->lens;
+    bool is_cone = false;
+    for (size_t i = 0; i < lens->surface_count; i++) {
+        for (int order = 1; order <= 3; order += 2) {
+            is_cone = is_cone || (surface_has(&lens->surfaces[i], SURFACE_HAS_CURVE) &&
+                                  lens->surfaces[i].coefficient[surface_term(order)].value.hi != 0);
+        }
+    }
+    if (is_cone) {
         return one_unless(true,
                           "A1 or A3 of a surface makes an aberration of lower order than the "
                           "Seidel sums have",

@@ -16,18 +16,6 @@ static bool merit_points_is_near(double a, double b)
     return fabs(a - b) <= alike;
 }
 
-static void merit_points_normalise(struct merit_points *points)
-{
-    double sum = 0;
-    for (size_t i = 0; i < points->count; i++) {
-        sum += points->points[i].weight;
-    }
-    for (size_t i = 0; i < points->count; i++) {
-        points->points[i].weight /= sum;
-    }
-    points->clear = sum;
-}
-
 /* The half with x >= 0; false: some point has no image. */
 static bool fold(const struct sample *sample, struct merit_points *points)
 {
@@ -99,5 +87,12 @@ void merit_points_of(const struct sample *sample, enum merit_symmetry symmetry, 
         memcpy(points->points, sample->points, sample->count * sizeof *points->points);
         points->count = sample->count;
     }
-    merit_points_normalise(points);
+    double sum = 0;
+    for (size_t i = 0; i < points->count; i++) {
+        sum += points->points[i].weight;
+    }
+    for (size_t i = 0; i < points->count; i++) {
+        points->points[i].weight /= sum;
+    }
+    points->clear = sum;
 }
