@@ -190,7 +190,7 @@ static double flat_pdf(const struct flat *flat, struct vector direction, double 
 }
 
 /* The way to a place; false: it is here. */
-static bool emitter_sample_towards(struct vector from, struct vector at, struct emitter_sample *ray)
+static bool sample_towards(struct vector from, struct vector at, struct emitter_sample *ray)
 {
     const struct vector to = vector_minus(at, from);
     ray->distance = vector_length(to);
@@ -207,8 +207,7 @@ static bool sample_flat(const struct scene_thing *thing, size_t triangle, struct
     const double root = sqrt(u[0]), angle = 2 * PI * u[1];
     const double x = is_triangle ? root * (1 - u[1]) : root * cos(angle);
     const double y = is_triangle ? root * u[1] : root * sin(angle);
-    if (!emitter_sample_towards(from, vector_along(vector_along(flat.at, x, flat.x), y, flat.y),
-                                ray)) {
+    if (!sample_towards(from, vector_along(vector_along(flat.at, x, flat.x), y, flat.y), ray)) {
         return false;
     }
     ray->pdf = flat_pdf(&flat, ray->direction, ray->distance);
@@ -284,7 +283,7 @@ static bool sample_box(const struct scene_thing *thing, struct vector from, cons
     const struct discrete_sample side = discrete_sample_of(below, SIDES, u[0]);
     const struct rectangle rectangle = box_side(thing, side.index);
     const double rest[2] = {side.remainder, u[1]};
-    if (!emitter_sample_towards(from, rectangle_sample(&rectangle, from, rest, shares), ray)) {
+    if (!sample_towards(from, rectangle_sample(&rectangle, from, rest, shares), ray)) {
         return false;
     }
     ray->pdf = side_pdf(thing, side.index, from, ray->direction, ray->distance);
@@ -296,7 +295,7 @@ static bool sample_card(const struct scene_thing *thing, struct vector from, con
 {
     const struct rectangle card = card_of(thing);
     double shares[2];
-    if (!emitter_sample_towards(from, rectangle_sample(&card, from, u, shares), ray)) {
+    if (!sample_towards(from, rectangle_sample(&card, from, u, shares), ray)) {
         return false;
     }
     ray->pdf = rectangle_pdf(&card, from, ray->direction, ray->distance);

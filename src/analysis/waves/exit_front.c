@@ -102,7 +102,7 @@ static const double *cosines_of(size_t n, struct arena *arena)
 }
 
 /* Drop the last terms along lines that are all below `least`; returns how many are left. */
-static size_t exit_front_shorten(double *c, size_t lines, size_t points, double least)
+static size_t front_shorten(double *c, size_t lines, size_t points, double least)
 {
     size_t left = 2;
     for (size_t i = 0; i < lines; i++) {
@@ -175,9 +175,8 @@ static double make_sheet(struct sheet_builder *making, double error, struct exit
         const bool again[2] = {more(off[0], error, &lines), more(off[1], error, &points)};
         if (hopeless || (!again[0] && !again[1])) {
             *sheet = (struct exit_sheet){
-                tried[0],
-                exit_front_shorten(c[0], tried[0], tried[1], fmax(least / (4 * PI), finest)),
-                exit_front_shorten(c[1], tried[0], tried[1], least * c[1][0] / 2), c[0], c[1]};
+                tried[0], front_shorten(c[0], tried[0], tried[1], fmax(least / (4 * PI), finest)),
+                front_shorten(c[1], tried[0], tried[1], least * c[1][0] / 2), c[0], c[1]};
             return off[0] + off[1];
         }
         arena_reset(making->arena, mark);

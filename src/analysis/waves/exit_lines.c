@@ -200,9 +200,8 @@ static bool alike(const struct exit_lines_line *a, const struct exit_lines_line 
 }
 
 /* Between lines that are not alike, where they become so. */
-static size_t exit_lines_find_breaks(const struct line_search *seeking,
-                                     const struct exit_lines_line *list, size_t count,
-                                     double *breaks)
+static size_t find_breaks(const struct line_search *seeking, const struct exit_lines_line *list,
+                          size_t count, double *breaks)
 {
     struct exit_lines_line low[LINES], high[LINES], middle[LINES];
     size_t found = 0;
@@ -315,7 +314,7 @@ void exit_lines_find(const struct exit_pupil *pupil, const double along[2], stru
         list[i].t = (range[0] + range[1]) / 2 + (range[1] - range[0]) / 2 * sin(angle);
     }
     find_spans(&seeking, list, LINES, COARSE_ROUNDS);
-    size_t count = exit_lines_find_breaks(&seeking, list, LINES, breaks);
+    size_t count = find_breaks(&seeking, list, LINES, breaks);
     breaks[count++] = range[1];
     double low = range[0];
     for (size_t i = 0; i < count; low = breaks[i++]) {

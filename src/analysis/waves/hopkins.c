@@ -120,10 +120,9 @@ static size_t hopkins_find_breaks(const struct exit_piece *piece, double shift, 
 }
 
 /* Add up a part of a line; phases: receives those of its points, or null. */
-static void hopkins_add_part(const struct overlap_integral *summing, const struct exit_line *line,
-                             const struct hopkins_parts *parts, size_t p,
-                             const struct gauss_panels *along, double weight,
-                             struct hopkins_sums *sums, double *phases)
+static void add_part(const struct overlap_integral *summing, const struct exit_line *line,
+                     const struct hopkins_parts *parts, size_t p, const struct gauss_panels *along,
+                     double weight, struct hopkins_sums *sums, double *phases)
 {
     kernel_exit_values *find = KERNEL_FOR(SET_BEST, kernel_exit_values);
     double x[2][LANES], waves[2][LANES], amplitudes[2][LANES];
@@ -177,10 +176,9 @@ static void hopkins_add_part(const struct overlap_integral *summing, const struc
     }
 }
 /* Add up the lines of a range; phases: receives those of all points, line by line, or null. */
-static void hopkins_add_lines(const struct overlap_integral *summing,
-                              const struct hopkins_range *range, const struct gauss_panels *across,
-                              const struct gauss_panels *along, struct hopkins_sums *sums,
-                              double *phases)
+static void add_lines(const struct overlap_integral *summing, const struct hopkins_range *range,
+                      const struct gauss_panels *across, const struct gauss_panels *along,
+                      struct hopkins_sums *sums, double *phases)
 {
     const size_t row = range->parts * along->each * along->panels;
     const double wide = range->high - range->low;
@@ -195,9 +193,8 @@ static void hopkins_add_lines(const struct overlap_integral *summing,
         const double weight = times * wide * gauss_panels_weight(across, i) * line.slope;
         /* rounding at an end of the range may lose a part, which is empty there */
         for (size_t p = 0; p < parts.count && p < range->parts; p++) {
-            hopkins_add_part(summing, &line, &parts, p, along, weight, sums,
-                             phases != NULL ? phases + i * row + p * along->each * along->panels
-                                            : NULL);
+            add_part(summing, &line, &parts, p, along, weight, sums,
+                     phases != NULL ? phases + i * row + p * along->each * along->panels : NULL);
         }
     }
 }
@@ -221,7 +218,7 @@ static void hopkins_find_turns(const struct overlap_integral *summing, struct ho
     const size_t row = range->parts * LOOK_ALONG;
     struct hopkins_sums sums = {.re = {0}};
     double phases[LOOK_ACROSS * ROW] = {0};
-    hopkins_add_lines(summing, range, &across, &along, &sums, phases);
+    add_lines(summing, range, &across, &along, &sums, phases);
     for (size_t i = 0; i < LOOK_ACROSS * row; i += LOOK_ALONG) {
         see_turns(phases + i, &along, 1, &range->along);
     }
@@ -311,7 +308,7 @@ static struct overlap hopkins_sum_up(const struct overlap_integral *summing)
         find_points(summing, &summing->ranges[i], &across, &along);
         const struct gauss_panels rules[2] = {gauss_panels_of(summing->rules, across),
                                               gauss_panels_of(summing->rules, along)};
-        hopkins_add_lines(summing, &summing->ranges[i], &rules[0], &rules[1], &sums, NULL);
+        add_lines(summing, &summing->ranges[i], &rules[0], &rules[1], &sums, NULL);
     }
     for (size_t l = 0; l < LANES; l++) {
         sum.re += sums.re[l];

@@ -234,8 +234,8 @@ bool wave_open(const struct bundle_question *bundle, struct arena *arena,
 }
 
 /* From the chief ray to the centroid, mm or sines. */
-static bool wave_reference_find_centroid(const struct wave_lights *lights, struct arena *arena,
-                                         struct wave_reference *reference, struct error *error)
+static bool find_centroid(const struct wave_lights *lights, struct arena *arena,
+                          struct wave_reference *reference, struct error *error)
 {
     const struct wave_light *first = &lights->list[0];
     struct spot_question asked = {
@@ -299,8 +299,7 @@ bool wave_reference_find(const struct wave_lights *lights, enum wave_about about
         return false;
     }
     pupil = light.first.exit_pupil - (isnan(setup->image) ? 0 : setup->image);
-    if ((about == WAVE_CENTROID &&
-         !wave_reference_find_centroid(lights, arena, reference, error))) {
+    if ((about == WAVE_CENTROID && !find_centroid(lights, arena, reference, error))) {
         return false;
     }
     reference->centre[0] = first->chief.point[0] + reference->at[0];

@@ -105,8 +105,7 @@ static struct bounds_extent_seen pole_in(const struct bounds_builder *building, 
 }
 
 /* How far light arrives in a column, at most as far as is asked. */
-static double bounds_extent_find_end(struct bounds_builder *building, double column,
-                                     double farthest)
+static double extent_find_end(struct bounds_builder *building, double column, double farthest)
 {
     const struct bounds_extent_seen pole = pole_in(building, column);
     struct bounds_extent_seen seen[2] = {pole, pole};
@@ -141,15 +140,14 @@ static void bounds_extent_find_ends(struct bounds_builder *building)
     const double farthest = building->search.lens->reach + pole;
     const size_t columns = building->columns;
     for (size_t c = 0; c < columns; c++) {
-        ends[c] = bounds_extent_find_end(building, (double)c, farthest);
+        ends[c] = extent_find_end(building, (double)c, farthest);
     }
     if (region->is_grid) {
         ends[columns] = ends[0];
         for (size_t c = 0; c < columns; c++) {
             const double middle = (ends[c] + ends[c + 1]) / 2;
-            const double end = middle < farthest
-                                   ? bounds_extent_find_end(building, (double)c + 0.5, farthest)
-                                   : middle;
+            const double end =
+                middle < farthest ? extent_find_end(building, (double)c + 0.5, farthest) : middle;
             const double by = middle > 0 ? fmax(1, 1.001 * end / middle) : 1;
             ends[c] = fmin(farthest, ends[c] * by);
             ends[c + 1] = fmin(farthest, ends[c + 1] * by);

@@ -115,7 +115,7 @@ static struct fit fit_of(const struct exit_pupil_bounds *region, const struct fi
  * the first meets what comes straight to the second. NaN: it turns by no more than twice what a
  * circle does.
  */
-static struct pupil_outline_point bounds_fit_meet(const struct pupil_outline *outline, size_t i)
+static struct pupil_outline_point fit_meet(const struct pupil_outline *outline, size_t i)
 {
     const size_t each = outline->each, all = PUPIL_OUTLINE_STEPS;
     const bool is_half = outline->is_half;
@@ -139,7 +139,7 @@ bool bounds_fit_is_smooth(const struct pupil_outline *outline)
 {
     bool is_smooth = true;
     for (size_t i = 0; i < PUPIL_OUTLINE_STEPS; i += outline->each) {
-        is_smooth = is_smooth && isnan(bounds_fit_meet(outline, i).x);
+        is_smooth = is_smooth && isnan(fit_meet(outline, i).x);
     }
     return is_smooth;
 }
@@ -161,8 +161,7 @@ void bounds_fit(const struct exit_pupil_bounds *region, const struct film_nodes 
              */
             const size_t about = i / each;
             const double farthest = 2;
-            const struct pupil_outline_point at = bounds_fit_meet(outline, i),
-                                             centre = outline->centre;
+            const struct pupil_outline_point at = fit_meet(outline, i), centre = outline->centre;
             const struct pupil_outline_point a = outline->edge[i],
                                              b = outline->edge[i + outline->each];
             const double depth =

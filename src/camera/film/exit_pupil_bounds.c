@@ -63,10 +63,9 @@ static void allocate(const struct film_lens *lens, struct arena *arena,
 }
 
 /* How far a node lies from one to another, as seen from the pole. */
-static double exit_pupil_bounds_share_of(const struct bounds_builder *building,
-                                         const struct pupil_outline *node,
-                                         const struct pupil_outline *from,
-                                         const struct pupil_outline *to)
+static double bounds_share_of(const struct bounds_builder *building,
+                              const struct pupil_outline *node, const struct pupil_outline *from,
+                              const struct pupil_outline *to)
 {
     const double *pole = building->region->pole;
     const double here = hypot(node->place.x - pole[0], node->place.y - pole[1]);
@@ -87,15 +86,14 @@ static void exit_pupil_bounds_start_all(const struct bounds_builder *building)
         bounds_fit_start(region, &building->nodes[i], row, i);
         if (region->has_hole) {
             const struct pupil_outline *a = &building->nodes[low], *b = &building->nodes[high];
-            bounds_fit_start_hole(
-                region, a, b, exit_pupil_bounds_share_of(building, &building->nodes[i], a, b), i);
+            bounds_fit_start_hole(region, a, b,
+                                  bounds_share_of(building, &building->nodes[i], a, b), i);
         }
     }
 }
 
 /* By how much the middle of the pupil moves in a column, per mm: x, or y. */
-static double exit_pupil_bounds_slope_of(const struct bounds_builder *building, size_t column,
-                                         bool of_x)
+static double bounds_slope_of(const struct bounds_builder *building, size_t column, bool of_x)
 {
     const size_t rows = (size_t)building->region->rows;
     const struct pupil_outline *pole = &building->nodes[column * rows];
@@ -111,8 +109,7 @@ static double exit_pupil_bounds_slope_of(const struct bounds_builder *building, 
 }
 
 /* Both coordinates side by side. */
-static const double *exit_pupil_bounds_pack(double *const places[2], size_t count,
-                                            struct arena *arena)
+static const double *bounds_pack(double *const places[2], size_t count, struct arena *arena)
 {
     double *packed = ARENA_ARRAY(arena, 2 * count, double);
     for (size_t i = 0; i < count; i++) {
@@ -143,12 +140,11 @@ static void exit_pupil_bounds_build(struct bounds_builder *building)
     region->has_hole = has;
     if (region->is_grid && region->turns) {
         for (size_t c = 0; c < building->columns; c++) {
-            region->slope[1] +=
-                exit_pupil_bounds_slope_of(building, c, false) / (double)building->columns;
+            region->slope[1] += bounds_slope_of(building, c, false) / (double)building->columns;
         }
     } else if (region->is_grid) {
-        region->slope[0] = exit_pupil_bounds_slope_of(building, 0, true);
-        region->slope[1] = exit_pupil_bounds_slope_of(building, FILM_COLUMNS / 4, false);
+        region->slope[0] = bounds_slope_of(building, 0, true);
+        region->slope[1] = bounds_slope_of(building, FILM_COLUMNS / 4, false);
     }
     exit_pupil_bounds_start_all(building);
     for (size_t i = 0; i < film_building_nodes(building); i++) {
@@ -248,11 +244,10 @@ bool exit_pupil_bounds_open(const struct film_lens *lens, struct arena *arena,
     }
     bounds_fit_finish(region, is_round);
     const size_t nodes = exit_pupil_bounds_nodes(region);
-    region->centre_xy = exit_pupil_bounds_pack(region->centre, nodes, arena);
-    region->outer_xy = exit_pupil_bounds_pack(region->outer, nodes * FILM_CORNERS, arena);
-    region->inner_xy = region->has_hole
-                           ? exit_pupil_bounds_pack(region->inner, nodes * FILM_CORNERS, arena)
-                           : NULL;
+    region->centre_xy = bounds_pack(region->centre, nodes, arena);
+    region->outer_xy = bounds_pack(region->outer, nodes * FILM_CORNERS, arena);
+    region->inner_xy =
+        region->has_hole ? bounds_pack(region->inner, nodes * FILM_CORNERS, arena) : NULL;
     region->per_mm = 1 / region->ends[0];
     return true;
 }

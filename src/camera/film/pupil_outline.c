@@ -55,9 +55,8 @@ static struct pupil_outline_point outline_rays_from_disc(const struct outline_ra
 }
 
 /* Look with a disc of so many half widths of an outline about its centre. */
-static void outline_rays_open(const struct pupil_outline_search *search, size_t wavelength,
-                              const struct pupil_outline *about, double widths,
-                              struct outline_rays *sight)
+static void rays_open(const struct pupil_outline_search *search, size_t wavelength,
+                      const struct pupil_outline *about, double widths, struct outline_rays *sight)
 {
     const struct film_lens *lens = search->lens;
     const struct system *system = lens->systems[wavelength];
@@ -98,8 +97,7 @@ enum { SIDE = 11, ALL = SIDE * SIDE };
  *
  * Result    how many pass; SIZE_MAX: none does, nor will
  */
-static size_t outline_search_narrow(const struct outline_rays *sight, bool is_half,
-                                    struct patch *patch)
+static size_t search_narrow(const struct outline_rays *sight, bool is_half, struct patch *patch)
 {
     const double *excess = sight->margins.excess;
     double low[2] = {INFINITY, INFINITY}, high[2] = {-INFINITY, -INFINITY};
@@ -137,7 +135,7 @@ bool outline_is_lit(const struct pupil_outline_search *search, size_t wavelength
     struct patch patch = {.half = {0.8, 0.8}, .least = INFINITY};
     struct outline_rays sight;
     size_t lit = 0;
-    outline_rays_open(search, wavelength, outline, SIGHT_AROUND, &sight);
+    rays_open(search, wavelength, outline, SIGHT_AROUND, &sight);
     for (int level = 0; level < LEVELS && lit < ENOUGH; level++) {
         for (size_t i = 0; i < ALL; i++) {
             for (size_t k = 0; k < 2; k++) {
@@ -146,7 +144,7 @@ bool outline_is_lit(const struct pupil_outline_search *search, size_t wavelength
             }
         }
         clearances_look(&sight.margins, (const double(*)[2])patch.points, ALL);
-        lit = outline_search_narrow(&sight, outline->is_half, &patch);
+        lit = search_narrow(&sight, outline->is_half, &patch);
     }
     const bool is_lit = lit > 0 && lit != SIZE_MAX;
     if (is_lit) {
@@ -174,7 +172,7 @@ bool outline_discover(const struct pupil_outline_search *search, size_t waveleng
     struct outline_rays sight;
     outline->centre = (struct pupil_outline_point){0, 0};
     outline->size = (struct pupil_outline_point){0.1, 0.1};
-    outline_rays_open(search, wavelength, outline, 1, &sight);
+    rays_open(search, wavelength, outline, 1, &sight);
     const struct clear_guess guess =
         clear_guess_of(lens->systems[wavelength], &sight.beam, lens->first);
     sight.disc.origin[0] = guess.centre[0];
@@ -218,7 +216,7 @@ size_t outline_scatter(const struct pupil_outline_search *search, size_t wavelen
         const struct arena_mark mark = arena_mark(search->arena);
         double points[RAYS_BLOCK][2], far = 0;
         struct outline_rays sight;
-        outline_rays_open(search, wavelength, &about, SIGHT_AROUND, &sight);
+        rays_open(search, wavelength, &about, SIGHT_AROUND, &sight);
         for (size_t i = 0; i < RAYS_BLOCK; i++) {
             for (int k = 0; k < 2; k++) {
                 const double at = (double)((turn + round) * RAYS_BLOCK + i) * steps[k];
@@ -337,9 +335,8 @@ static void pupil_outline_find_hole(const struct outline_rays *sight, const doub
 /* -------- outlines -------- */
 
 /* Half widths of what was found, and its centroid. */
-static void pupil_outline_measure(const struct pupil_outline *outline,
-                                  struct pupil_outline_point *size,
-                                  struct pupil_outline_point *centroid)
+static void outline_measure(const struct pupil_outline *outline, struct pupil_outline_point *size,
+                            struct pupil_outline_point *centroid)
 {
     struct pupil_outline_point low = {INFINITY, INFINITY}, high = {-INFINITY, -INFINITY};
     struct pupil_outline_point moment = {0, 0};
@@ -393,10 +390,10 @@ void pupil_outline_foresee(const struct pupil_outline *last, const struct pupil_
                            double share, struct pupil_outline *here)
 {
     struct pupil_outline_point ignored, middle, earlier;
-    pupil_outline_measure(last, &here->size, &middle);
+    outline_measure(last, &here->size, &middle);
     here->centre = middle;
     if (before != NULL) {
-        pupil_outline_measure(before, &ignored, &earlier);
+        outline_measure(before, &ignored, &earlier);
         here->centre.x += share * (middle.x - earlier.x);
         here->centre.y += share * (middle.y - earlier.y);
     }
@@ -461,7 +458,7 @@ static bool pupil_outline_look(const struct pupil_outline_search *search, size_t
     for (double widths = SIGHT_AROUND; fills && widths < farthest; widths *= 2) {
         const struct arena_mark mark = arena_mark(search->arena);
         struct outline_rays sight;
-        outline_rays_open(search, wavelength, outline, widths, &sight);
+        rays_open(search, wavelength, outline, widths, &sight);
         clearances_look(&sight.margins, middle, 1);
         const bool is_dark = !(sight.margins.excess[0] <= 0);
         fills = !is_dark && look_within(&sight, near, outline);
@@ -486,7 +483,7 @@ void pupil_outline_find(const struct pupil_outline_search *search, size_t wavele
     if (!outline->is_empty) {
         /* seen from its middle, if that is clear */
         const struct pupil_outline first = *outline;
-        pupil_outline_measure(&first, &outline->size, &outline->centre);
+        outline_measure(&first, &outline->size, &outline->centre);
         if (!pupil_outline_look(search, wavelength, NULL, outline)) {
             *outline = first;
         }

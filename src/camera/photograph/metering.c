@@ -164,10 +164,9 @@ static void add_discs(const struct sight *sight, uint32_t part, double mean[TILE
 }
 
 /* One of the parts; rays knows of the others that look for lights. */
-static void metering_take_part(const struct metering_question *question,
-                               const struct tile_rays *rays, const struct film_plan *plan,
-                               const struct sight *sight, uint32_t part,
-                               struct tile_scratch *scratch, double mean[TILE_CHANNELS])
+static void take_part(const struct metering_question *question, const struct tile_rays *rays,
+                      const struct film_plan *plan, const struct sight *sight, uint32_t part,
+                      struct tile_scratch *scratch, double mean[TILE_CHANNELS])
 {
     const size_t blocks = BLOCKS / PARTS, looks = LOOKS / PARTS;
     double looked[TILE_CHANNELS] = {0};
@@ -217,7 +216,7 @@ void metering_take(const struct metering_question *question, struct arena *arena
     *metered = (struct metered){.is_direct = has_sight};
     for (uint32_t part = 0; part < PARTS; part++) {
         double mean[TILE_CHANNELS];
-        metering_take_part(question, &rays, &plan, has_sight ? &sight : NULL, part, scratch, mean);
+        take_part(question, &rays, &plan, has_sight ? &sight : NULL, part, scratch, mean);
         for (size_t k = 0; k < TILE_CHANNELS; k++) {
             metered->mean[k] += mean[k] / PARTS;
         }

@@ -231,10 +231,9 @@ enum { ENDED_EVERY = 16 };
 
 /* The light of samples' points of the film, through the grid of its wavelength; false: the watch
    has ended it. */
-static bool reuse_grid_look_through(const struct ray_reuse *reuse, const struct film_plan *plan,
-                                    size_t samples, size_t wavelength, struct reuse_grid *grid,
-                                    uint64_t sights[DEPTH_CARD_SIGHTS],
-                                    double (*sums)[CARD_CHANNELS])
+static bool grid_look_through(const struct ray_reuse *reuse, const struct film_plan *plan,
+                              size_t samples, size_t wavelength, struct reuse_grid *grid,
+                              uint64_t sights[DEPTH_CARD_SIGHTS], double (*sums)[CARD_CHANNELS])
 {
     const struct ray_reuse_pass *pass = &reuse->pass[wavelength];
     const struct pupil_rays *pupil = &grid->pupil[wavelength];
@@ -509,8 +508,7 @@ enum ray_reuse_way ray_reuse_take(const struct ray_reuse *reuse, const struct fi
         /* the light of half of the samples' points of the film, through grids that were traced */
         bool is_whole = true;
         for (size_t i = 0; i < reuse->passes && is_whole; i++) {
-            is_whole =
-                reuse_grid_look_through(reuse, plan, samples, i, scratch->grid, sights, sums);
+            is_whole = grid_look_through(reuse, plan, samples, i, scratch->grid, sights, sums);
         }
         return is_whole ? RAY_REUSE_SHARP : RAY_REUSE_ENDED;
     }

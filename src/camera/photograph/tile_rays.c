@@ -157,7 +157,7 @@ struct tile_colours {
 /* Samples of a round, whose weights are compared, and of all rounds before it. */
 enum { FIRST_ROUND = 8 };
 
-static size_t tile_colours_middle_of(const struct tile_rays *tile)
+static size_t colours_middle_of(const struct tile_rays *tile)
 {
     return tile->passes / 2;
 }
@@ -219,9 +219,8 @@ bool tile_colours_share(const struct tile_rays *tile, const struct film_plan *pl
 {
     const double pixel[2] = {plan->width / TILE_ACROSS, plan->height / TILE_DOWN};
     if (tile->may_share && tile->subject.view != NULL && !tile_rays_in_bands(tile)) {
-        scratch->fringes =
-            lateral_colour_find(tile->film, tile->passes, tile_colours_middle_of(tile), pixel, plan,
-                                scratch->colours->fringes);
+        scratch->fringes = lateral_colour_find(tile->film, tile->passes, colours_middle_of(tile),
+                                               pixel, plan, scratch->colours->fringes);
     }
     return scratch->fringes != NULL;
 }
@@ -245,8 +244,7 @@ static void tile_colours_sum(const struct tile_rays *tile, const struct film_pla
         trace_own(tile, plan, block, scratch);
         move_points(plan, scratch, cells);
         lens_film_start(tile->film, &scratch->samples, scratch->rays.blocks);
-        lens_film_trace(tile->film, tile_colours_middle_of(tile), &scratch->samples,
-                        &scratch->rays);
+        lens_film_trace(tile->film, colours_middle_of(tile), &scratch->samples, &scratch->rays);
         tile_block_look(tile, block, &lanes, scratch);
         for (size_t i = 0; i < RAYS_BLOCK; i++) {
             const double weight = scratch->samples.weight[i];

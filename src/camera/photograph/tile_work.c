@@ -47,9 +47,8 @@ static double tile_work_error_of(const struct tile_work *work,
 }
 
 /* What a tile comes to; it is taken already if that needs none of its rays. */
-static enum ray_reuse_way tile_work_way_of(const struct tile_work *work,
-                                           const struct film_plan *plan,
-                                           struct tile_work_scratch *scratch)
+static enum ray_reuse_way work_way_of(const struct tile_work *work, const struct film_plan *plan,
+                                      struct tile_work_scratch *scratch)
 {
     struct tile_scratch *tile = scratch->tile;
     const size_t samples = work->question->samples;
@@ -69,7 +68,7 @@ static size_t sum_tile(const struct tile_work *work, struct film_plan *plan, siz
 {
     const struct photograph_question *question = work->question;
     tile_rays_begin(&work->rays, tile, plan, scratch->tile);
-    const enum ray_reuse_way way = tile_work_way_of(work, plan, scratch);
+    const enum ray_reuse_way way = work_way_of(work, plan, scratch);
     if (way == RAY_REUSE_ENDED) {
         return 0;
     }

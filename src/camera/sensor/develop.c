@@ -68,9 +68,8 @@ static bool mean_white(const struct raw_conversion *developing, const struct ima
     return true;
 }
 
-static bool develop_find_white(const struct raw_conversion *developing, const struct image *raw,
-                               const struct develop_way *way, struct colour *white,
-                               struct error *error)
+static bool find_white(const struct raw_conversion *developing, const struct image *raw,
+                       const struct develop_way *way, struct colour *white, struct error *error)
 {
     switch (way->white) {
     case BALANCE_TUNGSTEN:
@@ -117,7 +116,7 @@ bool develop_picture(const struct sensor_model *model, const struct image *raw,
     made->white = colour_daylight();
     if (channels > 1) {
         struct colour_matrix balance;
-        if (!develop_find_white(&developing, raw, way, &made->white, error) ||
+        if (!find_white(&developing, raw, way, &made->white, error) ||
             !colour_balance(made->white, &balance, error)) {
             return false;
         }

@@ -221,8 +221,8 @@ static double kept_within(const struct depth_card_walk *walk, struct depth_card_
 }
 
 /* The light of a pixel, which the ray meets at w. */
-static struct card_light depth_card_light_at(const struct depth_card_walk *walk,
-                                             struct depth_card_place pixel, double w)
+static struct card_light light_at(const struct depth_card_walk *walk, struct depth_card_place pixel,
+                                  double w)
 {
     const struct depth_card *relief = walk->relief;
     const struct card *card = &relief->card;
@@ -273,8 +273,7 @@ static enum depth_card_sight sight_of(const struct depth_card *relief, struct de
 }
 
 /* What is met, and how; walk->w is where. Every turn goes down a level or crosses a border. */
-static enum depth_card_sight depth_card_meet(struct depth_card_walk *walk,
-                                             struct depth_card_place *met)
+static enum depth_card_sight card_meet(struct depth_card_walk *walk, struct depth_card_place *met)
 {
     const struct depth_card *relief = walk->relief;
     int level = 0;
@@ -371,10 +370,9 @@ struct card_light depth_card_look(const struct depth_card *relief, const struct 
     }
     depth_card_begin_near(&walk);
     struct depth_card_place met;
-    *sight = depth_card_meet(&walk, &met);
-    return *sight == SIGHT_SEEN || relief->hidden == HIDDEN_NEARBY
-               ? depth_card_light_at(&walk, met, walk.w)
-               : (struct card_light){{0, 0, 0}};
+    *sight = card_meet(&walk, &met);
+    return *sight == SIGHT_SEEN || relief->hidden == HIDDEN_NEARBY ? light_at(&walk, met, walk.w)
+                                                                   : (struct card_light){{0, 0, 0}};
 }
 
 void depth_card_range(const struct depth_card *relief, const struct card_part *part, double *least,

@@ -108,9 +108,8 @@ struct lens_clearance_part {
 };
 
 /* About a thing; a plane's is endless. */
-static struct lens_clearance_part lens_clearance_part_of(const struct world_thing *thing,
-                                                         const struct scene_pose *camera,
-                                                         double time)
+static struct lens_clearance_part clearance_part_of(const struct world_thing *thing,
+                                                    const struct scene_pose *camera, double time)
 {
     struct lens_clearance_part part = {{-INFINITY, -INFINITY, -INFINITY},
                                        {INFINITY, INFINITY, INFINITY}};
@@ -191,10 +190,9 @@ static bool lens_clearance_look_along(const struct lens_clearance *room, const s
     return false;
 }
 
-static bool lens_clearance_look_through(const struct lens_clearance *room,
-                                        const struct world *world, const struct scene_pose *camera,
-                                        double time, const struct lens_clearance_part *part,
-                                        size_t *thing)
+static bool look_through(const struct lens_clearance *room, const struct world *world,
+                         const struct scene_pose *camera, double time,
+                         const struct lens_clearance_part *part, size_t *thing)
 {
     enum { LINES = 16 };
     for (int i = 0; i < 3 * LINES * LINES; i++) {
@@ -219,9 +217,8 @@ static double ball_of(const struct lens_clearance *room)
 }
 
 /* How far a thing is from the lens at least. */
-static double lens_clearance_gap_of(const struct lens_clearance *room,
-                                    const struct world_thing *thing,
-                                    const struct scene_pose *camera, double time)
+static double clearance_gap_of(const struct lens_clearance *room, const struct world_thing *thing,
+                               const struct scene_pose *camera, double time)
 {
     if (thing->thing->shape == SHAPE_PLANE) {
         const struct scene_pose pose = scene_pose_at(&thing->thing->where, time);
@@ -229,7 +226,7 @@ static double lens_clearance_gap_of(const struct lens_clearance *room,
         return fmax(fabs(away) - ball_of(room), 0);
     }
     const struct lens_clearance_part whole = part_of_room(room),
-                                     part = lens_clearance_part_of(thing, camera, time);
+                                     part = clearance_part_of(thing, camera, time);
     double gap = 0;
     for (int i = 0; i < 3; i++) {
         gap = fmax(gap, fmax(part.low[i] - whole.high[i], whole.low[i] - part.high[i]));
@@ -256,10 +253,10 @@ static bool comes_in(const struct lens_clearance *room, const struct world *worl
     *time = span[0];
     for (bool is_last = false; !is_last;) {
         const struct scene_pose pose = scene_pose_at(camera, *time);
-        struct lens_clearance_part part = lens_clearance_part_of(one, &pose, *time);
-        const double gap = lens_clearance_gap_of(room, one, &pose, *time);
+        struct lens_clearance_part part = clearance_part_of(one, &pose, *time);
+        const double gap = clearance_gap_of(room, one, &pose, *time);
         if (gap == 0 && lens_clearance_clip(room, &part) &&
-            lens_clearance_look_through(room, world, &pose, *time, &part, thing)) {
+            look_through(room, world, &pose, *time, &part, thing)) {
             return true;
         }
         const bool stays = !one->moves && !scene_place_moves(camera);

@@ -49,8 +49,8 @@ static double medium_slope(const struct lens *lens, struct parameter what, doubl
     return what.kind == PARAMETER_INDEX ? 1 + dispersed / (melt.nd - 1) : -dispersed / melt.Vd;
 }
 
-static size_t merit_asbuilt_find_links(void *context, size_t position, double wavelength,
-                                       struct variable_link *links)
+static size_t find_links(void *context, size_t position, double wavelength,
+                         struct variable_link *links)
 {
     struct merit_asbuilt *asbuilt = context;
     const struct lens *lens = &asbuilt->perturbed.lenses[0].lens;
@@ -100,8 +100,7 @@ static bool open_errors(const struct merit *merit, struct merit_asbuilt *asbuilt
                                              .lenses =
                                                  question->variables->lenses + asbuilt->position};
     asbuilt->links = ARENA_ARRAY(arena, 2 * surfaces + 1, struct perturbed_link);
-    asbuilt->by =
-        (struct merit_by){1 + 2 * surfaces * errors->count, merit_asbuilt_find_links, asbuilt};
+    asbuilt->by = (struct merit_by){1 + 2 * surfaces * errors->count, find_links, asbuilt};
     return perturbed_open(&asked, arena, &asbuilt->perturbed, error);
 }
 
@@ -188,8 +187,7 @@ static double merit_asbuilt_product(const struct merit_asbuilt *asbuilt, size_t 
 }
 
 /* What each error does, of the lens with these numbers. */
-static bool merit_asbuilt_find_errors(struct merit_asbuilt *asbuilt, const double *numbers,
-                                      double *found)
+static bool find_errors(struct merit_asbuilt *asbuilt, const double *numbers, double *found)
 {
     struct merit *inner = &asbuilt->inner;
     merit_put_lens(inner, numbers, true);
@@ -228,7 +226,7 @@ static bool fill_errors(struct merit *merit, struct merit_asbuilt *asbuilt, doub
     asbuilt->inner.question.variables = merit->question.variables;
     asbuilt->perturbed.lenses = variables->lenses + asbuilt->position;
     asbuilt->inner.forgets = merit->forgets;
-    if (!merit_asbuilt_find_errors(asbuilt, merit->parameters, asbuilt->here)) {
+    if (!find_errors(asbuilt, merit->parameters, asbuilt->here)) {
         return false;
     }
     memcpy(residuals, asbuilt->here, count * sizeof *residuals);
@@ -238,9 +236,9 @@ static bool fill_errors(struct merit *merit, struct merit_asbuilt *asbuilt, doub
         double *up = asbuilt->up, *down = asbuilt->down, *at = &asbuilt->numbers[k];
         const double now = merit->parameters[k], high = now + step, low = now - step;
         *at = high;
-        const bool has_up = merit_asbuilt_find_errors(asbuilt, asbuilt->numbers, up);
+        const bool has_up = find_errors(asbuilt, asbuilt->numbers, up);
         *at = low;
-        const bool has_down = merit_asbuilt_find_errors(asbuilt, asbuilt->numbers, down);
+        const bool has_down = find_errors(asbuilt, asbuilt->numbers, down);
         *at = now;
         const double *from = has_down ? down : asbuilt->here, *to = has_up ? up : asbuilt->here;
         const double between = (has_up ? high : now) - (has_down ? low : now);

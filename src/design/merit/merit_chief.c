@@ -15,8 +15,8 @@ static const struct field_point *merit_chief_field_of(const struct merit_place *
 }
 
 /* The direction of a field in the object, and how far out: tan t, or mm. */
-static double merit_chief_direction_of(const struct merit_place *place,
-                                       const struct field_point *field, double towards[2])
+static double chief_direction_of(const struct merit_place *place, const struct field_point *field,
+                                 double towards[2])
 {
     const bool is_angle = field->kind == FIELD_ANGLE;
     const double x = is_angle ? tan(field->value[0]) : field->value[0];
@@ -26,7 +26,7 @@ static double merit_chief_direction_of(const struct merit_place *place,
            (x * towards[0] + y * towards[1]);
 }
 
-static struct dual merit_chief_along(const struct dual *vector, const double towards[2])
+static struct dual chief_along(const struct dual *vector, const double towards[2])
 {
     return dual_add(dual_scale(vector[0], towards[0]), dual_scale(vector[1], towards[1]));
 }
@@ -57,7 +57,7 @@ static bool merit_chief_find(struct merit *merit, const struct merit_slot *slot)
     const size_t at = kind == OPERAND_TELECENTRIC ? place->lens->surface_count : LENS_NONE;
     struct merit_ray *ends[2];
     double towards[2];
-    const double size = merit_chief_direction_of(place, field, towards);
+    const double size = chief_direction_of(place, field, towards);
     for (size_t i = 0; i < rays; i++) {
         ends[i] = ARENA_ARRAY(merit->arena, merit->variable_count + 1, struct merit_ray);
         if (!merit_ray_trace(merit, slot->own, i) ||
@@ -71,14 +71,13 @@ static bool merit_chief_find(struct merit *merit, const struct merit_slot *slot)
     }
     for (size_t j = 0; j < merit_columns(merit); j++) {
         const struct merit_ray *end = &ends[0][j];
-        struct dual change = merit_chief_along(end->at, towards);
+        struct dual change = chief_along(end->at, towards);
         if (kind == OPERAND_DISTORTION) {
             change = distortion_of(place, field, size, &figures[j].first, change);
         } else if (kind == OPERAND_LATERAL) {
-            change = dual_subtract(change, merit_chief_along(ends[1][j].at, towards));
+            change = dual_subtract(change, chief_along(ends[1][j].at, towards));
         } else if (kind == OPERAND_TELECENTRIC) {
-            change = dual_arc_tangent(
-                dual_divide(merit_chief_along(end->along, towards), end->along[2]));
+            change = dual_arc_tangent(dual_divide(chief_along(end->along, towards), end->along[2]));
         }
         merit->change[j] = change;
     }
@@ -127,8 +126,7 @@ size_t merit_prepare_chief(struct merit *merit, struct merit_slot *slot, struct 
         fail(error, ERROR_DOMAIN, "there is only one wavelength, and so no colour");
         return 0;
     }
-    if (kind == OPERAND_DISTORTION &&
-        !(fabs(merit_chief_direction_of(place, field, towards)) > 0)) {
+    if (kind == OPERAND_DISTORTION && !(fabs(chief_direction_of(place, field, towards)) > 0)) {
         fail(error, ERROR_DOMAIN, "there is no distortion on the axis");
         return 0;
     }

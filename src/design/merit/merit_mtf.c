@@ -53,8 +53,7 @@ struct merit_mtf {
 
 /* -------- opening -------- */
 
-static bool merit_mtf_check(const struct merit *merit, const struct operand *operand,
-                            struct error *error)
+static bool mtf_check(const struct merit *merit, const struct operand *operand, struct error *error)
 {
     const struct merit_question *question = &merit->question;
     const double frequency = operand->frequency;
@@ -126,7 +125,7 @@ size_t merit_prepare_mtf(struct merit *merit, struct merit_slot *slot, struct ar
     mtf->frequency = operand->frequency;
     mtf->wants[TANGENTIAL] = operand->orientation != ORIENTATION_SAGITTAL;
     mtf->wants[SAGITTAL] = operand->orientation != ORIENTATION_TANGENTIAL;
-    if (!merit_mtf_check(merit, operand, error) ||
+    if (!mtf_check(merit, operand, error) ||
         !merit_beams_open(merit, slot, !mtf->by_rays, true, arena, &mtf->beams, error)) {
         return 0;
     }

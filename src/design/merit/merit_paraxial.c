@@ -7,8 +7,7 @@
 /* -------- figures of an evaluation -------- */
 
 /* The lens changed by one variable. */
-static void merit_paraxial_change(const struct merit *merit, struct merit_light *light,
-                                  size_t variable)
+static void paraxial_change(const struct merit *merit, struct merit_light *light, size_t variable)
 {
     if (!merit->derives) {
         return;
@@ -37,7 +36,7 @@ static bool merit_paraxial_compute(struct merit *merit, const struct merit_place
     for (size_t j = 0; j < merit_columns(merit); j++) {
         struct dual_question here = *question;
         here.primary = primary != NULL ? &primary[j].first : NULL;
-        merit_paraxial_change(merit, light, j);
+        paraxial_change(merit, light, j);
         paraxial_dual_first(&light->paraxial, &here, &light->figures[j].first);
     }
     light->figured = merit->evaluation;
@@ -48,9 +47,8 @@ static bool merit_paraxial_compute(struct merit *merit, const struct merit_place
 }
 
 /* Paraxial figures of a slot, one a column; of its light, or the primary one where that is null. */
-static const struct merit_figures *merit_paraxial_figures_of(struct merit *merit,
-                                                             const struct merit_slot *slot,
-                                                             struct merit_light *light)
+static const struct merit_figures *
+paraxial_figures_of(struct merit *merit, const struct merit_slot *slot, struct merit_light *light)
 {
     struct merit_place *place = &merit->places[slot->place];
     struct merit_light *primary = merit_light(merit, slot, NAN);
@@ -72,7 +70,7 @@ static const struct merit_figures *merit_paraxial_figures_of(struct merit *merit
 const struct merit_figures *merit_figures(struct merit *merit, const struct merit_slot *slot,
                                           double wavelength)
 {
-    return merit_paraxial_figures_of(merit, slot, merit_light(merit, slot, wavelength));
+    return paraxial_figures_of(merit, slot, merit_light(merit, slot, wavelength));
 }
 
 /* What the kinds are of. */
@@ -245,13 +243,13 @@ bool merit_fill_seidel(struct merit *merit, const struct merit_slot *slot, doubl
 {
     const size_t which = (size_t)(slot->operand->kind - OPERAND_S1);
     struct merit_light *light = merit_light(merit, slot, slot->operand->wavelength);
-    if (merit_paraxial_figures_of(merit, slot, light) == NULL) {
+    if (paraxial_figures_of(merit, slot, light) == NULL) {
         return false;
     }
     for (size_t j = 0; j < merit_columns(merit); j++) {
         struct merit_figures *figures = &light->figures[j];
         if (light->summed != merit->evaluation) {
-            merit_paraxial_change(merit, light, j);
+            paraxial_change(merit, light, j);
             paraxial_dual_seidel(&light->paraxial, &figures->first, figures->sums);
         }
         merit->change[j] = figures->sums[which];
@@ -266,11 +264,11 @@ bool merit_reach_paraxial(struct merit *merit, const struct merit_slot *slot)
 {
     struct merit_place *place = &merit->places[slot->place];
     struct merit_light *light = merit_light(merit, slot, NAN);
-    if (merit_paraxial_figures_of(merit, slot, light) == NULL) {
+    if (paraxial_figures_of(merit, slot, light) == NULL) {
         return false;
     }
     for (size_t j = 0; j < merit_columns(merit); j++) {
-        merit_paraxial_change(merit, light, j);
+        paraxial_change(merit, light, j);
         paraxial_dual_reach(&light->paraxial, &light->figures[j].first,
                             place->reach + j * place->lens->surface_count);
     }

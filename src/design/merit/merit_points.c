@@ -11,7 +11,7 @@ static const double alike = 1e-9;
 /* Each point is compared with each: in larger samples that would cost more than it saves. */
 enum { MOST_COMPARED = 2000 };
 
-static bool merit_points_is_near(double a, double b)
+static bool points_is_near(double a, double b)
 {
     return fabs(a - b) <= alike;
 }
@@ -25,8 +25,7 @@ static bool fold(const struct sample *sample, struct merit_points *points)
         bool has_image = false;
         for (size_t j = 0; j < sample->count && !has_image; j++) {
             const struct pupil_point *other = &sample->points[j];
-            has_image = merit_points_is_near(other->x, -point->x) &&
-                        merit_points_is_near(other->y, point->y) &&
+            has_image = points_is_near(other->x, -point->x) && points_is_near(other->y, point->y) &&
                         fabs(other->weight - point->weight) <= alike * point->weight;
         }
         if (!has_image) {
@@ -52,7 +51,7 @@ static bool merit_points_gather(const struct sample *sample, struct arena *arena
         const struct pupil_point *point = &sample->points[i];
         const double radius = hypot(point->x, point->y);
         size_t ring = 0;
-        while (ring < points->count && !merit_points_is_near(points->points[ring].y, radius)) {
+        while (ring < points->count && !points_is_near(points->points[ring].y, radius)) {
             ring++;
         }
         if (ring == points->count) {

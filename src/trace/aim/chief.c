@@ -191,9 +191,8 @@ struct chief_bracket {
 };
 
 /* Is this bracket better than the last? Apertures first, then nearness to the paraxial ray. */
-static void chief_bracket_offer(const struct aim *aim, const struct chief_region *region,
-                                double low, double high, bool compares_apertures,
-                                struct chief_bracket *bracket)
+static void bracket_offer(const struct aim *aim, const struct chief_region *region, double low,
+                          double high, bool compares_apertures, struct chief_bracket *bracket)
 {
     double middle = (low + high) / 2;
     double distance = fabs(middle - region->guess[1]);
@@ -284,7 +283,7 @@ static size_t scan_line(struct aim *aim, const struct chief_region *region,
     }
     const struct crossings *use = found.count > 0 ? &found : &others;
     for (size_t i = 0; i < use->count; i++) {
-        chief_bracket_offer(aim, region, use->at[i][0], use->at[i][1], use->count > 1, bracket);
+        bracket_offer(aim, region, use->at[i][0], use->at[i][1], use->count > 1, bracket);
     }
     return use->count;
 }

@@ -11,8 +11,7 @@ static const struct clip *margin_clip_at(const struct system *system, size_t sur
     return system->clips != NULL ? system->clips[surface] : NULL;
 }
 
-static bool clearances_are_plain(const struct system *system, const struct clearance *all,
-                                 size_t count)
+static bool are_plain(const struct system *system, const struct clearance *all, size_t count)
 {
     bool plain = true;
     for (size_t k = 0; k < count; k++) {
@@ -65,7 +64,7 @@ struct clearances clearances_open(const struct stop_beam *beam, struct arena *ar
                                .numbers = rows + (count + 1) * RAYS_BLOCK,
                                .watches = ARENA_ARRAY(arena, count, struct rim_watch),
                                .is_mirrored = stop_beam_is_mirrored(beam),
-                               .is_plain = clearances_are_plain(system, all, count)};
+                               .is_plain = are_plain(system, all, count)};
 }
 
 void clearances_narrow(const struct clearances *margins, size_t rays)

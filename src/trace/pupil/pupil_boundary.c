@@ -208,7 +208,7 @@ static bool is_long(const struct pupil_boundary *boundary)
 }
 
 /* Do rays end some of the edge that miss a surface or are reflected? No margin says where. */
-static bool pupil_boundary_loses_rays(const struct pupil_boundary *boundary)
+static bool loses_rays(const struct pupil_boundary *boundary)
 {
     bool some = false;
     for (size_t i = 0; i < boundary->count; i++) {
@@ -228,7 +228,7 @@ static void pupil_boundary_finish(const struct pupil_boundary_search *search)
 {
     const struct clearances *margins = search->margins;
     struct pupil_boundary *boundary = search->boundary;
-    boundary->is_plain = !margins->is_listed && !pupil_boundary_loses_rays(boundary);
+    boundary->is_plain = !margins->is_listed && !loses_rays(boundary);
     if (boundary->is_plain) {
         pupil_boundary_scan_between(search);
     } else if (!margins->is_listed) {
@@ -285,8 +285,7 @@ bool pupil_boundary_follow(const struct clearances *margins, const struct pupil_
     pupil_boundary_scan(&search, DIRECTIONS);
     const bool fits =
         pupil_boundary_is_whole(margins, boundary) || pupil_boundary_is_even(margins, boundary);
-    if (pupil_boundary_loses_rays(boundary) || is_long(boundary) ||
-        (!fits && !fit_frame(&search))) {
+    if (loses_rays(boundary) || is_long(boundary) || (!fits && !fit_frame(&search))) {
         return false;
     }
     pupil_boundary_finish(&search);

@@ -281,8 +281,8 @@ static size_t cut_brackets(const struct pupil_boundary_search *search,
 }
 
 /* One round: Newton's method where two margins meet, cuts elsewhere. Are any left to be found? */
-static bool pupil_boundary_corners_narrow(const struct pupil_boundary_search *search,
-                                          struct corner_bracket *brackets, size_t *count)
+static bool corners_narrow(const struct pupil_boundary_search *search,
+                           struct corner_bracket *brackets, size_t *count)
 {
     const struct clearances *margins = search->margins;
     struct corner_bracket *open[PUPIL_BOUNDARY_CORNERS];
@@ -330,8 +330,7 @@ void pupil_boundary_corners_find(const struct pupil_boundary_search *search)
                                     .before = boundary->edges[i],
                                     .after = boundary->edges[next]};
     }
-    for (int round = 0; round < ROUNDS && pupil_boundary_corners_narrow(search, brackets, &count);
-         round++) {
+    for (int round = 0; round < ROUNDS && corners_narrow(search, brackets, &count); round++) {
     }
     if (count > most) {
         return;
