@@ -9,7 +9,6 @@ enum { X, Y };
 bool tile_sees_backdrop(const struct view *view, const struct backdrop *backdrop,
                         const struct tile_rims *rims, struct card_light *light)
 {
-    /* the same in the scene, with what is around them */
     /* the middle of where they start, and of where they go, in the lens's coordinates */
     struct ray_block middle = {.z = {0}};
     double count = 0;
@@ -30,6 +29,7 @@ bool tile_sees_backdrop(const struct view *view, const struct backdrop *backdrop
     }
     middle.x[0] /= count;
     middle.y[0] /= count;
+    /* the same in the scene, with what is around them */
     const struct vector way = vector_unit((struct vector){middle.p[0], middle.q[0], middle.r[0]});
     const struct world_ray ray = view_ray(&view->camera, view->pupil, &middle, 0, 0);
     struct backdrop_rays rays = {.center = ray.origin, .direction = ray.direction};

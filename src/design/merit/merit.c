@@ -2,15 +2,11 @@
 /* SPDX-License-Identifier: MIT */
 #include "design/merit/merit.h"
 
-#include "design/merit/merit_asbuilt.h"
-#include "design/merit/merit_chief.h"
 #include "design/merit/merit_graze.h"
-#include "design/merit/merit_incidence.h"
+#include "design/merit/merit_kinds.h"
 #include "design/merit/merit_mtf.h"
 #include "design/merit/merit_paraxial.h"
 #include "design/merit/merit_rays.h"
-#include "design/merit/merit_shape.h"
-#include "design/merit/merit_state.h"
 #include "design/solver/solver_loss.h"
 
 #include <math.h>

@@ -1,6 +1,6 @@
 /* design/merit/merit_asbuilt.c - spots of lenses as they are made: the nominal one, and errors. */
 /* SPDX-License-Identifier: MIT */
-#include "design/merit/merit_asbuilt.h"
+#include "design/merit/merit_kinds.h"
 
 #include "design/merit/merit_rays.h"
 #include "design/merit/merit_state.h"

@@ -1,6 +1,6 @@
 /* design/merit/merit_chief.c - operands of real chief rays. */
 /* SPDX-License-Identifier: MIT */
-#include "design/merit/merit_chief.h"
+#include "design/merit/merit_kinds.h"
 
 #include "analysis/waves/wave_reference.h"
 #include "design/merit/merit_paraxial.h"

@@ -1,6 +1,6 @@
 /* design/merit/merit_incidence.c - operands of angles of incidence. */
 /* SPDX-License-Identifier: MIT */
-#include "design/merit/merit_incidence.h"
+#include "design/merit/merit_kinds.h"
 
 #include "design/merit/merit_ray.h"
 

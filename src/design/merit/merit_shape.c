@@ -1,6 +1,6 @@
 /* design/merit/merit_shape.c - operands of what can be made: thicknesses of glass and air. */
 /* SPDX-License-Identifier: MIT */
-#include "design/merit/merit_shape.h"
+#include "design/merit/merit_kinds.h"
 
 #include "analysis/waves/wave_reference.h"
 #include "design/merit/merit_paraxial.h"
