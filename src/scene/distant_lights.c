@@ -30,11 +30,6 @@ static size_t cell_of_direction(const struct distant_lights *discs, struct vecto
            cell_column(discs, atan2(direction.x, direction.z));
 }
 
-/* The cells that a disc may lie in. */
-struct cell_range {
-    size_t row[2], column, columns; /* rows from..to; columns on from the first, round */
-};
-
 /* Count the discs of each cell, or list them where they were counted. */
 static void cells_fill(struct distant_lights *discs, size_t *next, bool lists)
 {
@@ -45,22 +40,21 @@ static void cells_fill(struct distant_lights *discs, size_t *next, bool lists)
                                                           disc->direction.z * disc->direction.z);
         const double latitude = atan2(y, across);
         const double low = latitude - reach, high = latitude + reach;
-        struct cell_range cells = {{low <= -PI / 2 ? 0 : cell_row(discs, sin(low)),
-                                    high >= PI / 2 ? discs->rows - 1 : cell_row(discs, sin(high))},
-                                   0,
-                                   discs->columns};
+        /* the cells that it may lie in: columns on from the first, round */
+        const size_t from = low <= -PI / 2 ? 0 : cell_row(discs, sin(low));
+        const size_t to = high >= PI / 2 ? discs->rows - 1 : cell_row(discs, sin(high));
+        size_t column = 0, columns = discs->columns;
         if (low > -PI / 2 && high < PI / 2) {
             const double half = asin(fmin(1, sin(reach) / cos(latitude))) * (1 + 1e-9) + 1e-12;
             const double longitude = atan2(disc->direction.x, disc->direction.z);
             const size_t last = cell_column(discs, longitude + half);
-            cells.column = cell_column(discs, longitude - half);
-            cells.columns = half >= PI / 2
-                                ? discs->columns
-                                : (last + discs->columns - cells.column) % discs->columns + 1;
+            column = cell_column(discs, longitude - half);
+            columns = half >= PI / 2 ? discs->columns
+                                     : (last + discs->columns - column) % discs->columns + 1;
         }
-        for (size_t row = cells.row[0]; row <= cells.row[1]; row++) {
-            for (size_t k = 0; k < cells.columns; k++) {
-                const size_t cell = row * discs->columns + (cells.column + k) % discs->columns;
+        for (size_t row = from; row <= to; row++) {
+            for (size_t k = 0; k < columns; k++) {
+                const size_t cell = row * discs->columns + (column + k) % discs->columns;
                 if (lists) {
                     discs->listed[next[cell]] = i;
                 }

@@ -41,20 +41,15 @@ static struct shape_box triangle_box(const struct scene_mesh *mesh, size_t trian
     return box;
 }
 
-/* Boxes of the triangles that have an area, and which they are. */
-struct counted {
-    struct bvh_box *boxes;
-    uint32_t *which;
-    size_t count;
-};
-
 void mesh_open(const struct scene_mesh *triangles, struct arena *arena, struct mesh *mesh)
 {
     *mesh = (struct mesh){.triangles = triangles};
     struct arena work = {0};
     const size_t most = triangles->triangle_count;
-    struct counted counted = {arena_buffer_array(&work, most, sizeof(struct bvh_box)),
-                              arena_buffer_array(&work, most, sizeof(uint32_t)), 0};
+    /* of the triangles that have an area */
+    struct bvh_box *boxes = arena_buffer_array(&work, most, sizeof(struct bvh_box));
+    uint32_t *numbers = arena_buffer_array(&work, most, sizeof(uint32_t));
+    size_t count = 0;
     mesh->box = nothing;
     for (size_t i = 0; i < triangles->triangle_count; i++) {
         const struct shape_box box = triangle_box(triangles, i);
@@ -67,15 +62,15 @@ void mesh_open(const struct scene_mesh *triangles, struct arena *arena, struct m
         const struct vector n = triangle_normal(triangles, i);
         if (vector_dot(n, n) > 0) {
             const struct shape_box box = triangle_box(triangles, i);
-            counted.boxes[counted.count] = bvh_box_of(box.low, box.high, size * 0x1p-44);
-            counted.which[counted.count++] = (uint32_t)i;
+            boxes[count] = bvh_box_of(box.low, box.high, size * 0x1p-44);
+            numbers[count++] = (uint32_t)i;
         }
     }
-    mesh->degenerate = triangles->triangle_count - counted.count;
-    bvh_open(counted.boxes, counted.count, MOST_TRIANGLES, arena, &mesh->tree);
-    struct mesh_triangle *leaves = arena_buffer_array(arena, counted.count, sizeof *leaves);
-    for (size_t i = 0; i < counted.count; i++) {
-        const uint32_t which = counted.which[mesh->tree.items[i]];
+    mesh->degenerate = triangles->triangle_count - count;
+    bvh_open(boxes, count, MOST_TRIANGLES, arena, &mesh->tree);
+    struct mesh_triangle *leaves = arena_buffer_array(arena, count, sizeof *leaves);
+    for (size_t i = 0; i < count; i++) {
+        const uint32_t which = numbers[mesh->tree.items[i]];
         const size_t *of = triangles->triangles[which];
         leaves[i] =
             (struct mesh_triangle){{(uint32_t)of[0], (uint32_t)of[1], (uint32_t)of[2]}, which};

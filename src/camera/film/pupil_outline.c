@@ -82,85 +82,67 @@ static void rays_open(const struct pupil_outline_search *search, size_t waveleng
 
 /* -------- where light comes from -------- */
 
-/* A square of u, v, and the rays at a grid over it. */
-struct patch {
-    double centre[2], half[2];
-    double points[RAYS_BLOCK][2];
-    double least;      /* by which one fails, so far */
-    double deepest[2]; /* the ray that passes best, in the middle of a lens with two halves */
-};
-
 enum { SIDE = 11, ALL = SIDE * SIDE };
 
 /*
- * A smaller one about the rays that pass, or about that which fails by least.
- *
- * Result    how many pass; SIZE_MAX: none does, nor will
+ * Grids over squares of u, v, each about the rays of the one before that pass, or about that which
+ * fails by least; in a lens with two halves those in the middle tell how it passes.
  */
-static size_t search_narrow(const struct outline_rays *sight, bool is_half, struct patch *patch)
-{
-    const double *excess = sight->margins.excess;
-    double low[2] = {INFINITY, INFINITY}, high[2] = {-INFINITY, -INFINITY};
-    size_t lit = 0, best = 0, deepest = ALL / 2;
-    for (size_t i = 0; i < ALL; i++) {
-        const bool counts = !is_half || i % SIDE == SIDE / 2;
-        best = excess[i] < excess[best] ? i : best;
-        deepest = counts && excess[i] < excess[deepest] ? i : deepest;
-        lit += excess[i] <= 0;
-    }
-    patch->deepest[0] = patch->points[deepest][0];
-    patch->deepest[1] = patch->points[deepest][1];
-    for (size_t i = 0; i < ALL; i++) {
-        for (int k = 0; k < 2 && (lit == 0 ? i == best : excess[i] <= 0); k++) {
-            low[k] = fmin(low[k], patch->points[i][k]);
-            high[k] = fmax(high[k], patch->points[i][k]);
-        }
-    }
-    for (int k = 0; k < 2; k++) {
-        const double step = 2 * patch->half[k] / (SIDE - 1);
-        patch->centre[k] = (low[k] + high[k]) / 2;
-        patch->half[k] = (high[k] - low[k]) / 2 + (lit == 0 ? 1.5 : 0.5) * step;
-    }
-    /* nearing a place that passes it would be less by more than the square is smaller */
-    const bool is_dark = lit == 0 && !(excess[best] < patch->least / 2);
-    patch->least = excess[best];
-    return is_dark ? SIZE_MAX : lit;
-}
-
 bool outline_is_lit(const struct pupil_outline_search *search, size_t wavelength,
                     struct pupil_outline *outline)
 {
     enum { LEVELS = 9, ENOUGH = 5 };
     const struct arena_mark mark = arena_mark(search->arena);
-    struct patch patch = {.half = {0.8, 0.8}, .least = INFINITY};
+    double middle[2] = {0}, half[2] = {0.8, 0.8}, points[RAYS_BLOCK][2], least = INFINITY;
     struct outline_rays sight;
-    size_t lit = 0;
+    size_t lit = 0, deepest = 0;
+    bool is_dark = false;
     rays_open(search, wavelength, outline, SIGHT_AROUND, &sight);
-    for (int level = 0; level < LEVELS && lit < ENOUGH; level++) {
+    const double *excess = sight.margins.excess;
+    for (int level = 0; level < LEVELS && lit < ENOUGH && !is_dark; level++) {
+        for (size_t i = 0; i < 2 * ALL; i++) {
+            const double place = (double)(i % 2 == 0 ? i / 2 % SIDE : i / 2 / SIDE);
+            points[i / 2][i % 2] = middle[i % 2] + (place * 2 / (SIDE - 1) - 1) * half[i % 2];
+        }
+        clearances_look(&sight.margins, (const double(*)[2])points, ALL);
+        double low[2] = {INFINITY, INFINITY}, high[2] = {-INFINITY, -INFINITY};
+        size_t best = 0;
+        lit = 0;
+        deepest = ALL / 2;
         for (size_t i = 0; i < ALL; i++) {
-            for (size_t k = 0; k < 2; k++) {
-                const double place = (double)(k == 0 ? i % SIDE : i / SIDE) * 2 / (SIDE - 1) - 1;
-                patch.points[i][k] = patch.centre[k] + place * patch.half[k];
+            const bool counts = !outline->is_half || i % SIDE == SIDE / 2;
+            best = excess[i] < excess[best] ? i : best;
+            deepest = counts && excess[i] < excess[deepest] ? i : deepest;
+            lit += excess[i] <= 0;
+        }
+        for (size_t i = 0; i < ALL; i++) {
+            for (int k = 0; k < 2 && (lit == 0 ? i == best : excess[i] <= 0); k++) {
+                low[k] = fmin(low[k], points[i][k]);
+                high[k] = fmax(high[k], points[i][k]);
             }
         }
-        clearances_look(&sight.margins, (const double(*)[2])patch.points, ALL);
-        lit = search_narrow(&sight, outline->is_half, &patch);
+        for (int k = 0; k < 2; k++) {
+            const double step = 2 * half[k] / (SIDE - 1);
+            middle[k] = (low[k] + high[k]) / 2;
+            half[k] = (high[k] - low[k]) / 2 + (lit == 0 ? 1.5 : 0.5) * step;
+        }
+        /* nearing a place that passes it would be less by more than the square is smaller */
+        is_dark = lit == 0 && !(excess[best] < least / 2);
+        least = excess[best];
     }
-    const bool is_lit = lit > 0 && lit != SIZE_MAX;
-    if (is_lit) {
-        const double right[2] = {patch.centre[0] + patch.half[0], patch.centre[1]};
-        const double up[2] = {patch.centre[0], patch.centre[1] + patch.half[1]};
-        const struct pupil_outline_point centre = outline_rays_from_disc(&sight, patch.centre);
-        const struct pupil_outline_point middle = outline_rays_from_disc(&sight, patch.deepest);
+    if (lit > 0) {
+        const double right[2] = {middle[0] + half[0], middle[1]};
+        const double up[2] = {middle[0], middle[1] + half[1]};
+        const struct pupil_outline_point centre = outline_rays_from_disc(&sight, middle);
+        const struct pupil_outline_point deep = outline_rays_from_disc(&sight, points[deepest]);
         const struct pupil_outline_point a = outline_rays_from_disc(&sight, right),
                                          b = outline_rays_from_disc(&sight, up);
-        const double size_a = hypot(a.x - centre.x, a.y - centre.y);
-        const double size_b = hypot(b.x - centre.x, b.y - centre.y);
-        outline->centre = (struct pupil_outline_point){outline->is_half ? 0 : middle.x, middle.y};
-        outline->size = (struct pupil_outline_point){size_a, size_b};
+        outline->centre = (struct pupil_outline_point){outline->is_half ? 0 : deep.x, deep.y};
+        outline->size = (struct pupil_outline_point){hypot(a.x - centre.x, a.y - centre.y),
+                                                     hypot(b.x - centre.x, b.y - centre.y)};
     }
     arena_reset(search->arena, mark);
-    return is_lit;
+    return lit > 0;
 }
 
 bool outline_discover(const struct pupil_outline_search *search, size_t wavelength,

@@ -54,31 +54,24 @@ static void add_sectors(struct patches *all, double from, double to)
     }
 }
 
-/* Rays in one direction. */
-static void place_arm(const struct patches *all, double angle, const double *ways, size_t count,
-                      double (*points)[2])
-{
-    const struct edge_frame *frame = &all->boundary->frame;
-    const double edge = pupil_boundary_near(all->boundary, angle);
-    double unit[2];
-    edge_point(frame, angle, 1, unit);
-    for (size_t i = 0; i < count; i++) {
-        const double radius = edge + ways[i] * (all->farthest - edge);
-        for (int k = 0; k < 2; k++) {
-            points[i][k] = frame->centre[k] + radius * (unit[k] - frame->centre[k]);
-        }
-    }
-}
-
 static void place_rays(const struct patches *all, const struct island_patch *patch,
                        double (*points)[2])
 {
+    const struct edge_frame *frame = &all->boundary->frame;
     const double low = patch->low[1], high = patch->high[1];
     const double ways[SIDE] = {low, (low + high) / 2, high};
-    for (size_t arm = 0; arm < SIDE; arm++) {
+    for (size_t arm = 0; arm < SIDE; arm++, points += SIDE) {
         const double share = (double)arm / (SIDE - 1);
-        place_arm(all, patch->low[0] + share * (patch->high[0] - patch->low[0]), ways, SIDE,
-                  points + arm * SIDE);
+        const double angle = patch->low[0] + share * (patch->high[0] - patch->low[0]);
+        const double edge = pupil_boundary_near(all->boundary, angle);
+        double unit[2];
+        edge_point(frame, angle, 1, unit);
+        for (size_t i = 0; i < SIDE; i++) {
+            const double radius = edge + ways[i] * (all->farthest - edge);
+            for (int k = 0; k < 2; k++) {
+                points[i][k] = frame->centre[k] + radius * (unit[k] - frame->centre[k]);
+            }
+        }
     }
 }
 
@@ -276,51 +269,32 @@ static bool is_alone(struct patches *all)
     return dark && done == all->count;
 }
 
-/* Cells that pass and may lie beyond the boundary. */
-struct beyond {
-    double *angles, *near, *radii;
-    size_t count;
-};
-
-/* Result: how many cells pass. */
-static size_t cells_beyond(const struct pupil_parts *parts, const struct pupil_boundary *boundary,
-                           struct beyond *beyond)
-{
-    const double surely = 0.97; /* within: more than pupil_boundary_near is off by */
-    size_t all = 0;
-    for (size_t i = 0; i < CELLS; i++) {
-        double point[2], angle, radius;
-        if (parts->part[i] == 0) {
-            continue;
-        }
-        all++;
-        pupil_parts_point(parts, i, point);
-        edge_polar(&boundary->frame, point, PI, &angle, &radius);
-        const double near = pupil_boundary_near(boundary, angle);
-        if (radius > surely * near) {
-            beyond->angles[beyond->count] = angle;
-            beyond->near[beyond->count] = near;
-            beyond->radii[beyond->count++] = radius;
-        }
-    }
-    return all;
-}
-
 static struct pupil_islands find_on_grid(const struct clearances *margins,
                                          const struct pupil_boundary *boundary, struct arena *arena)
 {
     const struct arena_mark mark = arena_mark(arena);
     struct pupil_parts *parts = ARENA_NEW(arena, struct pupil_parts);
-    struct beyond beyond = {.angles = ARENA_ARRAY(arena, CELLS, double),
-                            .near = ARENA_ARRAY(arena, CELLS, double),
-                            .radii = ARENA_ARRAY(arena, CELLS, double)};
+    /* cells that pass and may lie beyond the boundary */
+    double *angles = ARENA_ARRAY(arena, CELLS, double), *near = ARENA_ARRAY(arena, CELLS, double);
+    double *radii = ARENA_ARRAY(arena, CELLS, double);
+    const double surely = 0.97; /* within: more than pupil_boundary_near is off by */
+    size_t all = 0, count = 0, outside = 0;
     pupil_parts_find(margins, NULL, NULL, parts);
-    const size_t all = cells_beyond(parts, boundary, &beyond);
-    struct edge *edges = ARENA_ARRAY(arena, beyond.count + 1, struct edge);
-    size_t outside = 0;
-    edges_find(margins, &boundary->frame, beyond.angles, beyond.near, beyond.count, 0, 1e-6, edges);
-    for (size_t i = 0; i < beyond.count; i++) {
-        outside += beyond.radii[i] > edges[i].radius;
+    for (size_t i = 0; i < CELLS; i++) {
+        double point[2];
+        if (parts->part[i] == 0) {
+            continue;
+        }
+        all++;
+        pupil_parts_point(parts, i, point);
+        edge_polar(&boundary->frame, point, PI, &angles[count], &radii[count]);
+        near[count] = pupil_boundary_near(boundary, angles[count]);
+        count += radii[count] > surely * near[count];
+    }
+    struct edge *edges = ARENA_ARRAY(arena, count + 1, struct edge);
+    edges_find(margins, &boundary->frame, angles, near, count, 0, 1e-6, edges);
+    for (size_t i = 0; i < count; i++) {
+        outside += radii[i] > edges[i].radius;
     }
     arena_reset(arena, mark);
     return (struct pupil_islands){outside > 0 ? (double)outside / (double)all : 0};
