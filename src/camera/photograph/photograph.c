@@ -45,9 +45,9 @@ static size_t count_missing(const struct tile_work *work)
 
 /* -------- what the picture is of -------- */
 
-/* As large as the film sees, or as high as it is wide. */
-static bool size_card(const struct tile_work *work, struct tile_scratch *scratch, struct card *card,
-                      struct error *error)
+/* The card, as large as the film sees, or as high as it is wide; or the relief that it shows. */
+static bool open_card(struct tile_work *work, struct tile_scratch *scratch, struct card *card,
+                      struct arena *arena, struct error *error)
 {
     const struct photograph_question *question = work->question;
     const double w = question->film.width / 2, h = question->film.height / 2;
@@ -77,22 +77,6 @@ static bool size_card(const struct tile_work *work, struct tile_scratch *scratch
              card->distance);
         return error_hint(error, "give {field width}");
     }
-    return true;
-}
-
-static bool check_card(const struct photograph_question *question, struct error *error)
-{
-    const double distance = question->card.distance;
-    return (distance > 0 && isfinite(distance)) ||
-           fail(error, ERROR_DOMAIN, "the card lies %s",
-                distance > 0 ? "at infinity: it needs a {distance}" : "within the lens");
-}
-
-/* The card, or the relief that it shows. */
-static bool open_subject(struct tile_work *work, const struct card *card, struct arena *arena,
-                         struct error *error)
-{
-    const struct photograph_question *question = work->question;
     const struct setup *setup = question->film.setup;
     if (question->depths.map == NULL) {
         work->rays.subject = subject_card(card);
@@ -243,26 +227,18 @@ static void open_scene(struct tile_work *work, struct tile_scratch *scratch, str
     if (question->error > 0) {
         work->small = small_emitters_open(question->view, arena);
     }
-    open_reuse(work, &photograph->card, arena);
-}
-
-static bool open_card(struct tile_work *work, struct tile_scratch *scratch, struct arena *arena,
-                      struct photograph *photograph, struct error *error)
-{
-    struct card *card = &photograph->card;
-    if (!size_card(work, scratch, card, error) || !open_subject(work, card, arena, error)) {
-        return false;
-    }
-    open_reuse(work, card, arena);
-    return true;
 }
 
 bool photograph_take(const struct photograph_question *question, struct arena *arena,
                      struct photograph *photograph, struct error *error)
 {
+    const double distance = question->card.distance;
     struct lens_film film;
-    if ((question->view == NULL && !check_card(question, error)) ||
-        !lens_film_open(&question->film, arena, &film, error)) {
+    if (question->view == NULL && !(distance > 0 && isfinite(distance))) {
+        return fail(error, ERROR_DOMAIN, "the card lies %s",
+                    distance > 0 ? "at infinity: it needs a {distance}" : "within the lens");
+    }
+    if (!lens_film_open(&question->film, arena, &film, error)) {
         return false;
     }
     const struct tile_grid tiling = tiling_for(question);
@@ -287,9 +263,10 @@ bool photograph_take(const struct photograph_question *question, struct arena *a
     struct tile_scratch *scratch = tile_scratch_new(work.rays.passes, arena);
     if (question->view != NULL) {
         open_scene(&work, scratch, arena, photograph);
-    } else if (!open_card(&work, scratch, arena, photograph, error)) {
+    } else if (!open_card(&work, scratch, &photograph->card, arena, error)) {
         return false;
     }
+    open_reuse(&work, &photograph->card, arena);
     if (!image_new(&photograph->image, arena, error)) {
         return false;
     }
