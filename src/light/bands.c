@@ -96,45 +96,6 @@ static void set_basis(struct bands *bands, size_t primary)
     }
 }
 
-/*
- * The mixture of the primaries' shares by which X, Y or Z of each band must be multiplied so that
- * the primaries have it as they should.
- */
-static struct colour bands_many_mixture_of(const struct bands *bands, double (*xyz)[3], int i)
-{
-    const double *looks = colour_xyz_of_srgb.at[i];
-    struct colour_matrix shared = {{{0}}};
-    for (size_t k = 0; k < bands->count; k++) {
-        const double *basis = bands->basis[k];
-        for (int j = 0; j < 9; j++) {
-            shared.at[j / 3][j % 3] += xyz[k][i] * basis[j / 3] * basis[j % 3];
-        }
-    }
-    const struct colour_matrix back = colour_inverse(&shared);
-    return colour_turned(&back, (struct colour){{looks[0], looks[1], looks[2]}});
-}
-
-/*
- * Let the three primaries look as they should: means over a band take some of their saturation,
- * 0.5 % with 32 bands, which all colours get back here. X, Y and Z of each band get factors of
- * their own, near 1: a matrix that is the same for all would take more Y from violet, which has
- * hardly any, than there is.
- */
-static void set_colours(struct bands *bands, double (*xyz)[3])
-{
-    for (int i = 0; i < 3; i++) {
-        const struct colour mixture = bands_many_mixture_of(bands, xyz, i);
-        for (size_t k = 0; k < bands->count; k++) {
-            const double *basis = bands->basis[k];
-            xyz[k][i] *= mixture.part[0] * basis[0] + mixture.part[1] * basis[1] +
-                         mixture.part[2] * basis[2];
-        }
-    }
-    for (size_t k = 0; k < bands->count; k++) {
-        bands_rgb_of_sum(xyz[k], bands->rgb[k]);
-    }
-}
-
 bool bands_many(size_t count, struct bands *bands, struct error *error)
 {
     if (!(count >= BANDS_LEAST && count <= BANDS_MOST)) {
@@ -155,7 +116,37 @@ bool bands_many(size_t count, struct bands *bands, struct error *error)
         const double blue = 1 - bands->basis[k][0] - bands->basis[k][1];
         bands->basis[k][2] = blue > 0 ? blue : 0;
     }
-    set_colours(bands, xyz);
+    /*
+     * Let the three primaries look as they should: means over a band take some of their saturation,
+     * 0.5 % with 32 bands, which all colours get back here. X, Y and Z of each band get factors of
+     * their own, near 1: a matrix that is the same for all would take more Y from violet, which has
+     * hardly any, than there is.
+     */
+    for (int i = 0; i < 3; i++) {
+        /*
+         * The mixture of the primaries' shares by which X, Y or Z of each band must be multiplied
+         * so that the primaries have it as they should.
+         */
+        const double *looks = colour_xyz_of_srgb.at[i];
+        struct colour_matrix shared = {{{0}}};
+        for (size_t k = 0; k < bands->count; k++) {
+            const double *basis = bands->basis[k];
+            for (int j = 0; j < 9; j++) {
+                shared.at[j / 3][j % 3] += xyz[k][i] * basis[j / 3] * basis[j % 3];
+            }
+        }
+        const struct colour_matrix back = colour_inverse(&shared);
+        const struct colour mixture =
+            colour_turned(&back, (struct colour){{looks[0], looks[1], looks[2]}});
+        for (size_t k = 0; k < bands->count; k++) {
+            const double *basis = bands->basis[k];
+            xyz[k][i] *= mixture.part[0] * basis[0] + mixture.part[1] * basis[1] +
+                         mixture.part[2] * basis[2];
+        }
+    }
+    for (size_t k = 0; k < bands->count; k++) {
+        bands_rgb_of_sum(xyz[k], bands->rgb[k]);
+    }
     return true;
 }
 
@@ -213,8 +204,11 @@ static void spread_rgb(const struct bands *bands, const double rgb[3], double of
 
 /* -------- surfaces -------- */
 
-static bool check_shares(const struct spectrum *surface, struct error *error)
+bool bands_of_surface(const struct bands *bands, const struct spectrum *surface,
+                      double of[BANDS_MOST], double *held, struct error *error)
 {
+    const struct spectrum white = spectrum_white();
+    double share = 1;
     const bool is_rgb = surface->kind == SPECTRUM_RGB;
     if (!spectrum_check(surface, error)) {
         return false;
@@ -228,17 +222,6 @@ static bool check_shares(const struct spectrum *surface, struct error *error)
             return fail(error, ERROR_DOMAIN, "a surface reflects %.6g of the light; at most is 1",
                         shares[i]);
         }
-    }
-    return true;
-}
-
-bool bands_of_surface(const struct bands *bands, const struct spectrum *surface,
-                      double of[BANDS_MOST], double *held, struct error *error)
-{
-    const struct spectrum white = spectrum_white();
-    double share = 1;
-    if (!check_shares(surface, error)) {
-        return false;
     }
     if (surface->kind == SPECTRUM_RGB) {
         spread_rgb(bands, surface->rgb, of);

@@ -45,34 +45,6 @@ struct colour bands_whole(const struct spectrum *light)
     return whole;
 }
 
-/* What is looked for. `units` receives X + Y + Z of a unit of each band. */
-static void set_match(struct match *match, const struct bands *bands, struct colour wanted,
-                      const double of[BANDS_MOST], double units[BANDS_MOST])
-{
-    double all = 0;
-    match->count = bands->count;
-    for (size_t k = 0; k < bands->count; k++) {
-        const struct colour xyz = xyz_of(bands->rgb[k]);
-        units[k] = colour_sum(xyz);
-        match->share[k] = of[k] * units[k];
-        all += match->share[k];
-        for (int i = 0; i < 3; i++) {
-            match->colour[k][i] = xyz.part[i] / units[k];
-        }
-    }
-    for (size_t k = 0; k < bands->count; k++) {
-        match->share[k] /= all;
-    }
-    for (size_t k = 0; k < bands->count; k++) {
-        const double before = k > 0 ? match->share[k - 1] : 0;
-        const double behind = k + 1 < bands->count ? match->share[k + 1] : 0;
-        match->width[k] = match->share[k] / 2 + (before + behind) / 4;
-    }
-    for (int i = 0; i < 3; i++) {
-        match->wanted[i] = wanted.part[i] / colour_sum(wanted);
-    }
-}
-
 static double share_at(const struct match *match, size_t k, const double m[3])
 {
     const double *c = match->colour[k];
@@ -148,7 +120,30 @@ void bands_match(const struct bands *bands, const struct spectrum *light, double
 {
     struct match match;
     double units[BANDS_MOST], m[3] = {0}, amount = 0;
-    set_match(&match, bands, bands_whole(light), of, units);
+    /* units: X + Y + Z of a unit of each band */
+    const struct colour wanted = bands_whole(light);
+    double all = 0;
+    match.count = bands->count;
+    for (size_t k = 0; k < bands->count; k++) {
+        const struct colour xyz = xyz_of(bands->rgb[k]);
+        units[k] = colour_sum(xyz);
+        match.share[k] = of[k] * units[k];
+        all += match.share[k];
+        for (int i = 0; i < 3; i++) {
+            match.colour[k][i] = xyz.part[i] / units[k];
+        }
+    }
+    for (size_t k = 0; k < bands->count; k++) {
+        match.share[k] /= all;
+    }
+    for (size_t k = 0; k < bands->count; k++) {
+        const double before = k > 0 ? match.share[k - 1] : 0;
+        const double behind = k + 1 < bands->count ? match.share[k + 1] : 0;
+        match.width[k] = match.share[k] / 2 + (before + behind) / 4;
+    }
+    for (int i = 0; i < 3; i++) {
+        match.wanted[i] = wanted.part[i] / colour_sum(wanted);
+    }
     for (int i = 0; i < STEPS_MOST && step_down(&match, m); i++) {
     }
     for (size_t k = 0; k < bands->count; k++) {

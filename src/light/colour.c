@@ -152,21 +152,16 @@ bool colour_balance(struct colour white, struct colour_matrix *matrix, struct er
 
 /* -------- other primaries -------- */
 
-static bool is_srgb(const double (*primaries)[2])
+bool colour_of_primaries(const double (*primaries)[2], struct colour_matrix *matrix,
+                         struct error *error)
 {
+    *matrix = (struct colour_matrix){{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}};
     static const double srgb[4][2] = {{0.64, 0.33}, {0.3, 0.6}, {0.15, 0.06}, {0.3127, 0.329}};
     bool is_same = true;
     for (int i = 0; i < 8; i++) {
         is_same = is_same && fabs(primaries[i / 2][i % 2] - srgb[i / 2][i % 2]) <= 5e-4;
     }
-    return is_same;
-}
-
-bool colour_of_primaries(const double (*primaries)[2], struct colour_matrix *matrix,
-                         struct error *error)
-{
-    *matrix = (struct colour_matrix){{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}};
-    if (is_srgb(primaries)) {
+    if (is_same) {
         return true;
     }
     struct colour_matrix xyz, balance;

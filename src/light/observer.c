@@ -57,22 +57,6 @@ static double spline_bend(const struct bends *bends, size_t i)
     return bends->wavelength != NULL ? bends->wavelength[i] : row_wavelength(i);
 }
 
-/* What comes first in any of the lists behind a wavelength, but not beyond `end`. */
-static double next_bend(struct bends lists[3], double behind, double end)
-{
-    double next = end;
-    for (int i = 0; i < 3; i++) {
-        struct bends *list = &lists[i];
-        while (list->next < list->count && !(spline_bend(list, list->next) > behind)) {
-            list->next++;
-        }
-        if (list->next < list->count && spline_bend(list, list->next) < next) {
-            next = spline_bend(list, list->next);
-        }
-    }
-    return next;
-}
-
 static struct bends bends_of(const struct spectrum *spectrum)
 {
     const bool is_table = spectrum != NULL && spectrum->kind == SPECTRUM_TABLE;
@@ -82,30 +66,16 @@ static struct bends bends_of(const struct spectrum *spectrum)
 
 /* -------- sums -------- */
 
-/* The colour matching functions between two of their rows. */
-static void functions_at(double wavelength, size_t row, double of[3])
-{
-    const double share = (wavelength - row_wavelength(row)) / OBSERVER_STEP;
-    for (int i = 0; i < 3; i++) {
-        of[i] = functions[row][i] + share * (functions[row + 1][i] - functions[row][i]);
-    }
-}
-
-/* The row before a wavelength, that of the last step at the end. */
-static size_t row_before(double wavelength)
-{
-    const double rows = (wavelength - OBSERVER_LEAST) / OBSERVER_STEP;
-    const size_t row = rows > 0 ? (size_t)rows : 0;
-    return row < OBSERVER_ROWS - 1 ? row : OBSERVER_ROWS - 2;
-}
-
 /* Add a stretch in which all tables are straight. */
 static void add_stretch(const struct spectrum *light, const struct spectrum *surface,
                         const double ends[2], double xyz[3])
 {
     /* a table that ends here counts on its own side only */
     const double middle = (ends[0] + ends[1]) / 2;
-    const size_t row = row_before(middle);
+    /* the row before a wavelength, that of the last step at the end */
+    const double rows = (middle - OBSERVER_LEAST) / OBSERVER_STEP;
+    const size_t last = rows > 0 ? (size_t)rows : 0;
+    const size_t row = last < OBSERVER_ROWS - 1 ? last : OBSERVER_ROWS - 2;
     if (!(spectrum_at(light, middle) * (surface == NULL ? 1 : spectrum_at(surface, middle)) > 0)) {
         return;
     }
@@ -113,7 +83,12 @@ static void add_stretch(const struct spectrum *light, const struct spectrum *sur
         const double value =
             spectrum_at(light, ends[end]) * (surface == NULL ? 1 : spectrum_at(surface, ends[end]));
         double of[3];
-        functions_at(ends[end], row, of);
+        /* the colour matching functions between two of their rows */
+        const double wavelength = ends[end];
+        const double share = (wavelength - row_wavelength(row)) / OBSERVER_STEP;
+        for (int i = 0; i < 3; i++) {
+            of[i] = functions[row][i] + share * (functions[row + 1][i] - functions[row][i]);
+        }
         for (int i = 0; i < 3; i++) {
             xyz[i] += (ends[1] - ends[0]) / 2 * value * of[i];
         }
@@ -127,7 +102,19 @@ void observer_sum(const struct spectrum *light, const struct spectrum *surface, 
     for (size_t k = 0; k < count; k++) {
         xyz[k][0] = xyz[k][1] = xyz[k][2] = 0;
         for (double at = edges[k]; at < edges[k + 1];) {
-            const double ends[2] = {at, next_bend(lists, at, edges[k + 1])};
+            /* what comes first in any of the lists behind a wavelength, but not beyond `end` */
+            const double end = edges[k + 1];
+            double next = end;
+            for (int i = 0; i < 3; i++) {
+                struct bends *list = &lists[i];
+                while (list->next < list->count && !(spline_bend(list, list->next) > at)) {
+                    list->next++;
+                }
+                if (list->next < list->count && spline_bend(list, list->next) < next) {
+                    next = spline_bend(list, list->next);
+                }
+            }
+            const double ends[2] = {at, next};
             add_stretch(light, surface, ends, xyz[k]);
             at = ends[1];
         }

@@ -132,25 +132,6 @@ static bool check_rgb(const struct spectrum *spectrum, struct error *error)
     return true;
 }
 
-static bool spectrum_check_table(const struct spectrum *table, struct error *error)
-{
-    if (table->count < 2) {
-        return fail(error, ERROR_DOMAIN, "a table of a spectrum has at least two rows");
-    }
-    for (size_t i = 0; i < table->count; i++) {
-        if (!(table->value[i] >= 0 && table->value[i] < (double)INFINITY)) {
-            return fail_number("a value of the spectrum", table->value[i], error);
-        }
-        if (!(table->wavelength[i] > (i == 0 ? 0 : table->wavelength[i - 1])) ||
-            !(table->wavelength[i] < (double)INFINITY)) {
-            return fail(error, ERROR_DOMAIN,
-                        "the wavelength %.6g um of the spectrum is not above the one before it",
-                        table->wavelength[i]);
-        }
-    }
-    return true;
-}
-
 static bool check_kelvin(const struct spectrum *spectrum, const char *what, const int range[2],
                          struct error *error)
 {
@@ -173,7 +154,21 @@ bool spectrum_check(const struct spectrum *spectrum, struct error *error)
     case SPECTRUM_DAYLIGHT:
         return check_kelvin(spectrum, "daylight", day, error);
     case SPECTRUM_TABLE:
-        return spectrum_check_table(spectrum, error);
+        if (spectrum->count < 2) {
+            return fail(error, ERROR_DOMAIN, "a table of a spectrum has at least two rows");
+        }
+        for (size_t i = 0; i < spectrum->count; i++) {
+            if (!(spectrum->value[i] >= 0 && spectrum->value[i] < (double)INFINITY)) {
+                return fail_number("a value of the spectrum", spectrum->value[i], error);
+            }
+            if (!(spectrum->wavelength[i] > (i == 0 ? 0 : spectrum->wavelength[i - 1])) ||
+                !(spectrum->wavelength[i] < (double)INFINITY)) {
+                return fail(error, ERROR_DOMAIN,
+                            "the wavelength %.6g um of the spectrum is not above the one before it",
+                            spectrum->wavelength[i]);
+            }
+        }
+        return true;
     case SPECTRUM_NONE:
         break;
     }

@@ -31,7 +31,7 @@ struct backdrop backdrop_open(const struct world *world, const struct lights *li
 
 /* -------- what rays pass -------- */
 
-static double backdrop_angle_between(struct vector a, struct vector b)
+static double angle_between(struct vector a, struct vector b)
 {
     return atan2(vector_length(vector_cross(a, b)), vector_dot(a, b));
 }
@@ -45,7 +45,7 @@ static bool may_meet(const struct backdrop_rays *rays, struct vector middle, dou
     const struct vector to = vector_minus(middle, rays->center);
     const double away = vector_length(to), both = (rays->radius + radius) * (1 + slight);
     return !(away > both) ||
-           backdrop_angle_between(to, rays->direction) <= rays->angle + asin(both / away) + slight;
+           angle_between(to, rays->direction) <= rays->angle + asin(both / away) + slight;
 }
 
 static bool may_meet_child(const struct backdrop_rays *rays, const struct bvh_node *node, int child)
@@ -83,27 +83,16 @@ static bool may_meet_tree(const struct bvh *tree, const struct backdrop_rays *ra
     return may;
 }
 
-static bool may_meet_plane(const struct world_thing *thing, const struct backdrop_rays *rays)
-{
-    const struct vector up = thing->pose.turned.z;
-    const double above = vector_dot(up, vector_minus(rays->center, thing->pose.at));
-    const struct vector away = vector_times(above < 0 ? -1 : 1, up);
-    return thing->moves || !(fabs(above) > rays->radius * (1 + slight)) ||
-           backdrop_angle_between(away, rays->direction) + rays->angle + slight >= PI / 2;
-}
-
 /* -------- what is behind -------- */
 
 static bool is_even_light(const struct scene_light *light, const struct backdrop_rays *rays)
 {
     const struct vector up = {0, 1, 0};
-    const double from_zenith = backdrop_angle_between(up, rays->direction),
-                 angle = rays->angle + slight;
+    const double from_zenith = angle_between(up, rays->direction), angle = rays->angle + slight;
     switch (light->kind) {
     case LIGHT_SUN:
     case LIGHT_STAR:
-        return backdrop_angle_between(light->direction, rays->direction) >
-               angle + light->diameter / 2;
+        return angle_between(light->direction, rays->direction) > angle + light->diameter / 2;
     case LIGHT_SKY:
         return from_zenith - angle > PI / 2 ||
                (light->sky == SKY_UNIFORM && from_zenith + angle < PI / 2);
@@ -121,7 +110,12 @@ bool backdrop_is_uniform(const struct backdrop *backdrop, const struct backdrop_
     const struct scene *scene = world->scene;
     bool is_even = !backdrop->has_views && rays->angle < PI / 2;
     for (size_t i = 0; i < world->endless_count && is_even; i++) {
-        is_even = !may_meet_plane(&world->things[world->endless[i]], rays);
+        const struct world_thing *thing = &world->things[world->endless[i]];
+        const struct vector up = thing->pose.turned.z;
+        const double above = vector_dot(up, vector_minus(rays->center, thing->pose.at));
+        const struct vector away = vector_times(above < 0 ? -1 : 1, up);
+        is_even = !thing->moves && fabs(above) > rays->radius * (1 + slight) &&
+                  !(angle_between(away, rays->direction) + rays->angle + slight >= PI / 2);
     }
     for (size_t i = 0; i < scene->light_count && is_even; i++) {
         is_even = is_even_light(&scene->lights[i], rays);

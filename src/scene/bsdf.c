@@ -9,13 +9,6 @@
 
 /* -------- the coat -------- */
 
-static double ggx_normals(double alpha, struct vector normal)
-{
-    const double x = normal.x / alpha, y = normal.y / alpha;
-    const double all = x * x + y * y + normal.z * normal.z;
-    return 1 / (PI * alpha * alpha * all * all);
-}
-
 /* A normal of the coat as they are seen from `out`. */
 static struct vector facet_of(double alpha, struct vector out, double u, double v)
 {
@@ -48,13 +41,6 @@ static double coat_chance(const struct bsdf *scatter, struct vector out)
     return coat + ground > 0 ? coat / (coat + ground) : -1;
 }
 
-/* What the ground under a coat sends on, over what it would send without. */
-static double through_coat(const struct microfacets *coat, struct vector out, struct vector in)
-{
-    return (1 - microfacets_albedo(coat, out.z)) * (1 - microfacets_albedo(coat, in.z)) /
-           (1 - coat->mean_albedo);
-}
-
 double bsdf_value(const struct bsdf *scatter, struct vector out, struct vector in,
                   struct radiance *value)
 {
@@ -68,10 +54,15 @@ double bsdf_value(const struct bsdf *scatter, struct vector out, struct vector i
         const struct vector normal = vector_unit(vector_along(out, 1, in));
         const double own = microfacets_lambda(scatter->microfacets, out);
         /* G1 D/(4 cos(out)): of the directions that normals as they are seen send light from */
-        found = ggx_normals(scatter->microfacets->alpha, normal) / ((1 + own) * 4 * out.z);
+        const double alpha = scatter->microfacets->alpha;
+        const double x = normal.x / alpha, y = normal.y / alpha;
+        const double all = x * x + y * y + normal.z * normal.z;
+        found = (1 / (PI * alpha * alpha * all * all)) / ((1 + own) * 4 * out.z);
         coat = found * microfacets_reflect(scatter->microfacets, out, normal, in);
         chance = coat_chance(scatter, out);
-        ground *= through_coat(scatter->microfacets, out, in);
+        ground *= (1 - microfacets_albedo(scatter->microfacets, out.z)) *
+                  (1 - microfacets_albedo(scatter->microfacets, in.z)) /
+                  (1 - scatter->microfacets->mean_albedo);
     }
     for (size_t k = 0; k < scatter->lanes; k++) {
         value->of[k] = coat + scatter->colour.of[k] * ground;

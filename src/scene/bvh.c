@@ -230,20 +230,6 @@ static size_t make_node(struct builder *builder, const struct bvh_range *range,
     return kept;
 }
 
-static void bvh_build(struct builder *builder, size_t count)
-{
-    struct bvh_range heap[BVH_PENDING + BVH_WIDTH];
-    size_t kept = 1;
-    heap[0] = (struct bvh_range){.count = count, .box = box_around(builder->items, count)};
-    while (kept > 0) {
-        const struct bvh_range range = heap[--kept];
-        if (builder->node_count > 0) {
-            builder->nodes[range.parent].child[range.place] = (uint32_t)builder->node_count;
-        }
-        kept += make_node(builder, &range, &heap[kept]);
-    }
-}
-
 void bvh_open(const struct bvh_box *boxes, size_t count, size_t most, struct arena *arena,
               struct bvh *tree)
 {
@@ -262,7 +248,16 @@ void bvh_open(const struct bvh_box *boxes, size_t count, size_t most, struct are
     for (size_t i = 0; i < count; i++) {
         builder.items[i] = (struct bvh_item){boxes[i], (uint32_t)i};
     }
-    bvh_build(&builder, count);
+    struct bvh_range heap[BVH_PENDING + BVH_WIDTH];
+    size_t kept = 1;
+    heap[0] = (struct bvh_range){.count = count, .box = box_around(builder.items, count)};
+    while (kept > 0) {
+        const struct bvh_range range = heap[--kept];
+        if (builder.node_count > 0) {
+            builder.nodes[range.parent].child[range.place] = (uint32_t)builder.node_count;
+        }
+        kept += make_node(&builder, &range, &heap[kept]);
+    }
     struct bvh_node *nodes = arena_buffer_array(arena, builder.node_count, sizeof *nodes);
     memcpy(nodes, builder.nodes, builder.node_count * sizeof *nodes);
     uint32_t *items = arena_buffer_array(arena, count, sizeof *items);

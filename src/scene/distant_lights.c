@@ -30,43 +30,31 @@ static size_t cell_of_direction(const struct distant_lights *discs, struct vecto
            cell_column(discs, atan2(direction.x, direction.z));
 }
 
-/* The cells that a disc may lie in. */
-struct cell_range {
-    size_t row[2], column, columns; /* rows from..to; columns on from the first, round */
-};
-
-static struct cell_range cells_of_light(const struct distant_lights *discs,
-                                        const struct distant_light *disc)
-{
-    const double reach = disc->radius * (1 + 1e-9) + 1e-12;
-    const double y = disc->direction.y, across = sqrt(disc->direction.x * disc->direction.x +
-                                                      disc->direction.z * disc->direction.z);
-    const double latitude = atan2(y, across);
-    const double low = latitude - reach, high = latitude + reach;
-    struct cell_range cells = {{low <= -PI / 2 ? 0 : cell_row(discs, sin(low)),
-                                high >= PI / 2 ? discs->rows - 1 : cell_row(discs, sin(high))},
-                               0,
-                               discs->columns};
-    if (low > -PI / 2 && high < PI / 2) {
-        const double half = asin(fmin(1, sin(reach) / cos(latitude))) * (1 + 1e-9) + 1e-12;
-        const double longitude = atan2(disc->direction.x, disc->direction.z);
-        const size_t last = cell_column(discs, longitude + half);
-        cells.column = cell_column(discs, longitude - half);
-        cells.columns = half >= PI / 2
-                            ? discs->columns
-                            : (last + discs->columns - cells.column) % discs->columns + 1;
-    }
-    return cells;
-}
-
 /* Count the discs of each cell, or list them where they were counted. */
 static void cells_fill(struct distant_lights *discs, size_t *next, bool lists)
 {
     for (size_t i = 0; i < discs->count; i++) {
-        const struct cell_range cells = cells_of_light(discs, &discs->all[i]);
-        for (size_t row = cells.row[0]; row <= cells.row[1]; row++) {
-            for (size_t k = 0; k < cells.columns; k++) {
-                const size_t cell = row * discs->columns + (cells.column + k) % discs->columns;
+        const struct distant_light *disc = &discs->all[i];
+        const double reach = disc->radius * (1 + 1e-9) + 1e-12;
+        const double y = disc->direction.y, across = sqrt(disc->direction.x * disc->direction.x +
+                                                          disc->direction.z * disc->direction.z);
+        const double latitude = atan2(y, across);
+        const double low = latitude - reach, high = latitude + reach;
+        /* the cells that it may lie in: columns on from the first, round */
+        const size_t from = low <= -PI / 2 ? 0 : cell_row(discs, sin(low));
+        const size_t to = high >= PI / 2 ? discs->rows - 1 : cell_row(discs, sin(high));
+        size_t column = 0, columns = discs->columns;
+        if (low > -PI / 2 && high < PI / 2) {
+            const double half = asin(fmin(1, sin(reach) / cos(latitude))) * (1 + 1e-9) + 1e-12;
+            const double longitude = atan2(disc->direction.x, disc->direction.z);
+            const size_t last = cell_column(discs, longitude + half);
+            column = cell_column(discs, longitude - half);
+            columns = half >= PI / 2 ? discs->columns
+                                     : (last + discs->columns - column) % discs->columns + 1;
+        }
+        for (size_t row = from; row <= to; row++) {
+            for (size_t k = 0; k < columns; k++) {
+                const size_t cell = row * discs->columns + (column + k) % discs->columns;
                 if (lists) {
                     discs->listed[next[cell]] = i;
                 }
@@ -74,29 +62,6 @@ static void cells_fill(struct distant_lights *discs, size_t *next, bool lists)
             }
         }
     }
-}
-
-/* About one disc a cell, but cells no smaller than discs are in the mean. */
-static void sort_into_cells(struct distant_lights *discs, struct arena *arena)
-{
-    double radii = 0;
-    for (size_t i = 0; i < discs->count; i++) {
-        radii += discs->all[i].radius;
-    }
-    double rows = fmin(sqrt((double)discs->count), 2 * (double)discs->count / radii);
-    rows = fmax(1, fmin(rows, ROWS_MOST));
-    discs->rows = (size_t)rows;
-    discs->columns = discs->rows;
-    const size_t cells = discs->rows * discs->columns;
-    size_t *next = ARENA_ARRAY(arena, cells + 1, size_t);
-    discs->begins = ARENA_ARRAY(arena, cells + 1, size_t);
-    cells_fill(discs, next, false);
-    for (size_t i = 0; i < cells; i++) {
-        discs->begins[i + 1] = discs->begins[i] + next[i];
-        next[i] = discs->begins[i];
-    }
-    discs->listed = ARENA_ARRAY(arena, discs->begins[cells], size_t);
-    cells_fill(discs, next, true);
 }
 
 /* -------- what they shine -------- */
@@ -144,31 +109,6 @@ static int by_disc_and_number(const void *a, const void *b)
     return sign != 0 ? sign : (p > q) - (p < q);
 }
 
-/*
- * Discs of one place, size and colour become the first of them: rays would look at each. The others
- * have no amount any more; `amount`: lx of each.
- */
-static void join_alike(struct distant_lights *discs, double *amount)
-{
-    struct arena work = {0};
-    struct distant_light **order = ARENA_ARRAY(&work, discs->count, struct distant_light *);
-    for (size_t i = 0; i < discs->count; i++) {
-        order[i] = &discs->all[i];
-    }
-    qsort(order, discs->count, sizeof order[0], by_disc_and_number);
-    struct distant_light *first = order[0];
-    for (size_t i = 1; i < discs->count; i++) {
-        if (by_disc(first, order[i]) != 0) {
-            first = order[i];
-            continue;
-        }
-        first->luminance += order[i]->luminance;
-        amount[first - discs->all] += amount[order[i] - discs->all];
-        amount[order[i] - discs->all] = 0;
-    }
-    arena_free(&work);
-}
-
 void distant_lights_open(const struct scene *scene, const struct banded *const *units,
                          struct arena *arena, struct distant_lights *discs)
 {
@@ -196,7 +136,27 @@ void distant_lights_open(const struct scene *scene, const struct banded *const *
             amount[count++] = scene->lights[i].amount;
         }
     }
-    join_alike(discs, amount);
+    /*
+     * Discs of one place, size and colour become the first of them: rays would look at each. The
+     * others have no amount any more; `amount`: lx of each.
+     */
+    struct arena work = {0};
+    struct distant_light **order = ARENA_ARRAY(&work, discs->count, struct distant_light *);
+    for (size_t i = 0; i < discs->count; i++) {
+        order[i] = &discs->all[i];
+    }
+    qsort(order, discs->count, sizeof order[0], by_disc_and_number);
+    struct distant_light *first = order[0];
+    for (size_t i = 1; i < discs->count; i++) {
+        if (by_disc(first, order[i]) != 0) {
+            first = order[i];
+            continue;
+        }
+        first->luminance += order[i]->luminance;
+        amount[first - discs->all] += amount[order[i] - discs->all];
+        amount[order[i] - discs->all] = 0;
+    }
+    arena_free(&work);
     /* What is left of them, in the order of the scene, and how often each is chosen. */
     count = 0;
     for (size_t i = 0; i < discs->count; i++) {
@@ -212,7 +172,25 @@ void distant_lights_open(const struct scene *scene, const struct banded *const *
         const double share = (discs->below[i + 1] - discs->below[i]) / discs->total;
         discs->all[i].pdf = share / (2 * PI * cap_height(discs->all[i].radius));
     }
-    sort_into_cells(discs, arena);
+    /* about one disc a cell, but cells no smaller than discs are in the mean */
+    double radii = 0;
+    for (size_t i = 0; i < discs->count; i++) {
+        radii += discs->all[i].radius;
+    }
+    double rows = fmin(sqrt((double)discs->count), 2 * (double)discs->count / radii);
+    rows = fmax(1, fmin(rows, ROWS_MOST));
+    discs->rows = (size_t)rows;
+    discs->columns = discs->rows;
+    const size_t cells = discs->rows * discs->columns;
+    size_t *next = ARENA_ARRAY(arena, cells + 1, size_t);
+    discs->begins = ARENA_ARRAY(arena, cells + 1, size_t);
+    cells_fill(discs, next, false);
+    for (size_t i = 0; i < cells; i++) {
+        discs->begins[i + 1] = discs->begins[i] + next[i];
+        next[i] = discs->begins[i];
+    }
+    discs->listed = ARENA_ARRAY(arena, discs->begins[cells], size_t);
+    cells_fill(discs, next, true);
 }
 
 struct vector distant_light_direction(const struct distant_light *disc, const double u[2])

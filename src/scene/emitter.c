@@ -183,15 +183,6 @@ static struct flat flat_of(const struct scene_thing *thing, size_t triangle)
     return flat;
 }
 
-/* Even over the area. */
-static struct vector flat_place(const struct flat *flat, bool is_triangle, const double u[2])
-{
-    const double root = sqrt(u[0]), angle = 2 * PI * u[1];
-    const double x = is_triangle ? root * (1 - u[1]) : root * cos(angle);
-    const double y = is_triangle ? root * u[1] : root * sin(angle);
-    return vector_along(vector_along(flat->at, x, flat->x), y, flat->y);
-}
-
 static double flat_pdf(const struct flat *flat, struct vector direction, double distance)
 {
     const double seen = flat->area * fabs(vector_dot(flat->normal, direction));
@@ -199,7 +190,7 @@ static double flat_pdf(const struct flat *flat, struct vector direction, double 
 }
 
 /* The way to a place; false: it is here. */
-static bool emitter_sample_towards(struct vector from, struct vector at, struct emitter_sample *ray)
+static bool sample_towards(struct vector from, struct vector at, struct emitter_sample *ray)
 {
     const struct vector to = vector_minus(at, from);
     ray->distance = vector_length(to);
@@ -211,7 +202,12 @@ static bool sample_flat(const struct scene_thing *thing, size_t triangle, struct
                         const double u[2], struct emitter_sample *ray)
 {
     const struct flat flat = flat_of(thing, triangle);
-    if (!emitter_sample_towards(from, flat_place(&flat, thing->shape == SHAPE_MESH, u), ray)) {
+    /* even over the area */
+    const bool is_triangle = thing->shape == SHAPE_MESH;
+    const double root = sqrt(u[0]), angle = 2 * PI * u[1];
+    const double x = is_triangle ? root * (1 - u[1]) : root * cos(angle);
+    const double y = is_triangle ? root * u[1] : root * sin(angle);
+    if (!sample_towards(from, vector_along(vector_along(flat.at, x, flat.x), y, flat.y), ray)) {
         return false;
     }
     ray->pdf = flat_pdf(&flat, ray->direction, ray->distance);
@@ -287,7 +283,7 @@ static bool sample_box(const struct scene_thing *thing, struct vector from, cons
     const struct discrete_sample side = discrete_sample_of(below, SIDES, u[0]);
     const struct rectangle rectangle = box_side(thing, side.index);
     const double rest[2] = {side.remainder, u[1]};
-    if (!emitter_sample_towards(from, rectangle_sample(&rectangle, from, rest, shares), ray)) {
+    if (!sample_towards(from, rectangle_sample(&rectangle, from, rest, shares), ray)) {
         return false;
     }
     ray->pdf = side_pdf(thing, side.index, from, ray->direction, ray->distance);
@@ -299,7 +295,7 @@ static bool sample_card(const struct scene_thing *thing, struct vector from, con
 {
     const struct rectangle card = card_of(thing);
     double shares[2];
-    if (!emitter_sample_towards(from, rectangle_sample(&card, from, u, shares), ray)) {
+    if (!sample_towards(from, rectangle_sample(&card, from, u, shares), ray)) {
         return false;
     }
     ray->pdf = rectangle_pdf(&card, from, ray->direction, ray->distance);
@@ -315,11 +311,6 @@ static double cone_height(double radius, struct vector from)
 {
     const double square = vector_dot(from, from), sine2 = radius * radius / square;
     return sine2 < 1 ? sine2 / (1 + sqrt(1 - sine2)) : 2;
-}
-
-static double sphere_pdf(double radius, struct vector from)
-{
-    return 1 / (2 * PI * cone_height(radius, from));
 }
 
 static bool sample_sphere(double radius, struct vector from, const double u[2],
@@ -418,7 +409,7 @@ double emitter_pdf(const struct scene_thing *thing, const struct scene_pose *pos
     const struct vector own_way = frame_in(&pose->turned, direction);
     switch (thing->shape) {
     case SHAPE_SPHERE:
-        return sphere_pdf(thing->radius, own);
+        return 1 / (2 * PI * cone_height(thing->radius, own));
     case SHAPE_CARD: {
         const struct rectangle card = card_of(thing);
         return rectangle_pdf(&card, own, own_way, hit->distance);

@@ -81,11 +81,6 @@ static void environment_bilinear(const struct image *picture, const double place
     }
 }
 
-static double rgb_luminance(const float *rgb)
-{
-    return colour_luminance((const double[3]){rgb[0], rgb[1], rgb[2]});
-}
-
 /* Mean over a pixel of what lies between it and its neighbours: nowhere 0 where there is light. */
 static double picture_mean(const struct image *picture, size_t row, size_t column)
 {
@@ -93,9 +88,9 @@ static double picture_mean(const struct image *picture, size_t row, size_t colum
     double mean = 0;
     for (int y = 0; y < 3; y++) {
         for (int x = 0; x < 3; x++) {
+            const float *rgb = environment_pixel(picture, (long)column + x - 1, (long)row + y - 1);
             mean +=
-                shares[y] * shares[x] *
-                rgb_luminance(environment_pixel(picture, (long)column + x - 1, (long)row + y - 1));
+                shares[y] * shares[x] * colour_luminance((const double[3]){rgb[0], rgb[1], rgb[2]});
         }
     }
     return mean;
@@ -130,40 +125,35 @@ static double sums_of(const double *weights, size_t count, float *sums)
     return all;
 }
 
-static void open_cells(struct environment_light *around, struct arena *arena)
-{
-    const bool is_sky = around->light->kind == LIGHT_SKY;
-    around->rows = is_sky ? SKY_ROWS : around->light->picture->height;
-    around->columns = is_sky ? SKY_COLUMNS : around->light->picture->width;
-    const size_t line = around->columns + 1;
-    float *across = arena_buffer_array(arena, around->rows, line * sizeof(float));
-    float *down = ARENA_ARRAY(arena, around->rows + 1, float);
-    struct arena spare = arena_within(arena);
-    double *weights = ARENA_ARRAY(&spare, around->columns, double);
-    double *of_rows = ARENA_ARRAY(&spare, around->rows, double);
-    for (size_t row = 0; row < around->rows; row++) {
-        for (size_t column = 0; column < around->columns; column++) {
-            weights[column] =
-                around->light->amount * (around->light->kind == LIGHT_SKY
-                                             ? sky_mean(around, row, column)
-                                             : picture_mean(around->light->picture, row, column));
-        }
-        of_rows[row] =
-            sums_of(weights, around->columns, across + row * line) * cell_solid_angle(around, row);
-    }
-    around->total = sums_of(of_rows, around->rows, down);
-    around->down = down;
-    around->across = across;
-    arena_free(&spare);
-}
-
 struct environment_light environment_light_open(const struct scene_light *light,
                                                 const struct banded *unit, struct arena *arena)
 {
     const double turn = light->kind == LIGHT_SKY ? 0 : light->turn;
     struct environment_light around = {
         .light = light, .unit = unit, .cosine = cos(turn), .sine = sin(turn)};
-    open_cells(&around, arena);
+    const bool is_sky = around.light->kind == LIGHT_SKY;
+    around.rows = is_sky ? SKY_ROWS : around.light->picture->height;
+    around.columns = is_sky ? SKY_COLUMNS : around.light->picture->width;
+    const size_t line = around.columns + 1;
+    float *across = arena_buffer_array(arena, around.rows, line * sizeof(float));
+    float *down = ARENA_ARRAY(arena, around.rows + 1, float);
+    struct arena spare = arena_within(arena);
+    double *weights = ARENA_ARRAY(&spare, around.columns, double);
+    double *of_rows = ARENA_ARRAY(&spare, around.rows, double);
+    for (size_t row = 0; row < around.rows; row++) {
+        for (size_t column = 0; column < around.columns; column++) {
+            weights[column] =
+                around.light->amount * (around.light->kind == LIGHT_SKY
+                                            ? sky_mean(&around, row, column)
+                                            : picture_mean(around.light->picture, row, column));
+        }
+        of_rows[row] =
+            sums_of(weights, around.columns, across + row * line) * cell_solid_angle(&around, row);
+    }
+    around.total = sums_of(of_rows, around.rows, down);
+    around.down = down;
+    around.across = across;
+    arena_free(&spare);
     return around;
 }
 

@@ -36,15 +36,6 @@ static struct emitter_extent emitter_extent_of(const struct emitter_item *items,
     return extent;
 }
 
-static int longest_axis(const struct emitter_extent *extent)
-{
-    int axis = 0;
-    for (int i = 1; i < 3; i++) {
-        axis = extent->high[i] - extent->low[i] > extent->high[axis] - extent->low[axis] ? i : axis;
-    }
-    return axis;
-}
-
 /* Bring the `middle` items that are least along an axis before the others. [Hoare61] */
 static void partition_at_median(struct emitter_item *items, size_t count, size_t middle, int axis)
 {
@@ -84,49 +75,12 @@ static size_t second_node(size_t node, size_t count)
     return node + 2 * first_half(count);
 }
 
-static struct light_tree_node node_of(const struct emitter_item *items, size_t count)
-{
-    const struct emitter_extent extent = emitter_extent_of(items, count, true);
-    struct light_tree_node node = {.power = 0};
-    double square = 0;
-    for (int axis = 0; axis < 3; axis++) {
-        const double half = ((double)extent.high[axis] - (double)extent.low[axis]) / 2;
-        node.at[axis] = (float)((double)extent.low[axis] + half);
-        square += half * half;
-    }
-    node.radius = (float)sqrt(square);
-    for (size_t i = 0; i < count; i++) {
-        node.power += items[i].power;
-    }
-    return node;
-}
-
 /* A stretch of the items that has a node. */
 struct tree_range {
     size_t begin, count, node;
 };
 
 enum { DEPTH_MOST = 64 }; /* halves of halves of any number */
-
-static void light_tree_build(struct emitter_item *items, size_t count,
-                             struct light_tree_node *nodes)
-{
-    struct tree_range open[DEPTH_MOST + 1] = {{0, count, 0}};
-    size_t left = 1;
-    while (left > 0) {
-        const struct tree_range at = open[--left];
-        struct emitter_item *own = items + at.begin;
-        nodes[at.node] = node_of(own, at.count);
-        if (at.count > 1) {
-            const struct emitter_extent middles = emitter_extent_of(own, at.count, false);
-            const size_t half = first_half(at.count);
-            partition_at_median(own, at.count, half, longest_axis(&middles));
-            open[left++] = (struct tree_range){at.begin + half, at.count - half,
-                                               second_node(at.node, at.count)};
-            open[left++] = (struct tree_range){at.begin, half, at.node + 1};
-        }
-    }
-}
 
 void light_tree_open(const struct scene *scene, const struct emitter *emitters, const double *power,
                      size_t count, struct arena *arena, struct light_tree *tree)
@@ -149,7 +103,39 @@ void light_tree_open(const struct scene *scene, const struct emitter *emitters, 
             .radius = (float)bounds.radius,
             .power = power[i]};
     }
-    light_tree_build(items, count, tree->nodes);
+    struct tree_range open[DEPTH_MOST + 1] = {{0, count, 0}};
+    size_t left = 1;
+    while (left > 0) {
+        const struct tree_range at = open[--left];
+        struct emitter_item *own = items + at.begin;
+        const struct emitter_extent extent = emitter_extent_of(own, at.count, true);
+        struct light_tree_node node = {.power = 0};
+        double square = 0;
+        for (int axis = 0; axis < 3; axis++) {
+            const double half = ((double)extent.high[axis] - (double)extent.low[axis]) / 2;
+            node.at[axis] = (float)((double)extent.low[axis] + half);
+            square += half * half;
+        }
+        node.radius = (float)sqrt(square);
+        for (size_t i = 0; i < at.count; i++) {
+            node.power += own[i].power;
+        }
+        tree->nodes[at.node] = node;
+        if (at.count > 1) {
+            const struct emitter_extent middles = emitter_extent_of(own, at.count, false);
+            const size_t half = first_half(at.count);
+            int axis = 0;
+            for (int i = 1; i < 3; i++) {
+                axis = middles.high[i] - middles.low[i] > middles.high[axis] - middles.low[axis]
+                           ? i
+                           : axis;
+            }
+            partition_at_median(own, at.count, half, axis);
+            open[left++] = (struct tree_range){at.begin + half, at.count - half,
+                                               second_node(at.node, at.count)};
+            open[left++] = (struct tree_range){at.begin, half, at.node + 1};
+        }
+    }
     for (size_t i = 0; i < count; i++) {
         tree->emitters[i] = items[i].emitter;
         tree->leaf_of[items[i].given] = i;

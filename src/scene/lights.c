@@ -210,23 +210,6 @@ static struct vector around_way(const struct lights *lights, const double u[3])
 
 /* -------- emitters -------- */
 
-/* A point, and whether it is not just here. */
-static bool sample_point(const struct lights *lights, size_t which, struct vector from, double time,
-                         const struct lanes *lanes, struct light_sample *sample)
-{
-    const struct scene_light *light = &lights->scene->lights[which];
-    const struct vector to = vector_minus(vector_along(light->at, time, light->velocity), from);
-    const double square = vector_dot(to, to);
-    sample->is_point = true;
-    sample->distance = sqrt(square);
-    sample->direction = vector_times(1 / sample->distance, to);
-    for (size_t k = 0; k < lanes->count; k++) {
-        sample->light.of[k] =
-            light->amount * MM2_PER_M2 / square * lights->units[which]->of[lanes->band[k]];
-    }
-    return square > 0;
-}
-
 /* What of a card is not there does not shine. */
 static double share_there(const struct scene_thing *thing, const double place[2])
 {
@@ -249,7 +232,19 @@ static bool sample_emitter(const struct lights *lights, struct vector from, doub
     }
     if (emitter->thing == SCENE_NONE) {
         sample->pdf = chance;
-        return sample_point(lights, emitter->part, from, time, lanes, sample);
+        /* a point, and whether it is not just here */
+        const size_t which = emitter->part;
+        const struct scene_light *light = &lights->scene->lights[which];
+        const struct vector to = vector_minus(vector_along(light->at, time, light->velocity), from);
+        const double square = vector_dot(to, to);
+        sample->is_point = true;
+        sample->distance = sqrt(square);
+        sample->direction = vector_times(1 / sample->distance, to);
+        for (size_t k = 0; k < lanes->count; k++) {
+            sample->light.of[k] =
+                light->amount * MM2_PER_M2 / square * lights->units[which]->of[lanes->band[k]];
+        }
+        return square > 0;
     }
     const struct scene_thing *thing = &lights->scene->things[emitter->thing];
     const struct scene_pose pose = scene_pose_at(&thing->where, time);

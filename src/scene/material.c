@@ -17,24 +17,6 @@ static int compare_coats(const void *first, const void *second)
     return by_roughness != 0 ? by_roughness : (a->index > b->index) - (a->index < b->index);
 }
 
-/* The glossy materials that things are made of, alike ones side by side. */
-static size_t list_glossy(const struct scene *scene, struct arena *arena,
-                          const struct scene_material **list)
-{
-    bool *is_listed = ARENA_ARRAY(arena, scene->material_count, bool);
-    size_t count = 0;
-    for (size_t i = 0; i < scene->thing_count; i++) {
-        const size_t number = scene->things[i].material;
-        if (number != SCENE_NONE && scene->materials[number].kind == MATERIAL_GLOSSY &&
-            !is_listed[number]) {
-            is_listed[number] = true;
-            list[count++] = &scene->materials[number];
-        }
-    }
-    qsort(list, count, sizeof *list, compare_coats);
-    return count;
-}
-
 /* -------- materials -------- */
 
 static bool open_material(const struct scene_material *written, struct spectra *spectra,
@@ -73,7 +55,18 @@ bool materials_open(const struct scene *scene, struct spectra *spectra, struct m
     struct arena spare = arena_within(arena);
     const struct scene_material **list =
         ARENA_ARRAY(&spare, scene->material_count, const struct scene_material *);
-    const size_t count = list_glossy(scene, &spare, list);
+    /* the glossy materials that things are made of, alike ones side by side */
+    bool *is_listed = ARENA_ARRAY(&spare, scene->material_count, bool);
+    size_t count = 0;
+    for (size_t i = 0; i < scene->thing_count; i++) {
+        const size_t number = scene->things[i].material;
+        if (number != SCENE_NONE && scene->materials[number].kind == MATERIAL_GLOSSY &&
+            !is_listed[number]) {
+            is_listed[number] = true;
+            list[count++] = &scene->materials[number];
+        }
+    }
+    qsort(list, count, sizeof *list, compare_coats);
     struct microfacets *coat = NULL;
     for (size_t i = 0; i < count; i++) {
         if (i == 0 || compare_coats(&list[i - 1], &list[i]) != 0) {

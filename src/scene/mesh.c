@@ -15,12 +15,6 @@ static struct vector triangle_normal(const struct scene_mesh *mesh, size_t trian
                         vector_minus(mesh->corners[of[2]], a));
 }
 
-static bool has_area(const struct scene_mesh *mesh, size_t triangle)
-{
-    const struct vector n = triangle_normal(mesh, triangle);
-    return vector_dot(n, n) > 0;
-}
-
 /* -------- made ready -------- */
 
 static void box_extend(struct shape_box *box, struct vector at)
@@ -47,47 +41,36 @@ static struct shape_box triangle_box(const struct scene_mesh *mesh, size_t trian
     return box;
 }
 
-/* Boxes of the triangles that have an area, and which they are. */
-struct counted {
-    struct bvh_box *boxes;
-    uint32_t *which;
-    size_t count;
-};
-
-static struct counted count_triangles(const struct scene_mesh *of, struct arena *arena,
-                                      struct mesh *mesh)
+void mesh_open(const struct scene_mesh *triangles, struct arena *arena, struct mesh *mesh)
 {
-    const size_t most = of->triangle_count;
-    struct counted counted = {arena_buffer_array(arena, most, sizeof(struct bvh_box)),
-                              arena_buffer_array(arena, most, sizeof(uint32_t)), 0};
+    *mesh = (struct mesh){.triangles = triangles};
+    struct arena work = {0};
+    const size_t most = triangles->triangle_count;
+    /* of the triangles that have an area */
+    struct bvh_box *boxes = arena_buffer_array(&work, most, sizeof(struct bvh_box));
+    uint32_t *numbers = arena_buffer_array(&work, most, sizeof(uint32_t));
+    size_t count = 0;
     mesh->box = nothing;
-    for (size_t i = 0; i < of->triangle_count; i++) {
-        const struct shape_box box = triangle_box(of, i);
+    for (size_t i = 0; i < triangles->triangle_count; i++) {
+        const struct shape_box box = triangle_box(triangles, i);
         box_extend(&mesh->box, box.low);
         box_extend(&mesh->box, box.high);
     }
     /* corners are sheared along the ray with errors that are shares of the whole triangle */
     const double size = vector_taxi(vector_minus(mesh->box.high, mesh->box.low));
-    for (size_t i = 0; i < of->triangle_count; i++) {
-        if (has_area(of, i)) {
-            const struct shape_box box = triangle_box(of, i);
-            counted.boxes[counted.count] = bvh_box_of(box.low, box.high, size * 0x1p-44);
-            counted.which[counted.count++] = (uint32_t)i;
+    for (size_t i = 0; i < triangles->triangle_count; i++) {
+        const struct vector n = triangle_normal(triangles, i);
+        if (vector_dot(n, n) > 0) {
+            const struct shape_box box = triangle_box(triangles, i);
+            boxes[count] = bvh_box_of(box.low, box.high, size * 0x1p-44);
+            numbers[count++] = (uint32_t)i;
         }
     }
-    return counted;
-}
-
-void mesh_open(const struct scene_mesh *triangles, struct arena *arena, struct mesh *mesh)
-{
-    *mesh = (struct mesh){.triangles = triangles};
-    struct arena work = {0};
-    const struct counted counted = count_triangles(triangles, &work, mesh);
-    mesh->degenerate = triangles->triangle_count - counted.count;
-    bvh_open(counted.boxes, counted.count, MOST_TRIANGLES, arena, &mesh->tree);
-    struct mesh_triangle *leaves = arena_buffer_array(arena, counted.count, sizeof *leaves);
-    for (size_t i = 0; i < counted.count; i++) {
-        const uint32_t which = counted.which[mesh->tree.items[i]];
+    mesh->degenerate = triangles->triangle_count - count;
+    bvh_open(boxes, count, MOST_TRIANGLES, arena, &mesh->tree);
+    struct mesh_triangle *leaves = arena_buffer_array(arena, count, sizeof *leaves);
+    for (size_t i = 0; i < count; i++) {
+        const uint32_t which = numbers[mesh->tree.items[i]];
         const size_t *of = triangles->triangles[which];
         leaves[i] =
             (struct mesh_triangle){{(uint32_t)of[0], (uint32_t)of[1], (uint32_t)of[2]}, which};
@@ -104,19 +87,6 @@ struct sheared {
     double from[3]; /* by these axes */
     double shear[3];
 };
-
-static struct sheared shear_along(const struct shape_ray *ray)
-{
-    const double from[] = {ray->origin.x, ray->origin.y, ray->origin.z};
-    const double direction[] = {ray->direction.x, ray->direction.y, ray->direction.z};
-    const double x = fabs(direction[0]), y = fabs(direction[1]), z = fabs(direction[2]);
-    const size_t steep = x > y ? (x > z ? 0 : 2) : (y > z ? 1 : 2);
-    const size_t first = steep < 2 ? steep + 1 : 0, second = first < 2 ? first + 1 : 0;
-    const double over = 1 / direction[steep];
-    return (struct sheared){.axis = {first, second, steep},
-                            .from = {from[first], from[second], from[steep]},
-                            .shear = {direction[first] * over, direction[second] * over, over}};
-}
 
 /* A corner in sheared coordinates; z is still along the steepest axis of the ray, in mm. */
 struct sheared_corner {
@@ -178,7 +148,16 @@ static inline bool triangle_intersect(const struct mesh *mesh, const struct mesh
 bool mesh_intersect(const struct mesh *mesh, const struct shape_ray *ray, bool is_any,
                     struct shape_hit *meeting)
 {
-    const struct sheared sheared = shear_along(ray);
+    const double from[] = {ray->origin.x, ray->origin.y, ray->origin.z};
+    const double direction[] = {ray->direction.x, ray->direction.y, ray->direction.z};
+    const double x = fabs(direction[0]), y = fabs(direction[1]), z = fabs(direction[2]);
+    const size_t steep = x > y ? (x > z ? 0 : 2) : (y > z ? 1 : 2);
+    const size_t first = steep < 2 ? steep + 1 : 0, second = first < 2 ? first + 1 : 0;
+    const double over = 1 / direction[steep];
+    const struct sheared sheared = {
+        .axis = {first, second, steep},
+        .from = {from[first], from[second], from[steep]},
+        .shear = {direction[first] * over, direction[second] * over, over}};
     double farthest = ray->farthest;
     bool met = false;
     struct bvh_traversal walk;

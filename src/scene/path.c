@@ -119,28 +119,6 @@ static bool path_survives_roulette(struct path_state *state, int bounces)
     return true;
 }
 
-/* Sample the BSDF for the next direction; false: the path is absorbed. */
-static bool path_scatter(struct path_state *state, struct path_vertex *vertex)
-{
-    double u[3] = {0};
-    struct bsdf_sample sample;
-    const bool is_mirror = vertex->bsdf.kind == MATERIAL_MIRROR;
-    for (int i = vertex->bsdf.kind == MATERIAL_GLOSSY ? 0 : 1; i < 3 && !is_mirror; i++) {
-        u[i] = sampler_next(state->sampler);
-    }
-    if (!bsdf_sample(&vertex->bsdf, vertex->out, u, &sample)) {
-        return false;
-    }
-    state->ray.origin = vertex->from;
-    state->ray.direction = frame_out(&vertex->frame, sample.direction);
-    state->pdf = sample.pdf;
-    state->lights = state->path->lights;
-    for (size_t k = 0; k < state->lanes->count; k++) {
-        state->throughput.of[k] *= sample.throughput.of[k];
-    }
-    return vector_dot(state->ray.direction, vertex->hit->face) > 0;
-}
-
 /* Add direct light at a surface, and scatter; false: the path ends. */
 static bool path_reflect(struct path_state *state, const struct world_hit *hit)
 {
@@ -156,7 +134,24 @@ static bool path_reflect(struct path_state *state, const struct world_hit *hit)
     if (vertex.bsdf.kind != MATERIAL_MIRROR) {
         path_add_direct_light(state, &vertex);
     }
-    return path_scatter(state, &vertex);
+    /* sample the BSDF for the next direction; false: the path is absorbed */
+    double u[3] = {0};
+    struct bsdf_sample sample;
+    const bool is_mirror = vertex.bsdf.kind == MATERIAL_MIRROR;
+    for (int i = vertex.bsdf.kind == MATERIAL_GLOSSY ? 0 : 1; i < 3 && !is_mirror; i++) {
+        u[i] = sampler_next(state->sampler);
+    }
+    if (!bsdf_sample(&vertex.bsdf, vertex.out, u, &sample)) {
+        return false;
+    }
+    state->ray.origin = vertex.from;
+    state->ray.direction = frame_out(&vertex.frame, sample.direction);
+    state->pdf = sample.pdf;
+    state->lights = state->path->lights;
+    for (size_t k = 0; k < state->lanes->count; k++) {
+        state->throughput.of[k] *= sample.throughput.of[k];
+    }
+    return vector_dot(state->ray.direction, vertex.hit->face) > 0;
 }
 
 void path_radiance(const struct path *path, const struct world_ray *ray, const struct lanes *lanes,

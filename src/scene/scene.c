@@ -34,14 +34,6 @@ bool scene_moves(const struct scene *scene)
     return moves;
 }
 
-/* With a picture: where that is not black. */
-static bool thing_shines(const struct scene *scene, const struct scene_thing *thing)
-{
-    return (thing->shines && thing->mean > 0) ||
-           (thing->material != SCENE_NONE &&
-            scene->materials[thing->material].emission.kind != SPECTRUM_NONE);
-}
-
 bool scene_reflects(const struct scene *scene, const struct scene_thing *thing)
 {
     return thing->material == SCENE_NONE ? !thing->shines
@@ -66,7 +58,9 @@ static struct scene_light_content look_over(const struct scene *scene)
     }
     for (size_t i = 0; i < scene->thing_count; i++) {
         const struct scene_thing *thing = &scene->things[i];
-        has.seen = has.seen || thing_shines(scene, thing);
+        has.seen = has.seen || ((thing->shines && thing->mean > 0) ||
+                                (thing->material != SCENE_NONE &&
+                                 scene->materials[thing->material].emission.kind != SPECTRUM_NONE));
         has.black = has.black || thing->shines;
         has.surface = has.surface || scene_reflects(scene, thing);
     }

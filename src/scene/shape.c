@@ -72,16 +72,6 @@ static struct shape_surface spot_card(const struct scene_thing *thing, const str
     return spot_flat(ray, meeting, thing->size.x, thing->size.y);
 }
 
-/* Is something there, at a place of which the share alpha is? */
-static bool alpha_is_there(struct vector at, double alpha)
-{
-    struct random_words counter;
-    const double place[2] = {at.x, at.y};
-    memcpy(counter.w, place, sizeof counter.w);
-    const struct random_words words = random_cipher(counter, 0, 0);
-    return random_unit_of(words.w[0], words.w[1]) < alpha;
-}
-
 static bool meet_card(const struct scene_thing *thing, const struct shape_ray *ray,
                       struct shape_hit *meeting)
 {
@@ -97,7 +87,12 @@ static bool meet_card(const struct scene_thing *thing, const struct shape_ray *r
     }
     double of[TEXTURE_CHANNELS];
     texture_lookup(thing->picture, spot_card(thing, ray, meeting).place, TEXTURE_ENDS, of);
-    return alpha_is_there(at, of[TEXTURE_ALPHA]);
+    /* is something there, at a place of which the share alpha is? */
+    struct random_words counter;
+    const double place[2] = {at.x, at.y};
+    memcpy(counter.w, place, sizeof counter.w);
+    const struct random_words words = random_cipher(counter, 0, 0);
+    return random_unit_of(words.w[0], words.w[1]) < of[TEXTURE_ALPHA];
 }
 
 /* -------- a sphere -------- */

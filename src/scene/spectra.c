@@ -13,25 +13,6 @@ struct spectrum_key {
     uint64_t kind, parts[3];
 };
 
-static struct spectrum_key spectrum_key_of(const struct spectrum *spectrum, bool is_surface)
-{
-    struct spectrum_key key = {2 * (uint64_t)spectrum->kind + (is_surface ? 1 : 0), {0}};
-    switch (spectrum->kind) {
-    case SPECTRUM_RGB:
-        memcpy(key.parts, spectrum->rgb, sizeof key.parts);
-        break;
-    case SPECTRUM_TABLE:
-        key.parts[0] = spectrum->count;
-        key.parts[1] = (uint64_t)(uintptr_t)spectrum->wavelength;
-        key.parts[2] = (uint64_t)(uintptr_t)spectrum->value;
-        break;
-    default:
-        memcpy(key.parts, &spectrum->kelvin, sizeof spectrum->kelvin);
-        break;
-    }
-    return key;
-}
-
 /* A spectrum that is new. */
 static bool banded_open(const struct bands *bands, const struct spectrum *spectrum, bool is_surface,
                         struct banded *banded, struct error *error)
@@ -50,7 +31,20 @@ static const struct banded *spectra_find(struct spectra *spectra, const struct s
                                          bool is_surface, const struct typed_place *place,
                                          struct error *error)
 {
-    const struct spectrum_key key = spectrum_key_of(spectrum, is_surface);
+    struct spectrum_key key = {2 * (uint64_t)spectrum->kind + (is_surface ? 1 : 0), {0}};
+    switch (spectrum->kind) {
+    case SPECTRUM_RGB:
+        memcpy(key.parts, spectrum->rgb, sizeof key.parts);
+        break;
+    case SPECTRUM_TABLE:
+        key.parts[0] = spectrum->count;
+        key.parts[1] = (uint64_t)(uintptr_t)spectrum->wavelength;
+        key.parts[2] = (uint64_t)(uintptr_t)spectrum->value;
+        break;
+    default:
+        memcpy(key.parts, &spectrum->kelvin, sizeof spectrum->kelvin);
+        break;
+    }
     struct arena *arena = spectra->arena;
     struct name_table *index = &spectra->index;
     const size_t known = name_table_find(index, (struct text){(const char *)&key, sizeof key});

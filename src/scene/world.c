@@ -68,30 +68,6 @@ static bool open_mesh(struct world *world, struct world_thing *thing, struct are
     return true;
 }
 
-/* Things that have the same mesh share its tree. */
-static bool open_meshes(struct world *world, struct arena *arena, struct error *error)
-{
-    struct arena work = {0};
-    struct world_thing **with = ARENA_ARRAY(&work, world->scene->thing_count, struct world_thing *);
-    size_t count = 0;
-    for (size_t i = 0; i < world->scene->thing_count; i++) {
-        if (world->things[i].thing->shape == SHAPE_MESH) {
-            with[count++] = &world->things[i];
-        }
-    }
-    qsort(with, count, sizeof *with, by_mesh);
-    bool good = true;
-    for (size_t i = 0; i < count && good; i++) {
-        if (i > 0 && with[i]->thing->mesh == with[i - 1]->thing->mesh) {
-            with[i]->mesh = with[i - 1]->mesh;
-        } else {
-            good = open_mesh(world, with[i], arena, error);
-        }
-    }
-    arena_free(&work);
-    return good;
-}
-
 /* What a frame's box reaches along an axis of the world, to both sides of its middle. */
 static double box_reach(double x, double y, double z, struct vector half)
 {
@@ -178,7 +154,29 @@ bool world_open(const struct scene *scene, const double span[2], struct arena *a
                                                 .pose = scene_pose_at(&thing->where, 0),
                                                 .moves = scene_place_moves(&thing->where)};
     }
-    return open_meshes(world, arena, error) && open_tree(world, arena, error);
+    /* things that have the same mesh share its tree */
+    struct arena work = {0};
+    struct world_thing **with = ARENA_ARRAY(&work, world->scene->thing_count, struct world_thing *);
+    size_t count = 0;
+    for (size_t i = 0; i < world->scene->thing_count; i++) {
+        if (world->things[i].thing->shape == SHAPE_MESH) {
+            with[count++] = &world->things[i];
+        }
+    }
+    qsort(with, count, sizeof *with, by_mesh);
+    bool good = true;
+    for (size_t i = 0; i < count && good; i++) {
+        if (i > 0 && with[i]->thing->mesh == with[i - 1]->thing->mesh) {
+            with[i]->mesh = with[i - 1]->mesh;
+        } else {
+            good = open_mesh(world, with[i], arena, error);
+        }
+    }
+    arena_free(&work);
+    if (!good) {
+        return false;
+    }
+    return open_tree(world, arena, error);
 }
 
 /* -------- rays -------- */

@@ -80,21 +80,6 @@ static bool acuity_halve(const struct image *from, struct arena *arena, struct i
     return true;
 }
 
-/* Pixels a sample that a cell's light asks for: at least 1. */
-static float *samples_of(const struct foveal *foveal, double pixels_a_degree, struct arena *arena,
-                         double *most)
-{
-    const size_t count = foveal->columns * foveal->rows;
-    float *samples = ARENA_ARRAY(arena, count, float);
-    *most = 1;
-    for (size_t i = 0; i < count; i++) {
-        const double wanted = pixels_a_degree / (2 * sight_acuity(foveal_luminance(foveal, i)));
-        samples[i] = (float)fmax(wanted, 1);
-        *most = fmax(*most, wanted);
-    }
-    return samples;
-}
-
 /* A share of a level's light at a pixel of the whole picture, between its pixels. */
 static void acuity_add_level(const struct pyramid *pyramid, int level, const double at[2],
                              float share, float light[CHANNELS])
@@ -158,37 +143,39 @@ static bool is_too_fine(const struct pyramid *pyramid, double most)
            (last->image.width > 1 || last->image.height > 1);
 }
 
-/* The next one. */
-static bool add_smaller(struct pyramid *pyramid, struct arena *arena, struct error *error)
-{
-    const struct level *last = &pyramid->levels[pyramid->count - 1];
-    struct level *next = &pyramid->levels[pyramid->count];
-    const double aspect = last->image.aspect > 0 ? last->image.aspect : 1;
-    const double box[] = {fmax(1 / aspect, 1), fmax(aspect, 1)};
-    const bool is_square = last->image.aspect == 0;
-    *next = (struct level){.octaves = last->octaves + (is_square ? 1 : log2(box[0] * box[1]))};
-    for (int i = 0; i < 2; i++) {
-        next->scale[i] = last->scale[i] / (is_square ? 2 : box[i]);
-    }
-    pyramid->count++;
-    return is_square ? acuity_halve(&last->image, arena, &next->image, error)
-                     : acuity_shrink(&last->image, box, arena, &next->image, error);
-}
-
 bool acuity_blur(const struct foveal *foveal, const struct image *image, struct arena *arena,
                  struct image *made, struct error *error)
 {
     struct pyramid pyramid = {.levels = {{.image = *image, .scale = {1, 1}}}, .count = 1};
     const double wide = foveal->cell[0] * (double)foveal->columns / (double)image->width;
     const double pixel = image->aspect > 1 ? wide / image->aspect : wide; /* its shorter side */
-    double most;
-    const float *samples = samples_of(foveal, RADIANS_PER_DEGREE / pixel, arena, &most);
+    /* pixels a sample that a cell's light asks for: at least 1 */
+    double most = 1;
+    const double pixels_a_degree = RADIANS_PER_DEGREE / pixel;
+    const size_t count = foveal->columns * foveal->rows;
+    float *samples = ARENA_ARRAY(arena, count, float);
+    for (size_t i = 0; i < count; i++) {
+        const double wanted = pixels_a_degree / (2 * sight_acuity(foveal_luminance(foveal, i)));
+        samples[i] = (float)fmax(wanted, 1);
+        most = fmax(most, wanted);
+    }
     *made = *image;
     if (!image_new(made, arena, error)) {
         return false;
     }
     while (is_too_fine(&pyramid, most)) {
-        if (!add_smaller(&pyramid, arena, error)) {
+        const struct level *last = &pyramid.levels[pyramid.count - 1];
+        struct level *next = &pyramid.levels[pyramid.count];
+        const double aspect = last->image.aspect > 0 ? last->image.aspect : 1;
+        const double box[] = {fmax(1 / aspect, 1), fmax(aspect, 1)};
+        const bool is_square = last->image.aspect == 0;
+        *next = (struct level){.octaves = last->octaves + (is_square ? 1 : log2(box[0] * box[1]))};
+        for (int i = 0; i < 2; i++) {
+            next->scale[i] = last->scale[i] / (is_square ? 2 : box[i]);
+        }
+        pyramid.count++;
+        if (!(is_square ? acuity_halve(&last->image, arena, &next->image, error)
+                        : acuity_shrink(&last->image, box, arena, &next->image, error))) {
             return false;
         }
     }

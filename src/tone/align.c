@@ -37,42 +37,6 @@ static float median_of(const struct tone_frame *frame, struct arena *arena)
     return bytes_float(bin << (32 - KEPT));
 }
 
-/* Only the order matters: the median in the middle, 48 shades an octave. */
-static void grey_of_floats(const struct tone_frame *frame, uint8_t *grey)
-{
-    struct arena scratch = {0};
-    const double median = fmax((double)median_of(frame, &scratch), 1e-30);
-    for (size_t i = 0; i < frame->width * frame->height; i++) {
-        const double share = (double)frame->values[FRAME_CHANNELS * i + 1] / median;
-        grey[i] = (uint8_t)fmin(fmax(128 + 48 * log2(fmax(share, 1e-9)), 0), 255);
-    }
-    arena_free(&scratch);
-}
-
-/* [Ward03]: 54 red, 183 green and 19 blue of 256. */
-static void grey_of_codes(const struct tone_frame *frame, uint8_t *grey)
-{
-    for (size_t i = 0; i < frame->width * frame->height; i++) {
-        grey[i] = (uint8_t)((54 * frame_byte(frame, i, 0) + 183 * frame_byte(frame, i, 1) +
-                             19 * frame_byte(frame, i, 2)) >>
-                            8);
-    }
-}
-
-static void align_halve(const struct shades *shades, int level)
-{
-    const size_t width = shades->width[level - 1];
-    for (size_t y = 0; y < shades->height[level]; y++) {
-        const uint8_t *above = shades->of[level - 1] + 2 * y * width, *below = above + width;
-        uint8_t *to = shades->of[level] + y * shades->width[level];
-        for (size_t x = 0; x < shades->width[level]; x++) {
-            to[x] =
-                (uint8_t)((above[2 * x] + above[2 * x + 1] + below[2 * x] + below[2 * x + 1] + 2) /
-                          4);
-        }
-    }
-}
-
 static struct shades shades_of(const struct tone_frame *frame, struct arena *arena)
 {
     struct shades shades = {.count = 0};
@@ -84,11 +48,35 @@ static struct shades shades_of(const struct tone_frame *frame, struct arena *are
         shades.height[level] = height;
         shades.of[level] = ARENA_ARRAY(arena, width * height, uint8_t);
         if (level > 0) {
-            align_halve(&shades, level);
+            const size_t across = shades.width[level - 1];
+            for (size_t y = 0; y < shades.height[level]; y++) {
+                const uint8_t *above = shades.of[level - 1] + 2 * y * across,
+                              *below = above + across;
+                uint8_t *to = shades.of[level] + y * shades.width[level];
+                for (size_t x = 0; x < shades.width[level]; x++) {
+                    to[x] = (uint8_t)((above[2 * x] + above[2 * x + 1] + below[2 * x] +
+                                       below[2 * x + 1] + 2) /
+                                      4);
+                }
+            }
         } else if (frame->bits == 0) {
-            grey_of_floats(frame, shades.of[0]);
+            /* only the order matters: the median in the middle, 48 shades an octave */
+            uint8_t *grey = shades.of[0];
+            struct arena scratch = {0};
+            const double median = fmax((double)median_of(frame, &scratch), 1e-30);
+            for (size_t i = 0; i < frame->width * frame->height; i++) {
+                const double share = (double)frame->values[FRAME_CHANNELS * i + 1] / median;
+                grey[i] = (uint8_t)fmin(fmax(128 + 48 * log2(fmax(share, 1e-9)), 0), 255);
+            }
+            arena_free(&scratch);
         } else {
-            grey_of_codes(frame, shades.of[0]);
+            /* [Ward03]: 54 red, 183 green and 19 blue of 256 */
+            uint8_t *grey = shades.of[0];
+            for (size_t i = 0; i < frame->width * frame->height; i++) {
+                grey[i] = (uint8_t)((54 * frame_byte(frame, i, 0) + 183 * frame_byte(frame, i, 1) +
+                                     19 * frame_byte(frame, i, 2)) >>
+                                    8);
+            }
         }
         width /= 2;
         height /= 2;

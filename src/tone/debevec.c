@@ -202,41 +202,6 @@ static double rms_of(const struct tone_frame *frames, size_t count, size_t chann
     return sqrt(sum / weights);
 }
 
-static void fill_curve(const double *g, struct response_curve *curve)
-{
-    const double middle = srgb_light((double)DEBEVEC_MIDDLE / TOP);
-    for (int z = 0; z < N; z++) {
-        curve->light[z] = middle * exp(g[z] - g[DEBEVEC_MIDDLE]);
-        if (z > 0 && !(curve->light[z] >= curve->light[z - 1])) {
-            curve->light[z] = curve->light[z - 1];
-            curve->held++;
-        }
-    }
-}
-
-static bool recover_channel(const struct tone_frame *frames, size_t count, size_t channel,
-                            struct arena *arena, struct response_curve *curve, struct error *error)
-{
-    struct debevec_equations equations = {.a = ARENA_ARRAY(arena, (size_t)N * N, double)};
-    struct debevec_seen seen;
-    for (size_t at = 0; at < pixels_of(frames); at++) {
-        debevec_see(frames, count, debevec_place_of(frames, at), channel, &seen);
-        add_pixel(&seen, &equations);
-    }
-    add_smoothness(&equations);
-    if (equations.pairs < 2 || !cholesky_factor(equations.a, N)) {
-        return fail(error, ERROR_DOMAIN,
-                    "no response can be told: %zu of %zu pixels are neither black nor full in two "
-                    "frames",
-                    equations.pairs, pixels_of(frames));
-    }
-    cholesky_forward(equations.a, N, equations.b);
-    cholesky_backward(equations.a, N, equations.b);
-    fill_curve(equations.b, curve);
-    curve->rms = rms_of(frames, count, channel, equations.b);
-    return true;
-}
-
 bool debevec_recover(const struct tone_frame *frames, size_t count, struct arena *arena,
                      struct response_curve curves[FRAME_CHANNELS], struct error *error)
 {
@@ -254,9 +219,33 @@ bool debevec_recover(const struct tone_frame *frames, size_t count, struct arena
     }
     memset(curves, 0, FRAME_CHANNELS * sizeof *curves);
     for (size_t k = 0; k < FRAME_CHANNELS; k++) {
-        if (!recover_channel(frames, count, k, arena, &curves[k], error)) {
-            return false;
+        struct response_curve *curve = &curves[k];
+        struct debevec_equations equations = {.a = ARENA_ARRAY(arena, (size_t)N * N, double)};
+        struct debevec_seen seen;
+        for (size_t at = 0; at < pixels_of(frames); at++) {
+            debevec_see(frames, count, debevec_place_of(frames, at), k, &seen);
+            add_pixel(&seen, &equations);
         }
+        add_smoothness(&equations);
+        if (equations.pairs < 2 || !cholesky_factor(equations.a, N)) {
+            return fail(
+                error, ERROR_DOMAIN,
+                "no response can be told: %zu of %zu pixels are neither black nor full in two "
+                "frames",
+                equations.pairs, pixels_of(frames));
+        }
+        cholesky_forward(equations.a, N, equations.b);
+        cholesky_backward(equations.a, N, equations.b);
+        const double *g = equations.b;
+        const double middle = srgb_light((double)DEBEVEC_MIDDLE / TOP);
+        for (int z = 0; z < N; z++) {
+            curve->light[z] = middle * exp(g[z] - g[DEBEVEC_MIDDLE]);
+            if (z > 0 && !(curve->light[z] >= curve->light[z - 1])) {
+                curve->light[z] = curve->light[z - 1];
+                curve->held++;
+            }
+        }
+        curve->rms = rms_of(frames, count, k, equations.b);
     }
     return true;
 }

@@ -81,31 +81,6 @@ struct foveal_cells {
     float *balance; /* the d of each */
 };
 
-static struct foveal_cells cells_of(const struct foveal *foveal, struct arena *arena)
-{
-    struct foveal_cells cells = {.count = foveal->columns * foveal->rows};
-    cells.room = (cells.count + STRETCH - 1) / STRETCH * STRETCH;
-    float **all[] = {&cells.x,        &cells.y,        &cells.z,      &cells.light[0],
-                     &cells.light[1], &cells.light[2], &cells.balance};
-    for (size_t k = 0; k < sizeof all / sizeof all[0]; k++) {
-        *all[k] = ARENA_ARRAY(arena, cells.room, float);
-    }
-    for (size_t i = 0; i < cells.count; i++) {
-        const size_t column = i % foveal->columns, row = i / foveal->columns;
-        const double x = foveal->cell[0] * ((double)column + 0.5 - 0.5 * (double)foveal->columns);
-        const double y = foveal->cell[1] * ((double)row + 0.5 - 0.5 * (double)foveal->rows);
-        const double over = 1 / sqrt(x * x + y * y + 1);
-        cells.x[i] = (float)(x * over);
-        cells.y[i] = (float)(y * over);
-        cells.z[i] = (float)over;
-        cells.balance[i] = 1;
-        for (size_t k = 0; k < CHANNELS; k++) {
-            cells.light[k][i] = foveal->light[CHANNELS * i + k];
-        }
-    }
-    return cells;
-}
-
 /*
  * d cos t/t^2 of a stretch of cells, seen from cell i: by the chord c = 2 sin(t/2), which single
  * precision tells near 0 better than the cosine: t^2 = c^2 (1 + c^2/12 + c^4/90 + c^6/560 +
@@ -138,19 +113,6 @@ static double foveal_sum_of(const float values[STRETCH])
     return sum;
 }
 
-/* sum_j d_j w_ij of each cell. */
-static double sum_weights(const struct foveal_cells *cells, size_t i)
-{
-    float weights[STRETCH], sums[STRETCH] = {0};
-    for (size_t from = 0; from < cells->room; from += STRETCH) {
-        foveal_weigh(cells, i, from, weights);
-        for (int j = 0; j < STRETCH; j++) {
-            sums[j] += weights[j];
-        }
-    }
-    return foveal_sum_of(sums);
-}
-
 /* sum_j d_j w_ij L_j of each channel. */
 static void foveal_scatter(const struct foveal_cells *cells, size_t i, double light[CHANNELS])
 {
@@ -176,7 +138,15 @@ static void balance(struct foveal_cells *cells, struct arena *arena)
     float *next = ARENA_ARRAY(arena, cells->room, float);
     for (int turn = 0; turn < BALANCINGS; turn++) {
         for (size_t i = 0; i < cells->count; i++) {
-            const double sum = sum_weights(cells, i);
+            /* sum_j d_j w_ij of each cell */
+            float weights[STRETCH], sums[STRETCH] = {0};
+            for (size_t from = 0; from < cells->room; from += STRETCH) {
+                foveal_weigh(cells, i, from, weights);
+                for (int j = 0; j < STRETCH; j++) {
+                    sums[j] += weights[j];
+                }
+            }
+            const double sum = foveal_sum_of(sums);
             next[i] = sum > 0 ? (float)sqrt((double)cells->balance[i] / sum) : 0;
         }
         float *spare = cells->balance;
@@ -258,7 +228,26 @@ struct foveal_grid foveal_veil(struct foveal *foveal, struct image *image, struc
     if (count < 2) {
         return grid; /* light that goes nowhere else */
     }
-    struct foveal_cells cells = cells_of(&coarse, arena);
+    struct foveal_cells cells = {.count = coarse.columns * coarse.rows};
+    cells.room = (cells.count + STRETCH - 1) / STRETCH * STRETCH;
+    float **all[] = {&cells.x,        &cells.y,        &cells.z,      &cells.light[0],
+                     &cells.light[1], &cells.light[2], &cells.balance};
+    for (size_t k = 0; k < sizeof all / sizeof all[0]; k++) {
+        *all[k] = ARENA_ARRAY(arena, cells.room, float);
+    }
+    for (size_t i = 0; i < cells.count; i++) {
+        const size_t column = i % coarse.columns, row = i / coarse.columns;
+        const double x = coarse.cell[0] * ((double)column + 0.5 - 0.5 * (double)coarse.columns);
+        const double y = coarse.cell[1] * ((double)row + 0.5 - 0.5 * (double)coarse.rows);
+        const double over = 1 / sqrt(x * x + y * y + 1);
+        cells.x[i] = (float)(x * over);
+        cells.y[i] = (float)(y * over);
+        cells.z[i] = (float)over;
+        cells.balance[i] = 1;
+        for (size_t k = 0; k < CHANNELS; k++) {
+            cells.light[k][i] = coarse.light[CHANNELS * i + k];
+        }
+    }
     balance(&cells, arena);
     float *veil = ARENA_ARRAY(arena, count * CHANNELS, float);
     for (size_t i = 0; i < count; i++) {

@@ -37,26 +37,6 @@ static enum frame_kind frame_kind_of(const struct image *image)
     return KIND_OTHER;
 }
 
-static void take_floats(const struct image *image, enum frame_kind kind, float *values)
-{
-    const struct colour_matrix to_srgb = colour_inverse(&colour_xyz_of_srgb);
-    const size_t step = kind == KIND_GREY ? 0 : 1;
-    for (size_t i = 0; i < image->width * image->height; i++) {
-        const float *from = image->pixels + i * image->channels;
-        float *to = values + i * FRAME_CHANNELS;
-        for (size_t k = 0; k < FRAME_CHANNELS; k++) {
-            to[k] = from[k * step];
-        }
-        if (kind == KIND_XYZ) {
-            const struct colour srgb = colour_turned(
-                &to_srgb, (struct colour){{(double)to[0], (double)to[1], (double)to[2]}});
-            for (size_t k = 0; k < FRAME_CHANNELS; k++) {
-                to[k] = (float)srgb.part[k];
-            }
-        }
-    }
-}
-
 /* Whole numbers as they were, from shares of the highest. */
 static void take_codes(const struct image *image, struct arena *arena, struct tone_frame *frame)
 {
@@ -81,19 +61,6 @@ static void take_codes(const struct image *image, struct arena *arena, struct to
     frame->codes = codes;
 }
 
-static void take_levels(const struct image *image, struct arena *arena, struct tone_frame *frame)
-{
-    const size_t count = frame_levels(image->bits);
-    double *light = ARENA_ARRAY(arena, count, double);
-    for (size_t i = 0; i < count; i++) {
-        light[i] = image_light(image, (double)i / (double)(count - 1));
-    }
-    const struct frame_level *levels = frame_levels_of(light, count, arena);
-    for (size_t k = 0; k < FRAME_CHANNELS; k++) {
-        frame->levels[k] = levels;
-    }
-}
-
 bool frame_take(const struct image *image, struct arena *arena, struct tone_frame *frame,
                 struct error *error)
 {
@@ -110,11 +77,34 @@ bool frame_take(const struct image *image, struct arena *arena, struct tone_fram
                                  .bits = image->bits};
     if (image->bits != 0) {
         take_codes(image, arena, frame);
-        take_levels(image, arena, frame);
+        const size_t count = frame_levels(image->bits);
+        double *light = ARENA_ARRAY(arena, count, double);
+        for (size_t i = 0; i < count; i++) {
+            light[i] = image_light(image, (double)i / (double)(count - 1));
+        }
+        const struct frame_level *levels = frame_levels_of(light, count, arena);
+        for (size_t k = 0; k < FRAME_CHANNELS; k++) {
+            frame->levels[k] = levels;
+        }
         return true;
     }
     float *values = ARENA_ARRAY(arena, image->width * image->height * FRAME_CHANNELS, float);
-    take_floats(image, kind, values);
+    const struct colour_matrix to_srgb = colour_inverse(&colour_xyz_of_srgb);
+    const size_t step = kind == KIND_GREY ? 0 : 1;
+    for (size_t i = 0; i < image->width * image->height; i++) {
+        const float *from = image->pixels + i * image->channels;
+        float *to = values + i * FRAME_CHANNELS;
+        for (size_t k = 0; k < FRAME_CHANNELS; k++) {
+            to[k] = from[k * step];
+        }
+        if (kind == KIND_XYZ) {
+            const struct colour srgb = colour_turned(
+                &to_srgb, (struct colour){{(double)to[0], (double)to[1], (double)to[2]}});
+            for (size_t k = 0; k < FRAME_CHANNELS; k++) {
+                to[k] = (float)srgb.part[k];
+            }
+        }
+    }
     frame->values = values;
     return true;
 }

@@ -26,28 +26,6 @@ static double brightness(double luminance)
     return log(fmax(luminance, SIGHT_LEAST));
 }
 
-static void histogram_find_ends(const struct foveal *foveal, struct histogram *histogram)
-{
-    histogram->low = INFINITY;
-    histogram->high = -(double)INFINITY;
-    for (size_t i = 0; i < foveal->columns * foveal->rows; i++) {
-        const double b = brightness(foveal_luminance(foveal, i));
-        histogram->low = fmin(histogram->low, b);
-        histogram->high = fmax(histogram->high, b);
-    }
-}
-
-static void histogram_fill(const struct foveal *foveal, struct histogram *histogram)
-{
-    const double width = histogram->high - histogram->low;
-    for (size_t i = 0; i < foveal->columns * foveal->rows; i++) {
-        const double b = brightness(foveal_luminance(foveal, i));
-        const double place = HISTOGRAM_BINS * (b - histogram->low) / width;
-        histogram->bins[place < HISTOGRAM_BINS ? (size_t)place : HISTOGRAM_BINS - 1]++;
-        histogram->total++;
-    }
-}
-
 /* P from the bins; how many are left in all. */
 static double histogram_add_up(struct histogram *histogram)
 {
@@ -116,7 +94,13 @@ bool histogram_adjust(const struct foveal *foveal, const struct display *display
 {
     const double log_mean = foveal_log_mean(foveal);
     *histogram = (struct histogram){.display = *display};
-    histogram_find_ends(foveal, histogram);
+    histogram->low = INFINITY;
+    histogram->high = -(double)INFINITY;
+    for (size_t i = 0; i < foveal->columns * foveal->rows; i++) {
+        const double b = brightness(foveal_luminance(foveal, i));
+        histogram->low = fmin(histogram->low, b);
+        histogram->high = fmax(histogram->high, b);
+    }
     if (isnan(log_mean)) {
         return fail(error, ERROR_DOMAIN, "all is darker than %g cd/m2, which nobody sees",
                     SIGHT_LEAST);
@@ -125,7 +109,13 @@ bool histogram_adjust(const struct foveal *foveal, const struct display *display
         make_linear(log_mean, ceiling, histogram);
         return true;
     }
-    histogram_fill(foveal, histogram);
+    const double width = histogram->high - histogram->low;
+    for (size_t i = 0; i < foveal->columns * foveal->rows; i++) {
+        const double b = brightness(foveal_luminance(foveal, i));
+        const double place = HISTOGRAM_BINS * (b - histogram->low) / width;
+        histogram->bins[place < HISTOGRAM_BINS ? (size_t)place : HISTOGRAM_BINS - 1]++;
+        histogram->total++;
+    }
     const double tolerance = HISTOGRAM_TOLERANCE * histogram->total;
     double trimmed = histogram->total;
     while (trimmed > tolerance && histogram->passes < PASSES_MOST) {

@@ -88,53 +88,6 @@ static void fetch(const struct tone_frame *frame, const struct merge_place *plac
     }
 }
 
-static void add_first(const struct merge_part *part, const struct merge_stretch *stretch,
-                      struct merge_sums *sums)
-{
-    for (int i = 0; i < STRETCH; i++) {
-        sums->first[i] += stretch->keep[i] * stretch->light[i];
-        sums->first_time[i] += stretch->keep[i] * part->time;
-    }
-}
-
-/* The mean where the weights do not follow the noise; 0 where nothing is kept. */
-static void find_first(struct merge_sums *sums)
-{
-    for (int i = 0; i < STRETCH; i++) {
-        const float mean = sums->first[i] / (sums->first_time[i] > 0 ? sums->first_time[i] : 1);
-        sums->first[i] = mean > 0 ? mean : 0;
-    }
-}
-
-/* w v/t = keep t v/var, w = keep t^2/var: both over t. */
-static void add_weighted(const struct merge_part *part, const struct merge_stretch *stretch,
-                         struct merge_sums *sums)
-{
-    const float photon = part->photon * part->time;
-    for (int i = 0; i < STRETCH; i++) {
-        const float variance = stretch->spread[i] + part->fixed + photon * sums->first[i];
-        const float weight = stretch->keep[i] * part->time / variance;
-        sums->above[i] += weight * stretch->light[i];
-        sums->below[i] += weight * part->time;
-    }
-}
-
-/* Where no frame keeps anything; counted as pixels and as values. */
-static bool merge_count_full(const struct merge_job *merging, const struct merge_place *place,
-                             const struct merge_sums *sums)
-{
-    const size_t before = merging->merged->full;
-    for (size_t i = 0; i < place->pixels; i++) {
-        size_t full = 0;
-        for (size_t k = FRAME_CHANNELS * i; k < FRAME_CHANNELS * (i + 1); k++) {
-            full += sums->below[k] > 0 ? 0 : 1;
-        }
-        merging->merged->full += full;
-        merging->merged->saturated += full > 0;
-    }
-    return merging->merged->full > before;
-}
-
 /* There what the shortest has of those that have the pixel, which is too little. */
 static void fill_full(const struct merge_job *merging, const struct merge_place *place,
                       struct merge_sums *sums)
@@ -184,16 +137,41 @@ static void merge_place(const struct merge_job *merging, const struct merge_plac
     struct merge_sums sums = {.first = {0}};
     for (size_t f = 0; f < merging->count; f++) {
         fetch(&merging->frames[f], place, &stretch);
-        add_first(&merging->parts[f], &stretch, &sums);
+        for (int i = 0; i < STRETCH; i++) {
+            sums.first[i] += stretch.keep[i] * stretch.light[i];
+            sums.first_time[i] += stretch.keep[i] * merging->parts[f].time;
+        }
     }
-    find_first(&sums);
+    /* the mean where the weights do not follow the noise; 0 where nothing is kept */
+    for (int i = 0; i < STRETCH; i++) {
+        const float mean = sums.first[i] / (sums.first_time[i] > 0 ? sums.first_time[i] : 1);
+        sums.first[i] = mean > 0 ? mean : 0;
+    }
     for (size_t f = 0; f < merging->count; f++) {
         if (merging->count > 1) {
             fetch(&merging->frames[f], place, &stretch);
         }
-        add_weighted(&merging->parts[f], &stretch, &sums);
+        /* w v/t = keep t v/var, w = keep t^2/var: both over t. */
+        const struct merge_part *part = &merging->parts[f];
+        const float photon = part->photon * part->time;
+        for (int i = 0; i < STRETCH; i++) {
+            const float variance = stretch.spread[i] + part->fixed + photon * sums.first[i];
+            const float weight = stretch.keep[i] * part->time / variance;
+            sums.above[i] += weight * stretch.light[i];
+            sums.below[i] += weight * part->time;
+        }
     }
-    if (merge_count_full(merging, place, &sums)) {
+    /* where no frame keeps anything; counted as pixels and as values */
+    const size_t before = merging->merged->full;
+    for (size_t i = 0; i < place->pixels; i++) {
+        size_t full = 0;
+        for (size_t k = FRAME_CHANNELS * i; k < FRAME_CHANNELS * (i + 1); k++) {
+            full += sums.below[k] > 0 ? 0 : 1;
+        }
+        merging->merged->full += full;
+        merging->merged->saturated += full > 0;
+    }
+    if (merging->merged->full > before) {
         fill_full(merging, place, &sums);
     }
     if (merging->count > 1 && place->row % merging->look == 0) {
@@ -202,19 +180,6 @@ static void merge_place(const struct merge_job *merging, const struct merge_plac
     float *to = image_row(&merging->merged->image, place->row) + place->column * FRAME_CHANNELS;
     for (size_t i = 0; i < FRAME_CHANNELS * place->pixels; i++) {
         to[i] = sums.above[i] / sums.below[i];
-    }
-}
-
-static void merge_open_parts(struct merge_job *merging, const struct merge_noise *noise)
-{
-    for (size_t f = 0; f < merging->count; f++) {
-        const struct tone_frame *frame = &merging->frames[f];
-        const double read = noise->read_noise / noise->full_well;
-        /* of floats the variance is some number times the mean: weights by time */
-        merging->parts[f] = frame->bits == 0
-                                ? (struct merge_part){(float)frame->time, (float)frame->time, 0}
-                                : (struct merge_part){(float)frame->time, (float)(read * read),
-                                                      (float)(1 / noise->full_well)};
     }
 }
 
@@ -232,7 +197,15 @@ bool merge_frames(const struct tone_frame *frames, size_t count, const struct me
     }
     const size_t width = frames->width, height = frames->height;
     frames_order(frames, count, order);
-    merge_open_parts(&merging, noise);
+    for (size_t f = 0; f < merging.count; f++) {
+        const struct tone_frame *frame = &merging.frames[f];
+        const double read = noise->read_noise / noise->full_well;
+        /* of floats the variance is some number times the mean: weights by time */
+        merging.parts[f] = frame->bits == 0
+                               ? (struct merge_part){(float)frame->time, (float)frame->time, 0}
+                               : (struct merge_part){(float)frame->time, (float)(read * read),
+                                                     (float)(1 / noise->full_well)};
+    }
     merging.look = width * height / LOOK_MOST + 1;
     for (size_t row = 0; row < height; row++) {
         for (size_t column = 0; column < width; column += STRETCH / FRAME_CHANNELS) {

@@ -12,17 +12,6 @@ enum { CHANNELS = 3, STEPS_BITS = 8, FRACTION_BITS = 23 - STEPS_BITS };
 /* Luminances from about 1e-6 to 1e12, by the bits of floats. */
 static const float LOWEST = 0x1p-20F, HIGHEST = 0x1p40F;
 
-/* A function of luminance as a table. */
-struct operator_curve {
-    const float *values;
-    uint32_t first; /* the upper bits of LOWEST */
-};
-
-struct tone_display {
-    const struct tone_way *way;
-    struct toned *toned;
-};
-
 /* h of the header. */
 static double filmic(double x)
 {
@@ -31,10 +20,9 @@ static double filmic(double x)
 }
 
 /* L_d of a luminance, or of a channel by itself; not yet cut to the display's most. */
-static double shown(const struct tone_display *showing, double luminance)
+static double shown(const struct tone_way *way, const struct toned *toned, double luminance)
 {
-    const struct tone_way *way = showing->way;
-    const double share = luminance / showing->toned->white, most = way->display.most;
+    const double share = luminance / toned->white, most = way->display.most;
     switch (way->operation) {
     case TONE_LINEAR:
         return most * share;
@@ -45,36 +33,15 @@ static double shown(const struct tone_display *showing, double luminance)
     case TONE_WARD:
         break;
     }
-    return histogram_shown(&showing->toned->histogram, luminance);
+    return histogram_shown(&toned->histogram, luminance);
 }
 
-static double result(const struct tone_display *showing, double luminance)
-{
-    const struct display *display = &showing->way->display;
-    const double cut = fmin(fmax(shown(showing, luminance), display->least), display->most);
-    return showing->way->as_light ? cut : (cut - display->least) / (display->most - display->least);
-}
-
-/* Per luminance, unless channels go by themselves. */
-static struct operator_curve operator_curve_of(const struct tone_display *showing,
-                                               struct arena *arena)
-{
-    const uint32_t first = bytes_bits(LOWEST) >> FRACTION_BITS;
-    const uint32_t last = bytes_bits(HIGHEST) >> FRACTION_BITS;
-    const bool is_single = showing->way->operation == TONE_FILMIC;
-    float *values = ARENA_ARRAY(arena, last - first + 2, float);
-    for (uint32_t i = first; i <= last + 1; i++) {
-        const double luminance = (double)bytes_float(i << FRACTION_BITS);
-        values[i - first] = (float)(result(showing, luminance) / (is_single ? 1 : luminance));
-    }
-    return (struct operator_curve){values, first};
-}
-
-static float operator_look_up(const struct operator_curve *curve, float x)
+/* A function of luminance as a table, of the upper bits of floats from LOWEST on. */
+static float operator_look_up(const float *curve, float x)
 {
     const float held = x > LOWEST ? (x < HIGHEST ? x : HIGHEST) : LOWEST;
     const uint32_t bits = bytes_bits(held), mask = (1U << FRACTION_BITS) - 1;
-    const float *at = curve->values + ((bits >> FRACTION_BITS) - curve->first);
+    const float *at = curve + ((bits >> FRACTION_BITS) - (bytes_bits(LOWEST) >> FRACTION_BITS));
     const float rest = (float)(bits & mask) * (1.0F / (float)(mask + 1));
     return at[0] + rest * (at[1] - at[0]);
 }
@@ -96,15 +63,15 @@ static void operator_fit(float pixel[CHANNELS], float luminance, float most)
     }
 }
 
-static void show_pixel(const struct tone_display *showing, const struct operator_curve *curve,
+static void show_pixel(const struct tone_way *way, struct toned *toned, const float *curve,
                        float pixel[CHANNELS])
 {
     const float luminance = sight_luminance(pixel);
-    const bool is_single = showing->way->operation == TONE_FILMIC;
-    const float most = showing->way->as_light ? (float)showing->way->display.most : 1;
-    showing->toned->clipped += (double)luminance > showing->toned->white;
+    const bool is_single = way->operation == TONE_FILMIC;
+    const float most = way->as_light ? (float)way->display.most : 1;
+    toned->clipped += (double)luminance > toned->white;
     if (!(luminance > LOWEST)) { /* blacker than anybody sees */
-        const float black = showing->way->as_light ? (float)showing->way->display.least : 0;
+        const float black = way->as_light ? (float)way->display.least : 0;
         pixel[0] = pixel[1] = pixel[2] = black;
         return;
     }
@@ -157,14 +124,25 @@ static bool choose_white(const struct tone_way *way, const struct foveal *foveal
 bool tone_show(const struct tone_way *way, const struct foveal *foveal, struct image *image,
                struct arena *arena, struct toned *toned, struct error *error)
 {
-    const struct tone_display showing = {way, toned};
     *toned = (struct toned){.white = NAN};
     if (!choose_white(way, foveal, toned, error)) {
         return false;
     }
-    const struct operator_curve curve = operator_curve_of(&showing, arena);
+    /* per luminance, unless channels go by themselves */
+    const uint32_t first = bytes_bits(LOWEST) >> FRACTION_BITS;
+    const uint32_t last = bytes_bits(HIGHEST) >> FRACTION_BITS;
+    const bool is_single = way->operation == TONE_FILMIC;
+    const struct display *display = &way->display;
+    float *values = ARENA_ARRAY(arena, last - first + 2, float);
+    for (uint32_t i = first; i <= last + 1; i++) {
+        const double luminance = (double)bytes_float(i << FRACTION_BITS);
+        const double cut = fmin(fmax(shown(way, toned, luminance), display->least), display->most);
+        const double light =
+            way->as_light ? cut : (cut - display->least) / (display->most - display->least);
+        values[i - first] = (float)(light / (is_single ? 1 : luminance));
+    }
     for (size_t i = 0; i < image->width * image->height; i++) {
-        show_pixel(&showing, &curve, image->pixels + CHANNELS * i);
+        show_pixel(way, toned, values, image->pixels + CHANNELS * i);
     }
     return true;
 }

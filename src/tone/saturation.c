@@ -63,20 +63,6 @@ struct mixture {
     bool is_seen[FRAME_CHANNELS][FRAME_CHANNELS];  /* colour k by channel j, with more than 0 */
 };
 
-static struct mixture saturation_mixture_of(const struct saturation *saturation)
-{
-    struct mixture mixture = {.fill = saturation->fill};
-    const struct colour_matrix back = colour_inverse(&saturation->fill);
-    for (size_t j = 0; j < FRAME_CHANNELS; j++) {
-        for (size_t k = 0; k < FRAME_CHANNELS; k++) {
-            mixture.has_part[j][k] = fabs(back.at[k][j]) > NOTHING * largest_of(back.at[k]);
-            mixture.is_seen[j][k] =
-                mixture.fill.at[j][k] > NOTHING * largest_of(mixture.fill.at[j]);
-        }
-    }
-    return mixture;
-}
-
 /* What a channel may have of a full pixel at most. */
 static double saturation_most_of(const struct mixture *mixture, size_t j,
                                  const struct tone_frame *frame, size_t first)
@@ -112,7 +98,15 @@ void saturation_apply(struct tone_frame *frame, const struct saturation *saturat
                       struct arena *arena)
 {
     const size_t pixels = frame->width * frame->height;
-    const struct mixture mixture = saturation_mixture_of(saturation);
+    struct mixture mixture = {.fill = saturation->fill};
+    const struct colour_matrix back = colour_inverse(&saturation->fill);
+    for (size_t j = 0; j < FRAME_CHANNELS; j++) {
+        for (size_t k = 0; k < FRAME_CHANNELS; k++) {
+            mixture.has_part[j][k] = fabs(back.at[k][j]) > NOTHING * largest_of(back.at[k]);
+            mixture.is_seen[j][k] =
+                mixture.fill.at[j][k] > NOTHING * largest_of(mixture.fill.at[j]);
+        }
+    }
     uint8_t *trust = ARENA_ARRAY(arena, pixels * FRAME_CHANNELS, uint8_t);
     for (size_t i = 0; i < pixels * FRAME_CHANNELS; i += FRAME_CHANNELS) {
         double fill[FRAME_CHANNELS];

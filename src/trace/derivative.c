@@ -23,16 +23,13 @@ enum {
     SCRATCH_BLOCKS = 4 /* of eight rows */
 };
 
-static struct ray_block *aligned_blocks(struct arena *arena, size_t count)
-{
-    char *memory = arena_buffer_array(arena, count + 1, sizeof(struct ray_block));
-    return (struct ray_block *)(void *)(memory + (64 - (uintptr_t)memory % 64) % 64);
-}
-
 struct derivative_tape derivative_tape_new(const struct system *system, struct arena *arena)
 {
     size_t steps = system->begin[system->places];
-    struct ray_block *blocks = aligned_blocks(arena, steps + 3 + SCRATCH_BLOCKS);
+    const size_t count = steps + 3 + SCRATCH_BLOCKS;
+    char *memory = arena_buffer_array(arena, count + 1, sizeof(struct ray_block));
+    struct ray_block *blocks =
+        (struct ray_block *)(void *)(memory + (64 - (uintptr_t)memory % 64) % 64);
     return (struct derivative_tape){
         .blocks = blocks,
         .spare = blocks + steps + 1,
@@ -155,21 +152,6 @@ void derivative_layout(const struct system *system, unsigned what, struct arena 
     *layout = (struct derivative_layout){what, numbering.next, count, numbering.row};
 }
 
-/* Rows of a kind that some parameter asks for: of all that stand side by side. */
-static void number_kind(struct row_numbering *numbering, size_t surface, enum parameter_kind kind,
-                        bool odd)
-{
-    if (kind == PARAMETER_COEFFICIENT) {
-        row_numbering_add(numbering, surface, kind, odd ? LENS_COEFFICIENTS : LENS_EVEN);
-    } else if (kind >= PARAMETER_BREAK_DECENTER_X) {
-        row_numbering_add(numbering, surface, PARAMETER_BREAK_DECENTER_X, DISPLACEMENTS);
-    } else if (kind >= PARAMETER_DECENTER_X) {
-        number_displacement(numbering, surface);
-    } else {
-        row_numbering_add(numbering, surface, kind, 1);
-    }
-}
-
 static unsigned what_of(struct parameter parameter)
 {
     if (parameter.kind >= PARAMETER_BREAK_DECENTER_X) {
@@ -179,17 +161,6 @@ static unsigned what_of(struct parameter parameter)
         return DERIVE_DISPLACEMENT;
     }
     return 0;
-}
-
-/* The surface that an index is of: before mirrors. */
-static size_t index_surface(const struct lens *lens, struct parameter parameter)
-{
-    size_t surface = parameter.surface;
-    while (parameter.kind == PARAMETER_INDEX && surface != LENS_NONE &&
-           surface_reflects(&lens->surfaces[surface])) {
-        surface--; /* before the first: LENS_NONE */
-    }
-    return surface;
 }
 
 static bool has_odd(const struct parameter *parameters, size_t count, size_t surface)
@@ -208,11 +179,27 @@ void derivative_layout_of(const struct system *system, const struct parameter *p
     struct row_numbering numbering = numbering_new(lens->surface_count, arena);
     unsigned what = 0;
     for (size_t i = 0; i < count; i++) {
-        const size_t surface = index_surface(lens, parameters[i]);
+        /* the surface that an index is of: before mirrors */
+        const struct parameter parameter = parameters[i];
+        size_t surface = parameter.surface;
+        while (parameter.kind == PARAMETER_INDEX && surface != LENS_NONE &&
+               surface_reflects(&lens->surfaces[surface])) {
+            surface--; /* before the first: LENS_NONE */
+        }
         assert(parameter_type(parameters[i].kind)->basis == parameters[i].kind);
         if (*row_index_at(&numbering, surface, parameters[i].kind) == LENS_NONE) {
-            number_kind(&numbering, surface, parameters[i].kind,
-                        has_odd(parameters, count, surface));
+            /* rows of a kind that some parameter asks for: of all that stand side by side */
+            const enum parameter_kind kind = parameters[i].kind;
+            const bool odd = has_odd(parameters, count, surface);
+            if (kind == PARAMETER_COEFFICIENT) {
+                row_numbering_add(&numbering, surface, kind, odd ? LENS_COEFFICIENTS : LENS_EVEN);
+            } else if (kind >= PARAMETER_BREAK_DECENTER_X) {
+                row_numbering_add(&numbering, surface, PARAMETER_BREAK_DECENTER_X, DISPLACEMENTS);
+            } else if (kind >= PARAMETER_DECENTER_X) {
+                number_displacement(&numbering, surface);
+            } else {
+                row_numbering_add(&numbering, surface, kind, 1);
+            }
         }
         what |= what_of(parameters[i]);
     }
@@ -406,16 +393,6 @@ static void sweep_add_breaks(const struct adjoint_sweep *sweep, size_t place)
     }
 }
 
-/* What stands behind the surface itself gains what is to be added there. */
-static void add_at(const struct adjoint_sweep *sweep)
-{
-    const double *restrict x = sweep->pass->add_x, *restrict y = sweep->pass->add_y;
-    for (int i = 0; i < sweep->tape->lanes; i++) {
-        sweep->adjoint->x[i] += x[i];
-        sweep->adjoint->y[i] += y[i];
-    }
-}
-
 static void adjoint_row_add(double *restrict to, const double *restrict row, int lanes)
 {
     for (int i = 0; i < lanes; i++) {
@@ -440,7 +417,12 @@ static void add_seeds(const struct adjoint_sweep *sweep, size_t place, bool is_b
 static void add_behind(const struct adjoint_sweep *sweep, size_t place)
 {
     if (sweep->pass->add_x != NULL && sweep->pass->at == place) {
-        add_at(sweep);
+        /* what stands behind the surface itself gains what is to be added there */
+        const double *restrict x = sweep->pass->add_x, *restrict y = sweep->pass->add_y;
+        for (int i = 0; i < sweep->tape->lanes; i++) {
+            sweep->adjoint->x[i] += x[i];
+            sweep->adjoint->y[i] += y[i];
+        }
     }
     add_seeds(sweep, place, true);
 }
@@ -477,9 +459,9 @@ static void sweep_place(const struct adjoint_sweep *sweep, size_t place)
     }
 }
 
-void derivative_pass_begin(const struct derivative_pass *pass)
+void derivative_pass_begin(const struct derivative_pass *pass, size_t from)
 {
-    const struct ray_block *end = &pass->tape->blocks[pass->system->begin[pass->system->places]];
+    const struct ray_block *end = &pass->tape->blocks[pass->system->begin[from]];
     const size_t lanes = (size_t)pass->tape->lanes;
     for (size_t row = 0; row < pass->layout->rows; row++) {
         memset(pass->gradient + row * RAYS_BLOCK, 0, lanes * sizeof(double));
@@ -514,6 +496,6 @@ void derivative_sweep(const struct system *system, const struct derivative_layou
                                          .tape = tape,
                                          .adjoint = adjoint,
                                          .gradient = gradient};
-    derivative_pass_begin(&pass);
+    derivative_pass_begin(&pass, system->places);
     derivative_pass_part(&pass, system->places, 0);
 }

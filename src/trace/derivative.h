@@ -130,8 +130,8 @@ struct derivative_pass {
     struct derivative_seeds seeds;
 };
 
-/* Begin at the end, and sweep from behind one place, `from` - 1, to before another. */
-void derivative_pass_begin(const struct derivative_pass *pass);
+/* Begin before a place, behind all others, and sweep from there, behind `from` - 1, to another. */
+void derivative_pass_begin(const struct derivative_pass *pass, size_t from);
 void derivative_pass_part(const struct derivative_pass *pass, size_t from, size_t to);
 
 #endif

@@ -15,29 +15,6 @@ static void frame_turn(const struct surface_frame *frame, const double from[3], 
     }
 }
 
-/* Directions of different frames are compared in the frame of the first vertex, to which `frame`
-   leads. */
-static struct ray_angles angles_at(const struct system *system, size_t surface,
-                                   const struct surface_frame *frame, const double before[3],
-                                   const struct ray *after)
-{
-    double normal[3] = {0, 0, 1}, normal_first[3], behind[3];
-    if (surface < system->lens->surface_count) {
-        system_normal(system, surface, after->point, normal);
-    }
-    frame_turn(frame, normal, normal_first);
-    frame_turn(frame, after->cosine, behind);
-    return ray_angles(normal_first, before, behind);
-}
-
-static void ray_lose(struct ray *ray)
-{
-    for (int i = 0; i < 3; i++) {
-        ray->point[i] = ray->cosine[i] = NAN;
-    }
-    ray->path = NAN;
-}
-
 void ray_follow(const struct system *system, const struct ray *start, struct arena *arena,
                 struct ray_intersection *meetings)
 {
@@ -52,12 +29,27 @@ void ray_follow(const struct system *system, const struct ray *start, struct are
         meeting->ray = rays_get(&rays, 0, system_index_after(system, place));
         meeting->angles = (struct ray_angles){NAN, NAN};
         if (meeting->ray.status != RAY_OK) {
-            ray_lose(&meeting->ray);
+            struct ray *ray = &meeting->ray;
+            for (int i = 0; i < 3; i++) {
+                ray->point[i] = ray->cosine[i] = NAN;
+            }
+            ray->path = NAN;
             continue;
         }
         const size_t surface = system_surface(system, place);
         const struct surface_frame *frame = &frames[surface < last ? surface : last];
-        meeting->angles = angles_at(system, surface, frame, before, &meeting->ray);
+        /*
+         * Directions of different frames are compared in the frame of the first vertex, to which
+         * `frame` leads.
+         */
+        const struct ray *after = &meeting->ray;
+        double normal[3] = {0, 0, 1}, normal_first[3], behind[3];
+        if (surface < system->lens->surface_count) {
+            system_normal(system, surface, after->point, normal);
+        }
+        frame_turn(frame, normal, normal_first);
+        frame_turn(frame, after->cosine, behind);
+        meeting->angles = ray_angles(normal_first, before, behind);
         frame_turn(frame, meeting->ray.cosine, before);
     }
 }

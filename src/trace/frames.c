@@ -20,18 +20,6 @@ static void turn_back(const double m[9], const double v[3], double result[3])
     }
 }
 
-/* One axis after the other: new axes as rows. About x first, then the new y, then the new z. */
-static void add_turn(double m[9], int axis, double angle)
-{
-    int a = (axis + 1) % 3, b = (axis + 2) % 3;
-    double cosine = cos(angle), sine = sin(angle);
-    for (int i = 0; i < 3; i++) {
-        double u = m[3 * a + i], v = m[3 * b + i];
-        m[3 * a + i] = cosine * u + sine * v;
-        m[3 * b + i] = cosine * v - sine * u;
-    }
-}
-
 struct surface_frame frame_of(const struct displacement *displacement, double z)
 {
     struct surface_frame frame = {
@@ -40,7 +28,18 @@ struct surface_frame frame_of(const struct displacement *displacement, double z)
     for (int axis = 0; axis < 3; axis++) {
         double angle = displacement->tilt[axis].value.hi;
         if (angle != 0) {
-            add_turn(frame.turn, axis, angle);
+            /*
+             * one axis after the other: new axes as rows. About x first, then the new y, then the
+             * new z.
+             */
+            double *m = frame.turn;
+            int a = (axis + 1) % 3, b = (axis + 2) % 3;
+            double cosine = cos(angle), sine = sin(angle);
+            for (int i = 0; i < 3; i++) {
+                double u = m[3 * a + i], v = m[3 * b + i];
+                m[3 * a + i] = cosine * u + sine * v;
+                m[3 * b + i] = cosine * v - sine * u;
+            }
         }
     }
     return frame;
@@ -138,34 +137,6 @@ void frame_directions(const struct lens *lens, double *direction)
 
 static const struct surface_frame unmoved = {{1, 0, 0, 0, 1, 0, 0, 0, 1}, {0, 0, 0}};
 
-/*
- * On to the vertex of a surface from the one before: of X in its frame all->turn^-1 X + all->shift,
- * with turn the rows of its axes.
- */
-static void frames_go_on(const struct lens *lens, size_t surface, struct surface_frame *all)
-{
-    const struct displacement *coordinate_break = lens->surfaces[surface].coordinate_break;
-    double way[3] = {0, 0, surface > 0 ? surface_advance(&lens->surfaces[surface - 1]).hi : 0};
-    double moved[3];
-    struct surface_frame frame;
-    if (coordinate_break != NULL) {
-        frame = frame_of(coordinate_break, way[2]);
-        way[0] = frame.shift[0];
-        way[1] = frame.shift[1];
-    }
-    turn_back(all->turn, way, moved);
-    for (int j = 0; j < 3; j++) {
-        all->shift[j] += moved[j];
-    }
-    for (int column = 0; column < 3 && coordinate_break != NULL; column++) {
-        double v[3] = {all->turn[column], all->turn[3 + column], all->turn[6 + column]};
-        matrix_turn(frame.turn, v, v);
-        for (int row = 0; row < 3; row++) {
-            all->turn[3 * row + column] = v[row];
-        }
-    }
-}
-
 static struct surface_frame turned_back(const struct surface_frame *all)
 {
     struct surface_frame result = *all;
@@ -182,7 +153,30 @@ struct surface_frame *system_frames(const struct system *system, struct arena *a
     struct surface_frame *frames = ARENA_ARRAY(arena, count + 1, struct surface_frame);
     struct surface_frame all = unmoved;
     for (size_t i = 0; i < count; i++) {
-        frames_go_on(lens, i, &all);
+        /*
+         * On to the vertex of a surface from the one before: of X in its frame all->turn^-1 X +
+         * all->shift, with turn the rows of its axes.
+         */
+        const struct displacement *coordinate_break = lens->surfaces[i].coordinate_break;
+        double way[3] = {0, 0, i > 0 ? surface_advance(&lens->surfaces[i - 1]).hi : 0};
+        double moved[3];
+        struct surface_frame frame;
+        if (coordinate_break != NULL) {
+            frame = frame_of(coordinate_break, way[2]);
+            way[0] = frame.shift[0];
+            way[1] = frame.shift[1];
+        }
+        turn_back(all.turn, way, moved);
+        for (int j = 0; j < 3; j++) {
+            all.shift[j] += moved[j];
+        }
+        for (int column = 0; column < 3 && coordinate_break != NULL; column++) {
+            double v[3] = {all.turn[column], all.turn[3 + column], all.turn[6 + column]};
+            matrix_turn(frame.turn, v, v);
+            for (int row = 0; row < 3; row++) {
+                all.turn[3 * row + column] = v[row];
+            }
+        }
         frames[i] = turned_back(&all);
     }
     /* counted from the last vertex, of a thick lens from H' */

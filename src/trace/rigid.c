@@ -46,46 +46,36 @@ static size_t own_step(const struct system *system, size_t surface, size_t *end)
     return *end - (system->lens->surfaces[surface].decentre != NULL ? 3 : 1);
 }
 
-/* Into the frame of the coordinate break, about its origin. */
-static void turn_motion(struct rigid *motion, const struct displacement *coordinate_break)
-{
-    struct rigid old = *motion;
-    motion->at[0] = motion->at[1] = motion->at[2] = 0;
-    if (coordinate_break == NULL) {
-        return;
-    }
-    struct surface_frame frame = frame_of(coordinate_break, 0);
-    for (int i = 0; i < 3; i++) {
-        const double *row = &frame.turn[(ptrdiff_t)3 * i];
-        motion->shift[i] = row[0] * old.shift[0] + row[1] * old.shift[1] + row[2] * old.shift[2];
-        motion->axis[i] = row[0] * old.axis[0] + row[1] * old.axis[1] + row[2] * old.axis[2];
-    }
-}
-
-static bool break_before(const struct system *system, int number, size_t surface, size_t step,
-                         struct rigid *motion)
-{
-    const struct surface *surfaces = system->lens->surfaces;
-    const struct displacement *coordinate_break = surfaces[surface].coordinate_break;
-    size_t place = system_place(system, surface);
-    double t = surface > 0 ? surfaces[surface - 1].thickness.value.hi : 0;
-    if (!system->options.reverse) {
-        *motion = rigid_motion_of(coordinate_break, number, t);
-        motion->sign = -1;
-        return step == system->begin[place];
-    }
-    /* light leaves what stands behind the break */
-    *motion = rigid_motion_of(coordinate_break, number, 0);
-    turn_motion(motion, coordinate_break);
-    return surface > 0 && step == system->begin[place + 1];
-}
-
 bool rigid_before(const struct system *system, enum parameter_kind kind, size_t surface,
                   size_t step, struct rigid *motion)
 {
     if (kind >= PARAMETER_BREAK_DECENTER_X) {
-        return break_before(system, (int)(kind - PARAMETER_BREAK_DECENTER_X), surface, step,
-                            motion);
+        const int number = (int)(kind - PARAMETER_BREAK_DECENTER_X);
+        const struct surface *surfaces = system->lens->surfaces;
+        const struct displacement *coordinate_break = surfaces[surface].coordinate_break;
+        size_t place = system_place(system, surface);
+        double t = surface > 0 ? surfaces[surface - 1].thickness.value.hi : 0;
+        if (!system->options.reverse) {
+            *motion = rigid_motion_of(coordinate_break, number, t);
+            motion->sign = -1;
+            return step == system->begin[place];
+        }
+        /* light leaves what stands behind the break */
+        *motion = rigid_motion_of(coordinate_break, number, 0);
+        /* into the frame of the coordinate break, about its origin */
+        struct rigid old = *motion;
+        motion->at[0] = motion->at[1] = motion->at[2] = 0;
+        if (coordinate_break != NULL) {
+            struct surface_frame frame = frame_of(coordinate_break, 0);
+            for (int i = 0; i < 3; i++) {
+                const double *row = &frame.turn[(ptrdiff_t)3 * i];
+                motion->shift[i] =
+                    row[0] * old.shift[0] + row[1] * old.shift[1] + row[2] * old.shift[2];
+                motion->axis[i] =
+                    row[0] * old.axis[0] + row[1] * old.axis[1] + row[2] * old.axis[2];
+            }
+        }
+        return surface > 0 && step == system->begin[place + 1];
     }
     size_t end;
     if (!parameter_is_own(kind) || step != own_step(system, surface, &end)) {

@@ -32,17 +32,6 @@ static void media_of(const struct system *system, size_t place, size_t media[2])
     media[1] = medium_before_mirrors(lens, reverse ? left : surface);
 }
 
-static void seed_index(const struct system *system, const struct parameter *by, size_t place,
-                       const struct step *step, struct tangent_seed *seed)
-{
-    size_t media[2], medium = medium_before_mirrors(system->lens, by->surface);
-    media_of(system, place, media);
-    if (media[0] == medium) {
-        seed->n11 = 2 * sqrt(step->n11);
-    }
-    seed->dn = (media[1] == medium ? 2 * sqrt(step->n22) : 0) - seed->n11;
-}
-
 /* The thickness passed on the way to a place: of the surface left of the gap. */
 static void seed_thickness(const struct system *system, const struct parameter *by, size_t place,
                            const struct step *step, struct tangent_seed *seed)
@@ -70,7 +59,12 @@ static struct tangent_seed seed_of(const struct system *system, const struct par
     if (by->kind == PARAMETER_THICKNESS && i == system->begin[place]) {
         seed_thickness(system, by, place, step, &seed);
     } else if (by->kind == PARAMETER_INDEX && step->kind != STEP_MOVE) {
-        seed_index(system, by, place, step, &seed);
+        size_t media[2], medium = medium_before_mirrors(system->lens, by->surface);
+        media_of(system, place, media);
+        if (media[0] == medium) {
+            seed.n11 = 2 * sqrt(step->n11);
+        }
+        seed.dn = (media[1] == medium ? 2 * sqrt(step->n22) : 0) - seed.n11;
     } else if (by->kind == PARAMETER_CURVATURE) {
         seed.c = here ? 1 : 0;
     } else if (by->kind == PARAMETER_CONIC) {

@@ -97,7 +97,8 @@ static void derive(struct fixture *fixture)
         for (int lane = 0; lane < RAYS_BLOCK; lane++) {
             (output == 0 ? adjoint.x : adjoint.y)[lane] = 1;
         }
-        aimed_sweep(&fixture->aimed, &fixture->layout, &adjoint, fixture->gradient, &rates);
+        aimed_sweep(&fixture->aimed, &fixture->layout, fixture->aimed.system->places, &adjoint,
+                    fixture->gradient, &rates);
     }
 }
 

@@ -95,8 +95,8 @@ static void sweep(struct under_test *test, unsigned what)
             of[output][i] = 1;
         }
         test->gradient[output] = ARENA_ARRAY(&test->arena, test->layout.rows * RAYS_BLOCK, double);
-        aimed_sweep(&test->aimed, &test->layout, &adjoint, test->gradient[output],
-                    &test->rates[output]);
+        aimed_sweep(&test->aimed, &test->layout, test->system.places, &adjoint,
+                    test->gradient[output], &test->rates[output]);
     }
 }
 
@@ -247,7 +247,7 @@ static void check_some(struct under_test *test)
     for (int i = 0; i < RAYS_BLOCK; i++) {
         adjoint.y[i] = 1;
     }
-    aimed_sweep(&test->aimed, &few, &adjoint, gradient, &rates);
+    aimed_sweep(&test->aimed, &few, test->system.places, &adjoint, gradient, &rates);
     const size_t bytes = (size_t)test->aimed.count * sizeof(double);
     for (size_t k = 0; k < count; k++) {
         const double *all = test->gradient[1] + derivative_row(&test->layout, list[k]) * RAYS_BLOCK;

@@ -91,6 +91,27 @@ static void check_beyond(void)
     arena_free(&bench.arena);
 }
 
+/* A beam that is folded within the pupil, and light that all goes one way. */
+static void check_refused(void)
+{
+    struct bench bench;
+    struct error error = {.code = ERROR_NONE};
+    open_bench(&bench, 36, (struct pupil_mirrors){false, false});
+    set_perfect(&bench);
+    for (size_t i = 0; i < bench.rule.count; i++) {
+        bench.wave.parts[PUPIL_FROM_X][i] = 5 * bench.rule.x[i] * bench.rule.x[i];
+    }
+    CHECK(!pupil_wave_find(&bench.wave, &error) &&
+          strstr(error.message, "folded within the pupil"));
+    set_perfect(&bench);
+    for (size_t i = 0; i < bench.rule.count; i++) {
+        bench.wave.parts[PUPIL_TO_X][i] = 0;
+    }
+    error = (struct error){.code = ERROR_NONE};
+    CHECK(!pupil_wave_find(&bench.wave, &error) && strstr(error.message, "from one direction"));
+    arena_free(&bench.arena);
+}
+
 /* -------- derivatives -------- */
 
 /* -1 .. 1, [Knuth97] 3.3.4: line 26 of table 1. */
@@ -279,6 +300,7 @@ int main(void)
     check_sets();
     check_circle();
     check_beyond();
+    check_refused();
     check_derivatives(3, 0.05);
     check_derivatives(36, 0.02);
     check_derivatives(36, 0.11);

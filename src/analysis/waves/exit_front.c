@@ -101,21 +101,8 @@ static const double *cosines_of(size_t n, struct arena *arena)
     return cosines;
 }
 
-/* The largest of the last terms: of the lines, and along them. */
-static void find_tails(const double *c, size_t lines, size_t points, double tails[2])
-{
-    tails[0] = tails[1] = 0;
-    for (size_t i = 0; i < lines; i++) {
-        for (size_t j = 0; j < points; j++) {
-            const double size = fabs(c[i * points + j]);
-            tails[0] = i + LAST >= lines ? fmax(tails[0], size) : tails[0];
-            tails[1] = j + LAST >= points ? fmax(tails[1], size) : tails[1];
-        }
-    }
-}
-
 /* Drop the last terms along lines that are all below `least`; returns how many are left. */
-static size_t exit_front_shorten(double *c, size_t lines, size_t points, double least)
+static size_t front_shorten(double *c, size_t lines, size_t points, double least)
 {
     size_t left = 2;
     for (size_t i = 0; i < lines; i++) {
@@ -148,7 +135,15 @@ static void find_series(struct sheet_builder *making, size_t lines, size_t point
         for (size_t j = 0; j < points; j++) {
             to_series(c[k] + j, lines, points, across);
         }
-        find_tails(c[k], lines, points, tails[k]);
+        /* the largest of the last terms: of the lines, and along them */
+        tails[k][0] = tails[k][1] = 0;
+        for (size_t i = 0; i < lines; i++) {
+            for (size_t j = 0; j < points; j++) {
+                const double size = fabs(c[k][i * points + j]);
+                tails[k][0] = i + LAST >= lines ? fmax(tails[k][0], size) : tails[k][0];
+                tails[k][1] = j + LAST >= points ? fmax(tails[k][1], size) : tails[k][1];
+            }
+        }
     }
     for (int d = 0; d < 2; d++) {
         /* of the mean of exp(2 pi i (W1 - W2)) A1 A2 */
@@ -180,9 +175,8 @@ static double make_sheet(struct sheet_builder *making, double error, struct exit
         const bool again[2] = {more(off[0], error, &lines), more(off[1], error, &points)};
         if (hopeless || (!again[0] && !again[1])) {
             *sheet = (struct exit_sheet){
-                tried[0],
-                exit_front_shorten(c[0], tried[0], tried[1], fmax(least / (4 * PI), finest)),
-                exit_front_shorten(c[1], tried[0], tried[1], least * c[1][0] / 2), c[0], c[1]};
+                tried[0], front_shorten(c[0], tried[0], tried[1], fmax(least / (4 * PI), finest)),
+                front_shorten(c[1], tried[0], tried[1], least * c[1][0] / 2), c[0], c[1]};
             return off[0] + off[1];
         }
         arena_reset(making->arena, mark);

@@ -200,9 +200,8 @@ static bool alike(const struct exit_lines_line *a, const struct exit_lines_line 
 }
 
 /* Between lines that are not alike, where they become so. */
-static size_t exit_lines_find_breaks(const struct line_search *seeking,
-                                     const struct exit_lines_line *list, size_t count,
-                                     double *breaks)
+static size_t find_breaks(const struct line_search *seeking, const struct exit_lines_line *list,
+                          size_t count, double *breaks)
 {
     struct exit_lines_line low[LINES], high[LINES], middle[LINES];
     size_t found = 0;
@@ -301,18 +300,6 @@ static bool is_mirrored_along(const struct exit_lines *lines, double size)
     return is_mirrored;
 }
 
-/* What mirrors leave of the pupil, of lines along one of its axes. */
-static void find_mirrors(const struct exit_pupil *pupil, double size, struct exit_lines *lines)
-{
-    for (size_t k = 0; k < 2; k++) {
-        if (fabs(lines->along[k]) >= 1) {
-            lines->is_mirrored_across =
-                pupil->is_mirrored[1 - k] && is_mirrored_across(lines, size);
-            lines->is_mirrored_along = pupil->is_mirrored[k] && is_mirrored_along(lines, size);
-        }
-    }
-}
-
 void exit_lines_find(const struct exit_pupil *pupil, const double along[2], struct arena *arena,
                      struct exit_lines *lines)
 {
@@ -327,14 +314,22 @@ void exit_lines_find(const struct exit_pupil *pupil, const double along[2], stru
         list[i].t = (range[0] + range[1]) / 2 + (range[1] - range[0]) / 2 * sin(angle);
     }
     find_spans(&seeking, list, LINES, COARSE_ROUNDS);
-    size_t count = exit_lines_find_breaks(&seeking, list, LINES, breaks);
+    size_t count = find_breaks(&seeking, list, LINES, breaks);
     breaks[count++] = range[1];
     double low = range[0];
     for (size_t i = 0; i < count; low = breaks[i++]) {
         fill_piece(&seeking, low, breaks[i], &lines->pieces[lines->count]);
         lines->count += lines->pieces[lines->count].count > 0;
     }
-    find_mirrors(pupil, seeking.size, lines);
+    /* what mirrors leave of the pupil, of lines along one of its axes */
+    const double size = seeking.size;
+    for (size_t k = 0; k < 2; k++) {
+        if (fabs(lines->along[k]) >= 1) {
+            lines->is_mirrored_across =
+                pupil->is_mirrored[1 - k] && is_mirrored_across(lines, size);
+            lines->is_mirrored_along = pupil->is_mirrored[k] && is_mirrored_along(lines, size);
+        }
+    }
 }
 
 double exit_piece_at(const struct exit_piece *piece, double angle, double *slope,

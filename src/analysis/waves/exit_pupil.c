@@ -73,9 +73,9 @@ static struct sphere_point exit_pupil_meet(const struct exit_pupil *pupil,
  * Two of them at points, every `step`-th number of `values`; areas: receives what the two make of
  * areas of a and b; or null.
  */
-static void exit_pupil_polynomials(const struct exit_pupil *pupil, double *const c[2],
-                                   const double (*at)[2], size_t count, double *const values[2],
-                                   size_t step, double *areas)
+static void pupil_polynomials(const struct exit_pupil *pupil, double *const c[2],
+                              const double (*at)[2], size_t count, double *const values[2],
+                              size_t step, double *areas)
 {
     enum { BLOCK = 4 * PUPIL_LANES };
     const double *middle = pupil->middle, *scale = pupil->scale;
@@ -107,15 +107,14 @@ static void exit_pupil_polynomials(const struct exit_pupil *pupil, double *const
 static void way_back(const struct exit_pupil *pupil, const double (*at)[2], size_t count,
                      double (*places)[2], double *areas)
 {
-    exit_pupil_polynomials(pupil, pupil->map, at, count,
-                           (double *const[]){&places[0][0], &places[0][1]}, 2, areas);
+    pupil_polynomials(pupil, pupil->map, at, count, (double *const[]){&places[0][0], &places[0][1]},
+                      2, areas);
 }
 
 void exit_pupil_form(const struct exit_pupil *pupil, const double (*at)[2], size_t count,
                      double *waves, double *amplitudes)
 {
-    exit_pupil_polynomials(pupil, pupil->form, at, count, (double *const[]){waves, amplitudes}, 1,
-                           NULL);
+    pupil_polynomials(pupil, pupil->form, at, count, (double *const[]){waves, amplitudes}, 1, NULL);
 }
 
 /* -------- opening -------- */
@@ -151,8 +150,7 @@ static struct exit_pupil_pairs trace_pairs(const struct exit_pupil *pupil, const
 }
 
 /* Points on the rim, and between its corners evenly about its middle. */
-static bool exit_pupil_find_rim(struct exit_pupil *pupil, struct arena *arena,
-                                struct exit_pupil_pairs *rim)
+static bool find_rim(struct exit_pupil *pupil, struct arena *arena, struct exit_pupil_pairs *rim)
 {
     struct quadrature_region *region = pupil->light->source.region;
     const struct pupil_boundary *boundary = quadrature_boundary(region, arena);
@@ -182,31 +180,6 @@ static bool exit_pupil_find_rim(struct exit_pupil *pupil, struct arena *arena,
     }
     *rim = trace_pairs(pupil, (const double(*)[2])points, count, arena);
     return rim->count > 8;
-}
-
-static void set_box(struct exit_pupil *pupil, const struct exit_pupil_pairs *rim)
-{
-    double low[2] = {INFINITY, INFINITY}, high[2] = {-INFINITY, -INFINITY};
-    pupil->rim_count = rim->count;
-    for (size_t i = 0; i < rim->count; i++) {
-        for (int k = 0; k < 2; k++) {
-            pupil->rim[i][k] = rim->to[i][k];
-            low[k] = fmin(low[k], rim->to[i][k]);
-            high[k] = fmax(high[k], rim->to[i][k]);
-        }
-    }
-    double reach = 1;
-    for (int k = 0; k < 2; k++) {
-        pupil->middle[k] = (low[k] + high[k]) / 2;
-        pupil->half[k] = (high[k] - low[k]) / 2;
-    }
-    for (size_t i = 0; i < rim->count; i++) {
-        reach = fmax(reach, hypot((rim->to[i][0] - pupil->middle[0]) / pupil->half[0],
-                                  (rim->to[i][1] - pupil->middle[1]) / pupil->half[1]));
-    }
-    for (int k = 0; k < 2; k++) {
-        pupil->scale[k] = reach * pupil->half[k];
-    }
 }
 
 /* Only the terms of a function that mirrors leave, which is odd in a or b or even in both. */
@@ -400,14 +373,34 @@ static bool exit_pupil_open_pupil(const struct exit_pupils *pupils, size_t g, st
                                  .is_blocked = source->region->margins.full != NULL};
     source->region->in_beam = true;
     const struct quadrature inside = quadrature_fill(source->region, RAYS, arena);
-    if (inside.is_empty || !exit_pupil_find_rim(pupil, arena, &rim)) {
+    if (inside.is_empty || !find_rim(pupil, arena, &rim)) {
         return bundle_fail_dark(source, 0, arena, error);
     }
     for (size_t i = 0; i < inside.sample.count; i++) {
         const struct pupil_point *point = &inside.sample.points[i];
         pupil->energy += PI * point->weight * stop_beam_density(&source->pupil, point->x, point->y);
     }
-    set_box(pupil, &rim);
+    double low[2] = {INFINITY, INFINITY}, high[2] = {-INFINITY, -INFINITY};
+    pupil->rim_count = rim.count;
+    for (size_t i = 0; i < rim.count; i++) {
+        for (int k = 0; k < 2; k++) {
+            pupil->rim[i][k] = rim.to[i][k];
+            low[k] = fmin(low[k], rim.to[i][k]);
+            high[k] = fmax(high[k], rim.to[i][k]);
+        }
+    }
+    double reach = 1;
+    for (int k = 0; k < 2; k++) {
+        pupil->middle[k] = (low[k] + high[k]) / 2;
+        pupil->half[k] = (high[k] - low[k]) / 2;
+    }
+    for (size_t i = 0; i < rim.count; i++) {
+        reach = fmax(reach, hypot((rim.to[i][0] - pupil->middle[0]) / pupil->half[0],
+                                  (rim.to[i][1] - pupil->middle[1]) / pupil->half[1]));
+    }
+    for (int k = 0; k < 2; k++) {
+        pupil->scale[k] = reach * pupil->half[k];
+    }
     /* wavelengths do not differ in what they need */
     return (pupil->half[0] > 0 && pupil->half[1] > 0 &&
             find_map(pupil, &rim, &inside, g > 0 ? pupils->list[0].terms.orders - 1 : ORDER_FIRST,

@@ -15,21 +15,6 @@ static const double narrow = 1e-9;
 
 /* -------- the rays -------- */
 
-/* From the reference to where a ray arrives, in the plane through it. */
-static void find_off(const struct fan *fan, const struct wave_reference *origin,
-                     const struct ray *ray, double off[2])
-{
-    for (int i = 0; i < 2 && fan->is_angular; i++) {
-        const double *axis = origin->across[i];
-        off[i] = ray->cosine[0] * axis[0] + ray->cosine[1] * axis[1] + ray->cosine[2] * axis[2] -
-                 origin->at[i];
-    }
-    double way = (fan->reference[2] - ray->point[2]) / ray->cosine[2];
-    for (int i = 0; i < 2 && !fan->is_angular; i++) {
-        off[i] = ray->point[i] - fan->reference[i] + way * ray->cosine[i];
-    }
-}
-
 /* A place in a section, from -1 to 1. */
 struct fan_place {
     size_t section;
@@ -76,7 +61,18 @@ static void fan_trace_places(const struct tracer *tracer, const struct fan_place
                                    .status = ray.status,
                                    .surface = ray.surface};
         if (ray.status == RAY_OK) {
-            find_off(fan, tracer->origin, &ray, list[i].off);
+            /* from the reference to where a ray arrives, in the plane through it */
+            const struct wave_reference *origin = tracer->origin;
+            double *off = list[i].off;
+            for (int k = 0; k < 2 && fan->is_angular; k++) {
+                const double *axis = origin->across[k];
+                off[k] = ray.cosine[0] * axis[0] + ray.cosine[1] * axis[1] +
+                         ray.cosine[2] * axis[2] - origin->at[k];
+            }
+            double way = (fan->reference[2] - ray.point[2]) / ray.cosine[2];
+            for (int k = 0; k < 2 && !fan->is_angular; k++) {
+                off[k] = ray.point[k] - fan->reference[k] + way * ray.cosine[k];
+            }
             list[i].opd = tracer->origin->no_opd == NULL
                               ? tracer->zero - opd_path(&tracer->origin->opd, &ray)
                               : (double)NAN;
@@ -131,16 +127,6 @@ static void fan_edge_look(const struct clearances *margins, const struct fan_edg
     }
 }
 
-/* Newton's step of one edge from its three rays. */
-static void fan_edge_step(const struct fan_edge_found *found, double at[2])
-{
-    const double excess[2] = {found[1].excess - found[0].excess, found[2].excess - found[0].excess};
-    const double aside[2] = {found[1].aside - found[0].aside, found[2].aside - found[0].aside};
-    const double scale = beside / (excess[0] * aside[1] - excess[1] * aside[0]);
-    at[0] -= (aside[1] * found[0].excess - excess[1] * found[0].aside) * scale;
-    at[1] -= (excess[0] * found[0].aside - aside[0] * found[0].excess) * scale;
-}
-
 /*
  * Places of rays aimed at the stop, without aiming each that is looked at.
  *
@@ -179,7 +165,14 @@ static void fan_edges_find(const struct bundle_source *source, struct fan_edge *
             edges[k].h = here->h;
             edges[k].is_found = fabs(here->excess) <= enough && fabs(here->aside) <= enough;
             if (!edges[k].is_found) {
-                fan_edge_step(here, at[k]);
+                /* Newton's step of one edge from its three rays */
+                const double excess[2] = {here[1].excess - here[0].excess,
+                                          here[2].excess - here[0].excess};
+                const double aside[2] = {here[1].aside - here[0].aside,
+                                         here[2].aside - here[0].aside};
+                const double scale = beside / (excess[0] * aside[1] - excess[1] * aside[0]);
+                at[k][0] -= (aside[1] * here[0].excess - excess[1] * here[0].aside) * scale;
+                at[k][1] -= (excess[0] * here[0].aside - aside[0] * here[0].excess) * scale;
             }
             busy = busy || (!edges[k].is_found && isfinite(at[k][0] + at[k][1]));
         }
@@ -310,22 +303,6 @@ size_t fan_line(const struct fan *fan, size_t wavelength, enum fan_section secti
     return count;
 }
 
-/* Does one ray arrive? Else the error says where the chief ray ends. */
-static bool fan_check_light(const struct wave_lights *lights, const struct fan_ray *rays,
-                            size_t count, struct arena *arena, struct error *error)
-{
-    const struct wave_light *first = &lights->list[0];
-    for (size_t i = 0; i < count; i++) {
-        if (rays[i].status == RAY_OK) {
-            return true;
-        }
-    }
-    const struct ray chief = wave_light_trace(first->system, &first->source.chief, arena);
-    return fail(error, ERROR_DOMAIN,
-                "no ray of the fans arrives: the chief ray ends at surface %zu (%s)", chief.surface,
-                ray_status_name(chief.status));
-}
-
 bool fan_trace(const struct fan_question *question, struct arena *arena, struct fan *fan,
                struct error *error)
 {
@@ -363,5 +340,15 @@ bool fan_trace(const struct fan_question *question, struct arena *arena, struct 
     fan->rays = rays;
     fan->ends = ends;
     fan->islands = bundle_islands(&lights.list[0].source, arena);
-    return fan_check_light(&lights, rays, count, arena, error);
+    /* does one ray arrive? Else the error says where the chief ray ends */
+    const struct wave_light *first = &lights.list[0];
+    for (size_t i = 0; i < count; i++) {
+        if (rays[i].status == RAY_OK) {
+            return true;
+        }
+    }
+    const struct ray chief = wave_light_trace(first->system, &first->source.chief, arena);
+    return fail(error, ERROR_DOMAIN,
+                "no ray of the fans arrives: the chief ray ends at surface %zu (%s)", chief.surface,
+                ray_status_name(chief.status));
 }

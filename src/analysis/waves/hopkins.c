@@ -119,17 +119,10 @@ static size_t hopkins_find_breaks(const struct exit_piece *piece, double shift, 
     return count;
 }
 
-/* Does the half of a part say all? In the other one the phase is the opposite. */
-static bool halves_part(const struct overlap_integral *summing, double low, double high)
-{
-    return summing->front->lines->is_mirrored_along && fabs(low + high) <= 1e-5 * (high - low);
-}
-
 /* Add up a part of a line; phases: receives those of its points, or null. */
-static void hopkins_add_part(const struct overlap_integral *summing, const struct exit_line *line,
-                             const struct hopkins_parts *parts, size_t p,
-                             const struct gauss_panels *along, double weight,
-                             struct hopkins_sums *sums, double *phases)
+static void add_part(const struct overlap_integral *summing, const struct exit_line *line,
+                     const struct hopkins_parts *parts, size_t p, const struct gauss_panels *along,
+                     double weight, struct hopkins_sums *sums, double *phases)
 {
     kernel_exit_values *find = KERNEL_FOR(SET_BEST, kernel_exit_values);
     double x[2][LANES], waves[2][LANES], amplitudes[2][LANES];
@@ -137,7 +130,9 @@ static void hopkins_add_part(const struct overlap_integral *summing, const struc
     const struct pupil_cross cross = {
         LANES, {waves[0], waves[1]}, {amplitudes[0], amplitudes[1]}, weights, re, im, size};
     const double low = parts->low[p], length = parts->high[p] - low;
-    const bool is_half = halves_part(summing, low, parts->high[p]) && phases == NULL;
+    const double high = parts->high[p];
+    const bool is_half = summing->front->lines->is_mirrored_along &&
+                         fabs(low + high) <= 1e-5 * (high - low) && phases == NULL;
     const size_t count = along->each * along->panels / (is_half ? 2 : 1);
     const double times = (is_half ? 2 : 1) * weight;
     struct exit_series series[2];
@@ -181,10 +176,9 @@ static void hopkins_add_part(const struct overlap_integral *summing, const struc
     }
 }
 /* Add up the lines of a range; phases: receives those of all points, line by line, or null. */
-static void hopkins_add_lines(const struct overlap_integral *summing,
-                              const struct hopkins_range *range, const struct gauss_panels *across,
-                              const struct gauss_panels *along, struct hopkins_sums *sums,
-                              double *phases)
+static void add_lines(const struct overlap_integral *summing, const struct hopkins_range *range,
+                      const struct gauss_panels *across, const struct gauss_panels *along,
+                      struct hopkins_sums *sums, double *phases)
 {
     const size_t row = range->parts * along->each * along->panels;
     const double wide = range->high - range->low;
@@ -199,9 +193,8 @@ static void hopkins_add_lines(const struct overlap_integral *summing,
         const double weight = times * wide * gauss_panels_weight(across, i) * line.slope;
         /* rounding at an end of the range may lose a part, which is empty there */
         for (size_t p = 0; p < parts.count && p < range->parts; p++) {
-            hopkins_add_part(summing, &line, &parts, p, along, weight, sums,
-                             phases != NULL ? phases + i * row + p * along->each * along->panels
-                                            : NULL);
+            add_part(summing, &line, &parts, p, along, weight, sums,
+                     phases != NULL ? phases + i * row + p * along->each * along->panels : NULL);
         }
     }
 }
@@ -225,7 +218,7 @@ static void hopkins_find_turns(const struct overlap_integral *summing, struct ho
     const size_t row = range->parts * LOOK_ALONG;
     struct hopkins_sums sums = {.re = {0}};
     double phases[LOOK_ACROSS * ROW] = {0};
-    hopkins_add_lines(summing, range, &across, &along, &sums, phases);
+    add_lines(summing, range, &across, &along, &sums, phases);
     for (size_t i = 0; i < LOOK_ACROSS * row; i += LOOK_ALONG) {
         see_turns(phases + i, &along, 1, &range->along);
     }
@@ -315,7 +308,7 @@ static struct overlap hopkins_sum_up(const struct overlap_integral *summing)
         find_points(summing, &summing->ranges[i], &across, &along);
         const struct gauss_panels rules[2] = {gauss_panels_of(summing->rules, across),
                                               gauss_panels_of(summing->rules, along)};
-        hopkins_add_lines(summing, &summing->ranges[i], &rules[0], &rules[1], &sums, NULL);
+        add_lines(summing, &summing->ranges[i], &rules[0], &rules[1], &sums, NULL);
     }
     for (size_t l = 0; l < LANES; l++) {
         sum.re += sums.re[l];
@@ -352,12 +345,6 @@ bool overlap_is_known(double off)
     return off < too_rough;
 }
 
-/* What an integral may be off, in shares of the energy. */
-static double left_for_points(double error, double off)
-{
-    return fmax(error - off, fmax(error, off) / 4);
-}
-
 struct overlap overlap_find(const struct exit_front *front, struct gauss_rules *rules, double shift,
                             double error, bool only_perfect)
 {
@@ -378,7 +365,9 @@ struct overlap overlap_find(const struct exit_front *front, struct gauss_rules *
     for (size_t i = 0; i < summing.count && (is_steep || only_perfect); i++) {
         ranges[i].across = ranges[i].along = (struct hopkins_turns){0, 0}; /* which turns nothing */
     }
-    sum = refine(&summing, left_for_points(error, front->off) * energy, is_steep || only_perfect);
+    const double off = front->off;
+    sum = refine(&summing, fmax(error - off, fmax(error, off) / 4) * energy,
+                 is_steep || only_perfect);
     sum.error += front->off * energy;
     sum.has_converged = !is_steep && sum.error <= error * energy;
     if (is_steep || only_perfect) {

@@ -61,19 +61,6 @@ bool opd_plane(const struct ray *chief, double pupil, double n, struct opd_refer
     return true;
 }
 
-static double plane_path(const struct opd_reference *reference, const struct ray *ray)
-{
-    const double *d = reference->normal, *e = ray->cosine;
-    double back[3], turn[3];
-    for (int i = 0; i < 3; i++) {
-        back[i] = reference->centre[i] - ray->point[i];
-        turn[i] = d[i] - e[i];
-    }
-    double way =
-        (opd_dot(back, d) + reference->plane_way * opd_dot(turn, turn) / 2) / opd_dot(d, e);
-    return ray->path + reference->n * way;
-}
-
 /* q = |D x e|^2 of a sphere's ray, from D and e. */
 static double square_across(const double from[3], const double e[3])
 {
@@ -94,7 +81,15 @@ double opd_path(const struct opd_reference *reference, const struct ray *ray)
         return NAN;
     }
     if (reference->is_plane) {
-        return plane_path(reference, ray);
+        const double *d = reference->normal, *e = ray->cosine;
+        double back[3], turn[3];
+        for (int i = 0; i < 3; i++) {
+            back[i] = reference->centre[i] - ray->point[i];
+            turn[i] = d[i] - e[i];
+        }
+        double way =
+            (opd_dot(back, d) + reference->plane_way * opd_dot(turn, turn) / 2) / opd_dot(d, e);
+        return ray->path + reference->n * way;
     }
     const double *e = ray->cosine;
     double from[3];

@@ -197,57 +197,6 @@ static void pupil_overlap_line_of(const struct pupil_overlap *overlap, size_t i,
     }
 }
 
-static bool pupil_overlap_put_line(struct pupil_overlap *overlap, size_t i, struct error *error)
-{
-    const struct pupil_edge(*corners)[2] = (const struct pupil_edge(*)[2])overlap->corners;
-    const double from = corners[0][RIGHT].turn, range = corners[1][RIGHT].turn - from;
-    const double other = corners[0][LEFT].turn, back = corners[1][LEFT].turn - other;
-    struct pupil_edge *right = &overlap->edges[RIGHT][i], *left = &overlap->edges[LEFT][i];
-    double along[2];
-    edge_find(overlap->wave, from + range * overlap->angles[i], right);
-    if (!find_left(overlap, right, other + back * overlap->angles[i], left)) {
-        return fail(error, ERROR_DOMAIN, "the pupil is too distorted for contrast by waves");
-    }
-    pupil_overlap_line_of(overlap, i, along);
-    const double area =
-        pupil_overlap_cross(along, right->slope) * 2 * PI * range * overlap->angle_weights[i];
-    for (size_t k = 0; k < overlap->each; k++) {
-        const size_t at = i * overlap->each + k, shifted = overlap->room + at;
-        overlap->x[at] = left->at[0] + overlap->nodes[k] * along[0];
-        overlap->y[at] = left->at[1] + overlap->nodes[k] * along[1];
-        overlap->x[shifted] = overlap->x[at] + overlap->moved[0];
-        overlap->y[shifted] = overlap->y[at] + overlap->moved[1];
-        overlap->weight[at] = area * overlap->weights[k];
-    }
-    return true;
-}
-
-static void pupil_overlap_sum_up(struct pupil_overlap *overlap, bool derives)
-{
-    const struct pupil_wave *wave = overlap->wave;
-    const size_t room = overlap->room;
-    struct pupil_look look = {.count = 2 * room,
-                              .x = overlap->x,
-                              .y = overlap->y,
-                              .value = {overlap->value[0], overlap->value[1]}};
-    if (derives) {
-        memcpy(look.slope, overlap->slope, sizeof look.slope);
-    }
-    pupil_look(&wave->rule->form, (const double *const *)wave->c, &look);
-    const struct pupil_cross terms = {.count = room,
-                                      .waves = {overlap->value[0] + room, overlap->value[0]},
-                                      .amplitudes = {overlap->value[1] + room, overlap->value[1]},
-                                      .weights = overlap->weight,
-                                      .re = overlap->part[0],
-                                      .im = overlap->part[1]};
-    pupil_cross(&terms);
-    for (size_t i = 0; i < overlap->count; i++) {
-        overlap->re += overlap->part[0][i];
-        overlap->im += overlap->part[1][i];
-    }
-    overlap->im = overlap->mirrors.across ? 0 : overlap->im;
-}
-
 bool pupil_overlap_find(struct pupil_overlap *overlap, bool derives, struct error *error)
 {
     const double *inverse = overlap->wave->inverse, *shift = overlap->shift;
@@ -258,12 +207,51 @@ bool pupil_overlap_find(struct pupil_overlap *overlap, bool derives, struct erro
         return false;
     }
     for (size_t i = 0; i < overlap->lines && !overlap->is_empty; i++) {
-        if (!pupil_overlap_put_line(overlap, i, error)) {
-            return false;
+        const struct pupil_edge(*corners)[2] = (const struct pupil_edge(*)[2])overlap->corners;
+        const double from = corners[0][RIGHT].turn, range = corners[1][RIGHT].turn - from;
+        const double other = corners[0][LEFT].turn, back = corners[1][LEFT].turn - other;
+        struct pupil_edge *right = &overlap->edges[RIGHT][i], *left = &overlap->edges[LEFT][i];
+        double along[2];
+        edge_find(overlap->wave, from + range * overlap->angles[i], right);
+        if (!find_left(overlap, right, other + back * overlap->angles[i], left)) {
+            return fail(error, ERROR_DOMAIN, "the pupil is too distorted for contrast by waves");
+        }
+        pupil_overlap_line_of(overlap, i, along);
+        const double area =
+            pupil_overlap_cross(along, right->slope) * 2 * PI * range * overlap->angle_weights[i];
+        for (size_t k = 0; k < overlap->each; k++) {
+            const size_t at = i * overlap->each + k, shifted = overlap->room + at;
+            overlap->x[at] = left->at[0] + overlap->nodes[k] * along[0];
+            overlap->y[at] = left->at[1] + overlap->nodes[k] * along[1];
+            overlap->x[shifted] = overlap->x[at] + overlap->moved[0];
+            overlap->y[shifted] = overlap->y[at] + overlap->moved[1];
+            overlap->weight[at] = area * overlap->weights[k];
         }
     }
     if (!overlap->is_empty) {
-        pupil_overlap_sum_up(overlap, derives);
+        const struct pupil_wave *wave = overlap->wave;
+        const size_t room = overlap->room;
+        struct pupil_look look = {.count = 2 * room,
+                                  .x = overlap->x,
+                                  .y = overlap->y,
+                                  .value = {overlap->value[0], overlap->value[1]}};
+        if (derives) {
+            memcpy(look.slope, overlap->slope, sizeof look.slope);
+        }
+        pupil_look(&wave->rule->form, (const double *const *)wave->c, &look);
+        const struct pupil_cross terms = {
+            .count = room,
+            .waves = {overlap->value[0] + room, overlap->value[0]},
+            .amplitudes = {overlap->value[1] + room, overlap->value[1]},
+            .weights = overlap->weight,
+            .re = overlap->part[0],
+            .im = overlap->part[1]};
+        pupil_cross(&terms);
+        for (size_t i = 0; i < overlap->count; i++) {
+            overlap->re += overlap->part[0][i];
+            overlap->im += overlap->part[1][i];
+        }
+        overlap->im = overlap->mirrors.across ? 0 : overlap->im;
     }
     return true;
 }
@@ -289,22 +277,6 @@ struct backwards {
     double by_from, by_range; /* angle of the first corner, and from it to the other, rad */
 };
 
-/* Points of a line, and what they are by. */
-static void gather_points(const struct pupil_overlap *overlap, size_t i, struct backwards *all,
-                          double by_left[2], double by_along[2])
-{
-    for (size_t k = 0; k < overlap->each; k++) {
-        const size_t at = i * overlap->each + k, shifted = overlap->room + at;
-        for (int axis = 0; axis < 2; axis++) {
-            const double here = overlap->by_place[axis][at];
-            const double there = overlap->by_place[axis][shifted];
-            by_left[axis] += here + there;
-            by_along[axis] += overlap->nodes[k] * (here + there);
-            all->by_moved[axis] += there;
-        }
-    }
-}
-
 /*
  * A line: its right end at an angle, its left where cross(shift, left - right) = 0.
  *
@@ -319,7 +291,17 @@ static void line_back(struct pupil_overlap *overlap, size_t i, double by_area,
     const double range =
         2 * PI * (overlap->corners[1][RIGHT].turn - overlap->corners[0][RIGHT].turn);
     double along[2], by_left[2] = {0}, by_along[2] = {0}, by_right[2];
-    gather_points(overlap, i, all, by_left, by_along);
+    /* points of a line, and what they are by */
+    for (size_t k = 0; k < overlap->each; k++) {
+        const size_t at = i * overlap->each + k, shifted = overlap->room + at;
+        for (int axis = 0; axis < 2; axis++) {
+            const double here = overlap->by_place[axis][at];
+            const double there = overlap->by_place[axis][shifted];
+            by_left[axis] += here + there;
+            by_along[axis] += overlap->nodes[k] * (here + there);
+            all->by_moved[axis] += there;
+        }
+    }
     pupil_overlap_line_of(overlap, i, along);
     const double share = by_area / pupil_overlap_cross(along, right->slope);
     const double by_slope[2] = {-share * along[1], share * along[0]};
@@ -374,9 +356,17 @@ static void matrix_back(struct pupil_overlap *overlap, const double by_moved[2])
     }
 }
 
-/* Of each point: by the two functions, and by its place. Part 0 becomes that by ln of its size. */
-static void points_back(struct pupil_overlap *overlap, const double by[2])
+void pupil_overlap_back(struct pupil_overlap *overlap, const double by[2])
 {
+    struct pupil_wave *wave = overlap->wave;
+    const size_t terms = wave->rule->form.terms;
+    struct backwards all = {.by_from = 0};
+    if (overlap->is_empty) {
+        return;
+    }
+    /*
+     * of each point: by the two functions, and by its place. Part 0 becomes that by ln of its size.
+     */
     const size_t room = overlap->room;
     const double by_im = overlap->mirrors.across ? 0 : by[1];
     double *by_wave = overlap->by_value[0], *by_amplitude = overlap->by_value[1];
@@ -398,17 +388,6 @@ static void points_back(struct pupil_overlap *overlap, const double by[2])
                                          by_amplitude[i] * overlap->slope[1][axis][i];
         }
     }
-}
-
-void pupil_overlap_back(struct pupil_overlap *overlap, const double by[2])
-{
-    struct pupil_wave *wave = overlap->wave;
-    const size_t terms = wave->rule->form.terms;
-    struct backwards all = {.by_from = 0};
-    if (overlap->is_empty) {
-        return;
-    }
-    points_back(overlap, by);
     const struct pupil_look look = {.count = 2 * overlap->room,
                                     .x = overlap->x,
                                     .y = overlap->y,

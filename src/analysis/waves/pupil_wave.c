@@ -23,9 +23,19 @@ static struct pupil_fit fit_of_places(const struct pupil_wave *wave)
                               rule->weights, wave->factor, wave->rows};
 }
 
-/* 2 k rings have four times the points of k, and some more. */
-static bool open_fine(struct pupil_rule *rule, struct arena *arena, struct error *error)
+bool pupil_rule_open(const struct pupil_point *points, size_t count, struct arena *arena,
+                     struct pupil_rule *rule, struct error *error)
 {
+    const size_t room = pupil_room(count);
+    *rule = (struct pupil_rule){.count = count,
+                                .room = room,
+                                .form = pupil_form_of(count),
+                                .x = ARENA_ARRAY(arena, room, double),
+                                .y = ARENA_ARRAY(arena, room, double),
+                                .weights = ARENA_ARRAY(arena, room, double)};
+    const size_t terms = rule->form.terms;
+    rule->factor = ARENA_ARRAY(arena, terms * terms, double);
+    /* 2 k rings have four times the points of k, and some more */
     struct sample sample;
     if (!sample_make(PATTERN_GAUSS, 4 * rule->count - 2 * (rule->form.orders - 1), 0, arena,
                      &sample, error)) {
@@ -40,24 +50,6 @@ static bool open_fine(struct pupil_rule *rule, struct arena *arena, struct error
         rule->fine_x[i] = sample.points[i].x;
         rule->fine_y[i] = sample.points[i].y;
         rule->fine_weights[i] = sample.points[i].weight;
-    }
-    return true;
-}
-
-bool pupil_rule_open(const struct pupil_point *points, size_t count, struct arena *arena,
-                     struct pupil_rule *rule, struct error *error)
-{
-    const size_t room = pupil_room(count);
-    *rule = (struct pupil_rule){.count = count,
-                                .room = room,
-                                .form = pupil_form_of(count),
-                                .x = ARENA_ARRAY(arena, room, double),
-                                .y = ARENA_ARRAY(arena, room, double),
-                                .weights = ARENA_ARRAY(arena, room, double)};
-    const size_t terms = rule->form.terms;
-    rule->factor = ARENA_ARRAY(arena, terms * terms, double);
-    if (!open_fine(rule, arena, error)) {
-        return false;
     }
     for (size_t i = 0; i < count; i++) {
         rule->x[i] = points[i].x;
@@ -157,21 +149,6 @@ static void slopes_back(struct pupil_wave *wave, double *by_slope[2][2],
     pupil_wave_rays_back(wave, back);
 }
 
-/* The edge of the places, from the coefficients in `sums`. */
-static void pupil_wave_find_rim(struct pupil_wave *wave)
-{
-    const struct pupil_form *form = &wave->rule->form;
-    for (int k = 0; k < 2; k++) {
-        size_t term = 0;
-        for (size_t i = 0; i < 2 * form->orders; i++) {
-            wave->rim[k][i] = 0;
-            for (size_t j = 0; j < form->radial[i / 2] && i != 1; j++) {
-                wave->rim[k][i] += wave->sums[k][term++];
-            }
-        }
-    }
-}
-
 /* -------- the pupil -------- */
 
 /* The linear function of the points, and what of a number of a ray it takes. */
@@ -226,19 +203,6 @@ static bool find_energy(struct pupil_wave *wave, struct error *error)
            fail(error, ERROR_DOMAIN, "the beam is folded within the pupil: there is no contrast");
 }
 
-static bool find_amplitudes(struct pupil_wave *wave, struct error *error)
-{
-    bool is_one = true;
-    for (size_t i = 0; i < wave->rule->count; i++) {
-        const double ratio =
-            wave->sign * pupil_area(wave->slope + 2, i) / pupil_area(wave->slope, i);
-        wave->amplitude[i] = sqrt(ratio);
-        is_one = is_one && ratio > 0;
-    }
-    return is_one || fail(error, ERROR_DOMAIN,
-                          "the beam is folded behind the lens: there is no contrast by waves");
-}
-
 bool pupil_wave_find(struct pupil_wave *wave, struct error *error)
 {
     const struct pupil_rule *rule = wave->rule;
@@ -251,15 +215,35 @@ bool pupil_wave_find(struct pupil_wave *wave, struct error *error)
         .y = wave->place[1],
         .value = {wave->rest[0], wave->rest[1]},
         .slope = {{wave->front[0][0], wave->front[0][1]}, {wave->front[1][0], wave->front[1][1]}}};
-    if (!pupil_wave_find_places(wave) || !find_energy(wave, error)) {
-        return error->code != ERROR_NONE ||
-               fail(error, ERROR_DOMAIN, "all light comes from one direction");
+    if (!pupil_wave_find_places(wave)) {
+        return fail(error, ERROR_DOMAIN, "all light comes from one direction");
+    }
+    if (!find_energy(wave, error)) {
+        return false;
     }
     const struct pupil_look slopes = pupil_rule_look(rule, false, wave->work, wave->slope);
     pupil_wave_find_at(wave, places, &slopes);
-    pupil_wave_find_rim(wave);
-    if (!find_amplitudes(wave, error)) {
-        return false;
+    /* the edge of the places, from the coefficients in `sums` */
+    const struct pupil_form *form = &wave->rule->form;
+    for (int k = 0; k < 2; k++) {
+        size_t term = 0;
+        for (size_t i = 0; i < 2 * form->orders; i++) {
+            wave->rim[k][i] = 0;
+            for (size_t j = 0; j < form->radial[i / 2] && i != 1; j++) {
+                wave->rim[k][i] += wave->sums[k][term++];
+            }
+        }
+    }
+    bool is_one = true;
+    for (size_t i = 0; i < wave->rule->count; i++) {
+        const double ratio =
+            wave->sign * pupil_area(wave->slope + 2, i) / pupil_area(wave->slope, i);
+        wave->amplitude[i] = sqrt(ratio);
+        is_one = is_one && ratio > 0;
+    }
+    if (!is_one) {
+        return fail(error, ERROR_DOMAIN,
+                    "the beam is folded behind the lens: there is no contrast by waves");
     }
     if (!pupil_fit_open(&fit)) {
         return fail(error, ERROR_DOMAIN, "the pupil is too distorted for contrast by waves");
@@ -318,34 +302,6 @@ static void area_back(double *slope[2][2], size_t i, double by)
     slope[1][1][i] = by * xx;
 }
 
-/* From places to direction cosines, and by their linear function. */
-static void places_back(struct pupil_wave *wave, double *const by_place[2])
-{
-    const struct pupil_rule *rule = wave->rule;
-    const double *inverse = wave->inverse;
-    double by[2][3], shares[3];
-    for (int k = 0; k < 2; k++) {
-        by[k][0] = 0;
-        by[k][1] = wave->by_matrix[2 * k];
-        by[k][2] = wave->by_matrix[2 * k + 1];
-    }
-    for (size_t i = 0; i < rule->count; i++) {
-        for (int k = 0; k < 2; k++) {
-            const double here = inverse[k] * by_place[0][i] + inverse[2 + k] * by_place[1][i];
-            wave->back[k][i] = here;
-            by[k][0] -= here;
-            by[k][1] -= here * wave->place[0][i];
-            by[k][2] -= here * wave->place[1][i];
-        }
-    }
-    for (size_t i = 0; i < rule->count; i++) {
-        linear_shares(rule, i, shares);
-        for (int n = 0; n < 6; n++) {
-            wave->back[n / 3][i] += by[n / 3][n % 3] * shares[n % 3];
-        }
-    }
-}
-
 void pupil_wave_begin_back(struct pupil_wave *wave)
 {
     for (int k = 0; k < 2; k++) {
@@ -378,7 +334,29 @@ void pupil_wave_back(struct pupil_wave *wave)
                          : 0);
     }
     slopes_back(wave, slopes, wave->by_rim, by_place);
-    places_back(wave, by_place);
+    /* from places to direction cosines, and by their linear function */
+    const double *inverse = wave->inverse;
+    double by[2][3], shares[3];
+    for (int k = 0; k < 2; k++) {
+        by[k][0] = 0;
+        by[k][1] = wave->by_matrix[2 * k];
+        by[k][2] = wave->by_matrix[2 * k + 1];
+    }
+    for (size_t i = 0; i < rule->count; i++) {
+        for (int k = 0; k < 2; k++) {
+            const double here = inverse[k] * by_place[0][i] + inverse[2 + k] * by_place[1][i];
+            wave->back[k][i] = here;
+            by[k][0] -= here;
+            by[k][1] -= here * wave->place[0][i];
+            by[k][2] -= here * wave->place[1][i];
+        }
+    }
+    for (size_t i = 0; i < rule->count; i++) {
+        linear_shares(rule, i, shares);
+        for (int n = 0; n < 6; n++) {
+            wave->back[n / 3][i] += by[n / 3][n % 3] * shares[n % 3];
+        }
+    }
     memset(wave->back[PUPIL_FROM_X], 0, rule->room * sizeof(double));
     memset(wave->back[PUPIL_FROM_Y], 0, rule->room * sizeof(double));
     slopes_back(wave, slopes + 2, NULL, wave->back + PUPIL_FROM_X);

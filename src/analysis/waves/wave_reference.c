@@ -47,33 +47,6 @@ struct ray wave_light_trace(const struct system *system, const struct ray *start
     return end;
 }
 
-static void wave_sphere_add_light(const struct wave_lights *lights, size_t g,
-                                  struct quadrature *all, struct sheaf *sheaf)
-{
-    const struct wave_light *light = &lights->list[g];
-    rays_trace(light->system, &all->rays, NULL);
-    for (size_t i = 0; i < all->sample.count; i++) {
-        struct ray ray = rays_get(&all->rays, i, light->system->index_last);
-        double weight = light->weight * all->sample.points[i].weight;
-        if (ray.status == RAY_OK && weight > 0) {
-            sheaf->rays[sheaf->count] = ray;
-            sheaf->weights[sheaf->count] = sqrt(weight) / light->wavelength;
-            sheaf->lights[sheaf->count++] = g;
-            sheaf->total += weight;
-        }
-    }
-}
-
-/* The clear parts of all wavelengths, found once. */
-static struct quadrature_region *open_regions(const struct wave_lights *lights, struct arena *arena)
-{
-    struct quadrature_region *regions = ARENA_ARRAY(arena, lights->count, struct quadrature_region);
-    for (size_t g = 0; g < lights->count; g++) {
-        regions[g] = quadrature_open(&lights->list[g].source.pupil, arena);
-    }
-    return regions;
-}
-
 static bool sheaf_fill(const struct wave_lights *lights, struct quadrature_region *regions,
                        size_t rays, struct arena *arena, struct sheaf *sheaf, struct error *error)
 {
@@ -88,7 +61,18 @@ static bool sheaf_fill(const struct wave_lights *lights, struct quadrature_regio
                             .lights = ARENA_ARRAY(arena, room, size_t)};
     for (size_t g = 0; g < lights->count; g++) {
         if (!all[g].is_empty) {
-            wave_sphere_add_light(lights, g, &all[g], sheaf);
+            const struct wave_light *light = &lights->list[g];
+            rays_trace(light->system, &all[g].rays, NULL);
+            for (size_t i = 0; i < all[g].sample.count; i++) {
+                struct ray ray = rays_get(&all[g].rays, i, light->system->index_last);
+                double weight = light->weight * all[g].sample.points[i].weight;
+                if (ray.status == RAY_OK && weight > 0) {
+                    sheaf->rays[sheaf->count] = ray;
+                    sheaf->weights[sheaf->count] = sqrt(weight) / light->wavelength;
+                    sheaf->lights[sheaf->count++] = g;
+                    sheaf->total += weight;
+                }
+            }
         }
     }
     return sheaf->count > UNKNOWNS + lights->count ||
@@ -149,18 +133,6 @@ static bool sheaf_step(const struct sheaf *sheaf, size_t lights,
     return found;
 }
 
-static bool reference_move(const struct wave_light *first, double pupil, const double move[3],
-                           struct opd_reference *reference, struct error *error)
-{
-    double centre[3];
-    for (int k = 0; k < UNKNOWNS; k++) {
-        centre[k] = reference->centre[k] + move[k];
-        /* what rounding leaves of a symmetry */
-        centre[k] = fabs(centre[k]) < 1e-15 * fmin(reference->radius, 1e6) ? 0 : centre[k];
-    }
-    return opd_sphere(&first->chief, pupil, reference->n, centre, reference, error);
-}
-
 /* Gauss's and Newton's steps to the sphere that fits these rays; gives what the first changed. */
 static bool sheaf_fit(const struct sheaf *sheaf, const struct wave_lights *lights, double pupil,
                       struct arena *arena, struct opd_reference *reference, double *changed,
@@ -175,7 +147,13 @@ static bool sheaf_fit(const struct sheaf *sheaf, const struct wave_lights *light
         }
         change = sheaf_change(sheaf, &first->chief, reference, move);
         *changed = i == 0 ? change : *changed;
-        if (!reference_move(first, pupil, move, reference, error)) {
+        double centre[3];
+        for (int k = 0; k < UNKNOWNS; k++) {
+            centre[k] = reference->centre[k] + move[k];
+            /* what rounding leaves of a symmetry */
+            centre[k] = fabs(centre[k]) < 1e-15 * fmin(reference->radius, 1e6) ? 0 : centre[k];
+        }
+        if (!opd_sphere(&first->chief, pupil, reference->n, centre, reference, error)) {
             return false;
         }
     }
@@ -201,7 +179,11 @@ static bool sheaf_fit(const struct sheaf *sheaf, const struct wave_lights *light
 static bool wave_sphere_fit(const struct wave_lights *lights, double pupil, struct arena *arena,
                             struct opd_reference *reference, double *doubt, struct error *error)
 {
-    struct quadrature_region *regions = open_regions(lights, arena);
+    /* the clear parts of all wavelengths, found once */
+    struct quadrature_region *regions = ARENA_ARRAY(arena, lights->count, struct quadrature_region);
+    for (size_t g = 0; g < lights->count; g++) {
+        regions[g] = quadrature_open(&lights->list[g].source.pupil, arena);
+    }
     *doubt = INFINITY;
     for (size_t rays = FIRST_RAYS; rays <= MOST_RAYS && *doubt > alike; rays *= 2) {
         const struct arena_mark mark = arena_mark(arena);
@@ -252,8 +234,8 @@ bool wave_open(const struct bundle_question *bundle, struct arena *arena,
 }
 
 /* From the chief ray to the centroid, mm or sines. */
-static bool wave_reference_find_centroid(const struct wave_lights *lights, struct arena *arena,
-                                         struct wave_reference *reference, struct error *error)
+static bool find_centroid(const struct wave_lights *lights, struct arena *arena,
+                          struct wave_reference *reference, struct error *error)
 {
     const struct wave_light *first = &lights->list[0];
     struct spot_question asked = {
@@ -288,17 +270,6 @@ static bool set_plane(const struct wave_light *light, double pupil,
     return opd_plane(&towards, pupil, light->open->index_last, &reference->opd, error);
 }
 
-/* Where the exit pupil of the first wavelength lies, in the frame of the image plane. */
-static bool wave_reference_find_pupil(const struct setup *setup, double *pupil, struct error *error)
-{
-    struct setup_light light;
-    if (!setup_light(setup, 0, &light, error)) {
-        return false;
-    }
-    *pupil = light.first.exit_pupil - (isnan(setup->image) ? 0 : setup->image);
-    return true;
-}
-
 /* Its equation says where rays go, but not how long their way is. */
 static bool has_thick(const struct lens *lens)
 {
@@ -322,9 +293,13 @@ bool wave_reference_find(const struct wave_lights *lights, enum wave_about about
                     "the image lies infinitely far away: no sphere fits its wave front, but the "
                     "chief ray and the centroid are references");
     }
-    if (!wave_reference_find_pupil(setup, &pupil, error) ||
-        (about == WAVE_CENTROID &&
-         !wave_reference_find_centroid(lights, arena, reference, error))) {
+    /* where the exit pupil of the first wavelength lies, in the frame of the image plane */
+    struct setup_light light;
+    if (!setup_light(setup, 0, &light, error)) {
+        return false;
+    }
+    pupil = light.first.exit_pupil - (isnan(setup->image) ? 0 : setup->image);
+    if ((about == WAVE_CENTROID && !find_centroid(lights, arena, reference, error))) {
         return false;
     }
     reference->centre[0] = first->chief.point[0] + reference->at[0];

@@ -32,15 +32,6 @@ static struct zernike_term fringe_term(int j)
     return (struct zernike_term){j, 2 * (d - 1) - m, place % 2 == 0 ? m : -m};
 }
 
-static struct zernike_term ansi_term(int j)
-{
-    int n = 0;
-    while (n * (n + 3) / 2 < j) {
-        n++;
-    }
-    return (struct zernike_term){j, n, 2 * j - n * (n + 2)};
-}
-
 struct zernike_term zernike_term(enum zernike_kind kind, size_t i)
 {
     const int place = (int)i;
@@ -50,25 +41,11 @@ struct zernike_term zernike_term(enum zernike_kind kind, size_t i)
     if (kind == ZERNIKE_FRINGE) {
         return fringe_term(place + 1);
     }
-    return ansi_term(place);
-}
-
-/* R_n^m(r) of one m, for n = m, m + 2 .. most. */
-static void fill_radial(int m, int most, double r, double *values)
-{
-    const double r2 = r * r, mm = m;
-    values[m] = pow(r, mm);
-    if (m + 2 <= most) {
-        values[m + 2] = values[m] * ((mm + 2) * r2 - (mm + 1));
+    int n = 0;
+    while (n * (n + 3) / 2 < place) {
+        n++;
     }
-    for (int i = m + 4; i <= most; i += 2) {
-        const double n = i;
-        const double k1 = (n + mm) * (n - mm) * (n - 2) / 2;
-        const double k2 = 2 * n * (n - 1) * (n - 2);
-        const double k3 = -mm * mm * (n - 1) - n * (n - 1) * (n - 2);
-        const double k4 = -n * (n + mm - 2) * (n - mm - 2) / 2;
-        values[i] = ((k2 * r2 + k3) * values[i - 2] + k4 * values[i - 4]) / k1;
-    }
+    return (struct zernike_term){place, n, 2 * place - n * (n + 2)};
 }
 
 void zernike_fill(enum zernike_kind kind, size_t count, double x, double y, double *values)
@@ -82,7 +59,20 @@ void zernike_fill(enum zernike_kind kind, size_t count, double x, double y, doub
         most = abs(term.m) > most ? abs(term.m) : most;
     }
     for (int m = 0; m <= most; m++) {
-        fill_radial(m, order, r, radial[m]);
+        /* R_n^m(r) of one m, for n = m, m + 2 .. most. */
+        const double r2 = r * r, mm = m;
+        radial[m][m] = pow(r, mm);
+        if (m + 2 <= order) {
+            radial[m][m + 2] = radial[m][m] * ((mm + 2) * r2 - (mm + 1));
+        }
+        for (int i = m + 4; i <= order; i += 2) {
+            const double n = i;
+            const double k1 = (n + mm) * (n - mm) * (n - 2) / 2;
+            const double k2 = 2 * n * (n - 1) * (n - 2);
+            const double k3 = -mm * mm * (n - 1) - n * (n - 1) * (n - 2);
+            const double k4 = -n * (n + mm - 2) * (n - mm - 2) / 2;
+            radial[m][i] = ((k2 * r2 + k3) * radial[m][i - 2] + k4 * radial[m][i - 4]) / k1;
+        }
     }
     for (size_t i = 0; i < count; i++) {
         const struct zernike_term term = zernike_term(kind, i);

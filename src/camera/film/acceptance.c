@@ -19,23 +19,17 @@ bool acceptance_power(double power, struct acceptance *acceptance, struct error 
     return true;
 }
 
-static bool acceptance_check_table(const double *angle, const double *taken, size_t count,
-                                   struct error *error)
+bool acceptance_table(const double *angle, const double *taken, size_t count,
+                      struct acceptance *acceptance, struct error *error)
 {
     bool good = count >= 2 && angle[0] == 0 && taken[0] > 0 && angle[count - 1] <= PI / 2 + 1e-12;
     for (size_t i = 0; i < count; i++) {
         good = good && taken[i] >= 0 && taken[i] <= 1 && (i == 0 || angle[i] > angle[i - 1]);
     }
-    return good || fail(error, ERROR_DOMAIN,
-                        "what pixels accept is a table of two rows and more, of rising angles from "
-                        "0 to 90 deg, and shares of 0 to 1, the first above 0");
-}
-
-bool acceptance_table(const double *angle, const double *taken, size_t count,
-                      struct acceptance *acceptance, struct error *error)
-{
-    if (!acceptance_check_table(angle, taken, count, error)) {
-        return false;
+    if (!good) {
+        return fail(error, ERROR_DOMAIN,
+                    "what pixels accept is a table of two rows and more, of rising angles from "
+                    "0 to 90 deg, and shares of 0 to 1, the first above 0");
     }
     size_t next = 1;
     for (int i = 0; i <= ACCEPTANCE_STEPS; i++) {

@@ -33,9 +33,13 @@ const struct pupil_outline *film_building_lit(const struct bounds_builder *build
     return all[i].is_empty ? NULL : &all[i];
 }
 
-/* Outwards in a column; halves lie between two. */
-static void direct(const struct bounds_builder *building, double column, double way[2])
+struct pupil_outline film_building_outline(const struct bounds_builder *building, double column,
+                                           double height)
 {
+    struct pupil_outline outline = {.is_half = building->is_round, .each = 1};
+    struct film_place *place = &outline.place;
+    double way[2];
+    /* outwards in a column; halves lie between two */
     static const double axes[5][2] = {{1, 0}, {0, 1}, {-1, 0}, {0, -1}, {1, 0}};
     const double turn = building->is_round ? 1 : 4 * column / FILM_COLUMNS;
     const int quarter = (int)fmin(turn, 3);
@@ -44,15 +48,6 @@ static void direct(const struct bounds_builder *building, double column, double 
     const double y = (1 - f) * axes[quarter][1] + f * axes[quarter + 1][1];
     way[0] = x / hypot(x, y);
     way[1] = y / hypot(x, y);
-}
-
-struct pupil_outline film_building_outline(const struct bounds_builder *building, double column,
-                                           double height)
-{
-    struct pupil_outline outline = {.is_half = building->is_round, .each = 1};
-    struct film_place *place = &outline.place;
-    double way[2];
-    direct(building, column, way);
     place->x = building->region->pole[0] + height * way[0];
     place->y = building->region->pole[1] + height * way[1];
     place->up[0] = building->region->turns ? way[0] : 0;
@@ -97,19 +92,6 @@ static bool step_to(const struct bounds_builder *building, size_t wavelength, do
     return true;
 }
 
-/* The same at any wavelength; one of them answers for long steps. */
-static bool step_at_any(const struct bounds_builder *building, double column, double stride,
-                        double farthest, struct bounds_extent_seen seen[2])
-{
-    const double height = fmin(seen[1].height + stride, farthest);
-    const size_t all = stride * STRIDES < farthest ? building->search.lens->count : 1;
-    bool is_lit = false;
-    for (size_t w = 0; w < all && !is_lit; w++) {
-        is_lit = step_to(building, w, column, height, seen);
-    }
-    return is_lit;
-}
-
 /* The pole as a column has it, whose frame is turned. */
 static struct bounds_extent_seen pole_in(const struct bounds_builder *building, double column)
 {
@@ -123,15 +105,21 @@ static struct bounds_extent_seen pole_in(const struct bounds_builder *building, 
 }
 
 /* How far light arrives in a column, at most as far as is asked. */
-static double bounds_extent_find_end(struct bounds_builder *building, double column,
-                                     double farthest)
+static double extent_find_end(struct bounds_builder *building, double column, double farthest)
 {
     const struct bounds_extent_seen pole = pole_in(building, column);
     struct bounds_extent_seen seen[2] = {pole, pole};
     double stride = farthest / STRIDES;
     /* what a long step does not find may be lit all the same */
     while (stride > finest * farthest && seen[1].height < farthest) {
-        stride *= step_at_any(building, column, stride, farthest, seen) ? 1.25 : 0.5;
+        /* the same at any wavelength; one of them answers for long steps */
+        const double height = fmin(seen[1].height + stride, farthest);
+        const size_t all = stride * STRIDES < farthest ? building->search.lens->count : 1;
+        bool is_lit = false;
+        for (size_t w = 0; w < all && !is_lit; w++) {
+            is_lit = step_to(building, w, column, height, seen);
+        }
+        stride *= is_lit ? 1.25 : 0.5;
     }
     const struct pupil_outline_point way = seen[1].centre;
     const double size2 = way.x * way.x + way.y * way.y;
@@ -152,15 +140,14 @@ static void bounds_extent_find_ends(struct bounds_builder *building)
     const double farthest = building->search.lens->reach + pole;
     const size_t columns = building->columns;
     for (size_t c = 0; c < columns; c++) {
-        ends[c] = bounds_extent_find_end(building, (double)c, farthest);
+        ends[c] = extent_find_end(building, (double)c, farthest);
     }
     if (region->is_grid) {
         ends[columns] = ends[0];
         for (size_t c = 0; c < columns; c++) {
             const double middle = (ends[c] + ends[c + 1]) / 2;
-            const double end = middle < farthest
-                                   ? bounds_extent_find_end(building, (double)c + 0.5, farthest)
-                                   : middle;
+            const double end =
+                middle < farthest ? extent_find_end(building, (double)c + 0.5, farthest) : middle;
             const double by = middle > 0 ? fmax(1, 1.001 * end / middle) : 1;
             ends[c] = fmin(farthest, ends[c] * by);
             ends[c + 1] = fmin(farthest, ends[c + 1] * by);
@@ -175,9 +162,14 @@ static void bounds_extent_find_ends(struct bounds_builder *building)
     }
 }
 
-/* Films so close behind a lens, or so wide, that pupils are slivers between the rows. */
-static bool check_steepness(const struct bounds_builder *building, struct error *error)
+bool bounds_extent_find(struct bounds_builder *building, struct error *error)
 {
+    bounds_extent_find_ends(building);
+    if (building->steepest > steep) {
+        building->search.tangent = building->region->tangent = 1;
+        bounds_extent_find_ends(building);
+    }
+    /* films so close behind a lens, or so wide, that pupils are slivers between the rows */
     const double angle = degrees_from_radians(asin(fmin(building->steepest, 1)));
     const double most = building->is_round ? farthest_round : farthest_other;
     return angle <= most ? true
@@ -187,32 +179,7 @@ static bool check_steepness(const struct bounds_builder *building, struct error 
                                 angle, most, building->is_round ? "" : "not ");
 }
 
-bool bounds_extent_find(struct bounds_builder *building, struct error *error)
-{
-    bounds_extent_find_ends(building);
-    if (building->steepest > steep) {
-        building->search.tangent = building->region->tangent = 1;
-        bounds_extent_find_ends(building);
-    }
-    return check_steepness(building, error);
-}
-
 /* -------- from place to place -------- */
-
-/* In a column the way on is known from the rows before; to another one the slope tells it. */
-static void move_by_slope(const struct exit_pupil_bounds *region, const struct pupil_outline *near,
-                          struct pupil_outline *here)
-{
-    if (region->slope[0] == 0 && region->slope[1] == 0) {
-        return;
-    }
-    const struct pupil_outline_point zero = {0, 0};
-    pupil_outline_foresee(near, NULL, 0, here);
-    const struct pupil_outline_point from =
-        exit_pupil_bounds_reduced(region, &near->place, here->centre);
-    const struct pupil_outline_point to = exit_pupil_bounds_reduced(region, &here->place, zero);
-    here->centre = (struct pupil_outline_point){from.x - to.x, from.y - to.y};
-}
 
 /* An outline that goes on from a node, by a share of a row; the first goes towards the next. */
 static void find_next(const struct bounds_builder *building, size_t wavelength,
@@ -224,7 +191,19 @@ static void find_next(const struct bounds_builder *building, size_t wavelength,
         const struct pupil_outline *other = is_first ? near + 1 : near - 1;
         pupil_outline_foresee(near, other->is_empty ? NULL : other, is_first ? -share : share,
                               here);
-        move_by_slope(building->region, near, here);
+        /*
+         * in a column the way on is known from the rows before; to another one the slope tells it
+         */
+        const struct exit_pupil_bounds *region = building->region;
+        if (region->slope[0] != 0 || region->slope[1] != 0) {
+            const struct pupil_outline_point zero = {0, 0};
+            pupil_outline_foresee(near, NULL, 0, here);
+            const struct pupil_outline_point from =
+                exit_pupil_bounds_reduced(region, &near->place, here->centre);
+            const struct pupil_outline_point to =
+                exit_pupil_bounds_reduced(region, &here->place, zero);
+            here->centre = (struct pupil_outline_point){from.x - to.x, from.y - to.y};
+        }
     }
     pupil_outline_find(&building->search, wavelength, near, here);
 }
@@ -347,31 +326,6 @@ static bool is_asked(const struct bounds_builder *building, size_t row)
     return !building->is_round || row % 2 == 0 || 2 * row >= rows;
 }
 
-/* Another wavelength, at the rows themselves, each from its outline at the first. */
-static void accompany(const struct bounds_builder *building, size_t wavelength, bool *has_hole)
-{
-    const size_t nodes = film_building_nodes(building);
-    for (size_t i = 0; i < nodes; i++) {
-        if (!is_asked(building, i)) {
-            continue;
-        }
-        const struct pupil_outline *first = &building->nodes[i],
-                                   *near = film_building_lit(building, i);
-        if (near == NULL) {
-            continue;
-        }
-        struct pupil_outline here = {.place = first->place,
-                                     .is_half = first->is_half,
-                                     .centre = near->centre,
-                                     .size = near->size,
-                                     .asks_hole = first->asks_hole,
-                                     .each = first->is_half || !first->asks_hole ? 2 : 1};
-        pupil_outline_find(&building->search, wavelength, near, &here);
-        bounds_fit(building->region, &(struct film_nodes){{i}, 1}, &here);
-        *has_hole = *has_hole && (here.has_hole || !here.asks_hole);
-    }
-}
-
 void bounds_follow_waves(const struct bounds_builder *building)
 {
     struct exit_pupil_bounds *region = building->region;
@@ -380,7 +334,27 @@ void bounds_follow_waves(const struct bounds_builder *building)
         bounds_fit_radii(region, film_building_nodes(building), building->search.arena);
     bool has_hole = region->has_hole;
     for (size_t w = 1; w < building->search.lens->count; w++) {
-        accompany(building, w, &has_hole);
+        /* another wavelength, at the rows themselves, each from its outline at the first */
+        const size_t nodes = film_building_nodes(building);
+        for (size_t i = 0; i < nodes; i++) {
+            if (!is_asked(building, i)) {
+                continue;
+            }
+            const struct pupil_outline *first = &building->nodes[i],
+                                       *near = film_building_lit(building, i);
+            if (near == NULL) {
+                continue;
+            }
+            struct pupil_outline here = {.place = first->place,
+                                         .is_half = first->is_half,
+                                         .centre = near->centre,
+                                         .size = near->size,
+                                         .asks_hole = first->asks_hole,
+                                         .each = first->is_half || !first->asks_hole ? 2 : 1};
+            pupil_outline_find(&building->search, w, near, &here);
+            bounds_fit(building->region, &(struct film_nodes){{i}, 1}, &here);
+            has_hole = has_hole && (here.has_hole || !here.asks_hole);
+        }
     }
     region->has_hole = has_hole;
     for (size_t i = 0; i < rows; i++) {

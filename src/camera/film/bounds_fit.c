@@ -115,7 +115,7 @@ static struct fit fit_of(const struct exit_pupil_bounds *region, const struct fi
  * the first meets what comes straight to the second. NaN: it turns by no more than twice what a
  * circle does.
  */
-static struct pupil_outline_point bounds_fit_meet(const struct pupil_outline *outline, size_t i)
+static struct pupil_outline_point fit_meet(const struct pupil_outline *outline, size_t i)
 {
     const size_t each = outline->each, all = PUPIL_OUTLINE_STEPS;
     const bool is_half = outline->is_half;
@@ -139,24 +139,9 @@ bool bounds_fit_is_smooth(const struct pupil_outline *outline)
 {
     bool is_smooth = true;
     for (size_t i = 0; i < PUPIL_OUTLINE_STEPS; i += outline->each) {
-        is_smooth = is_smooth && isnan(bounds_fit_meet(outline, i).x);
+        is_smooth = is_smooth && isnan(fit_meet(outline, i).x);
     }
     return is_smooth;
-}
-
-/* The point where two pieces of an edge meet, if it lies between i and the next, not far beyond. */
-static void fit_corner(const struct fit *fit, const struct pupil_outline *outline, size_t i,
-                       size_t about)
-{
-    const double farthest = 2;
-    const struct pupil_outline_point at = bounds_fit_meet(outline, i), centre = outline->centre;
-    const struct pupil_outline_point a = outline->edge[i], b = outline->edge[i + outline->each];
-    const double depth = depth_in((struct pupil_outline_point){at.x - centre.x, at.y - centre.y},
-                                  (struct pupil_outline_point){a.x - centre.x, a.y - centre.y},
-                                  (struct pupil_outline_point){b.x - centre.x, b.y - centre.y});
-    if (depth > 1 && depth < farthest) {
-        fit_point(fit, at, about, 1);
-    }
 }
 
 void bounds_fit(const struct exit_pupil_bounds *region, const struct film_nodes *nodes,
@@ -170,7 +155,22 @@ void bounds_fit(const struct exit_pupil_bounds *region, const struct film_nodes 
     for (size_t i = 0; i <= PUPIL_OUTLINE_STEPS; i += outline->each) {
         fit_point(&fit, outline->edge[i], i / each, 1);
         if (i < PUPIL_OUTLINE_STEPS) {
-            fit_corner(&fit, outline, i, i / each);
+            /*
+             * the point where two pieces of an edge meet, if it lies between i and the next, not
+             * far beyond
+             */
+            const size_t about = i / each;
+            const double farthest = 2;
+            const struct pupil_outline_point at = fit_meet(outline, i), centre = outline->centre;
+            const struct pupil_outline_point a = outline->edge[i],
+                                             b = outline->edge[i + outline->each];
+            const double depth =
+                depth_in((struct pupil_outline_point){at.x - centre.x, at.y - centre.y},
+                         (struct pupil_outline_point){a.x - centre.x, a.y - centre.y},
+                         (struct pupil_outline_point){b.x - centre.x, b.y - centre.y});
+            if (depth > 1 && depth < farthest) {
+                fit_point(&fit, at, about, 1);
+            }
         }
     }
     if (region->has_hole && outline->has_hole) {
@@ -297,16 +297,6 @@ void bounds_fit_copy(const struct exit_pupil_bounds *region, size_t from, size_t
     }
 }
 
-/* The other half of a polygon, or its last corner, which is the first again. */
-static void bounds_fit_complete(double *const corners[2], size_t node, bool is_half)
-{
-    double *x = &corners[0][node * FILM_CORNERS], *y = &corners[1][node * FILM_CORNERS];
-    for (size_t k = is_half ? FILM_SECTORS / 2 + 1 : FILM_SECTORS; k <= FILM_SECTORS; k++) {
-        x[k] = is_half ? -x[FILM_SECTORS - k] : x[0];
-        y[k] = y[FILM_SECTORS - k];
-    }
-}
-
 void bounds_fit_finish(const struct exit_pupil_bounds *region, bool is_half)
 {
     const size_t nodes = exit_pupil_bounds_nodes(region);
@@ -317,7 +307,12 @@ void bounds_fit_finish(const struct exit_pupil_bounds *region, bool is_half)
             for (size_t k = 0; k <= FILM_SECTORS; k++) {
                 bounds_fit_stretch(&fit, node, k, hole ? shrunk : grown);
             }
-            bounds_fit_complete(corners, node, is_half);
+            /* the other half of a polygon, or its last corner, which is the first again */
+            double *x = &corners[0][node * FILM_CORNERS], *y = &corners[1][node * FILM_CORNERS];
+            for (size_t k = is_half ? FILM_SECTORS / 2 + 1 : FILM_SECTORS; k <= FILM_SECTORS; k++) {
+                x[k] = is_half ? -x[FILM_SECTORS - k] : x[0];
+                y[k] = y[FILM_SECTORS - k];
+            }
         }
     }
 }

@@ -62,22 +62,10 @@ static void allocate(const struct film_lens *lens, struct arena *arena,
     building->search = (struct pupil_outline_search){lens, arena, region->tangent};
 }
 
-/* Of all outlines that are asked each has one. */
-static bool have_holes(const struct bounds_builder *building)
-{
-    const size_t nodes = film_building_nodes(building);
-    bool has = true;
-    for (size_t i = 0; i < nodes; i++) {
-        has = has && (building->nodes[i].has_hole || !building->nodes[i].asks_hole);
-    }
-    return has;
-}
-
 /* How far a node lies from one to another, as seen from the pole. */
-static double exit_pupil_bounds_share_of(const struct bounds_builder *building,
-                                         const struct pupil_outline *node,
-                                         const struct pupil_outline *from,
-                                         const struct pupil_outline *to)
+static double bounds_share_of(const struct bounds_builder *building,
+                              const struct pupil_outline *node, const struct pupil_outline *from,
+                              const struct pupil_outline *to)
 {
     const double *pole = building->region->pole;
     const double here = hypot(node->place.x - pole[0], node->place.y - pole[1]);
@@ -98,15 +86,14 @@ static void exit_pupil_bounds_start_all(const struct bounds_builder *building)
         bounds_fit_start(region, &building->nodes[i], row, i);
         if (region->has_hole) {
             const struct pupil_outline *a = &building->nodes[low], *b = &building->nodes[high];
-            bounds_fit_start_hole(
-                region, a, b, exit_pupil_bounds_share_of(building, &building->nodes[i], a, b), i);
+            bounds_fit_start_hole(region, a, b,
+                                  bounds_share_of(building, &building->nodes[i], a, b), i);
         }
     }
 }
 
 /* By how much the middle of the pupil moves in a column, per mm: x, or y. */
-static double exit_pupil_bounds_slope_of(const struct bounds_builder *building, size_t column,
-                                         bool of_x)
+static double bounds_slope_of(const struct bounds_builder *building, size_t column, bool of_x)
 {
     const size_t rows = (size_t)building->region->rows;
     const struct pupil_outline *pole = &building->nodes[column * rows];
@@ -121,23 +108,8 @@ static double exit_pupil_bounds_slope_of(const struct bounds_builder *building, 
     return way / film_building_height(building, (double)column, (double)((size_t)(far - pole)));
 }
 
-static void find_slope(const struct bounds_builder *building)
-{
-    struct exit_pupil_bounds *region = building->region;
-    if (region->is_grid && region->turns) {
-        for (size_t c = 0; c < building->columns; c++) {
-            region->slope[1] +=
-                exit_pupil_bounds_slope_of(building, c, false) / (double)building->columns;
-        }
-    } else if (region->is_grid) {
-        region->slope[0] = exit_pupil_bounds_slope_of(building, 0, true);
-        region->slope[1] = exit_pupil_bounds_slope_of(building, FILM_COLUMNS / 4, false);
-    }
-}
-
 /* Both coordinates side by side. */
-static const double *exit_pupil_bounds_pack(double *const places[2], size_t count,
-                                            struct arena *arena)
+static const double *bounds_pack(double *const places[2], size_t count, struct arena *arena)
 {
     double *packed = ARENA_ARRAY(arena, 2 * count, double);
     for (size_t i = 0; i < count; i++) {
@@ -145,17 +117,6 @@ static const double *exit_pupil_bounds_pack(double *const places[2], size_t coun
         packed[2 * i + 1] = places[1][i];
     }
     return packed;
-}
-
-static void pack_all(struct arena *arena, struct exit_pupil_bounds *region)
-{
-    const size_t nodes = exit_pupil_bounds_nodes(region);
-    region->centre_xy = exit_pupil_bounds_pack(region->centre, nodes, arena);
-    region->outer_xy = exit_pupil_bounds_pack(region->outer, nodes * FILM_CORNERS, arena);
-    region->inner_xy = region->has_hole
-                           ? exit_pupil_bounds_pack(region->inner, nodes * FILM_CORNERS, arena)
-                           : NULL;
-    region->per_mm = 1 / region->ends[0];
 }
 
 static void exit_pupil_bounds_build(struct bounds_builder *building)
@@ -170,8 +131,21 @@ static void exit_pupil_bounds_build(struct bounds_builder *building)
         const struct pupil_outline *first = &building->nodes[i];
         building->nodes[columns * rows + i] = by_half ? pupil_outline_turned(first) : *first;
     }
-    region->has_hole = have_holes(building);
-    find_slope(building);
+    /* of all outlines that are asked each has one */
+    const size_t nodes = film_building_nodes(building);
+    bool has = true;
+    for (size_t i = 0; i < nodes; i++) {
+        has = has && (building->nodes[i].has_hole || !building->nodes[i].asks_hole);
+    }
+    region->has_hole = has;
+    if (region->is_grid && region->turns) {
+        for (size_t c = 0; c < building->columns; c++) {
+            region->slope[1] += bounds_slope_of(building, c, false) / (double)building->columns;
+        }
+    } else if (region->is_grid) {
+        region->slope[0] = bounds_slope_of(building, 0, true);
+        region->slope[1] = bounds_slope_of(building, FILM_COLUMNS / 4, false);
+    }
     exit_pupil_bounds_start_all(building);
     for (size_t i = 0; i < film_building_nodes(building); i++) {
         bounds_fit(region, &(struct film_nodes){{i}, 1}, &building->nodes[i]);
@@ -211,20 +185,6 @@ static bool is_even(const struct aperture *aperture)
     return is;
 }
 
-/* Is the lens the same when it is turned by half a turn? */
-static bool is_symmetric(const struct lens *lens)
-{
-    bool is_same = true;
-    for (size_t i = 0; i < lens->surface_count; i++) {
-        const struct surface *surface = &lens->surfaces[i];
-        is_same = is_same && surface->decentre == NULL && surface->coordinate_break == NULL;
-        for (size_t k = 0; k < surface->aperture_count; k++) {
-            is_same = is_same && is_even(&surface->apertures[k]);
-        }
-    }
-    return is_same;
-}
-
 double exit_pupil_bounds_end(const struct exit_pupil_bounds *region, double x, double y)
 {
     const double share = x / (fabs(x) + fabs(y));
@@ -252,8 +212,16 @@ bool exit_pupil_bounds_open(const struct film_lens *lens, struct arena *arena,
         return true;
     }
     choose_turning(&building);
-    const bool repeats =
-        region->pole[0] == 0 && region->pole[1] == 0 && is_symmetric(lens->systems[0]->lens);
+    /* is the lens the same when it is turned by half a turn? */
+    bool is_same = true;
+    for (size_t i = 0; i < lens->systems[0]->lens->surface_count; i++) {
+        const struct surface *surface = &lens->systems[0]->lens->surfaces[i];
+        is_same = is_same && surface->decentre == NULL && surface->coordinate_break == NULL;
+        for (size_t k = 0; k < surface->aperture_count; k++) {
+            is_same = is_same && is_even(&surface->apertures[k]);
+        }
+    }
+    const bool repeats = region->pole[0] == 0 && region->pole[1] == 0 && is_same;
     if (is_round) {
         building.columns = 1;
     } else if (repeats) {
@@ -275,6 +243,11 @@ bool exit_pupil_bounds_open(const struct film_lens *lens, struct arena *arena,
                  (pole->edge[PUPIL_OUTLINE_STEPS / (is_round ? 2 : 4)].x - pole->centre.x));
     }
     bounds_fit_finish(region, is_round);
-    pack_all(arena, region);
+    const size_t nodes = exit_pupil_bounds_nodes(region);
+    region->centre_xy = bounds_pack(region->centre, nodes, arena);
+    region->outer_xy = bounds_pack(region->outer, nodes * FILM_CORNERS, arena);
+    region->inner_xy =
+        region->has_hole ? bounds_pack(region->inner, nodes * FILM_CORNERS, arena) : NULL;
+    region->per_mm = 1 / region->ends[0];
     return true;
 }

@@ -117,25 +117,6 @@ static bool is_disc(const struct film_question *question, const struct lens_film
     return is;
 }
 
-/* The pupil as a disc, and a region of no more than how far it is seen: all over the film. */
-static void lens_film_open_disc(const struct film_question *question, struct lens_film *film)
-{
-    const struct setup *setup = question->setup;
-    const double radius = fabs(setup->first.exit_diameter) / 2;
-    const double index = film->systems[0]->index_first;
-    film->start = start_in_disc;
-    film->region =
-        (struct exit_pupil_bounds){.film = setup->image, .index = index, .largest = film->corner};
-    film->disc.film = setup->image;
-    film->disc.place = setup->first.exit_pupil;
-    film->disc.index = index;
-    if (question->model == MODEL_PINHOLE) {
-        disc_open_pinhole(radius, &film->disc);
-    } else {
-        disc_open(radius, &film->disc);
-    }
-}
-
 /* What the edges of all surfaces leave. */
 static bool open_region(const struct film_question *question, struct arena *arena,
                         struct lens_film *film, struct error *error)
@@ -165,21 +146,6 @@ static double lit_of(const struct lens_film *film, double x, double y)
     return least;
 }
 
-static bool check_shutter(const struct film_question *question, struct error *error)
-{
-    const struct shutter *shutter = question->shutter;
-    const double room = fabs(question->setup->image);
-    if (shutter != NULL && shutter->kind == SHUTTER_LEAF && question->model == MODEL_PINHOLE) {
-        return fail(error, ERROR_DOMAIN,
-                    "a pinhole has no width that a leaf shutter could open little by little");
-    }
-    return shutter == NULL || !(shutter->distance >= room) ||
-           fail(error, ERROR_DOMAIN,
-                "the curtains, %.6g mm before the film, stand in the lens: its last vertex is "
-                "%.6g mm before it",
-                shutter->distance, room);
-}
-
 bool lens_film_open(const struct film_question *question, struct arena *arena,
                     struct lens_film *film, struct error *error)
 {
@@ -190,8 +156,17 @@ bool lens_film_open(const struct film_question *question, struct arena *arena,
     if (question->model == MODEL_PINHOLE && question->blades.count > 0) {
         return fail(error, ERROR_DOMAIN, "a pinhole has no shape: blades do nothing to it");
     }
-    if (!check_shutter(question, error)) {
-        return false;
+    const struct shutter *shutter = question->shutter;
+    const double room = fabs(question->setup->image);
+    if (shutter != NULL && shutter->kind == SHUTTER_LEAF && question->model == MODEL_PINHOLE) {
+        return fail(error, ERROR_DOMAIN,
+                    "a pinhole has no width that a leaf shutter could open little by little");
+    }
+    if (shutter != NULL && shutter->distance >= room) {
+        return fail(error, ERROR_DOMAIN,
+                    "the curtains, %.6g mm before the film, stand in the lens: its last vertex is "
+                    "%.6g mm before it",
+                    shutter->distance, room);
     }
     if (isnan(setup->image)) {
         fail(error, ERROR_DOMAIN, "the image of the lens lies at infinity: there is no film");
@@ -209,7 +184,22 @@ bool lens_film_open(const struct film_question *question, struct arena *arena,
         return false;
     }
     if (is_disc(question, film)) {
-        lens_film_open_disc(question, film);
+        /*
+         * the pupil as a disc, and a region of no more than how far it is seen: all over the film
+         */
+        const double radius = fabs(setup->first.exit_diameter) / 2;
+        const double index = film->systems[0]->index_first;
+        film->start = start_in_disc;
+        film->region = (struct exit_pupil_bounds){
+            .film = setup->image, .index = index, .largest = film->corner};
+        film->disc.film = setup->image;
+        film->disc.place = setup->first.exit_pupil;
+        film->disc.index = index;
+        if (question->model == MODEL_PINHOLE) {
+            disc_open_pinhole(radius, &film->disc);
+        } else {
+            disc_open(radius, &film->disc);
+        }
     } else if (!open_region(question, arena, film, error)) {
         return false;
     }
@@ -241,37 +231,6 @@ void lens_film_start(const struct lens_film *film, struct film_samples *samples,
 
 /* -------- shutters -------- */
 
-/* From when to when rays pass, which are traced meanwhile. */
-static void trace_open(const struct lens_film *film, const struct system *system,
-                       struct film_samples *samples, const struct rays *rays)
-{
-    const struct shutter *shutter = film->shutter;
-    const struct ray_block *block = rays->blocks;
-    const size_t behind =
-        shutter->kind == SHUTTER_LEAF ? system_place(system, system->stop) + 1 : 0;
-    const double to_full = shutter->stopped / system->stop_radius;
-    struct shutter_ray told[RAYS_BLOCK];
-    for (size_t i = 0; i < RAYS_BLOCK; i++) {
-        /* a ray along the film brings no light: its slope must be a number */
-        const double towards = fmax(fabs(block->r[i]), 1e-30);
-        told[i] = (struct shutter_ray){.film = {samples->x[i], samples->y[i]},
-                                       .slope = {block->p[i] / towards, block->q[i] / towards}};
-    }
-    rays_trace_part(system, 0, behind, rays, NULL);
-    for (size_t i = 0; i < RAYS_BLOCK; i++) {
-        double interval[2], at[3] = {block->x[i], block->y[i], block->z[i]};
-        if (behind > 0) {
-            system_to_own(system, system->stop, at);
-            told[i].stop = sqrt(at[0] * at[0] + at[1] * at[1]) * to_full;
-        }
-        shutter_interval(shutter, &told[i], interval);
-        samples->begin[i] = interval[0];
-        samples->end[i] = interval[1];
-        samples->weight[i] *= (interval[1] - interval[0]) / shutter->time;
-    }
-    rays_trace_part(system, behind, system->places, rays, NULL);
-}
-
 void lens_film_trace(const struct lens_film *film, size_t wavelength, struct film_samples *samples,
                      const struct rays *rays)
 {
@@ -279,7 +238,32 @@ void lens_film_trace(const struct lens_film *film, size_t wavelength, struct fil
     if (film->shutter == NULL) {
         rays_trace(system, rays, NULL);
     } else {
-        trace_open(film, system, samples, rays);
+        /* from when to when rays pass, which are traced meanwhile */
+        const struct shutter *shutter = film->shutter;
+        const struct ray_block *block = rays->blocks;
+        const size_t behind =
+            shutter->kind == SHUTTER_LEAF ? system_place(system, system->stop) + 1 : 0;
+        const double to_full = shutter->stopped / system->stop_radius;
+        struct shutter_ray told[RAYS_BLOCK];
+        for (size_t i = 0; i < RAYS_BLOCK; i++) {
+            /* a ray along the film brings no light: its slope must be a number */
+            const double towards = fmax(fabs(block->r[i]), 1e-30);
+            told[i] = (struct shutter_ray){.film = {samples->x[i], samples->y[i]},
+                                           .slope = {block->p[i] / towards, block->q[i] / towards}};
+        }
+        rays_trace_part(system, 0, behind, rays, NULL);
+        for (size_t i = 0; i < RAYS_BLOCK; i++) {
+            double interval[2], at[3] = {block->x[i], block->y[i], block->z[i]};
+            if (behind > 0) {
+                system_to_own(system, system->stop, at);
+                told[i].stop = sqrt(at[0] * at[0] + at[1] * at[1]) * to_full;
+            }
+            shutter_interval(shutter, &told[i], interval);
+            samples->begin[i] = interval[0];
+            samples->end[i] = interval[1];
+            samples->weight[i] *= (interval[1] - interval[0]) / shutter->time;
+        }
+        rays_trace_part(system, behind, system->places, rays, NULL);
     }
 }
 

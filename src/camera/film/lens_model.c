@@ -16,22 +16,17 @@ const struct word lens_models[] = {
     [LENS_MODELS] = {NULL, NULL},
 };
 
-static bool is_about_axis(const struct lens *lens)
+bool lens_model_check(const struct lens *lens, const struct first_order *first, struct error *error)
 {
+    static const char others[] = "no thick or thin lens stands for this one";
+    const char *why = NULL;
     bool is = true;
     for (size_t i = 0; i < lens->surface_count; i++) {
         const struct surface *surface = &lens->surfaces[i];
         is = is && surface_is_round(surface) && surface->decentre == NULL &&
              surface->coordinate_break == NULL;
     }
-    return is;
-}
-
-bool lens_model_check(const struct lens *lens, const struct first_order *first, struct error *error)
-{
-    static const char others[] = "no thick or thin lens stands for this one";
-    const char *why = NULL;
-    if (!is_about_axis(lens)) {
+    if (!is) {
         why = "it is not the same all around one axis";
     } else if (first->is_afocal) {
         why = "it is afocal and has no principal planes";

@@ -4,17 +4,6 @@
 
 #include <math.h>
 
-/* When, within what the shutter leaves of the exposure to each. */
-static void lens_rays_time_rays(struct lens_rays *stream)
-{
-    const struct shutter *shutter = stream->film.shutter;
-    const double *begin = stream->samples.begin, *end = stream->samples.end;
-    for (size_t i = 0; shutter != NULL && i < RAYS_BLOCK; i++) {
-        const double time = begin[i] + stream->times[i] * (end[i] - begin[i]);
-        stream->times[i] = time / shutter->time + 0.5;
-    }
-}
-
 /* The first `count` rays of a block that pass; each weight is multiplied. */
 static size_t lens_rays_collect(struct lens_rays *stream, const struct system *system, size_t count,
                                 double by)
@@ -106,7 +95,13 @@ size_t lens_rays_next(struct lens_rays *stream)
         sobol_points(&stream->sobol_time, stream->when, block, stream->times);
         lens_film_start(&stream->film, &stream->samples, stream->rays.blocks);
         lens_film_trace(&stream->film, stream->wavelength, &stream->samples, &stream->rays);
-        lens_rays_time_rays(stream);
+        /* when, within what the shutter leaves of the exposure to each */
+        const struct shutter *shutter = stream->film.shutter;
+        const double *begin = stream->samples.begin, *end = stream->samples.end;
+        for (size_t i = 0; shutter != NULL && i < RAYS_BLOCK; i++) {
+            const double time = begin[i] + stream->times[i] * (end[i] - begin[i]);
+            stream->times[i] = time / shutter->time + 0.5;
+        }
         kept = lens_rays_collect(stream, system, left < RAYS_BLOCK ? (size_t)left : RAYS_BLOCK,
                                  by / (double)stream->samples_of);
         stream->arrived += kept;

@@ -41,17 +41,6 @@ static void to_beam(const struct outline_rays *sight, struct pupil_outline_point
     beam_place(&sight->beam, (double[3]){place->x + far * x, place->y + far * y, 0}, at);
 }
 
-static void outline_rays_to_disc(const struct outline_rays *sight, struct pupil_outline_point way,
-                                 double uv[2])
-{
-    const struct stop_beam *disc = &sight->disc;
-    double at[2];
-    to_beam(sight, way, at);
-    for (int k = 0; k < 2; k++) {
-        uv[k] = (at[k] - disc->origin[k]) / disc->axes[3 * k];
-    }
-}
-
 static struct pupil_outline_point outline_rays_from_disc(const struct outline_rays *sight,
                                                          const double uv[2])
 {
@@ -66,9 +55,8 @@ static struct pupil_outline_point outline_rays_from_disc(const struct outline_ra
 }
 
 /* Look with a disc of so many half widths of an outline about its centre. */
-static void outline_rays_open(const struct pupil_outline_search *search, size_t wavelength,
-                              const struct pupil_outline *about, double widths,
-                              struct outline_rays *sight)
+static void rays_open(const struct pupil_outline_search *search, size_t wavelength,
+                      const struct pupil_outline *about, double widths, struct outline_rays *sight)
 {
     const struct film_lens *lens = search->lens;
     const struct system *system = lens->systems[wavelength];
@@ -94,91 +82,67 @@ static void outline_rays_open(const struct pupil_outline_search *search, size_t 
 
 /* -------- where light comes from -------- */
 
-/* A square of u, v, and the rays at a grid over it. */
-struct patch {
-    double centre[2], half[2];
-    double points[RAYS_BLOCK][2];
-    double least;      /* by which one fails, so far */
-    double deepest[2]; /* the ray that passes best, in the middle of a lens with two halves */
-};
-
 enum { SIDE = 11, ALL = SIDE * SIDE };
 
-static void look_at_patch(const struct outline_rays *sight, struct patch *patch)
-{
-    for (size_t i = 0; i < ALL; i++) {
-        for (size_t k = 0; k < 2; k++) {
-            const double place = (double)(k == 0 ? i % SIDE : i / SIDE) * 2 / (SIDE - 1) - 1;
-            patch->points[i][k] = patch->centre[k] + place * patch->half[k];
-        }
-    }
-    clearances_look(&sight->margins, (const double(*)[2])patch->points, ALL);
-}
-
 /*
- * A smaller one about the rays that pass, or about that which fails by least.
- *
- * Result    how many pass; SIZE_MAX: none does, nor will
+ * Grids over squares of u, v, each about the rays of the one before that pass, or about that which
+ * fails by least; in a lens with two halves those in the middle tell how it passes.
  */
-static size_t outline_search_narrow(const struct outline_rays *sight, bool is_half,
-                                    struct patch *patch)
-{
-    const double *excess = sight->margins.excess;
-    double low[2] = {INFINITY, INFINITY}, high[2] = {-INFINITY, -INFINITY};
-    size_t lit = 0, best = 0, deepest = ALL / 2;
-    for (size_t i = 0; i < ALL; i++) {
-        const bool counts = !is_half || i % SIDE == SIDE / 2;
-        best = excess[i] < excess[best] ? i : best;
-        deepest = counts && excess[i] < excess[deepest] ? i : deepest;
-        lit += excess[i] <= 0;
-    }
-    patch->deepest[0] = patch->points[deepest][0];
-    patch->deepest[1] = patch->points[deepest][1];
-    for (size_t i = 0; i < ALL; i++) {
-        for (int k = 0; k < 2 && (lit == 0 ? i == best : excess[i] <= 0); k++) {
-            low[k] = fmin(low[k], patch->points[i][k]);
-            high[k] = fmax(high[k], patch->points[i][k]);
-        }
-    }
-    for (int k = 0; k < 2; k++) {
-        const double step = 2 * patch->half[k] / (SIDE - 1);
-        patch->centre[k] = (low[k] + high[k]) / 2;
-        patch->half[k] = (high[k] - low[k]) / 2 + (lit == 0 ? 1.5 : 0.5) * step;
-    }
-    /* nearing a place that passes it would be less by more than the square is smaller */
-    const bool is_dark = lit == 0 && !(excess[best] < patch->least / 2);
-    patch->least = excess[best];
-    return is_dark ? SIZE_MAX : lit;
-}
-
 bool outline_is_lit(const struct pupil_outline_search *search, size_t wavelength,
                     struct pupil_outline *outline)
 {
     enum { LEVELS = 9, ENOUGH = 5 };
     const struct arena_mark mark = arena_mark(search->arena);
-    struct patch patch = {.half = {0.8, 0.8}, .least = INFINITY};
+    double middle[2] = {0}, half[2] = {0.8, 0.8}, points[RAYS_BLOCK][2], least = INFINITY;
     struct outline_rays sight;
-    size_t lit = 0;
-    outline_rays_open(search, wavelength, outline, SIGHT_AROUND, &sight);
-    for (int level = 0; level < LEVELS && lit < ENOUGH; level++) {
-        look_at_patch(&sight, &patch);
-        lit = outline_search_narrow(&sight, outline->is_half, &patch);
+    size_t lit = 0, deepest = 0;
+    bool is_dark = false;
+    rays_open(search, wavelength, outline, SIGHT_AROUND, &sight);
+    const double *excess = sight.margins.excess;
+    for (int level = 0; level < LEVELS && lit < ENOUGH && !is_dark; level++) {
+        for (size_t i = 0; i < 2 * ALL; i++) {
+            const double place = (double)(i % 2 == 0 ? i / 2 % SIDE : i / 2 / SIDE);
+            points[i / 2][i % 2] = middle[i % 2] + (place * 2 / (SIDE - 1) - 1) * half[i % 2];
+        }
+        clearances_look(&sight.margins, (const double(*)[2])points, ALL);
+        double low[2] = {INFINITY, INFINITY}, high[2] = {-INFINITY, -INFINITY};
+        size_t best = 0;
+        lit = 0;
+        deepest = ALL / 2;
+        for (size_t i = 0; i < ALL; i++) {
+            const bool counts = !outline->is_half || i % SIDE == SIDE / 2;
+            best = excess[i] < excess[best] ? i : best;
+            deepest = counts && excess[i] < excess[deepest] ? i : deepest;
+            lit += excess[i] <= 0;
+        }
+        for (size_t i = 0; i < ALL; i++) {
+            for (int k = 0; k < 2 && (lit == 0 ? i == best : excess[i] <= 0); k++) {
+                low[k] = fmin(low[k], points[i][k]);
+                high[k] = fmax(high[k], points[i][k]);
+            }
+        }
+        for (int k = 0; k < 2; k++) {
+            const double step = 2 * half[k] / (SIDE - 1);
+            middle[k] = (low[k] + high[k]) / 2;
+            half[k] = (high[k] - low[k]) / 2 + (lit == 0 ? 1.5 : 0.5) * step;
+        }
+        /* nearing a place that passes it would be less by more than the square is smaller */
+        is_dark = lit == 0 && !(excess[best] < least / 2);
+        least = excess[best];
     }
-    const bool is_lit = lit > 0 && lit != SIZE_MAX;
-    if (is_lit) {
-        const double right[2] = {patch.centre[0] + patch.half[0], patch.centre[1]};
-        const double up[2] = {patch.centre[0], patch.centre[1] + patch.half[1]};
-        const struct pupil_outline_point centre = outline_rays_from_disc(&sight, patch.centre);
-        const struct pupil_outline_point middle = outline_rays_from_disc(&sight, patch.deepest);
+    if (lit > 0) {
+        const double right[2] = {middle[0] + half[0], middle[1]};
+        const double up[2] = {middle[0], middle[1] + half[1]};
+        const struct pupil_outline_point centre = outline_rays_from_disc(&sight, middle);
+        const struct pupil_outline_point deep = outline_rays_from_disc(&sight, points[deepest]);
         const struct pupil_outline_point a = outline_rays_from_disc(&sight, right),
                                          b = outline_rays_from_disc(&sight, up);
-        const double size_a = hypot(a.x - centre.x, a.y - centre.y);
-        const double size_b = hypot(b.x - centre.x, b.y - centre.y);
-        outline->centre = (struct pupil_outline_point){outline->is_half ? 0 : middle.x, middle.y};
-        outline->size = (struct pupil_outline_point){size_a, size_b};
+        outline->centre = (struct pupil_outline_point){outline->is_half ? 0 : deep.x, deep.y};
+        outline->size = (struct pupil_outline_point){hypot(a.x - centre.x, a.y - centre.y),
+                                                     hypot(b.x - centre.x, b.y - centre.y)};
     }
     arena_reset(search->arena, mark);
-    return is_lit;
+    return lit > 0;
 }
 
 bool outline_discover(const struct pupil_outline_search *search, size_t wavelength,
@@ -190,7 +154,7 @@ bool outline_discover(const struct pupil_outline_search *search, size_t waveleng
     struct outline_rays sight;
     outline->centre = (struct pupil_outline_point){0, 0};
     outline->size = (struct pupil_outline_point){0.1, 0.1};
-    outline_rays_open(search, wavelength, outline, 1, &sight);
+    rays_open(search, wavelength, outline, 1, &sight);
     const struct clear_guess guess =
         clear_guess_of(lens->systems[wavelength], &sight.beam, lens->first);
     sight.disc.origin[0] = guess.centre[0];
@@ -234,7 +198,7 @@ size_t outline_scatter(const struct pupil_outline_search *search, size_t wavelen
         const struct arena_mark mark = arena_mark(search->arena);
         double points[RAYS_BLOCK][2], far = 0;
         struct outline_rays sight;
-        outline_rays_open(search, wavelength, &about, SIGHT_AROUND, &sight);
+        rays_open(search, wavelength, &about, SIGHT_AROUND, &sight);
         for (size_t i = 0; i < RAYS_BLOCK; i++) {
             for (int k = 0; k < 2; k++) {
                 const double at = (double)((turn + round) * RAYS_BLOCK + i) * steps[k];
@@ -317,18 +281,6 @@ static bool follow_hole(const struct outline_rays *sight, const struct spokes *s
     return holds;
 }
 
-/* Where it ends on the way out, wherever that is. */
-static void search_hole(const struct outline_rays *sight, const struct spokes *spokes,
-                        double *shares)
-{
-    struct clear_intervals intervals[FILM_SECTORS + 1];
-    pupil_boundary_intervals(&sight->margins, &sight->frame, spokes->angles, spokes->count,
-                             spokes->ends, intervals);
-    for (size_t k = 0; k < spokes->count; k++) {
-        shares[k] = intervals[k].count > 0 ? intervals[k].low[0] : 1;
-    }
-}
-
 /* What is dark in the middle, if it is so in all directions. */
 static void pupil_outline_find_hole(const struct outline_rays *sight, const double *angles,
                                     const struct edge *edges, struct pupil_outline *outline)
@@ -344,7 +296,14 @@ static void pupil_outline_find_hole(const struct outline_rays *sight, const doub
         spokes.ends[k] = edges[step * k];
     }
     if (!(outline->knows_hole && follow_hole(sight, &spokes, outline->share))) {
-        search_hole(sight, &spokes, outline->share);
+        /* where it ends on the way out, wherever that is */
+        double *shares = outline->share;
+        struct clear_intervals intervals[FILM_SECTORS + 1];
+        pupil_boundary_intervals(&sight->margins, &sight->frame, spokes.angles, spokes.count,
+                                 spokes.ends, intervals);
+        for (size_t k = 0; k < spokes.count; k++) {
+            shares[k] = intervals[k].count > 0 ? intervals[k].low[0] : 1;
+        }
     }
     for (size_t k = 0; k < spokes.count; k++) {
         double at[2];
@@ -358,9 +317,8 @@ static void pupil_outline_find_hole(const struct outline_rays *sight, const doub
 /* -------- outlines -------- */
 
 /* Half widths of what was found, and its centroid. */
-static void pupil_outline_measure(const struct pupil_outline *outline,
-                                  struct pupil_outline_point *size,
-                                  struct pupil_outline_point *centroid)
+static void outline_measure(const struct pupil_outline *outline, struct pupil_outline_point *size,
+                            struct pupil_outline_point *centroid)
 {
     struct pupil_outline_point low = {INFINITY, INFINITY}, high = {-INFINITY, -INFINITY};
     struct pupil_outline_point moment = {0, 0};
@@ -414,34 +372,12 @@ void pupil_outline_foresee(const struct pupil_outline *last, const struct pupil_
                            double share, struct pupil_outline *here)
 {
     struct pupil_outline_point ignored, middle, earlier;
-    pupil_outline_measure(last, &here->size, &middle);
+    outline_measure(last, &here->size, &middle);
     here->centre = middle;
     if (before != NULL) {
-        pupil_outline_measure(before, &ignored, &earlier);
+        outline_measure(before, &ignored, &earlier);
         here->centre.x += share * (middle.x - earlier.x);
         here->centre.y += share * (middle.y - earlier.y);
-    }
-}
-
-/* Where to look first: each direction, a half width away or where a neighbour has its edge. */
-static void guess_edge(const struct outline_rays *sight, const struct pupil_outline *outline,
-                       const struct pupil_outline *near, double *angles, double *radii)
-{
-    const double all = outline->is_half ? PI : 2 * PI;
-    for (size_t k = 0; k <= PUPIL_OUTLINE_STEPS / outline->each; k++) {
-        const size_t i = k * outline->each;
-        const double angle = all * (double)i / PUPIL_OUTLINE_STEPS;
-        struct pupil_outline_point at = {outline->size.x * sin(angle),
-                                         outline->size.y * cos(angle)};
-        double uv[2];
-        if (near != NULL) {
-            at = (struct pupil_outline_point){near->edge[i].x - near->centre.x,
-                                              near->edge[i].y - near->centre.y};
-        }
-        at.x += outline->centre.x;
-        at.y += outline->centre.y;
-        outline_rays_to_disc(sight, at, uv);
-        edge_polar(&sight->frame, uv, 0, &angles[k], &radii[k]);
     }
 }
 
@@ -456,7 +392,28 @@ static bool look_within(const struct outline_rays *sight, const struct pupil_out
         outline->knows_hole = true;
         memcpy(outline->share, near->share, sizeof near->share);
     }
-    guess_edge(sight, outline, near, angles, radii);
+    /* where to look first: each direction, a half width away or where a neighbour has its edge */
+    const double all = outline->is_half ? PI : 2 * PI;
+    for (size_t k = 0; k <= PUPIL_OUTLINE_STEPS / outline->each; k++) {
+        const size_t i = k * outline->each;
+        const double angle = all * (double)i / PUPIL_OUTLINE_STEPS;
+        struct pupil_outline_point at = {outline->size.x * sin(angle),
+                                         outline->size.y * cos(angle)};
+        double uv[2];
+        if (near != NULL) {
+            at = (struct pupil_outline_point){near->edge[i].x - near->centre.x,
+                                              near->edge[i].y - near->centre.y};
+        }
+        at.x += outline->centre.x;
+        at.y += outline->centre.y;
+        const struct stop_beam *disc = &sight->disc;
+        double shifted[2];
+        to_beam(sight, at, shifted);
+        for (int j = 0; j < 2; j++) {
+            uv[j] = (shifted[j] - disc->origin[j]) / disc->axes[3 * j];
+        }
+        edge_polar(&sight->frame, uv, 0, &angles[k], &radii[k]);
+    }
     edges_find(&sight->margins, &sight->frame, angles, near != NULL ? radii : NULL,
                PUPIL_OUTLINE_STEPS / outline->each + 1, 0, roughly, edges);
     for (size_t k = 0; k <= PUPIL_OUTLINE_STEPS / outline->each; k++) {
@@ -483,7 +440,7 @@ static bool pupil_outline_look(const struct pupil_outline_search *search, size_t
     for (double widths = SIGHT_AROUND; fills && widths < farthest; widths *= 2) {
         const struct arena_mark mark = arena_mark(search->arena);
         struct outline_rays sight;
-        outline_rays_open(search, wavelength, outline, widths, &sight);
+        rays_open(search, wavelength, outline, widths, &sight);
         clearances_look(&sight.margins, middle, 1);
         const bool is_dark = !(sight.margins.excess[0] <= 0);
         fills = !is_dark && look_within(&sight, near, outline);
@@ -508,7 +465,7 @@ void pupil_outline_find(const struct pupil_outline_search *search, size_t wavele
     if (!outline->is_empty) {
         /* seen from its middle, if that is clear */
         const struct pupil_outline first = *outline;
-        pupil_outline_measure(&first, &outline->size, &outline->centre);
+        outline_measure(&first, &outline->size, &outline->centre);
         if (!pupil_outline_look(search, wavelength, NULL, outline)) {
             *outline = first;
         }

@@ -32,23 +32,6 @@ struct lateral_colour_scratch *lateral_colour_scratch_new(size_t wavelengths, st
     return scratch;
 }
 
-/* From the corners of the tile, all over the pupil. */
-static void lateral_colour_start(const struct lens_film *film, const struct film_plan *plan,
-                                 struct lateral_colour_scratch *scratch)
-{
-    static const double v[] = {0.98, 0.7, 0.4, 0.1};
-    struct film_samples *samples = &scratch->samples;
-    for (size_t i = 0; i < RAYS_BLOCK; i++) {
-        const size_t corner = i / OF_PUPIL;
-        samples->x[i] = plan->left + (corner % 2 == 0 ? 0 : plan->width);
-        samples->y[i] = plan->bottom + (corner < 2 ? 0 : plan->height);
-        samples->u[i] = ((double)(i % OF_PUPIL) + 0.5) / OF_PUPIL;
-        samples->v[i] = v[i % 4];
-    }
-    film->aim(film, samples, scratch->rays.blocks);
-    scratch->started = *scratch->rays.blocks;
-}
-
 static void lateral_colour_trace(const struct lens_film *film, size_t wavelength,
                                  struct lateral_colour_scratch *scratch, struct exits *exits)
 {
@@ -77,35 +60,6 @@ static void subtract(const struct lateral_colour_scratch *scratch, struct exits 
 /* Of p or q, as direction cosines: far above rounding, far below the width of a pupil. */
 static const double a_little = 1e-4;
 
-/* The same rays a little turned, of the middle's colour: how they leave. */
-static void trace_turned(const struct lens_film *film, size_t wavelength, int axis,
-                         struct lateral_colour_scratch *scratch)
-{
-    struct ray_block *block = scratch->rays.blocks;
-    *block = scratch->started;
-    double *along = axis == X ? block->p : block->q;
-    for (size_t i = 0; i < RAYS_BLOCK; i++) {
-        const double before = along[i], after = before + a_little;
-        along[i] = after;
-        block->r[i] = copysign(sqrt(block->r[i] * block->r[i] + before * before - after * after),
-                               block->r[i]);
-    }
-    lateral_colour_trace(film, wavelength, scratch, &scratch->turned[axis]);
-    subtract(scratch, &scratch->turned[axis]);
-}
-
-/* How far on the film, along an axis, ray i is from the middle's that leaves as it does, mm. */
-static double shift_of(const struct lateral_colour_scratch *scratch, const struct exits *off,
-                       int axis, size_t i)
-{
-    const struct exits *turned = &scratch->turned[axis];
-    double sum = 0;
-    for (int k = X; k < AXES; k++) {
-        sum += turned->p[k][i] * off->x[k][i] - turned->x[k][i] * off->p[k][i];
-    }
-    return sum / a_little;
-}
-
 /* Is what is moved along an axis little enough at all corners? Its means. */
 static bool is_little(struct lateral_colour_scratch *scratch, const struct exits *off, int axis,
                       double pixel, double (*means)[AXES])
@@ -116,7 +70,16 @@ static bool is_little(struct lateral_colour_scratch *scratch, const struct exits
         double low = INFINITY, high = -INFINITY, sum = 0, count = 0;
         for (size_t i = corner * OF_PUPIL; i < (corner + 1) * OF_PUPIL; i++) {
             if (scratch->passed[i]) {
-                const double by = shift_of(scratch, off, axis, i);
+                /*
+                 * how far on the film, along an axis, ray i is from the middle's that leaves as it
+                 * does, mm
+                 */
+                const struct exits *turned = &scratch->turned[axis];
+                double total = 0;
+                for (int k = X; k < AXES; k++) {
+                    total += turned->p[k][i] * off->x[k][i] - turned->x[k][i] * off->p[k][i];
+                }
+                const double by = total / a_little;
                 low = fmin(low, by);
                 high = fmax(high, by);
                 sum += by; /* a NaN stays in it, and is not little */
@@ -132,9 +95,26 @@ static bool is_little(struct lateral_colour_scratch *scratch, const struct exits
     return little;
 }
 
-/* Do enough rays of every corner pass to tell? */
-static bool find_passed(struct lateral_colour_scratch *scratch)
+const struct lateral_colour *lateral_colour_find(const struct lens_film *film, size_t wavelengths,
+                                                 size_t middle, const double pixel[2],
+                                                 const struct film_plan *plan,
+                                                 struct lateral_colour_scratch *scratch)
 {
+    struct lateral_colour *fringes = &scratch->fringes;
+    /* from the corners of the tile, all over the pupil */
+    static const double v[] = {0.98, 0.7, 0.4, 0.1};
+    struct film_samples *samples = &scratch->samples;
+    for (size_t i = 0; i < RAYS_BLOCK; i++) {
+        const size_t corner = i / OF_PUPIL;
+        samples->x[i] = plan->left + (corner % 2 == 0 ? 0 : plan->width);
+        samples->y[i] = plan->bottom + (corner < 2 ? 0 : plan->height);
+        samples->u[i] = ((double)(i % OF_PUPIL) + 0.5) / OF_PUPIL;
+        samples->v[i] = v[i % 4];
+    }
+    film->aim(film, samples, scratch->rays.blocks);
+    scratch->started = *scratch->rays.blocks;
+    lateral_colour_trace(film, middle, scratch, &scratch->middle);
+    /* do enough rays of every corner pass to tell? */
     size_t passed[CORNERS] = {0};
     bool all = true;
     for (size_t i = 0; i < RAYS_BLOCK; i++) {
@@ -144,22 +124,22 @@ static bool find_passed(struct lateral_colour_scratch *scratch)
     for (size_t corner = 0; corner < CORNERS; corner++) {
         all = all && passed[corner] >= OF_PUPIL / 2;
     }
-    return all;
-}
-
-const struct lateral_colour *lateral_colour_find(const struct lens_film *film, size_t wavelengths,
-                                                 size_t middle, const double pixel[2],
-                                                 const struct film_plan *plan,
-                                                 struct lateral_colour_scratch *scratch)
-{
-    struct lateral_colour *fringes = &scratch->fringes;
-    lateral_colour_start(film, plan, scratch);
-    lateral_colour_trace(film, middle, scratch, &scratch->middle);
-    if (!find_passed(scratch)) {
+    if (!all) {
         return NULL;
     }
     for (int axis = X; axis < AXES; axis++) {
-        trace_turned(film, middle, axis, scratch);
+        /* the same rays a little turned, of the middle's colour: how they leave */
+        struct ray_block *block = scratch->rays.blocks;
+        *block = scratch->started;
+        double *along = axis == X ? block->p : block->q;
+        for (size_t i = 0; i < RAYS_BLOCK; i++) {
+            const double before = along[i], after = before + a_little;
+            along[i] = after;
+            block->r[i] = copysign(
+                sqrt(block->r[i] * block->r[i] + before * before - after * after), block->r[i]);
+        }
+        lateral_colour_trace(film, middle, scratch, &scratch->turned[axis]);
+        subtract(scratch, &scratch->turned[axis]);
         fringes->low[axis] = fringes->high[axis] = 0;
     }
     bool little = true;

@@ -32,13 +32,6 @@ struct sight {
     struct lights lights;  /* without discs far away, each of which is looked at by itself */
 };
 
-/* Is all the film at work at the same times, or the scene at rest? */
-static bool is_timed_alike(const struct tile_rays *rays)
-{
-    const struct shutter *shutter = rays->film->shutter;
-    return !(rays->duration > 0) || shutter == NULL || shutter->kind == SHUTTER_GLOBAL;
-}
-
 /* False: directions do not grow with the place, as in lenses that are telecentric in the scene. */
 static bool open_sight(const struct metering_question *question, struct tile_scratch *scratch,
                        struct sight *sight)
@@ -48,7 +41,13 @@ static bool open_sight(const struct metering_question *question, struct tile_scr
     const double end = fmin(film->corner, within * film->lit);
     const struct ray_block *block = scratch->rays.blocks;
     *sight = (struct sight){.question = question, .count = PLACES};
-    if (!lens_is_round(film->systems[0]->lens) || !is_timed_alike(question->rays)) {
+    if (!lens_is_round(film->systems[0]->lens)) {
+        return false;
+    }
+    /* is all the film at work at the same times, or the scene at rest? */
+    const struct tile_rays *rays = question->rays;
+    const struct shutter *shutter = rays->film->shutter;
+    if (rays->duration > 0 && shutter != NULL && shutter->kind != SHUTTER_GLOBAL) {
         return false;
     }
     for (size_t i = 0; i < PLACES; i++) {
@@ -95,16 +94,6 @@ static double metering_share_of(const struct sight *sight, struct vector way)
     return light * area / (question->width * question->height);
 }
 
-/* Bands that a ray is looked at in, and how many times as many there are. */
-static double take_lanes(const struct bands *bands, uint32_t index, struct lanes *lanes)
-{
-    lanes->count = bands->count < BANDS_LANES ? bands->count : BANDS_LANES;
-    for (size_t k = 0; k < lanes->count; k++) {
-        lanes->band[k] = (index + k * bands->count / lanes->count) % bands->count;
-    }
-    return (double)bands->count / (double)lanes->count;
-}
-
 /* Add the light of one thing that shines to the mean of the film. */
 static void add_look(const struct sight *sight, uint32_t index, struct tile_scratch *scratch,
                      double sums[TILE_CHANNELS])
@@ -121,7 +110,13 @@ static void add_look(const struct sight *sight, uint32_t index, struct tile_scra
     }
     const double time = rays->duration * (sampler_next(&points) - 0.5);
     const struct scene_pose pose = scene_pose_at(&view->camera, time);
-    const double times = take_lanes(view->bands, index, &lanes);
+    /* bands that a ray is looked at in, and how many times as many there are */
+    const struct bands *bands = view->bands;
+    lanes.count = bands->count < BANDS_LANES ? bands->count : BANDS_LANES;
+    for (size_t k = 0; k < lanes.count; k++) {
+        lanes.band[k] = (index + k * bands->count / lanes.count) % bands->count;
+    }
+    const double times = (double)bands->count / (double)lanes.count;
     if (!lights_sample(&sight->lights, pose.at, time, u, &lanes, &sample) || sample.is_point) {
         return;
     }
@@ -169,10 +164,9 @@ static void add_discs(const struct sight *sight, uint32_t part, double mean[TILE
 }
 
 /* One of the parts; rays knows of the others that look for lights. */
-static void metering_take_part(const struct metering_question *question,
-                               const struct tile_rays *rays, const struct film_plan *plan,
-                               const struct sight *sight, uint32_t part,
-                               struct tile_scratch *scratch, double mean[TILE_CHANNELS])
+static void take_part(const struct metering_question *question, const struct tile_rays *rays,
+                      const struct film_plan *plan, const struct sight *sight, uint32_t part,
+                      struct tile_scratch *scratch, double mean[TILE_CHANNELS])
 {
     const size_t blocks = BLOCKS / PARTS, looks = LOOKS / PARTS;
     double looked[TILE_CHANNELS] = {0};
@@ -191,13 +185,6 @@ static void metering_take_part(const struct metering_question *question,
     if (sight != NULL) {
         add_discs(sight, part, mean);
     }
-}
-
-/* Points of its own, whose blocks do not repeat, however many samples the picture has. */
-static void open_points(struct tile_rays *rays, struct view *view, struct arena *arena)
-{
-    tile_rays_open_points(rays, BITS);
-    view->points = sampler_table_new(view->points->first, BITS, arena);
 }
 
 void metering_take(const struct metering_question *question, struct arena *arena,
@@ -221,13 +208,15 @@ void metering_take(const struct metering_question *question, struct arena *arena
     path.seen = has_sight ? &sight.lights : NULL;
     path.pdf = sight.density;
     view.path = &path;
-    open_points(&rays, &view, arena);
+    /* points of its own, whose blocks do not repeat, however many samples the picture has */
+    tile_rays_open_points(&rays, BITS);
+    view.points = sampler_table_new(view.points->first, BITS, arena);
     rays.subject = subject_scene(&view);
     tile_rays_begin(&rays, 0, &plan, scratch);
     *metered = (struct metered){.is_direct = has_sight};
     for (uint32_t part = 0; part < PARTS; part++) {
         double mean[TILE_CHANNELS];
-        metering_take_part(question, &rays, &plan, has_sight ? &sight : NULL, part, scratch, mean);
+        take_part(question, &rays, &plan, has_sight ? &sight : NULL, part, scratch, mean);
         for (size_t k = 0; k < TILE_CHANNELS; k++) {
             metered->mean[k] += mean[k] / PARTS;
         }

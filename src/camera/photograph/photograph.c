@@ -45,19 +45,9 @@ static size_t count_missing(const struct tile_work *work)
 
 /* -------- what the picture is of -------- */
 
-/* How far out on the card a point of the film looks, through the middle of what is clear, mm. */
-static void photograph_look_through(const struct tile_work *work, const double from[2],
-                                    struct tile_scratch *scratch, double at[2])
-{
-    lens_film_chief(work->rays.film, from, &scratch->samples, &scratch->rays);
-    if (!subject_meets(scratch->rays.blocks, 0, work->question->card.distance, at)) {
-        at[0] = at[1] = 0;
-    }
-}
-
-/* As large as the film sees, or as high as it is wide. */
-static bool size_card(const struct tile_work *work, struct tile_scratch *scratch, struct card *card,
-                      struct error *error)
+/* The card, as large as the film sees, or as high as it is wide; or the relief that it shows. */
+static bool open_card(struct tile_work *work, struct tile_scratch *scratch, struct card *card,
+                      struct arena *arena, struct error *error)
 {
     const struct photograph_question *question = work->question;
     const double w = question->film.width / 2, h = question->film.height / 2;
@@ -67,7 +57,14 @@ static bool size_card(const struct tile_work *work, struct tile_scratch *scratch
         const double from[3][2] = {{w, 0}, {0, h}, {w, h}};
         for (int i = 0; i < 3; i++) {
             double at[2];
-            photograph_look_through(work, from[i], scratch, at);
+            /*
+             * how far out on the card a point of the film looks, through the middle of what is
+             * clear, mm
+             */
+            lens_film_chief(work->rays.film, from[i], &scratch->samples, &scratch->rays);
+            if (!subject_meets(scratch->rays.blocks, 0, work->question->card.distance, at)) {
+                at[0] = at[1] = 0;
+            }
             const double needed = 2 * fmax(fabs(at[0]), proportion * fabs(at[1]));
             card->width = fmax(card->width, needed);
         }
@@ -80,22 +77,6 @@ static bool size_card(const struct tile_work *work, struct tile_scratch *scratch
              card->distance);
         return error_hint(error, "give {field width}");
     }
-    return true;
-}
-
-static bool check_card(const struct photograph_question *question, struct error *error)
-{
-    const double distance = question->card.distance;
-    return (distance > 0 && isfinite(distance)) ||
-           fail(error, ERROR_DOMAIN, "the card lies %s",
-                distance > 0 ? "at infinity: it needs a {distance}" : "within the lens");
-}
-
-/* The card, or the relief that it shows. */
-static bool open_subject(struct tile_work *work, const struct card *card, struct arena *arena,
-                         struct error *error)
-{
-    const struct photograph_question *question = work->question;
     const struct setup *setup = question->film.setup;
     if (question->depths.map == NULL) {
         work->rays.subject = subject_card(card);
@@ -112,15 +93,6 @@ static bool open_subject(struct tile_work *work, const struct card *card, struct
                                               .pupil = setup->first.entrance_pupil,
                                               .radius = fabs(setup->first.entrance_diameter) / 2};
     return depth_card_open(&asked, arena, relief, error);
-}
-
-/* Are there tiles of a scene that are worth looking for? */
-static bool may_see_backdrop(const struct tile_work *work, const struct backdrop *backdrop,
-                             size_t rays)
-{
-    enum { FEW_RAYS = 1 << 18 };
-    return !tile_rays_in_bands(&work->rays) && !scene_place_moves(&work->question->view->camera) &&
-           !backdrop->has_views && (backdrop->is_dark || rays >= FEW_RAYS);
 }
 
 /* What need not be traced; a table of light costs less than a hundredth of the picture. */
@@ -145,7 +117,11 @@ static void open_reuse(struct tile_work *work, const struct card *card, struct a
                                 .watch = question->watch};
     if (view != NULL) {
         reuse->backdrop = backdrop_open(view->path->world, view->path->lights);
-        if (!may_see_backdrop(work, &reuse->backdrop, rays)) {
+        /* are there tiles of a scene that are worth looking for? */
+        const struct backdrop *backdrop = &reuse->backdrop;
+        enum { FEW_RAYS = 1 << 18 };
+        if (tile_rays_in_bands(&work->rays) || scene_place_moves(&work->question->view->camera) ||
+            backdrop->has_views || (!backdrop->is_dark && rays < FEW_RAYS)) {
             return;
         }
     }
@@ -162,11 +138,6 @@ double photograph_share(const struct photograph *photograph, enum depth_card_sig
         all += (double)photograph->counts[i];
     }
     return all > 0 ? (double)photograph->counts[sight] / all : 0;
-}
-
-static size_t photograph_least_of(size_t a, size_t b)
-{
-    return a < b ? a : b;
 }
 
 static size_t photograph_most_of(size_t a, size_t b)
@@ -202,7 +173,9 @@ static void take_stages(struct tile_work *work, struct arena *arena, struct phot
     for (size_t i = 0; i < tiles; i++) {
         const struct tile_stage *stage = &work->stages[i];
         if (stage->samples > 0) { /* it is lit */
-            photograph->reached[0] = photograph_least_of(photograph->reached[0], stage->samples);
+            const size_t a = photograph->reached[0];
+            const size_t b = stage->samples;
+            photograph->reached[0] = a < b ? a : b;
             photograph->reached[1] = photograph_most_of(photograph->reached[1], stage->samples);
         }
         if (stage->samples > CONVERGENCE_LEAST && question->error > 0) {
@@ -254,40 +227,18 @@ static void open_scene(struct tile_work *work, struct tile_scratch *scratch, str
     if (question->error > 0) {
         work->small = small_emitters_open(question->view, arena);
     }
-    open_reuse(work, &photograph->card, arena);
-}
-
-static bool open_card(struct tile_work *work, struct tile_scratch *scratch, struct arena *arena,
-                      struct photograph *photograph, struct error *error)
-{
-    struct card *card = &photograph->card;
-    if (!size_card(work, scratch, card, error) || !open_subject(work, card, arena, error)) {
-        return false;
-    }
-    open_reuse(work, card, arena);
-    return true;
-}
-
-/* Where the film has a pupil, which its pole has. */
-static bool measure_white(const struct tile_work *work, struct tile_scratch *scratch,
-                          struct photograph *photograph, struct error *error)
-{
-    enum { BLOCKS = 256 };
-    const double *at = work->rays.film->region.pole;
-    photograph->reference = work->scale * tile_rays_light(&work->rays, at, BLOCKS, scratch);
-    memcpy(photograph->reference_at, at, sizeof photograph->reference_at);
-    return photograph->reference > 0 ||
-           fail(error, ERROR_DOMAIN,
-                "the film takes no light at %.4g mm from its middle, where white is measured",
-                hypot(at[0], at[1]));
 }
 
 bool photograph_take(const struct photograph_question *question, struct arena *arena,
                      struct photograph *photograph, struct error *error)
 {
+    const double distance = question->card.distance;
     struct lens_film film;
-    if ((question->view == NULL && !check_card(question, error)) ||
-        !lens_film_open(&question->film, arena, &film, error)) {
+    if (question->view == NULL && !(distance > 0 && isfinite(distance))) {
+        return fail(error, ERROR_DOMAIN, "the card lies %s",
+                    distance > 0 ? "at infinity: it needs a {distance}" : "within the lens");
+    }
+    if (!lens_film_open(&question->film, arena, &film, error)) {
         return false;
     }
     const struct tile_grid tiling = tiling_for(question);
@@ -312,15 +263,23 @@ bool photograph_take(const struct photograph_question *question, struct arena *a
     struct tile_scratch *scratch = tile_scratch_new(work.rays.passes, arena);
     if (question->view != NULL) {
         open_scene(&work, scratch, arena, photograph);
-    } else if (!open_card(&work, scratch, arena, photograph, error)) {
+    } else if (!open_card(&work, scratch, &photograph->card, arena, error)) {
         return false;
     }
+    open_reuse(&work, &photograph->card, arena);
     if (!image_new(&photograph->image, arena, error)) {
         return false;
     }
     work.done = question->done != NULL ? question->done : ARENA_ARRAY(arena, tiles, unsigned char);
-    if (!measure_white(&work, scratch, photograph, error)) {
-        return false;
+    /* where the film has a pupil, which its pole has */
+    enum { BLOCKS = 256 };
+    const double *at = work.rays.film->region.pole;
+    photograph->reference = work.scale * tile_rays_light(&work.rays, at, BLOCKS, scratch);
+    memcpy(photograph->reference_at, at, sizeof photograph->reference_at);
+    if (!(photograph->reference > 0)) {
+        return fail(error, ERROR_DOMAIN,
+                    "the film takes no light at %.4g mm from its middle, where white is measured",
+                    hypot(at[0], at[1]));
     }
     work.unit = work.scale / (photograph->reference * question->error);
     watch_begin(question->watch, "pixels", TILE_PIXELS * count_missing(&work));

@@ -16,6 +16,16 @@
 
 enum { X, Y, AXES };
 
+const struct word skip_words[] = {
+    [SKIP_PUPIL] = {"pupil", "rays that the lens would stop"},
+    [SKIP_COLOUR] = {"colour", "rays of each colour, where nothing disperses"},
+    [SKIP_BLUR] = {"blur", "rays all over the pupil, where they see the same"},
+    [SKIP_UNIFORM] = {"uniform", "rays, where everything has the same light"},
+    [SKIP_EXPOSURES] = {"exposures", "a picture for each exposure"},
+    [SKIP_TIME] = {"time", "times of rays, where nothing moves"},
+    [SKIP_SECONDARY] = {"secondary", "rays beyond the first, where nothing sends on light"},
+    [SKIP_COUNT] = {NULL, NULL}};
+
 /* -------- the light on the film -------- */
 
 enum { ROWS = 65 };
@@ -102,15 +112,6 @@ struct reuse_grid {
 
 enum { NODES_ACROSS = 16, NODES_DOWN = RAYS_BLOCK / NODES_ACROSS };
 
-static struct reuse_grid *reuse_grid_new(size_t passes, struct arena *arena)
-{
-    struct reuse_grid *grid = ARENA_NEW(arena, struct reuse_grid);
-    grid->pupil = ARENA_ARRAY(arena, passes, struct pupil_rays);
-    grid->nodes = arena_array(arena, passes, sizeof *grid->nodes);
-    grid->rays = rays_new(arena, RAYS_BLOCK);
-    return grid;
-}
-
 /* -------- traced -------- */
 
 /* Trace the samples of the grid. */
@@ -118,21 +119,6 @@ static void corners_trace(const struct ray_reuse *reuse, size_t wavelength, stru
 {
     reuse->film->aim(reuse->film, &grid->samples, grid->rays.blocks);
     lens_film_trace(reuse->film, wavelength, &grid->samples, &grid->rays);
-}
-
-/* Each as often as its weight wants, so that all count the same. */
-static void even_out(struct pupil_rays *pupil, double all)
-{
-    const struct pupil_rays from = *pupil;
-    double sum = 0;
-    size_t taken = 0;
-    for (size_t i = 0; i < from.count; i++) {
-        sum += from.weight[i];
-        while (taken < from.count && ((double)taken + 0.5) * all < sum * (double)from.count) {
-            pupil->from[taken++] = from.from[i];
-        }
-    }
-    pupil->count = taken;
 }
 
 /* Rays of a tile's middle, all over the pupil: how far they are from that of its middle. */
@@ -161,7 +147,17 @@ static bool trace_pupil(const struct ray_reuse *reuse, const struct film_plan *p
             all += grid->samples.weight[i];
         }
     }
-    even_out(pupil, all);
+    /* each as often as its weight wants, so that all count the same */
+    const struct pupil_rays from = *pupil;
+    double sum = 0;
+    size_t taken = 0;
+    for (size_t i = 0; i < from.count; i++) {
+        sum += from.weight[i];
+        while (taken < from.count && ((double)taken + 0.5) * all < sum * (double)from.count) {
+            pupil->from[taken++] = from.from[i];
+        }
+    }
+    pupil->count = taken;
     return pupil->count > 0 && grid->rays.blocks->lost[0] == 0;
 }
 
@@ -245,10 +241,9 @@ enum { ENDED_EVERY = 16 };
 
 /* The light of samples' points of the film, through the grid of its wavelength; false: the watch
    has ended it. */
-static bool reuse_grid_look_through(const struct ray_reuse *reuse, const struct film_plan *plan,
-                                    size_t samples, size_t wavelength, struct reuse_grid *grid,
-                                    uint64_t sights[DEPTH_CARD_SIGHTS],
-                                    double (*sums)[CARD_CHANNELS])
+static bool grid_look_through(const struct ray_reuse *reuse, const struct film_plan *plan,
+                              size_t samples, size_t wavelength, struct reuse_grid *grid,
+                              uint64_t sights[DEPTH_CARD_SIGHTS], double (*sums)[CARD_CHANNELS])
 {
     const struct ray_reuse_pass *pass = &reuse->pass[wavelength];
     const struct pupil_rays *pupil = &grid->pupil[wavelength];
@@ -282,23 +277,6 @@ static bool reuse_grid_look_through(const struct ray_reuse *reuse, const struct 
     return true;
 }
 
-/*
- * The light of half of the samples' points of the film, through grids that were traced.
- *
- * Given     sights, sums  as ray_reuse_take has them
- * Result    false: the watch has ended it
- */
-static bool reuse_grid_look(const struct ray_reuse *reuse, const struct film_plan *plan,
-                            size_t samples, struct reuse_grid *grid,
-                            uint64_t sights[DEPTH_CARD_SIGHTS], double (*sums)[CARD_CHANNELS])
-{
-    bool is_whole = true;
-    for (size_t i = 0; i < reuse->passes && is_whole; i++) {
-        is_whole = reuse_grid_look_through(reuse, plan, samples, i, grid, sights, sums);
-    }
-    return is_whole;
-}
-
 /* -------- tiles before their rays are traced -------- */
 
 enum { CORNERS = 4, RIM = RAYS_BLOCK / CORNERS };
@@ -316,7 +294,11 @@ static const double around = 0.1;
 struct ray_reuse_scratch *ray_reuse_scratch_new(size_t passes, struct arena *arena)
 {
     struct ray_reuse_scratch *scratch = ARENA_NEW(arena, struct ray_reuse_scratch);
-    scratch->grid = reuse_grid_new(passes, arena);
+    struct reuse_grid *grid = ARENA_NEW(arena, struct reuse_grid);
+    grid->pupil = ARENA_ARRAY(arena, passes, struct pupil_rays);
+    grid->nodes = arena_array(arena, passes, sizeof *grid->nodes);
+    grid->rays = rays_new(arena, RAYS_BLOCK);
+    scratch->grid = grid;
     scratch->rims =
         (struct tile_rims){.passes = passes,
                            .ray = arena_array(arena, passes, sizeof *scratch->rims.ray),
@@ -533,8 +515,12 @@ enum ray_reuse_way ray_reuse_take(const struct ray_reuse *reuse, const struct fi
     if (!skip_is_kept(reuse->kept, SKIP_BLUR) && has_light(reuse, plan) &&
         !reuse->film->region.has_hole && is_sharp(reuse, scratch, &part, w) &&
         reuse_grid_trace(reuse, plan, scratch->grid)) {
-        return reuse_grid_look(reuse, plan, samples, scratch->grid, sights, sums) ? RAY_REUSE_SHARP
-                                                                                  : RAY_REUSE_ENDED;
+        /* the light of half of the samples' points of the film, through grids that were traced */
+        bool is_whole = true;
+        for (size_t i = 0; i < reuse->passes && is_whole; i++) {
+            is_whole = grid_look_through(reuse, plan, samples, i, scratch->grid, sights, sums);
+        }
+        return is_whole ? RAY_REUSE_SHARP : RAY_REUSE_ENDED;
     }
     return RAY_REUSE_TRACED;
 }

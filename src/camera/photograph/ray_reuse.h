@@ -3,15 +3,36 @@
 #ifndef LENSCALC_CAMERA_PHOTOGRAPH_RAY_REUSE_H
 #define LENSCALC_CAMERA_PHOTOGRAPH_RAY_REUSE_H
 
+#include "base/text.h"
 #include "base/watch.h"
 #include "camera/film/lens_film.h"
-#include "camera/photograph/skip.h"
 #include "camera/subject/card.h"
 #include "camera/subject/depth_card.h"
 #include "camera/subject/view.h"
 #include "scene/backdrop.h"
 
 #include <stdint.h>
+
+/* What a picture does without where it is the same. */
+enum skip {
+    SKIP_PUPIL,     /* rays that the lens would stop */
+    SKIP_COLOUR,    /* rays of all colours, where they go the same way, or nearly */
+    SKIP_BLUR,      /* rays through all of the pupil, where they see the same */
+    SKIP_UNIFORM,   /* rays at all, where everything has the same light */
+    SKIP_EXPOSURES, /* a picture for each exposure */
+    SKIP_TIME,      /* times of rays, where nothing moves */
+    SKIP_SECONDARY, /* rays beyond the first, where nothing sends on light that it receives */
+    SKIP_COUNT
+};
+
+/* Their names, in that order; ends with null. */
+extern const struct word skip_words[];
+
+/* Is it done all the same? kept: 1 << enum skip of what is. */
+static inline bool skip_is_kept(unsigned kept, enum skip skip)
+{
+    return (kept & 1U << skip) != 0;
+}
 
 /* What a tile came to. */
 enum ray_reuse_way {

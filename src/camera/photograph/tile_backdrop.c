@@ -6,9 +6,10 @@
 
 enum { X, Y };
 
-/* The middle of where they start, and of where they go, in the lens's coordinates. */
-static struct ray_block tile_backdrop_middle_of(const struct tile_rims *rims)
+bool tile_sees_backdrop(const struct view *view, const struct backdrop *backdrop,
+                        const struct tile_rims *rims, struct card_light *light)
 {
+    /* the middle of where they start, and of where they go, in the lens's coordinates */
     struct ray_block middle = {.z = {0}};
     double count = 0;
     for (size_t pass = 0; pass < rims->passes; pass++) {
@@ -28,13 +29,7 @@ static struct ray_block tile_backdrop_middle_of(const struct tile_rims *rims)
     }
     middle.x[0] /= count;
     middle.y[0] /= count;
-    return middle;
-}
-
-/* The same in the scene, with what is around them. */
-static struct backdrop_rays rays_of(const struct view *view, const struct tile_rims *rims)
-{
-    const struct ray_block middle = tile_backdrop_middle_of(rims);
+    /* the same in the scene, with what is around them */
     const struct vector way = vector_unit((struct vector){middle.p[0], middle.q[0], middle.r[0]});
     const struct world_ray ray = view_ray(&view->camera, view->pupil, &middle, 0, 0);
     struct backdrop_rays rays = {.center = ray.origin, .direction = ray.direction};
@@ -52,13 +47,6 @@ static struct backdrop_rays rays_of(const struct view *view, const struct tile_r
     }
     rays.radius = (1 + 2 * rims->around) * (rays.radius + rims->before);
     rays.angle *= 1 + 2 * rims->around;
-    return rays;
-}
-
-bool tile_sees_backdrop(const struct view *view, const struct backdrop *backdrop,
-                        const struct tile_rims *rims, struct card_light *light)
-{
-    const struct backdrop_rays rays = rays_of(view, rims);
     const struct lanes lanes = {CARD_CHANNELS, {0, 1, 2}};
     struct radiance radiance;
     if (!backdrop_is_uniform(backdrop, &rays, &lanes, &radiance)) {

@@ -27,26 +27,6 @@ static bool tile_rays_is_alike(const struct lens_film *film, size_t wavelengths)
     return alike;
 }
 
-/* What the wavelengths of the question are for. */
-static const struct ray_reuse_pass *passes_of(const struct photograph_question *question,
-                                              size_t passes, struct arena *arena)
-{
-    const struct setup *setup = question->film.setup;
-    const size_t parts = question->is_coloured && passes > 1 ? TILE_CHANNELS : 1;
-    const size_t waves = passes / parts, channels = TILE_CHANNELS / parts;
-    struct ray_reuse_pass *pass = ARENA_ARRAY(arena, passes, struct ray_reuse_pass);
-    for (size_t i = 0; i < passes; i++) {
-        double all = 0;
-        for (size_t k = 0; k < waves; k++) {
-            all += setup->wavelengths[i / waves * waves + k].weight;
-        }
-        pass[i] = (struct ray_reuse_pass){.begin = i / waves * channels,
-                                          .end = (i / waves + 1) * channels,
-                                          .share = setup->wavelengths[i].weight / all};
-    }
-    return pass;
-}
-
 /* The least bits of strands for so many samples. */
 static uint32_t tile_rays_bits_of(size_t samples)
 {
@@ -88,7 +68,22 @@ void tile_rays_open(const struct photograph_question *question, const struct len
                                .duration = question->duration,
                                .in_strands = question->view != NULL,
                                .seed = question->seed};
-    tile->pass = passes_of(question, tile->passes, arena);
+    /* what the wavelengths of the question are for */
+    const size_t passes = tile->passes;
+    const struct setup *setup = question->film.setup;
+    const size_t parts = question->is_coloured && passes > 1 ? TILE_CHANNELS : 1;
+    const size_t waves = passes / parts, channels = TILE_CHANNELS / parts;
+    struct ray_reuse_pass *pass = ARENA_ARRAY(arena, passes, struct ray_reuse_pass);
+    for (size_t i = 0; i < passes; i++) {
+        double all = 0;
+        for (size_t k = 0; k < waves; k++) {
+            all += setup->wavelengths[i / waves * waves + k].weight;
+        }
+        pass[i] = (struct ray_reuse_pass){.begin = i / waves * channels,
+                                          .end = (i / waves + 1) * channels,
+                                          .share = setup->wavelengths[i].weight / all};
+    }
+    tile->pass = pass;
     tile_rays_open_points(tile, tile_rays_bits_of(question->samples));
 }
 
@@ -104,10 +99,13 @@ static void tile_block_trace(const struct tile_rays *tile, const struct film_pla
     lens_film_trace(tile->film, wavelength, &scratch->samples, &scratch->rays);
 }
 
-/* When the rays of a block come: evenly within the time that each has, the middle of all at 0. */
-static void tile_block_time_rays(const struct tile_rays *tile, uint32_t block,
-                                 struct tile_scratch *scratch)
+/* The light along a block of traced rays, in these lanes: scratch->light. */
+static void tile_block_look(const struct tile_rays *tile, uint32_t block, const struct lanes *lanes,
+                            struct tile_scratch *scratch)
 {
+    /*
+     * when the rays of a block come: evenly within the time that each has, the middle of all at 0
+     */
     const double duration = tile->duration;
     if (duration > 0) {
         sobol_points(&tile->when, scratch->when, block, scratch->times);
@@ -118,13 +116,6 @@ static void tile_block_time_rays(const struct tile_rays *tile, uint32_t block,
                                         : duration * (scratch->times[i] - 0.5);
         }
     }
-}
-
-/* The light along a block of traced rays, in these lanes: scratch->light. */
-static void tile_block_look(const struct tile_rays *tile, uint32_t block, const struct lanes *lanes,
-                            struct tile_scratch *scratch)
-{
-    tile_block_time_rays(tile, block, scratch);
     const struct subject_rays rays = {.block = scratch->rays.blocks,
                                       .weights = scratch->samples.weight,
                                       .times = scratch->times,
@@ -163,25 +154,10 @@ struct tile_colours {
     struct round round;
 };
 
-/* What shared rays have brought to one tile since its last round. */
-static struct tile_colours *tile_colours_new(size_t passes, struct arena *arena)
-{
-    struct tile_colours *colours = ARENA_NEW(arena, struct tile_colours);
-    colours->fringes = lateral_colour_scratch_new(passes, arena);
-    return colours;
-}
-
-/* Begin a tile, in which nothing is shared yet. */
-static void tile_colours_begin(struct tile_scratch *scratch)
-{
-    scratch->fringes = NULL;
-    memset(&scratch->colours->round, 0, sizeof scratch->colours->round);
-}
-
 /* Samples of a round, whose weights are compared, and of all rounds before it. */
 enum { FIRST_ROUND = 8 };
 
-static size_t tile_colours_middle_of(const struct tile_rays *tile)
+static size_t colours_middle_of(const struct tile_rays *tile)
 {
     return tile->passes / 2;
 }
@@ -223,21 +199,6 @@ static void move_points(const struct film_plan *plan, struct tile_scratch *scrat
     }
 }
 
-/* Does a ray of the middle show what one of this wavelength does, of the same pixel? */
-static bool shows_same(const struct film_plan *plan, const struct tile_scratch *scratch, size_t i,
-                       const struct tile_cell *cell, size_t wavelength)
-{
-    const double across = (scratch->samples.x[i] - plan->left) / plan->width;
-    const double up = (scratch->samples.y[i] - plan->bottom) / plan->height;
-    const double x =
-        across - lateral_colour_moved(scratch->fringes, wavelength, 0, across, up) / plan->width;
-    const double y =
-        up - lateral_colour_moved(scratch->fringes, wavelength, 1, across, up) / plan->height;
-    const double column = TILE_ACROSS * x - (double)cell->column;
-    const double row = TILE_DOWN * y - (double)cell->row;
-    return column >= 0 && column < 1 && row >= 0 && row < 1;
-}
-
 /* What a ray of the middle adds for a wavelength. */
 static void add_shared(const struct ray_reuse_pass *pass, size_t pixel, double weight,
                        const double *light, bool is_same, struct round *round)
@@ -253,51 +214,13 @@ static void add_shared(const struct ray_reuse_pass *pass, size_t pixel, double w
     }
 }
 
-/* A block of points: rays of the middle, for all channels. */
-static void sum_shared(const struct tile_rays *tile, const struct film_plan *plan, uint32_t block,
-                       struct tile_scratch *scratch)
-{
-    static const struct lanes lanes = {TILE_CHANNELS, {0, 1, 2}};
-    struct tile_cell cells[RAYS_BLOCK];
-    trace_own(tile, plan, block, scratch);
-    move_points(plan, scratch, cells);
-    lens_film_start(tile->film, &scratch->samples, scratch->rays.blocks);
-    lens_film_trace(tile->film, tile_colours_middle_of(tile), &scratch->samples, &scratch->rays);
-    tile_block_look(tile, block, &lanes, scratch);
-    for (size_t i = 0; i < RAYS_BLOCK; i++) {
-        const double weight = scratch->samples.weight[i];
-        for (size_t w = 0; w < tile->passes && tile_block_arrives(scratch, i); w++) {
-            add_shared(&tile->pass[w], cells[i].pixel, weight, scratch->light[i],
-                       shows_same(plan, scratch, i, &cells[i], w), &scratch->colours->round);
-        }
-    }
-}
-
-/* A round is complete: sums receive what it brought. */
-static void complete_round(struct tile_scratch *scratch)
-{
-    struct round *round = &scratch->colours->round;
-    for (size_t i = 0; i < TILE_PIXELS; i++) {
-        for (size_t k = 0; k < TILE_CHANNELS; k++) {
-            const double own = round->own[i][k];
-            if (round->seen[i][k] > 0) {
-                scratch->sums[i][k] += own * round->light[i][k] / round->seen[i][k];
-            } else if (round->nearby[i][k] > 0) {
-                scratch->sums[i][k] += own * round->light_of[i][k] / round->nearby[i][k];
-            }
-        }
-    }
-    memset(round, 0, sizeof *round);
-}
-
 bool tile_colours_share(const struct tile_rays *tile, const struct film_plan *plan,
                         struct tile_scratch *scratch)
 {
     const double pixel[2] = {plan->width / TILE_ACROSS, plan->height / TILE_DOWN};
     if (tile->may_share && tile->subject.view != NULL && !tile_rays_in_bands(tile)) {
-        scratch->fringes =
-            lateral_colour_find(tile->film, tile->passes, tile_colours_middle_of(tile), pixel, plan,
-                                scratch->colours->fringes);
+        scratch->fringes = lateral_colour_find(tile->film, tile->passes, colours_middle_of(tile),
+                                               pixel, plan, scratch->colours->fringes);
     }
     return scratch->fringes != NULL;
 }
@@ -315,10 +238,50 @@ static void tile_colours_sum(const struct tile_rays *tile, const struct film_pla
                              size_t begin, size_t end, struct tile_scratch *scratch)
 {
     for (uint32_t block = (uint32_t)begin; block < end; block++) {
-        sum_shared(tile, plan, block, scratch);
+        /* a block of points: rays of the middle, for all channels */
+        static const struct lanes lanes = {TILE_CHANNELS, {0, 1, 2}};
+        struct tile_cell cells[RAYS_BLOCK];
+        trace_own(tile, plan, block, scratch);
+        move_points(plan, scratch, cells);
+        lens_film_start(tile->film, &scratch->samples, scratch->rays.blocks);
+        lens_film_trace(tile->film, colours_middle_of(tile), &scratch->samples, &scratch->rays);
+        tile_block_look(tile, block, &lanes, scratch);
+        for (size_t i = 0; i < RAYS_BLOCK; i++) {
+            const double weight = scratch->samples.weight[i];
+            for (size_t w = 0; w < tile->passes && tile_block_arrives(scratch, i); w++) {
+                /*
+                 * does a ray of the middle show what one of this wavelength does, of the same
+                 * pixel?
+                 */
+                const struct tile_cell *cell = &cells[i];
+                const double across = (scratch->samples.x[i] - plan->left) / plan->width;
+                const double up = (scratch->samples.y[i] - plan->bottom) / plan->height;
+                const double x =
+                    across - lateral_colour_moved(scratch->fringes, w, 0, across, up) / plan->width;
+                const double y =
+                    up - lateral_colour_moved(scratch->fringes, w, 1, across, up) / plan->height;
+                const double column = TILE_ACROSS * x - (double)cell->column;
+                const double row = TILE_DOWN * y - (double)cell->row;
+                add_shared(&tile->pass[w], cells[i].pixel, weight, scratch->light[i],
+                           (column >= 0 && column < 1 && row >= 0 && row < 1),
+                           &scratch->colours->round);
+            }
+        }
     }
     if (end >= FIRST_ROUND && (end & (end - 1)) == 0) {
-        complete_round(scratch);
+        /* a round is complete: sums receive what it brought */
+        struct round *round = &scratch->colours->round;
+        for (size_t i = 0; i < TILE_PIXELS; i++) {
+            for (size_t k = 0; k < TILE_CHANNELS; k++) {
+                const double own = round->own[i][k];
+                if (round->seen[i][k] > 0) {
+                    scratch->sums[i][k] += own * round->light[i][k] / round->seen[i][k];
+                } else if (round->nearby[i][k] > 0) {
+                    scratch->sums[i][k] += own * round->light_of[i][k] / round->nearby[i][k];
+                }
+            }
+        }
+        memset(round, 0, sizeof *round);
     }
 }
 
@@ -326,7 +289,10 @@ struct tile_scratch *tile_scratch_new(size_t passes, struct arena *arena)
 {
     struct tile_scratch *scratch = ARENA_NEW(arena, struct tile_scratch);
     scratch->rays = rays_new(arena, RAYS_BLOCK);
-    scratch->colours = tile_colours_new(passes, arena);
+    /* what shared rays have brought to one tile since its last round */
+    struct tile_colours *colours = ARENA_NEW(arena, struct tile_colours);
+    colours->fringes = lateral_colour_scratch_new(passes, arena);
+    scratch->colours = colours;
     return scratch;
 }
 
@@ -339,19 +305,6 @@ struct tile_rays_way {
     struct ray_reuse_pass pass;
 };
 
-/* What one ray brings to its pixel. */
-static void tile_rays_add_ray(const struct film_plan *plan, const struct ray_reuse_pass *pass,
-                              size_t i, struct tile_scratch *scratch)
-{
-    const struct film_samples *samples = &scratch->samples;
-    double *sums = scratch->sums[tile_cell_of(plan, samples->x[i], samples->y[i]).pixel];
-    const double *light = scratch->light[i];
-    tile_block_count(i, scratch);
-    for (size_t channel = pass->begin; channel < pass->end; channel++) {
-        sums[channel] += pass->share * samples->weight[i] * light[channel];
-    }
-}
-
 /* A block of points, of one wavelength of the lens, in the bands of these lanes. */
 static void sum_block(const struct tile_rays *tile, const struct film_plan *plan, uint32_t block,
                       const struct tile_rays_way *way, struct tile_scratch *scratch)
@@ -359,7 +312,15 @@ static void sum_block(const struct tile_rays *tile, const struct film_plan *plan
     tile_block_trace(tile, plan, block, way->wavelength, scratch);
     tile_block_look(tile, block, &way->lanes, scratch);
     for (size_t i = 0; i < RAYS_BLOCK; i++) {
-        tile_rays_add_ray(plan, &way->pass, i, scratch);
+        /* what one ray brings to its pixel */
+        const struct ray_reuse_pass *pass = &way->pass;
+        const struct film_samples *samples = &scratch->samples;
+        double *sums = scratch->sums[tile_cell_of(plan, samples->x[i], samples->y[i]).pixel];
+        const double *light = scratch->light[i];
+        tile_block_count(i, scratch);
+        for (size_t channel = pass->begin; channel < pass->end; channel++) {
+            sums[channel] += pass->share * samples->weight[i] * light[channel];
+        }
     }
 }
 
@@ -429,7 +390,9 @@ void tile_rays_begin(const struct tile_rays *tile, size_t number, struct film_pl
 {
     const struct view *view = tile->subject.view;
     memset(scratch->sums, 0, sizeof scratch->sums);
-    tile_colours_begin(scratch);
+    /* begin a tile, in which nothing is shared yet */
+    scratch->fringes = NULL;
+    memset(&scratch->colours->round, 0, sizeof scratch->colours->round);
     plan->sobol = tile->film_points;
     for (uint32_t k = 0; k < FILM_DIMENSIONS; k++) {
         plan->scrambling[k] = sobol_scrambling(tile->seed, number, k);

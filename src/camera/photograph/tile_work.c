@@ -15,50 +15,17 @@ struct tile_work_scratch {
     struct ray_reuse_scratch *reuse;
 };
 
-static struct tile_work_scratch *tile_work_scratch_of(size_t passes, struct arena *arena)
-{
-    struct tile_work_scratch *scratch = ARENA_NEW(arena, struct tile_work_scratch);
-    scratch->tile = tile_scratch_new(passes, arena);
-    scratch->reuse = ray_reuse_scratch_new(passes, arena);
-    return scratch;
-}
-
 /* -------- rays of a tile -------- */
-
-/* The film is upside down: the upper left of the picture lies at +x, -y. */
-static struct film_plan plan_of(const struct tile_work *work, size_t column, size_t row)
-{
-    const struct photograph_question *question = work->question;
-    const double across = question->film.width / (double)question->columns;
-    const double down = question->film.height / (double)question->rows;
-    return (struct film_plan){.left = question->film.width / 2 -
-                                      (double)(column + TILE_ACROSS) * across,
-                              .bottom = (double)row * down - question->film.height / 2,
-                              .width = TILE_ACROSS * across,
-                              .height = TILE_DOWN * down};
-}
-
-/* Does light reach any of it? */
-static bool tile_work_is_lit(const struct film_plan *plan, double largest)
-{
-    const double x = fmax(0, fmax(plan->left, -plan->left - plan->width));
-    const double y = fmax(0, fmax(plan->bottom, -plan->bottom - plan->height));
-    return x * x + y * y <= largest * largest;
-}
-
-/* Is the picture to end here? */
-static bool tile_work_is_over(const struct tile_work *work)
-{
-    const struct photograph_question *question = work->question;
-    return !watch_ask(question->watch) || (work->is_timed && question->is_over(question->clock));
-}
 
 /* As tile_rays_sum; false: it is over, and the sums are of some of them. */
 static bool sum(const struct tile_work *work, const struct film_plan *plan, size_t begin,
                 size_t end, struct tile_work_scratch *scratch)
 {
     for (size_t i = begin; i < end; i += ENDED_EVERY) {
-        if (i > begin && tile_work_is_over(work)) {
+        /* is the picture to end here? */
+        const struct photograph_question *question = work->question;
+        if (i > begin && (!watch_ask(question->watch) ||
+                          (work->is_timed && question->is_over(question->clock)))) {
             return false;
         }
         const size_t last = i + ENDED_EVERY < end ? i + ENDED_EVERY : end;
@@ -79,55 +46,9 @@ static double tile_work_error_of(const struct tile_work *work,
                : work->unit * convergence_halves(first, both, count, samples);
 }
 
-/* Twice as many samples again and again, until the error is reached; returns how many, 0: it is
-   over before. */
-static size_t sum_until(const struct tile_work *work, const struct film_plan *plan,
-                        struct tile_work_scratch *scratch)
-{
-    const double least = small_emitters_samples(&work->small, &work->rays, plan, scratch->tile);
-    size_t samples = CONVERGENCE_LEAST / 2;
-    double error = INFINITY;
-    bool is_whole = sum(work, plan, 0, samples, scratch);
-    for (; is_whole && (!(error <= 1) || (double)samples < least) &&
-           samples < work->question->samples;
-         samples *= 2) {
-        memcpy(scratch->half, scratch->tile->sums, sizeof scratch->half);
-        is_whole = sum(work, plan, samples, 2 * samples, scratch);
-        error = tile_work_error_of(work, scratch, (double)samples);
-    }
-    convergence_add(scratch->tile->counts + PHOTOGRAPH_CONVERGENCE, error, samples);
-    return is_whole ? samples : 0;
-}
-
-/* One stage more, from what there is; returns how many samples there are then, 0: it is over
-   before. */
-static size_t sum_stage(const struct tile_work *work, const struct film_plan *plan,
-                        struct tile_stage *stage, struct tile_work_scratch *scratch)
-{
-    const size_t before = stage->samples, samples = before > 0 ? 2 * before : CONVERGENCE_LEAST;
-    memcpy(scratch->tile->sums, stage->sums, sizeof stage->sums);
-    memcpy(scratch->half, stage->sums, sizeof stage->sums);
-    if (!sum(work, plan, before, samples, scratch)) {
-        return 0;
-    }
-    memcpy(stage->sums, scratch->tile->sums, sizeof stage->sums);
-    stage->samples = samples;
-    stage->error = before > 0 && work->question->error > 0
-                       ? tile_work_error_of(work, scratch, (double)before)
-                       : INFINITY;
-    return samples;
-}
-
-/* Has it come as far as it may? */
-static bool is_last_stage(const struct tile_work *work, const struct tile_stage *stage)
-{
-    return stage->samples >= work->question->samples || stage->error <= 1;
-}
-
 /* What a tile comes to; it is taken already if that needs none of its rays. */
-static enum ray_reuse_way tile_work_way_of(const struct tile_work *work,
-                                           const struct film_plan *plan,
-                                           struct tile_work_scratch *scratch)
+static enum ray_reuse_way work_way_of(const struct tile_work *work, const struct film_plan *plan,
+                                      struct tile_work_scratch *scratch)
 {
     struct tile_scratch *tile = scratch->tile;
     const size_t samples = work->question->samples;
@@ -147,19 +68,44 @@ static size_t sum_tile(const struct tile_work *work, struct film_plan *plan, siz
 {
     const struct photograph_question *question = work->question;
     tile_rays_begin(&work->rays, tile, plan, scratch->tile);
-    const enum ray_reuse_way way = tile_work_way_of(work, plan, scratch);
+    const enum ray_reuse_way way = work_way_of(work, plan, scratch);
     if (way == RAY_REUSE_ENDED) {
         return 0;
     }
     scratch->tile->counts[PHOTOGRAPH_WAYS + way] += stage == NULL || stage->samples == 0;
     if (stage != NULL) {
-        return sum_stage(work, plan, stage, scratch);
+        /* one stage more, from what there is */
+        const size_t before = stage->samples, samples = before > 0 ? 2 * before : CONVERGENCE_LEAST;
+        memcpy(scratch->tile->sums, stage->sums, sizeof stage->sums);
+        memcpy(scratch->half, stage->sums, sizeof stage->sums);
+        if (!sum(work, plan, before, samples, scratch)) {
+            return 0;
+        }
+        memcpy(stage->sums, scratch->tile->sums, sizeof stage->sums);
+        stage->samples = samples;
+        stage->error = before > 0 && work->question->error > 0
+                           ? tile_work_error_of(work, scratch, (double)before)
+                           : INFINITY;
+        return samples;
     }
     if (way == RAY_REUSE_SHARP || way == RAY_REUSE_EVEN) {
         return question->samples;
     }
     if (question->error > 0) {
-        return sum_until(work, plan, scratch);
+        /* twice as many samples again and again, until the error is reached */
+        const double least = small_emitters_samples(&work->small, &work->rays, plan, scratch->tile);
+        size_t samples = CONVERGENCE_LEAST / 2;
+        double error = INFINITY;
+        bool is_whole = sum(work, plan, 0, samples, scratch);
+        for (; is_whole && (!(error <= 1) || (double)samples < least) &&
+               samples < work->question->samples;
+             samples *= 2) {
+            memcpy(scratch->half, scratch->tile->sums, sizeof scratch->half);
+            is_whole = sum(work, plan, samples, 2 * samples, scratch);
+            error = tile_work_error_of(work, scratch, (double)samples);
+        }
+        convergence_add(scratch->tile->counts + PHOTOGRAPH_CONVERGENCE, error, samples);
+        return is_whole ? samples : 0;
     }
     return sum(work, plan, 0, question->samples, scratch) ? question->samples : 0;
 }
@@ -174,8 +120,20 @@ static bool take_tile(const struct tile_work *work, size_t tile, struct tile_wor
     float pixels[TILE_PIXELS][TILE_CHANNELS];
     size_t column, row;
     tiling_begin(tiling, tile, &column, &row);
-    struct film_plan plan = plan_of(work, column, row);
-    if (!tile_work_is_lit(&plan, work->rays.film->region.largest)) {
+    /* the film is upside down: the upper left of the picture lies at +x, -y */
+    const struct photograph_question *question = work->question;
+    const double across = question->film.width / (double)question->columns;
+    const double down = question->film.height / (double)question->rows;
+    struct film_plan plan = {.left =
+                                 question->film.width / 2 - (double)(column + TILE_ACROSS) * across,
+                             .bottom = (double)row * down - question->film.height / 2,
+                             .width = TILE_ACROSS * across,
+                             .height = TILE_DOWN * down};
+    /* does light reach any of it? */
+    const double largest = work->rays.film->region.largest;
+    const double x = fmax(0, fmax(plan.left, -plan.left - plan.width));
+    const double y = fmax(0, fmax(plan.bottom, -plan.bottom - plan.height));
+    if (!(x * x + y * y <= largest * largest)) {
         return true;
     }
     struct tile_stage *stage = work->stages != NULL ? &work->stages[tile] : NULL;
@@ -210,8 +168,9 @@ static bool try_tile(const struct tile_work *work, size_t tile, struct tile_work
 static bool tile_work_goes_on(const struct tile_work *work, size_t tile)
 {
     const struct photograph_question *question = work->question;
-    return work->stages != NULL && work->stages[tile].samples > 0 &&
-           !is_last_stage(work, &work->stages[tile]) && !question->is_over(question->clock);
+    const struct tile_stage *stage = work->stages != NULL ? &work->stages[tile] : NULL;
+    return stage != NULL && stage->samples > 0 && stage->samples < question->samples &&
+           !(stage->error <= 1) && !question->is_over(question->clock);
 }
 
 void tile_work_take(void *context, const struct parallel_piece *piece)
@@ -219,7 +178,11 @@ void tile_work_take(void *context, const struct parallel_piece *piece)
     const struct tile_work *work = context;
     struct watch *watch = work->question->watch;
     const struct arena_mark mark = arena_mark(piece->arena);
-    struct tile_work_scratch *scratch = tile_work_scratch_of(work->rays.passes, piece->arena);
+    const size_t passes = work->rays.passes;
+    struct arena *arena = piece->arena;
+    struct tile_work_scratch *scratch = ARENA_NEW(arena, struct tile_work_scratch);
+    scratch->tile = tile_scratch_new(passes, arena);
+    scratch->reuse = ray_reuse_scratch_new(passes, arena);
     for (size_t i = piece->begin; i < piece->end && !watch_is_ended(watch); i++) {
         const size_t tile = work->first + i;
         if (work->done[tile] == 0) {

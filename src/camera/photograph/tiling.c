@@ -47,17 +47,6 @@ void tiling_copy(const struct tile_grid *tiling, const struct image *image, size
     }
 }
 
-/* Digits 0 .. 3 in an order by chance. */
-static void shuffle(uint32_t word, unsigned char digits[4])
-{
-    for (uint32_t left = 4; left > 0; left--) {
-        const uint32_t taken = word % left, digit = digits[taken];
-        word /= left;
-        digits[taken] = digits[left - 1];
-        digits[left - 1] = (unsigned char)digit;
-    }
-}
-
 void tile_order(uint64_t seed, size_t number, unsigned char cells[TILE_PIXELS])
 {
     enum { NODES = 44 }; /* both halves; then quarters of squares of 8, 4 and 2 pixels */
@@ -66,7 +55,15 @@ void tile_order(uint64_t seed, size_t number, unsigned char cells[TILE_PIXELS])
         const struct random_words words = random_words(RANDOM_CELLS, seed, number, k);
         for (uint32_t j = 0; j < 4; j++) {
             memcpy(order[k + j], (const unsigned char[]){0, 1, 2, 3}, 4);
-            shuffle(words.w[j], order[k + j]);
+            /* digits 0 .. 3 in an order by chance. */
+            uint32_t word = words.w[j];
+            unsigned char *digits = order[k + j];
+            for (uint32_t left = 4; left > 0; left--) {
+                const uint32_t taken = word % left, digit = digits[taken];
+                word /= left;
+                digits[taken] = digits[left - 1];
+                digits[left - 1] = (unsigned char)digit;
+            }
         }
     }
     const size_t half = order[0][0] % 2;

@@ -26,27 +26,6 @@ static double sum_of_sizes(const struct colour_matrix *matrix)
     return sum;
 }
 
-static bool open_developing(const struct sensor_model *model, double headroom,
-                            struct raw_conversion *developing, struct error *error)
-{
-    const struct sensor_response_traits *response = sensor_traits(&model->sensor);
-    *developing = (struct raw_conversion){.model = model,
-                                          .zero = model->sensor.black + model->gain * model->dark};
-    const double most = (model->white - model->sensor.black) / (model->gain * model->of_white);
-    struct colour_matrix seen;
-    for (size_t i = 0; i < SENSOR_CHANNELS; i++) {
-        developing->per_number[i] = headroom / (model->gain * model->electrons[i] * most);
-        for (size_t j = 0; j < SENSOR_CHANNELS; j++) {
-            const double own = i == j ? model->of_white / model->electrons[0] : 0;
-            seen.at[i][j] = response->channels == 1 ? own : response->seen->at[i][j];
-        }
-    }
-    developing->to_srgb = colour_inverse(&seen);
-    return sum_of_sizes(&developing->to_srgb) * sum_of_sizes(&seen) < ALIKE ||
-           fail(error, ERROR_DOMAIN,
-                "the channels of the sensor see too much the same to make colours of them");
-}
-
 static struct colour srgb_of(const struct raw_conversion *developing, const float *raw,
                              size_t channels)
 {
@@ -89,9 +68,8 @@ static bool mean_white(const struct raw_conversion *developing, const struct ima
     return true;
 }
 
-static bool develop_find_white(const struct raw_conversion *developing, const struct image *raw,
-                               const struct develop_way *way, struct colour *white,
-                               struct error *error)
+static bool find_white(const struct raw_conversion *developing, const struct image *raw,
+                       const struct develop_way *way, struct colour *white, struct error *error)
 {
     switch (way->white) {
     case BALANCE_TUNGSTEN:
@@ -108,22 +86,6 @@ static bool develop_find_white(const struct raw_conversion *developing, const st
     return true;
 }
 
-/* Of a developed colour, what a channel has of a full pixel's light. */
-static struct colour_matrix fill_of(const struct raw_conversion *developing, size_t channels)
-{
-    static const double darkness =
-        1e-6; /* where the dark alone fills the pixel, any light is full */
-    struct colour_matrix fill = colour_inverse(&developing->to_srgb);
-    for (size_t j = 0; j < SENSOR_CHANNELS; j++) {
-        const double full = (developing->model->full_number - developing->zero) *
-                            developing->per_number[channels == 1 ? 0 : j];
-        for (size_t k = 0; k < SENSOR_CHANNELS; k++) {
-            fill.at[j][k] /= fmax(full, darkness);
-        }
-    }
-    return fill;
-}
-
 bool develop_picture(const struct sensor_model *model, const struct image *raw,
                      const struct develop_way *way, struct arena *arena, struct developed *made,
                      struct error *error)
@@ -134,19 +96,43 @@ bool develop_picture(const struct sensor_model *model, const struct image *raw,
                     raw->channels, channels);
     }
     struct raw_conversion developing;
-    if (!open_developing(model, way->headroom, &developing, error)) {
-        return false;
+    const struct sensor_response_traits *response = sensor_traits(&model->sensor);
+    developing = (struct raw_conversion){.model = model,
+                                         .zero = model->sensor.black + model->gain * model->dark};
+    const double most = (model->white - model->sensor.black) / (model->gain * model->of_white);
+    struct colour_matrix seen;
+    for (size_t i = 0; i < SENSOR_CHANNELS; i++) {
+        developing.per_number[i] = way->headroom / (model->gain * model->electrons[i] * most);
+        for (size_t j = 0; j < SENSOR_CHANNELS; j++) {
+            const double own = i == j ? model->of_white / model->electrons[0] : 0;
+            seen.at[i][j] = response->channels == 1 ? own : response->seen->at[i][j];
+        }
+    }
+    developing.to_srgb = colour_inverse(&seen);
+    if (!(sum_of_sizes(&developing.to_srgb) * sum_of_sizes(&seen) < ALIKE)) {
+        return fail(error, ERROR_DOMAIN,
+                    "the channels of the sensor see too much the same to make colours of them");
     }
     made->white = colour_daylight();
     if (channels > 1) {
         struct colour_matrix balance;
-        if (!develop_find_white(&developing, raw, way, &made->white, error) ||
+        if (!find_white(&developing, raw, way, &made->white, error) ||
             !colour_balance(made->white, &balance, error)) {
             return false;
         }
         developing.to_srgb = colour_product(&balance, &developing.to_srgb);
     }
-    made->fill = fill_of(&developing, channels);
+    /* of a developed colour, what a channel has of a full pixel's light */
+    const double darkness = 1e-6; /* where the dark alone fills the pixel, any light is full */
+    struct colour_matrix fill = colour_inverse(&developing.to_srgb);
+    for (size_t j = 0; j < SENSOR_CHANNELS; j++) {
+        const double full = (developing.model->full_number - developing.zero) *
+                            developing.per_number[channels == 1 ? 0 : j];
+        for (size_t k = 0; k < SENSOR_CHANNELS; k++) {
+            fill.at[j][k] /= fmax(full, darkness);
+        }
+    }
+    made->fill = fill;
     struct image *picture = &made->picture;
     *picture =
         (struct image){.width = raw->width, .height = raw->height, .channels = SENSOR_CHANNELS};

@@ -9,8 +9,11 @@ static const double traced[SENSOR_CHANNELS] = {RESPONSE_RED, RESPONSE_GREEN, RES
 /* V of these: what the eye sees of a watt, of what it sees at 555 nm. */
 static const double luminous[SENSOR_CHANNELS] = {0.4904688, 0.9928116, 0.07091109};
 
-static bool response_check_table(const struct response_table *table, struct error *error)
+bool response_open(const struct response_table *table, struct arena *arena,
+                   const struct sensor_response_traits **traits, struct error *error)
 {
+    struct colour_matrix *seen = ARENA_NEW(arena, struct colour_matrix);
+    struct sensor_response_traits *made = ARENA_NEW(arena, struct sensor_response_traits);
     if (table->channels != 1 && table->channels != SENSOR_CHANNELS) {
         return fail(error, ERROR_DOMAIN, "the response has %zu channels, not 1 or %d",
                     table->channels, SENSOR_CHANNELS);
@@ -36,27 +39,6 @@ static bool response_check_table(const struct response_table *table, struct erro
                         1000 * wavelength);
         }
     }
-    return true;
-}
-
-static double efficiency_at(const struct response_table *table, size_t channel, double wavelength)
-{
-    const double *x = table->wavelength, *y = table->efficiency[channel];
-    size_t i = 1;
-    while (i + 1 < table->rows && x[i] < wavelength) {
-        i++;
-    }
-    return y[i - 1] + (wavelength - x[i - 1]) / (x[i] - x[i - 1]) * (y[i] - y[i - 1]);
-}
-
-bool response_open(const struct response_table *table, struct arena *arena,
-                   const struct sensor_response_traits **traits, struct error *error)
-{
-    struct colour_matrix *seen = ARENA_NEW(arena, struct colour_matrix);
-    struct sensor_response_traits *made = ARENA_NEW(arena, struct sensor_response_traits);
-    if (!response_check_table(table, error)) {
-        return false;
-    }
     *made = (struct sensor_response_traits){.word = table->channels == 1 ? "a table of one channel"
                                                                          : "a table",
                                             .channels = table->channels,
@@ -66,7 +48,14 @@ bool response_open(const struct response_table *table, struct arena *arena,
         double white = 0;
         for (size_t j = 0; j < SENSOR_CHANNELS; j++) {
             const double photons = colour_xyz_of_srgb.at[1][j] * (traced[j] / 0.555) / luminous[j];
-            seen->at[k][j] = photons * efficiency_at(table, k, traced[j]);
+            const double wavelength = traced[j];
+            const double *x = table->wavelength, *y = table->efficiency[k];
+            size_t i = 1;
+            while (i + 1 < table->rows && x[i] < wavelength) {
+                i++;
+            }
+            seen->at[k][j] = photons * (y[i - 1] + (wavelength - x[i - 1]) / (x[i] - x[i - 1]) *
+                                                       (y[i] - y[i - 1]));
             white += seen->at[k][j];
         }
         if (!(white > 0)) {

@@ -55,22 +55,6 @@ struct limit {
     bool above; /* low itself is too low */
 };
 
-static bool check_limits(const struct limit *limits, size_t count, struct error *error)
-{
-    for (size_t i = 0; i < count; i++) {
-        const struct limit *limit = &limits[i];
-        const bool high_enough =
-            limit->above ? limit->value > limit->low : limit->value >= limit->low;
-        if (!(high_enough && limit->value <= limit->high)) {
-            return fail(error, ERROR_DOMAIN,
-                        "the %s %.6g%s of a sensor is not %s %.6g and up to %.6g", limit->name,
-                        limit->value, limit->unit, limit->above ? "above" : "from", limit->low,
-                        limit->high);
-        }
-    }
-    return true;
-}
-
 static bool check_sensor(const struct image_sensor *sensor, const struct sensor_setting *setting,
                          struct error *error)
 {
@@ -91,8 +75,17 @@ static bool check_sensor(const struct image_sensor *sensor, const struct sensor_
         {"exposure time", " s", setting->time, 0, 1e9, false},
         {"temperature", " C", setting->temperature, -273.15, 200, false},
     };
-    if (!check_limits(limits, sizeof limits / sizeof *limits, error)) {
-        return false;
+    const size_t count = sizeof limits / sizeof *limits;
+    for (size_t i = 0; i < count; i++) {
+        const struct limit *limit = &limits[i];
+        const bool high_enough =
+            limit->above ? limit->value > limit->low : limit->value >= limit->low;
+        if (!(high_enough && limit->value <= limit->high)) {
+            return fail(error, ERROR_DOMAIN,
+                        "the %s %.6g%s of a sensor is not %s %.6g and up to %.6g", limit->name,
+                        limit->value, limit->unit, limit->above ? "above" : "from", limit->low,
+                        limit->high);
+        }
     }
     if (!(sensor->black < ldexp(1, sensor->bits) - 1)) {
         return fail(error, ERROR_DOMAIN, "the black level %.6g is not below the largest of %d bits",
@@ -198,15 +191,6 @@ static double digital(const struct sensor_model *model, double mean, uint64_t pi
     return 0;
 }
 
-/* The digital number of the dark without chance. */
-static double dark_number(const struct sensor_model *model)
-{
-    struct sensor_model calm = *model;
-    bool saturated;
-    calm.setting.noiseless = true;
-    return digital(&calm, model->dark, 0, 0, &saturated);
-}
-
 /* Lux seconds of a channel, by what it sees. */
 static double seen_by(const double seen[SENSOR_CHANNELS], const float *pixel, size_t channels)
 {
@@ -294,18 +278,6 @@ static void sensor_expose_rows(void *context, size_t begin, size_t end)
     }
 }
 
-static struct sensor_sums add_rows(const struct sensor_sums *rows, size_t count)
-{
-    struct sensor_sums all = {.darkest = (double)INFINITY};
-    for (size_t y = 0; y < count; y++) {
-        all.values += rows[y].values;
-        all.saturated += rows[y].saturated;
-        all.brightest = fmax(all.brightest, rows[y].brightest);
-        all.darkest = fmin(all.darkest, rows[y].darkest);
-    }
-    return all;
-}
-
 bool sensor_expose(const struct sensor_model *model, const struct image *light,
                    const struct sensor_place *place, struct arena *arena, struct sensor_raw *raw,
                    struct error *error)
@@ -325,30 +297,28 @@ bool sensor_expose(const struct sensor_model *model, const struct image *light,
                                   .image = &raw->image,
                                   .rows = ARENA_ARRAY(arena, light->height, struct sensor_sums)};
     for (size_t k = 0; k < SENSOR_CHANNELS; k++) {
-        exposing.untaken[k] = (float)dark_number(model);
+        /* the digital number of the dark without chance */
+        struct sensor_model calm = *model;
+        bool saturated;
+        calm.setting.noiseless = true;
+        exposing.untaken[k] = (float)digital(&calm, model->dark, 0, 0, &saturated);
     }
     parallel_for(model->setting.threads, light->height, ROWS, sensor_expose_rows, &exposing);
-    raw->sums = add_rows(exposing.rows, light->height);
+    const struct sensor_sums *rows = exposing.rows;
+    struct sensor_sums all = {.darkest = (double)INFINITY};
+    for (size_t y = 0; y < light->height; y++) {
+        all.values += rows[y].values;
+        all.saturated += rows[y].saturated;
+        all.brightest = fmax(all.brightest, rows[y].brightest);
+        all.darkest = fmin(all.darkest, rows[y].darkest);
+    }
+    raw->sums = all;
     return true;
 }
 
 static void note_number(struct image *image, struct arena *arena, const char *key, double value)
 {
     image_note(image, arena, text_of(key), text_of(arena_printf(arena, "%.9g", value)));
-}
-
-/* The mosaic as it looks from a pixel of the frame on. */
-static const char *pattern_from(enum sensor_mosaic mosaic, const struct sensor_place *place)
-{
-    const struct sensor_mosaic_traits *traits = &sensor_mosaics[mosaic], *other = traits;
-    const size_t row = place->row % 2, column = place->column % 2;
-    for (int i = MOSAIC_NONE + 1; i < SENSOR_MOSAICS && mosaic != MOSAIC_NONE; i++) {
-        const bool same = sensor_mosaics[i].channel[0][0] == traits->channel[row][column] &&
-                          sensor_mosaics[i].channel[0][1] == traits->channel[row][1 - column] &&
-                          sensor_mosaics[i].channel[1][0] == traits->channel[1 - row][column];
-        other = same ? &sensor_mosaics[i] : other;
-    }
-    return other->word;
 }
 
 void sensor_codes(const struct sensor_model *model, const struct sensor_place *place,
@@ -358,8 +328,17 @@ void sensor_codes(const struct sensor_model *model, const struct sensor_place *p
     for (size_t i = 0; i < count; i++) {
         raw->pixels[i] = (float)((double)raw->pixels[i] / 65535);
     }
-    image_note(raw, arena, text_of("CFA pattern"),
-               text_of(pattern_from(model->sensor.mosaic, place)));
+    /* the mosaic as it looks from a pixel of the frame on */
+    const enum sensor_mosaic mosaic = model->sensor.mosaic;
+    const struct sensor_mosaic_traits *traits = &sensor_mosaics[mosaic], *other = traits;
+    const size_t row = place->row % 2, column = place->column % 2;
+    for (int i = MOSAIC_NONE + 1; i < SENSOR_MOSAICS && mosaic != MOSAIC_NONE; i++) {
+        const bool same = sensor_mosaics[i].channel[0][0] == traits->channel[row][column] &&
+                          sensor_mosaics[i].channel[0][1] == traits->channel[row][1 - column] &&
+                          sensor_mosaics[i].channel[1][0] == traits->channel[1 - row][column];
+        other = same ? &sensor_mosaics[i] : other;
+    }
+    image_note(raw, arena, text_of("CFA pattern"), text_of(other->word));
     note_number(raw, arena, "Black level", model->sensor.black);
     note_number(raw, arena, "White level", model->white);
     note_number(raw, arena, "Saturation level", ceil(model->full_number));

@@ -105,36 +105,32 @@ static size_t card_clamped(long at, size_t count)
     return (size_t)at;
 }
 
-static struct card_light picture_light(const struct card *card, double x, double y)
-{
-    const struct image *image = card->picture;
-    /* one pixel on, so that none is below 0: rounded down without a call of floor */
-    const double column = (x / card->width + 0.5) * (double)image->width + 0.5;
-    const double row = (0.5 - y / card->height) * (double)image->height + 0.5;
-    const long left = (long)column - 1, above = (long)row - 1;
-    const float right = (float)(column - 1 - (double)left), down = (float)(row - 1 - (double)above);
-    const size_t step = image->channels < CARD_CHANNELS ? 0 : 1;
-    const size_t begin = card_clamped(left, image->width) * image->channels;
-    const size_t end = card_clamped(left + 1, image->width) * image->channels;
-    const float *upper = image_row(image, card_clamped(above, image->height));
-    const float *lower = image_row(image, card_clamped(above + 1, image->height));
-    struct card_light light;
-    for (size_t k = 0; k < CARD_CHANNELS; k++) {
-        const float a = upper[begin + k * step], b = upper[end + k * step];
-        const float c = lower[begin + k * step], d = lower[end + k * step];
-        const float from = a + right * (b - a), to = c + right * (d - c);
-        light.of[k] = from + down * (to - from);
-    }
-    return light;
-}
-
 struct card_light card_look(const struct card *card, double x, double y)
 {
     if (!(fabs(x) <= card->width / 2 && fabs(y) <= card->height / 2)) {
         return (struct card_light){{0, 0, 0}};
     }
     if (card->chart == CHART_NONE) {
-        return picture_light(card, x, y);
+        const struct image *image = card->picture;
+        /* one pixel on, so that none is below 0: rounded down without a call of floor */
+        const double column = (x / card->width + 0.5) * (double)image->width + 0.5;
+        const double row = (0.5 - y / card->height) * (double)image->height + 0.5;
+        const long left = (long)column - 1, above = (long)row - 1;
+        const float right = (float)(column - 1 - (double)left),
+                    down = (float)(row - 1 - (double)above);
+        const size_t step = image->channels < CARD_CHANNELS ? 0 : 1;
+        const size_t begin = card_clamped(left, image->width) * image->channels;
+        const size_t end = card_clamped(left + 1, image->width) * image->channels;
+        const float *upper = image_row(image, card_clamped(above, image->height));
+        const float *lower = image_row(image, card_clamped(above + 1, image->height));
+        struct card_light light;
+        for (size_t k = 0; k < CARD_CHANNELS; k++) {
+            const float a = upper[begin + k * step], b = upper[end + k * step];
+            const float c = lower[begin + k * step], d = lower[end + k * step];
+            const float from = a + right * (b - a), to = c + right * (d - c);
+            light.of[k] = from + down * (to - from);
+        }
+        return light;
     }
     const float light = (float)chart_light(card->chart, x / card->width, y / card->width,
                                            card->height / card->width / 2);

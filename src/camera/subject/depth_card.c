@@ -16,32 +16,6 @@ static size_t halved(size_t count, int level)
     return ((count - 1) >> level) + 1;
 }
 
-/* 1/distance of every pixel. */
-static bool depth_card_find_nearest(const struct depth_card_question *question, double *nearest,
-                                    struct error *error)
-{
-    const struct image *depths = question->depths;
-    for (size_t i = 0; i < depths->width * depths->height; i++) {
-        const double depth = (double)depths->pixels[i];
-        const double before = depth * MM_PER_M - question->sensor;
-        const size_t column = i % depths->width + 1, row = i / depths->width + 1;
-        if (!(depth > 0)) {
-            return fail(error, ERROR_DATA,
-                        "%.200s: the depth in column %zu, row %zu is %g m: it must be above 0",
-                        question->name, column, row, depth);
-        }
-        if (!(before > 0 && before + question->pupil > 0)) {
-            return fail(error, ERROR_DATA,
-                        "%.200s: the depth in column %zu, row %zu, %.6g m, lies within the lens, "
-                        "which reaches to %.6g m before the sensor",
-                        question->name, column, row, depth,
-                        fmax(question->sensor, question->sensor - question->pupil) / MM_PER_M);
-        }
-        nearest[i] = 1 / (before + question->pupil);
-    }
-    return true;
-}
-
 /* Of four squares each, or fewer at the border. */
 static void merge_level(const struct depth_card *relief, double **of, bool is_most, int level)
 {
@@ -93,8 +67,25 @@ bool depth_card_open(const struct depth_card_question *question, struct arena *a
     relief->nearest = ARENA_ARRAY(arena, (size_t)relief->levels, double *);
     relief->farthest = ARENA_ARRAY(arena, (size_t)relief->levels, double *);
     relief->nearest[0] = relief->farthest[0] = ARENA_ARRAY(arena, columns * rows, double);
-    if (!depth_card_find_nearest(question, relief->nearest[0], error)) {
-        return false;
+    /* 1/distance of every pixel */
+    const struct image *depths = question->depths;
+    for (size_t i = 0; i < depths->width * depths->height; i++) {
+        const double depth = (double)depths->pixels[i];
+        const double before = depth * MM_PER_M - question->sensor;
+        const size_t column = i % depths->width + 1, row = i / depths->width + 1;
+        if (!(depth > 0)) {
+            return fail(error, ERROR_DATA,
+                        "%.200s: the depth in column %zu, row %zu is %g m: it must be above 0",
+                        question->name, column, row, depth);
+        }
+        if (!(before > 0 && before + question->pupil > 0)) {
+            return fail(error, ERROR_DATA,
+                        "%.200s: the depth in column %zu, row %zu, %.6g m, lies within the lens, "
+                        "which reaches to %.6g m before the sensor",
+                        question->name, column, row, depth,
+                        fmax(question->sensor, question->sensor - question->pupil) / MM_PER_M);
+        }
+        relief->nearest[0][i] = 1 / (before + question->pupil);
     }
     for (int level = 1; level < relief->levels; level++) {
         const size_t count = halved(columns, level) * halved(rows, level);
@@ -230,8 +221,8 @@ static double kept_within(const struct depth_card_walk *walk, struct depth_card_
 }
 
 /* The light of a pixel, which the ray meets at w. */
-static struct card_light depth_card_light_at(const struct depth_card_walk *walk,
-                                             struct depth_card_place pixel, double w)
+static struct card_light light_at(const struct depth_card_walk *walk, struct depth_card_place pixel,
+                                  double w)
 {
     const struct depth_card *relief = walk->relief;
     const struct card *card = &relief->card;
@@ -282,8 +273,7 @@ static enum depth_card_sight sight_of(const struct depth_card *relief, struct de
 }
 
 /* What is met, and how; walk->w is where. Every turn goes down a level or crosses a border. */
-static enum depth_card_sight depth_card_meet(struct depth_card_walk *walk,
-                                             struct depth_card_place *met)
+static enum depth_card_sight card_meet(struct depth_card_walk *walk, struct depth_card_place *met)
 {
     const struct depth_card *relief = walk->relief;
     int level = 0;
@@ -380,10 +370,9 @@ struct card_light depth_card_look(const struct depth_card *relief, const struct 
     }
     depth_card_begin_near(&walk);
     struct depth_card_place met;
-    *sight = depth_card_meet(&walk, &met);
-    return *sight == SIGHT_SEEN || relief->hidden == HIDDEN_NEARBY
-               ? depth_card_light_at(&walk, met, walk.w)
-               : (struct card_light){{0, 0, 0}};
+    *sight = card_meet(&walk, &met);
+    return *sight == SIGHT_SEEN || relief->hidden == HIDDEN_NEARBY ? light_at(&walk, met, walk.w)
+                                                                   : (struct card_light){{0, 0, 0}};
 }
 
 void depth_card_range(const struct depth_card *relief, const struct card_part *part, double *least,

@@ -108,9 +108,8 @@ struct lens_clearance_part {
 };
 
 /* About a thing; a plane's is endless. */
-static struct lens_clearance_part lens_clearance_part_of(const struct world_thing *thing,
-                                                         const struct scene_pose *camera,
-                                                         double time)
+static struct lens_clearance_part clearance_part_of(const struct world_thing *thing,
+                                                    const struct scene_pose *camera, double time)
 {
     struct lens_clearance_part part = {{-INFINITY, -INFINITY, -INFINITY},
                                        {INFINITY, INFINITY, INFINITY}};
@@ -154,17 +153,6 @@ static bool lens_clearance_clip(const struct lens_clearance *room, struct lens_c
     return is_left;
 }
 
-/* Of a line along an axis, its ends on the cylinder; false: it goes past. */
-static bool ends_of(const struct lens_clearance *room, int axis, const double at[3], double ends[2])
-{
-    const double r = room->radius;
-    const double beside = axis == 2 ? hypot(at[0], at[1]) : fabs(at[1 - axis]);
-    const double half = sqrt(fmax(0, (r - beside) * (r + beside)));
-    ends[0] = axis == 2 ? room->front : -half;
-    ends[1] = axis == 2 ? room->back : half;
-    return beside < r;
-}
-
 /* Surfaces one behind the other, of which the last ones may lie beside the lens. */
 static bool lens_clearance_look_along(const struct lens_clearance *room, const struct world *world,
                                       const struct scene_pose *camera, double time, int axis,
@@ -173,7 +161,13 @@ static bool lens_clearance_look_along(const struct lens_clearance *room, const s
     enum { SURFACES = 64 };
     double ends[2];
     struct world_hit hit;
-    if (!ends_of(room, axis, at, ends)) {
+    /* of a line along an axis, its ends on the cylinder; false: it goes past */
+    const double r = room->radius;
+    const double beside = axis == 2 ? hypot(at[0], at[1]) : fabs(at[1 - axis]);
+    const double half = sqrt(fmax(0, (r - beside) * (r + beside)));
+    ends[0] = axis == 2 ? room->front : -half;
+    ends[1] = axis == 2 ? room->back : half;
+    if (!(beside < r)) {
         return false;
     }
     at[axis] = ends[0];
@@ -196,10 +190,9 @@ static bool lens_clearance_look_along(const struct lens_clearance *room, const s
     return false;
 }
 
-static bool lens_clearance_look_through(const struct lens_clearance *room,
-                                        const struct world *world, const struct scene_pose *camera,
-                                        double time, const struct lens_clearance_part *part,
-                                        size_t *thing)
+static bool look_through(const struct lens_clearance *room, const struct world *world,
+                         const struct scene_pose *camera, double time,
+                         const struct lens_clearance_part *part, size_t *thing)
 {
     enum { LINES = 16 };
     for (int i = 0; i < 3 * LINES * LINES; i++) {
@@ -224,9 +217,8 @@ static double ball_of(const struct lens_clearance *room)
 }
 
 /* How far a thing is from the lens at least. */
-static double lens_clearance_gap_of(const struct lens_clearance *room,
-                                    const struct world_thing *thing,
-                                    const struct scene_pose *camera, double time)
+static double clearance_gap_of(const struct lens_clearance *room, const struct world_thing *thing,
+                               const struct scene_pose *camera, double time)
 {
     if (thing->thing->shape == SHAPE_PLANE) {
         const struct scene_pose pose = scene_pose_at(&thing->thing->where, time);
@@ -234,24 +226,12 @@ static double lens_clearance_gap_of(const struct lens_clearance *room,
         return fmax(fabs(away) - ball_of(room), 0);
     }
     const struct lens_clearance_part whole = part_of_room(room),
-                                     part = lens_clearance_part_of(thing, camera, time);
+                                     part = clearance_part_of(thing, camera, time);
     double gap = 0;
     for (int i = 0; i < 3; i++) {
         gap = fmax(gap, fmax(part.low[i] - whole.high[i], whole.low[i] - part.high[i]));
     }
     return gap;
-}
-
-/* No point that comes into the lens within the span is faster, as the camera sees it. */
-static double speed_of(const struct lens_clearance *room, const struct scene_place *thing,
-                       const struct scene_place *camera, const double span[2])
-{
-    const double ball = ball_of(room), duration = span[1] - span[0];
-    const double apart = vector_length(
-        vector_minus(scene_pose_at(thing, span[0]).at, scene_pose_at(camera, span[0]).at));
-    const double moved = vector_length(vector_minus(thing->velocity, camera->velocity));
-    const double seen = moved + fabs(thing->spin) * (apart + moved * duration + ball);
-    return seen + fabs(camera->spin) * (ball + seen * duration);
 }
 
 /* From time to time, as late as it may be. */
@@ -261,16 +241,22 @@ static bool comes_in(const struct lens_clearance *room, const struct world *worl
 {
     enum { STEPS = 4, LOOKS_MOST = 4096 };
     const struct world_thing *one = &world->things[*thing];
-    const double speed = speed_of(room, &one->thing->where, camera, span);
+    /* no point that comes into the lens within the span is faster, as the camera sees it */
+    const double ball = ball_of(room), duration = span[1] - span[0];
+    const double apart = vector_length(vector_minus(scene_pose_at(&one->thing->where, span[0]).at,
+                                                    scene_pose_at(camera, span[0]).at));
+    const double moved = vector_length(vector_minus(one->thing->where.velocity, camera->velocity));
+    const double seen = moved + fabs(one->thing->where.spin) * (apart + moved * duration + ball);
+    const double speed = seen + fabs(camera->spin) * (ball + seen * duration);
     const double wide = fmin(room->radius, room->back - room->front);
     const double least = fmax(wide / STEPS / speed, (span[1] - span[0]) / LOOKS_MOST);
     *time = span[0];
     for (bool is_last = false; !is_last;) {
         const struct scene_pose pose = scene_pose_at(camera, *time);
-        struct lens_clearance_part part = lens_clearance_part_of(one, &pose, *time);
-        const double gap = lens_clearance_gap_of(room, one, &pose, *time);
+        struct lens_clearance_part part = clearance_part_of(one, &pose, *time);
+        const double gap = clearance_gap_of(room, one, &pose, *time);
         if (gap == 0 && lens_clearance_clip(room, &part) &&
-            lens_clearance_look_through(room, world, &pose, *time, &part, thing)) {
+            look_through(room, world, &pose, *time, &part, thing)) {
             return true;
         }
         const bool stays = !one->moves && !scene_place_moves(camera);

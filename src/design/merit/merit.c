@@ -2,15 +2,11 @@
 /* SPDX-License-Identifier: MIT */
 #include "design/merit/merit.h"
 
-#include "design/merit/merit_asbuilt.h"
-#include "design/merit/merit_chief.h"
 #include "design/merit/merit_graze.h"
-#include "design/merit/merit_incidence.h"
+#include "design/merit/merit_kinds.h"
 #include "design/merit/merit_mtf.h"
 #include "design/merit/merit_paraxial.h"
 #include "design/merit/merit_rays.h"
-#include "design/merit/merit_shape.h"
-#include "design/merit/merit_state.h"
 #include "design/solver/solver_loss.h"
 
 #include <math.h>
@@ -97,9 +93,15 @@ static bool open_slots(struct merit *merit, struct arena *arena, struct error *e
     return merit->slot_count > 0 || fail(error, ERROR_DOMAIN, "nothing is wanted: no goals");
 }
 
-/* Which residuals are those of '<' and '>'. */
-static void merit_set_sides(struct merit *merit, struct arena *arena)
+bool merit_open(const struct merit_question *question, struct arena *arena, struct merit *merit,
+                struct error *error)
 {
+    merit_begin(merit, question, arena);
+    if (!merit_places_open(merit, arena, error) || !open_slots(merit, arena, error)) {
+        return false;
+    }
+    merit->values = ARENA_ARRAY(arena, merit->residual_count, double);
+    /* which residuals are those of '<' and '>' */
     static const enum solver_side sides[OPERAND_RELATIONS] = {
         [OPERAND_BELOW] = SIDE_ABOVE, [OPERAND_ABOVE] = SIDE_BELOW};
     merit->sides = ARENA_ARRAY(arena, merit->residual_count, enum solver_side);
@@ -109,17 +111,6 @@ static void merit_set_sides(struct merit *merit, struct arena *arena)
             merit->sides[slot->first + k] = sides[slot->operand->relation];
         }
     }
-}
-
-bool merit_open(const struct merit_question *question, struct arena *arena, struct merit *merit,
-                struct error *error)
-{
-    merit_begin(merit, question, arena);
-    if (!merit_places_open(merit, arena, error) || !open_slots(merit, arena, error)) {
-        return false;
-    }
-    merit->values = ARENA_ARRAY(arena, merit->residual_count, double);
-    merit_set_sides(merit, arena);
     merit->change = ARENA_ARRAY(arena, merit->variable_count + 1, struct dual);
     return true;
 }

@@ -1,6 +1,6 @@
 /* design/merit/merit_asbuilt.c - spots of lenses as they are made: the nominal one, and errors. */
 /* SPDX-License-Identifier: MIT */
-#include "design/merit/merit_asbuilt.h"
+#include "design/merit/merit_kinds.h"
 
 #include "design/merit/merit_rays.h"
 #include "design/merit/merit_state.h"
@@ -49,23 +49,8 @@ static double medium_slope(const struct lens *lens, struct parameter what, doubl
     return what.kind == PARAMETER_INDEX ? 1 + dispersed / (melt.nd - 1) : -dispersed / melt.Vd;
 }
 
-static struct variable_link link_of(const struct lens *lens, size_t column,
-                                    const struct perturbed_link *from, double wavelength)
-{
-    const enum parameter_kind kind = from->what.kind;
-    struct variable_link link = {column, from->what, from->slope};
-    if (kind == PARAMETER_INDEX || kind == PARAMETER_ABBE) {
-        link.slope *= medium_slope(lens, from->what, wavelength);
-        link.basis.kind = PARAMETER_INDEX;
-    } else {
-        link.slope *= parameter_slope(lens, from->what, wavelength);
-        link.basis.kind = parameter_type(kind)->basis;
-    }
-    return link;
-}
-
-static size_t merit_asbuilt_find_links(void *context, size_t position, double wavelength,
-                                       struct variable_link *links)
+static size_t find_links(void *context, size_t position, double wavelength,
+                         struct variable_link *links)
 {
     struct merit_asbuilt *asbuilt = context;
     const struct lens *lens = &asbuilt->perturbed.lenses[0].lens;
@@ -77,7 +62,17 @@ static size_t merit_asbuilt_find_links(void *context, size_t position, double wa
     for (size_t i = 0; i < asbuilt->errors->count; i++) {
         const size_t parts = perturbed_links(&asbuilt->perturbed, i, asbuilt->links);
         for (size_t k = 0; k < parts; k++) {
-            const struct variable_link link = link_of(lens, i + 1, &asbuilt->links[k], wavelength);
+            const size_t column = i + 1;
+            const struct perturbed_link *from = &asbuilt->links[k];
+            const enum parameter_kind kind = from->what.kind;
+            struct variable_link link = {column, from->what, from->slope};
+            if (kind == PARAMETER_INDEX || kind == PARAMETER_ABBE) {
+                link.slope *= medium_slope(lens, from->what, wavelength);
+                link.basis.kind = PARAMETER_INDEX;
+            } else {
+                link.slope *= parameter_slope(lens, from->what, wavelength);
+                link.basis.kind = parameter_type(kind)->basis;
+            }
             if (link.basis.kind == PARAMETER_INDEX) {
                 count = variable_index_links(lens, link, count, count, links);
             } else {
@@ -105,8 +100,7 @@ static bool open_errors(const struct merit *merit, struct merit_asbuilt *asbuilt
                                              .lenses =
                                                  question->variables->lenses + asbuilt->position};
     asbuilt->links = ARENA_ARRAY(arena, 2 * surfaces + 1, struct perturbed_link);
-    asbuilt->by =
-        (struct merit_by){1 + 2 * surfaces * errors->count, merit_asbuilt_find_links, asbuilt};
+    asbuilt->by = (struct merit_by){1 + 2 * surfaces * errors->count, find_links, asbuilt};
     return perturbed_open(&asked, arena, &asbuilt->perturbed, error);
 }
 
@@ -192,22 +186,8 @@ static double merit_asbuilt_product(const struct merit_asbuilt *asbuilt, size_t 
     return sum;
 }
 
-/* What is left of a column when the image plane has been moved to where it is least. */
-static double left_of(const struct merit_asbuilt *asbuilt, size_t column, double share)
-{
-    const size_t n = asbuilt->inner.variable_count;
-    double sum = 0;
-    for (size_t i = 0; i < asbuilt->inner.residual_count; i++) {
-        const double *row = asbuilt->jacobian + i * n;
-        const double left = row[column] - share * row[0];
-        sum += left * left;
-    }
-    return sqrt(sum);
-}
-
 /* What each error does, of the lens with these numbers. */
-static bool merit_asbuilt_find_errors(struct merit_asbuilt *asbuilt, const double *numbers,
-                                      double *found)
+static bool find_errors(struct merit_asbuilt *asbuilt, const double *numbers, double *found)
 {
     struct merit *inner = &asbuilt->inner;
     merit_put_lens(inner, numbers, true);
@@ -218,32 +198,21 @@ static bool merit_asbuilt_find_errors(struct merit_asbuilt *asbuilt, const doubl
     for (size_t j = 0; j < asbuilt->errors->count; j++) {
         const size_t column = asbuilt->columns[j];
         const double share = focus > 0 ? merit_asbuilt_product(asbuilt, column, 0) / focus : 0;
-        found[j] = asbuilt->sigmas[j] * left_of(asbuilt, column, share);
+        /* what is left of a column when the image plane has been moved to where it is least */
+        const size_t n = asbuilt->inner.variable_count;
+        double sum = 0;
+        for (size_t i = 0; i < asbuilt->inner.residual_count; i++) {
+            const double *row = asbuilt->jacobian + i * n;
+            const double left = row[column] - share * row[0];
+            sum += left * left;
+        }
+        found[j] = asbuilt->sigmas[j] * sqrt(sum);
         if (!isfinite(found[j])) {
             return fail(&inner->why, ERROR_DOMAIN, "what %s does is not finite",
                         asbuilt->errors->list[j].name);
         }
     }
     return true;
-}
-
-/* Derivatives by one variable: differences of both sides, or of that which has a value. */
-static bool merit_asbuilt_find_slopes(struct merit_asbuilt *asbuilt, const double *numbers,
-                                      size_t variable, double step)
-{
-    double *up = asbuilt->up, *down = asbuilt->down, *at = &asbuilt->numbers[variable];
-    const double now = numbers[variable], high = now + step, low = now - step;
-    *at = high;
-    const bool has_up = merit_asbuilt_find_errors(asbuilt, asbuilt->numbers, up);
-    *at = low;
-    const bool has_down = merit_asbuilt_find_errors(asbuilt, asbuilt->numbers, down);
-    *at = now;
-    const double *from = has_down ? down : asbuilt->here, *to = has_up ? up : asbuilt->here;
-    const double between = (has_up ? high : now) - (has_down ? low : now);
-    for (size_t j = 0; j < asbuilt->errors->count; j++) {
-        up[j] = between > 0 ? (to[j] - from[j]) / between : 0;
-    }
-    return has_up || has_down;
 }
 
 /* Rows of the errors; the lens is left with other numbers. */
@@ -257,13 +226,26 @@ static bool fill_errors(struct merit *merit, struct merit_asbuilt *asbuilt, doub
     asbuilt->inner.question.variables = merit->question.variables;
     asbuilt->perturbed.lenses = variables->lenses + asbuilt->position;
     asbuilt->inner.forgets = merit->forgets;
-    if (!merit_asbuilt_find_errors(asbuilt, merit->parameters, asbuilt->here)) {
+    if (!find_errors(asbuilt, merit->parameters, asbuilt->here)) {
         return false;
     }
     memcpy(residuals, asbuilt->here, count * sizeof *residuals);
     for (size_t k = 0; jacobian != NULL && k < variables->count; k++) {
-        if (!merit_asbuilt_find_slopes(asbuilt, merit->parameters, k,
-                                       little * variables->scale[k])) {
+        /* derivatives by one variable: differences of both sides, or of that which has a value */
+        const double step = little * variables->scale[k];
+        double *up = asbuilt->up, *down = asbuilt->down, *at = &asbuilt->numbers[k];
+        const double now = merit->parameters[k], high = now + step, low = now - step;
+        *at = high;
+        const bool has_up = find_errors(asbuilt, asbuilt->numbers, up);
+        *at = low;
+        const bool has_down = find_errors(asbuilt, asbuilt->numbers, down);
+        *at = now;
+        const double *from = has_down ? down : asbuilt->here, *to = has_up ? up : asbuilt->here;
+        const double between = (has_up ? high : now) - (has_down ? low : now);
+        for (size_t j = 0; j < asbuilt->errors->count; j++) {
+            up[j] = between > 0 ? (to[j] - from[j]) / between : 0;
+        }
+        if (!has_up && !has_down) {
             return false;
         }
         for (size_t j = 0; j < count; j++) {

@@ -16,29 +16,6 @@ static bool displaces(const struct variable_link *links, size_t count)
     return false;
 }
 
-/* The fields and wavelengths of the operand: its own, or those of the position. */
-static void merit_beams_choose(const struct merit_slot *slot, struct arena *arena,
-                               struct bundle_wish *wish)
-{
-    static const struct setup_field axis = {{.kind = FIELD_NONE}, 1};
-    const struct setup *setup = wish->setup;
-    const struct operand *operand = slot->operand;
-    wish->fields = setup->field_count > 0 ? setup->fields : &axis;
-    wish->field_count = setup->field_count > 0 ? setup->field_count : 1;
-    wish->wavelengths = setup->wavelengths;
-    wish->wavelength_count = setup->wavelength_count;
-    if (operand->field != NULL) {
-        wish->fields = operand->field;
-        wish->field_count = 1;
-    }
-    if (!isnan(operand->wavelength)) {
-        struct setup_wavelength *one = ARENA_NEW(arena, struct setup_wavelength);
-        *one = (struct setup_wavelength){operand->wavelength, 1};
-        wish->wavelengths = one;
-        wish->wavelength_count = 1;
-    }
-}
-
 /* The links as they are now. */
 static void merit_beams_find_links(struct merit *merit, const struct merit_slot *slot,
                                    struct merit_beams *beams)
@@ -48,6 +25,21 @@ static void merit_beams_find_links(struct merit *merit, const struct merit_slot 
         const struct merit_light *light = merit_light(merit, slot, wish->wavelengths[i].wavelength);
         beams->links[i] = (struct bundle_links){light->links, light->link_count};
     }
+}
+
+bool merit_beams_begin(struct merit *merit, const struct merit_slot *slot, struct bundle_wish *wish,
+                       struct arena *arena, struct merit_beams *beams, struct error *error)
+{
+    *beams = (struct merit_beams){.bundle = {.wish = *wish}};
+    beams->links = ARENA_ARRAY(arena, wish->wavelength_count, struct bundle_links);
+    merit->derives = true; /* the links of the lens at the start */
+    merit->evaluation++;
+    merit_beams_find_links(merit, slot, beams);
+    for (size_t i = 0; i < wish->wavelength_count; i++) {
+        wish->is_round = wish->is_round && !displaces(beams->links[i].list, beams->links[i].count);
+    }
+    return merit_bundle_open(wish, beams->links, merit->variable_count, arena, &beams->bundle,
+                             error);
 }
 
 bool merit_beams_open(struct merit *merit, const struct merit_slot *slot, bool path, bool whole,
@@ -68,17 +60,25 @@ bool merit_beams_open(struct merit *merit, const struct merit_slot *slot, bool p
                                .irregularity_amounts = question->irregularity_amounts,
                                .whole = whole};
     wish.from_entrance = wish.from_entrance || wish.setup->first.is_telecentric;
-    merit_beams_choose(slot, arena, &wish);
-    *beams = (struct merit_beams){.bundle = {.wish = wish}};
-    beams->links = ARENA_ARRAY(arena, wish.wavelength_count, struct bundle_links);
-    merit->derives = true; /* the links of the lens at the start */
-    merit->evaluation++;
-    merit_beams_find_links(merit, slot, beams);
-    for (size_t i = 0; i < wish.wavelength_count; i++) {
-        wish.is_round = wish.is_round && !displaces(beams->links[i].list, beams->links[i].count);
+    /* the fields and wavelengths of the operand: its own, or those of the position */
+    static const struct setup_field axis = {{.kind = FIELD_NONE}, 1};
+    const struct setup *setup = wish.setup;
+    const struct operand *operand = slot->operand;
+    wish.fields = setup->field_count > 0 ? setup->fields : &axis;
+    wish.field_count = setup->field_count > 0 ? setup->field_count : 1;
+    wish.wavelengths = setup->wavelengths;
+    wish.wavelength_count = setup->wavelength_count;
+    if (operand->field != NULL) {
+        wish.fields = operand->field;
+        wish.field_count = 1;
     }
-    if (!merit_bundle_open(&wish, beams->links, merit->variable_count, arena, &beams->bundle,
-                           error)) {
+    if (!isnan(operand->wavelength)) {
+        struct setup_wavelength *one = ARENA_NEW(arena, struct setup_wavelength);
+        *one = (struct setup_wavelength){operand->wavelength, 1};
+        wish.wavelengths = one;
+        wish.wavelength_count = 1;
+    }
+    if (!merit_beams_begin(merit, slot, &wish, arena, beams, error)) {
         return false;
     }
     if (wish.path) {

@@ -23,9 +23,13 @@ struct merit_beams {
 bool merit_beams_open(struct merit *merit, const struct merit_slot *slot, bool path, bool whole,
                       struct arena *arena, struct merit_beams *beams, struct error *error);
 
+/* Those of a wish, without spheres. */
+bool merit_beams_begin(struct merit *merit, const struct merit_slot *slot, struct bundle_wish *wish,
+                       struct arena *arena, struct merit_beams *beams, struct error *error);
+
 /*
  * The lens as it is now: aim, unless rays are held, with what moves them besides, and find the
- * spheres.
+ * spheres. What that takes of merit->arena stays: no mark may be set before.
  *
  * Result    false: merit->why
  */

@@ -22,7 +22,7 @@ bool merit_bundle_goes_on(const struct merit_bundle *bundle, size_t rays, struct
 static bool merit_bundle_check(const struct bundle_wish *wish, struct error *error)
 {
     const struct lens *lens = wish->setup->lens;
-    if (lens->focus == FOCUS_BEST) {
+    if (lens->focus == FOCUS_BEST && !wish->is_bare) {
         fail(error, ERROR_DOMAIN,
              "the image plane of 'focus best' is looked for anew in every lens");
         return error_hint(error, "focus table with the last thickness varied, or focus paraxial");
@@ -47,10 +47,10 @@ static bool find_sample(const struct bundle_wish *wish, size_t field, size_t lig
                         struct bundle_source **before, struct aim_near *near, struct arena *arena,
                         struct sample *sample, struct error *error)
 {
-    if (wish->is_chief) {
-        sample->points = ARENA_NEW(arena, struct pupil_point);
-        sample->points->weight = 1;
-        sample->count = 1;
+    if (wish->points != NULL) {
+        sample->count = wish->point_count;
+        sample->points = ARENA_ARRAY(arena, sample->count, struct pupil_point);
+        memcpy(sample->points, wish->points, sample->count * sizeof *wish->points);
         return true;
     }
     if (!wish->clip) {
@@ -146,25 +146,23 @@ static bool open_groups(struct merit_bundle *bundle, struct error *error)
 
 /* -------- blocks -------- */
 
-static size_t count_blocks(const struct merit_bundle *bundle)
-{
-    size_t points = 0;
-    for (size_t i = 0; i < bundle->group_count; i++) {
-        points += bundle->groups[i].points.count;
-    }
-    return points / RAYS_BLOCK + 1 + bundle->wish.wavelength_count;
-}
-
 static void open_blocks(struct merit_bundle *bundle)
 {
     const size_t fields = bundle->wish.field_count;
     const size_t most = fields < RAYS_BLOCK ? fields : RAYS_BLOCK;
+    const bool is_apart = bundle->wish.is_apart;
     struct bundle_block *block = NULL;
-    bundle->blocks = ARENA_ARRAY(bundle->arena, count_blocks(bundle), struct bundle_block);
+    size_t points = 0;
+    for (size_t i = 0; i < bundle->group_count; i++) {
+        points += bundle->groups[i].points.count;
+    }
+    const size_t full = points / RAYS_BLOCK + 1 + bundle->wish.wavelength_count;
+    bundle->blocks = ARENA_ARRAY(bundle->arena, is_apart ? points : full, struct bundle_block);
     for (size_t g = 0; g < bundle->group_count; g++) {
         const struct bundle_group *group = &bundle->groups[g];
         for (size_t done = 0; done < group->points.count;) {
-            if (block == NULL || block->light != group->light || block->aimed.count == RAYS_BLOCK) {
+            if (block == NULL || block->light != group->light || is_apart ||
+                block->aimed.count == RAYS_BLOCK) {
                 block = &bundle->blocks[bundle->block_count++];
                 *block = (struct bundle_block){
                     .aimed = {.beams = ARENA_ARRAY(bundle->arena, most, struct aimed_beam)},
@@ -173,15 +171,18 @@ static void open_blocks(struct merit_bundle *bundle)
             }
             struct aimed *aimed = &block->aimed;
             const size_t left = group->points.count - done;
-            const size_t room = (size_t)(RAYS_BLOCK - aimed->count);
+            const size_t room = is_apart ? 1 : (size_t)(RAYS_BLOCK - aimed->count);
             const size_t end = done + (left < room ? left : room);
+            const int alike = is_apart ? BUNDLE_ALIKE : 1, count = alike * (int)(end - done);
             aimed->beams[aimed->beam_count++] = (struct aimed_beam){
-                bundle->beams[group->field], .first = aimed->count, .count = (int)(end - done)};
-            for (; done < end; done++, aimed->count++) {
-                block->lanes[aimed->count] = (struct bundle_lane){g, done, group->field};
-                aimed->x[aimed->count] = group->points.points[done].x;
-                aimed->y[aimed->count] = group->points.points[done].y;
+                bundle->beams[group->field], .first = aimed->count, .count = count};
+            for (int i = 0; i < count; i++, aimed->count++) {
+                const size_t point = done + (size_t)(i / alike);
+                block->lanes[aimed->count] = (struct bundle_lane){g, point, group->field};
+                aimed->x[aimed->count] = group->points.points[point].x;
+                aimed->y[aimed->count] = group->points.points[point].y;
             }
+            done = end;
         }
     }
     for (size_t k = 0; k < bundle->block_count; k++) { /* aimed_open keeps beams only */
@@ -216,7 +217,7 @@ static bool merit_bundle_compile(struct merit_bundle *bundle, size_t light, cons
     struct system_options options = system_options_default();
     options.image = bundle->image;
     options.path = bundle->wish.path;
-    options.stop_radius = stop_radius;
+    options.stop_radius = stop_radius > 0 || !bundle->wish.is_apart ? stop_radius : 1;
     options.indices = at->n;
     if (!lens_indices(lens, at->wavelength, at->asked, at->n, error)) {
         return false;
@@ -277,6 +278,10 @@ static bool open_lights(struct merit_bundle *bundle, const struct bundle_links *
 static bool merit_bundle_open_image(struct merit_bundle *bundle, struct error *error)
 {
     struct setup setup = *bundle->wish.setup;
+    bundle->image = NAN;
+    if (bundle->wish.is_bare) {
+        return true;
+    }
     if (isnan(setup.image) &&
         !setup_place_image(&setup, &(struct plane_value){.kind = PLANE_OF_LENS}, error)) {
         return false;
@@ -308,25 +313,6 @@ bool merit_bundle_open(const struct bundle_wish *wish, const struct bundle_links
 
 /* -------- the lens as it is now -------- */
 
-static struct first_order merit_bundle_first_of(const struct merit_bundle *bundle,
-                                                const struct dual_first *first)
-{
-    const struct first_order *start = &bundle->wish.setup->first;
-    struct first_order now = {.is_telecentric = start->is_telecentric,
-                              .is_afocal = first->power.value == 0,
-                              .index_object = first->index_object.value,
-                              .power = first->power.value,
-                              .magnification = first->magnification.value,
-                              .entrance_pupil = first->entrance_pupil.value,
-                              .entrance_diameter = 2 * fabs(first->entrance_radius.value),
-                              .marginal_v = first->marginal_v.value};
-    now.matrix.c.hi = -first->power.value;
-    if (bundle->has_disc) {
-        now.entrance_pupil = 0;
-    }
-    return now;
-}
-
 static bool move_beams(struct merit_bundle *bundle, struct error *error)
 {
     const struct bundle_wish *wish = &bundle->wish;
@@ -347,19 +333,6 @@ static bool move_beams(struct merit_bundle *bundle, struct error *error)
     return true;
 }
 
-/* More steps than before: a surface that was not moved is. */
-static void merit_bundle_make_room(struct merit_bundle *bundle)
-{
-    for (size_t i = 0; i < bundle->wish.wavelength_count; i++) {
-        const struct system *system = &bundle->lights[i].system;
-        const size_t steps = system->begin[system->places];
-        if (steps > bundle->steps) {
-            bundle->steps = steps;
-            aimed_work_open(system, bundle->arena, &bundle->work);
-        }
-    }
-}
-
 void merit_bundle_forget(struct merit_bundle *bundle)
 {
     for (size_t k = 0; k < bundle->block_count; k++) {
@@ -371,37 +344,21 @@ void merit_bundle_forget(struct merit_bundle *bundle)
     }
 }
 
-/* What a block has of its rays, kept beside it. */
-static void bundle_settle(struct merit_bundle *bundle, struct bundle_block *block)
-{
-    const size_t count = block->aimed.beam_count;
-    if (block->settled == NULL) {
-        block->settled = ARENA_NEW(bundle->arena, struct aimed);
-        block->settled->beams = ARENA_ARRAY(bundle->arena, count, struct aimed_beam);
-    }
-    struct aimed_beam *beams = block->settled->beams;
-    memcpy(beams, block->aimed.beams, count * sizeof *beams);
-    *block->settled = block->aimed;
-    block->settled->beams = beams;
-}
-
-/* But for the beams themselves: of image heights they are those of the lens as it is now. */
-static void go_back(struct bundle_block *block)
-{
-    struct aimed_beam *beams = block->aimed.beams;
-    for (size_t g = 0; g < block->aimed.beam_count; g++) {
-        beams[g].near = block->settled->beams[g].near;
-    }
-    block->aimed = *block->settled;
-    block->aimed.beams = beams;
-}
-
 void merit_bundle_settle(struct merit_bundle *bundle, bool holds)
 {
     for (size_t k = 0; k < bundle->block_count; k++) {
         struct bundle_block *block = &bundle->blocks[k];
         if (!holds) {
-            bundle_settle(bundle, block);
+            /* what a block has of its rays, kept beside it */
+            const size_t count = block->aimed.beam_count;
+            if (block->settled == NULL) {
+                block->settled = ARENA_NEW(bundle->arena, struct aimed);
+                block->settled->beams = ARENA_ARRAY(bundle->arena, count, struct aimed_beam);
+            }
+            struct aimed_beam *beams = block->settled->beams;
+            memcpy(beams, block->aimed.beams, count * sizeof *beams);
+            *block->settled = block->aimed;
+            block->settled->beams = beams;
             continue;
         }
         block->aimed.at_stop = false; /* nor do derivatives know of any aim */
@@ -416,8 +373,8 @@ void merit_bundle_settle(struct merit_bundle *bundle, bool holds)
 static bool compile_all(struct merit_bundle *bundle, const struct lens *lens, double image,
                         double stop_radius, struct error *error)
 {
-    bundle->image = image;
-    if (!isfinite(bundle->image)) {
+    bundle->image = bundle->wish.is_bare ? (double)NAN : image;
+    if (!isfinite(bundle->image) && !bundle->wish.is_bare) {
         return fail(error, ERROR_DOMAIN, "the image is infinitely far away");
     }
     arena_reset(&bundle->within, (struct arena_mark){NULL, 0});
@@ -426,13 +383,16 @@ static bool compile_all(struct merit_bundle *bundle, const struct lens *lens, do
             return false;
         }
     }
-    merit_bundle_make_room(bundle);
+    /* more steps than before: a surface that was not moved is */
+    for (size_t i = 0; i < bundle->wish.wavelength_count; i++) {
+        const struct system *system = &bundle->lights[i].system;
+        const size_t steps = system->begin[system->places];
+        if (steps > bundle->steps) {
+            bundle->steps = steps;
+            aimed_work_open(system, bundle->arena, &bundle->work);
+        }
+    }
     return true;
-}
-
-static double merit_bundle_table_of(const struct lens *lens)
-{
-    return lens->surfaces[lens->surface_count - 1].thickness.value.hi;
 }
 
 static bool aim_block(struct merit_bundle *bundle, struct bundle_block *block, struct error *error)
@@ -443,7 +403,13 @@ static bool aim_block(struct merit_bundle *bundle, struct bundle_block *block, s
         return true;
     }
     if (bundle->is_settled) {
-        go_back(block);
+        /* but for the beams themselves: of image heights they are those of the lens as it is now */
+        struct aimed_beam *beams = block->aimed.beams;
+        for (size_t g = 0; g < block->aimed.beam_count; g++) {
+            beams[g].near = block->settled->beams[g].near;
+        }
+        block->aimed = *block->settled;
+        block->aimed.beams = beams;
     }
     return block->aimed.at_stop ? aimed_at_stop(&block->aimed, system, &bundle->within, error)
                                 : aimed_at_entrance(&block->aimed, system, &bundle->first, error);
@@ -453,9 +419,22 @@ bool merit_bundle_aim(struct merit_bundle *bundle, const struct lens *lens,
                       const struct dual_first *first, struct error *error)
 {
     double stop_radius = bundle->lights[0].system.stop_radius;
-    double image = merit_bundle_table_of(lens);
+    double image = lens->surfaces[lens->surface_count - 1].thickness.value.hi;
     if (first != NULL) {
-        bundle->first = merit_bundle_first_of(bundle, first);
+        const struct first_order *start = &bundle->wish.setup->first;
+        bundle->first =
+            (struct first_order){.is_telecentric = start->is_telecentric,
+                                 .is_afocal = first->power.value == 0,
+                                 .index_object = first->index_object.value,
+                                 .power = first->power.value,
+                                 .magnification = first->magnification.value,
+                                 .entrance_pupil = first->entrance_pupil.value,
+                                 .entrance_diameter = 2 * fabs(first->entrance_radius.value),
+                                 .marginal_v = first->marginal_v.value};
+        bundle->first.matrix.c.hi = -first->power.value;
+        if (bundle->has_disc) {
+            bundle->first.entrance_pupil = 0;
+        }
         stop_radius = fabs(first->stop_radius.value);
         image = bundle->image_moves ? first->image.value : image;
     }
@@ -466,22 +445,10 @@ bool merit_bundle_aim(struct merit_bundle *bundle, const struct lens *lens,
     const bool is_first = !bundle->is_settled && !bundle->is_held;
     for (size_t k = 0; k < bundle->block_count; k++) {
         struct bundle_block *block = &bundle->blocks[k];
-        if (!aim_block(bundle, block, error) ||
+        block->is_lost = !aim_block(bundle, block, error);
+        if ((block->is_lost && !bundle->wish.is_apart) ||
             (is_first && !merit_bundle_goes_on(bundle, (size_t)block->aimed.lanes, error))) {
             return false;
-        }
-    }
-    return true;
-}
-
-static bool fail_lost(const struct bundle_block *block, const struct ray_block *end,
-                      struct error *error)
-{
-    for (int i = 0; i < block->aimed.count; i++) {
-        if (end->lost[i] != 0) {
-            return fail(error, ERROR_DOMAIN, "a ray of field %zu is lost at surface %zu (%s)",
-                        block->lanes[i].field + 1, ray_block_surface(end, (size_t)i),
-                        ray_status_name(ray_block_status(end, (size_t)i)));
         }
     }
     return true;
@@ -492,8 +459,12 @@ bool merit_bundle_trace(struct merit_bundle *bundle, size_t block, bool derives,
 {
     bundle->blocks[block].aimed.keeps = bundle->keeps;
     aimed_trace(&bundle->blocks[block].aimed, derives, end);
-    if (!fail_lost(&bundle->blocks[block], end, error)) {
-        return false;
+    for (int i = 0; i < bundle->blocks[block].aimed.count; i++) {
+        if (end->lost[i] != 0) {
+            return fail(error, ERROR_DOMAIN, "a ray of field %zu is lost at surface %zu (%s)",
+                        bundle->blocks[block].lanes[i].field + 1, ray_block_surface(end, (size_t)i),
+                        ray_status_name(ray_block_status(end, (size_t)i)));
+        }
     }
     if (bundle->blocks[block].is_deformed) {
         bent_move(bundle->blocks[block].deformed, bundle->wish.irregularity_amounts,

@@ -15,6 +15,10 @@
 #include <stddef.h>
 #include <stdint.h>
 
+enum {
+    BUNDLE_ALIKE = 6
+}; /* lanes of a ray that is apart: as many as its place and direction have */
+
 /* Which rays. */
 struct bundle_wish {
     const struct setup *setup; /* one position of the lens at the start */
@@ -23,7 +27,10 @@ struct bundle_wish {
     const struct setup_wavelength *wavelengths;
     size_t wavelength_count;
     bool from_entrance, clip, path;
-    bool is_chief; /* the ray through the middle of the pupil only, whatever pattern is asked for */
+    const struct pupil_point *points; /* only these, whatever pattern is asked for; or null */
+    size_t point_count;
+    bool is_apart; /* a block a ray, whose lanes are alike; one that cannot be aimed stops none */
+    bool is_bare;  /* there need be no image plane */
     bool is_round; /* no variable decentres or tilts anything */
     bool whole;    /* all points of the pupil, whatever is alike by symmetry */
     const struct irregularity *irregularities; /* whose columns are the last of all */
@@ -55,8 +62,8 @@ struct bundle_block {
     struct aimed *settled;     /* of merit_bundle_settle; null: there are none */
     struct bundle_lane *lanes; /* aimed.count; one group after the other, each an aimed_beam */
     size_t light;
-    double *deformed; /* of merit_bundle_deform */
-    bool is_deformed;
+    double *deformed;          /* of merit_bundle_deform */
+    bool is_deformed, is_lost; /* it cannot be aimed */
 };
 
 struct bundle_light {
@@ -183,9 +190,10 @@ struct bundle_rate merit_bundle_rate(const struct merit_bundle *bundle,
                                      const struct dual_first *first);
 
 /*
- * Derivatives of a function of the final rays of the block that was traced last, by the variables.
+ * Derivatives of a function of the rays of the block that was traced last, by the variables.
  *
- * Given     links    of the wavelength; variable_count: how many rates there are
+ * Given     place    before which the rays are meant; LENS_NONE: the final ones
+ *           links    of the wavelength; variable_count: how many rates there are
  *           adjoint  as for aimed_sweep
  *           columns  variable_count rows of RAYS_BLOCK; receives them, those of irregularities last
  * Formula   the chain rule over the links; and what moves with paraxial rays (bundle->rates): the
@@ -196,7 +204,7 @@ struct bundle_rate merit_bundle_rate(const struct merit_bundle *bundle,
  *           changes by de, its start X by -((T - X).e) de; de of a point P is -(dP - (dP.e) e)/|T
  *           - P|, of a far object that of the unit vector along (x, y, 1)
  */
-void merit_bundle_sweep(const struct merit_bundle *bundle, size_t block,
+void merit_bundle_sweep(const struct merit_bundle *bundle, size_t block, size_t place,
                         const struct bundle_links *links, size_t variable_count,
                         struct ray_block *adjoint, double *columns);
 

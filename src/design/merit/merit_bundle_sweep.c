@@ -27,7 +27,7 @@ struct bundle_rate merit_bundle_rate(const struct merit_bundle *bundle,
                                 .field = moves ? field.slope : 0};
 }
 
-static double merit_bundle_sweep_dot(const double a[3], const double b[3])
+static double sweep_dot(const double a[3], const double b[3])
 {
     return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
 }
@@ -36,9 +36,8 @@ static double merit_bundle_sweep_dot(const double a[3], const double b[3])
  * How the direction e of a ray through T changes where its object moves with the factor of image
  * heights; and P's own way there.
  */
-static void merit_bundle_sweep_turn_of(const struct merit_bundle *bundle, size_t field,
-                                       const double T[3], const double e[3], double turn[3],
-                                       double way[3])
+static void sweep_turn_of(const struct merit_bundle *bundle, size_t field, const double T[3],
+                          const double e[3], double turn[3], double way[3])
 {
     const struct bundle_wish *wish = &bundle->wish;
     const double *height = wish->fields[field].point.value;
@@ -47,10 +46,10 @@ static void merit_bundle_sweep_turn_of(const struct merit_bundle *bundle, size_t
     if (wish->setup->object.is_infinite) { /* along (-h c/n, 1), the factor -c/n */
         const double factor = first->power / first->index_object;
         const double u[3] = {height[0] * factor, height[1] * factor, 1};
-        const double length = sqrt(merit_bundle_sweep_dot(u, u));
+        const double length = sqrt(sweep_dot(u, u));
         const double du[3] = {height[0] / length, height[1] / length, 0};
         for (int k = 0; k < 3; k++) {
-            turn[k] = du[k] - e[k] * merit_bundle_sweep_dot(e, du);
+            turn[k] = du[k] - e[k] * sweep_dot(e, du);
         }
         way[0] = way[1] = 0;
         return;
@@ -59,12 +58,11 @@ static void merit_bundle_sweep_turn_of(const struct merit_bundle *bundle, size_t
     const double P[3] = {height[0] / first->magnification, height[1] / first->magnification,
                          -distance};
     const double from[3] = {T[0] - P[0], T[1] - P[1], T[2] - P[2]};
-    const double length =
-        copysign(sqrt(merit_bundle_sweep_dot(from, from)), merit_bundle_sweep_dot(from, e));
+    const double length = copysign(sqrt(sweep_dot(from, from)), sweep_dot(from, e));
     way[0] = height[0];
     way[1] = height[1];
     for (int k = 0; k < 3; k++) {
-        turn[k] = -(way[k] - e[k] * merit_bundle_sweep_dot(e, way)) / length;
+        turn[k] = -(way[k] - e[k] * sweep_dot(e, way)) / length;
     }
 }
 
@@ -85,17 +83,15 @@ static double by_coordinates(const struct aimed *aimed, const struct beam *beam,
     for (int k = 0; k < 3; k++) {
         tilt[k] = isinf(beam->distance)
                       ? start->turn[k]
-                      : -(start->way[k] - axis[k] * merit_bundle_sweep_dot(axis, start->way)) /
-                            beam->distance;
+                      : -(start->way[k] - axis[k] * sweep_dot(axis, start->way)) / beam->distance;
     }
     const double slide =
-        -(merit_bundle_sweep_dot(start->X, tilt) + merit_bundle_sweep_dot(start->shift, axis)) /
-        merit_bundle_sweep_dot(e, axis);
+        -(sweep_dot(start->X, tilt) + sweep_dot(start->shift, axis)) / sweep_dot(e, axis);
     for (int k = 0; k < 3; k++) {
         move[k] = start->shift[k] + slide * e[k];
     }
     for (int k = 0; k < 2 && aimed->by_start[k] != NULL; k++) {
-        gain += aimed->by_start[k][i] * merit_bundle_sweep_dot(move, beam->across[k]);
+        gain += aimed->by_start[k][i] * sweep_dot(move, beam->across[k]);
     }
     return gain;
 }
@@ -120,34 +116,21 @@ static double by_field(const struct merit_bundle *bundle, const struct bundle_bl
         T[1] = aimed->y[i] * radius;
         T[2] = bundle->first.entrance_pupil;
     }
-    merit_bundle_sweep_turn_of(bundle, field, T, e, at.turn, at.way);
-    const double back[3] = {T[0] - X[0], T[1] - X[1], T[2] - X[2]},
-                 L = merit_bundle_sweep_dot(back, e);
-    const double path = bundle->wish.setup->object.is_infinite ? merit_bundle_sweep_dot(X, at.turn)
-                                                               : -merit_bundle_sweep_dot(e, at.way);
+    sweep_turn_of(bundle, field, T, e, at.turn, at.way);
+    const double back[3] = {T[0] - X[0], T[1] - X[1], T[2] - X[2]}, L = sweep_dot(back, e);
+    const double path =
+        bundle->wish.setup->object.is_infinite ? sweep_dot(X, at.turn) : -sweep_dot(e, at.way);
     const double a[3] = {adjoint->x[i], adjoint->y[i], adjoint->z[i]};
     const double b[3] = {adjoint->p[i], adjoint->q[i], adjoint->r[i]};
     for (int k = 0; k < 3; k++) {
         at.shift[k] = -L * at.turn[k];
     }
-    return n * (merit_bundle_sweep_dot(b, at.turn) + adjoint->path[i] * path) +
-           merit_bundle_sweep_dot(a, at.shift) +
+    return n * (sweep_dot(b, at.turn) + adjoint->path[i] * path) + sweep_dot(a, at.shift) +
            by_coordinates(aimed, &bundle->beams[field], i, &at);
 }
 
-static void field_row(const struct merit_bundle *bundle, const struct bundle_block *block,
-                      const struct ray_block *adjoint, double *row)
-{
-    memset(row, 0, RAYS_BLOCK * sizeof *row);
-    for (int i = 0; i < block->aimed.count; i++) {
-        if (merit_bundle_moves(bundle, block->lanes[i].field)) {
-            row[i] = by_field(bundle, block, adjoint, i);
-        }
-    }
-}
-
-static void merit_bundle_sweep_add_row(double *restrict column, double factor,
-                                       const double *restrict row, int lanes)
+static void sweep_add_row(double *restrict column, double factor, const double *restrict row,
+                          int lanes)
 {
     for (int from = 0; factor != 0 && from < lanes; from += RAYS_FEW) {
         for (int i = from; i < from + RAYS_FEW; i++) {
@@ -157,9 +140,8 @@ static void merit_bundle_sweep_add_row(double *restrict column, double factor,
 }
 
 /* In a denser medium rays start with a longer n e. */
-static void merit_bundle_sweep_add_start(double *column, double factor,
-                                         const struct bundle_block *block,
-                                         const struct ray_block *adjoint)
+static void add_start(double *column, double factor, const struct bundle_block *block,
+                      const struct ray_block *adjoint)
 {
     const struct ray_block *start = block->aimed.work->start;
     const double n = block->aimed.beams[0].beam.n;
@@ -188,10 +170,9 @@ double merit_bundle_image_slope(const struct merit_bundle *bundle, const struct 
     return slope;
 }
 
-static void merit_bundle_sweep_add_links(const struct merit_bundle *bundle,
-                                         const struct bundle_block *block,
-                                         const struct bundle_links *links,
-                                         const struct ray_block *adjoint, double *columns)
+static void add_links(const struct merit_bundle *bundle, const struct bundle_block *block,
+                      const struct bundle_links *links, const struct ray_block *adjoint,
+                      double *columns)
 {
     const struct derivative_layout *layout = &bundle->lights[block->light].layout;
     for (size_t i = 0; i < links->count; i++) {
@@ -207,33 +188,18 @@ static void merit_bundle_sweep_add_links(const struct merit_bundle *bundle,
             continue;
         }
         const size_t row = derivative_row(layout, link->basis);
-        merit_bundle_sweep_add_row(column, link->slope, bundle->gradient + row * RAYS_BLOCK,
-                                   block->aimed.lanes);
+        sweep_add_row(column, link->slope, bundle->gradient + row * RAYS_BLOCK, block->aimed.lanes);
         if (link->basis.kind == PARAMETER_INDEX && link->basis.surface == LENS_NONE) {
-            merit_bundle_sweep_add_start(column, link->slope, block, adjoint);
+            add_start(column, link->slope, block, adjoint);
         }
     }
 }
 
-/* Their columns end there. */
-static void add_irregularities(const struct merit_bundle *bundle, const struct bundle_block *block,
-                               double *end)
-{
-    const struct bundle_light *light = &bundle->lights[block->light];
-    const struct irregularity_sweep sweep = {&light->system, &light->layout, &bundle->work.tape,
-                                             bundle->gradient};
-    const bool has = bundle->wish.irregularity_amounts == NULL;
-    for (size_t i = 0; i < bundle->wish.irregularity_count && has; i++) {
-        irregularity_column(&bundle->wish.irregularities[i], &sweep,
-                            end - (bundle->wish.irregularity_count - i) * RAYS_BLOCK);
-    }
-}
-
 /* From derivatives by all parameters to those by the variables. */
-static void merit_bundle_sweep_gather(const struct merit_bundle *bundle, size_t which,
-                                      const struct bundle_links *links, size_t variable_count,
-                                      const struct ray_block *adjoint,
-                                      const struct aimed_rates *rates, double *columns)
+static void sweep_gather(const struct merit_bundle *bundle, size_t which, size_t place,
+                         const struct bundle_links *links, size_t variable_count,
+                         const struct ray_block *adjoint, const struct aimed_rates *rates,
+                         double *columns)
 {
     const struct bundle_block *block = &bundle->blocks[which];
     const struct derivative_layout *layout = &bundle->lights[block->light].layout;
@@ -241,32 +207,48 @@ static void merit_bundle_sweep_gather(const struct merit_bundle *bundle, size_t 
     const struct parameter last = {.surface = layout->surfaces - 1, .kind = PARAMETER_THICKNESS};
     const size_t image = bundle->image_moves ? derivative_row(layout, last) : 0;
     double field[RAYS_BLOCK];
-    field_row(bundle, block, adjoint, field);
+    memset(field, 0, RAYS_BLOCK * sizeof *field);
+    for (int i = 0; i < block->aimed.count; i++) {
+        if (merit_bundle_moves(bundle, block->lanes[i].field)) {
+            field[i] = by_field(bundle, block, adjoint, i);
+        }
+    }
     for (size_t j = 0; j < variable_count; j++) {
         memset(columns + j * RAYS_BLOCK, 0, (size_t)lanes * sizeof *columns);
     }
-    merit_bundle_sweep_add_links(bundle, block, links, adjoint, columns);
-    add_irregularities(bundle, block, columns + variable_count * RAYS_BLOCK);
+    add_links(bundle, block, links, adjoint, columns);
+    /* their columns end there; those of surfaces behind the place are 0 */
+    double *end = columns + variable_count * RAYS_BLOCK;
+    const struct bundle_light *light = &bundle->lights[block->light];
+    const struct irregularity_sweep sweep = {&light->system, &light->layout, &bundle->work.tape,
+                                             bundle->gradient};
+    const bool has = bundle->wish.irregularity_amounts == NULL;
+    for (size_t i = 0; i < bundle->wish.irregularity_count && has; i++) {
+        if (bundle->wish.irregularities[i].surface < place) {
+            irregularity_column(&bundle->wish.irregularities[i], &sweep,
+                                end - (bundle->wish.irregularity_count - i) * RAYS_BLOCK);
+        }
+    }
     for (size_t j = 0; j < variable_count; j++) {
         const struct bundle_rate *rate = &bundle->rates[j];
         double *column = columns + j * RAYS_BLOCK;
-        merit_bundle_sweep_add_row(column, rate->image, bundle->gradient + image * RAYS_BLOCK,
-                                   lanes);
-        merit_bundle_sweep_add_row(column, rate->pupil, rates->place, lanes);
-        merit_bundle_sweep_add_row(column, rate->radius, rates->radius, lanes);
-        merit_bundle_sweep_add_row(column, rate->field, field, lanes);
+        sweep_add_row(column, rate->image, bundle->gradient + image * RAYS_BLOCK, lanes);
+        sweep_add_row(column, rate->pupil, rates->place, lanes);
+        sweep_add_row(column, rate->radius, rates->radius, lanes);
+        sweep_add_row(column, rate->field, field, lanes);
     }
 }
 
-void merit_bundle_sweep(const struct merit_bundle *bundle, size_t which,
+void merit_bundle_sweep(const struct merit_bundle *bundle, size_t which, size_t place,
                         const struct bundle_links *links, size_t variable_count,
                         struct ray_block *adjoint, double *columns)
 {
     const struct bundle_block *block = &bundle->blocks[which];
+    const struct bundle_light *light = &bundle->lights[block->light];
+    const size_t from = place != LENS_NONE ? place : light->system.places;
     struct aimed_rates rates;
-    aimed_sweep(&block->aimed, &bundle->lights[block->light].layout, adjoint, bundle->gradient,
-                &rates);
-    merit_bundle_sweep_gather(bundle, which, links, variable_count, adjoint, &rates, columns);
+    aimed_sweep(&block->aimed, &light->layout, from, adjoint, bundle->gradient, &rates);
+    sweep_gather(bundle, which, from, links, variable_count, adjoint, &rates, columns);
 }
 
 void merit_bundle_sweep_graze(const struct merit_bundle *bundle, size_t which,
@@ -278,7 +260,7 @@ void merit_bundle_sweep_graze(const struct merit_bundle *bundle, size_t which,
     struct aimed_rates rates;
     aimed_sweep_seeds(&block->aimed, &bundle->lights[block->light].layout, &grazing->seeds,
                       &adjoint, bundle->gradient, &rates);
-    merit_bundle_sweep_gather(bundle, which, links, variable_count, &adjoint, &rates, columns);
+    sweep_gather(bundle, which, LENS_NONE, links, variable_count, &adjoint, &rates, columns);
 }
 
 /* -------- surfaces that are deformed -------- */
@@ -309,7 +291,8 @@ static void deform(struct merit_bundle *bundle, struct bundle_block *block,
         for (int i = 0; i < block->aimed.lanes; i++) {
             part(&adjoint, which)[i] = 1;
         }
-        aimed_sweep(&block->aimed, &light->layout, &adjoint, bundle->gradient, &rates);
+        aimed_sweep(&block->aimed, &light->layout, light->system.places, &adjoint, bundle->gradient,
+                    &rates);
         for (size_t i = 0; i < count; i++) {
             irregularity_gain(&wish->irregularities[i], &sweep, &weights[i],
                               block->deformed + ((size_t)which * count + i) * lanes);

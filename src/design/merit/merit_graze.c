@@ -19,19 +19,6 @@ static void merit_graze_begin(const struct merit *merit, struct merit_graze *gra
     memset(graze->slopes, 0, merit->variable_count * sizeof(double));
 }
 
-static void add_slopes(const struct merit *merit, const struct merit_bundle *bundle, size_t block,
-                       const double *weights, const double *columns, struct merit_graze *graze)
-{
-    const int count = bundle->blocks[block].aimed.count;
-    for (size_t j = 0; j < merit->variable_count; j++) {
-        double sum = 0;
-        for (int i = 0; i < count; i++) {
-            sum += weights[i] != 0 ? weights[i] * columns[j * RAYS_BLOCK + (size_t)i] : 0;
-        }
-        graze->slopes[j] += sum;
-    }
-}
-
 void merit_graze_add(struct merit *merit, const struct merit_slot *slot,
                      struct merit_bundle *bundle, size_t block, const struct bundle_links *links)
 {
@@ -55,7 +42,14 @@ void merit_graze_add(struct merit *merit, const struct merit_slot *slot,
         const struct arena_mark mark = arena_mark(merit->arena);
         double *columns = ARENA_ARRAY(merit->arena, merit->variable_count * RAYS_BLOCK + 1, double);
         merit_bundle_sweep_graze(bundle, block, links, merit->variable_count, &grazing, columns);
-        add_slopes(merit, bundle, block, weights, columns, graze);
+        const int count = bundle->blocks[block].aimed.count;
+        for (size_t j = 0; j < merit->variable_count; j++) {
+            double sum = 0;
+            for (int i = 0; i < count; i++) {
+                sum += weights[i] != 0 ? weights[i] * columns[j * RAYS_BLOCK + (size_t)i] : 0;
+            }
+            graze->slopes[j] += sum;
+        }
         arena_reset(merit->arena, mark);
     }
 }
@@ -74,17 +68,6 @@ bool merit_fill_graze(struct merit *merit, const struct merit_slot *slot, double
     return isfinite(residuals[0]) || fail(&merit->why, ERROR_DOMAIN, "a ray is lost");
 }
 
-/* Are there any rays to look at? */
-static bool has_rays(const struct merit *merit)
-{
-    bool has = false;
-    for (size_t i = 0; i < merit->question.operand_count; i++) {
-        const struct operand_type *type = operand_type(merit->question.operands[i].kind);
-        has = has || (type->is & OPERAND_TRACES) != 0;
-    }
-    return has;
-}
-
 size_t merit_prepare_graze(struct merit *merit, struct merit_slot *slot, struct arena *arena,
                            struct error *error)
 {
@@ -97,7 +80,13 @@ size_t merit_prepare_graze(struct merit *merit, struct merit_slot *slot, struct 
         error_hint(error, "grazing < 85, or grazing < 90 for none");
         return 0;
     }
-    if (!has_rays(merit)) {
+    /* are there any rays to look at? */
+    bool has = false;
+    for (size_t i = 0; i < merit->question.operand_count; i++) {
+        const struct operand_type *type = operand_type(merit->question.operands[i].kind);
+        has = has || (type->is & OPERAND_TRACES) != 0;
+    }
+    if (!has) {
         fail(error, ERROR_DOMAIN, "there are no rays that it could look at");
         error_hint(error, "a goal of rays beside it: spot, poly, opd, mtf or gmtf");
         return 0;

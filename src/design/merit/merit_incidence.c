@@ -1,25 +1,10 @@
 /* design/merit/merit_incidence.c - operands of angles of incidence. */
 /* SPDX-License-Identifier: MIT */
-#include "design/merit/merit_incidence.h"
+#include "design/merit/merit_kinds.h"
 
 #include "design/merit/merit_ray.h"
 
 #include <math.h>
-
-/* A ray of a field: a place in the stop. */
-static const double pupils[][2] = {{0, 0}, {0, 1}, {0, -1}};
-enum { PUPILS = sizeof pupils / sizeof pupils[0] };
-
-static size_t field_count(const struct merit_place *place, const struct operand *operand)
-{
-    return operand->field != NULL ? 1 : place->setup.field_count;
-}
-
-static const struct field_point *merit_incidence_field_at(const struct merit_place *place,
-                                                          const struct operand *operand, size_t i)
-{
-    return operand->field != NULL ? &operand->field->point : &place->setup.fields[i].point;
-}
 
 /* A plane that only is the stop, or one within a medium, bends nothing. */
 static bool bends(const struct lens *lens, size_t i)
@@ -30,27 +15,6 @@ static bool bends(const struct lens *lens, size_t i)
            (surface_has(surface, SURFACE_HAS_MEDIUM) && !medium_is_same(before, &surface->medium));
 }
 
-static struct dual cross_square(const struct dual a[3], const struct dual b[3])
-{
-    struct dual sum = dual_of(0);
-    for (int i = 0; i < 3; i++) {
-        const int k = (i + 1) % 3, l = (i + 2) % 3;
-        const struct dual part =
-            dual_subtract(dual_multiply(a[k], b[l]), dual_multiply(a[l], b[k]));
-        sum = dual_add(sum, dual_multiply(part, part));
-    }
-    return sum;
-}
-
-static struct dual merit_incidence_square(const struct dual a[3])
-{
-    struct dual sum = dual_of(0);
-    for (int i = 0; i < 3; i++) {
-        sum = dual_add(sum, dual_multiply(a[i], a[i]));
-    }
-    return sum;
-}
-
 /* The angle whose sine is |p x p'|/(n |p' - p|): of the tangent, so that 90 deg is no pole. */
 static struct dual incidence(const struct merit_ray *before, const struct merit_ray *after)
 {
@@ -59,8 +23,18 @@ static struct dual incidence(const struct merit_ray *before, const struct merit_
         step[i] = dual_subtract(after->along[i], before->along[i]);
         dot = dual_add(dot, dual_multiply(step[i], before->along[i]));
     }
-    const struct dual cross = cross_square(before->along, after->along);
-    const struct dual size = merit_incidence_square(step);
+    const struct dual *a = before->along, *b = after->along;
+    struct dual cross = dual_of(0);
+    for (int i = 0; i < 3; i++) {
+        const int k = (i + 1) % 3, l = (i + 2) % 3;
+        const struct dual part =
+            dual_subtract(dual_multiply(a[k], b[l]), dual_multiply(a[l], b[k]));
+        cross = dual_add(cross, dual_multiply(part, part));
+    }
+    struct dual size = dual_of(0);
+    for (int i = 0; i < 3; i++) {
+        size = dual_add(size, dual_multiply(step[i], step[i]));
+    }
     if (!(cross.value > 1e-28 * size.value)) {
         return dual_of(0); /* at right angles: the slope of |i| has no sign there */
     }
@@ -68,68 +42,17 @@ static struct dual incidence(const struct merit_ray *before, const struct merit_
     return dual_arc_tangent(tangent);
 }
 
-/* Which ray the number i is. */
-static struct merit_ray_question
-merit_incidence_question_of(struct merit *merit, const struct merit_slot *slot, size_t i)
-{
-    const double *pupil = pupils[i % PUPILS];
-    return (struct merit_ray_question){
-        .slot = slot,
-        .light = merit_light(merit, slot, slot->operand->wavelength),
-        .field = merit_incidence_field_at(&merit->places[slot->place], slot->operand, i / PUPILS),
-        .pupil = {pupil[0], pupil[1]}};
-}
-
-/* Aim all rays of a slot. */
-static struct merit_ray **merit_incidence_aim_all(struct merit *merit,
-                                                  const struct merit_slot *slot)
-{
-    const struct merit_place *place = &merit->places[slot->place];
-    struct aim_near *near = slot->own;
-    const size_t count = field_count(place, slot->operand) * PUPILS;
-    struct merit_ray **starts = ARENA_ARRAY(merit->arena, count, struct merit_ray *);
-    for (size_t i = 0; i < count; i++) {
-        struct merit_ray_question question = merit_incidence_question_of(merit, slot, i);
-        question.near = &near[i / PUPILS];
-        starts[i] = ARENA_ARRAY(merit->arena, merit_columns(merit), struct merit_ray);
-        if (!merit_ray_start(merit, &question, merit->arena, starts[i])) {
-            starts[i] = NULL;
-        }
-    }
-    return starts;
-}
-
 /* -------- the largest -------- */
 
-/* Through one more surface; the ray that meets it at the largest angle, front->count: none does. */
-static size_t merit_incidence_pass(struct merit_front *front, size_t surface, struct arena *arena,
-                                   double *largest)
-{
-    struct merit_ray *before = ARENA_ARRAY(arena, front->count, struct merit_ray);
-    size_t which = front->count;
-    *largest = -1;
-    for (size_t i = 0; i < front->count; i++) {
-        before[i] = merit_front_ray(front, i);
-    }
-    merit_front_pass(front, surface);
-    for (size_t i = 0; i < front->count; i++) {
-        const struct merit_ray after = merit_front_ray(front, i);
-        const double angle = merit_front_lost(front, i) ? -1 : incidence(&before[i], &after).value;
-        which = angle > *largest ? i : which;
-        *largest = fmax(angle, *largest);
-    }
-    return which;
-}
-
-/* Its angle and its derivatives into merit->change. */
-static bool merit_incidence_derive(struct merit *merit, const struct merit_ray_question *question,
-                                   size_t surface, const struct merit_ray *start)
+/* Its angle and its derivatives into merit->change, of the ray that was traced last. */
+static bool merit_incidence_derive(struct merit *merit, const struct merit_beams *beams, size_t ray,
+                                   size_t surface)
 {
     const size_t columns = merit_columns(merit);
-    struct merit_ray *before = ARENA_ARRAY(merit->arena, columns, struct merit_ray);
-    struct merit_ray *after = ARENA_ARRAY(merit->arena, columns, struct merit_ray);
-    if (!merit_ray_follow(merit, question, surface, start, merit->arena, before) ||
-        !merit_ray_follow(merit, question, surface + 1, start, merit->arena, after)) {
+    struct merit_ray *before = ARENA_ARRAY(merit->arena, columns + 1, struct merit_ray);
+    struct merit_ray *after = ARENA_ARRAY(merit->arena, columns + 1, struct merit_ray);
+    if (!merit_ray_derive(merit, beams, ray, surface, before) ||
+        !merit_ray_derive(merit, beams, ray, surface + 1, after)) {
         return false;
     }
     for (size_t j = 0; j < columns; j++) {
@@ -142,27 +65,35 @@ static bool merit_incidence_fill(struct merit *merit, const struct merit_slot *s
                                  double *residuals, double *jacobian)
 {
     const struct lens *lens = merit->places[slot->place].lens;
-    struct merit_ray **starts = merit_incidence_aim_all(merit, slot);
-    const struct merit_ray_question first = merit_incidence_question_of(merit, slot, 0);
-    const size_t count = field_count(&merit->places[slot->place], slot->operand) * PUPILS;
-    struct merit_front front;
-    double largest;
+    struct merit_beams *beams = slot->own;
     size_t at = 0, from, end;
     merit_surfaces(slot->operand, lens, &from, &end);
-    if (!merit_front_open(merit, &first, starts, count, &front)) {
-        return false;
-    }
+    double *largest = ARENA_ARRAY(merit->arena, end, double);
+    size_t *which = ARENA_ARRAY(merit->arena, end, size_t);
     for (size_t i = 0; i < end; i++) {
-        const size_t which = merit_incidence_pass(&front, i, merit->arena, &largest);
-        if (i < from || !bends(lens, i)) {
+        largest[i] = -1;
+    }
+    for (size_t k = 0; k < beams->bundle.block_count; k++) {
+        struct merit_ray before, after;
+        const bool is_there = merit_ray_trace(merit, beams, k);
+        for (size_t i = from; i < end && is_there; i++) {
+            const bool arrives =
+                merit_ray_at(beams, k, i, &before) && merit_ray_at(beams, k, i + 1, &after);
+            const double angle = arrives ? incidence(&before, &after).value : -1;
+            which[i] = angle > largest[i] ? k : which[i];
+            largest[i] = fmax(angle, largest[i]);
+        }
+    }
+    for (size_t i = from; i < end; i++) {
+        if (!bends(lens, i)) {
             continue;
         }
-        if (which == front.count) {
+        if (largest[i] < 0) {
             return fail(&merit->why, ERROR_DOMAIN, "no ray arrives at surface %zu", i + 1);
         }
-        const struct merit_ray_question question = merit_incidence_question_of(merit, slot, which);
-        merit->change[0] = dual_of(largest);
-        if ((merit->derives && !merit_incidence_derive(merit, &question, i, starts[which])) ||
+        merit->change[0] = dual_of(largest[i]);
+        if ((merit->derives && (!merit_ray_trace(merit, beams, which[i]) ||
+                                !merit_incidence_derive(merit, beams, which[i], i))) ||
             !merit_put(merit, slot, at++, residuals, jacobian)) {
             return false;
         }
@@ -173,6 +104,9 @@ static bool merit_incidence_fill(struct merit *merit, const struct merit_slot *s
 bool merit_fill_incidence(struct merit *merit, const struct merit_slot *slot, double *residuals,
                           double *jacobian)
 {
+    if (!merit_beams_aim(merit, slot, slot->own)) {
+        return false;
+    }
     const struct arena_mark mark = arena_mark(merit->arena);
     const bool done = merit_incidence_fill(merit, slot, residuals, jacobian);
     arena_reset(merit->arena, mark);
@@ -185,12 +119,24 @@ size_t merit_prepare_incidence(struct merit *merit, struct merit_slot *slot, str
     const struct merit_place *place = &merit->places[slot->place];
     const struct operand *operand = slot->operand;
     const struct lens *lens = place->lens;
+    static const struct pupil_point pupils[] = {{0, 0, 1}, {0, 1, 1}, {0, -1, 1}};
+    struct setup_wavelength *lights = ARENA_NEW(arena, struct setup_wavelength);
+    struct bundle_wish wish = {.fields =
+                                   operand->field != NULL ? operand->field : place->setup.fields,
+                               .field_count = operand->field != NULL ? 1 : place->setup.field_count,
+                               .wavelengths = lights,
+                               .wavelength_count = 1,
+                               .points = pupils,
+                               .point_count = sizeof pupils / sizeof pupils[0],
+                               .is_bare = true};
     size_t count = 0, from, end;
+    *lights =
+        (struct setup_wavelength){merit_light(merit, slot, operand->wavelength)->wavelength, 1};
     if (!merit_needs_aperture(place, error)) {
         return 0;
     }
-    for (size_t i = 0; i < field_count(place, operand); i++) {
-        if (!merit_ray_check(place, merit_incidence_field_at(place, operand, i), error)) {
+    for (size_t i = 0; i < wish.field_count; i++) {
+        if (!merit_ray_check(place, &wish.fields[i].point, error)) {
             return 0;
         }
     }
@@ -205,6 +151,6 @@ size_t merit_prepare_incidence(struct merit *merit, struct merit_slot *slot, str
     if (count == 0) {
         fail(error, ERROR_DOMAIN, "none of these surfaces bends light");
     }
-    slot->own = ARENA_ARRAY(arena, field_count(place, operand), struct aim_near);
-    return count;
+    slot->own = ARENA_NEW(arena, struct merit_beams);
+    return count > 0 && merit_ray_open(merit, slot, &wish, arena, slot->own, error) ? count : 0;
 }

@@ -53,8 +53,7 @@ struct merit_mtf {
 
 /* -------- opening -------- */
 
-static bool merit_mtf_check(const struct merit *merit, const struct operand *operand,
-                            struct error *error)
+static bool mtf_check(const struct merit *merit, const struct operand *operand, struct error *error)
 {
     const struct merit_question *question = &merit->question;
     const double frequency = operand->frequency;
@@ -73,51 +72,6 @@ static bool merit_mtf_check(const struct merit *merit, const struct operand *ope
     return question->rays <= RAYS_MOST ||
            fail(error, ERROR_DOMAIN, "contrast takes up to %d rays, not %zu", RAYS_MOST,
                 question->rays);
-}
-
-static void open_fields(struct merit_mtf *mtf, size_t variable_count, struct arena *arena)
-{
-    const struct bundle_wish *wish = &mtf->beams.bundle.wish;
-    mtf->fields = ARENA_ARRAY(arena, wish->field_count, struct mtf_field);
-    for (size_t i = 0; i < wish->field_count; i++) {
-        struct mtf_field *field = &mtf->fields[i];
-        wave_section(&wish->fields[i].point, field->along[TANGENTIAL]);
-        field->along[SAGITTAL][0] = field->along[TANGENTIAL][1];
-        field->along[SAGITTAL][1] = -field->along[TANGENTIAL][0];
-        field->weight = wish->fields[i].weight;
-        for (int d = 0; d < DIRECTIONS; d++) {
-            field->slopes[d] = ARENA_ARRAY(arena, variable_count + 1, double);
-        }
-    }
-}
-
-static void merit_mtf_open_pupils(struct merit_mtf *mtf, struct arena *arena)
-{
-    const struct merit_bundle *bundle = &mtf->beams.bundle;
-    const size_t lines = pupil_overlap_lines(&mtf->rule.form);
-    mtf->pupils = ARENA_ARRAY(arena, bundle->group_count, struct mtf_pupil);
-    for (size_t g = 0; g < bundle->group_count; g++) {
-        struct mtf_pupil *pupil = &mtf->pupils[g];
-        const bool round = bundle->groups[g].symmetry == SYMMETRY_ROUND;
-        const bool mirrored = bundle->groups[g].symmetry != SYMMETRY_NONE;
-        if (mtf->by_rays) {
-            pupil->wave = &pupil->spot.wave;
-            pupil_spot_open(&mtf->rule, arena, &pupil->spot);
-        } else {
-            pupil->wave = ARENA_NEW(arena, struct pupil_wave);
-            pupil_wave_open(&mtf->rule, arena, pupil->wave);
-        }
-        for (int d = 0; d < DIRECTIONS; d++) {
-            const struct pupil_mirrors mirrors = {.along = d == TANGENTIAL ? mirrored : round,
-                                                  .across = d == TANGENTIAL ? round : mirrored};
-            if (!mtf->by_rays) {
-                pupil_overlap_open(pupil->wave, lines, mirrors, arena, &pupil->overlaps[d]);
-            }
-            for (int part = 0; part < PUPIL_PARTS; part++) {
-                pupil->back[d][part] = ARENA_ARRAY(arena, mtf->rule.room, double);
-            }
-        }
-    }
 }
 
 /* Of a field at all wavelengths that count, 1/mm. */
@@ -160,18 +114,6 @@ static bool check_cutoff(struct merit *merit, const struct merit_slot *slot, str
     return true;
 }
 
-/* Residuals: of each field that counts and each direction. */
-static size_t count_residuals(const struct merit_mtf *mtf)
-{
-    size_t count = 0;
-    for (size_t i = 0; i < mtf->beams.bundle.wish.field_count; i++) {
-        for (int d = 0; d < DIRECTIONS; d++) {
-            count += mtf->fields[i].weight > 0 && mtf->wants[d];
-        }
-    }
-    return count;
-}
-
 size_t merit_prepare_mtf(struct merit *merit, struct merit_slot *slot, struct arena *arena,
                          struct error *error)
 {
@@ -183,7 +125,7 @@ size_t merit_prepare_mtf(struct merit *merit, struct merit_slot *slot, struct ar
     mtf->frequency = operand->frequency;
     mtf->wants[TANGENTIAL] = operand->orientation != ORIENTATION_SAGITTAL;
     mtf->wants[SAGITTAL] = operand->orientation != ORIENTATION_TANGENTIAL;
-    if (!merit_mtf_check(merit, operand, error) ||
+    if (!mtf_check(merit, operand, error) ||
         !merit_beams_open(merit, slot, !mtf->by_rays, true, arena, &mtf->beams, error)) {
         return 0;
     }
@@ -192,9 +134,50 @@ size_t merit_prepare_mtf(struct merit *merit, struct merit_slot *slot, struct ar
         return 0;
     }
     mtf->columns = ARENA_ARRAY(arena, (merit->variable_count + 1) * RAYS_BLOCK, double);
-    open_fields(mtf, merit->variable_count, arena);
-    merit_mtf_open_pupils(mtf, arena);
-    const size_t count = count_residuals(mtf);
+    const struct bundle_wish *wish = &mtf->beams.bundle.wish;
+    mtf->fields = ARENA_ARRAY(arena, wish->field_count, struct mtf_field);
+    for (size_t i = 0; i < wish->field_count; i++) {
+        struct mtf_field *field = &mtf->fields[i];
+        wave_section(&wish->fields[i].point, field->along[TANGENTIAL]);
+        field->along[SAGITTAL][0] = field->along[TANGENTIAL][1];
+        field->along[SAGITTAL][1] = -field->along[TANGENTIAL][0];
+        field->weight = wish->fields[i].weight;
+        for (int d = 0; d < DIRECTIONS; d++) {
+            field->slopes[d] = ARENA_ARRAY(arena, merit->variable_count + 1, double);
+        }
+    }
+    const struct merit_bundle *bundle = &mtf->beams.bundle;
+    const size_t lines = pupil_overlap_lines(&mtf->rule.form);
+    mtf->pupils = ARENA_ARRAY(arena, bundle->group_count, struct mtf_pupil);
+    for (size_t g = 0; g < bundle->group_count; g++) {
+        struct mtf_pupil *pupil = &mtf->pupils[g];
+        const bool round = bundle->groups[g].symmetry == SYMMETRY_ROUND;
+        const bool mirrored = bundle->groups[g].symmetry != SYMMETRY_NONE;
+        if (mtf->by_rays) {
+            pupil->wave = &pupil->spot.wave;
+            pupil_spot_open(&mtf->rule, arena, &pupil->spot);
+        } else {
+            pupil->wave = ARENA_NEW(arena, struct pupil_wave);
+            pupil_wave_open(&mtf->rule, arena, pupil->wave);
+        }
+        for (int d = 0; d < DIRECTIONS; d++) {
+            const struct pupil_mirrors mirrors = {.along = d == TANGENTIAL ? mirrored : round,
+                                                  .across = d == TANGENTIAL ? round : mirrored};
+            if (!mtf->by_rays) {
+                pupil_overlap_open(pupil->wave, lines, mirrors, arena, &pupil->overlaps[d]);
+            }
+            for (int part = 0; part < PUPIL_PARTS; part++) {
+                pupil->back[d][part] = ARENA_ARRAY(arena, mtf->rule.room, double);
+            }
+        }
+    }
+    /* residuals: of each field that counts and each direction */
+    size_t count = 0;
+    for (size_t i = 0; i < mtf->beams.bundle.wish.field_count; i++) {
+        for (int d = 0; d < DIRECTIONS; d++) {
+            count += mtf->fields[i].weight > 0 && mtf->wants[d];
+        }
+    }
     if (count == 0) {
         fail(error, ERROR_DOMAIN, "no field counts");
     }
@@ -301,34 +284,6 @@ static bool find_rays(struct merit_mtf *mtf, size_t group, struct error *error)
     return true;
 }
 
-static void add_fields(struct merit_mtf *mtf)
-{
-    const struct merit_bundle *bundle = &mtf->beams.bundle;
-    for (size_t i = 0; i < bundle->wish.field_count; i++) {
-        struct mtf_field *field = &mtf->fields[i];
-        memset(field->re, 0, sizeof field->re);
-        memset(field->im, 0, sizeof field->im);
-        field->light = 0;
-    }
-    for (size_t g = 0; g < bundle->group_count; g++) {
-        const struct mtf_pupil *pupil = &mtf->pupils[g];
-        struct mtf_field *field = &mtf->fields[bundle->groups[g].field];
-        const double weight = bundle->wish.wavelengths[bundle->groups[g].light].weight;
-        field->light += weight * pupil->light;
-        for (int d = 0; d < DIRECTIONS; d++) {
-            field->re[d] += weight * pupil->re[d];
-            field->im[d] += weight * pupil->im[d];
-        }
-    }
-    for (size_t i = 0; i < bundle->wish.field_count * DIRECTIONS; i++) {
-        struct mtf_field *field = &mtf->fields[i / DIRECTIONS];
-        const int d = (int)(i % DIRECTIONS);
-        const double size =
-            sqrt(field->re[d] * field->re[d] + field->im[d] * field->im[d]) / field->light;
-        field->contrast[d] = size < least ? (size * size / least + least) / 2 : size;
-    }
-}
-
 static bool find_contrasts(struct merit *merit, const struct merit_slot *slot)
 {
     struct merit_mtf *mtf = slot->own;
@@ -354,7 +309,29 @@ static bool find_contrasts(struct merit *merit, const struct merit_slot *slot)
             return false;
         }
     }
-    add_fields(mtf);
+    for (size_t i = 0; i < bundle->wish.field_count; i++) {
+        struct mtf_field *field = &mtf->fields[i];
+        memset(field->re, 0, sizeof field->re);
+        memset(field->im, 0, sizeof field->im);
+        field->light = 0;
+    }
+    for (size_t g = 0; g < bundle->group_count; g++) {
+        const struct mtf_pupil *pupil = &mtf->pupils[g];
+        struct mtf_field *field = &mtf->fields[bundle->groups[g].field];
+        const double weight = bundle->wish.wavelengths[bundle->groups[g].light].weight;
+        field->light += weight * pupil->light;
+        for (int d = 0; d < DIRECTIONS; d++) {
+            field->re[d] += weight * pupil->re[d];
+            field->im[d] += weight * pupil->im[d];
+        }
+    }
+    for (size_t i = 0; i < bundle->wish.field_count * DIRECTIONS; i++) {
+        struct mtf_field *field = &mtf->fields[i / DIRECTIONS];
+        const int d = (int)(i % DIRECTIONS);
+        const double size =
+            sqrt(field->re[d] * field->re[d] + field->im[d] * field->im[d]) / field->light;
+        field->contrast[d] = size < least ? (size * size / least + least) / 2 : size;
+    }
     return true;
 }
 
@@ -441,8 +418,8 @@ static void sweep_block(const struct merit *merit, struct merit_mtf *mtf, size_t
     }
     block->aimed.by_start[0] = start[0];
     block->aimed.by_start[1] = start[1];
-    merit_bundle_sweep(bundle, which, &mtf->beams.links[block->light], variable_count, &adjoint,
-                       mtf->columns);
+    merit_bundle_sweep(bundle, which, LENS_NONE, &mtf->beams.links[block->light], variable_count,
+                       &adjoint, mtf->columns);
     block->aimed.by_start[0] = block->aimed.by_start[1] = NULL;
     if (!mtf->by_rays) {
         merit_spheres_move(spheres, block, &by, mtf->columns);
@@ -484,21 +461,6 @@ static bool merit_mtf_find_slopes(struct merit *merit, const struct merit_slot *
 
 /* -------- filling -------- */
 
-/* One residual, by the root of the weight of its field. */
-static bool merit_mtf_put(struct merit *merit, const struct merit_slot *slot, size_t at,
-                          double weight, double *residuals, double *jacobian)
-{
-    const double root = sqrt(weight);
-    if (!merit_put(merit, slot, at, residuals, jacobian)) {
-        return false;
-    }
-    residuals[at] *= root;
-    for (size_t j = 0; j < merit->variable_count && jacobian != NULL; j++) {
-        jacobian[at * merit->variable_count + j] *= root;
-    }
-    return true;
-}
-
 bool merit_fill_mtf(struct merit *merit, const struct merit_slot *slot, double *residuals,
                     double *jacobian)
 {
@@ -516,8 +478,14 @@ bool merit_fill_mtf(struct merit *merit, const struct merit_slot *slot, double *
         for (size_t j = 0; j < merit->variable_count + 1; j++) {
             merit->change[j] = (struct dual){field->contrast[d], field->slopes[d][j]};
         }
-        if (!merit_mtf_put(merit, slot, at, field->weight, residuals, jacobian)) {
+        /* one residual, by the root of the weight of its field */
+        const double root = sqrt(field->weight);
+        if (!merit_put(merit, slot, at, residuals, jacobian)) {
             return false;
+        }
+        residuals[at] *= root;
+        for (size_t j = 0; j < merit->variable_count && jacobian != NULL; j++) {
+            jacobian[at * merit->variable_count + j] *= root;
         }
         at++;
     }

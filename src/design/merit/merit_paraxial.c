@@ -6,23 +6,8 @@
 
 /* -------- figures of an evaluation -------- */
 
-/* The chief ray of the field of an operand, else of the edge. */
-static struct dual_question merit_paraxial_question_of(const struct merit_place *place,
-                                                       const struct merit_slot *slot)
-{
-    const struct setup *setup = &place->setup;
-    const struct field_point *point =
-        slot->operand->field != NULL ? &slot->operand->field->point : &setup->edge;
-    const struct field_point field = setup_in_section(setup, point);
-    return (struct dual_question){.object = &setup->object,
-                                  .aperture = &place->aperture,
-                                  .field_kind = field.kind,
-                                  .field = field.value[setup_axis(setup)]};
-}
-
 /* The lens changed by one variable. */
-static void merit_paraxial_change(const struct merit *merit, struct merit_light *light,
-                                  size_t variable)
+static void paraxial_change(const struct merit *merit, struct merit_light *light, size_t variable)
 {
     if (!merit->derives) {
         return;
@@ -51,7 +36,7 @@ static bool merit_paraxial_compute(struct merit *merit, const struct merit_place
     for (size_t j = 0; j < merit_columns(merit); j++) {
         struct dual_question here = *question;
         here.primary = primary != NULL ? &primary[j].first : NULL;
-        merit_paraxial_change(merit, light, j);
+        paraxial_change(merit, light, j);
         paraxial_dual_first(&light->paraxial, &here, &light->figures[j].first);
     }
     light->figured = merit->evaluation;
@@ -62,13 +47,20 @@ static bool merit_paraxial_compute(struct merit *merit, const struct merit_place
 }
 
 /* Paraxial figures of a slot, one a column; of its light, or the primary one where that is null. */
-static const struct merit_figures *merit_paraxial_figures_of(struct merit *merit,
-                                                             const struct merit_slot *slot,
-                                                             struct merit_light *light)
+static const struct merit_figures *
+paraxial_figures_of(struct merit *merit, const struct merit_slot *slot, struct merit_light *light)
 {
     struct merit_place *place = &merit->places[slot->place];
     struct merit_light *primary = merit_light(merit, slot, NAN);
-    const struct dual_question question = merit_paraxial_question_of(place, slot);
+    /* the chief ray of the field of an operand, else of the edge */
+    const struct setup *setup = &place->setup;
+    const struct field_point *point =
+        slot->operand->field != NULL ? &slot->operand->field->point : &setup->edge;
+    const struct field_point field = setup_in_section(setup, point);
+    const struct dual_question question = {.object = &setup->object,
+                                           .aperture = &place->aperture,
+                                           .field_kind = field.kind,
+                                           .field = field.value[setup_axis(setup)]};
     const bool done = merit_paraxial_compute(merit, place, primary, &question, NULL) &&
                       (light == primary ||
                        merit_paraxial_compute(merit, place, light, &question, primary->figures));
@@ -78,7 +70,7 @@ static const struct merit_figures *merit_paraxial_figures_of(struct merit *merit
 const struct merit_figures *merit_figures(struct merit *merit, const struct merit_slot *slot,
                                           double wavelength)
 {
-    return merit_paraxial_figures_of(merit, slot, merit_light(merit, slot, wavelength));
+    return paraxial_figures_of(merit, slot, merit_light(merit, slot, wavelength));
 }
 
 /* What the kinds are of. */
@@ -118,20 +110,6 @@ size_t merit_prepare_power(struct merit *merit, struct merit_slot *slot, struct 
                       "a finite length that is not 0 must be its target", error);
 }
 
-/* T/x, and how it goes on where that is far from T; and its derivative. */
-static struct dual continued(double target, struct dual x)
-{
-    double value = target / x.value, slope = -target / (x.value * x.value);
-    if (!(x.value >= 0.5)) {
-        slope = -4 * target;
-        value = 2 * target + slope * (x.value - 0.5);
-    } else if (x.value > 2) {
-        slope = -0.25 * target;
-        value = 0.5 * target + slope * (x.value - 2);
-    }
-    return (struct dual){value, slope * x.slope};
-}
-
 bool merit_fill_power(struct merit *merit, const struct merit_slot *slot, double *residuals,
                       double *jacobian)
 {
@@ -141,8 +119,17 @@ bool merit_fill_power(struct merit *merit, const struct merit_slot *slot, double
         return false;
     }
     for (size_t j = 0; j < merit_columns(merit); j++) {
-        merit->change[j] =
-            continued(target, dual_scale(merit_paraxial_member(&figures[j], slot), target));
+        /* T/x, and how it goes on where that is far from T; and its derivative */
+        const struct dual x = dual_scale(merit_paraxial_member(&figures[j], slot), target);
+        double value = target / x.value, slope = -target / (x.value * x.value);
+        if (!(x.value >= 0.5)) {
+            slope = -4 * target;
+            value = 2 * target + slope * (x.value - 0.5);
+        } else if (x.value > 2) {
+            slope = -0.25 * target;
+            value = 0.5 * target + slope * (x.value - 2);
+        }
+        merit->change[j] = (struct dual){value, slope * x.slope};
     }
     const bool done = merit_put(merit, slot, 0, residuals, jacobian);
     merit->values[slot->first] = 1 / merit_paraxial_member(&figures[0], slot).value;
@@ -219,18 +206,6 @@ bool merit_fill_axial(struct merit *merit, const struct merit_slot *slot, double
 
 /* -------- Seidel sums -------- */
 
-static bool has_cone(const struct lens *lens)
-{
-    bool is_cone = false;
-    for (size_t i = 0; i < lens->surface_count; i++) {
-        for (int order = 1; order <= 3; order += 2) {
-            is_cone = is_cone || (surface_has(&lens->surfaces[i], SURFACE_HAS_CURVE) &&
-                                  lens->surfaces[i].coefficient[surface_term(order)].value.hi != 0);
-        }
-    }
-    return is_cone;
-}
-
 size_t merit_prepare_seidel(struct merit *merit, struct merit_slot *slot, struct arena *arena,
                             struct error *error)
 {
@@ -245,7 +220,15 @@ size_t merit_prepare_seidel(struct merit *merit, struct merit_slot *slot, struct
     if (setup->lens->stop == LENS_NONE && !setup->first.is_telecentric) {
         return one_unless(true, "the lens has no stop: it has no chief rays", error);
     }
-    if (has_cone(setup->lens)) {
+    const struct lens *lens = setup->lens;
+    bool is_cone = false;
+    for (size_t i = 0; i < lens->surface_count; i++) {
+        for (int order = 1; order <= 3; order += 2) {
+            is_cone = is_cone || (surface_has(&lens->surfaces[i], SURFACE_HAS_CURVE) &&
+                                  lens->surfaces[i].coefficient[surface_term(order)].value.hi != 0);
+        }
+    }
+    if (is_cone) {
         return one_unless(true,
                           "A1 or A3 of a surface makes an aberration of lower order than the "
                           "Seidel sums have",
@@ -260,13 +243,13 @@ bool merit_fill_seidel(struct merit *merit, const struct merit_slot *slot, doubl
 {
     const size_t which = (size_t)(slot->operand->kind - OPERAND_S1);
     struct merit_light *light = merit_light(merit, slot, slot->operand->wavelength);
-    if (merit_paraxial_figures_of(merit, slot, light) == NULL) {
+    if (paraxial_figures_of(merit, slot, light) == NULL) {
         return false;
     }
     for (size_t j = 0; j < merit_columns(merit); j++) {
         struct merit_figures *figures = &light->figures[j];
         if (light->summed != merit->evaluation) {
-            merit_paraxial_change(merit, light, j);
+            paraxial_change(merit, light, j);
             paraxial_dual_seidel(&light->paraxial, &figures->first, figures->sums);
         }
         merit->change[j] = figures->sums[which];
@@ -281,11 +264,11 @@ bool merit_reach_paraxial(struct merit *merit, const struct merit_slot *slot)
 {
     struct merit_place *place = &merit->places[slot->place];
     struct merit_light *light = merit_light(merit, slot, NAN);
-    if (merit_paraxial_figures_of(merit, slot, light) == NULL) {
+    if (paraxial_figures_of(merit, slot, light) == NULL) {
         return false;
     }
     for (size_t j = 0; j < merit_columns(merit); j++) {
-        merit_paraxial_change(merit, light, j);
+        paraxial_change(merit, light, j);
         paraxial_dual_reach(&light->paraxial, &light->figures[j].first,
                             place->reach + j * place->lens->surface_count);
     }
@@ -307,32 +290,4 @@ bool merit_image_check(const struct merit_place *place, struct error *error)
     }
     return lens->focus != FOCUS_AFOCAL ||
            fail(error, ERROR_DOMAIN, "the image of an afocal lens is infinitely far away");
-}
-
-const struct dual *merit_image(struct merit *merit, const struct merit_slot *slot)
-{
-    struct merit_place *place = &merit->places[slot->place];
-    const struct merit_light *light = merit_light(merit, slot, NAN);
-    const struct lens *lens = place->lens;
-    const size_t last = lens->surface_count - 1;
-    if (lens->focus != FOCUS_TABLE) {
-        const struct merit_figures *figures = merit_figures(merit, slot, NAN);
-        for (size_t j = 0; j < merit_columns(merit) && figures != NULL; j++) {
-            place->image[j] = figures[j].first.image;
-        }
-        return figures != NULL && (isfinite(place->image[0].value) ||
-                                   fail(&merit->why, ERROR_DOMAIN, "the image is infinitely far"))
-                   ? place->image
-                   : NULL;
-    }
-    for (size_t j = 0; j < merit_columns(merit); j++) {
-        place->image[j] = dual_of(lens->surfaces[last].thickness.value.hi);
-    }
-    for (size_t i = 0; i < light->link_count && merit->derives; i++) {
-        const struct variable_link *link = &light->links[i];
-        if (link->basis.kind == PARAMETER_THICKNESS && link->basis.surface == last) {
-            place->image[link->variable].slope += link->slope;
-        }
-    }
-    return place->image;
 }

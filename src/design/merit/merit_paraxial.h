@@ -53,13 +53,10 @@ const struct merit_figures *merit_figures(struct merit *merit, const struct meri
                                           double wavelength);
 
 /*
- * The image plane from the last vertex, mm, and its derivatives: the last thickness with `focus
- * table`, else the paraxial image at the primary wavelength.
+ * Is there an image plane that a lens keeps?
  *
- * Result    one a column; null: merit->why. What has none is refused by merit_image_check: no last
- *           thickness, an afocal lens, the best focus, which is another with every lens
+ * Errors    no last thickness, an afocal lens, the best focus, which is another with every lens
  */
-const struct dual *merit_image(struct merit *merit, const struct merit_slot *slot);
 bool merit_image_check(const struct merit_place *place, struct error *error);
 
 /* Two wavelengths of colour: that of the operand and the primary one, or the shortest and the

@@ -11,21 +11,9 @@ static const double alike = 1e-9;
 /* Each point is compared with each: in larger samples that would cost more than it saves. */
 enum { MOST_COMPARED = 2000 };
 
-static bool merit_points_is_near(double a, double b)
+static bool points_is_near(double a, double b)
 {
     return fabs(a - b) <= alike;
-}
-
-static void merit_points_normalise(struct merit_points *points)
-{
-    double sum = 0;
-    for (size_t i = 0; i < points->count; i++) {
-        sum += points->points[i].weight;
-    }
-    for (size_t i = 0; i < points->count; i++) {
-        points->points[i].weight /= sum;
-    }
-    points->clear = sum;
 }
 
 /* The half with x >= 0; false: some point has no image. */
@@ -37,8 +25,7 @@ static bool fold(const struct sample *sample, struct merit_points *points)
         bool has_image = false;
         for (size_t j = 0; j < sample->count && !has_image; j++) {
             const struct pupil_point *other = &sample->points[j];
-            has_image = merit_points_is_near(other->x, -point->x) &&
-                        merit_points_is_near(other->y, point->y) &&
+            has_image = points_is_near(other->x, -point->x) && points_is_near(other->y, point->y) &&
                         fabs(other->weight - point->weight) <= alike * point->weight;
         }
         if (!has_image) {
@@ -64,7 +51,7 @@ static bool merit_points_gather(const struct sample *sample, struct arena *arena
         const struct pupil_point *point = &sample->points[i];
         const double radius = hypot(point->x, point->y);
         size_t ring = 0;
-        while (ring < points->count && !merit_points_is_near(points->points[ring].y, radius)) {
+        while (ring < points->count && !points_is_near(points->points[ring].y, radius)) {
             ring++;
         }
         if (ring == points->count) {
@@ -99,5 +86,12 @@ void merit_points_of(const struct sample *sample, enum merit_symmetry symmetry, 
         memcpy(points->points, sample->points, sample->count * sizeof *points->points);
         points->count = sample->count;
     }
-    merit_points_normalise(points);
+    double sum = 0;
+    for (size_t i = 0; i < points->count; i++) {
+        sum += points->points[i].weight;
+    }
+    for (size_t i = 0; i < points->count; i++) {
+        points->points[i].weight /= sum;
+    }
+    points->clear = sum;
 }

@@ -3,10 +3,7 @@
 #ifndef LENSCALC_DESIGN_MERIT_MERIT_RAY_H
 #define LENSCALC_DESIGN_MERIT_MERIT_RAY_H
 
-#include "design/merit/merit_state.h"
-#include "trace/aim/aim.h"
-#include "trace/kernel/rays.h"
-#include "trace/system.h"
+#include "design/merit/merit_beams.h"
 
 /* A ray somewhere, by one column: in the frame of the surface met last. */
 struct merit_ray {
@@ -14,41 +11,36 @@ struct merit_ray {
     struct dual along[3]; /* n times the direction cosines */
 };
 
-/* Which ray. */
-struct merit_ray_question {
-    const struct merit_slot *slot;
-    struct merit_light *light;
-    const struct field_point *field;
-    double pupil[2];       /* where it crosses the stop, in radii; 0: the chief ray */
-    struct aim_near *near; /* its field's chief ray as it was found last; null: not kept */
-};
-
-/* Passing all surfaces of the lens; or to the image plane. */
-#define MERIT_RAY_IMAGE LENS_NONE
+/*
+ * Choose some: a block of the bundle each, by wavelengths, in each the fields, in each the points.
+ *
+ * Given     wish  their fields, wavelengths and points, through the stop in radii of it; is_bare
+ * Errors    as merit_bundle_open
+ */
+bool merit_ray_open(struct merit *merit, const struct merit_slot *slot, struct bundle_wish *wish,
+                    struct arena *arena, struct merit_beams *beams, struct error *error);
 
 /*
- * Aim a ray, as the lens is now.
+ * Follow one, of beams that are aimed.
  *
- * Given     arena  for what it takes; the caller resets it
- *           start  receives the ray before the first surface, one a column
- * Formula   with s(a, b, p) its place in the stop, e the stop's radius, T the place in radii:
- *           d(a, b) = (ds/d(a, b))^-1 (T de - ds/dp); where the object moves with the lens (image
- *           heights) its direction turns too
- * Source    derived here: the theorem of implicit functions; sweeps of trace/derivative.h
- * Errors    merit->why: as aim_open; a field of real image heights
+ * Result    false: it could not be aimed, as merit->why says
  */
-bool merit_ray_start(struct merit *merit, const struct merit_ray_question *question,
-                     struct arena *arena, struct merit_ray *start);
+bool merit_ray_trace(struct merit *merit, struct merit_beams *beams, size_t ray);
 
 /*
- * Follow it.
+ * The ray that was traced last, before a place: behind so many surfaces; LENS_NONE: in the image.
  *
- * Given     passed  so many surfaces of the lens; MERIT_RAY_IMAGE: to the image plane
- *           end     receives the ray there, one a column
- * Errors    merit->why: it is lost; as merit_image
+ * Result    without derivatives; false: it is lost before
  */
-bool merit_ray_follow(struct merit *merit, const struct merit_ray_question *question, size_t passed,
-                      const struct merit_ray *start, struct arena *arena, struct merit_ray *end);
+bool merit_ray_at(const struct merit_beams *beams, size_t ray, size_t place, struct merit_ray *at);
+
+/*
+ * The same, one a column.
+ *
+ * Result    false: merit->why
+ */
+bool merit_ray_derive(struct merit *merit, const struct merit_beams *beams, size_t ray,
+                      size_t place, struct merit_ray *end);
 
 /*
  * Can the lens have such rays?
@@ -58,28 +50,5 @@ bool merit_ray_follow(struct merit *merit, const struct merit_ray_question *ques
  */
 bool merit_ray_check(const struct merit_place *place, const struct field_point *field,
                      struct error *error);
-
-/* Where they are now, without derivatives. */
-struct merit_front {
-    struct system system;
-    struct rays rays;
-    size_t count;
-};
-
-/*
- * Before the first surface.
- *
- * Given     light   their wavelength
- *           starts  of merit_ray_start; null: a ray that could not be aimed, and is lost
- * Errors    merit->why: as system_compile
- */
-bool merit_front_open(struct merit *merit, const struct merit_ray_question *question,
-                      struct merit_ray *const *starts, size_t count, struct merit_front *front);
-
-/* Through one more surface, from before it. */
-void merit_front_pass(struct merit_front *front, size_t surface);
-
-struct merit_ray merit_front_ray(const struct merit_front *front, size_t i);
-bool merit_front_lost(const struct merit_front *front, size_t i);
 
 #endif

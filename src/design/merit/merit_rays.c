@@ -33,30 +33,6 @@ static int first_output(const struct merit_rays *rays, const struct bundle_group
     return rays->beams.spheres == NULL && group->points.symmetry == SYMMETRY_ROUND ? 1 : 0;
 }
 
-/* Numbers of residuals, and what each group counts in its centroid. */
-static size_t number(struct merit_rays *rays, struct arena *arena)
-{
-    struct merit_bundle *bundle = &rays->beams.bundle;
-    const struct bundle_wish *wish = &bundle->wish;
-    double *sums = ARENA_ARRAY(arena, wish->field_count, double);
-    size_t count = 0;
-    rays->share = ARENA_ARRAY(arena, bundle->group_count, double);
-    for (size_t i = 0; i < bundle->group_count; i++) {
-        struct bundle_group *group = &bundle->groups[i];
-        sums[group->field] += group->weight;
-        group->row = count;
-        count += group->points.count * (size_t)(rays->outputs - first_output(rays, group));
-    }
-    for (size_t i = 0; i < bundle->group_count; i++) {
-        const struct bundle_group *group = &bundle->groups[i];
-        rays->share[i] = rays->is_joint ? 0 : 1; /* 0: none of it counts */
-        if (rays->is_joint && sums[group->field] > 0) {
-            rays->share[i] = group->weight / sums[group->field];
-        }
-    }
-    return count;
-}
-
 size_t merit_prepare_rays(struct merit *merit, struct merit_slot *slot, struct arena *arena,
                           struct error *error)
 {
@@ -78,7 +54,25 @@ size_t merit_prepare_rays(struct merit *merit, struct merit_slot *slot, struct a
     const size_t rows = (size_t)rays->outputs * merit_rays_rows_of(rays);
     rays->values = ARENA_ARRAY(arena, bundle->block_count * rows * RAYS_BLOCK, double);
     rays->means = ARENA_ARRAY(arena, bundle->group_count * rows, double);
-    return number(rays, arena);
+    /* numbers of residuals, and what each group counts in its centroid */
+    const struct bundle_wish *wish = &bundle->wish;
+    double *sums = ARENA_ARRAY(arena, wish->field_count, double);
+    size_t count = 0;
+    rays->share = ARENA_ARRAY(arena, bundle->group_count, double);
+    for (size_t i = 0; i < bundle->group_count; i++) {
+        struct bundle_group *group = &bundle->groups[i];
+        sums[group->field] += group->weight;
+        group->row = count;
+        count += group->points.count * (size_t)(rays->outputs - first_output(rays, group));
+    }
+    for (size_t i = 0; i < bundle->group_count; i++) {
+        const struct bundle_group *group = &bundle->groups[i];
+        rays->share[i] = rays->is_joint ? 0 : 1; /* 0: none of it counts */
+        if (rays->is_joint && sums[group->field] > 0) {
+            rays->share[i] = group->weight / sums[group->field];
+        }
+    }
+    return count;
 }
 
 /* -------- filling -------- */
@@ -129,7 +123,7 @@ static bool trace_block(struct merit *merit, const struct merit_slot *slot, size
             merit_spheres_back(spheres, bundle, block, &end, &by, &adjoint);
         }
         if (merit->derives) {
-            merit_bundle_sweep(bundle, which, links, rays->variable_count, &adjoint,
+            merit_bundle_sweep(bundle, which, LENS_NONE, links, rays->variable_count, &adjoint,
                                rows + RAYS_BLOCK);
         }
         if (merit->derives && spheres != NULL) {

@@ -1,6 +1,6 @@
 /* design/merit/merit_shape.c - operands of what can be made: thicknesses of glass and air. */
 /* SPDX-License-Identifier: MIT */
-#include "design/merit/merit_shape.h"
+#include "design/merit/merit_kinds.h"
 
 #include "analysis/waves/wave_reference.h"
 #include "design/merit/merit_paraxial.h"
@@ -10,32 +10,8 @@
 
 /* -------- how far out light comes -------- */
 
-/* Of the axis, and the upper and the lower one of the edge of the field. */
-enum { AXIS, UPPER, LOWER, EDGE_RAYS };
-
-struct merit_edge_rays {
-    struct field_point fields[EDGE_RAYS];
-    double pupils[EDGE_RAYS][2];
-    struct aim_near near[2]; /* chief rays of both fields */
-    size_t count;
-};
-
-static struct merit_edge_rays *merit_reach_choose(const struct merit_place *place,
-                                                  struct arena *arena)
-{
-    struct merit_edge_rays *edges = ARENA_NEW(arena, struct merit_edge_rays);
-    const struct field_point axis = {.kind = FIELD_NONE}, *edge = &place->setup.edge;
-    double towards[2];
-    wave_section(edge, towards);
-    edges->count = edge->kind == FIELD_NONE ? 1 : EDGE_RAYS;
-    for (size_t i = 0; i < edges->count; i++) {
-        const double side = i == LOWER ? -1 : 1;
-        edges->fields[i] = i == AXIS ? axis : *edge;
-        edges->pupils[i][0] = side * towards[0];
-        edges->pupils[i][1] = side * towards[1];
-    }
-    return edges;
-}
+/* What is open: of the axis, and the upper and the lower one of the edge of the field. */
+static const size_t edge_rays[] = {0, 2, 3};
 
 /*
  * Make ready: how far out light comes at each surface of the slot's place that states no diameter.
@@ -47,7 +23,9 @@ static bool merit_reach_open(struct merit *merit, const struct merit_slot *slot,
 {
     struct merit_place *place = &merit->places[slot->place];
     const size_t columns = merit->variable_count > 0 ? merit->variable_count : 1;
+    const struct field_point *edge = &place->setup.edge;
     struct error ignored;
+    double towards[2];
     if (place->reach != NULL) {
         return true;
     }
@@ -55,45 +33,36 @@ static bool merit_reach_open(struct merit *merit, const struct merit_slot *slot,
         return error_prefix(error, "surfaces without a diameter are as large as the light: ");
     }
     place->reach = ARENA_ARRAY(arena, columns * place->lens->surface_count, struct dual);
-    if (place->lens->stop != LENS_NONE && merit_ray_check(place, &place->setup.edge, &ignored)) {
-        place->edges = merit_reach_choose(place, arena);
+    if (place->lens->stop == LENS_NONE || !merit_ray_check(place, edge, &ignored)) {
+        return true;
     }
-    return true;
+    struct setup_field *fields = ARENA_ARRAY(arena, 2, struct setup_field);
+    struct pupil_point *points = ARENA_ARRAY(arena, 2, struct pupil_point);
+    struct setup_wavelength *light = ARENA_NEW(arena, struct setup_wavelength);
+    wave_section(edge, towards);
+    fields[0] = (struct setup_field){{.kind = FIELD_NONE}, 1};
+    fields[1] = (struct setup_field){*edge, 1};
+    points[0] = (struct pupil_point){towards[0], towards[1], 1};
+    points[1] = (struct pupil_point){-towards[0], -towards[1], 1};
+    *light = (struct setup_wavelength){place->lights[0].wavelength, 1};
+    struct bundle_wish wish = {.fields = fields,
+                               .field_count = edge->kind == FIELD_NONE ? 1 : 2,
+                               .wavelengths = light,
+                               .wavelength_count = 1,
+                               .points = points,
+                               .point_count = 2,
+                               .is_bare = true};
+    place->edges = ARENA_NEW(arena, struct merit_beams);
+    return merit_ray_open(merit, slot, &wish, arena, place->edges, error);
 }
 
-static struct merit_ray_question merit_reach_question_of(struct merit *merit,
-                                                         const struct merit_slot *slot, size_t i)
+/* The height of a ray and its derivatives, of one that was traced last. */
+static bool merit_reach_derive(struct merit *merit, const struct merit_place *place, size_t ray,
+                               size_t surface)
 {
-    struct merit_edge_rays *edges = merit->places[slot->place].edges;
-    return (struct merit_ray_question){.slot = slot,
-                                       .light = merit_light(merit, slot, NAN),
-                                       .field = &edges->fields[i],
-                                       .pupil = {edges->pupils[i][0], edges->pupils[i][1]},
-                                       .near = &edges->near[i == AXIS ? 0 : 1]};
-}
-
-/* The ray that is farthest out. */
-static size_t merit_reach_farthest(const struct merit_front *front, double *height)
-{
-    size_t which = 0;
-    *height = -1;
-    for (size_t i = 0; i < front->count; i++) {
-        const struct merit_ray ray = merit_front_ray(front, i);
-        const double here = hypot(ray.at[0].value, ray.at[1].value);
-        which = here > *height ? i : which;
-        *height = fmax(here, *height);
-    }
-    return which;
-}
-
-/* Its height and the derivatives of that. */
-static bool merit_reach_derive(struct merit *merit, const struct merit_ray_question *question,
-                               size_t surface, const struct merit_ray *start, struct dual *reach)
-{
-    const size_t columns = merit_columns(merit);
-    const size_t surfaces = merit->places[question->slot->place].lens->surface_count;
-    struct merit_ray *end = ARENA_ARRAY(merit->arena, columns, struct merit_ray);
-    if (!merit_ray_follow(merit, question, surface + 1, start, merit->arena, end)) {
+    const size_t columns = merit_columns(merit), surfaces = place->lens->surface_count;
+    struct merit_ray *end = ARENA_ARRAY(merit->arena, columns + 1, struct merit_ray);
+    if (!merit_ray_derive(merit, place->edges, ray, surface + 1, end)) {
         return false;
     }
     for (size_t j = 0; j < columns; j++) {
@@ -102,53 +71,45 @@ static bool merit_reach_derive(struct merit *merit, const struct merit_ray_quest
         /* on the axis the height has no slope: it is a corner */
         const double slope =
             height > 0 ? (at[0].value * at[0].slope + at[1].value * at[1].slope) / height : 0;
-        reach[j * surfaces + surface] = (struct dual){height, slope};
+        place->reach[j * surfaces + surface] = (struct dual){height, slope};
     }
     return true;
 }
 
-static bool merit_reach_measure(struct merit *merit, const struct merit_slot *slot,
-                                struct merit_ray *const *starts, struct merit_front *front)
-{
-    const struct merit_place *place = &merit->places[slot->place];
-    for (size_t i = 0; i < place->lens->surface_count; i++) {
-        double height;
-        merit_front_pass(front, i);
-        for (size_t k = 0; k < front->count; k++) {
-            if (merit_front_lost(front, k)) {
-                return fail(&merit->why, ERROR_DOMAIN, "a ray at the edge is lost at surface %zu",
-                            i + 1);
-            }
-        }
-        if (place->lens->surfaces[i].has_diameter) {
-            continue;
-        }
-        const size_t which = merit_reach_farthest(front, &height);
-        const struct merit_ray_question question = merit_reach_question_of(merit, slot, which);
-        place->reach[i] = dual_of(height);
-        if (merit->derives &&
-            !merit_reach_derive(merit, &question, i, starts[which], place->reach)) {
-            return false;
-        }
-    }
-    return true;
-}
-
+/* Of each surface the ray that is farthest out. */
 static bool find_edges(struct merit *merit, const struct merit_slot *slot)
 {
-    const size_t count = merit->places[slot->place].edges->count;
-    const struct merit_ray_question first = merit_reach_question_of(merit, slot, 0);
-    struct merit_ray *starts[EDGE_RAYS];
-    struct merit_front front;
-    for (size_t i = 0; i < count; i++) {
-        const struct merit_ray_question question = merit_reach_question_of(merit, slot, i);
-        starts[i] = ARENA_ARRAY(merit->arena, merit_columns(merit), struct merit_ray);
-        if (!merit_ray_start(merit, &question, merit->arena, starts[i])) {
+    const struct merit_place *place = &merit->places[slot->place];
+    const size_t surfaces = place->lens->surface_count;
+    const size_t count = place->edges->bundle.wish.field_count > 1 ? 3 : 1;
+    size_t *which = ARENA_ARRAY(merit->arena, surfaces, size_t), lost = surfaces;
+    for (size_t k = 0; k < count; k++) {
+        if (!merit_ray_trace(merit, place->edges, edge_rays[k])) {
+            return false;
+        }
+        for (size_t i = 0; i < lost; i++) {
+            struct merit_ray ray;
+            lost = merit_ray_at(place->edges, edge_rays[k], i + 1, &ray) ? lost : i;
+            const double height = hypot(ray.at[0].value, ray.at[1].value);
+            if (!place->lens->surfaces[i].has_diameter &&
+                (k == 0 || height > place->reach[i].value)) {
+                place->reach[i] = dual_of(height);
+                which[i] = edge_rays[k];
+            }
+        }
+    }
+    if (lost < surfaces) {
+        return fail(&merit->why, ERROR_DOMAIN, "a ray at the edge is lost at surface %zu",
+                    lost + 1);
+    }
+    for (size_t i = 0; i < surfaces && merit->derives; i++) {
+        if (!place->lens->surfaces[i].has_diameter &&
+            (!merit_ray_trace(merit, place->edges, which[i]) ||
+             !merit_reach_derive(merit, place, which[i], i))) {
             return false;
         }
     }
-    return merit_front_open(merit, &first, starts, count, &front) &&
-           merit_reach_measure(merit, slot, starts, &front);
+    return true;
 }
 
 /*
@@ -163,10 +124,14 @@ static bool find_edges(struct merit *merit, const struct merit_slot *slot)
 static bool merit_reach(struct merit *merit, const struct merit_slot *slot)
 {
     struct merit_place *place = &merit->places[slot->place];
-    const struct arena_mark mark = arena_mark(merit->arena);
     if (place->reached == merit->evaluation) {
         return true;
     }
+    if (place->edges != NULL && !merit_beams_aim(merit, slot, place->edges)) {
+        place->reached = 0;
+        return false;
+    }
+    const struct arena_mark mark = arena_mark(merit->arena);
     const bool done =
         place->edges != NULL ? find_edges(merit, slot) : merit_reach_paraxial(merit, slot);
     place->reached = done ? merit->evaluation : 0;

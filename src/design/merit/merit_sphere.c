@@ -12,10 +12,12 @@ struct merit_spheres *merit_spheres_open(const struct bundle_wish *wish,
                                          const struct bundle_links *links, size_t variable_count,
                                          struct arena *arena, struct error *error)
 {
+    static const struct pupil_point middle = {0, 0, 1};
     struct merit_spheres *spheres = ARENA_NEW(arena, struct merit_spheres);
     struct bundle_wish one = *wish;
     one.wavelength_count = 1;
-    one.is_chief = true;
+    one.points = &middle;
+    one.point_count = 1;
     one.path = false;
     one.clip = false;
     one.from_entrance = wish->setup->first.is_telecentric;
@@ -44,33 +46,6 @@ static bool set_sphere(const struct merit_spheres *spheres, double n, const stru
     return opd_sphere(&chief, spheres->pupil[0].value - image, n, NULL, &sphere->sphere, error);
 }
 
-/* dR from that of e_z, which is r/n, and of the planes; the columns hold one part of all rays. */
-static void merit_sphere_put_part(struct merit_spheres *spheres, const struct bundle_block *block,
-                                  const struct bundle_links *links, int part,
-                                  const struct ray_block *end)
-{
-    const struct merit_bundle *chief = &spheres->chief;
-    const double n = chief->lights[0].system.index_last;
-    for (int i = 0; i < block->aimed.count; i++) {
-        struct merit_sphere *sphere = &spheres->list[block->lanes[i].field];
-        for (size_t j = 0; j < spheres->variable_count; j++) {
-            const double slope = spheres->columns[j * RAYS_BLOCK + (size_t)i];
-            if (part != OF_R) {
-                sphere->centre[part][j] = slope;
-                continue;
-            }
-            const double cosine = end->r[i] / n;
-            const double way = (spheres->pupil[0].value - chief->image) / cosine;
-            const double moves =
-                spheres->pupil[j].slope - merit_bundle_image_slope(chief, links, j);
-            sphere->radius[j] = (way < 0 ? -1 : 1) * (moves - way * slope / n) / cosine;
-            if (isinf(sphere->sphere.radius)) {
-                sphere->radius[j] = 0;
-            }
-        }
-    }
-}
-
 static void merit_sphere_derive(struct merit_spheres *spheres, size_t which,
                                 const struct bundle_links *links, const struct ray_block *end)
 {
@@ -82,9 +57,32 @@ static void merit_sphere_derive(struct merit_spheres *spheres, size_t which,
         for (int i = 0; i < block->aimed.lanes; i++) {
             of[part][i] = 1;
         }
-        merit_bundle_sweep(&spheres->chief, which, links, spheres->variable_count, &adjoint,
-                           spheres->columns);
-        merit_sphere_put_part(spheres, block, links, part, end);
+        merit_bundle_sweep(&spheres->chief, which, LENS_NONE, links, spheres->variable_count,
+                           &adjoint, spheres->columns);
+        /*
+         * dR from that of e_z, which is r/n, and of the planes; the columns hold one part of all
+         * rays
+         */
+        const struct merit_bundle *chief = &spheres->chief;
+        const double n = chief->lights[0].system.index_last;
+        for (int i = 0; i < block->aimed.count; i++) {
+            struct merit_sphere *sphere = &spheres->list[block->lanes[i].field];
+            for (size_t j = 0; j < spheres->variable_count; j++) {
+                const double slope = spheres->columns[j * RAYS_BLOCK + (size_t)i];
+                if (part != OF_R) {
+                    sphere->centre[part][j] = slope;
+                    continue;
+                }
+                const double cosine = end->r[i] / n;
+                const double way = (spheres->pupil[0].value - chief->image) / cosine;
+                const double moves =
+                    spheres->pupil[j].slope - merit_bundle_image_slope(chief, links, j);
+                sphere->radius[j] = (way < 0 ? -1 : 1) * (moves - way * slope / n) / cosine;
+                if (isinf(sphere->sphere.radius)) {
+                    sphere->radius[j] = 0;
+                }
+            }
+        }
     }
 }
 

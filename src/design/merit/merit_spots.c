@@ -15,9 +15,11 @@ struct merit_lines {
     double (*means)[LINE_PARTS]; /* one a field */
 };
 
-/* What each group counts within the spot of its field. */
-static double *share_groups(const struct merit_bundle *bundle, struct arena *arena)
+struct merit_lines *merit_lines_open(const struct merit_slot *slot, struct arena *arena)
 {
+    struct merit_lines *lines = ARENA_NEW(arena, struct merit_lines);
+    struct merit_bundle *bundle = &slot->beams->bundle;
+    /* what each group counts within the spot of its field */
     double *sums = ARENA_ARRAY(arena, bundle->wish.field_count, double);
     double *shares = ARENA_ARRAY(arena, bundle->group_count, double);
     for (size_t i = 0; i < bundle->group_count; i++) {
@@ -28,14 +30,6 @@ static double *share_groups(const struct merit_bundle *bundle, struct arena *are
     for (size_t i = 0; i < bundle->group_count; i++) {
         shares[i] /= sums[bundle->groups[i].field];
     }
-    return shares;
-}
-
-struct merit_lines *merit_lines_open(const struct merit_slot *slot, struct arena *arena)
-{
-    struct merit_lines *lines = ARENA_NEW(arena, struct merit_lines);
-    struct merit_bundle *bundle = &slot->beams->bundle;
-    const double *shares = share_groups(bundle, arena);
     lines->bundle = bundle;
     lines->blocks = arena_array(arena, bundle->block_count, sizeof *lines->blocks);
     lines->means = arena_array(arena, bundle->wish.field_count, sizeof *lines->means);
@@ -48,51 +42,6 @@ struct merit_lines *merit_lines_open(const struct merit_slot *slot, struct arena
         }
     }
     return lines;
-}
-
-static bool merit_spots_trace(struct merit_lines *lines, size_t which, struct error *error)
-{
-    struct merit_bundle *bundle = lines->bundle;
-    const int lanes = bundle->blocks[which].aimed.lanes;
-    double(*line)[RAYS_BLOCK] = lines->blocks[which];
-    struct ray_block end;
-    if (!merit_bundle_trace(bundle, which, false, &end, error)) {
-        return false;
-    }
-    memcpy(line[AT_X], end.x, (size_t)lanes * sizeof(double));
-    memcpy(line[AT_Y], end.y, (size_t)lanes * sizeof(double));
-    for (int i = 0; i < lanes; i++) {
-        const double over = 1 / end.r[i];
-        line[ALONG_X][i] = end.p[i] * over;
-        line[ALONG_Y][i] = end.q[i] * over;
-    }
-    return true;
-}
-
-/* x or y that is 0 in the mean of all that a folded group stands for. */
-static bool merit_spots_is_centred(const struct bundle_group *group, int part)
-{
-    const enum merit_symmetry symmetry = group->points.symmetry;
-    return symmetry == SYMMETRY_ROUND ||
-           (symmetry == SYMMETRY_MIRROR && (part == AT_X || part == ALONG_X));
-}
-
-/* What the rays of a group in a block add to the means of their field. */
-static void merit_spots_add_means(const struct merit_lines *lines, size_t which,
-                                  const struct aimed_beam *beam)
-{
-    const struct bundle_lane *lane = &lines->bundle->blocks[which].lanes[beam->first];
-    const double *weights = lines->weights + which * RAYS_BLOCK;
-    for (int part = 0; part < LINE_PARTS; part++) {
-        double sum = 0;
-        if (merit_spots_is_centred(&lines->bundle->groups[lane->group], part)) {
-            continue;
-        }
-        for (int i = beam->first; i < beam->first + beam->count; i++) {
-            sum += weights[i] * lines->blocks[which][part][i];
-        }
-        lines->means[lane->field][part] += sum;
-    }
 }
 
 /* Squares about the means; of rays about the axis x is 0. */
@@ -128,11 +77,38 @@ bool merit_spots_find(struct merit *merit, const struct merit_slot *slot, struct
     memset(lines->means, 0, bundle->wish.field_count * sizeof *lines->means);
     memset(spots, 0, bundle->wish.field_count * sizeof *spots);
     for (size_t k = 0; k < bundle->block_count; k++) {
-        if (!merit_spots_trace(lines, k, &merit->why)) {
+        const int lanes = bundle->blocks[k].aimed.lanes;
+        double(*line)[RAYS_BLOCK] = lines->blocks[k];
+        struct ray_block end;
+        if (!merit_bundle_trace(bundle, k, false, &end, &merit->why)) {
             return false;
         }
+        memcpy(line[AT_X], end.x, (size_t)lanes * sizeof(double));
+        memcpy(line[AT_Y], end.y, (size_t)lanes * sizeof(double));
+        for (int i = 0; i < lanes; i++) {
+            const double over = 1 / end.r[i];
+            line[ALONG_X][i] = end.p[i] * over;
+            line[ALONG_Y][i] = end.q[i] * over;
+        }
         for (size_t g = 0; g < bundle->blocks[k].aimed.beam_count; g++) {
-            merit_spots_add_means(lines, k, &bundle->blocks[k].aimed.beams[g]);
+            /* what the rays of a group in a block add to the means of their field */
+            const struct aimed_beam *beam = &bundle->blocks[k].aimed.beams[g];
+            const struct bundle_lane *lane = &lines->bundle->blocks[k].lanes[beam->first];
+            const double *weights = lines->weights + k * RAYS_BLOCK;
+            for (int part = 0; part < LINE_PARTS; part++) {
+                double sum = 0;
+                /* x or y that is 0 in the mean of all that a folded group stands for */
+                const enum merit_symmetry symmetry =
+                    lines->bundle->groups[lane->group].points.symmetry;
+                if (symmetry == SYMMETRY_ROUND ||
+                    (symmetry == SYMMETRY_MIRROR && (part == AT_X || part == ALONG_X))) {
+                    continue;
+                }
+                for (int i = beam->first; i < beam->first + beam->count; i++) {
+                    sum += weights[i] * lines->blocks[k][part][i];
+                }
+                lines->means[lane->field][part] += sum;
+            }
         }
     }
     for (size_t k = 0; k < bundle->block_count; k++) {

@@ -35,23 +35,6 @@ static void merit_place_add_light(const struct merit *merit, struct merit_place 
         .figures = ARENA_ARRAY(arena, columns, struct merit_figures)};
 }
 
-/* The primary wavelength, those of the lens or asked for, those of operands. */
-static void list_lights(const struct merit *merit, struct merit_place *place, struct arena *arena)
-{
-    const struct merit_question *question = &merit->question;
-    const size_t most = 1 + place->setup.wavelength_count + question->operand_count;
-    place->lights = ARENA_ARRAY(arena, most, struct merit_light);
-    merit_place_add_light(merit, place, lens_primary_wavelength(place->setup.lens), arena);
-    for (size_t i = 0; i < place->setup.wavelength_count; i++) {
-        merit_place_add_light(merit, place, place->setup.wavelengths[i].wavelength, arena);
-    }
-    for (size_t i = 0; i < question->operand_count; i++) {
-        if (!isnan(question->operands[i].wavelength)) {
-            merit_place_add_light(merit, place, question->operands[i].wavelength, arena);
-        }
-    }
-}
-
 /* A lens that begins without power has no f-number as yet: its fields and wavelengths are known. */
 static bool merit_place_open_setup(const struct setup_question *question, struct merit_place *place,
                                    struct arena *arena, struct error *error)
@@ -96,8 +79,18 @@ static bool open_place(const struct merit *merit, size_t position, struct arena 
         return place->setup.position != NULL &&
                error_prefix(error, "position %s: ", place->setup.position);
     }
-    place->image = ARENA_ARRAY(arena, merit->variable_count + 1, struct dual);
-    list_lights(merit, place, arena);
+    /* the primary wavelength, those of the lens or asked for, those of operands */
+    const size_t most = 1 + place->setup.wavelength_count + question->operand_count;
+    place->lights = ARENA_ARRAY(arena, most, struct merit_light);
+    merit_place_add_light(merit, place, lens_primary_wavelength(place->setup.lens), arena);
+    for (size_t i = 0; i < place->setup.wavelength_count; i++) {
+        merit_place_add_light(merit, place, place->setup.wavelengths[i].wavelength, arena);
+    }
+    for (size_t i = 0; i < question->operand_count; i++) {
+        if (!isnan(question->operands[i].wavelength)) {
+            merit_place_add_light(merit, place, question->operands[i].wavelength, arena);
+        }
+    }
     return true;
 }
 
@@ -140,21 +133,15 @@ size_t merit_columns(const struct merit *merit)
     return merit->derives ? merit->variable_count : 1;
 }
 
-static struct merit_light *merit_state_find_light(struct merit_place *place, double wavelength)
+struct merit_light *merit_light(struct merit *merit, const struct merit_slot *slot,
+                                double wavelength)
 {
+    struct merit_place *place = &merit->places[slot->place];
     struct merit_light *light = place->lights;
     while (!isnan(wavelength) && light->wavelength != wavelength) {
         light++; /* merit_open has listed all of them */
         assert(light < place->lights + place->light_count);
     }
-    return light;
-}
-
-struct merit_light *merit_light(struct merit *merit, const struct merit_slot *slot,
-                                double wavelength)
-{
-    struct merit_place *place = &merit->places[slot->place];
-    struct merit_light *light = merit_state_find_light(place, wavelength);
     if (merit->derives && light->linked != merit->evaluation) {
         const struct merit_by *by = merit->question.by;
         light->link_count =

@@ -83,11 +83,10 @@ struct merit_place {
     struct aperture_setting aperture;
     struct merit_light *lights; /* every wavelength that is asked for: the primary one first */
     size_t light_count;
-    struct dual *image;    /* by merit_image: one a column */
-    struct dual *reach;    /* by merit_reach: of each column one a surface; null: not wanted */
-    unsigned long reached; /* the evaluation that it is of */
-    struct merit_edge_rays *edges; /* of merit_reach; null: it is paraxial */
-    struct merit_graze *graze;     /* rays near loss; null: they do not count */
+    struct dual *reach;        /* by merit_reach: of each column one a surface; null: not wanted */
+    unsigned long reached;     /* the evaluation that it is of */
+    struct merit_beams *edges; /* the rays of merit_reach; null: it is paraxial */
+    struct merit_graze *graze; /* rays near loss; null: they do not count */
 };
 
 /* One operand in one position: consecutive residuals. */

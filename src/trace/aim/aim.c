@@ -272,10 +272,30 @@ static void continuation_lead(const struct aim *aim, struct continuation *leads,
 
 /* -------- whole blocks -------- */
 
-/* From the chief ray, with its slopes; lanes that are not asked for have nothing to do. */
-static void aim_block_start(const struct aim *aim, const struct pupil_point *points, size_t count,
-                            struct aim_block *block)
+/* Is a ray at its point, on the sheet of the chief ray as its own estimate of slopes shows it? */
+static bool aim_block_is_there(const struct aim *aim, const struct aim_block *block, size_t i)
 {
+    const double most = 2;
+    /* of inverse matrices */
+    const double det = block->m[0][i] * block->m[3][i] - block->m[1][i] * block->m[2][i];
+    const double ratio = aim_determinant(aim->slope) * det;
+    return block->state[i] == AIM_DONE && ratio > 1 / most && ratio < most;
+}
+
+/*
+ * Steps of all rays at once, as long as whole ones lead nearer; those that go astray are left.
+ *
+ * Given     reached  mm in the stop, which the last step need not leave
+ * Result    all are there, on the sheet of the chief ray
+ */
+static bool aim_block_steer(const struct aim *aim, const struct pupil_point *points, size_t count,
+                            double reached, struct aim_block *block)
+{
+    enum { ALL = 16 };
+    const double near = fmax(chief_rounding(aim), reached);
+    kernel_aim *kernel = KERNEL_FOR(SET_BEST, kernel_aim);
+    bool busy = true, there = true;
+    /* from the chief ray, with its slopes; lanes that are not asked for have nothing to do */
     const double *slope = aim->slope, det = aim_determinant(slope);
     const double m[4] = {slope[3] / det, -slope[1] / det, -slope[2] / det, slope[0] / det};
     const size_t lanes = (size_t)kernel_lanes(count);
@@ -303,32 +323,6 @@ static void aim_block_start(const struct aim *aim, const struct pupil_point *poi
             block->m[k][i] = m[k];
         }
     }
-}
-
-/* Is a ray at its point, on the sheet of the chief ray as its own estimate of slopes shows it? */
-static bool aim_block_is_there(const struct aim *aim, const struct aim_block *block, size_t i)
-{
-    const double most = 2;
-    /* of inverse matrices */
-    const double det = block->m[0][i] * block->m[3][i] - block->m[1][i] * block->m[2][i];
-    const double ratio = aim_determinant(aim->slope) * det;
-    return block->state[i] == AIM_DONE && ratio > 1 / most && ratio < most;
-}
-
-/*
- * Steps of all rays at once, as long as whole ones lead nearer; those that go astray are left.
- *
- * Given     reached  mm in the stop, which the last step need not leave
- * Result    all are there, on the sheet of the chief ray
- */
-static bool aim_block_steer(const struct aim *aim, const struct pupil_point *points, size_t count,
-                            double reached, struct aim_block *block)
-{
-    enum { ALL = 16 };
-    const double near = fmax(chief_rounding(aim), reached);
-    kernel_aim *kernel = KERNEL_FOR(SET_BEST, kernel_aim);
-    bool busy = true, there = true;
-    aim_block_start(aim, points, count, block);
     for (int step = 0; step < ALL && busy; step++) {
         beam_start(&aim->beam, block->next_a, block->next_b, count, aim->work.blocks);
         chief_to_stop(aim, count);
@@ -434,30 +428,26 @@ struct ray aim_ray(const struct aim *aim, double x, double y)
     return rays_get(&one, 0, aim->beam.n);
 }
 
-/* From a point of a telecentric object space: x, y of the slope that the marginal ray has. */
-static bool aim_telecentric(const struct beam *beam, const struct first_order *first, double x,
-                            double y, struct ray *ray, struct error *error)
-{
-    const double slope = first->marginal_v / first->index_object, point[2] = {x, y};
-    double target[3] = {0, 0, 0}, place[2];
-    for (int i = 0; i < 2; i++) {
-        /* a chief ray needs no aperture */
-        const double u = point[i] != 0 ? point[i] * slope : 0;
-        target[i] = -beam->distance * beam->axis[i] + u * beam->distance * beam->axis[2];
-    }
-    beam_place(beam, target, place);
-    *ray = beam_ray(beam, place[0], place[1]);
-    return (isfinite(place[0]) && isfinite(place[1])) ||
-           fail(error, ERROR_DOMAIN,
-                "the object space is telecentric and the lens has no numerical aperture");
-}
-
 bool aim_at_entrance(const struct beam *beam, const struct first_order *first, double x, double y,
                      struct ray *ray, struct error *error)
 {
     double radius = first->entrance_diameter / 2, z = first->entrance_pupil;
     if (first->is_telecentric) {
-        return aim_telecentric(beam, first, x, y, ray, error);
+        /*
+         * from a point of a telecentric object space: x, y of the slope that the marginal ray has
+         */
+        const double slope = first->marginal_v / first->index_object, point[2] = {x, y};
+        double target[3] = {0, 0, 0}, place[2];
+        for (int i = 0; i < 2; i++) {
+            /* a chief ray needs no aperture */
+            const double u = point[i] != 0 ? point[i] * slope : 0;
+            target[i] = -beam->distance * beam->axis[i] + u * beam->distance * beam->axis[2];
+        }
+        beam_place(beam, target, place);
+        *ray = beam_ray(beam, place[0], place[1]);
+        return (isfinite(place[0]) && isfinite(place[1])) ||
+               fail(error, ERROR_DOMAIN,
+                    "the object space is telecentric and the lens has no numerical aperture");
     }
     if (isnan(radius) || isnan(z)) {
         return fail(error, ERROR_DOMAIN,

@@ -51,16 +51,6 @@ static void fit_wave(const double *values, const double *nodes, size_t m, const 
     }
 }
 
-/* Is a wave of any weight in a map that is corrected, of a function of this size? */
-static bool map_wave_counts(const double *differences, double size)
-{
-    bool some = false;
-    for (size_t i = 0; i < MAP_RINGS; i++) {
-        some = some || fabs(differences[i]) > 1e-7 * size;
-    }
-    return some;
-}
-
 void aim_map_fit(const double *a, const double *b, struct aim_map *map)
 {
     double waves[2][MAP_ARMS]; /* cosines and sines of the arms' angles: of their multiples too */
@@ -79,7 +69,14 @@ void aim_map_fit(const double *a, const double *b, struct aim_map *map)
         for (size_t m = 0; m < MAP_WAVES; m++) {
             for (size_t k = 0; k < 2; k++) {
                 fit_wave(values, map->nodes, m, waves[k], map->part[f][m][k]);
-                map->counts[f][m][k] = map_wave_counts(map->part[f][m][k], size);
+                /*
+                 * is a wave of any weight in a map that is corrected, of a function of this size?
+                 */
+                bool some = false;
+                for (size_t i = 0; i < MAP_RINGS; i++) {
+                    some = some || fabs(map->part[f][m][k][i]) > 1e-7 * size;
+                }
+                map->counts[f][m][k] = some;
             }
         }
     }

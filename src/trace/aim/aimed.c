@@ -79,9 +79,35 @@ static void aimed_start_rays(const struct aimed *aimed, const double *a, const d
     fill_up(aimed, start);
 }
 
-/* How the start of each ray changes with a and b; the path is that from the point of the object. */
-static void aimed_find_slopes(const struct aimed *aimed)
+/* -------- trace and sweep -------- */
+
+/* The axes of the stop by itself in which its x and y are counted, in the frame of the axis. */
+static void stop_axes(const struct system *system, double axes[2][3])
 {
+    double origin[3] = {0, 0, 0};
+    memset(axes, 0, 6 * sizeof(double));
+    axes[0][0] = axes[1][1] = 1;
+    if (system->lens->surfaces[system->stop].decentre == NULL) {
+        return;
+    }
+    system_to_own(system, system->stop, origin);
+    for (int k = 0; k < 3; k++) {
+        double unit[3] = {k == 0, k == 1, k == 2};
+        system_to_own(system, system->stop, unit);
+        axes[0][k] = unit[0] - origin[0];
+        axes[1][k] = unit[1] - origin[1];
+    }
+}
+
+static void trace_tape(struct aimed *aimed)
+{
+    struct aimed_work *work = aimed->work;
+    const struct system *system = aimed->system;
+    work->tape.lanes = aimed->lanes;
+    derivative_trace(system, work->start, aimed->set, &work->tape);
+    /*
+     * how the start of each ray changes with a and b; the path is that from the point of the object
+     */
     static const double ways[2][2] = {{1, 0}, {0, 1}};
     const struct ray_block *start = aimed->work->start;
     struct ray_block rays, part;
@@ -104,60 +130,26 @@ static void aimed_find_slopes(const struct aimed *aimed)
     }
     fill_up(aimed, &aimed->work->slopes[0]);
     fill_up(aimed, &aimed->work->slopes[1]);
-}
-
-/* -------- trace and sweep -------- */
-
-/* The axes of the stop by itself in which its x and y are counted, in the frame of the axis. */
-static void stop_axes(const struct system *system, double axes[2][3])
-{
-    double origin[3] = {0, 0, 0};
-    memset(axes, 0, 6 * sizeof(double));
-    axes[0][0] = axes[1][1] = 1;
-    if (system->lens->surfaces[system->stop].decentre == NULL) {
-        return;
-    }
-    system_to_own(system, system->stop, origin);
-    for (int k = 0; k < 3; k++) {
-        double unit[3] = {k == 0, k == 1, k == 2};
-        system_to_own(system, system->stop, unit);
-        axes[0][k] = unit[0] - origin[0];
-        axes[1][k] = unit[1] - origin[1];
-    }
-}
-
-/* d(a, b)/d(x, y in the stop) from how rays move there. */
-static void find_inverse(struct aimed *aimed)
-{
-    const struct ray_block *a = &aimed->work->tangents[0], *b = &aimed->work->tangents[1];
-    double axes[2][3];
-    stop_axes(aimed->system, axes);
-    const double *u = axes[0], *v = axes[1];
-    for (int i = 0; i < aimed->lanes; i++) {
-        const double xa = u[0] * a->x[i] + u[1] * a->y[i] + u[2] * a->z[i];
-        const double xb = u[0] * b->x[i] + u[1] * b->y[i] + u[2] * b->z[i];
-        const double ya = v[0] * a->x[i] + v[1] * a->y[i] + v[2] * a->z[i];
-        const double yb = v[0] * b->x[i] + v[1] * b->y[i] + v[2] * b->z[i];
-        const double over = 1 / (xa * yb - xb * ya);
-        aimed->inverse[0][i] = yb * over;
-        aimed->inverse[1][i] = -xb * over;
-        aimed->inverse[2][i] = -ya * over;
-        aimed->inverse[3][i] = xa * over;
-    }
-}
-
-static void trace_tape(struct aimed *aimed)
-{
-    struct aimed_work *work = aimed->work;
-    const struct system *system = aimed->system;
-    work->tape.lanes = aimed->lanes;
-    derivative_trace(system, work->start, aimed->set, &work->tape);
-    aimed_find_slopes(aimed);
     if (aimed->at_stop) {
         work->tangents[0] = work->slopes[0];
         work->tangents[1] = work->slopes[1];
         tangent_trace_start(system, system->stop + 1, 2, aimed->set, &work->tape, work->tangents);
-        find_inverse(aimed);
+        /* d(a, b)/d(x, y in the stop) from how rays move there */
+        const struct ray_block *a = &aimed->work->tangents[0], *b = &aimed->work->tangents[1];
+        double axes[2][3];
+        stop_axes(aimed->system, axes);
+        const double *u = axes[0], *v = axes[1];
+        for (int i = 0; i < aimed->lanes; i++) {
+            const double xa = u[0] * a->x[i] + u[1] * a->y[i] + u[2] * a->z[i];
+            const double xb = u[0] * b->x[i] + u[1] * b->y[i] + u[2] * b->z[i];
+            const double ya = v[0] * a->x[i] + v[1] * a->y[i] + v[2] * a->z[i];
+            const double yb = v[0] * b->x[i] + v[1] * b->y[i] + v[2] * b->z[i];
+            const double over = 1 / (xa * yb - xb * ya);
+            aimed->inverse[0][i] = yb * over;
+            aimed->inverse[1][i] = -xb * over;
+            aimed->inverse[2][i] = -ya * over;
+            aimed->inverse[3][i] = xa * over;
+        }
     }
 }
 
@@ -220,21 +212,6 @@ static void aim_back(const struct aimed *aimed, const double *fa, const double *
     }
 }
 
-static void sweep_stop(const struct aimed *aimed, struct derivative_pass *pass,
-                       struct aimed_rates *rates)
-{
-    const size_t stop = aimed->system->stop;
-    double x[RAYS_BLOCK], y[RAYS_BLOCK], fa[RAYS_BLOCK], fb[RAYS_BLOCK];
-    derivative_pass_part(pass, aimed->system->places, stop + 1);
-    along_start(aimed, pass->adjoint, aimed->work->tangents, fa, fb);
-    aim_back(aimed, fa, fb, x, y, rates);
-    pass->at = stop;
-    pass->add_x = x;
-    pass->add_y = y;
-    derivative_pass_part(pass, stop + 1, 0);
-    pass->add_x = pass->add_y = NULL;
-}
-
 /* What a function by a and b is by the entrance pupil. */
 static void move_pupil(const struct aimed *aimed, const double *fa, const double *fb,
                        struct aimed_rates *rates)
@@ -245,7 +222,42 @@ static void move_pupil(const struct aimed *aimed, const double *fa, const double
     }
 }
 
-void aimed_sweep(const struct aimed *aimed, const struct derivative_layout *layout,
+/*
+ * Of functions that may lie before the stop: one sweep for what they are by a and b, and another
+ * with what the stop adds to that. Both begin before `from`, and gain `given` before `place`.
+ */
+static void sweep_twice(const struct aimed *aimed, struct derivative_pass *pass, size_t from,
+                        size_t place, const struct ray_block *given, struct aimed_rates *rates)
+{
+    double fa[RAYS_BLOCK], fb[RAYS_BLOCK], x[RAYS_BLOCK], y[RAYS_BLOCK];
+    struct ray_block *adjoint = pass->adjoint;
+    for (int turn = 0; turn < 2; turn++) {
+        memset(adjoint, 0, sizeof *adjoint);
+        derivative_pass_begin(pass, from);
+        derivative_pass_part(pass, from, place);
+        for (int i = 0; i < aimed->lanes && given != NULL; i++) {
+            adjoint->x[i] += given->x[i], adjoint->y[i] += given->y[i];
+            adjoint->z[i] += given->z[i], adjoint->path[i] += given->path[i];
+            adjoint->p[i] += given->p[i], adjoint->q[i] += given->q[i];
+            adjoint->r[i] += given->r[i];
+        }
+        derivative_pass_part(pass, place, 0);
+        if (turn == 1) {
+            return;
+        }
+        along_start(aimed, adjoint, aimed->work->slopes, fa, fb);
+        if (!aimed->at_stop) {
+            move_pupil(aimed, fa, fb, rates);
+            return;
+        }
+        aim_back(aimed, fa, fb, x, y, rates);
+        pass->at = aimed->system->stop;
+        pass->add_x = x;
+        pass->add_y = y;
+    }
+}
+
+void aimed_sweep(const struct aimed *aimed, const struct derivative_layout *layout, size_t place,
                  struct ray_block *adjoint, double *gradient, struct aimed_rates *rates)
 {
     struct derivative_pass pass = {.system = aimed->system,
@@ -254,15 +266,27 @@ void aimed_sweep(const struct aimed *aimed, const struct derivative_layout *layo
                                    .tape = &aimed->work->tape,
                                    .adjoint = adjoint,
                                    .gradient = gradient};
-    derivative_pass_begin(&pass);
-    if (aimed->at_stop) {
-        sweep_stop(aimed, &pass, rates);
+    const size_t stop = aimed->system->stop;
+    if (aimed->at_stop && place <= stop) {
+        const struct ray_block given = *adjoint;
+        sweep_twice(aimed, &pass, stop + 1, place, &given, rates);
         return;
     }
-    derivative_pass_part(&pass, aimed->system->places, 0);
-    double fa[RAYS_BLOCK], fb[RAYS_BLOCK];
-    along_start(aimed, adjoint, aimed->work->slopes, fa, fb);
-    move_pupil(aimed, fa, fb, rates);
+    double x[RAYS_BLOCK], y[RAYS_BLOCK], fa[RAYS_BLOCK], fb[RAYS_BLOCK];
+    derivative_pass_begin(&pass, place);
+    if (!aimed->at_stop) {
+        derivative_pass_part(&pass, place, 0);
+        along_start(aimed, adjoint, aimed->work->slopes, fa, fb);
+        move_pupil(aimed, fa, fb, rates);
+        return;
+    }
+    derivative_pass_part(&pass, place, stop + 1);
+    along_start(aimed, adjoint, aimed->work->tangents, fa, fb);
+    aim_back(aimed, fa, fb, x, y, rates);
+    pass.at = stop;
+    pass.add_x = x;
+    pass.add_y = y;
+    derivative_pass_part(&pass, stop + 1, 0);
 }
 
 void aimed_sweep_seeds(const struct aimed *aimed, const struct derivative_layout *layout,
@@ -276,22 +300,7 @@ void aimed_sweep_seeds(const struct aimed *aimed, const struct derivative_layout
                                    .adjoint = adjoint,
                                    .gradient = gradient,
                                    .seeds = *seeds};
-    double fa[RAYS_BLOCK], fb[RAYS_BLOCK], x[RAYS_BLOCK], y[RAYS_BLOCK];
-    memset(adjoint, 0, sizeof *adjoint);
-    derivative_pass_begin(&pass);
-    derivative_pass_part(&pass, aimed->system->places, 0);
-    along_start(aimed, adjoint, aimed->work->slopes, fa, fb);
-    if (!aimed->at_stop) {
-        move_pupil(aimed, fa, fb, rates);
-        return;
-    }
-    aim_back(aimed, fa, fb, x, y, rates);
-    pass.at = aimed->system->stop;
-    pass.add_x = x;
-    pass.add_y = y;
-    memset(adjoint, 0, sizeof *adjoint);
-    derivative_pass_begin(&pass);
-    derivative_pass_part(&pass, aimed->system->places, 0);
+    sweep_twice(aimed, &pass, aimed->system->places, 0, NULL, rates);
 }
 
 /* -------- aim -------- */
@@ -301,7 +310,7 @@ static void aimed_trace_to_stop(const struct aimed *aimed, const double *a, cons
                                 struct ray_block *block)
 {
     const struct system *system = aimed->system;
-    const struct rays rays = {block, (size_t)aimed->count};
+    const struct rays rays = {block, (size_t)aimed->lanes}; /* those that nobody uses arrive, too */
     const struct trace_way way = {.set = aimed->set};
     aimed_start_rays(aimed, a, b, block);
     rays_trace_part(system, 0, system->stop + 1, &rays, &way);
@@ -317,58 +326,6 @@ static void aimed_trace_to_stop(const struct aimed *aimed, const double *a, cons
     }
 }
 
-/* From where they are; false: a ray is lost there. */
-static bool begin_steps(const struct aimed *aimed, const struct ray_block *at,
-                        struct aim_block *block)
-{
-    const double radius = aimed->system->stop_radius;
-    bool arrives = true;
-    block->lanes = aimed->lanes;
-    for (int i = 0; i < aimed->lanes; i++) {
-        arrives = arrives && at->lost[i] == 0;
-        block->goal_x[i] = aimed->x[i] * radius;
-        block->goal_y[i] = aimed->y[i] * radius;
-        block->a[i] = aimed->a[i];
-        block->b[i] = aimed->b[i];
-        block->miss_x[i] = block->goal_x[i] - at->x[i];
-        block->miss_y[i] = block->goal_y[i] - at->y[i];
-        block->state[i] = block->miss_x[i] == 0 && block->miss_y[i] == 0 ? AIM_DONE : AIM_OPEN;
-        const double mx = block->miss_x[i], my = block->miss_y[i];
-        for (int k = 0; k < 4; k++) {
-            block->m[k][i] = aimed->inverse[k][i];
-        }
-        block->step_a[i] = block->m[0][i] * mx + block->m[1][i] * my;
-        block->step_b[i] = block->m[2][i] * mx + block->m[3][i] * my;
-        block->next_a[i] = block->a[i] + block->step_a[i];
-        block->next_b[i] = block->b[i] + block->step_b[i];
-    }
-    return arrives;
-}
-
-/* Are they all there, and as near to where they were as on the same sheet of the pupil? */
-static bool end_steps(struct aimed *aimed, const struct aim_block *block)
-{
-    const double most = 4; /* what the pupil's scale may change by */
-    bool done = true;
-    for (int i = 0; i < aimed->lanes; i++) {
-        const double was = aimed->inverse[0][i] * aimed->inverse[3][i] -
-                           aimed->inverse[1][i] * aimed->inverse[2][i];
-        const double is = block->m[0][i] * block->m[3][i] - block->m[1][i] * block->m[2][i];
-        const double ratio = is / was;
-        done = done && block->state[i] == AIM_DONE && ratio > 1 / most && ratio < most;
-    }
-    if (!done) {
-        return false;
-    }
-    const size_t bytes = (size_t)aimed->lanes * sizeof(double);
-    memcpy(aimed->a, block->a, bytes);
-    memcpy(aimed->b, block->b, bytes);
-    for (int k = 0; k < 4; k++) {
-        memcpy(aimed->inverse[k], block->m[k], bytes);
-    }
-    return true;
-}
-
 /* From the lens before. */
 static bool aimed_steer(struct aimed *aimed)
 {
@@ -378,7 +335,28 @@ static bool aimed_steer(struct aimed *aimed)
     struct ray_block *at = aimed->work->start;
     struct aim_block block;
     aimed_trace_to_stop(aimed, aimed->a, aimed->b, at);
-    if (!begin_steps(aimed, at, &block)) {
+    /* from where they are; false: a ray is lost there */
+    bool arrives = true;
+    block.lanes = aimed->lanes;
+    for (int i = 0; i < aimed->lanes; i++) {
+        arrives = arrives && at->lost[i] == 0;
+        block.goal_x[i] = aimed->x[i] * radius;
+        block.goal_y[i] = aimed->y[i] * radius;
+        block.a[i] = aimed->a[i];
+        block.b[i] = aimed->b[i];
+        block.miss_x[i] = block.goal_x[i] - at->x[i];
+        block.miss_y[i] = block.goal_y[i] - at->y[i];
+        block.state[i] = block.miss_x[i] == 0 && block.miss_y[i] == 0 ? AIM_DONE : AIM_OPEN;
+        const double mx = block.miss_x[i], my = block.miss_y[i];
+        for (int k = 0; k < 4; k++) {
+            block.m[k][i] = aimed->inverse[k][i];
+        }
+        block.step_a[i] = block.m[0][i] * mx + block.m[1][i] * my;
+        block.step_b[i] = block.m[2][i] * mx + block.m[3][i] * my;
+        block.next_a[i] = block.a[i] + block.step_a[i];
+        block.next_b[i] = block.b[i] + block.step_b[i];
+    }
+    if (!arrives) {
         return false;
     }
     kernel_aim *kernel = KERNEL_FOR(aimed->set, kernel_aim);
@@ -386,7 +364,26 @@ static bool aimed_steer(struct aimed *aimed)
         aimed_trace_to_stop(aimed, block.next_a, block.next_b, at);
         kernel(at, enough * enough, near * near, &block);
     }
-    return end_steps(aimed, &block);
+    /* are they all there, and as near to where they were as on the same sheet of the pupil? */
+    const double most = 4; /* what the pupil's scale may change by */
+    bool done = true;
+    for (int i = 0; i < aimed->lanes; i++) {
+        const double was = aimed->inverse[0][i] * aimed->inverse[3][i] -
+                           aimed->inverse[1][i] * aimed->inverse[2][i];
+        const double is = block.m[0][i] * block.m[3][i] - block.m[1][i] * block.m[2][i];
+        const double ratio = is / was;
+        done = done && block.state[i] == AIM_DONE && ratio > 1 / most && ratio < most;
+    }
+    if (!done) {
+        return false;
+    }
+    const size_t bytes = (size_t)aimed->lanes * sizeof(double);
+    memcpy(aimed->a, block.a, bytes);
+    memcpy(aimed->b, block.b, bytes);
+    for (int k = 0; k < 4; k++) {
+        memcpy(aimed->inverse[k], block.m[k], bytes);
+    }
+    return true;
 }
 
 /* From nothing: the rays of one beam. */
@@ -466,33 +463,6 @@ bool aimed_at_stop(struct aimed *aimed, const struct system *system, struct aren
 
 /* -------- the entrance pupil -------- */
 
-/*
- * Rays of one beam through points of the pupil at z: beam_place, and how coordinates change with
- * the pupil's radius and place.
- */
-static void aim_lanes(struct aimed *aimed, const struct aimed_beam *at,
-                      const struct first_order *first)
-{
-    const double radius = first->entrance_diameter / 2, z = first->entrance_pupil;
-    const double *u = at->beam.across[0], *v = at->beam.across[1], *e = at->beam.axis;
-    const bool far = isinf(at->beam.distance);
-    const double d = far ? 1 : at->beam.distance, bends = far ? 0 : 1;
-    for (int i = at->first; i < at->first + at->count; i++) {
-        const double x = aimed->x[i], y = aimed->y[i];
-        const double along_e = bends * (radius * (x * e[0] + y * e[1]) + z * e[2]);
-        const double scale = d / (d + along_e), shrink = bends * scale / d;
-        const double out = x * e[0] + y * e[1];
-        const double a = scale * (radius * (x * u[0] + y * u[1]) + z * u[2]);
-        const double b = scale * (radius * (x * v[0] + y * v[1]) + z * v[2]);
-        aimed->a[i] = a;
-        aimed->b[i] = b;
-        aimed->by_radius[0][i] = scale * (x * u[0] + y * u[1]) - a * shrink * out;
-        aimed->by_radius[1][i] = scale * (x * v[0] + y * v[1]) - b * shrink * out;
-        aimed->by_place[0][i] = scale * u[2] - a * shrink * e[2];
-        aimed->by_place[1][i] = scale * v[2] - b * shrink * e[2];
-    }
-}
-
 /* The cone of a numerical aperture, which the lens does not change. */
 static bool aim_cone(struct aimed *aimed, const struct aimed_beam *at,
                      const struct first_order *first, struct error *error)
@@ -524,7 +494,28 @@ bool aimed_at_entrance(struct aimed *aimed, const struct system *system,
             return false;
         }
         if (!first->is_telecentric) {
-            aim_lanes(aimed, at, first);
+            /*
+             * Rays of one beam through points of the pupil at z: beam_place, and how coordinates
+             * change with the pupil's radius and place.
+             */
+            const double radius = first->entrance_diameter / 2, z = first->entrance_pupil;
+            const double *u = at->beam.across[0], *v = at->beam.across[1], *e = at->beam.axis;
+            const bool far = isinf(at->beam.distance);
+            const double d = far ? 1 : at->beam.distance, bends = far ? 0 : 1;
+            for (int i = at->first; i < at->first + at->count; i++) {
+                const double x = aimed->x[i], y = aimed->y[i];
+                const double along_e = bends * (radius * (x * e[0] + y * e[1]) + z * e[2]);
+                const double scale = d / (d + along_e), shrink = bends * scale / d;
+                const double out = x * e[0] + y * e[1];
+                const double a = scale * (radius * (x * u[0] + y * u[1]) + z * u[2]);
+                const double b = scale * (radius * (x * v[0] + y * v[1]) + z * v[2]);
+                aimed->a[i] = a;
+                aimed->b[i] = b;
+                aimed->by_radius[0][i] = scale * (x * u[0] + y * u[1]) - a * shrink * out;
+                aimed->by_radius[1][i] = scale * (x * v[0] + y * v[1]) - b * shrink * out;
+                aimed->by_place[0][i] = scale * u[2] - a * shrink * e[2];
+                aimed->by_place[1][i] = scale * v[2] - b * shrink * e[2];
+            }
         } else if (!aim_cone(aimed, at, first, error)) {
             return false;
         }

@@ -93,16 +93,17 @@ bool aimed_at_entrance(struct aimed *aimed, const struct system *system,
  */
 void aimed_trace(struct aimed *aimed, bool derives, struct ray_block *end);
 
-/* Derivatives of a function of the final rays, one a ray. */
+/* Derivatives of a function of rays, one a ray. */
 struct aimed_rates {
     double radius[RAYS_BLOCK]; /* by that of the stop, or of the entrance pupil, 1/mm */
     double place[RAYS_BLOCK];  /* by the z of the entrance pupil, 1/mm; 0 of rays to the stop */
 };
 
 /*
- * Derivatives of one function of the final rays by all parameters, the aim looked after.
+ * Derivatives of one function of the rays before a place by all parameters, the aim looked after.
  *
  * Given     layout    of the system
+ *           place     system->places: of the final rays
  *           adjoint   as for derivative_sweep; receives the derivatives by the starting ray, aim
  *                     looked after: of one that starts elsewhere or otherwise
  *           gradient  as there
@@ -110,10 +111,11 @@ struct aimed_rates {
  * Formula   s the place in the stop, T its aim, e the stop's radius: df = df/dp - df/d(a, b)
  *           (ds/d(a, b))^-1 (ds/dp - T de/dp). So behind the stop the adjoint gains
  *           -df/d(a, b) (ds/d(a, b))^-1 in x and y, and what comes before counts with it;
- *           d/d(a, b) there is carried forwards (trace/tangent.h)
+ *           d/d(a, b) there is carried forwards (trace/tangent.h), or of what lies before the stop
+ *           comes from a sweep of its own
  * Source    derived here: the theorem of implicit functions for s(a, b, p) = e T
  */
-void aimed_sweep(const struct aimed *aimed, const struct derivative_layout *layout,
+void aimed_sweep(const struct aimed *aimed, const struct derivative_layout *layout, size_t place,
                  struct ray_block *adjoint, double *gradient, struct aimed_rates *rates);
 
 /*
@@ -121,7 +123,6 @@ void aimed_sweep(const struct aimed *aimed, const struct derivative_layout *layo
  *
  * Given     seeds    what it gains there
  *           adjoint  receives the derivatives by the starting ray
- * Formula   as there, df/d(a, b) from a sweep of its own, as some of it lies before the stop
  */
 void aimed_sweep_seeds(const struct aimed *aimed, const struct derivative_layout *layout,
                        const struct derivative_seeds *seeds, struct ray_block *adjoint,

@@ -52,15 +52,6 @@ static bool lane_arrived(const struct aim *aim, size_t lane)
     return ray_block_status(aim->work.blocks, lane) == RAY_OK;
 }
 
-/* Slopes between the four rays about one, from a lane on. */
-static void take_slope(const struct ray_block *block, size_t lane, double h, double slope[4])
-{
-    slope[0] = (block->x[lane] - block->x[lane + 1]) / (2 * h);
-    slope[1] = (block->x[lane + 2] - block->x[lane + 3]) / (2 * h);
-    slope[2] = (block->y[lane] - block->y[lane + 1]) / (2 * h);
-    slope[3] = (block->y[lane + 2] - block->y[lane + 3]) / (2 * h);
-}
-
 /* The four rays about some of many, h beside them; those that all arrive are no longer pending. */
 static size_t try_slopes(const struct aim *aim, const double (*at)[2], double h, size_t count,
                          size_t *pending, double (*slopes)[4], bool *found)
@@ -81,7 +72,14 @@ static size_t try_slopes(const struct aim *aim, const double (*at)[2], double h,
             const size_t i = pending[done + k];
             if (lane_arrived(aim, 4 * k) && lane_arrived(aim, 4 * k + 1) &&
                 lane_arrived(aim, 4 * k + 2) && lane_arrived(aim, 4 * k + 3)) {
-                take_slope(aim->work.blocks, 4 * k, h, slopes[i]);
+                /* slopes between the four rays about one, from a lane on */
+                const struct ray_block *block = aim->work.blocks;
+                const size_t lane = 4 * k;
+                double *slope = slopes[i];
+                slope[0] = (block->x[lane] - block->x[lane + 1]) / (2 * h);
+                slope[1] = (block->x[lane + 2] - block->x[lane + 3]) / (2 * h);
+                slope[2] = (block->y[lane] - block->y[lane + 1]) / (2 * h);
+                slope[3] = (block->y[lane + 2] - block->y[lane + 3]) / (2 * h);
                 found[i] = slopes[i][0] * slopes[i][3] != slopes[i][1] * slopes[i][2];
             } else {
                 pending[left++] = i;
@@ -192,34 +190,29 @@ struct chief_bracket {
     bool found;
 };
 
-/* How far outside of the clear apertures a ray runs before the stop: the largest r/a. */
-static double chief_aperture_excess(const struct aim *aim, double b)
-{
-    const struct system *system = aim->system;
-    const struct ray ray = beam_ray(&aim->beam, aim->chief[0], b);
-    const struct rays rays = {aim->work.blocks, 1};
-    double worst = 0;
-    rays_set(&rays, 0, aim->beam.n, &ray);
-    for (size_t place = 0; place <= system_place(system, system->stop); place++) {
-        const struct surface *surface = &system->lens->surfaces[system_surface(system, place)];
-        rays_trace_part(system, place, place + 1, &rays, NULL);
-        if (surface->has_diameter) {
-            const struct ray_block *block = aim->work.blocks;
-            worst = fmax(worst, hypot(block->x[0], block->y[0]) / (surface->diameter.value.hi / 2));
-        }
-    }
-    return worst;
-}
-
 /* Is this bracket better than the last? Apertures first, then nearness to the paraxial ray. */
-static void chief_bracket_offer(const struct aim *aim, const struct chief_region *region,
-                                double low, double high, bool compares_apertures,
-                                struct chief_bracket *bracket)
+static void bracket_offer(const struct aim *aim, const struct chief_region *region, double low,
+                          double high, bool compares_apertures, struct chief_bracket *bracket)
 {
     double middle = (low + high) / 2;
     double distance = fabs(middle - region->guess[1]);
     if (compares_apertures) {
-        double beyond = fmax(chief_aperture_excess(aim, middle) - 1, 0);
+        /* how far outside of the clear apertures a ray runs before the stop: the largest r/a */
+        const struct system *system = aim->system;
+        const struct ray ray = beam_ray(&aim->beam, aim->chief[0], middle);
+        const struct rays rays = {aim->work.blocks, 1};
+        double worst = 0;
+        rays_set(&rays, 0, aim->beam.n, &ray);
+        for (size_t place = 0; place <= system_place(system, system->stop); place++) {
+            const struct surface *surface = &system->lens->surfaces[system_surface(system, place)];
+            rays_trace_part(system, place, place + 1, &rays, NULL);
+            if (surface->has_diameter) {
+                const struct ray_block *block = aim->work.blocks;
+                worst =
+                    fmax(worst, hypot(block->x[0], block->y[0]) / (surface->diameter.value.hi / 2));
+            }
+        }
+        double beyond = fmax(worst - 1, 0);
         distance += 1e6 * beyond * (region->high[1] - region->low[1]);
     }
     if (!bracket->found || distance < bracket->distance) {
@@ -253,14 +246,6 @@ struct crossings {
     size_t count;
 };
 
-static void add_crossing(struct crossings *all, double from, double to)
-{
-    if (all->count < 64) {
-        all->at[all->count][0] = from;
-        all->at[all->count++][1] = to;
-    }
-}
-
 /* Sample the meridional line; returns how many brackets it has. With `any_slope` turned ones do
    where there are no others. */
 static size_t scan_line(struct aim *aim, const struct chief_region *region,
@@ -283,7 +268,11 @@ static size_t scan_line(struct aim *aim, const struct chief_region *region,
             bool crosses = (last_height <= 0 && y > 0) || (last_height >= 0 && y < 0);
             bool turned = (y > last_height) != (region->slope > 0);
             if (crosses && (!turned || scan->any_slope)) {
-                add_crossing(turned ? &others : &found, last, at[i][1]);
+                struct crossings *all = turned ? &others : &found;
+                if (all->count < 64) {
+                    all->at[all->count][0] = last;
+                    all->at[all->count++][1] = at[i][1];
+                }
             }
             if (!here) {
                 note_loss(aim, i, losses);
@@ -294,7 +283,7 @@ static size_t scan_line(struct aim *aim, const struct chief_region *region,
     }
     const struct crossings *use = found.count > 0 ? &found : &others;
     for (size_t i = 0; i < use->count; i++) {
-        chief_bracket_offer(aim, region, use->at[i][0], use->at[i][1], use->count > 1, bracket);
+        bracket_offer(aim, region, use->at[i][0], use->at[i][1], use->count > 1, bracket);
     }
     return use->count;
 }
@@ -491,20 +480,6 @@ bool chief_find(struct aim *aim, struct arena *arena, struct error *error)
     return true;
 }
 
-/* One step towards the centre of the stop; along b alone the height along `up` counts. */
-static void step_to_centre(const struct aim *aim, const double slope[4], bool is_round,
-                           const double miss[2], double at[2])
-{
-    const double up[2] = {-aim->beam.across[0][1], aim->beam.across[0][0]};
-    if (is_round) {
-        at[1] -= (miss[0] * up[0] + miss[1] * up[1]) / (slope[1] * up[0] + slope[3] * up[1]);
-    } else {
-        const double det = slope[0] * slope[3] - slope[1] * slope[2];
-        at[0] -= (slope[3] * miss[0] - slope[1] * miss[1]) / det;
-        at[1] -= (slope[0] * miss[1] - slope[2] * miss[0]) / det;
-    }
-}
-
 bool chief_find_near(struct aim *aim, const struct aim_near *near)
 {
     enum { STEPS = 12 };
@@ -525,7 +500,15 @@ bool chief_find_near(struct aim *aim, const struct aim_near *near)
             return false;
         }
         before = here;
-        step_to_centre(aim, slope, is_round, miss, at);
+        /* one step towards the centre of the stop; along b alone the height along `up` counts */
+        const double up[2] = {-aim->beam.across[0][1], aim->beam.across[0][0]};
+        if (is_round) {
+            at[1] -= (miss[0] * up[0] + miss[1] * up[1]) / (slope[1] * up[0] + slope[3] * up[1]);
+        } else {
+            const double det = slope[0] * slope[3] - slope[1] * slope[2];
+            at[0] -= (slope[3] * miss[0] - slope[1] * miss[1]) / det;
+            at[1] -= (slope[0] * miss[1] - slope[2] * miss[0]) / det;
+        }
     }
     return before <= 1e-12 * aim->stop_radius && chief_slope(aim, aim->chief, aim->slope) &&
            sheet * (aim->slope[0] * aim->slope[3] - aim->slope[1] * aim->slope[2]) > 0;

@@ -35,21 +35,6 @@ static bool open_bend(const struct system *system, const struct derivative_tape 
     return false;
 }
 
-/* The largest and the least square of g = p' - p. */
-static void bend_extremes(const struct bend *bend, size_t count, double *least, double *most)
-{
-    const struct ray_block *restrict a = bend->before, *restrict b = bend->behind;
-    double low = INFINITY, high = 0;
-    for (size_t i = 0; i < count; i++) {
-        const double p = b->p[i] - a->p[i], q = b->q[i] - a->q[i], r = b->r[i] - a->r[i];
-        const double square = p * p + q * q + r * r;
-        low = square < low ? square : low;
-        high = square > high ? square : high;
-    }
-    *least = low;
-    *most = high;
-}
-
 /*
  * The least margin of all rays. S and L, n cos I of the rarer and the denser side: L^2 - S^2 = dn,
  * |g| = L - S, so S falls as |g| grows; of a mirror |g| = 2 S.
@@ -59,7 +44,17 @@ static double least_margin(const struct bend *bend, size_t count)
     const struct step *step = bend->step;
     const double dn = fabs(step->dn), rare = fmin(step->n11, step->n22);
     double least, most;
-    bend_extremes(bend, count, &least, &most);
+    /* the largest and the least square of g = p' - p */
+    const struct ray_block *restrict a = bend->before, *restrict b = bend->behind;
+    double low = INFINITY, high = 0;
+    for (size_t i = 0; i < count; i++) {
+        const double p = b->p[i] - a->p[i], q = b->q[i] - a->q[i], r = b->r[i] - a->r[i];
+        const double square = p * p + q * q + r * r;
+        low = square < low ? square : low;
+        high = square > high ? square : high;
+    }
+    least = low;
+    most = high;
     if (step->action == ACTION_REFLECT) {
         return least / (4 * step->n11);
     }
@@ -95,36 +90,6 @@ static double margin_of(const struct bend *bend, size_t i, double by_before[3], 
 /* What keeps a ray that is lost from counting infinitely, of the limit. */
 static const double least = 0.01;
 
-/* What the rays of one surface count. */
-static void grazing_add(const struct bend *bend, size_t count, double limit,
-                        struct derivative_seed *seed, struct grazing_penalty *grazing)
-{
-    for (size_t i = 0; i < count; i++) {
-        double before[3], behind[3];
-        const double m = margin_of(bend, i, before, behind);
-        if (!(m < limit)) {
-            continue;
-        }
-        const double off = limit - m, over = 1 / (limit * (m + least * limit));
-        const double slope = -off * (limit + m + 2 * least * limit) * over / (m + least * limit);
-        grazing->value[i] += off * off * over;
-        for (int k = 0; k < 3 && seed != NULL; k++) {
-            seed->before[k][i] = slope * before[k];
-            seed->behind[k][i] = slope * behind[k];
-        }
-    }
-}
-
-/* Room for one more, of so many places. */
-static struct derivative_seed *next_seed(struct derivative_seeds *seeds, size_t places,
-                                         struct arena *arena)
-{
-    if (seeds->list == NULL) {
-        seeds->list = ARENA_ARRAY(arena, places, struct derivative_seed);
-    }
-    return &seeds->list[seeds->count++];
-}
-
 void grazing_find(const struct aimed *aimed, double limit, bool derives, struct arena *arena,
                   struct grazing_penalty *grazing)
 {
@@ -144,9 +109,29 @@ void grazing_find(const struct aimed *aimed, double limit, bool derives, struct 
         }
         grazing->any = true;
         if (derives) {
-            seed = next_seed(&grazing->seeds, system->places, arena);
+            /* room for one more, of so many places */
+            struct derivative_seeds *seeds = &grazing->seeds;
+            if (seeds->list == NULL) {
+                seeds->list = ARENA_ARRAY(arena, system->places, struct derivative_seed);
+            }
+            seed = &seeds->list[seeds->count++];
             seed->place = place;
         }
-        grazing_add(&bend, count, limit, seed, grazing);
+        /* what the rays of one surface count */
+        for (size_t i = 0; i < count; i++) {
+            double before[3], behind[3];
+            const double m = margin_of(&bend, i, before, behind);
+            if (!(m < limit)) {
+                continue;
+            }
+            const double off = limit - m, over = 1 / (limit * (m + least * limit));
+            const double slope =
+                -off * (limit + m + 2 * least * limit) * over / (m + least * limit);
+            grazing->value[i] += off * off * over;
+            for (int k = 0; k < 3 && seed != NULL; k++) {
+                seed->before[k][i] = slope * before[k];
+                seed->behind[k][i] = slope * behind[k];
+            }
+        }
     }
 }

@@ -54,10 +54,24 @@ static void clear_put_corners(const struct clear_search *search, struct clear_pu
     pupil->corner_count = count;
 }
 
-/* Directions of the arms, and what angles they stand for. */
-static void clear_put_directions(const struct clear_search *search, struct clear_pupil *pupil,
-                                 double *angles)
+/* The arms, from angles to areas: r^2/2 of each, in stretched coordinates. */
+static void clear_put_arms(const struct clear_search *search, struct clear_pupil *pupil)
 {
+    const struct edge_frame *frame = &search->boundary->frame;
+    const double *axes = search->margins->beam->axes;
+    const double unit = frame->stretch[0] * frame->stretch[1] * axes[0] * axes[3];
+    /* something that is the last in no direction but one has no arc of its own */
+    pupil->arcs = search->boundary->corner_count >= 2 ? search->boundary->corner_count : 0;
+    pupil->arm_count = search->margins->is_listed ? MANY : CIRCLE;
+    if (pupil->arcs > 0) {
+        pupil->arm_count = pupil->arcs * CLEAR_ARC;
+    }
+    const size_t count = pupil->arm_count;
+    double *angles = ARENA_ARRAY(search->arena, count, double);
+    struct edge *found = ARENA_ARRAY(search->arena, count, struct edge);
+    struct clear_intervals *intervals = ARENA_ARRAY(search->arena, count, struct clear_intervals);
+    pupil->arms = ARENA_ARRAY(search->arena, count, struct clear_arm);
+    /* directions of the arms, and what angles they stand for */
     const double *corners = search->boundary->corners;
     double *widths = ARENA_ARRAY(search->arena, pupil->arcs, double);
     for (size_t i = 0; i < pupil->arm_count && pupil->arcs == 0; i++) {
@@ -78,26 +92,6 @@ static void clear_put_directions(const struct clear_search *search, struct clear
         pupil->arms[i].area = weight * (high - low);
     }
     pupil->arc_angles = widths;
-}
-
-/* The arms, from angles to areas: r^2/2 of each, in stretched coordinates. */
-static void clear_put_arms(const struct clear_search *search, struct clear_pupil *pupil)
-{
-    const struct edge_frame *frame = &search->boundary->frame;
-    const double *axes = search->margins->beam->axes;
-    const double unit = frame->stretch[0] * frame->stretch[1] * axes[0] * axes[3];
-    /* something that is the last in no direction but one has no arc of its own */
-    pupil->arcs = search->boundary->corner_count >= 2 ? search->boundary->corner_count : 0;
-    pupil->arm_count = search->margins->is_listed ? MANY : CIRCLE;
-    if (pupil->arcs > 0) {
-        pupil->arm_count = pupil->arcs * CLEAR_ARC;
-    }
-    const size_t count = pupil->arm_count;
-    double *angles = ARENA_ARRAY(search->arena, count, double);
-    struct edge *found = ARENA_ARRAY(search->arena, count, struct edge);
-    struct clear_intervals *intervals = ARENA_ARRAY(search->arena, count, struct clear_intervals);
-    pupil->arms = ARENA_ARRAY(search->arena, count, struct clear_arm);
-    clear_put_directions(search, pupil, angles);
     clear_put_corners(search, pupil);
     const struct clear_edge *edges = clear_find_edges(search, angles, count, found);
     pupil_boundary_intervals(search->margins, frame, angles, count, found, intervals);
@@ -232,21 +226,6 @@ const struct clear_edge *clear_edge_at(const struct clear_pupil *pupil, size_t w
     return which < tips ? &pupil->corners[which] : &pupil->arms[which - tips].edge;
 }
 
-static void put_bounds(struct arena *arena, struct clear_pupil *pupil)
-{
-    const size_t count = pupil->corner_count + pupil->arm_count;
-    double(*at)[2] = arena_array(arena, count, sizeof *at);
-    for (size_t i = 0; i < count; i++) {
-        at[i][0] = clear_edge_at(pupil, i)->at[0];
-        at[i][1] = clear_edge_at(pupil, i)->at[1];
-    }
-    for (int k = 0; k < 2; k++) {
-        const double(*points)[2] = (const double(*)[2])at;
-        pupil->high[k] = clear_extreme(pupil, points, k, 1, &pupil->ends[k]);
-        pupil->low[k] = clear_extreme(pupil, points, k, -1, &pupil->ends[k + 2]);
-    }
-}
-
 void clear_find(const struct system *system, const struct beam *beam,
                 const struct clear_guess *guess, size_t directions, struct arena *arena,
                 struct clear_pupil *pupil)
@@ -271,7 +250,17 @@ void clear_find(const struct system *system, const struct beam *beam,
     }
     stop_beam_place(&frame, boundary->frame.centre[0], boundary->frame.centre[1], pupil->centre);
     clear_put_arms(&search, pupil);
-    put_bounds(arena, pupil);
+    const size_t count = pupil->corner_count + pupil->arm_count;
+    double(*at)[2] = arena_array(arena, count, sizeof *at);
+    for (size_t i = 0; i < count; i++) {
+        at[i][0] = clear_edge_at(pupil, i)->at[0];
+        at[i][1] = clear_edge_at(pupil, i)->at[1];
+    }
+    for (int k = 0; k < 2; k++) {
+        const double(*points)[2] = (const double(*)[2])at;
+        pupil->high[k] = clear_extreme(pupil, points, k, 1, &pupil->ends[k]);
+        pupil->low[k] = clear_extreme(pupil, points, k, -1, &pupil->ends[k + 2]);
+    }
     double *angles = ARENA_ARRAY(arena, directions, double);
     for (size_t i = 0; i < directions; i++) {
         angles[i] = clear_angle(i, directions);

@@ -52,12 +52,20 @@ static double cross_last(const struct cross_search *search, size_t end, double r
     return sign * last;
 }
 
-/* The edges on one side of an axis (count 1) or on both, from the centre. */
-static void cross_find_ends(const struct cross_search *search, int axis, size_t count)
+/*
+ * Both edges along one axis, and the point halfway between them if that passes. `mirrors`: one is
+ * the image of the other.
+ */
+static void cross_halve(struct cross_search *search, int axis, bool mirrors)
 {
+    struct clear_cross *cross = search->cross;
+    for (int k = 0; k < 2; k++) {
+        search->frame.origin[k] = cross->centre[k];
+    }
+    /* the edges on one side of an axis (count 1) or on both, from the centre */
+    const size_t count = mirrors ? 1 : 2;
     const double farthest = 60;
     const double angles[2] = {directions[axis], directions[axis + 2]};
-    struct clear_cross *cross = search->cross;
     struct edge_frame frame = {.stretch = {1, 1}};
     struct edge edges[2];
     bool is_closed = false;
@@ -76,19 +84,6 @@ static void cross_find_ends(const struct cross_search *search, int axis, size_t 
             cross->centre[axis] + search->frame.axes[0] * cross_last(search, end, radius);
         cross->ends[end].at[1 - axis] = cross->centre[1 - axis];
     }
-}
-
-/*
- * Both edges along one axis, and the point halfway between them if that passes. `mirrors`: one is
- * the image of the other.
- */
-static void cross_halve(struct cross_search *search, int axis, bool mirrors)
-{
-    struct clear_cross *cross = search->cross;
-    for (int k = 0; k < 2; k++) {
-        search->frame.origin[k] = cross->centre[k];
-    }
-    cross_find_ends(search, axis, mirrors ? 1 : 2);
     if (mirrors) {
         cross->ends[axis + 2] = cross->ends[axis];
         cross->ends[axis + 2].at[axis] = -cross->ends[axis].at[axis];

@@ -78,48 +78,6 @@ static void note_changes(struct line_cut *cutting, size_t line, const struct lin
     }
 }
 
-/* One line: coarse, and again where something may hide. Receives whether it begins dark. */
-static size_t cut_scan_line(struct line_cut *cutting, size_t line, size_t *part)
-{
-    struct line_point spots[RAYS_BLOCK], closer[RAYS_BLOCK];
-    size_t first = cutting->count, most = first + CHANGES, from = 0, closely = 0;
-    cut_trace_points(cutting, line, 0, 1, spots);
-    *part = spots[0].depth > 0 ? spots[0].part : 0;
-    for (size_t i = 1; i + 1 < RAYS_BLOCK && closely < CLOSER; i++) {
-        if (i > from && may_hide(&spots[i])) {
-            note_changes(cutting, line, spots + from, i - from, most);
-            cut_trace_points(cutting, line, spots[i - 1].t, spots[i + 1].t, closer);
-            note_changes(cutting, line, closer, RAYS_BLOCK, most);
-            from = i + 1;
-            closely++;
-        }
-    }
-    note_changes(cutting, line, spots + from, RAYS_BLOCK - from, most);
-    return cutting->count - first;
-}
-
-/* All changes at once. */
-static void cut_bisect(struct line_cut *cutting)
-{
-    double at[RAYS_BLOCK][2], depth[RAYS_BLOCK];
-    size_t part[RAYS_BLOCK];
-    /* from 1/127 of the line to 1e-15 of it */
-    for (int step = 0; step < 43 && cutting->count > 0; step++) {
-        for (size_t i = 0; i < cutting->count; i++) {
-            const struct light_change *change = &cutting->changes[i];
-            cut_place(cutting, change->line, (change->low + change->high) / 2, at[i]);
-        }
-        clearances_depth(cutting->margins, (const double(*)[2])at, cutting->count, depth, part);
-        for (size_t i = 0; i < cutting->count; i++) {
-            struct light_change *change = &cutting->changes[i];
-            double middle = (change->low + change->high) / 2;
-            bool dark = depth[i] > 0;
-            change->part = dark ? part[i] : change->part;
-            *(dark == change->darkens ? &change->high : &change->low) = middle;
-        }
-    }
-}
-
 static void add_margin_number(size_t *all, size_t number)
 {
     *all = *all * 1000003 + number;
@@ -162,10 +120,46 @@ void clear_intervals_find(const struct clearances *margins, const double centre[
         /* as many lines as there is room for the changes of */
         while (done + lines < count && lines < RAYS_BLOCK &&
                cutting.count + CHANGES <= RAYS_BLOCK) {
-            found[lines] = cut_scan_line(&cutting, done + lines, &begins[lines]);
+            /*
+             * one line: coarse, and again where something may hide. Receives whether it begins
+             * dark.
+             */
+            const size_t line = done + lines;
+            struct line_point spots[RAYS_BLOCK], closer[RAYS_BLOCK];
+            size_t first = cutting.count, most = first + CHANGES, from = 0, closely = 0;
+            cut_trace_points(&cutting, line, 0, 1, spots);
+            begins[lines] = spots[0].depth > 0 ? spots[0].part : 0;
+            for (size_t i = 1; i + 1 < RAYS_BLOCK && closely < CLOSER; i++) {
+                if (i > from && may_hide(&spots[i])) {
+                    note_changes(&cutting, line, spots + from, i - from, most);
+                    cut_trace_points(&cutting, line, spots[i - 1].t, spots[i + 1].t, closer);
+                    note_changes(&cutting, line, closer, RAYS_BLOCK, most);
+                    from = i + 1;
+                    closely++;
+                }
+            }
+            note_changes(&cutting, line, spots + from, RAYS_BLOCK - from, most);
+            found[lines] = cutting.count - first;
             lines++;
         }
-        cut_bisect(&cutting);
+        /* all changes at once */
+        double at[RAYS_BLOCK][2], depth[RAYS_BLOCK];
+        size_t part[RAYS_BLOCK];
+        /* from 1/127 of the line to 1e-15 of it */
+        for (int step = 0; step < 43 && cutting.count > 0; step++) {
+            for (size_t i = 0; i < cutting.count; i++) {
+                const struct light_change *change = &cutting.changes[i];
+                cut_place(&cutting, change->line, (change->low + change->high) / 2, at[i]);
+            }
+            clearances_depth(cutting.margins, (const double(*)[2])at, cutting.count, depth, part);
+            for (size_t i = 0; i < cutting.count; i++) {
+                struct light_change *change = &cutting.changes[i];
+                double middle = (change->low + change->high) / 2;
+                bool dark = depth[i] > 0;
+                change->part = dark ? part[i] : change->part;
+                *(dark == change->darkens ? &change->high : &change->low) = middle;
+            }
+        }
         const struct light_change *changes = cutting.changes;
         for (size_t i = 0; i < lines; i++) {
             clear_intervals_join(changes, found[i], begins[i], &intervals[done + i]);

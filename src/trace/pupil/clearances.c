@@ -11,8 +11,7 @@ static const struct clip *margin_clip_at(const struct system *system, size_t sur
     return system->clips != NULL ? system->clips[surface] : NULL;
 }
 
-static bool clearances_are_plain(const struct system *system, const struct clearance *all,
-                                 size_t count)
+static bool are_plain(const struct system *system, const struct clearance *all, size_t count)
 {
     bool plain = true;
     for (size_t k = 0; k < count; k++) {
@@ -65,7 +64,7 @@ struct clearances clearances_open(const struct stop_beam *beam, struct arena *ar
                                .numbers = rows + (count + 1) * RAYS_BLOCK,
                                .watches = ARENA_ARRAY(arena, count, struct rim_watch),
                                .is_mirrored = stop_beam_is_mirrored(beam),
-                               .is_plain = clearances_are_plain(system, all, count)};
+                               .is_plain = are_plain(system, all, count)};
 }
 
 void clearances_narrow(const struct clearances *margins, size_t rays)
@@ -141,10 +140,22 @@ void clearances_cross(const struct clearances *margins, size_t surface, size_t i
     ray_at_surface(margins->system, margins->work.blocks, surface, i, point);
 }
 
-/* One row, of rays that stand on the surface. */
-static void margin_row_fill(const struct clearances *margins, const struct clearance *margin,
-                            size_t count, double *row)
+/* Row k; `from`: the place that the rays have come to. */
+static void clearances_trace_row(const struct clearances *margins, const double (*points)[2],
+                                 size_t count, size_t k, size_t *from)
 {
+    const struct rays rays = {margins->work.blocks, count};
+    const struct clearance *margin = &margins->all[k];
+    double *row = margins->rows + k * RAYS_BLOCK;
+    if (margin->surface == LENS_NONE) {
+        for (size_t i = 0; i < count; i++) {
+            row[i] = points[i][0] * points[i][0] + points[i][1] * points[i][1] - 1;
+        }
+        return;
+    }
+    rays_trace_part(margins->system, *from, margin->place, &rays, NULL);
+    *from = margin->place;
+    /* one row, of rays that stand on the surface */
     const struct ray_block *block = margins->work.blocks;
     const double over = 1 / margin->clear2;
     if (margin->clip == NULL && margins->system->lens->surfaces[margin->surface].decentre == NULL) {
@@ -162,43 +173,6 @@ static void margin_row_fill(const struct clearances *margins, const struct clear
             row[i] = listed > row[i] ? listed : row[i];
         }
     }
-}
-
-/* The worst of all rows. */
-static void clearances_worst(const struct clearances *margins, size_t count)
-{
-    double *excess = margins->excess;
-    size_t *limit = margins->limit;
-    for (size_t i = 0; i < count; i++) {
-        excess[i] = -1;
-        limit[i] = 0;
-    }
-    for (size_t k = 0; k < margins->count; k++) {
-        const double *row = margins->rows + k * RAYS_BLOCK;
-        for (size_t i = 0; i < count; i++) {
-            bool more = row[i] > excess[i];
-            excess[i] = more ? row[i] : excess[i];
-            limit[i] = more ? k : limit[i];
-        }
-    }
-}
-
-/* Row k; `from`: the place that the rays have come to. */
-static void clearances_trace_row(const struct clearances *margins, const double (*points)[2],
-                                 size_t count, size_t k, size_t *from)
-{
-    const struct rays rays = {margins->work.blocks, count};
-    const struct clearance *margin = &margins->all[k];
-    double *row = margins->rows + k * RAYS_BLOCK;
-    if (margin->surface == LENS_NONE) {
-        for (size_t i = 0; i < count; i++) {
-            row[i] = points[i][0] * points[i][0] + points[i][1] * points[i][1] - 1;
-        }
-        return;
-    }
-    rays_trace_part(margins->system, *from, margin->place, &rays, NULL);
-    *from = margin->place;
-    margin_row_fill(margins, margin, count, row);
 }
 
 /* Those that do not arrive: their excess, and where they are lost. */
@@ -223,46 +197,21 @@ static void clearances_finish(const struct clearances *margins, size_t count, si
     if (from < system->places) {
         rays_trace_part(system, from, system->places, &rays, NULL);
     }
-    clearances_worst(margins, count);
-    clearances_mark_lost(margins, count);
-}
-
-/* What rays would have on surfaces behind one that they miss is no number. */
-static void clearances_blank_lost(const struct clearances *margins, size_t count)
-{
-    const struct ray_block *block = margins->work.blocks;
+    /* the worst of all rows */
+    double *excess = margins->excess;
+    size_t *limit = margins->limit;
     for (size_t i = 0; i < count; i++) {
-        if (block->lost[i] == 0 || ray_block_status(block, i) == RAY_CLIPPED) {
-            continue;
-        }
-        const size_t place = RAY_LOST_PLACE(block->lost[i]);
-        for (size_t k = 0; k < margins->count; k++) {
-            if (margins->counts[k] && margins->all[k].place > place) {
-                margins->rows[k * RAYS_BLOCK + i] = NAN;
-            }
-        }
+        excess[i] = -1;
+        limit[i] = 0;
     }
-}
-
-/* All rows on one way. */
-static void look_plainly(const struct clearances *margins, size_t count)
-{
-    const struct system *system = margins->system;
-    const struct rays rays = {margins->work.blocks, count};
-    struct rim_watch_request watching = {margins->watches, 0, margins->excess, margins->numbers};
     for (size_t k = 0; k < margins->count; k++) {
-        const struct clearance *margin = &margins->all[k];
-        if (margins->counts[k]) {
-            margins->watches[watching.count++] =
-                (struct rim_watch){system->begin[margin->place] - 1, 1 / margin->clear2, (double)k,
-                                   margins->rows + k * RAYS_BLOCK};
+        const double *row = margins->rows + k * RAYS_BLOCK;
+        for (size_t i = 0; i < count; i++) {
+            bool more = row[i] > excess[i];
+            excess[i] = more ? row[i] : excess[i];
+            limit[i] = more ? k : limit[i];
         }
     }
-    rays_watch(system, &rays, &watching);
-    for (size_t i = 0; i < count; i++) {
-        margins->limit[i] = (size_t)margins->numbers[i];
-    }
-    clearances_blank_lost(margins, count);
     clearances_mark_lost(margins, count);
 }
 
@@ -271,7 +220,37 @@ void clearances_look(const struct clearances *margins, const double (*points)[2]
     size_t from = 0;
     clearances_start_rays(margins, points, count, margins->work.blocks);
     if (margins->is_plain) {
-        look_plainly(margins, count);
+        /* all rows on one way */
+        const struct system *system = margins->system;
+        const struct rays rays = {margins->work.blocks, count};
+        struct rim_watch_request watching = {margins->watches, 0, margins->excess,
+                                             margins->numbers};
+        for (size_t k = 0; k < margins->count; k++) {
+            const struct clearance *margin = &margins->all[k];
+            if (margins->counts[k]) {
+                margins->watches[watching.count++] =
+                    (struct rim_watch){system->begin[margin->place] - 1, 1 / margin->clear2,
+                                       (double)k, margins->rows + k * RAYS_BLOCK};
+            }
+        }
+        rays_watch(system, &rays, &watching);
+        for (size_t i = 0; i < count; i++) {
+            margins->limit[i] = (size_t)margins->numbers[i];
+        }
+        /* what rays would have on surfaces behind one that they miss is no number */
+        const struct ray_block *block = margins->work.blocks;
+        for (size_t i = 0; i < count; i++) {
+            if (block->lost[i] == 0 || ray_block_status(block, i) == RAY_CLIPPED) {
+                continue;
+            }
+            const size_t place = RAY_LOST_PLACE(block->lost[i]);
+            for (size_t k = 0; k < margins->count; k++) {
+                if (margins->counts[k] && margins->all[k].place > place) {
+                    margins->rows[k * RAYS_BLOCK + i] = NAN;
+                }
+            }
+        }
+        clearances_mark_lost(margins, count);
         return;
     }
     for (size_t k = 0; k < margins->count; k++) {
@@ -282,18 +261,6 @@ void clearances_look(const struct clearances *margins, const double (*points)[2]
     clearances_finish(margins, count, from);
 }
 
-/* Are there rays that this row lets pass, among those that came so far? */
-static bool some_pass(const double *row, size_t count, bool *dark)
-{
-    bool some = false;
-    for (size_t i = 0; i < count; i++) {
-        /* a lost ray has no number */
-        dark[i] = dark[i] | !(row[i] <= 0);
-        some = some | !dark[i];
-    }
-    return some;
-}
-
 void clearances_sift(const struct clearances *margins, const double (*points)[2], size_t count)
 {
     bool dark[RAYS_BLOCK] = {false};
@@ -301,7 +268,15 @@ void clearances_sift(const struct clearances *margins, const double (*points)[2]
     clearances_start_rays(margins, points, count, margins->work.blocks);
     for (size_t k = 0; k < margins->count; k++) {
         clearances_trace_row(margins, points, count, k, &from);
-        if (!some_pass(margins->rows + k * RAYS_BLOCK, count, dark)) {
+        /* are there rays that this row lets pass, among those that came so far? */
+        const double *row = margins->rows + k * RAYS_BLOCK;
+        bool some = false;
+        for (size_t i = 0; i < count; i++) {
+            /* a lost ray has no number */
+            dark[i] = dark[i] | !(row[i] <= 0);
+            some = some | !dark[i];
+        }
+        if (!some) {
             for (size_t i = 0; i < count; i++) {
                 margins->excess[i] = INFINITY;
             }

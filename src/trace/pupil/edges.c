@@ -61,27 +61,6 @@ static void edge_searches_trace(struct edge_searches *all, size_t lanes)
     clearances_look(all->margins, (const double(*)[2])points, lanes);
 }
 
-/* What a ray at a radius beyond all before says while there is no bracket yet. */
-static void edge_search_step_out(struct edge_search *search, double radius, double excess,
-                                 size_t limit)
-{
-    int place = excess <= 0 ? 0 : 1;
-    if (search->is_closed) {
-        return;
-    }
-    if (place == 0) {
-        search->at[2] = search->at[0];
-        search->excess[2] = search->excess[0];
-        search->limits[2] = search->limits[0];
-    } else {
-        search->limit = limit;
-        search->is_closed = true;
-    }
-    search->at[place] = radius;
-    search->excess[place] = excess;
-    search->limits[place] = limit;
-}
-
 /* Outwards step by step, several of them at once. */
 static void edge_searches_bracket(struct edge_searches *all)
 {
@@ -108,8 +87,24 @@ static void edge_searches_bracket(struct edge_searches *all)
         }
         edge_searches_trace(all, lanes);
         for (size_t i = 0; i < lanes; i++) {
-            edge_search_step_out(&all->each[all->which[i]], all->radius[i], all->margins->excess[i],
-                                 all->margins->limit[i]);
+            /* what a ray at a radius beyond all before says while there is no bracket yet */
+            struct edge_search *search = &all->each[all->which[i]];
+            const double excess = all->margins->excess[i];
+            const size_t limit = all->margins->limit[i];
+            int place = excess <= 0 ? 0 : 1;
+            if (!search->is_closed) {
+                if (place == 0) {
+                    search->at[2] = search->at[0];
+                    search->excess[2] = search->excess[0];
+                    search->limits[2] = search->limits[0];
+                } else {
+                    search->limit = limit;
+                    search->is_closed = true;
+                }
+                search->at[place] = all->radius[i];
+                search->excess[place] = excess;
+                search->limits[place] = limit;
+            }
         }
     }
 }
@@ -171,27 +166,6 @@ static double edge_search_next(const struct edge_search *search, int turn, bool 
     return at > t[0] && at < t[1] ? at : middle;
 }
 
-static void edge_search_accept(struct edge_search *search, double radius, double excess,
-                               size_t limit, double tolerance)
-{
-    int place = excess <= 0 ? 0 : 1;
-    search->at[2] = search->at[place];
-    search->excess[2] = search->excess[place];
-    search->limits[2] = search->limits[place];
-    search->at[place] = radius;
-    search->excess[place] = excess;
-    search->limits[place] = limit;
-    if (place == 1 || fabs(excess) <= tolerance) {
-        search->limit = limit;
-    }
-    if (fabs(excess) <= tolerance) {
-        search->at[0] = radius;
-        search->is_done = true;
-    }
-    double width = isfinite(search->excess[1]) ? 3e-16 : 1e-13;
-    search->is_done = search->is_done || !(search->at[1] - search->at[0] > width * search->at[1]);
-}
-
 /*
  * Is it sure where a step leads? A parabola through three excesses of one rim, which are nearly
  * quadratic, is off by less than the product of the ways to them: here by rounding.
@@ -231,8 +205,27 @@ static void edge_searches_close(struct edge_searches *all, double tolerance)
         }
         edge_searches_trace(all, lanes);
         for (size_t i = 0; i < lanes; i++) {
-            edge_search_accept(&all->each[all->which[i]], all->radius[i], all->margins->excess[i],
-                               all->margins->limit[i], tolerance);
+            struct edge_search *search = &all->each[all->which[i]];
+            const double radius = all->radius[i];
+            const double excess = all->margins->excess[i];
+            const size_t limit = all->margins->limit[i];
+            int place = excess <= 0 ? 0 : 1;
+            search->at[2] = search->at[place];
+            search->excess[2] = search->excess[place];
+            search->limits[2] = search->limits[place];
+            search->at[place] = radius;
+            search->excess[place] = excess;
+            search->limits[place] = limit;
+            if (place == 1 || fabs(excess) <= tolerance) {
+                search->limit = limit;
+            }
+            if (fabs(excess) <= tolerance) {
+                search->at[0] = radius;
+                search->is_done = true;
+            }
+            double width = isfinite(search->excess[1]) ? 3e-16 : 1e-13;
+            search->is_done =
+                search->is_done || !(search->at[1] - search->at[0] > width * search->at[1]);
         }
     }
 }

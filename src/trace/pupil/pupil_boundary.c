@@ -64,23 +64,6 @@ static void pupil_boundary_measure(const struct pupil_boundary *boundary, double
     }
 }
 
-/* The same edges in another frame; false where they are out of order there, or far apart. */
-static bool change_frame(struct pupil_boundary *boundary, const struct edge_frame *frame)
-{
-    const double widest = 0.45;
-    bool sound = true;
-    for (size_t i = 0; i < boundary->count; i++) {
-        double point[2], before = i > 0 ? boundary->angles[i - 1] : boundary->angles[0];
-        edge_point(&boundary->frame, boundary->angles[i], boundary->edges[i].radius, point);
-        edge_polar(frame, point, before, &boundary->angles[i], &boundary->edges[i].radius);
-        double gap = boundary->angles[i] - before;
-        sound = sound && (i == 0 || (gap > 0 && gap < widest));
-    }
-    double gap = boundary->angles[0] + 2 * PI - boundary->angles[boundary->count - 1];
-    boundary->frame = *frame;
-    return sound && gap > 0 && gap < widest;
-}
-
 /* About the centroid, stretched as the edge is. Result: false: directions are to be made anew. */
 static bool fit_frame(const struct pupil_boundary_search *search)
 {
@@ -99,7 +82,19 @@ static bool fit_frame(const struct pupil_boundary_search *search)
         frame.centre[k] = centroid[k];
         frame.stretch[k] = widths[k] / 2;
     }
-    return change_frame(boundary, &frame);
+    /* the same edges in another frame; false where they are out of order there, or far apart */
+    const double widest = 0.45;
+    bool sound = true;
+    for (size_t i = 0; i < boundary->count; i++) {
+        double point[2], before = i > 0 ? boundary->angles[i - 1] : boundary->angles[0];
+        edge_point(&boundary->frame, boundary->angles[i], boundary->edges[i].radius, point);
+        edge_polar(&frame, point, before, &boundary->angles[i], &boundary->edges[i].radius);
+        double gap = boundary->angles[i] - before;
+        sound = sound && (i == 0 || (gap > 0 && gap < widest));
+    }
+    double gap = boundary->angles[0] + 2 * PI - boundary->angles[boundary->count - 1];
+    boundary->frame = frame;
+    return sound && gap > 0 && gap < widest;
 }
 
 /* -------- directions -------- */
@@ -213,7 +208,7 @@ static bool is_long(const struct pupil_boundary *boundary)
 }
 
 /* Do rays end some of the edge that miss a surface or are reflected? No margin says where. */
-static bool pupil_boundary_loses_rays(const struct pupil_boundary *boundary)
+static bool loses_rays(const struct pupil_boundary *boundary)
 {
     bool some = false;
     for (size_t i = 0; i < boundary->count; i++) {
@@ -233,7 +228,7 @@ static void pupil_boundary_finish(const struct pupil_boundary_search *search)
 {
     const struct clearances *margins = search->margins;
     struct pupil_boundary *boundary = search->boundary;
-    boundary->is_plain = !margins->is_listed && !pupil_boundary_loses_rays(boundary);
+    boundary->is_plain = !margins->is_listed && !loses_rays(boundary);
     if (boundary->is_plain) {
         pupil_boundary_scan_between(search);
     } else if (!margins->is_listed) {
@@ -290,8 +285,7 @@ bool pupil_boundary_follow(const struct clearances *margins, const struct pupil_
     pupil_boundary_scan(&search, DIRECTIONS);
     const bool fits =
         pupil_boundary_is_whole(margins, boundary) || pupil_boundary_is_even(margins, boundary);
-    if (pupil_boundary_loses_rays(boundary) || is_long(boundary) ||
-        (!fits && !fit_frame(&search))) {
+    if (loses_rays(boundary) || is_long(boundary) || (!fits && !fit_frame(&search))) {
         return false;
     }
     pupil_boundary_finish(&search);

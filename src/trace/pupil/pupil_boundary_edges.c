@@ -20,21 +20,6 @@ static void boundary_enter_corner(struct pupil_boundary *boundary, double angle,
     boundary->radii[k] = radius;
 }
 
-/* Corners on one side of u = 0, with those on the other that mirror them. */
-static void boundary_mirror_corners(struct pupil_boundary *boundary)
-{
-    double angles[PUPIL_BOUNDARY_CORNERS], radii[PUPIL_BOUNDARY_CORNERS];
-    const size_t half = boundary->corner_count;
-    memcpy(angles, boundary->corners, half * sizeof *angles);
-    memcpy(radii, boundary->radii, half * sizeof *radii);
-    boundary->corner_count = 0;
-    for (size_t i = 0; i < half; i++) {
-        const double angle = angles[i] - 2 * PI * floor(angles[i] / (2 * PI));
-        boundary_enter_corner(boundary, angle, radii[i]);
-        boundary_enter_corner(boundary, 2 * PI - angle, radii[i]);
-    }
-}
-
 void pupil_boundary_join(struct pupil_boundary *boundary)
 {
     size_t i = 0, k = 0, count = 0;
@@ -214,26 +199,6 @@ static bool step_corners(const struct clearances *margins, struct corner_bracket
     return stands;
 }
 
-/* Where a corner is looked for first: where one was before, or in the middle. */
-static void guess_corner(const struct pupil_boundary_search *search,
-                         const struct corner_bracket *bracket, double at[2])
-{
-    const double nearby = 0.1; /* rad */
-    const struct edge_frame *frame = &search->boundary->frame;
-    const double middle = (bracket->low + bracket->high) / 2;
-    edge_point(frame, middle, (bracket->before.radius + bracket->after.radius) / 2, at);
-    for (size_t k = 0; search->before != NULL && k < search->before->corner_count; k++) {
-        double point[2], angle, radius;
-        edge_point(&search->before->frame, search->before->corners[k], search->before->radii[k],
-                   point);
-        edge_polar(frame, point, middle, &angle, &radius);
-        if (angle > bracket->low - nearby && angle < bracket->high + nearby) {
-            at[0] = point[0];
-            at[1] = point[1];
-        }
-    }
-}
-
 /* Corners of two margins each, all at once; those that lie elsewhere stay as they are. */
 static void meet_margins(const struct pupil_boundary_search *search,
                          struct corner_bracket *const *brackets, size_t count)
@@ -243,7 +208,21 @@ static void meet_margins(const struct pupil_boundary_search *search,
     const struct clearances *margins = search->margins;
     double at[AT_ONCE][2];
     for (size_t i = 0; i < count; i++) {
-        guess_corner(search, brackets[i], at[i]);
+        /* where a corner is looked for first: where one was before, or in the middle */
+        const struct corner_bracket *bracket = brackets[i];
+        const double nearby = 0.1; /* rad */
+        const double middle = (bracket->low + bracket->high) / 2;
+        edge_point(frame, middle, (bracket->before.radius + bracket->after.radius) / 2, at[i]);
+        for (size_t k = 0; search->before != NULL && k < search->before->corner_count; k++) {
+            double point[2], angle, radius;
+            edge_point(&search->before->frame, search->before->corners[k], search->before->radii[k],
+                       point);
+            edge_polar(frame, point, middle, &angle, &radius);
+            if (angle > bracket->low - nearby && angle < bracket->high + nearby) {
+                at[i][0] = point[0];
+                at[i][1] = point[1];
+            }
+        }
     }
     for (int step = 0; step < STEPS && !step_corners(margins, brackets, count, at); step++) {
     }
@@ -302,8 +281,8 @@ static size_t cut_brackets(const struct pupil_boundary_search *search,
 }
 
 /* One round: Newton's method where two margins meet, cuts elsewhere. Are any left to be found? */
-static bool pupil_boundary_corners_narrow(const struct pupil_boundary_search *search,
-                                          struct corner_bracket *brackets, size_t *count)
+static bool corners_narrow(const struct pupil_boundary_search *search,
+                           struct corner_bracket *brackets, size_t *count)
 {
     const struct clearances *margins = search->margins;
     struct corner_bracket *open[PUPIL_BOUNDARY_CORNERS];
@@ -351,8 +330,7 @@ void pupil_boundary_corners_find(const struct pupil_boundary_search *search)
                                     .before = boundary->edges[i],
                                     .after = boundary->edges[next]};
     }
-    for (int round = 0; round < ROUNDS && pupil_boundary_corners_narrow(search, brackets, &count);
-         round++) {
+    for (int round = 0; round < ROUNDS && corners_narrow(search, brackets, &count); round++) {
     }
     if (count > most) {
         return;
@@ -365,7 +343,17 @@ void pupil_boundary_corners_find(const struct pupil_boundary_search *search)
     }
     boundary->corner_count = count;
     if (is_half) {
-        boundary_mirror_corners(boundary);
+        /* corners on one side of u = 0, with those on the other that mirror them */
+        double angles[PUPIL_BOUNDARY_CORNERS], radii[PUPIL_BOUNDARY_CORNERS];
+        const size_t half = boundary->corner_count;
+        memcpy(angles, boundary->corners, half * sizeof *angles);
+        memcpy(radii, boundary->radii, half * sizeof *radii);
+        boundary->corner_count = 0;
+        for (size_t i = 0; i < half; i++) {
+            const double angle = angles[i] - 2 * PI * floor(angles[i] / (2 * PI));
+            boundary_enter_corner(boundary, angle, radii[i]);
+            boundary_enter_corner(boundary, 2 * PI - angle, radii[i]);
+        }
     }
 }
 

@@ -54,48 +54,24 @@ static void add_sectors(struct patches *all, double from, double to)
     }
 }
 
-/* All that lies beyond the edge, in sectors from corner to corner; of twin halves one. */
-static void patches_begin(struct patches *all)
-{
-    const struct pupil_boundary *boundary = all->boundary;
-    const bool is_half = all->margins->is_mirrored && boundary->frame.centre[0] == 0;
-    const double first = boundary->corner_count > 0 && !is_half ? boundary->corners[0] : 0;
-    const double end = first + (is_half ? PI : 2 * PI);
-    double from = first;
-    for (size_t i = 0; i < boundary->corner_count; i++) {
-        if (boundary->corners[i] > from && boundary->corners[i] < end) {
-            add_sectors(all, from, boundary->corners[i]);
-            from = boundary->corners[i];
-        }
-    }
-    add_sectors(all, from, end);
-}
-
-/* Rays in one direction. */
-static void place_arm(const struct patches *all, double angle, const double *ways, size_t count,
-                      double (*points)[2])
-{
-    const struct edge_frame *frame = &all->boundary->frame;
-    const double edge = pupil_boundary_near(all->boundary, angle);
-    double unit[2];
-    edge_point(frame, angle, 1, unit);
-    for (size_t i = 0; i < count; i++) {
-        const double radius = edge + ways[i] * (all->farthest - edge);
-        for (int k = 0; k < 2; k++) {
-            points[i][k] = frame->centre[k] + radius * (unit[k] - frame->centre[k]);
-        }
-    }
-}
-
 static void place_rays(const struct patches *all, const struct island_patch *patch,
                        double (*points)[2])
 {
+    const struct edge_frame *frame = &all->boundary->frame;
     const double low = patch->low[1], high = patch->high[1];
     const double ways[SIDE] = {low, (low + high) / 2, high};
-    for (size_t arm = 0; arm < SIDE; arm++) {
+    for (size_t arm = 0; arm < SIDE; arm++, points += SIDE) {
         const double share = (double)arm / (SIDE - 1);
-        place_arm(all, patch->low[0] + share * (patch->high[0] - patch->low[0]), ways, SIDE,
-                  points + arm * SIDE);
+        const double angle = patch->low[0] + share * (patch->high[0] - patch->low[0]);
+        const double edge = pupil_boundary_near(all->boundary, angle);
+        double unit[2];
+        edge_point(frame, angle, 1, unit);
+        for (size_t i = 0; i < SIDE; i++) {
+            const double radius = edge + ways[i] * (all->farthest - edge);
+            for (int k = 0; k < 2; k++) {
+                points[i][k] = frame->centre[k] + radius * (unit[k] - frame->centre[k]);
+            }
+        }
     }
 }
 
@@ -134,25 +110,6 @@ static double parabola_lowest(double before, double here, double after)
     return 2 * valley - least - fmax(bend, 0) / 16;
 }
 
-/*
- * What a margin is at the rays of a patch; infinite where they miss its surface, beyond any rim.
- * Result: false: of some it is not known.
- */
-static bool take_values(const struct traced_patch *seen, size_t k, double *values)
-{
-    const struct clearances *margins = seen->all->margins;
-    const double *row = margins->rows + k * RAYS_BLOCK;
-    const struct clearance *margin = &margins->all[k];
-    bool known = true;
-    for (size_t i = 0; i < EACH; i++) {
-        const size_t lane = seen->first + i;
-        bool misses = margins->limit[lane] == clearances_missed(margin->surface);
-        values[i] = misses ? (double)INFINITY : row[lane];
-        known = known && !isnan(values[i]);
-    }
-    return known;
-}
-
 /* Is a margin above 0 in all of a patch? At the boundary it begins at 0. */
 static bool margin_blocks_patch(const double *values, bool at_edge)
 {
@@ -184,21 +141,22 @@ static bool pupil_islands_is_dark(const struct traced_patch *seen)
         dark = dark && margins->limit[seen->first + i] == limit;
     }
     for (size_t k = 0; k < margins->count && !dark; k++) {
-        dark =
-            take_values(seen, k, values) && margin_blocks_patch(values, !(seen->patch.low[1] > 0));
+        /*
+         * What a margin is at the rays of a patch; infinite where they miss its surface, beyond any
+         * rim. Result: false: of some it is not known.
+         */
+        const double *row = margins->rows + k * RAYS_BLOCK;
+        const struct clearance *margin = &margins->all[k];
+        bool known = true;
+        for (size_t i = 0; i < EACH; i++) {
+            const size_t lane = seen->first + i;
+            bool misses = margins->limit[lane] == clearances_missed(margin->surface);
+            values[i] = misses ? (double)INFINITY : row[lane];
+            known = known && !isnan(values[i]);
+        }
+        dark = known && margin_blocks_patch(values, !(seen->patch.low[1] > 0));
     }
     return dark;
-}
-
-/* Does a ray of it pass? Those at the boundary do not count. */
-static bool patch_has_light(const struct traced_patch *seen)
-{
-    bool light = false;
-    for (size_t i = 0; i < EACH; i++) {
-        bool at_edge = i % SIDE == 0 && !(seen->patch.low[1] > 0);
-        light = light || (!at_edge && seen->all->margins->excess[seen->first + i] <= 0);
-    }
-    return light;
 }
 
 /* Do its rays lie as closely as those of the grid? step: 1 on the way outwards, SIDE across it. */
@@ -253,7 +211,13 @@ static bool patch_settle(struct patches *all, const struct traced_patch *seen)
     if (patch_is_beyond(seen) || pupil_islands_is_dark(seen)) {
         return true;
     }
-    if (patch_has_light(seen)) {
+    /* does a ray of it pass? Those at the boundary do not count */
+    bool light = false;
+    for (size_t i = 0; i < EACH; i++) {
+        bool at_edge = i % SIDE == 0 && !(seen->patch.low[1] > 0);
+        light = light || (!at_edge && seen->all->margins->excess[seen->first + i] <= 0);
+    }
+    if (light) {
         return false;
     }
     if (!is_fine(seen, 1) || !is_fine(seen, SIDE)) {
@@ -282,7 +246,19 @@ static bool settle_patches(struct patches *all, size_t first, size_t count)
 /* Does nothing pass beyond the boundary? False: perhaps. */
 static bool is_alone(struct patches *all)
 {
-    patches_begin(all);
+    /* all that lies beyond the edge, in sectors from corner to corner; of twin halves one */
+    const struct pupil_boundary *boundary = all->boundary;
+    const bool is_half = all->margins->is_mirrored && boundary->frame.centre[0] == 0;
+    const double first = boundary->corner_count > 0 && !is_half ? boundary->corners[0] : 0;
+    const double end = first + (is_half ? PI : 2 * PI);
+    double from = first;
+    for (size_t i = 0; i < boundary->corner_count; i++) {
+        if (boundary->corners[i] > from && boundary->corners[i] < end) {
+            add_sectors(all, from, boundary->corners[i]);
+            from = boundary->corners[i];
+        }
+    }
+    add_sectors(all, from, end);
     size_t done = 0;
     bool dark = true;
     while (dark && done < all->count && all->count <= MOST) {
@@ -293,51 +269,32 @@ static bool is_alone(struct patches *all)
     return dark && done == all->count;
 }
 
-/* Cells that pass and may lie beyond the boundary. */
-struct beyond {
-    double *angles, *near, *radii;
-    size_t count;
-};
-
-/* Result: how many cells pass. */
-static size_t cells_beyond(const struct pupil_parts *parts, const struct pupil_boundary *boundary,
-                           struct beyond *beyond)
-{
-    const double surely = 0.97; /* within: more than pupil_boundary_near is off by */
-    size_t all = 0;
-    for (size_t i = 0; i < CELLS; i++) {
-        double point[2], angle, radius;
-        if (parts->part[i] == 0) {
-            continue;
-        }
-        all++;
-        pupil_parts_point(parts, i, point);
-        edge_polar(&boundary->frame, point, PI, &angle, &radius);
-        const double near = pupil_boundary_near(boundary, angle);
-        if (radius > surely * near) {
-            beyond->angles[beyond->count] = angle;
-            beyond->near[beyond->count] = near;
-            beyond->radii[beyond->count++] = radius;
-        }
-    }
-    return all;
-}
-
 static struct pupil_islands find_on_grid(const struct clearances *margins,
                                          const struct pupil_boundary *boundary, struct arena *arena)
 {
     const struct arena_mark mark = arena_mark(arena);
     struct pupil_parts *parts = ARENA_NEW(arena, struct pupil_parts);
-    struct beyond beyond = {.angles = ARENA_ARRAY(arena, CELLS, double),
-                            .near = ARENA_ARRAY(arena, CELLS, double),
-                            .radii = ARENA_ARRAY(arena, CELLS, double)};
+    /* cells that pass and may lie beyond the boundary */
+    double *angles = ARENA_ARRAY(arena, CELLS, double), *near = ARENA_ARRAY(arena, CELLS, double);
+    double *radii = ARENA_ARRAY(arena, CELLS, double);
+    const double surely = 0.97; /* within: more than pupil_boundary_near is off by */
+    size_t all = 0, count = 0, outside = 0;
     pupil_parts_find(margins, NULL, NULL, parts);
-    const size_t all = cells_beyond(parts, boundary, &beyond);
-    struct edge *edges = ARENA_ARRAY(arena, beyond.count + 1, struct edge);
-    size_t outside = 0;
-    edges_find(margins, &boundary->frame, beyond.angles, beyond.near, beyond.count, 0, 1e-6, edges);
-    for (size_t i = 0; i < beyond.count; i++) {
-        outside += beyond.radii[i] > edges[i].radius;
+    for (size_t i = 0; i < CELLS; i++) {
+        double point[2];
+        if (parts->part[i] == 0) {
+            continue;
+        }
+        all++;
+        pupil_parts_point(parts, i, point);
+        edge_polar(&boundary->frame, point, PI, &angles[count], &radii[count]);
+        near[count] = pupil_boundary_near(boundary, angles[count]);
+        count += radii[count] > surely * near[count];
+    }
+    struct edge *edges = ARENA_ARRAY(arena, count + 1, struct edge);
+    edges_find(margins, &boundary->frame, angles, near, count, 0, 1e-6, edges);
+    for (size_t i = 0; i < count; i++) {
+        outside += radii[i] > edges[i].radius;
     }
     arena_reset(arena, mark);
     return (struct pupil_islands){outside > 0 ? (double)outside / (double)all : 0};

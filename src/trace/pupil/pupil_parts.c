@@ -18,15 +18,6 @@ enum {
 /* Where the pupil lies and no less than twice as far; where the object's side is not limited 4. */
 static const double least = 2, unlimited = 4;
 
-/* From coordinates in the beam to u and v, for rays named by them. */
-static void from_beam(const struct stop_beam *beam, const double at[2], double point[2])
-{
-    const double *m = beam->axes, det = m[0] * m[3] - m[1] * m[2];
-    const double a = at[0] - beam->origin[0], b = at[1] - beam->origin[1];
-    point[0] = (m[3] * a - m[1] * b) / det;
-    point[1] = (m[0] * b - m[2] * a) / det;
-}
-
 void pupil_parts_bound(const struct clearances *margins, double low[2], double high[2])
 {
     enum { AROUND = 16 };
@@ -46,7 +37,11 @@ void pupil_parts_bound(const struct clearances *margins, double low[2], double h
         double at[2], point[2];
         beam_place(beam->beam, (double[3]){1.1 * radius * cos(angle), 1.1 * radius * sin(angle), 0},
                    at);
-        from_beam(beam, at, point);
+        /* from coordinates in the beam to u and v, for rays named by them */
+        const double *m = beam->axes, det = m[0] * m[3] - m[1] * m[2];
+        const double a = at[0] - beam->origin[0], b = at[1] - beam->origin[1];
+        point[0] = (m[3] * a - m[1] * b) / det;
+        point[1] = (m[0] * b - m[2] * a) / det;
         for (int k = 0; k < 2 && isfinite(point[0] + point[1]); k++) {
             low[k] = fmin(low[k], point[k]);
             high[k] = fmax(high[k], point[k]);
