@@ -87,31 +87,6 @@ static const char *number_read_infinity(const char *at, const char *end, bool ne
     return at + 3;
 }
 
-static void skip_leading_zeros(struct number_read_decimal *decimal)
-{
-    const char *at = decimal->first;
-    while (at < decimal->end && (*at == '0' || *at == '.')) {
-        at++;
-    }
-    bool point_ahead = at <= decimal->point && decimal->point < decimal->end;
-    decimal->first = at;
-    decimal->count = decimal->end - at - point_ahead;
-}
-
-/* The first WORD_DIGITS digits, of at least so many. */
-static uint64_t leading_digits(const struct number_read_decimal *decimal)
-{
-    uint64_t digits = 0;
-    const char *at = decimal->first;
-    for (int count = 0; count < WORD_DIGITS; at++) {
-        if (at != decimal->point) {
-            digits = digits * 10 + (uint64_t)(*at - '0');
-            count++;
-        }
-    }
-    return digits;
-}
-
 /*
  * Round factor x 10^power x 2^shift to a double, where the factor has its top bit set and is short
  * by less than `unknown` units, or known exactly if that is 0. False if that does not settle it.
@@ -215,20 +190,17 @@ static int multiply_digits(struct number_read_decimal *decimal, unsigned multipl
     return KEPT_DIGITS + 1;
 }
 
-/* The case that is always right: multiply in decimal, then leave the rounding to strtod. */
-static double read_long(struct number_read_decimal decimal, unsigned multiplier)
-{
-    char text[KEPT_DIGITS + 32];
-    int count = multiply_digits(&decimal, multiplier, text);
-    snprintf(text + count, sizeof text - (size_t)count, "e%td", decimal.exponent);
-    return strtod(text, NULL);
-}
-
 /* All that is not small enough for one exact operation. */
 static double read_hard(struct number_read_decimal decimal, unsigned multiplier)
 {
     const bool counted = decimal.count <= WORD_DIGITS;
-    skip_leading_zeros(&decimal);
+    const char *at = decimal.first;
+    while (at < decimal.end && (*at == '0' || *at == '.')) {
+        at++;
+    }
+    bool point_ahead = at <= decimal.point && decimal.point < decimal.end;
+    decimal.first = at;
+    decimal.count = decimal.end - at - point_ahead;
     if (decimal.count == 0) {
         return 0;
     }
@@ -248,13 +220,25 @@ static double read_hard(struct number_read_decimal decimal, unsigned multiplier)
     }
     uint64_t mantissa = decimal.mantissa;
     if (!counted && left_out > 0) {
-        mantissa = leading_digits(&decimal);
+        /* the first WORD_DIGITS digits, of at least so many */
+        mantissa = 0;
+        at = decimal.first;
+        for (int used = 0; used < WORD_DIGITS; at++) {
+            if (at != decimal.point) {
+                mantissa = mantissa * 10 + (uint64_t)(*at - '0');
+                used++;
+            }
+        }
     }
     double value;
     if (read_wide(mantissa, left_out > 0, multiplier, (int)(decimal.exponent + left_out), &value)) {
         return value;
     }
-    return read_long(decimal, multiplier);
+    /* the case that is always right: multiply in decimal, then leave the rounding to strtod */
+    char text[KEPT_DIGITS + 32];
+    int count = multiply_digits(&decimal, multiplier, text);
+    snprintf(text + count, sizeof text - (size_t)count, "e%td", decimal.exponent);
+    return strtod(text, NULL);
 }
 
 /* An integer up to 2^53 and a power of ten up to 10^22 are doubles: one operation, one rounding. */

@@ -138,19 +138,6 @@ static inline void store_with_point(char *to, const struct characters *digits, i
     to[whole] = '.';
 }
 
-static char *write_exponent(char *to, int exponent)
-{
-    *to++ = 'e';
-    *to++ = exponent < 0 ? '-' : '+';
-    const unsigned size = (unsigned)(exponent < 0 ? -exponent : exponent);
-    if (size >= 100) {
-        *to++ = (char)('0' + size / 100);
-    }
-    *to++ = (char)('0' + size / 10 % 10);
-    *to++ = (char)('0' + size % 10);
-    return to;
-}
-
 /* As %g does: fixed from 1e-4 to below 10^precision, no zeros at the end. */
 static inline char *number_write_lay_out(char *to, struct number_write_decimal decimal,
                                          int precision)
@@ -172,22 +159,16 @@ static inline char *number_write_lay_out(char *to, struct number_write_decimal d
         return to + digits.count;
     }
     store_with_point(to, &digits, 1);
-    return write_exponent(to + digits.count + (digits.count > 1), exponent);
-}
-
-/*
- * floor(log10(factor x 2^(log2 - 63))), top bit of the factor set: that of the power of two, or one
- * more from the next power of ten on, if that lies in the same octave. No branch: it would be a
- * coin toss.
- */
-static inline int decimal_exponent(uint64_t factor, int log2)
-{
-    const int below = number_log10_of_power2(log2);
-    const uint64_t next = number_powers[below + 1 - NUMBER_POWER_MIN].high;
-    const int same_octave = number_log2_of_power10(below + 1) == log2;
-    /* a power that is not exact lies above its first 64 bits, which have more than 53 that count */
-    const int reached = (factor > next) | ((factor == next) & number_power_is_exact(below + 1));
-    return below + (same_octave & reached);
+    to += digits.count + (digits.count > 1);
+    *to++ = 'e';
+    *to++ = exponent < 0 ? '-' : '+';
+    const unsigned size = (unsigned)(exponent < 0 ? -exponent : exponent);
+    if (size >= 100) {
+        *to++ = (char)('0' + size / 100);
+    }
+    *to++ = (char)('0' + size / 10 % 10);
+    *to++ = (char)('0' + size % 10);
+    return to;
 }
 
 /*
@@ -203,7 +184,18 @@ static inline bool round_to_digits(struct number_write_parts parts, int digits,
     const int exponent = parts.exponent - shift;
 
     decimal->length = digits;
-    decimal->exponent = decimal_exponent(factor, exponent + 63);
+    /*
+     * floor(log10(factor x 2^(log2 - 63))), top bit of the factor set: that of the power of two, or
+     * one more from the next power of ten on, if that lies in the same octave. No branch: it would
+     * be a coin toss.
+     */
+    const int log2 = exponent + 63;
+    const int below = number_log10_of_power2(log2);
+    const uint64_t next = number_powers[below + 1 - NUMBER_POWER_MIN].high;
+    const int same_octave = number_log2_of_power10(below + 1) == log2;
+    /* a power that is not exact lies above its first 64 bits, which have more than 53 that count */
+    const int reached = (factor > next) | ((factor == next) & number_power_is_exact(below + 1));
+    decimal->exponent = below + (same_octave & reached);
     const int power = digits - 1 - decimal->exponent;
     const int drop = -1 - number_log2_of_power10(power) - exponent;
     const uint64_t high = number_multiply_high(factor, power);

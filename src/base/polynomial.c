@@ -92,25 +92,6 @@ static struct polynomial without_rounding(const struct polynomial *a, double sca
     return clean;
 }
 
-static double cauchy_bound(const struct polynomial *a, double scale)
-{
-    double most = 0;
-    for (size_t i = 0; i < a->degree; i++) {
-        double ratio = a->c[i].hi / a->c[a->degree].hi;
-        most = fmax(most, fabs(ratio) / pow(scale, (double)(a->degree - i)));
-    }
-    return scale * (1 + most);
-}
-
-/* One Newton step in pairs from the double that is nearest. */
-static struct pair polish(const struct polynomial *a, const struct polynomial *slope, double x)
-{
-    struct pair step =
-        pair_divide(polynomial_value_of(a, pair_of(x)), polynomial_value_of(slope, pair_of(x)));
-    bool sound = fabs(step.hi) <= 1e-9 * (fabs(x) + 1e-300);
-    return sound ? pair_subtract(pair_of(x), step) : pair_of(x);
-}
-
 /* Roots of `a` between the points, at which its slope is 0 or the interval ends. */
 static size_t roots_between(const struct polynomial *a, const struct pair *points, size_t count,
                             struct pair *roots)
@@ -134,7 +115,11 @@ static size_t roots_between(const struct polynomial *a, const struct pair *point
         struct error ignored;
         if (crosses && fabs(next_y) > TOUCHING * size_at(a, next_x) &&
             root_find(value_at, a, x, next_x, &root, &ignored)) {
-            roots[found++] = polish(a, &slope, root);
+            /* one Newton step in pairs from the double that is nearest */
+            struct pair step = pair_divide(polynomial_value_of(a, pair_of(root)),
+                                           polynomial_value_of(&slope, pair_of(root)));
+            bool sound = fabs(step.hi) <= 1e-9 * (fabs(root) + 1e-300);
+            roots[found++] = sound ? pair_subtract(pair_of(root), step) : pair_of(root);
         }
     }
     return found;
@@ -155,7 +140,12 @@ size_t polynomial_roots(const struct polynomial *a, double low, double high, dou
     if (all[0].degree == 0) {
         return 0;
     }
-    double bound = cauchy_bound(&all[0], scale);
+    double most = 0;
+    for (size_t i = 0; i < all[0].degree; i++) {
+        double ratio = all[0].c[i].hi / all[0].c[all[0].degree].hi;
+        most = fmax(most, fabs(ratio) / pow(scale, (double)(all[0].degree - i)));
+    }
+    double bound = scale * (1 + most);
     low = fmax(low, -bound);
     high = fmin(high, bound);
     if (!(low <= high)) {

@@ -46,15 +46,11 @@ bool text_same(struct text a, const char *b)
     return i == a.length && b[i] == '\0';
 }
 
-static bool is_filler(char c)
-{
-    return c == ' ' || c == '-' || c == '_';
-}
-
 /* The next character that counts in a name, in lower case; 0 at the end. */
 static char next_letter(struct text *rest)
 {
-    while (rest->length > 0 && is_filler(rest->start[0])) {
+    while (rest->length > 0 &&
+           (rest->start[0] == ' ' || rest->start[0] == '-' || rest->start[0] == '_')) {
         rest->start++;
         rest->length--;
     }
@@ -302,18 +298,6 @@ size_t text_cells(struct text text)
     return cells;
 }
 
-/* The same of a character that XML can hold (XML 1.0, production 2), else 0. */
-static size_t text_xml_length(const char *start, size_t room)
-{
-    const unsigned char *byte = (const unsigned char *)start;
-    if (room > 0 && byte[0] < 0x20) {
-        return byte[0] == '\t' || byte[0] == '\n';
-    }
-    const size_t length = text_utf8_length(start, room);
-    const bool reserved = length == 3 && byte[0] == 0xef && byte[1] == 0xbf && byte[2] > 0xbd;
-    return reserved ? 0 : length;
-}
-
 /* Marks and embeddings that turn the direction of writing, and separators of lines (Unicode 9). */
 static bool text_turns(const unsigned char *at, size_t length)
 {
@@ -363,7 +347,14 @@ void text_make_printable(char *string, const char *kept)
 
 struct text text_xml(struct text text, size_t *step)
 {
-    const size_t bytes = text_xml_length(text.start, text.length);
+    /* of a character that XML can hold (XML 1.0, production 2), else 0 */
+    const unsigned char *byte = (const unsigned char *)text.start;
+    size_t bytes = text_utf8_length(text.start, text.length);
+    if (text.length > 0 && byte[0] < 0x20) {
+        bytes = byte[0] == '\t' || byte[0] == '\n';
+    } else if (bytes == 3 && byte[0] == 0xef && byte[1] == 0xbf && byte[2] > 0xbd) {
+        bytes = 0; /* reserved */
+    }
     *step = bytes > 0 ? bytes : 1;
     switch (*text.start) {
     case '&':

@@ -66,17 +66,6 @@ const char *image_channel(const struct image *image, size_t channel, struct aren
                : arena_printf(arena, "%zu", channel + 1);
 }
 
-static bool is_key(struct text key)
-{
-    bool is_plain = key.length >= 1 && key.length <= 79;
-    for (size_t i = 0; i < key.length && is_plain; i++) {
-        const char c = key.start[i];
-        is_plain = (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || char_is_digit(c) ||
-                   (c != '\0' && strchr(" -_.", c) != NULL);
-    }
-    return is_plain;
-}
-
 /* For one more note; a place that a copy of the image has taken is not there any more. */
 static void image_make_room(struct image *image, struct arena *arena)
 {
@@ -96,7 +85,13 @@ static void image_make_room(struct image *image, struct arena *arena)
 
 void image_note(struct image *image, struct arena *arena, struct text key, struct text value)
 {
-    if (!is_key(key)) {
+    bool is_plain = key.length >= 1 && key.length <= 79;
+    for (size_t i = 0; i < key.length && is_plain; i++) {
+        const char c = key.start[i];
+        is_plain = (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || char_is_digit(c) ||
+                   (c != '\0' && strchr(" -_.", c) != NULL);
+    }
+    if (!is_plain) {
         return;
     }
     char *clean = arena_string(arena, value.start, value.length);

@@ -14,12 +14,6 @@ bool jpeg_is(struct text file)
     return file.length >= 3 && memcmp(file.start, "\xff\xd8\xff", 3) == 0;
 }
 
-/* A frame's header: C0 to CF but the tables DHT and DAC and the extension. */
-static bool is_frame(int marker)
-{
-    return marker >= 0xc0 && marker <= 0xcf && marker != TABLES && marker != 0xc8 && marker != 0xcc;
-}
-
 /* Behind the packed bytes that begin here: at the next marker that is no restart. */
 static size_t end_of_scan(struct text file, size_t at)
 {
@@ -58,23 +52,6 @@ struct jpeg {
 };
 static const char exif_mark[6] = "Exif\0";
 
-/* What stb needs to be told of, or kept from. */
-static bool take_segment(int marker, const unsigned char *body, size_t size, struct jpeg *jpeg)
-{
-    struct image *image = jpeg->image;
-    if (marker == EXIF && size > sizeof exif_mark &&
-        memcmp(body, exif_mark, sizeof exif_mark) == 0) {
-        jpeg->exif = (struct text){(const char *)body + sizeof exif_mark, size - sizeof exif_mark};
-    }
-    if (is_frame(marker) && size >= 6) {
-        image->height = bytes_big(body + 1, 2);
-        image->width = bytes_big(body + 3, 2);
-        image->channels = body[5] == 1 ? 1 : 3;
-    }
-    /* stb would write behind its own table */
-    return marker != TABLES || are_tables(body, size);
-}
-
 /* Walk from marker to marker up to the last; stb would fill up what is missing with grey. */
 static bool walk(struct text file, struct jpeg *jpeg, struct error *error)
 {
@@ -85,12 +62,28 @@ static bool walk(struct text file, struct jpeg *jpeg, struct error *error)
         if (length < 2 || length > file.length - at - 2) {
             break;
         }
-        if (!take_segment(data[at + 1], data + at + 4, length - 2, jpeg)) {
+        /* what stb needs to be told of, or kept from */
+        const int marker = data[at + 1];
+        const unsigned char *body = data + at + 4;
+        const size_t size = length - 2;
+        if (marker == EXIF && size > sizeof exif_mark &&
+            memcmp(body, exif_mark, sizeof exif_mark) == 0) {
+            jpeg->exif =
+                (struct text){(const char *)body + sizeof exif_mark, size - sizeof exif_mark};
+        }
+        /* a frame's header: C0 to CF but the tables DHT and DAC and the extension */
+        if (marker >= 0xc0 && marker <= 0xcf && marker != TABLES && marker != 0xc8 &&
+            marker != 0xcc && size >= 6) {
+            jpeg->image->height = bytes_big(body + 1, 2);
+            jpeg->image->width = bytes_big(body + 3, 2);
+            jpeg->image->channels = body[5] == 1 ? 1 : 3;
+        }
+        /* stb would write behind its own table */
+        if (marker == TABLES && !are_tables(body, size)) {
             return fail(error, ERROR_DATA, "JPEG: no Huffman tables at byte %zu", at);
         }
-        const bool is_scan = data[at + 1] == SCAN;
         at += 2 + length;
-        at = is_scan ? end_of_scan(file, at) : at;
+        at = marker == SCAN ? end_of_scan(file, at) : at;
     }
     if (at + 2 > file.length) {
         return fail(error, ERROR_DATA, "JPEG: ends at byte %zu, before its end mark", file.length);

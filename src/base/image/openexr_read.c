@@ -217,29 +217,6 @@ static bool openexr_read_head(struct openexr *file, struct error *error)
     return false;
 }
 
-/* The channels of a known set come in its order, not in that of the alphabet. */
-static void order_channels(struct openexr *file)
-{
-    static const char sets[][5] = {"YA", "RGB", "RGBA"};
-    const char **names = ARENA_ARRAY(file->arena, file->count, const char *);
-    for (size_t k = 0; k < sizeof sets / sizeof *sets; k++) {
-        size_t found = 0, place[4];
-        for (size_t i = 0; i < file->count && strlen(sets[k]) == file->count; i++) {
-            const char *name = file->channels[i].name, *at = strchr(sets[k], name[0]);
-            if (name[0] != '\0' && name[1] == '\0' && at != NULL) {
-                place[found++] = (size_t)(at - sets[k]);
-            }
-        }
-        for (size_t i = 0; i < file->count && found == file->count; i++) {
-            file->channels[i].to = place[i];
-        }
-    }
-    for (size_t i = 0; i < file->count; i++) {
-        names[file->channels[i].to] = file->channels[i].name;
-    }
-    file->image->names = names;
-}
-
 static bool check_head(struct openexr *file, struct error *error)
 {
     const int32_t *data = file->window[0];
@@ -260,7 +237,25 @@ static bool check_head(struct openexr *file, struct error *error)
             return openexr_read_refuse(error, "its channels are not in the order of their names");
         }
     }
-    order_channels(file);
+    /* the channels of a known set come in its order, not in that of the alphabet */
+    static const char sets[][5] = {"YA", "RGB", "RGBA"};
+    const char **names = ARENA_ARRAY(file->arena, file->count, const char *);
+    for (size_t k = 0; k < sizeof sets / sizeof *sets; k++) {
+        size_t found = 0, place[4];
+        for (size_t i = 0; i < file->count && strlen(sets[k]) == file->count; i++) {
+            const char *name = file->channels[i].name, *at = strchr(sets[k], name[0]);
+            if (name[0] != '\0' && name[1] == '\0' && at != NULL) {
+                place[found++] = (size_t)(at - sets[k]);
+            }
+        }
+        for (size_t i = 0; i < file->count && found == file->count; i++) {
+            file->channels[i].to = place[i];
+        }
+    }
+    for (size_t i = 0; i < file->count; i++) {
+        names[file->channels[i].to] = file->channels[i].name;
+    }
+    file->image->names = names;
     return true;
 }
 
@@ -288,17 +283,6 @@ static bool unpack_runs(const unsigned char *from, size_t size, unsigned char *t
     return done == count;
 }
 
-/* Differences summed up, and the halves put together again. */
-static void openexr_read_gather(unsigned char *apart, size_t count, unsigned char *to)
-{
-    for (size_t i = 1; i < count; i++) {
-        apart[i] = (unsigned char)(apart[i] + apart[i - 1] - 128);
-    }
-    for (size_t i = 0; i < count; i++) {
-        to[i] = apart[i / 2 + (i % 2 != 0 ? (count + 1) / 2 : 0)];
-    }
-}
-
 /* The plain bytes of a block: as they are if they were not packed, else in plain[1]. */
 static const unsigned char *unpack(const struct openexr *file, size_t size, size_t count,
                                    unsigned char *plain[2])
@@ -316,7 +300,13 @@ static const unsigned char *unpack(const struct openexr *file, size_t size, size
     if (!done) {
         return NULL;
     }
-    openexr_read_gather(plain[0], count, plain[1]);
+    /* differences summed up, and the halves put together again */
+    for (size_t i = 1; i < count; i++) {
+        plain[0][i] = (unsigned char)(plain[0][i] + plain[0][i - 1] - 128);
+    }
+    for (size_t i = 0; i < count; i++) {
+        plain[1][i] = plain[0][i / 2 + (i % 2 != 0 ? (count + 1) / 2 : 0)];
+    }
     return plain[1];
 }
 

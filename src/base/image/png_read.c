@@ -241,18 +241,6 @@ static bool take_chunk(struct png *png, const struct chunk *chunk, struct error 
     return chunk->type[0] >= 'a' || chunk_wrong(chunk, "is none that PNG has", error);
 }
 
-/* How large the picture is, and what its numbers are. */
-static void png_read_open_image(const struct png *png)
-{
-    struct image *image = png->image;
-    image->width = png->width;
-    image->height = png->height;
-    image->channels = png->color == PALETTE ? 3 : samples[png->color];
-    image->channels += png->has_alpha && image->channels % 2 != 0 ? 1 : 0;
-    image->bits = png->bits == 16 ? 16 : 8;
-    image->gamma = png->has_srgb ? 0 : png->gamma;
-}
-
 /* Deflate packs at most 1032 to 1: a file that claims more is not believed, and no room is made. */
 static bool png_read_check_size(const struct png *png, struct error *error)
 {
@@ -262,25 +250,18 @@ static bool png_read_check_size(const struct png *png, struct error *error)
                 png->height, png->data);
 }
 
-/* Light, or the number itself, of each code. */
-static float *decoding(const struct png *png, int most, enum image_values values,
-                       struct arena *arena)
-{
-    float *table = ARENA_ARRAY(arena, (size_t)most + 1, float);
-    for (int i = 0; i <= most; i++) {
-        const double code = (double)i / most;
-        table[i] = (float)(values == IMAGE_CODES ? code : image_light(png->image, code));
-    }
-    return table;
-}
-
 /* Pixels from codes. */
 static void png_read_fill(const struct png *png, const uint16_t *codes, enum image_values values,
                           struct arena *arena)
 {
     const struct image *image = png->image;
     const int most = png->bits == 16 ? 65535 : 255;
-    const float *light = decoding(png, most, values, arena);
+    /* light, or the number itself, of each code */
+    float *light = ARENA_ARRAY(arena, (size_t)most + 1, float);
+    for (int i = 0; i <= most; i++) {
+        const double code = (double)i / most;
+        light[i] = (float)(values == IMAGE_CODES ? code : image_light(png->image, code));
+    }
     const size_t channels = image->channels, colors = channels - (channels % 2 == 0 ? 1 : 0);
     for (size_t i = 0; i < image->width * image->height * channels; i++) {
         image->pixels[i] =
@@ -339,7 +320,13 @@ bool png_read(struct text file, const struct image_wish *wish, struct arena *are
             return false;
         }
     }
-    png_read_open_image(&png);
+    /* how large the picture is, and what its numbers are */
+    image->width = png.width;
+    image->height = png.height;
+    image->channels = png.color == PALETTE ? 3 : samples[png.color];
+    image->channels += png.has_alpha && image->channels % 2 != 0 ? 1 : 0;
+    image->bits = png.bits == 16 ? 16 : 8;
+    image->gamma = png.has_srgb ? 0 : png.gamma;
     if (!png_read_check_size(&png, error) || !image_new_wished(image, wish, arena, error)) {
         return false;
     }
