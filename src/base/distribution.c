@@ -30,7 +30,7 @@ struct spread spread_of(enum distribution distribution, double sigmas)
     struct spread spread = {distribution, sigmas, 1};
     if (distribution == DISTRIBUTION_TRUNCATED) {
         assert(sigmas >= DISTRIBUTION_SIGMAS_LEAST && sigmas <= DISTRIBUTION_SIGMAS_MOST);
-        /* the share of the normal distribution from -z to z: terms of one sign, so nothing cancels */
+        /* the share of the normal distribution within: terms of one sign, so nothing cancels */
         double term = sigmas, sum = sigmas;
         for (int n = 3; term > sum * 1e-18; n += 2) {
             term *= sigmas * sigmas / n;

@@ -35,7 +35,7 @@ static double pivot(struct linear_factors *all, size_t k)
     const size_t n = all->columns;
     size_t best = k;
     double longest = -1;
-    /* lengths of columns from k on, of what is below and at row k; row by row, as memory has them */
+    /* lengths of columns, of what is below and at row k; row by row, as memory has them */
     double *lengths = all->spare;
     for (size_t j = k; j < n; j++) {
         lengths[j] = 0;

@@ -52,7 +52,7 @@ static bool read_scaled(struct quantity_parser *reading, struct number_scale sca
         }
         return quantity_wrong(reading, reading->at, "no number here");
     }
-    /* refuse what a double cannot hold: the text names a number that is neither infinite nor zero */
+    /* refuse what a double cannot hold */
     const char *first = reading->at + (*reading->at == '-' || *reading->at == '+');
     if (isinf(*value) && *first != 'i' && *first != 'I') {
         return quantity_wrong(reading, reading->at, "the number is too large");

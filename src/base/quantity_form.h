@@ -46,8 +46,8 @@ struct quantity_formed {
  *           formed  receives what was read
  * Formula   DIN: the speed is the one on the label beside that many degrees,
  *           100 x 2^((degrees - 21)/3) rounded as films and cameras are marked
- * Errors    as QUANTITY_FORM_WRONG, with a caret: a smaller unit that makes more than one of the larger (70 min
- *           behind hours), a fraction of 1 or more behind a whole number, speed and degrees that
+ * Errors    QUANTITY_FORM_WRONG, with a caret: a smaller unit that makes more than one of the
+ *           larger (70 min behind hours), a fraction of 1 or more behind a whole number, speed and degrees that
  *           contradict each other, degrees outside 8 to 51
  */
 enum quantity_form quantity_form_read(const struct quantity_parser *form,

@@ -239,7 +239,7 @@ static bool radiance_read_row(struct radiance *file, size_t row, unsigned char *
     const size_t width = file->length;
     if (width < PACKED_LEAST || width > PACKED_MOST || file->rest.length < 4 || at[0] != 2 ||
         at[1] != 2 || at[2] >= 128) {
-        /* pixel by pixel; 1, 1, 1, n repeated the one before it: how rows were packed before 1991 */
+        /* pixel by pixel; before 1991 1, 1, 1, n repeated the one before it */
         if (file->rest.length < 4 * width) {
             return short_of(file, row, error);
         }

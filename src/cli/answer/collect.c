@@ -57,24 +57,6 @@ const char *axis_label(const struct collection *collection, const struct axis *a
     return axis->option->name;
 }
 
-/* A number as people write it: f/2.8, 1/125 s, 3 m. */
-static const char *number_words(const struct collection *collection, const struct axis *axis,
-                                double value, bool with_unit)
-{
-    const struct dimension *dimension = axis->option->dimension;
-    if (with_unit && dimension == &dimension_fnumber) {
-        return arena_printf(collection->arena, "f/%.4g", value);
-    }
-    if (dimension == &dimension_time && isfinite(value)) {
-        char words[SPOKEN_LENGTH];
-        spoken_time(words, axis->unit != NULL ? unit_to_own(axis->unit, value) : value, 6);
-        return arena_string(collection->arena, words, strlen(words));
-    }
-    bool unit = with_unit && axis->unit != NULL && axis->unit->label[0] != '\0';
-    return arena_printf(collection->arena, "%.6g%s%s", value, unit ? " " : "",
-                        unit ? axis->unit->label : "");
-}
-
 const char *axis_value(const struct collection *collection, const struct axis *axis, size_t i,
                        bool with_unit)
 {
@@ -94,7 +76,19 @@ const char *axis_value(const struct collection *collection, const struct axis *a
     }
     double own = axis_number(axis, i);
     double value = axis->unit != NULL ? unit_from_own(axis->unit, own) : own;
-    return number_words(collection, axis, value, with_unit);
+    /* a number as people write it: f/2.8, 1/125 s, 3 m */
+    const struct dimension *dimension = axis->option->dimension;
+    if (with_unit && dimension == &dimension_fnumber) {
+        return arena_printf(collection->arena, "f/%.4g", value);
+    }
+    if (dimension == &dimension_time && isfinite(value)) {
+        char words[SPOKEN_LENGTH];
+        spoken_time(words, axis->unit != NULL ? unit_to_own(axis->unit, value) : value, 6);
+        return arena_string(collection->arena, words, strlen(words));
+    }
+    bool unit = with_unit && axis->unit != NULL && axis->unit->label[0] != '\0';
+    return arena_printf(collection->arena, "%.6g%s%s", value, unit ? " " : "",
+                        unit ? axis->unit->label : "");
 }
 
 /* Distances in feet where the user reads feet; other units stay. */

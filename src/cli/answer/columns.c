@@ -79,26 +79,6 @@ static bool has_column(const struct sheet *sheet, const char *name, size_t lengt
     return false;
 }
 
-static bool stands_in_any(const struct sheet *const *sheets, const char *name)
-{
-    bool found = false;
-    for (size_t i = 0; sheets[i] != NULL && !found; i++) {
-        found = has_column(sheets[i], name, strlen(name));
-    }
-    return found;
-}
-
-/* Does a column of one of the sheets before this one have the name of the column? */
-static bool columns_stands_before(const struct sheet *const *sheets, size_t kind,
-                                  const struct column *column)
-{
-    bool found = false;
-    for (size_t i = 0; i < kind && !found; i++) {
-        found = has_column(sheets[i], column->name, strlen(column->name));
-    }
-    return found;
-}
-
 static bool never(const void *asked, const char *option)
 {
     (void)asked;
@@ -135,8 +115,10 @@ static size_t describe_echoes(const struct command *command, const struct sheet 
         for (size_t k = 0; k < echo.count; k++) {
             const struct column *column = &echo.sheet.columns[k];
             const struct option *option = echo.items[k].option;
-            bool known = !option->kind->is_list || (option->flags & OPTION_ASIDE) != 0 ||
-                         stands_in_any(sheets, column->name);
+            bool known = !option->kind->is_list || (option->flags & OPTION_ASIDE) != 0;
+            for (size_t n = 0; sheets[n] != NULL && !known; n++) {
+                known = has_column(sheets[n], column->name, strlen(column->name));
+            }
             for (size_t n = 0; n < count && !known; n++) {
                 known = strcmp(names[n], column->name) == 0;
             }
@@ -165,7 +147,12 @@ const struct column_row *columns_describe(const struct command *command, size_t 
         struct column *columns = ARENA_ARRAY(arena, 2 * sheets[i]->column_count, struct column);
         const size_t spread = sheet_spread(sheets[i], columns, arena);
         for (size_t k = 0; k < spread; k++) {
-            if (!columns_stands_before(sheets, i, &columns[k])) {
+            const char *name = columns[k].name;
+            bool stands_before = false;
+            for (size_t earlier = 0; earlier < i && !stands_before; earlier++) {
+                stands_before = has_column(sheets[earlier], name, strlen(name));
+            }
+            if (!stands_before) {
                 rows[(*count)++] = describe(command, &columns[k], arena);
             }
         }

@@ -291,24 +291,20 @@ const struct option *command_next_common(const struct command *command, const st
     return option < end ? option : NULL;
 }
 
-/* Formats have options of their names: --csv is short for --format csv. */
-static bool is_short_for(const struct common *common, const struct format *format)
-{
-    size_t i = 0;
-    while (i < common_option_count && strcmp(common_options[i].name, format->word.word) != 0) {
-        i++;
-    }
-    return i < common_option_count &&
-           *(const bool *)((const char *)common + common_options[i].offset);
-}
-
 bool common_format(const struct common *common, bool has_format, const struct format **format,
                    struct error *error)
 {
     int given = has_format;
     *format = formats[common->format];
     for (size_t i = 0; formats[i] != NULL; i++) {
-        if (is_short_for(common, formats[i])) {
+        /* formats have options of their names: --csv is short for --format csv */
+        size_t k = 0;
+        while (k < common_option_count &&
+               strcmp(common_options[k].name, formats[i]->word.word) != 0) {
+            k++;
+        }
+        if (k < common_option_count &&
+            *(const bool *)((const char *)common + common_options[k].offset)) {
             *format = formats[i];
             given++;
         }

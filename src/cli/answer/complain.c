@@ -56,19 +56,6 @@ static void write_place(struct output *output, const struct error *error)
     output_string(output, ": ");
 }
 
-/* The text, and a caret under its wrong character. */
-static void write_caret(struct output *output, const struct error *error)
-{
-    const size_t length = strlen(error->text), behind = (size_t)error->caret - 1;
-    const struct text before = {error->text, behind < length ? behind : length};
-    output_string(output, "    ");
-    complain_write_string(output, error->text);
-    output_string(output, "\n    ");
-    output_spaces(output, text_cells(before));
-    output_styled(output, STYLE_ERROR, "^");
-    output_character(output, '\n');
-}
-
 void error_print(const struct error *error, const char *command, enum color_when color)
 {
     if (error->code == ERROR_PIPE) {
@@ -86,7 +73,15 @@ void error_print(const struct error *error, const char *command, enum color_when
     complain_write_string(output, error->message);
     output_character(output, '\n');
     if (error->caret > 0) {
-        write_caret(output, error);
+        /* the text, and a caret under its wrong character */
+        const size_t length = strlen(error->text), behind = (size_t)error->caret - 1;
+        const struct text before = {error->text, behind < length ? behind : length};
+        output_string(output, "    ");
+        complain_write_string(output, error->text);
+        output_string(output, "\n    ");
+        output_spaces(output, text_cells(before));
+        output_styled(output, STYLE_ERROR, "^");
+        output_character(output, '\n');
     }
     if (error->more != NULL) {
         complain_write_string(output, error->more);
@@ -167,29 +162,6 @@ static void write_warning(struct output *output, const char *command, const char
     output_character(output, '\n');
 }
 
-static void complain_write_doubts(struct output *output, const struct report *report)
-{
-    struct warnings *doubts = report->doubts;
-    for (size_t i = 0; i < doubts->count; i++) {
-        write_warning(output, report->command, doubts->texts[i]);
-    }
-    const char *more = warnings_left_out(doubts);
-    if (more != NULL) {
-        write_warning(output, report->command, more);
-    }
-}
-
-/* Columns that were asked for, and have no value in any row. */
-static void complain_write_absent(struct output *output, const struct report *report)
-{
-    for (size_t i = 0; i < report->shown_count; i++) {
-        if (!report->has_value[i]) {
-            output_printf(output, "lenscalc: %s: %s has no value here: %s\n", report->command,
-                          report->shown[i].name, report_absence(report, report->shown[i].column));
-        }
-    }
-}
-
 void print_beside(const struct report *report, bool is_apart, enum color_when color)
 {
     /* without rows there is neither a format nor an explanation */
@@ -213,10 +185,24 @@ void print_beside(const struct report *report, bool is_apart, enum color_when co
         output_character(output, '\n');
     }
     if (are_looked_at) {
-        complain_write_absent(output, report);
+        /* columns that were asked for, and have no value in any row */
+        for (size_t i = 0; i < report->shown_count; i++) {
+            if (!report->has_value[i]) {
+                output_printf(output, "lenscalc: %s: %s has no value here: %s\n", report->command,
+                              report->shown[i].name,
+                              report_absence(report, report->shown[i].column));
+            }
+        }
     }
     if (warnings > 0) {
-        complain_write_doubts(output, report);
+        struct warnings *doubts = report->doubts;
+        for (size_t i = 0; i < doubts->count; i++) {
+            write_warning(output, report->command, doubts->texts[i]);
+        }
+        const char *more = warnings_left_out(doubts);
+        if (more != NULL) {
+            write_warning(output, report->command, more);
+        }
     }
     output_flush(output);
 }

@@ -13,13 +13,6 @@
 
 enum { BLOCK = BATCH_BLOCK, BEHIND = BATCH_BEHIND };
 
-/* The next row of whatever the file has. */
-static bool batch_take_row(struct batch *batch, struct text *row, struct error *error)
-{
-    return batch->is_array ? batch_next_object(batch, row, error)
-                           : batch_next_row(batch, row, error);
-}
-
 /* One cell of a separated row: its content without quotes, and where it starts in the line. */
 struct batch_cell {
     struct text text;
@@ -206,15 +199,6 @@ static bool take_plain_row(struct batch *batch, void *input)
     return true;
 }
 
-/* No cell of an earlier row is left when this one is cut short. */
-static void clear_passed(struct batch *batch)
-{
-    for (size_t i = 0; i < batch->passed_count; i++) {
-        batch->passed[i] =
-            (struct passed_cell){.text = {"", 0}, .is_bare = batch->format == BATCH_JSONL};
-    }
-}
-
 enum batch_result batch_next(struct batch *batch, void *input, struct error *error)
 {
     struct text line;
@@ -222,8 +206,14 @@ enum batch_result batch_next(struct batch *batch, void *input, struct error *err
     if (batch->plain != NULL && take_plain_row(batch, input)) {
         return BATCH_ROW;
     }
-    clear_passed(batch);
-    if (!batch_take_row(batch, &line, error)) {
+    /* no cell of an earlier row is left when this one is cut short */
+    for (size_t i = 0; i < batch->passed_count; i++) {
+        batch->passed[i] =
+            (struct passed_cell){.text = {"", 0}, .is_bare = batch->format == BATCH_JSONL};
+    }
+    /* the next row of whatever the file has */
+    if (!(batch->is_array ? batch_next_object(batch, &line, error)
+                          : batch_next_row(batch, &line, error))) {
         return error->code == ERROR_NONE ? BATCH_END : BATCH_FAILED;
     }
     batch->rows++;
@@ -367,21 +357,6 @@ static void prepare_plain(struct batch *batch)
     batch->plain = plain;
 }
 
-/* A BOM may stand before everything, comments too. */
-static bool skip_byte_order_mark(struct batch *batch, struct error *error)
-{
-    error->code = ERROR_NONE;
-    while (batch->end - batch->at < 3 && !batch->at_end) {
-        if (!batch_refill(batch, error) && error->code != ERROR_NONE) {
-            return false;
-        }
-    }
-    if (batch->end - batch->at >= 3 && memcmp(batch->at, "\xef\xbb\xbf", 3) == 0) {
-        batch->at += 3;
-    }
-    return true;
-}
-
 /* An array of objects, as exiftool -json writes it: `line` is where it begins, then its first. */
 static bool open_array(struct batch *batch, struct text *line, struct error *error)
 {
@@ -403,8 +378,15 @@ static bool batch_begin(struct batch *batch, enum batch_format format, struct er
     struct text line;
     batch->format = format;
     batch->separator = format == BATCH_TSV ? '\t' : ',';
-    if (!skip_byte_order_mark(batch, error)) {
-        return false;
+    /* a BOM may stand before everything, comments too */
+    error->code = ERROR_NONE;
+    while (batch->end - batch->at < 3 && !batch->at_end) {
+        if (!batch_refill(batch, error) && error->code != ERROR_NONE) {
+            return false;
+        }
+    }
+    if (batch->end - batch->at >= 3 && memcmp(batch->at, "\xef\xbb\xbf", 3) == 0) {
+        batch->at += 3;
     }
     if (!batch_next_row(batch, &line, error)) {
         if (error->code != ERROR_NONE) {

@@ -182,17 +182,6 @@ static bool is_own_name(const struct batch_column *column)
            memcmp(column->name.start, own, length) == 0;
 }
 
-/* Beside the column of an option, a result that bears the option's name does not mean it. */
-static void prefer_own_name(const struct batch *batch, struct batch_column *one,
-                            struct batch_column *other)
-{
-    struct batch_column *const result = is_own_name(one) ? other : one;
-    if (one->option == other->option && is_own_name(one) != is_own_name(other) &&
-        is_computed(batch, result->name)) {
-        result->option = NULL;
-    }
-}
-
 /*
  * Two columns of one option. Of a tag that stands in several groups the photograph's own counts, as
  * exiftool has it without groups; of what else says the same, tags among it, the rows decide. False
@@ -218,7 +207,12 @@ static bool check_new(struct batch *batch, struct batch_column *column, struct e
     for (size_t i = 0; i < batch->column_count; i++) {
         struct batch_column *other = &batch->columns[i];
         if (column->option != NULL && other->option != NULL) {
-            prefer_own_name(batch, column, other);
+            /* beside an option's column a result that bears its name does not mean it */
+            struct batch_column *const result = is_own_name(column) ? other : column;
+            if (column->option == other->option && is_own_name(column) != is_own_name(other) &&
+                is_computed(batch, result->name)) {
+                result->option = NULL;
+            }
         }
         bool same_name = text_identical(other->name, column->name);
         bool same_option = column->option != NULL && column->option == other->option;
@@ -273,18 +267,6 @@ static bool has_all_settings(const struct batch *batch)
     return any;
 }
 
-static void pass_column(struct batch *batch, struct batch_column *column)
-{
-    size_t room = batch->passed_room;
-    batch->passed_names = arena_grow(batch->arena, batch->passed_names, batch->passed_count, &room,
-                                     sizeof *batch->passed_names);
-    batch->passed = arena_grow(batch->arena, batch->passed, batch->passed_count,
-                               &batch->passed_room, sizeof *batch->passed);
-    column->passed = batch->passed_count;
-    batch->passed[batch->passed_count].text = (struct text){"", 0};
-    batch->passed_names[batch->passed_count++] = column->name;
-}
-
 /* What becomes of a column. `settled`: the columns say all that goals would be solved for. */
 static bool settle_column(struct batch *batch, struct batch_column *column, bool settled,
                           struct error *error)
@@ -306,7 +288,14 @@ static bool settle_column(struct batch *batch, struct batch_column *column, bool
                      "the first row has no key '%.*s': only json and jsonl hand it through",
                      text_shown(column->name), column->name.start);
     } else if (column->option == NULL) {
-        pass_column(batch, column);
+        size_t room = batch->passed_room;
+        batch->passed_names = arena_grow(batch->arena, batch->passed_names, batch->passed_count,
+                                         &room, sizeof *batch->passed_names);
+        batch->passed = arena_grow(batch->arena, batch->passed, batch->passed_count,
+                                   &batch->passed_room, sizeof *batch->passed);
+        column->passed = batch->passed_count;
+        batch->passed[batch->passed_count].text = (struct text){"", 0};
+        batch->passed_names[batch->passed_count++] = column->name;
     }
     return true;
 }
@@ -323,40 +312,24 @@ bool batch_settle_columns(struct batch *batch, struct error *error)
     return true;
 }
 
-static void ignore_column(struct batch *batch, const char *name)
-{
-    for (size_t i = 0; i < batch->column_count; i++) {
-        struct batch_column *gone = &batch->columns[i];
-        if (gone->option != NULL || gone->is_ignored || !text_equal(gone->name, name)) {
-            continue;
-        }
-        gone->is_ignored = true;
-        batch->passed_count--;
-        for (size_t k = gone->passed; k < batch->passed_count; k++) {
-            batch->passed_names[k] = batch->passed_names[k + 1];
-        }
-        for (size_t k = 0; k < batch->column_count; k++) {
-            struct batch_column *other = &batch->columns[k];
-            other->passed -= other->passed > gone->passed ? 1 : 0;
-        }
-    }
-}
-
 void batch_ignore(struct batch *batch, const struct shown *shown, size_t count)
 {
     for (size_t i = 0; i < count; i++) {
-        ignore_column(batch, shown[i].name);
-    }
-}
-
-/* Rows may have either of two keys for one option, or both with the same value. */
-static void share_late(struct batch *batch, struct batch_column *column)
-{
-    for (size_t i = 0; i < batch->column_count; i++) {
-        struct batch_column *other = &batch->columns[i];
-        if (column->option != NULL && column->option == other->option &&
-            !share_option(column, other)) {
-            column->is_shared = other->is_shared = true;
+        for (size_t j = 0; j < batch->column_count; j++) {
+            struct batch_column *gone = &batch->columns[j];
+            if (gone->option != NULL || gone->is_ignored ||
+                !text_equal(gone->name, shown[i].name)) {
+                continue;
+            }
+            gone->is_ignored = true;
+            batch->passed_count--;
+            for (size_t k = gone->passed; k < batch->passed_count; k++) {
+                batch->passed_names[k] = batch->passed_names[k + 1];
+            }
+            for (size_t k = 0; k < batch->column_count; k++) {
+                struct batch_column *other = &batch->columns[k];
+                other->passed -= other->passed > gone->passed ? 1 : 0;
+            }
         }
     }
 }
@@ -369,7 +342,14 @@ struct batch_column *batch_add_late(struct batch *batch, struct text name, struc
         return NULL;
     }
     column.is_late = true;
-    share_late(batch, &column);
+    /* rows may have either of two keys for one option, or both with the same value */
+    for (size_t i = 0; i < batch->column_count; i++) {
+        struct batch_column *other = &batch->columns[i];
+        if (column.option != NULL && column.option == other->option &&
+            !share_option(&column, other)) {
+            column.is_shared = other->is_shared = true;
+        }
+    }
     if (!push_column(batch, &column, error)) {
         return NULL;
     }

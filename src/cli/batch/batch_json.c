@@ -7,15 +7,6 @@
 #include <math.h>
 #include <string.h>
 
-static bool batch_json_read_value(struct json *json, struct json_value *value)
-{
-    json_skip_blanks(json);
-    if (json->at < json->end && (*json->at == '{' || *json->at == '[')) {
-        return json_fail(json, "objects and arrays cannot be values of a row");
-    }
-    return json_scalar(json, value);
-}
-
 /* The next "key": value; false at the end of the object or on failure. */
 static bool next_pair(struct json *json, bool first, struct text *key, struct json_value *value)
 {
@@ -33,7 +24,11 @@ static bool next_pair(struct json *json, bool first, struct text *key, struct js
     if (!json_take(json, ':')) {
         return json_fail(json, "expected ':' here");
     }
-    return batch_json_read_value(json, value);
+    json_skip_blanks(json);
+    if (json->at < json->end && (*json->at == '{' || *json->at == '[')) {
+        return json_fail(json, "objects and arrays cannot be values of a row");
+    }
+    return json_scalar(json, value);
 }
 
 static bool batch_json_start(struct json *json, const struct batch *batch, struct text line,
@@ -81,42 +76,6 @@ static struct batch_column *batch_json_column_of(const struct batch *batch, stru
     return NULL;
 }
 
-static bool batch_json_set_value(struct batch *batch, struct batch_column *column,
-                                 const struct json_value *value, void *input, struct error *error)
-{
-    if (column->is_ignored) {
-        return true;
-    }
-    if (column->option == NULL) {
-        batch->passed[column->passed] = (struct passed_cell){
-            .text = value->kind == JSON_NULL ? (struct text){"", 0} : value->text,
-            .is_bare = value->kind != JSON_STRING};
-        return true;
-    }
-    if (value->kind == JSON_NULL) {
-        return true;
-    }
-    if (!batch_read_cell(batch, column, value->text, input, error)) {
-        error->column = (int)value->at + (error->caret > 0 ? error->caret - 1 : 0);
-        return false;
-    }
-    return true;
-}
-
-/* Every member as it is without the row; of what is handed through, first keys are null. */
-static void reset(struct batch *batch, void *input)
-{
-    for (size_t i = 0; i < batch->column_count; i++) {
-        const struct batch_column *column = &batch->columns[i];
-        const struct option *option = column->option;
-        if (option != NULL) {
-            batch_reset_member(batch, option, input);
-        } else if (!column->is_ignored && column->is_late) {
-            batch->passed[column->passed].text = (struct text){NULL, 0};
-        }
-    }
-}
-
 /* One value of a row; `guess` is where among the columns its key may be. */
 static bool take_pair(struct batch *batch, struct text key, size_t guess,
                       const struct json_value *value, void *input, struct error *error)
@@ -136,7 +95,23 @@ static bool take_pair(struct batch *batch, struct text key, size_t guess,
         error->column = (int)value->at;
         return false;
     }
-    return batch_json_set_value(batch, column, value, input, error);
+    if (column->is_ignored) {
+        return true;
+    }
+    if (column->option == NULL) {
+        batch->passed[column->passed] = (struct passed_cell){
+            .text = value->kind == JSON_NULL ? (struct text){"", 0} : value->text,
+            .is_bare = value->kind != JSON_STRING};
+        return true;
+    }
+    if (value->kind == JSON_NULL) {
+        return true;
+    }
+    if (!batch_read_cell(batch, column, value->text, input, error)) {
+        error->column = (int)value->at + (error->caret > 0 ? error->caret - 1 : 0);
+        return false;
+    }
+    return true;
 }
 
 /*
@@ -152,7 +127,16 @@ bool batch_json_row(struct batch *batch, struct text line, void *input, struct e
     bool good = true;
     size_t pairs = 0;
     batch->objects++;
-    reset(batch, input);
+    /* every member as it is without the row; of what is handed through, first keys are null */
+    for (size_t i = 0; i < batch->column_count; i++) {
+        const struct batch_column *column = &batch->columns[i];
+        const struct option *option = column->option;
+        if (option != NULL) {
+            batch_reset_member(batch, option, input);
+        } else if (!column->is_ignored && column->is_late) {
+            batch->passed[column->passed].text = (struct text){NULL, 0};
+        }
+    }
     if (!batch_json_start(&json, batch, line, error)) {
         return false;
     }

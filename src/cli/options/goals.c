@@ -348,19 +348,6 @@ static struct text cut_relation(struct text item, struct text *left,
     return (struct text){item.start + at, item.length - at};
 }
 
-/* The goal as typed, with a target that its kind usually has. */
-static bool hint_target(const struct goal_parser *reading, struct text left, struct error *error)
-{
-    static const char *const usual[OPERAND_KINDS] = {
-        [OPERAND_INCIDENCE] = "< 45deg", [OPERAND_EDGE] = "> 1mm",      [OPERAND_CENTER] = "> 1mm",
-        [OPERAND_AIR] = "> 1mm",         [OPERAND_GRAZING] = "< 85deg", [OPERAND_MTF] = "> 0.5",
-        [OPERAND_GMTF] = "> 0.5"};
-    const char *words = usual[reading->operand->kind];
-    return words != NULL ? error_hint(error, "write %.*s %s", text_shown(left), left.start, words)
-                         : error_hint(error, "write %.*s = 1%s", text_shown(left), left.start,
-                                      reading->type->unit);
-}
-
 /* What the kind cannot do without. */
 static bool goals_check(const struct goal_parser *reading, struct text left, struct error *error)
 {
@@ -369,7 +356,17 @@ static bool goals_check(const struct goal_parser *reading, struct text left, str
     const char *name = reading->type->name;
     if ((is & OPERAND_NEEDS_TARGET) != 0 && !reading->has_target) {
         WRONG_AT(reading, reading->item, error, "%s has no target", name);
-        return hint_target(reading, left, error);
+        /* the goal as typed, with a target that its kind usually has */
+        static const char *const usual[OPERAND_KINDS] = {
+            [OPERAND_INCIDENCE] = "< 45deg", [OPERAND_EDGE] = "> 1mm",
+            [OPERAND_CENTER] = "> 1mm",      [OPERAND_AIR] = "> 1mm",
+            [OPERAND_GRAZING] = "< 85deg",   [OPERAND_MTF] = "> 0.5",
+            [OPERAND_GMTF] = "> 0.5"};
+        const char *words = usual[reading->operand->kind];
+        return words != NULL
+                   ? error_hint(error, "write %.*s %s", text_shown(left), left.start, words)
+                   : error_hint(error, "write %.*s = 1%s", text_shown(left), left.start,
+                                reading->type->unit);
     }
     if ((is & OPERAND_NEEDS_FIELD) != 0 && operand->field == NULL) {
         WRONG_AT(reading, reading->item, error, "%s is that of a field", name);
@@ -380,18 +377,6 @@ static bool goals_check(const struct goal_parser *reading, struct text left, str
         return error_hint(error, "write %s@40/mm", name);
     }
     return true;
-}
-
-/* In one form: what stands before the relation as typed, with the target. */
-static const char *goals_name_of(const struct goal_parser *reading, struct text left,
-                                 struct text target)
-{
-    struct arena *arena = reading->reader->arena;
-    const char *where = arena_string(arena, left.start, left.length);
-    return reading->has_target
-               ? ARENA_JOIN(arena, where, " ", operand_relations[reading->operand->relation], " ",
-                            arena_string(arena, target.start, target.length))
-               : where;
 }
 
 static bool goals_read_goal(struct goal_parser *reading, struct error *error)
@@ -412,7 +397,14 @@ static bool goals_read_goal(struct goal_parser *reading, struct error *error)
         !read_deviation(reading, deviation, error) || !goals_check(reading, left, error)) {
         return false;
     }
-    operand->name = goals_name_of(reading, left, target);
+    /* in one form: what stands before the relation as typed, with the target */
+    struct arena *arena = reading->reader->arena;
+    const char *where = arena_string(arena, left.start, left.length);
+    operand->name =
+        reading->has_target
+            ? ARENA_JOIN(arena, where, " ", operand_relations[reading->operand->relation], " ",
+                         arena_string(arena, target.start, target.length))
+            : where;
     return true;
 }
 

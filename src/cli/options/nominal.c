@@ -21,17 +21,12 @@ static bool nominal_load(struct lensdb *db, const struct dimension *dimension, c
     return lensdb_stops(db, dimension->series, name, &series->stops, &series->count, error);
 }
 
-/* Labels are short decimals; a fraction such as 1/125 is read the same way on both sides. */
-static bool nominal_is_label(const struct lensdb_stop *stop, double value)
-{
-    return fabs(stop->value - value) <= 1e-12 * value;
-}
-
 /* The index of a label; count if it is none. */
 static size_t nominal_find(const struct series *series, double label)
 {
     size_t i = 0;
-    while (i < series->count && !nominal_is_label(&series->stops[i], label)) {
+    /* labels are short decimals; a fraction such as 1/125 is read the same way on both sides */
+    while (i < series->count && !(fabs(series->stops[i].value - label) <= 1e-12 * label)) {
         i++;
     }
     return i;
@@ -55,18 +50,6 @@ static void nominal_look_around(const struct series *series, double value, struc
     }
 }
 
-static bool no_label(const struct neighbours *around, struct error *error)
-{
-    const struct lensdb_stop *below = around->below, *above = around->above;
-    char words[100] = "";
-    if (below != NULL && above != NULL) {
-        snprintf(words, sizeof words, "; its neighbours are %.*s and %.*s",
-                 (int)below->label.length, below->label.start, (int)above->label.length,
-                 above->label.start);
-    }
-    return fail(error, ERROR_USAGE, "not a label of a stop series, as --nominal needs%s", words);
-}
-
 bool nominal_exact(struct lensdb *db, const struct dimension *dimension, double label,
                    double *exact, struct error *error)
 {
@@ -83,7 +66,14 @@ bool nominal_exact(struct lensdb *db, const struct dimension *dimension, double 
         }
         nominal_look_around(&series, label, &around);
     }
-    return no_label(&around, error);
+    const struct lensdb_stop *below = around.below, *above = around.above;
+    char words[100] = "";
+    if (below != NULL && above != NULL) {
+        snprintf(words, sizeof words, "; its neighbours are %.*s and %.*s",
+                 (int)below->label.length, below->label.start, (int)above->label.length,
+                 above->label.start);
+    }
+    return fail(error, ERROR_USAGE, "not a label of a stop series, as --nominal needs%s", words);
 }
 
 static bool is_series(const char *name)

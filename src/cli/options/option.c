@@ -47,19 +47,6 @@ const char *option_range(const struct option *option, struct arena *arena)
                         below ? "below " : "", high, blank, label);
 }
 
-static bool out_of_range(const struct option *option, double value, struct error *error)
-{
-    char number[NUMBER_LENGTH + 1];
-    const struct unit *unit = option_unit(option);
-    struct arena arena = {0};
-    *quantity_write(number, value, unit) = '\0';
-    fail(error, ERROR_DOMAIN, "%s %s%s%s is out of range: it must be %s", CALLED(option), number,
-         unit != NULL && unit->label[0] != '\0' ? " " : "", unit != NULL ? unit->label : "",
-         option_range(option, &arena));
-    arena_free(&arena);
-    return false;
-}
-
 bool option_check_range(const struct option *option, double value, struct error *error)
 {
     if (isinf(value) && (option->flags & OPTION_NO_INFINITY) != 0) {
@@ -72,7 +59,18 @@ bool option_check_range(const struct option *option, double value, struct error 
     bool below = (option->flags & OPTION_BELOW_HIGHEST) != 0;
     bool low_enough = below ? value < option->highest : value <= option->highest;
     bool high_enough = above ? value > option->lowest : value >= option->lowest;
-    return (low_enough && high_enough) || out_of_range(option, value, error);
+    if (low_enough && high_enough) {
+        return true;
+    }
+    char number[NUMBER_LENGTH + 1];
+    const struct unit *unit = option_unit(option);
+    struct arena arena = {0};
+    *quantity_write(number, value, unit) = '\0';
+    fail(error, ERROR_DOMAIN, "%s %s%s%s is out of range: it must be %s", CALLED(option), number,
+         unit != NULL && unit->label[0] != '\0' ? " " : "", unit != NULL ? unit->label : "",
+         option_range(option, &arena));
+    arena_free(&arena);
+    return false;
 }
 
 bool option_recall(const struct reader *reader, const struct option *option, void *member,
@@ -123,19 +121,6 @@ void option_doubt(const struct reader *reader, const struct option *option, doub
     }
 }
 
-/* A T-stop where an f-number is meant. */
-static void doubt_t_stop(const struct reader *reader, const struct option *option, struct text text,
-                         double value)
-{
-    const struct text trimmed = text_trim(text);
-    if (option->dimension == &dimension_fnumber && (option->flags & OPTION_T_STOP) == 0 &&
-        trimmed.length > 0 && (trimmed.start[0] == 'T' || trimmed.start[0] == 't')) {
-        warnings_add(reader->doubts,
-                     "%s %.*s is a T-stop, taken as f/%.6g: as if the lens lost no light",
-                     CALLED(option), text_shown(trimmed), trimmed.start, value);
-    }
-}
-
 static bool read_quantity(const struct reader *reader, const struct option *option,
                           struct text text, void *member, struct error *error)
 {
@@ -164,7 +149,14 @@ static bool read_quantity(const struct reader *reader, const struct option *opti
         return false;
     }
     option_doubt(reader, option, value);
-    doubt_t_stop(reader, option, text, value);
+    /* a T-stop where an f-number is meant */
+    const struct text trimmed = text_trim(text);
+    if (option->dimension == &dimension_fnumber && (option->flags & OPTION_T_STOP) == 0 &&
+        trimmed.length > 0 && (trimmed.start[0] == 'T' || trimmed.start[0] == 't')) {
+        warnings_add(reader->doubts,
+                     "%s %.*s is a T-stop, taken as f/%.6g: as if the lens lost no light",
+                     CALLED(option), text_shown(trimmed), trimmed.start, value);
+    }
     *(double *)member = value;
     return true;
 }
@@ -240,12 +232,6 @@ static bool option_read_count(const struct reader *reader, const struct option *
     return true;
 }
 
-static bool option_ends_with(struct text text, const char *end)
-{
-    size_t length = strlen(end);
-    return text.length > length && memcmp(text.start + text.length - length, end, length) == 0;
-}
-
 /* The kind of criterion, and where its number stands. */
 static enum coc_kind coc_kind_of(struct text text, struct text *number)
 {
@@ -258,7 +244,7 @@ static enum coc_kind coc_kind_of(struct text text, struct text *number)
         *number = (struct text){text.start + 2, text.length - 2};
         return COC_DIAGONAL;
     }
-    if (option_ends_with(text, "px")) {
+    if (text.length > 2 && memcmp(text.start + text.length - 2, "px", 2) == 0) {
         number->length -= 2;
         return COC_PIXELS;
     }

@@ -43,21 +43,6 @@ static bool bad_interval(const struct option *option, struct text text, struct e
     return error_hint(error, "say %sLOW..HIGH, LOW.. or ..HIGH", one ? "a number, " : "");
 }
 
-/* A value to be near to. */
-static bool read_near(const struct option *option, struct text text,
-                      struct interval_value *interval, struct error *error)
-{
-    const struct dimension *dimension =
-        option->dimension != NULL ? option->dimension : &dimension_number;
-    if (text_trim(text).length == 0 || !takes_one(option)) {
-        return bad_interval(option, text, error);
-    }
-    *interval = (struct interval_value){NAN, NAN, NAN};
-    return (quantity_read(text, dimension, option_unit(option), &interval->near, NULL, error) ||
-            error_prefix(error, "bad value in %s: ", CALLED(option))) &&
-           option_check_range(option, interval->near, error);
-}
-
 /* One end; nothing stands for an open one. */
 static bool option_glass_read_end(const struct option *option, struct text text, double *end,
                                   struct error *error)
@@ -82,7 +67,17 @@ static bool read_interval(const struct reader *reader, const struct option *opti
         at++;
     }
     if (at + 1 >= text.length) {
-        return read_near(option, text, member, error);
+        /* a value to be near to */
+        const struct dimension *dimension =
+            option->dimension != NULL ? option->dimension : &dimension_number;
+        if (text_trim(text).length == 0 || !takes_one(option)) {
+            return bad_interval(option, text, error);
+        }
+        struct interval_value *near = member;
+        *near = interval;
+        return (quantity_read(text, dimension, option_unit(option), &near->near, NULL, error) ||
+                error_prefix(error, "bad value in %s: ", CALLED(option))) &&
+               option_check_range(option, near->near, error);
     }
     struct text high = {text.start + at + 2, text.length - at - 2};
     if (!option_glass_read_end(option, (struct text){text.start, at}, &interval.low, error) ||

@@ -9,11 +9,6 @@
 #include <math.h>
 #include <string.h>
 
-static const char *option_light_string(const struct reader *reader, struct text text)
-{
-    return arena_string(reader->arena, text.start, text.length);
-}
-
 /* "published: Kodak F-4017"; null where the table says neither. */
 static const char *option_light_join(const struct reader *reader, struct text status,
                                      struct text source)
@@ -127,17 +122,6 @@ static bool read_neutral(const struct option *option, struct text piece, double 
            bad_filter(option, piece, "a density is 0 to 30", error);
 }
 
-static bool option_light_read_named(const struct reader *reader, const struct option *option,
-                                    struct text piece, struct loss_value *one, struct error *error)
-{
-    struct lensdb_filter filter;
-    if (!lensdb_find_filter(reader->db, piece, &filter, error)) {
-        return option_light_blame(option, error);
-    }
-    *one = (struct loss_value){lensdb_filter_stops(&filter), filter.mired, NULL};
-    return true;
-}
-
 static bool read_one_filter(const struct reader *reader, const struct option *option,
                             struct text piece, struct loss_value *one, struct error *error)
 {
@@ -154,7 +138,12 @@ static bool read_one_filter(const struct reader *reader, const struct option *op
         return read_neutral(option, piece, &one->stops, error);
     }
     if (!option_light_is_digit(piece.start[0]) && piece.start[0] != '-') {
-        return option_light_read_named(reader, option, piece, one, error);
+        struct lensdb_filter filter;
+        if (!lensdb_find_filter(reader->db, piece, &filter, error)) {
+            return option_light_blame(option, error);
+        }
+        *one = (struct loss_value){lensdb_filter_stops(&filter), filter.mired, NULL};
+        return true;
     }
     size_t last = piece.length - 1;
     if (piece.start[last] == 'x' || piece.start[last] == 'X') {
@@ -173,20 +162,6 @@ static bool read_one_filter(const struct reader *reader, const struct option *op
     return true;
 }
 
-/* The first filter of a sum; a name may hold a '+' itself ("polarizer-b+w-low"). */
-static struct text first_filter(const struct reader *reader, struct text sum)
-{
-    struct lensdb_filter filter;
-    struct error ignored;
-    struct text piece = sum;
-    while (memchr(piece.start, '+', piece.length) != NULL &&
-           !lensdb_find_filter(reader->db, piece, &filter, &ignored)) {
-        while (piece.start[--piece.length] != '+') {
-        }
-    }
-    return piece;
-}
-
 static bool read_loss(const struct reader *reader, const struct option *option, struct text text,
                       void *member, struct error *error)
 {
@@ -203,7 +178,15 @@ static bool read_loss(const struct reader *reader, const struct option *option, 
                     text_shown(text), text.start, (int)MOST_FILTERS);
     }
     while (more) {
-        struct text piece = first_filter(reader, rest);
+        /* the first filter of a sum; a name may hold a '+' itself ("polarizer-b+w-low") */
+        struct lensdb_filter filter;
+        struct error ignored;
+        struct text piece = rest;
+        while (memchr(piece.start, '+', piece.length) != NULL &&
+               !lensdb_find_filter(reader->db, piece, &filter, &ignored)) {
+            while (piece.start[--piece.length] != '+') {
+            }
+        }
         struct loss_value one;
         if (!read_one_filter(reader, option, text_trim(piece), &one, error)) {
             return false;
@@ -275,10 +258,10 @@ static bool read_scene(const struct reader *reader, const struct option *option,
         }
         return option_light_blame(option, error);
     }
-    *(struct scene_value *)member =
-        (struct scene_value){.ev100 = scene.ev100,
-                             .name = option_light_string(reader, scene.name),
-                             .source = option_light_join(reader, scene.confidence, scene.source)};
+    *(struct scene_value *)member = (struct scene_value){
+        .ev100 = scene.ev100,
+        .name = arena_string(reader->arena, scene.name.start, scene.name.length),
+        .source = option_light_join(reader, scene.confidence, scene.source)};
     return true;
 }
 

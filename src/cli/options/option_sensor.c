@@ -79,12 +79,6 @@ static bool option_sensor_read_size(const struct reader *reader, const struct op
     return true;
 }
 
-/* Cameras with a lens that cannot be changed, and whose main one is wide. */
-static bool is_wide_class(struct text class)
-{
-    return text_equal(class, "phone") || text_equal(class, "drone") || text_equal(class, "action");
-}
-
 static struct sensor_value name_sensor(const struct reader *reader,
                                        const struct lensdb_sensor *found)
 {
@@ -93,7 +87,9 @@ static struct sensor_value name_sensor(const struct reader *reader,
     sensor.name = arena_printf(reader->arena, "%.*s%s%.*s (%s)", (int)found->maker.length,
                                found->maker.start, found->maker.length > 0 ? " " : "",
                                (int)found->name.length, found->name.start, size);
-    sensor.is_wide = is_wide_class(found->class);
+    /* cameras with a lens that cannot be changed, and whose main one is wide */
+    sensor.is_wide = text_equal(found->class, "phone") || text_equal(found->class, "drone") ||
+                     text_equal(found->class, "action");
     if (text_equal(found->pitch_from, "estimate")) {
         sensor.pitch_note = "worked out from an estimated pixel count, good to about 2 %";
     }

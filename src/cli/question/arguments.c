@@ -4,23 +4,6 @@
 
 #include <string.h>
 
-static void arguments_list_options(struct arguments *arguments, struct arena *arena)
-{
-    const struct command *command = arguments->command;
-    size_t own = command->option_count + command->artifact_count;
-    arguments->all = ARENA_ARRAY(arena, own + common_option_count, struct argument);
-    for (size_t i = 0; i < own; i++) {
-        arguments->all[i].option = command_option(command, i);
-        arguments->all[i].is_input = i < command->option_count;
-    }
-    arguments->count = own;
-    const struct option *common = NULL;
-    while ((common = command_next_common(command, common)) != NULL) {
-        arguments->all[arguments->count].option = common;
-        arguments->all[arguments->count++].is_common = true;
-    }
-}
-
 /* As people write option names: '_' may stand for '-'. */
 static bool arguments_is_called(const struct option *option, struct text name)
 {
@@ -259,18 +242,6 @@ static const struct dimension *measured_in(const struct option *option)
     return option->kind == &kind_loss ? &dimension_stops : option->dimension;
 }
 
-/* The last value of a list or range, or side of a size. */
-static struct text last_value(const struct option *option, struct text text)
-{
-    size_t at = text.length;
-    while (at > 0 && text.start[at - 1] != ',' &&
-           !(at > 1 && text.start[at - 1] == '.' && text.start[at - 2] == '.') &&
-           !(option->kind == &kind_sensor && (text.start[at - 1] | 0x20) == 'x')) {
-        at--;
-    }
-    return (struct text){text.start + at, text.length - at};
-}
-
 /*
  * Does a word go on with the value before it? A unit behind a bare number does ("50" "mm"), the
  * rest of a quantity ("5" "ft" "6" "in"), and what follows the comma of a list.
@@ -280,7 +251,15 @@ static bool arguments_goes_on(const struct argument *argument, struct text word,
 {
     const struct option *option = argument->option;
     const struct dimension *dimension = measured_in(option);
-    struct text before = argument->text, last = last_value(option, before);
+    const struct text before = argument->text;
+    /* the last value of a list or range, or side of a size */
+    size_t at = before.length;
+    while (at > 0 && before.start[at - 1] != ',' &&
+           !(at > 1 && before.start[at - 1] == '.' && before.start[at - 2] == '.') &&
+           !(option->kind == &kind_sensor && (before.start[at - 1] | 0x20) == 'x')) {
+        at--;
+    }
+    const struct text last = {before.start + at, before.length - at};
     struct error ignored;
     double value;
     if (dimension == NULL || before.length == 0 || word.length == 0) {
@@ -359,25 +338,13 @@ static bool parse_operand(struct arguments *arguments, struct text word, struct 
     return unexpected(arguments, words, word, error);
 }
 
-/* Standard input has one reader: the batch or a lens. */
-static bool check_standard_input(const struct arguments *arguments, struct error *error)
+bool arguments_parse(struct arguments *arguments, const struct command *command, int count,
+                     char **all, struct arena *arena, struct error *error)
 {
-    const struct argument *batch = arguments_find(arguments, text_of("batch"));
-    bool taken = batch != NULL && batch->is_given && text_equal(batch->text, "-");
-    for (size_t i = 0; i < arguments->count && taken; i++) {
-        const struct argument *argument = &arguments->all[i];
-        if (argument->option->kind == &kind_lens && argument->is_given &&
-            text_equal(text_trim(argument->text), "-")) {
-            return fail(error, ERROR_USAGE, "--%s - and --batch - cannot both read standard input",
-                        argument->option->name);
-        }
-    }
-    return true;
-}
-
-/* What --color asks for: known before anything is complained about. */
-static enum color_when color_of(int count, char **all)
-{
+    struct words words = {.count = count, .all = all, .arena = arena};
+    bool options_end = false;
+    arguments->command = command;
+    /* what --color asks for: known before anything is complained about */
     enum color_when color = COLOR_AUTO;
     for (int i = 0; i < count && strcmp(all[i], "--") != 0; i++) {
         struct text asked = text_behind(text_of(all[i]), "--color=");
@@ -388,17 +355,19 @@ static enum color_when color_of(int count, char **all)
             color = text_equal(asked, color_words[k].word) ? (enum color_when)k : color;
         }
     }
-    return color;
-}
-
-bool arguments_parse(struct arguments *arguments, const struct command *command, int count,
-                     char **all, struct arena *arena, struct error *error)
-{
-    struct words words = {.count = count, .all = all, .arena = arena};
-    bool options_end = false;
-    arguments->command = command;
-    arguments->color = color_of(count, all);
-    arguments_list_options(arguments, arena);
+    arguments->color = color;
+    size_t own = command->option_count + command->artifact_count;
+    arguments->all = ARENA_ARRAY(arena, own + common_option_count, struct argument);
+    for (size_t i = 0; i < own; i++) {
+        arguments->all[i].option = command_option(command, i);
+        arguments->all[i].is_input = i < command->option_count;
+    }
+    arguments->count = own;
+    const struct option *common = NULL;
+    while ((common = command_next_common(command, common)) != NULL) {
+        arguments->all[arguments->count].option = common;
+        arguments->all[arguments->count++].is_common = true;
+    }
     while (words.at < words.count) {
         struct text word = text_of(words.all[words.at++]);
         bool dashed = !options_end && word.length > 1 && word.start[0] == '-';
@@ -420,7 +389,18 @@ bool arguments_parse(struct arguments *arguments, const struct command *command,
             return false;
         }
     }
-    return check_standard_input(arguments, error);
+    /* standard input has one reader: the batch or a lens */
+    const struct argument *batch = arguments_find(arguments, text_of("batch"));
+    bool taken = batch != NULL && batch->is_given && text_equal(batch->text, "-");
+    for (size_t i = 0; i < arguments->count && taken; i++) {
+        const struct argument *argument = &arguments->all[i];
+        if (argument->option->kind == &kind_lens && argument->is_given &&
+            text_equal(text_trim(argument->text), "-")) {
+            return fail(error, ERROR_USAGE, "--%s - and --batch - cannot both read standard input",
+                        argument->option->name);
+        }
+    }
+    return true;
 }
 
 bool arguments_common(const struct arguments *arguments, const struct reader *reader,

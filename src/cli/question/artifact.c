@@ -193,14 +193,6 @@ static bool check_terminal(const struct artifact_job *job, struct arena *arena, 
     return error_hint(error, "--%s FILE writes one", job->artifact->option.name);
 }
 
-/* Several files want names. */
-static bool check_names(const struct artifact_job *job, struct arena *arena, struct error *error)
-{
-    return job->files == 1 || !place_is_standard(job->path, arena) ||
-           fail(error, ERROR_USAGE, "%zu files do not go to standard output: --%s FILE", job->files,
-                job->artifact->option.name);
-}
-
 /* One more, if nothing speaks against it. */
 static bool artifact_order(struct artifacts *artifacts, const struct artifact_setting *setting,
                            struct artifact_job job, struct error *error)
@@ -231,8 +223,12 @@ static bool artifact_order(struct artifacts *artifacts, const struct artifact_se
     } else {
         job.files = 1;
     }
-    if (!check_names(&job, setting->arena, error) ||
-        (artifact->check != NULL && !artifact->check(&job, error)) ||
+    /* several files want names */
+    if (job.files != 1 && place_is_standard(job.path, setting->arena)) {
+        return fail(error, ERROR_USAGE, "%zu files do not go to standard output: --%s FILE",
+                    job.files, job.artifact->option.name);
+    }
+    if ((artifact->check != NULL && !artifact->check(&job, error)) ||
         !artifact_check_place(artifacts, &job, setting, error)) {
         return false;
     }
@@ -252,24 +248,6 @@ static bool open_sink(const struct artifact_setting *setting, const char *path, 
         return false;
     }
     terminal_guard(sink);
-    return true;
-}
-
-static bool open_sinks(struct artifacts *artifacts, const struct artifact_setting *setting,
-                       struct error *error)
-{
-    struct arena *arena = setting->arena;
-    artifacts->sinks = ARENA_ARRAY(arena, artifacts->files + 1, struct output);
-    for (size_t i = 0; i < artifacts->count; i++) {
-        const struct artifact_job *job = &artifacts->jobs[i];
-        for (size_t k = 0; k < job->files; k++) {
-            if (!open_sink(setting, numbered(job, k, arena), &artifacts->sinks[artifacts->open],
-                           error)) {
-                return false;
-            }
-            artifacts->open++;
-        }
-    }
     return true;
 }
 
@@ -312,20 +290,22 @@ bool artifacts_order(struct artifacts *artifacts, const struct artifact_setting 
     }
     const struct artifact_job job = {
         .artifact = columns, .path = setting->common->plot, .context = context};
-    return (columns == NULL || artifact_order(artifacts, setting, job, error)) &&
-           open_sinks(artifacts, setting, error);
-}
-
-/* Of several files some may not be made: one of that name that is there stays, and is told. */
-static void tell_left(struct output *sinks, size_t count)
-{
-    for (size_t i = 0; i < count; i++) {
-        struct output *sink = &sinks[i];
-        if (sink->is_unused && sink->path != NULL && place_is_file(sink->path, sink->arena)) {
-            sink->remarks = text_of(arena_printf(
-                sink->arena, "%s stays as it was: it is of an earlier run\n", sink->path));
+    if (columns != NULL && !artifact_order(artifacts, setting, job, error)) {
+        return false;
+    }
+    struct arena *arena = setting->arena;
+    artifacts->sinks = ARENA_ARRAY(arena, artifacts->files + 1, struct output);
+    for (size_t i = 0; i < artifacts->count; i++) {
+        const struct artifact_job *ordered = &artifacts->jobs[i];
+        for (size_t k = 0; k < ordered->files; k++) {
+            if (!open_sink(setting, numbered(ordered, k, arena), &artifacts->sinks[artifacts->open],
+                           error)) {
+                return false;
+            }
+            artifacts->open++;
         }
     }
+    return true;
 }
 
 bool artifacts_make(const struct artifacts *artifacts, struct error *error)
@@ -334,7 +314,14 @@ bool artifacts_make(const struct artifacts *artifacts, struct error *error)
     for (size_t i = 0; i < artifacts->count && done; i++) {
         const struct artifact_job *job = &artifacts->jobs[i];
         done = job->artifact->make(job, &artifacts->sinks[job->first], error);
-        tell_left(&artifacts->sinks[job->first], done ? job->files : 0);
+        /* some files may not be made: one of that name that is there stays, and is told */
+        for (size_t k = 0; done && k < job->files; k++) {
+            struct output *sink = &artifacts->sinks[job->first + k];
+            if (sink->is_unused && sink->path != NULL && place_is_file(sink->path, sink->arena)) {
+                sink->remarks = text_of(arena_printf(
+                    sink->arena, "%s stays as it was: it is of an earlier run\n", sink->path));
+            }
+        }
     }
     return done;
 }

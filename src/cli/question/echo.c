@@ -71,18 +71,6 @@ static bool is_told(const struct sheet *sheet, const struct option *option)
     return told;
 }
 
-/* It tells rows apart here, whatever else brings it or keeps it back. */
-static void bring(struct column *column, const struct option *option)
-{
-    const unsigned kept_back = COLUMN_HIDDEN | COLUMN_TIED | COLUMN_WITH;
-    column->repeats = option->name;
-    column->flags = (column->flags & ~kept_back) | COLUMN_BRIEF;
-    if (!echo_lists(column->with, option->name)) {
-        column->flags &= ~(unsigned)COLUMN_EXTRA;
-        column->with = NULL;
-    }
-}
-
 static bool echo_is_number(const struct option *option)
 {
     return option->kind == &kind_quantity || option->kind == &kind_wavelength ||
@@ -103,48 +91,10 @@ static enum column_type echo_type_of(const struct option *option)
     return COLUMN_TEXT;
 }
 
-/* Are there words or numbers for its values? */
-static bool is_sayable(const struct option *option)
-{
-    return echo_type_of(option) != COLUMN_TEXT || option->kind->name_of != NULL ||
-           option->kind->words_of != NULL;
-}
-
 static bool may_be_infinite(const struct option *option)
 {
     return option->kind == &kind_quantity && (option->flags & OPTION_NO_INFINITY) == 0 &&
            (isinf(option->highest) || (option->lowest == 0 && option->highest == 0));
-}
-
-static struct column new_column(const struct option *option, const char *name, size_t offset,
-                                struct arena *arena)
-{
-    const struct unit *unit = echo_is_number(option) ? option_unit(option) : NULL;
-    return (struct column){
-        .name = name,
-        .unit = unit != NULL && unit->name[0] != '\0' ? unit->name : NULL,
-        .dimension = echo_is_number(option) ? option->dimension : NULL,
-        .type = echo_type_of(option),
-        .offset = offset,
-        .flags = COLUMN_ADDED | COLUMN_ECHO | COLUMN_BRIEF |
-                 (may_be_infinite(option) ? COLUMN_INFINITE : 0),
-        .with = option->name,
-        .label = option->quantity != NULL ? option->quantity : spelt(name, '_', ' ', arena),
-        .help = option->help,
-    };
-}
-
-/* Behind those that were added before; `place` is its own. */
-static void echo_add(struct echo *echo, const struct echo_question *question,
-                     const struct option *option, struct column *place, struct arena *arena)
-{
-    const size_t offset = echo->sheet.row_size;
-    *place = new_column(option, column_name(option, arena), offset, arena);
-    echo->sheet.row_size += VALUE;
-    echo->sheet.column_count++;
-    echo->items[echo->count++] = (struct echo_item){
-        option, offset, option->fallback != NULL || question->given(question->asked, option->name),
-        false};
 }
 
 /* What was given as an equivalent focal length stands among the assumptions, beside the sensor. */
@@ -167,15 +117,6 @@ static void add_equivalent(struct echo *echo, const struct option *option, struc
     echo->items[echo->count++] = (struct echo_item){option, place->offset, true, true};
 }
 
-/* A column of the command, among those of sheet_spread. */
-static struct column *spread_column(struct column *spread, const struct column *own)
-{
-    while (spread->name != own->name) {
-        spread++;
-    }
-    return spread;
-}
-
 void echo_open(struct echo *echo, const struct echo_question *question, struct arena *arena)
 {
     const struct sheet *own = question->sheet;
@@ -196,10 +137,45 @@ void echo_open(struct echo *echo, const struct echo_question *question, struct a
             continue;
         }
         const size_t found = echo_find_column(own, option, column_name(option, arena));
-        if (found == own->column_count && is_sayable(option)) {
-            echo_add(echo, question, option, &columns[echo->count], arena);
+        /* are there words or numbers for its values? */
+        if (found == own->column_count &&
+            (echo_type_of(option) != COLUMN_TEXT || option->kind->name_of != NULL ||
+             option->kind->words_of != NULL)) {
+            /* behind those that were added before */
+            const size_t offset = echo->sheet.row_size;
+            const char *name = column_name(option, arena);
+            const struct unit *unit = echo_is_number(option) ? option_unit(option) : NULL;
+            columns[echo->count] = (struct column){
+                .name = name,
+                .unit = unit != NULL && unit->name[0] != '\0' ? unit->name : NULL,
+                .dimension = echo_is_number(option) ? option->dimension : NULL,
+                .type = echo_type_of(option),
+                .offset = offset,
+                .flags = COLUMN_ADDED | COLUMN_ECHO | COLUMN_BRIEF |
+                         (may_be_infinite(option) ? COLUMN_INFINITE : 0),
+                .with = option->name,
+                .label = option->quantity != NULL ? option->quantity : spelt(name, '_', ' ', arena),
+                .help = option->help,
+            };
+            echo->sheet.row_size += VALUE;
+            echo->sheet.column_count++;
+            echo->items[echo->count++] = (struct echo_item){
+                option, offset,
+                option->fallback != NULL || question->given(question->asked, option->name), false};
         } else if (found < own->column_count && varies) {
-            bring(spread_column(columns + most, &own->columns[found]), option);
+            /* a column of the command, among those of sheet_spread */
+            struct column *spread = columns + most;
+            while (spread->name != own->columns[found].name) {
+                spread++;
+            }
+            /* it tells rows apart here, whatever else brings it or keeps it back */
+            const unsigned kept_back = COLUMN_HIDDEN | COLUMN_TIED | COLUMN_WITH;
+            spread->repeats = option->name;
+            spread->flags = (spread->flags & ~kept_back) | COLUMN_BRIEF;
+            if (!echo_lists(spread->with, option->name)) {
+                spread->flags &= ~(unsigned)COLUMN_EXTRA;
+                spread->with = NULL;
+            }
         }
     }
     /* those that were added lie right before the command's */

@@ -52,18 +52,6 @@ static bool reserve(struct sweep_values *values, size_t more, struct error *erro
     return true;
 }
 
-/* What is more than a number, as if it had been typed: 700 nm, not 700.0000000000001. */
-static bool add_typed(struct sweep_values *values, double number, struct error *error)
-{
-    char text[NUMBER_LENGTH];
-    const struct unit *unit = option_unit(values->option);
-    const struct text typed =
-        text_between(text, number_write_digits(text, unit_from_own(unit, number), 13));
-    size_t size = values->option->kind->size;
-    return reserve(values, 1, error) && option_read(values->reader, values->option, typed,
-                                                    values->data + values->count++ * size, error);
-}
-
 /* A range: first..last, then :step, *factor, #count or /series. */
 struct sweep_range {
     struct text text, first, last, tail;
@@ -89,7 +77,15 @@ static bool add_number(struct sweep_values *values, const struct sweep_range *ra
 {
     const struct option_kind *kind = values->option->kind;
     if (kind->set_number == NULL) {
-        return add_typed(values, number, error);
+        /* what is more than a number, as if it had been typed: 700 nm, not 700.0000000000001 */
+        char text[NUMBER_LENGTH];
+        const struct unit *unit = option_unit(values->option);
+        const struct text typed =
+            text_between(text, number_write_digits(text, unit_from_own(unit, number), 13));
+        size_t size = values->option->kind->size;
+        return reserve(values, 1, error) &&
+               option_read(values->reader, values->option, typed,
+                           values->data + values->count++ * size, error);
     }
     number = as_typed(range, number);
     if (!option_check_range(values->option, number, error) || !reserve(values, 1, error)) {
@@ -119,12 +115,6 @@ static bool has_colon(const struct option *option, struct text text)
            memchr(text.start, ':', text.length) != NULL;
 }
 
-/* Is it the f-number of 1:2.8? */
-static bool is_written_as_ratio(const struct option *option, struct text text)
-{
-    return option->dimension == &dimension_fnumber && memchr(text.start, ':', text.length) != NULL;
-}
-
 /* Does a tail begin here: a step, a factor, a count or a series? */
 static bool begins_tail(struct text text, size_t i)
 {
@@ -147,8 +137,10 @@ static bool split_range(const struct option *option, struct text text, struct sw
     }
     *range = (struct sweep_range){.text = text, .first = {text.start, at}};
     struct text last = {text.start + at + 2, text.length - at - 2};
-    /* 1:8..1:1 and 1:2.8..1:8, whose colons are no steps */
-    bool colon = has_colon(option, range->first) || is_written_as_ratio(option, range->first);
+    /* the ratios of 1:8..1:1 and the f-numbers of 1:2.8..1:8, whose colons are no steps */
+    bool colon = has_colon(option, range->first) ||
+                 (option->dimension == &dimension_fnumber &&
+                  memchr(range->first.start, ':', range->first.length) != NULL);
     for (size_t i = 0; i < last.length && range->kind == 0; i++) {
         char c = last.start[i];
         if (c == ':' && colon) {
@@ -348,29 +340,6 @@ static bool sweep_is_fraction(const struct sweep_values *values, const struct sw
             has_colon(values->option, range->first) || has_colon(values->option, range->last));
 }
 
-/* Fractions run in stops: 1/16, 1/8, 1/4, 1/2, 1. */
-static bool sweep_add_stops(struct sweep_values *values, const struct sweep_range *range,
-                            struct error *error)
-{
-    double stops = log2(range->to / range->from), whole = rint(stops);
-    if (!(range->from > 0 && range->to > 0)) {
-        return range_fail(values, range, "a range of fractions has ends above 0", error);
-    }
-    if (!(fabs(stops - whole) <= 1e-9)) {
-        range_fail(values, range, "fractions step in stops, and these are not whole stops apart",
-                   error);
-        return error_hint(error,
-                          "add a step: :0.1 adds, *2 multiplies, #5 sets the number of points");
-    }
-    for (double i = 0; i <= fabs(whole); i++) {
-        double value = i == fabs(whole) ? range->to : range->from * exp2(copysign(i, whole));
-        if (!add_number(values, range, value, error)) {
-            return false;
-        }
-    }
-    return true;
-}
-
 static bool sweep_add_range(struct sweep_values *values, struct sweep_range *range,
                             struct error *error)
 {
@@ -391,7 +360,24 @@ static bool sweep_add_range(struct sweep_values *values, struct sweep_range *ran
         return false;
     }
     if (!added && range->kind == 0 && sweep_is_fraction(values, range)) {
-        return sweep_add_stops(values, range, error);
+        /* fractions run in stops: 1/16, 1/8, 1/4, 1/2, 1 */
+        double stops = log2(range->to / range->from), whole = rint(stops);
+        if (!(range->from > 0 && range->to > 0)) {
+            return range_fail(values, range, "a range of fractions has ends above 0", error);
+        }
+        if (!(fabs(stops - whole) <= 1e-9)) {
+            range_fail(values, range,
+                       "fractions step in stops, and these are not whole stops apart", error);
+            return error_hint(error,
+                              "add a step: :0.1 adds, *2 multiplies, #5 sets the number of points");
+        }
+        for (double i = 0; i <= fabs(whole); i++) {
+            double value = i == fabs(whole) ? range->to : range->from * exp2(copysign(i, whole));
+            if (!add_number(values, range, value, error)) {
+                return false;
+            }
+        }
+        return true;
     }
     return added || add_steps(values, range, error);
 }
@@ -436,15 +422,6 @@ static bool add_item(struct sweep_values *values, struct text item, struct error
     return true;
 }
 
-/* Has an item of a list a unit? False for what is no plain quantity. */
-static bool sweep_unit_of(const struct option *option, struct text item, const struct unit **unit)
-{
-    struct error ignored;
-    double value;
-    return quantity_read(item, option->dimension, option_unit(option), &value, unit, &ignored) &&
-           !isinf(value);
-}
-
 /*
  * The unit that stands behind a list and is meant for all of it: 1,2,3ft are feet, as 1..3ft are.
  * Null where the last item has none, or any other item has one of its own.
@@ -460,7 +437,10 @@ static const struct unit *shared_unit(const struct option *option, struct text t
     }
     while (rest.start != NULL) {
         struct text item = text_trim(text_cut(&rest, ','));
-        if (!sweep_unit_of(option, item, &unit) || (unit != NULL && rest.start != NULL)) {
+        struct error ignored;
+        double value;
+        if (!quantity_read(item, option->dimension, option_unit(option), &value, &unit, &ignored) ||
+            isinf(value) || (unit != NULL && rest.start != NULL)) {
             return NULL;
         }
         last = unit;
@@ -468,36 +448,26 @@ static const struct unit *shared_unit(const struct option *option, struct text t
     return last;
 }
 
-/* All values of one option, as typed. */
-static bool sweep_read_list(struct sweep_values *values, struct text text, struct error *error)
+/* One value is stored, several make an axis. */
+static bool set_values(struct sweep *sweep, struct sweep_values *values, struct text text,
+                       void *member, struct error *error)
 {
     struct text rest = text;
     values->unit = option_unit(values->option);
     bool many = (values->option->flags & OPTION_MANY) != 0;
-    if (!values->option->kind->is_list && !many) {
-        return add_item(values, text, error);
-    }
-    values->shared = shared_unit(values->option, text);
+    const bool is_one = !values->option->kind->is_list && !many;
+    values->shared = is_one ? NULL : shared_unit(values->option, text);
     do {
-        struct text item = text_trim(text_cut(&rest, many ? OPTION_MANY_SEPARATOR : ','));
-        if (item.length == 0) {
+        struct text item =
+            is_one ? text : text_trim(text_cut(&rest, many ? OPTION_MANY_SEPARATOR : ','));
+        if (item.length == 0 && !is_one) {
             return fail(error, ERROR_USAGE, "--%s '%.*s' has an empty item", values->option->name,
                         text_shown(text), text.start);
         }
         if (!add_item(values, item, error)) {
             return false;
         }
-    } while (rest.start != NULL);
-    return true;
-}
-
-/* One value is stored, several make an axis. */
-static bool set_values(struct sweep *sweep, struct sweep_values *values, struct text text,
-                       void *member, struct error *error)
-{
-    if (!sweep_read_list(values, text, error)) {
-        return false;
-    }
+    } while (rest.start != NULL && !is_one);
     memcpy(member, values->data, values->option->kind->size);
     if (values->option->kind == &kind_focal &&
         !focal_check_alike((const void *)values->data, values->count, values->option, error)) {
