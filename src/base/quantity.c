@@ -70,17 +70,6 @@ static bool is_unit_letter(char c)
            c == '_' || c == '%' || c == '\'' || c == '"' || c == '/';
 }
 
-/* The dimension that has this unit, if it is not the wanted one. */
-static const struct dimension *dimension_of(struct text unit)
-{
-    for (size_t i = 0; dimensions[i] != NULL; i++) {
-        if (unit_find(dimensions[i], unit) != NULL) {
-            return dimensions[i];
-        }
-    }
-    return NULL;
-}
-
 static const char *article(const char *noun)
 {
     return strchr("aeiI", noun[0]) != NULL || noun[1] == '-' ? "an" : "a"; /* an f-number */
@@ -151,7 +140,13 @@ static bool quantity_wrong_unit(struct quantity_parser *reading, struct text nam
     }
     size_t caret = (size_t)(name.start - reading->text.start) + 1;
     int shown = name.length < 40 ? (int)name.length : 40;
-    const struct dimension *other = dimension_of(name);
+    /* the dimension that has this unit, if it is not the wanted one */
+    const struct dimension *other = NULL;
+    for (size_t i = 0; dimensions[i] != NULL && other == NULL; i++) {
+        if (unit_find(dimensions[i], name) != NULL) {
+            other = dimensions[i];
+        }
+    }
     if (other != NULL) {
         return fail_at(reading->error, ERROR_USAGE, reading->text, caret,
                        "unit '%.*s' measures %s %s, expected %s %s", shown, name.start,

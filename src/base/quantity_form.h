@@ -47,8 +47,8 @@ struct quantity_formed {
  * Formula   DIN: the speed is the one on the label beside that many degrees,
  *           100 x 2^((degrees - 21)/3) rounded as films and cameras are marked
  * Errors    QUANTITY_FORM_WRONG, with a caret: a smaller unit that makes more than one of the
- *           larger (70 min behind hours), a fraction of 1 or more behind a whole number, speed and degrees that
- *           contradict each other, degrees outside 8 to 51
+ *           larger (70 min behind hours), a fraction of 1 or more behind a whole number, speed and
+ *           degrees that contradict each other, degrees outside 8 to 51
  */
 enum quantity_form quantity_form_read(const struct quantity_parser *form,
                                       struct quantity_formed *formed);

@@ -141,6 +141,16 @@ struct text text_cut(struct text *rest, char separator)
     return text_between(all.start, at);
 }
 
+bool text_lists(const char *words, struct text word)
+{
+    struct text rest = text_of(words != NULL ? words : "");
+    bool found = false;
+    while (rest.length > 0 && !found) {
+        found = text_identical(text_cut(&rest, ' '), word);
+    }
+    return found;
+}
+
 struct text text_cut_range(struct text *rest)
 {
     const struct text whole = *rest;

@@ -228,24 +228,11 @@ const struct dimension *const dimensions[] = {
     &dimension_colour,    NULL,
 };
 
-/* Is `name` one of the blank-separated words? Case counts: mm is not MM, D is not d. */
-static bool is_spelling(const char *words, struct text name)
-{
-    struct text rest = text_of(words != NULL ? words : "");
-    while (rest.start != NULL) {
-        struct text word = text_cut(&rest, ' ');
-        if (text_identical(word, name)) {
-            return word.length > 0;
-        }
-    }
-    return false;
-}
-
 const struct unit *unit_find(const struct dimension *dimension, struct text name)
 {
     for (size_t i = 0; i < dimension->unit_count; i++) {
         const struct unit *unit = &dimension->units[i];
-        if (text_equal(name, unit->name) || is_spelling(unit->spellings, name)) {
+        if (text_equal(name, unit->name) || text_lists(unit->spellings, name)) {
             return unit;
         }
     }

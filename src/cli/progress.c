@@ -31,15 +31,6 @@ static size_t adapted(size_t every, double elapsed)
     return elapsed > 2 * looked_every && every > 1 ? every / 2 : every;
 }
 
-static bool progress_is_seen(struct progress *progress)
-{
-    if (progress->terminal == PROGRESS_UNKNOWN) {
-        progress->terminal = isatty(STDERR_FILENO) ? PROGRESS_SEEN : PROGRESS_UNSEEN;
-        progress->is_shared = isatty(STDOUT_FILENO) != 0;
-    }
-    return progress->terminal == PROGRESS_SEEN;
-}
-
 /* Rows, or what one row that takes long counts. */
 static void progress_show(struct progress *progress, double time)
 {
@@ -82,8 +73,13 @@ void progress_look(struct progress *progress)
     progress->every = adapted(progress->every, time - progress->looked);
     progress->until = progress->every;
     progress->looked = time;
-    if (time - progress->started > first_after && time - progress->shown > shown_every &&
-        progress_is_seen(progress)) {
+    const bool is_due =
+        time - progress->started > first_after && time - progress->shown > shown_every;
+    if (is_due && progress->terminal == PROGRESS_UNKNOWN) {
+        progress->terminal = isatty(STDERR_FILENO) ? PROGRESS_SEEN : PROGRESS_UNSEEN;
+        progress->is_shared = isatty(STDOUT_FILENO) != 0;
+    }
+    if (is_due && progress->terminal == PROGRESS_SEEN) {
         progress_show(progress, time);
     }
     atomic_store(&progress->watch.is_ended, interrupt_came());

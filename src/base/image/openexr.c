@@ -3,7 +3,6 @@
 #include "base/image/openexr.h"
 
 #include "base/image/bytes.h"
-#include "base/image/half.h"
 #include "base/image/stb.h"
 
 #include <math.h>

@@ -1,7 +1,6 @@
 /* base/image/openexr_read.c - OpenEXR read: scanlines of halves and floats. */
 /* SPDX-License-Identifier: MIT */
 #include "base/image/bytes.h"
-#include "base/image/half.h"
 #include "base/image/openexr.h"
 #include "base/image/stb.h"
 

@@ -3,7 +3,6 @@
 #include "base/image/png.h"
 
 #include "base/image/bytes.h"
-#include "base/image/crc.h"
 #include "base/image/srgb.h"
 #include "base/image/stb.h"
 #include "base/parallel.h"

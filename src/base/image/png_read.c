@@ -1,7 +1,6 @@
 /* base/image/png_read.c - PNG read: its chunks checked, its pixels decoded by stb. */
 /* SPDX-License-Identifier: MIT */
 #include "base/image/bytes.h"
-#include "base/image/crc.h"
 #include "base/image/png.h"
 #include "base/image/srgb.h"
 #include "base/image/stb.h"

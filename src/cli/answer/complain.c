@@ -40,22 +40,6 @@ static void complain_write_string(struct output *output, const char *string)
     complain_write_lines(output, string, strlen(string));
 }
 
-/* "tessar.lens:7:12: " */
-static void write_place(struct output *output, const struct error *error)
-{
-    if (error->source[0] == '\0') {
-        return;
-    }
-    complain_write_string(output, error->source);
-    if (error->line > 0) {
-        output_printf(output, ":%ld", error->line);
-    }
-    if (error->column > 0) {
-        output_printf(output, ":%d", error->column);
-    }
-    output_string(output, ": ");
-}
-
 void error_print(const struct error *error, const char *command, enum color_when color)
 {
     if (error->code == ERROR_PIPE) {
@@ -69,7 +53,16 @@ void error_print(const struct error *error, const char *command, enum color_when
                   named ? ":" : "");
     output_style(output, STYLE_PLAIN);
     output_character(output, ' ');
-    write_place(output, error);
+    if (error->source[0] != '\0') { /* "tessar.lens:7:12: " */
+        complain_write_string(output, error->source);
+        if (error->line > 0) {
+            output_printf(output, ":%ld", error->line);
+        }
+        if (error->column > 0) {
+            output_printf(output, ":%d", error->column);
+        }
+        output_string(output, ": ");
+    }
     complain_write_string(output, error->message);
     output_character(output, '\n');
     if (error->caret > 0) {
@@ -162,6 +155,29 @@ static void write_warning(struct output *output, const char *command, const char
     output_character(output, '\n');
 }
 
+static void write_doubts(struct output *output, const struct report *report)
+{
+    struct warnings *doubts = report->doubts;
+    for (size_t i = 0; i < doubts->count; i++) {
+        write_warning(output, report->command, doubts->texts[i]);
+    }
+    const char *more = warnings_left_out(doubts);
+    if (more != NULL) {
+        write_warning(output, report->command, more);
+    }
+}
+
+/* Columns that were asked for, and have no value in any row. */
+static void write_absent(struct output *output, const struct report *report)
+{
+    for (size_t i = 0; i < report->shown_count; i++) {
+        if (!report->has_value[i]) {
+            output_printf(output, "lenscalc: %s: %s has no value here: %s\n", report->command,
+                          report->shown[i].name, report_absence(report, report->shown[i].column));
+        }
+    }
+}
+
 void print_beside(const struct report *report, bool is_apart, enum color_when color)
 {
     /* without rows there is neither a format nor an explanation */
@@ -185,24 +201,10 @@ void print_beside(const struct report *report, bool is_apart, enum color_when co
         output_character(output, '\n');
     }
     if (are_looked_at) {
-        /* columns that were asked for, and have no value in any row */
-        for (size_t i = 0; i < report->shown_count; i++) {
-            if (!report->has_value[i]) {
-                output_printf(output, "lenscalc: %s: %s has no value here: %s\n", report->command,
-                              report->shown[i].name,
-                              report_absence(report, report->shown[i].column));
-            }
-        }
+        write_absent(output, report);
     }
     if (warnings > 0) {
-        struct warnings *doubts = report->doubts;
-        for (size_t i = 0; i < doubts->count; i++) {
-            write_warning(output, report->command, doubts->texts[i]);
-        }
-        const char *more = warnings_left_out(doubts);
-        if (more != NULL) {
-            write_warning(output, report->command, more);
-        }
+        write_doubts(output, report);
     }
     output_flush(output);
 }

@@ -64,9 +64,8 @@ static bool read_specification(const struct collection *collection, const char *
                     collection->sweep->axis_count);
     }
     bool people = !is_machine(report), typed = values.start != NULL;
-    const struct column_names wanted = {
-        .names = names, .separator = '+', .convert = people && !typed};
-    if (!collection_columns(collection, &wanted, &cross->values, &cross->value_count, error)) {
+    if (!collection_columns(collection, names, '+', people && !typed, &cross->values,
+                            &cross->value_count, error)) {
         return error_prefix(error, "--table: ");
     }
     return !people ||
@@ -276,10 +275,26 @@ static void write_grid(struct report *report, const struct grid *grid)
     }
 }
 
-/* What is doubtful about a lens stands in a column of its rows, which a table has not. */
-static void doubt_warnings(const struct collection *collection, const struct cross *cross,
-                           const struct report *report)
+static void cross_doubt(const struct collection *collection, const struct cross *cross,
+                        const struct report *report)
 {
+    /* values that no cell has are said to be absent, not shown as nothing */
+    for (size_t k = 0; k < cross->value_count; k++) {
+        const struct column *column = cross->values[k].column;
+        bool any_row = false, any = false;
+        for (size_t i = 0; i < cross->down->count; i++) {
+            for (size_t j = 0; j < cross->across->count; j++) {
+                const void *row = row_at(collection, cross, i, j);
+                any_row = any_row || row != NULL;
+                any = any || (row != NULL && !row_is_absent(row, column));
+            }
+        }
+        if (any_row && !any) {
+            warnings_add(report->doubts, "%s has no value here: %s", cross->values[k].name,
+                         report_absence(report, column));
+        }
+    }
+    /* what is doubtful about a lens stands in a column of its rows, which a table has not */
     for (size_t k = 0; k < report->sheet->column_count; k++) {
         const struct column *column = &report->sheet->columns[k];
         if ((column->flags & COLUMN_NOTE) == 0 || !text_equal(text_of(column->name), "warning")) {
@@ -318,23 +333,7 @@ bool cross_table_write(const struct collection *collection, const char *specific
         }
     }
     cross_choose_units(collection, report, &cross);
-    /* values that no cell has are said to be absent, not shown as nothing */
-    for (size_t k = 0; k < cross.value_count; k++) {
-        const struct column *column = cross.values[k].column;
-        bool any_row = false, any = false;
-        for (size_t i = 0; i < cross.down->count; i++) {
-            for (size_t j = 0; j < cross.across->count; j++) {
-                const void *row = row_at(collection, &cross, i, j);
-                any_row = any_row || row != NULL;
-                any = any || (row != NULL && !row_is_absent(row, column));
-            }
-        }
-        if (any_row && !any) {
-            warnings_add(report->doubts, "%s has no value here: %s", cross.values[k].name,
-                         report_absence(report, column));
-        }
-    }
-    doubt_warnings(collection, &cross, report);
+    cross_doubt(collection, &cross, report);
     struct grid grid = cross_build(collection, &cross, report);
     if (!is_machine(report)) {
         const void *row = collection_first_row(collection);

@@ -185,23 +185,16 @@ static bool curve_group_at(void *context, double x, double *y)
     return true;
 }
 
-/* Do more answers cost so little that a drawing may ask for them? How many then, together? */
-static size_t most_between(const struct collection *collection)
-{
-    const size_t most = 6000;
-    const struct command *command = collection->command;
-    if (command->needs_ceres != NULL) {
-        return 0;
-    }
-    const double weight = command->weight != NULL ? command->weight(collection->input) : 1;
-    return (size_t)((double)most / fmax(weight, 1));
-}
-
 /* What lies between the samples, where the curves are bent or end. */
 static void refine_curves(const struct collection *collection, const struct plotting_layout *layout,
                           struct plot *plot)
 {
-    const size_t columns = layout->shown_count, most = most_between(collection) / layout->groups;
+    const size_t columns = layout->shown_count, most_together = 6000;
+    const struct command *command = collection->command;
+    const double weight = command->weight != NULL ? command->weight(collection->input) : 1;
+    /* as long as answers cost so little that a drawing may ask for more */
+    const size_t all = (size_t)((double)most_together / fmax(weight, 1));
+    const size_t most = command->needs_ceres != NULL ? 0 : all / layout->groups;
     struct plot_series *refined =
         ARENA_ARRAY(collection->arena, plot->series_count, struct plot_series);
     const double **y = ARENA_ARRAY(collection->arena, columns, const double *);
@@ -257,8 +250,8 @@ static bool plotting_lay_out(const struct collection *collection, const char *co
     if (columns == NULL) {
         return fail(error, ERROR_USAGE, "--plot: say what to plot with --columns");
     }
-    const struct column_names wanted = {.names = columns, .separator = ',', .convert = !typed};
-    return collection_columns(collection, &wanted, &layout->shown, &layout->shown_count, error) &&
+    return collection_columns(collection, columns, ',', !typed, &layout->shown,
+                              &layout->shown_count, error) &&
            collection_check_units(layout->shown, layout->shown_count, "--plot", true, error) &&
            choose_x(collection, layout, error);
 }

@@ -87,15 +87,13 @@ bool rows_emit(struct run *run, const void *row)
     if (!driver->only_prints) {
         emit_first(driver, row);
     }
-    if (driver->hidden_count > 0) {
-        /* columns were chosen, and these notes were not: they are told beside the answer */
-        for (size_t i = 0; i < driver->hidden_count; i++) {
-            const struct column *column = driver->hidden_notes[i];
-            const char *note = row_text(row, column);
-            if (note != NULL) {
-                const bool is_warning = text_equal(text_of(column->name), "warning");
-                warnings_add(&driver->doubts, "%s%s", is_warning ? "" : "taken as ", note);
-            }
+    /* columns were chosen, and these notes were not: they are told beside the answer */
+    for (size_t i = 0; i < driver->hidden_count; i++) {
+        const struct column *column = driver->hidden_notes[i];
+        const char *note = row_text(row, column);
+        if (note != NULL) {
+            const bool is_warning = text_equal(text_of(column->name), "warning");
+            warnings_add(&driver->doubts, "%s%s", is_warning ? "" : "taken as ", note);
         }
     }
     if (driver->begun) {

@@ -76,13 +76,6 @@ static bool object_fail(struct batch *batch, struct text object, struct error *e
                                   (struct text){object.start + begin, object.length - begin});
 }
 
-static bool wrong_count(struct batch *batch, size_t cells, struct error *error)
-{
-    fail(error, ERROR_DATA, "the row has %zu cells where the header has %zu", cells,
-         batch->column_count);
-    return row_fail(batch, error, 0);
-}
-
 static bool set_cell(struct batch *batch, struct batch_column *column, struct text cell, size_t at,
                      void *input, struct error *error)
 {
@@ -127,8 +120,10 @@ static bool batch_read_row(struct batch *batch, struct text line, void *input, s
     if (!good) {
         return error_count_characters(error, line);
     }
-    if (cells != batch->column_count && !wrong_count(batch, cells, error)) {
-        return false;
+    if (cells != batch->column_count) {
+        fail(error, ERROR_DATA, "the row has %zu cells where the header has %zu", cells,
+             batch->column_count);
+        return row_fail(batch, error, 0);
     }
     batch->decimals = batch->row_decimals;
     return true;

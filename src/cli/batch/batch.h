@@ -45,16 +45,6 @@ struct batch_plain {
     char behind; /* what ends the cell */
 };
 
-/* What the name of a column stands for. */
-struct batch_meaning {
-    const struct option *option;   /* null: none */
-    const char *unit;              /* that stands behind the name; null: none does */
-    const struct option *doubtful; /* as in struct batch_column */
-    struct text typed_unit;
-    const char *tag;
-    bool is_copy, zero_is_unknown;
-};
-
 /* How fractions are written in a file whose cells are separated by ';'. */
 enum decimals { DECIMALS_UNKNOWN, DECIMALS_COMMA, DECIMALS_POINT, DECIMALS_BOTH };
 
@@ -188,8 +178,8 @@ struct batch_column *batch_add_late(struct batch *batch, struct text name, struc
 
 /* -------- cli/batch/batch_names.c -------- */
 
-/* What a column of this name means to the command. */
-struct batch_meaning batch_meaning_of(const struct batch *batch, struct text name);
+/* What a column of this name means to the command; of as_read only the unit behind the name. */
+void batch_find_meaning(const struct batch *batch, struct text name, struct batch_column *column);
 
 /* The option that a name without unit stands for: "f", "focal_length", "FocalLength" or "focal". */
 const struct option *batch_option_of(const struct batch *batch, struct text name);

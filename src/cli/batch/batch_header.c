@@ -60,15 +60,6 @@ static bool find_companion(const struct batch *batch, struct text name, struct b
     return column->is_infinite;
 }
 
-/* Is this '_' and one of the units in which machines read the column? */
-static bool is_unit_behind(const struct column *column, struct text rest)
-{
-    const struct text unit = {rest.start + 1, rest.length - 1};
-    return column->unit != NULL && rest.start[0] == '_' &&
-           (text_equal(unit, column->unit) ||
-            (column->other != NULL && text_equal(unit, column->other->unit)));
-}
-
 /* Is this the name, with or without unit, of a column of the sheet that is always printed? */
 static bool is_column(const struct sheet *sheet, struct text name)
 {
@@ -77,9 +68,15 @@ static bool is_column(const struct sheet *sheet, struct text name)
         size_t length = strlen(column->name);
         bool begins = name.length >= length && memcmp(name.start, column->name, length) == 0;
         struct text rest = {name.start + length, begins ? name.length - length : 0};
-        if (begins && (column->flags & COLUMN_EXTRA) == 0 &&
-            (rest.length == 0 || text_equal(rest, "_is_infinite") ||
-             is_unit_behind(column, rest))) {
+        if (!begins || (column->flags & COLUMN_EXTRA) != 0) {
+            continue;
+        }
+        /* '_' and one of the units in which machines read it */
+        const struct text unit = text_behind(rest, "_");
+        if (rest.length == 0 || text_equal(rest, "_is_infinite") ||
+            (column->unit != NULL && unit.start != NULL &&
+             (text_equal(unit, column->unit) ||
+              (column->other != NULL && text_equal(unit, column->other->unit))))) {
             return true;
         }
     }
@@ -90,27 +87,6 @@ static bool is_column(const struct sheet *sheet, struct text name)
 static bool is_computed(const struct batch *batch, struct text name)
 {
     return text_equal(name, "error") || is_column(batch->sheet, name);
-}
-
-/* Does any command print a column of this name? */
-static bool is_printed(const struct batch *batch, struct text name)
-{
-    for (size_t i = 0; batch->commands[i] != NULL; i++) {
-        if (is_column(&batch->commands[i]->sheet, name)) {
-            return true;
-        }
-    }
-    return false;
-}
-
-static bool is_unit_of_any(struct text name)
-{
-    for (size_t i = 0; dimensions[i] != NULL; i++) {
-        if (unit_find(dimensions[i], name) != NULL) {
-            return true;
-        }
-    }
-    return false;
 }
 
 static bool batch_header_wrong_unit(const struct batch_column *column, struct error *error)
@@ -152,20 +128,20 @@ static bool batch_header_find_column(const struct batch *batch, struct text name
         column->as_read.called = called;
         return true;
     }
-    const struct batch_meaning meaning = batch_meaning_of(batch, name);
-    column->option = meaning.option;
-    column->tag = meaning.tag;
-    column->is_copy = meaning.is_copy;
-    column->zero_is_unknown = meaning.zero_is_unknown;
+    batch_find_meaning(batch, name, column);
+    const char *unit = column->as_read.unit;
     /* s_id is a name of its own beside s_m, near_diopter comes from another run */
-    column->doubtful = is_printed(batch, name) ? NULL : meaning.doubtful;
-    column->typed_unit = meaning.typed_unit;
-    if (column->doubtful != NULL && is_unit_of_any(column->typed_unit)) {
-        return batch_header_wrong_unit(column, error);
+    for (size_t i = 0; batch->commands[i] != NULL && column->doubtful != NULL; i++) {
+        column->doubtful = is_column(&batch->commands[i]->sheet, name) ? NULL : column->doubtful;
+    }
+    for (size_t i = 0; dimensions[i] != NULL && column->doubtful != NULL; i++) {
+        if (unit_find(dimensions[i], column->typed_unit) != NULL) {
+            return batch_header_wrong_unit(column, error);
+        }
     }
     if (column->option != NULL) {
         column->as_read = *column->option;
-        column->as_read.unit = meaning.unit != NULL ? meaning.unit : column->option->unit;
+        column->as_read.unit = unit != NULL ? unit : column->option->unit;
         column->as_read.called = called;
         column->has_decimals = batch->separator == ';' && batch_has_decimals(column->option);
         set_scale(column, batch->reader);

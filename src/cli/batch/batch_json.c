@@ -63,24 +63,18 @@ bool batch_json_header(struct batch *batch, struct text line, struct error *erro
     return true;
 }
 
-/* The column of a key: usually the one after the last. */
-static struct batch_column *batch_json_column_of(const struct batch *batch, struct text key,
-                                                 size_t guess)
-{
-    for (size_t i = 0; i < batch->column_count; i++) {
-        struct batch_column *column = &batch->columns[(guess + i) % batch->column_count];
-        if (text_identical(column->name, key)) {
-            return column;
-        }
-    }
-    return NULL;
-}
-
 /* One value of a row; `guess` is where among the columns its key may be. */
 static bool take_pair(struct batch *batch, struct text key, size_t guess,
                       const struct json_value *value, void *input, struct error *error)
 {
-    struct batch_column *column = batch_json_column_of(batch, key, guess);
+    /* the column of a key: usually the one after the last */
+    struct batch_column *column = NULL;
+    for (size_t i = 0; i < batch->column_count && column == NULL; i++) {
+        struct batch_column *other = &batch->columns[(guess + i) % batch->column_count];
+        if (text_identical(other->name, key)) {
+            column = other;
+        }
+    }
     if (column == NULL) {
         column = batch_add_late(batch, key, error);
     }

@@ -103,7 +103,7 @@ const struct option *batch_option_of(const struct batch *batch, struct text name
 
 /* A name and what may be the unit behind it; false: it is no such name with such a unit. */
 static bool match_unit(const struct batch *batch, struct text name, struct text typed,
-                       struct batch_meaning *meaning)
+                       struct batch_column *column)
 {
     const struct option *option = batch_option_of(batch, name);
     if (option == NULL || option->dimension == NULL) {
@@ -115,72 +115,56 @@ static bool match_unit(const struct batch *batch, struct text name, struct text 
         unit = text_equal(typed, option->dimension->units[i].label) ? &option->dimension->units[i]
                                                                     : NULL;
     }
-    meaning->typed_unit = typed;
+    column->typed_unit = typed;
     if (unit != NULL) {
-        meaning->option = option;
-        meaning->unit = unit->name;
+        column->option = option;
+        column->as_read.unit = unit->name;
     } else {
-        meaning->doubtful = option;
+        column->doubtful = option;
     }
     return unit != NULL;
 }
 
 /* "Focal Length (mm)", "Distance [ft]". */
-static bool match_brackets(const struct batch *batch, struct text name,
-                           struct batch_meaning *meaning)
+static bool match_brackets(const struct batch *batch, struct text name, struct batch_column *column)
 {
     const char last = name.length > 0 ? name.start[name.length - 1] : '\0';
-    char opening = '\0';
-    if (last == ')') {
-        opening = '(';
-    } else if (last == ']') {
-        opening = '[';
-    }
-    size_t at = opening != '\0' ? name.length - 1 : 0;
-    while (at > 0 && name.start[at] != opening) {
+    size_t at = last == ')' || last == ']' ? name.length - 1 : 0;
+    while (at > 0 && name.start[at] != (last == ')' ? '(' : '[')) {
         at--;
     }
     if (at == 0) {
         return false;
     }
     const struct text inside = {name.start + at + 1, name.length - at - 2};
-    return match_unit(batch, text_trim((struct text){name.start, at}), text_trim(inside), meaning);
+    return match_unit(batch, text_trim((struct text){name.start, at}), text_trim(inside), column);
 }
 
-/* Split "focal_length_mm" or "speed_m_s" into the option and its unit, at any '_'. */
-static bool match_with_unit(const struct batch *batch, struct text name,
-                            struct batch_meaning *meaning)
+void batch_find_meaning(const struct batch *batch, struct text name, struct batch_column *column)
 {
-    for (size_t at = 1; at + 1 < name.length; at++) {
-        const struct text behind = {name.start + at + 1, name.length - at - 1};
-        if (name.start[at] == '_' &&
-            match_unit(batch, (struct text){name.start, at}, behind, meaning)) {
-            return true;
-        }
-    }
-    return match_brackets(batch, name, meaning);
-}
-
-struct batch_meaning batch_meaning_of(const struct batch *batch, struct text name)
-{
-    struct batch_meaning meaning = {0};
     struct text bare = name;
     const struct text group = cut_group(&bare);
     const struct photo_tag *tag = find_tag(bare);
     if (tag != NULL && (group.length > 0 || text_equal(bare, tag->tag))) {
-        meaning.option = batch_option_of(batch, bare);
-        meaning.tag = tag->tag;
-        bool found = group.length == 0;
-        for (size_t i = 0; i < sizeof own_groups / sizeof own_groups[0] && !found; i++) {
-            found = text_same_name(group, text_of(own_groups[i]));
+        bool is_own = group.length == 0;
+        for (size_t i = 0; i < sizeof own_groups / sizeof own_groups[0] && !is_own; i++) {
+            is_own = text_same_name(group, text_of(own_groups[i]));
         }
-        meaning.is_copy = !found;
-        meaning.zero_is_unknown = tag->zero_is_unknown;
-        return meaning;
+        column->option = batch_option_of(batch, bare);
+        column->tag = tag->tag;
+        column->is_copy = !is_own;
+        column->zero_is_unknown = tag->zero_is_unknown;
+        return;
     }
-    meaning.option = batch_option_of(batch, name);
-    if (meaning.option == NULL && match_with_unit(batch, name, &meaning)) {
-        meaning.doubtful = NULL;
+    column->option = batch_option_of(batch, name);
+    bool found = column->option != NULL;
+    /* "focal_length_mm" or "speed_m_s": the option and its unit, at any '_' */
+    for (size_t at = 1; at + 1 < name.length && !found; at++) {
+        const struct text behind = {name.start + at + 1, name.length - at - 1};
+        found = name.start[at] == '_' &&
+                match_unit(batch, (struct text){name.start, at}, behind, column);
     }
-    return meaning;
+    if (found || match_brackets(batch, name, column)) {
+        column->doubtful = NULL;
+    }
 }

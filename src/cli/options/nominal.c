@@ -32,28 +32,10 @@ static size_t nominal_find(const struct series *series, double label)
     return i;
 }
 
-/* The labels next below and above a value among all series, for a message. */
-struct neighbours {
-    const struct lensdb_stop *below, *above;
-};
-
-static void nominal_look_around(const struct series *series, double value, struct neighbours *found)
-{
-    for (size_t i = 0; i < series->count; i++) {
-        const struct lensdb_stop *stop = &series->stops[i];
-        if (stop->value < value && (found->below == NULL || stop->value > found->below->value)) {
-            found->below = stop;
-        }
-        if (stop->value > value && (found->above == NULL || stop->value < found->above->value)) {
-            found->above = stop;
-        }
-    }
-}
-
 bool nominal_exact(struct lensdb *db, const struct dimension *dimension, double label,
                    double *exact, struct error *error)
 {
-    struct neighbours around = {0};
+    const struct lensdb_stop *below = NULL, *above = NULL; /* the next labels of all series */
     for (size_t i = 0; i < SERIES; i++) {
         struct series series;
         if (!nominal_load(db, dimension, series_names[i], &series, error)) {
@@ -64,9 +46,16 @@ bool nominal_exact(struct lensdb *db, const struct dimension *dimension, double 
             *exact = series.stops[found].exact;
             return true;
         }
-        nominal_look_around(&series, label, &around);
+        for (size_t k = 0; k < series.count; k++) {
+            const struct lensdb_stop *stop = &series.stops[k];
+            if (stop->value < label && (below == NULL || stop->value > below->value)) {
+                below = stop;
+            }
+            if (stop->value > label && (above == NULL || stop->value < above->value)) {
+                above = stop;
+            }
+        }
     }
-    const struct lensdb_stop *below = around.below, *above = around.above;
     char words[100] = "";
     if (below != NULL && above != NULL) {
         snprintf(words, sizeof words, "; its neighbours are %.*s and %.*s",
@@ -76,47 +65,28 @@ bool nominal_exact(struct lensdb *db, const struct dimension *dimension, double 
     return fail(error, ERROR_USAGE, "not a label of a stop series, as --nominal needs%s", words);
 }
 
-static bool is_series(const char *name)
+bool nominal_between(struct lensdb *db, const struct dimension *dimension, const char *name,
+                     const double ends[2], bool exact, double **values, size_t *count,
+                     struct error *error)
 {
-    for (size_t i = 0; i < SERIES; i++) {
-        if (strcmp(series_names[i], name) == 0) {
-            return true;
-        }
-    }
-    return false;
-}
-
-static void nominal_collect(struct lensdb *db, const struct series *series, size_t from, size_t to,
-                            bool exact, double **values, size_t *count)
-{
-    *count = (from < to ? to - from : from - to) + 1;
-    *values = ARENA_ARRAY(db->arena, *count, double);
-    for (size_t i = 0; i < *count; i++) {
-        const struct lensdb_stop *stop = &series->stops[from < to ? from + i : from - i];
-        (*values)[i] = exact ? stop->exact : stop->value;
-    }
-}
-
-bool nominal_between(struct lensdb *db, const struct nominal_range *range, double **values,
-                     size_t *count, struct error *error)
-{
-    const char *name = range->series;
     *count = 0;
     error->code = ERROR_NONE;
-    if (name != NULL && !is_series(name)) {
-        return fail(error, ERROR_USAGE, "a stop series is full, half or third, not '%s'", name);
-    }
     for (size_t i = 0; i < SERIES; i++) {
         struct series series;
         if (name != NULL && strcmp(name, series_names[i]) != 0) {
             continue;
         }
-        if (!nominal_load(db, range->dimension, series_names[i], &series, error)) {
+        if (!nominal_load(db, dimension, series_names[i], &series, error)) {
             return false;
         }
-        size_t from = nominal_find(&series, range->first), to = nominal_find(&series, range->last);
+        size_t from = nominal_find(&series, ends[0]), to = nominal_find(&series, ends[1]);
         if (from < series.count && to < series.count) {
-            nominal_collect(db, &series, from, to, range->exact, values, count);
+            *count = (from < to ? to - from : from - to) + 1;
+            *values = ARENA_ARRAY(db->arena, *count, double);
+            for (size_t k = 0; k < *count; k++) {
+                const struct lensdb_stop *stop = &series.stops[from < to ? from + k : from - k];
+                (*values)[k] = exact ? stop->exact : stop->value;
+            }
             return true;
         }
         if (name != NULL) {
@@ -124,5 +94,6 @@ bool nominal_between(struct lensdb *db, const struct nominal_range *range, doubl
                         "an end of the range is not a label of the %s-stop series", name);
         }
     }
-    return true;
+    return name == NULL ||
+           fail(error, ERROR_USAGE, "a stop series is full, half or third, not '%s'", name);
 }

@@ -1,7 +1,5 @@
 /* cli/options/option_field.c - read fields of a lens. */
 /* SPDX-License-Identifier: MIT */
-#include "cli/options/option_field.h"
-
 #include "cli/options/option.h"
 
 #include <math.h>
@@ -66,7 +64,7 @@ static bool option_field_read_fields(const struct reader *reader, const struct o
         }
         if (items[count].weight < 0) {
             return fail(error, ERROR_USAGE, "%s has the weight %.*s: weights are 0 or more",
-                        CALLED(option), text_shown(weight), weight.start);
+                        TYPED(option, weight));
         }
         if (!is_finite(&items[count++])) {
             return fail(error, ERROR_USAGE, "%s has a field or weight that is not finite",

@@ -1,9 +1,8 @@
 /* cli/options/option_focal.c - focal lengths, real ones and those equivalent on 36 x 24 mm. */
 /* SPDX-License-Identifier: MIT */
-#include "cli/options/option_focal.h"
+#include "cli/options/option.h"
 
 #include "base/number.h"
-#include "cli/options/option.h"
 
 #include <math.h>
 #include <string.h>
@@ -50,11 +49,6 @@ static double focal_number(const void *member)
     return isnan(focal->equivalent) ? focal->length : focal->equivalent;
 }
 
-static void focal_clear(void *member)
-{
-    *(struct focal_value *)member = (struct focal_value){NAN, NAN};
-}
-
 const struct option_kind kind_focal = {
     .name = "quantity",
     .size = sizeof(struct focal_value),
@@ -62,7 +56,7 @@ const struct option_kind kind_focal = {
     .read = focal_read,
     .number_of = focal_number,
     .set_number = focal_set_number,
-    .clear = focal_clear,
+    .nan_count = 2,
 };
 
 struct focal_options focal_options_of(const struct option *options, size_t count)

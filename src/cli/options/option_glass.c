@@ -23,23 +23,12 @@ static bool option_glass_read_glass(const struct reader *reader, const struct op
     return true;
 }
 
-static const char *glass_name(const struct option *option, const void *member)
-{
-    (void)option;
-    return ((const struct glass_value *)member)->name;
-}
-
 /* A single value is allowed where the option says of which size. */
-static bool takes_one(const struct option *option)
-{
-    return option->highest > option->lowest;
-}
-
 static bool bad_interval(const struct option *option, struct text text, struct error *error)
 {
-    bool one = takes_one(option);
-    fail(error, ERROR_USAGE, "%s '%.*s' is no %srange", CALLED(option), text_shown(text),
-         text.start, one ? "value or " : "");
+    bool one = option->highest > option->lowest;
+    fail(error, ERROR_USAGE, "%s '%.*s' is no %srange", TYPED(option, text),
+         one ? "value or " : "");
     return error_hint(error, "say %sLOW..HIGH, LOW.. or ..HIGH", one ? "a number, " : "");
 }
 
@@ -70,7 +59,7 @@ static bool read_interval(const struct reader *reader, const struct option *opti
         /* a value to be near to */
         const struct dimension *dimension =
             option->dimension != NULL ? option->dimension : &dimension_number;
-        if (text_trim(text).length == 0 || !takes_one(option)) {
+        if (text_trim(text).length == 0 || !(option->highest > option->lowest)) {
             return bad_interval(option, text, error);
         }
         struct interval_value *near = member;
@@ -89,11 +78,6 @@ static bool read_interval(const struct reader *reader, const struct option *opti
     }
     *(struct interval_value *)member = interval;
     return true;
-}
-
-static void clear_interval(void *member)
-{
-    *(struct interval_value *)member = (struct interval_value){NAN, NAN, NAN};
 }
 
 /* "1.5..1.6", as it is typed; an end that is open is empty. */
@@ -118,7 +102,7 @@ const struct option_kind kind_glass = {
     .size = sizeof(struct glass_value),
     .is_list = true,
     .read = option_glass_read_glass,
-    .name_of = glass_name,
+    OPTION_NAMED(struct glass_value, name),
     .reads = READS_LENSDB | READS_GLASSES,
 };
 
@@ -128,5 +112,5 @@ const struct option_kind kind_interval = {
     .is_list = true,
     .read = read_interval,
     .words_of = interval_words,
-    .clear = clear_interval,
+    .nan_count = 3,
 };

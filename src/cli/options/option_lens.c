@@ -1,9 +1,7 @@
 /* cli/options/option_lens.c - read the values of lens commands. */
 /* SPDX-License-Identifier: MIT */
-#include "cli/options/option_lens.h"
-
 #include "cli/options/option.h"
-#include "cli/options/option_spectrum.h"
+
 #include "data/lines.h"
 #include "exchange/lens_open.h"
 #include "optics/wavelength.h"
@@ -222,18 +220,6 @@ static bool read_lens_text(const struct reader *reader, const struct option *opt
     return true;
 }
 
-static const char *lens_text_name(const struct option *option, const void *member)
-{
-    (void)option;
-    return ((const struct lens_text_value *)member)->source;
-}
-
-static const char *lens_name(const struct option *option, const void *member)
-{
-    (void)option;
-    return ((const struct lens_value *)member)->name;
-}
-
 double wavelength_micrometres(double millimetres)
 {
     char text[NUMBER_LENGTH];
@@ -268,7 +254,7 @@ bool wavelength_read(const struct reader *reader, const struct option *option, s
     }
     return (*wavelength >= WAVELENGTH_SHORTEST && *wavelength <= WAVELENGTH_LONGEST) ||
            fail(error, ERROR_DOMAIN, "%s %.*s is out of range: it must be 1 nm to 100 mm",
-                CALLED(option), text_shown(name), name.start);
+                TYPED(option, name));
 }
 
 static bool option_lens_read_wavelength(const struct reader *reader, const struct option *option,
@@ -283,23 +269,12 @@ static bool option_lens_read_wavelength(const struct reader *reader, const struc
     return true;
 }
 
-static double wavelength_number(const void *member)
-{
-    return ((const struct wavelength_value *)member)->wavelength;
-}
-
-static const char *wavelength_name(const struct option *option, const void *member)
-{
-    (void)option;
-    return ((const struct wavelength_value *)member)->name;
-}
-
 const struct option_kind kind_lens = {
     .name = "lens",
     .size = sizeof(struct lens_value),
     .read = read_lens,
     .recall = recall_lens,
-    .name_of = lens_name,
+    OPTION_NAMED(struct lens_value, name),
     .reads = READS_LENSDB | READS_GLASSES | READS_LENSES,
 };
 
@@ -308,8 +283,8 @@ const struct option_kind kind_wavelength = {
     .size = sizeof(struct wavelength_value),
     .is_list = true,
     .read = option_lens_read_wavelength,
-    .name_of = wavelength_name,
-    .number_of = wavelength_number,
+    OPTION_NAMED(struct wavelength_value, name),
+    .number_of = option_first_number,
     .reads = READS_LENSDB,
 };
 
@@ -317,6 +292,6 @@ const struct option_kind kind_lens_text = {
     .name = "lens_text",
     .size = sizeof(struct lens_text_value),
     .read = read_lens_text,
-    .name_of = lens_text_name,
+    OPTION_NAMED(struct lens_text_value, source),
     .reads = READS_LENSDB | READS_GLASSES | READS_LENSES,
 };

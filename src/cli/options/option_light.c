@@ -34,8 +34,7 @@ static bool option_light_is_digit(char c)
 static bool bad_filter(const struct option *option, struct text piece, const char *what,
                        struct error *error)
 {
-    return fail(error, ERROR_DOMAIN, "%s '%.*s': %s", CALLED(option), text_shown(piece),
-                piece.start, what);
+    return fail(error, ERROR_DOMAIN, "%s '%.*s': %s", TYPED(option, piece), what);
 }
 
 static bool option_light_read_number(const struct option *option, struct text piece,
@@ -44,8 +43,7 @@ static bool option_light_read_number(const struct option *option, struct text pi
 {
     return quantity_read(number, dimension, NULL, value, NULL, error) ||
            error_within(error, piece, number) ||
-           error_prefix(error, "bad value in %s '%.*s': ", CALLED(option), text_shown(piece),
-                        piece.start);
+           error_prefix(error, "bad value in %s '%.*s': ", TYPED(option, piece));
 }
 
 /* A factor by which light is divided: ND8, 8x. */
@@ -85,13 +83,12 @@ static bool option_light_read_stops(const struct option *option, struct text pie
 {
     const struct unit *typed;
     if (!quantity_read(piece, &dimension_stops, NULL, stops, &typed, error)) {
-        return error_prefix(error, "bad value in %s '%.*s': ", CALLED(option), text_shown(piece),
-                            piece.start);
+        return error_prefix(error, "bad value in %s '%.*s': ", TYPED(option, piece));
     }
     /* a column of a batch may say the unit for all its cells */
     if (typed == NULL && option->unit == NULL) {
-        fail(error, ERROR_USAGE, "%s '%.*s' may be stops, a factor or a density", CALLED(option),
-             text_shown(piece), piece.start);
+        fail(error, ERROR_USAGE, "%s '%.*s' may be stops, a factor or a density",
+             TYPED(option, piece));
         return error_hint(error,
                           "write %.*sstops, %.*sx or ND%.*s (ND0.9 is a density, ND8 a "
                           "factor)",
@@ -174,8 +171,8 @@ static bool read_loss(const struct reader *reader, const struct option *option, 
         joined += rest.start[i] == '+';
     }
     if (joined >= MOST_FILTERS) {
-        return fail(error, ERROR_DOMAIN, "%s '%.*s...' joins more than %d filters", CALLED(option),
-                    text_shown(text), text.start, (int)MOST_FILTERS);
+        return fail(error, ERROR_DOMAIN, "%s '%.*s...' joins more than %d filters",
+                    TYPED(option, text), (int)MOST_FILTERS);
     }
     while (more) {
         /* the first filter of a sum; a name may hold a '+' itself ("polarizer-b+w-low") */
@@ -203,18 +200,6 @@ static bool read_loss(const struct reader *reader, const struct option *option, 
     return true;
 }
 
-/* "160, 400, 100"; null where there is none. */
-static const char *join_speeds(const struct reader *reader, struct text speeds)
-{
-    const char *joined = NULL;
-    while (speeds.start != NULL && speeds.length > 0) {
-        struct text speed = text_cut(&speeds, ' ');
-        joined = arena_printf(reader->arena, "%s%s%.*s", joined != NULL ? joined : "",
-                              joined != NULL ? ", " : "", (int)speed.length, speed.start);
-    }
-    return joined;
-}
-
 static bool read_film(const struct reader *reader, const struct option *option, struct text text,
                       void *member, struct error *error)
 {
@@ -227,6 +212,12 @@ static bool read_film(const struct reader *reader, const struct option *option, 
         return false;
     }
     double speed = lensdb_film_speed(&film, text);
+    const char *speeds = NULL; /* "160, 400, 100" */
+    while (film.speeds.length > 0) {
+        const struct text one = text_cut(&film.speeds, ' ');
+        speeds = arena_printf(reader->arena, "%s%s%.*s", speeds != NULL ? speeds : "",
+                              speeds != NULL ? ", " : "", (int)one.length, one.start);
+    }
     *(struct film_value *)member = (struct film_value){
         .model = model,
         .name =
@@ -239,7 +230,7 @@ static bool read_film(const struct reader *reader, const struct option *option, 
                     : NULL,
         .speed_note = !isnan(speed)
                           ? arena_printf(reader->arena, "ISO %.6g, the film's box speed", speed)
-                          : join_speeds(reader, film.speeds)};
+                          : speeds};
     return true;
 }
 
@@ -296,8 +287,8 @@ static bool read_series(const struct reader *reader, const struct option *option
         }
     }
     if (series.per_stop == 0) {
-        return fail(error, ERROR_USAGE, "%s '%.*s' is none of full, half, third", CALLED(option),
-                    text_shown(text), text.start);
+        return fail(error, ERROR_USAGE, "%s '%.*s' is none of full, half, third",
+                    TYPED(option, text));
     }
     const char *name = names[series.per_stop - 1];
     series.db = reader->db;
@@ -327,30 +318,12 @@ const char *series_speed(const struct series_value *series, double S, double *ex
     return NULL;
 }
 
-static const char *loss_name(const struct option *option, const void *member)
-{
-    (void)option;
-    return ((const struct loss_value *)member)->name;
-}
-
-static const char *film_name(const struct option *option, const void *member)
-{
-    (void)option;
-    return ((const struct film_value *)member)->name;
-}
-
-static const char *scene_name(const struct option *option, const void *member)
-{
-    (void)option;
-    return ((const struct scene_value *)member)->name;
-}
-
 const struct option_kind kind_loss = {
     .name = "loss",
     .size = sizeof(struct loss_value),
     .is_list = true,
     .read = read_loss,
-    .name_of = loss_name,
+    OPTION_NAMED(struct loss_value, name),
     .reads = READS_LENSDB,
 };
 
@@ -359,7 +332,7 @@ const struct option_kind kind_film = {
     .size = sizeof(struct film_value),
     .is_list = true,
     .read = read_film,
-    .name_of = film_name,
+    OPTION_NAMED(struct film_value, name),
     .reads = READS_LENSDB,
 };
 
@@ -368,7 +341,7 @@ const struct option_kind kind_scene = {
     .size = sizeof(struct scene_value),
     .is_list = true,
     .read = read_scene,
-    .name_of = scene_name,
+    OPTION_NAMED(struct scene_value, name),
     .reads = READS_LENSDB,
 };
 

@@ -1,7 +1,5 @@
 /* cli/options/option_ray.c - read the values of ray commands. */
 /* SPDX-License-Identifier: MIT */
-#include "cli/options/option_ray.h"
-
 #include "cli/options/option.h"
 
 #include <math.h>
@@ -9,8 +7,7 @@
 /* Say which option was wrong, before what was wrong. */
 static bool option_ray_blame(const struct option *option, struct text text, struct error *error)
 {
-    return error_prefix(error, "bad value in %s '%.*s': ", CALLED(option), text_shown(text),
-                        text.start);
+    return error_prefix(error, "bad value in %s '%.*s': ", TYPED(option, text));
 }
 
 /* `count` numbers with ':' between them; a unit behind the last counts for all that have none. */
@@ -24,8 +21,7 @@ static bool option_ray_read_numbers(const struct option *option, struct text tex
         parts[found] = text_trim(text_cut(&rest, ':'));
     }
     if (found < count || rest.start != NULL) {
-        fail(error, ERROR_USAGE, "%s '%.*s' is not %s", CALLED(option), text_shown(text),
-             text.start, option->value);
+        fail(error, ERROR_USAGE, "%s '%.*s' is not %s", TYPED(option, text), option->value);
         return error_hint(error, "%d numbers with ':' between them: %s", count,
                           count == 3 ? "0:10:-20" : "0:0.7");
     }
@@ -128,7 +124,7 @@ static bool read_target(const struct reader *reader, const struct option *option
     if (!quantity_read(text, &dimension_number, NULL, &number, NULL, error) ||
         number != floor(number) || !(number >= 1 && number <= 1e6)) {
         fail(error, ERROR_USAGE, "%s '%.*s' is neither image, last nor the number of a surface",
-             CALLED(option), text_shown(text), text.start);
+             TYPED(option, text));
         return error_hint(error, "surfaces count from 1, the stop counted");
     }
     *target = (struct target_value){TARGET_SURFACE, (long)number};

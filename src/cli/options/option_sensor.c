@@ -227,19 +227,18 @@ static bool option_sensor_refuse(const struct option *option, struct text text, 
     double ratio;
     for (size_t i = 0; i < sizeof kinds / sizeof kinds[0]; i++) {
         if (text_same_name(text, text_of(kinds[i].word))) {
-            fail(error, ERROR_USAGE, "%s '%.*s': %s", CALLED(option), text_shown(text), text.start,
-                 kinds[i].message);
+            fail(error, ERROR_USAGE, "%s '%.*s': %s", TYPED(option, text), kinds[i].message);
             return error_hint(error, "%s", kinds[i].hint);
         }
     }
     if (is_crop_factor(text)) {
         fail(error, ERROR_USAGE, "%s '%.*s' is a crop factor, which sensors of several sizes have",
-             CALLED(option), text_shown(text), text.start);
+             TYPED(option, text));
         return error_hint(error, "say which: 'aps-c', 'aps-c-canon', 'aps-h', '4/3' or a camera");
     }
     if (option_sensor_read_shape(text, &ratio)) {
-        fail(error, ERROR_USAGE, "%s '%.*s' is an aspect ratio without a size", CALLED(option),
-             text_shown(text), text.start);
+        fail(error, ERROR_USAGE, "%s '%.*s' is an aspect ratio without a size",
+             TYPED(option, text));
         return error_hint(error, "name the gate: 'super35 %.*s'", text_shown(text), text.start);
     }
     return error_prefix(error, "%s: ", CALLED(option));
@@ -316,24 +315,12 @@ static bool option_sensor_read_sensor(const struct reader *reader, const struct 
            option_sensor_refuse(option, text_trim(text), error);
 }
 
-static const char *sensor_name(const struct option *option, const void *member)
-{
-    (void)option;
-    return ((const struct sensor_value *)member)->name;
-}
-
-static void clear_sensor(void *member)
-{
-    struct sensor *size = &((struct sensor_value *)member)->size;
-    size->width = size->height = size->pitch = NAN;
-}
-
 const struct option_kind kind_sensor = {
     .name = "sensor",
     .size = sizeof(struct sensor_value),
     .is_list = true,
     .read = option_sensor_read_sensor,
-    .name_of = sensor_name,
+    OPTION_NAMED(struct sensor_value, name),
     .reads = READS_LENSDB,
-    .clear = clear_sensor,
+    .nan_count = 3,
 };

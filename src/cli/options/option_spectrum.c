@@ -1,7 +1,5 @@
 /* cli/options/option_spectrum.c - read a spectrum. */
 /* SPDX-License-Identifier: MIT */
-#include "cli/options/option_spectrum.h"
-
 #include "cli/options/option.h"
 
 #include <math.h>
@@ -43,8 +41,8 @@ static bool read_spectrum(const struct reader *reader, const struct option *opti
         }
         if (!(item->weight >= 0 && isfinite(item->weight))) {
             return fail(error, ERROR_USAGE,
-                        "%s has the weight %.*s: weights are finite and 0 or more", CALLED(option),
-                        text_shown(weight), weight.start);
+                        "%s has the weight %.*s: weights are finite and 0 or more",
+                        TYPED(option, weight));
         }
         sum += items[value.count].weight;
     }

@@ -189,16 +189,6 @@ static bool vary_add_word(struct vary_parser *naming, size_t word, size_t positi
     return true;
 }
 
-static size_t find_word(const struct lens *lens, struct text name)
-{
-    for (size_t i = 0; i < lens->variable_count; i++) {
-        if (text_identical(lens->variables[i].name, name)) {
-            return i;
-        }
-    }
-    return LENS_NONE;
-}
-
 static bool vary_takes(const struct vary_reader *reader, enum parameter_kind kind)
 {
     return reader->takes == NULL || reader->takes(kind);
@@ -345,8 +335,11 @@ static bool vary_read_item(struct vary_parser *naming, struct text item, struct 
     naming->item = item;
     naming->bounds = bounds;
     naming->is_group = false;
-    size_t known = find_word(lens, word);
-    if (known != LENS_NONE) {
+    size_t known = 0;
+    while (known < lens->variable_count && !text_identical(lens->variables[known].name, word)) {
+        known++;
+    }
+    if (known < lens->variable_count) {
         /* d5@tele */
         size_t at = position.start != NULL ? lens_position_find(lens, position) : LENS_NONE;
         if (position.start != NULL && at == LENS_NONE) {
@@ -414,20 +407,6 @@ static void set_mark(struct variable *variable, const struct vary *mark)
     }
 }
 
-/* A mark with its bounds; of a glass two numbers. */
-static bool vary_add_mark(struct vary_parser *naming, struct parameter what,
-                          const struct vary *mark, struct error *error)
-{
-    size_t before = naming->count;
-    if (!add_parameter(naming, what, error)) {
-        return false;
-    }
-    for (size_t i = before; i < naming->count; i++) {
-        set_mark(&naming->entries[i].variable, mark);
-    }
-    return true;
-}
-
 static void hand_out(const struct vary_parser *naming, struct variable **list, size_t *count)
 {
     *list = ARENA_ARRAY(naming->reader->arena, naming->count + 1, struct variable);
@@ -451,8 +430,14 @@ static bool vary_add_marks(struct vary_parser *naming, const char **ignored, str
                     reader->arena, "%s%s%s~ of surface %zu", *ignored != NULL ? *ignored : "",
                     *ignored != NULL ? ", " : "",
                     parameter_mark_name(what.kind, what.order, reader->arena), what.surface + 1);
-            } else if (!vary_add_mark(naming, what, mark, error)) {
+                continue;
+            }
+            const size_t before = naming->count;
+            if (!add_parameter(naming, what, error)) {
                 return false;
+            }
+            for (size_t k = before; k < naming->count; k++) { /* of a glass two numbers */
+                set_mark(&naming->entries[k].variable, mark);
             }
         }
     }

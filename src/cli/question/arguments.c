@@ -32,16 +32,6 @@ bool arguments_given(const struct arguments *arguments, const char *name)
     return argument != NULL && argument->is_given;
 }
 
-static struct argument *arguments_find_letter(const struct arguments *arguments, char letter)
-{
-    for (size_t i = 0; i < arguments->count; i++) {
-        if (arguments->all[i].option->letter == letter && letter != '\0') {
-            return &arguments->all[i];
-        }
-    }
-    return NULL;
-}
-
 /* What other programs, and the trade, call what is an option here. */
 static const struct {
     const char *names, *option;
@@ -213,7 +203,12 @@ static bool parse_short(struct arguments *arguments, struct text word, struct wo
                         struct error *error)
 {
     while (word.length > 0) {
-        struct argument *argument = arguments_find_letter(arguments, word.start[0]);
+        struct argument *argument = NULL;
+        for (size_t i = 0; i < arguments->count && argument == NULL; i++) {
+            if (arguments->all[i].option->letter == word.start[0] && word.start[0] != '\0') {
+                argument = &arguments->all[i];
+            }
+        }
         if (argument == NULL) {
             return arguments_unknown(arguments, word, "-", error);
         }
@@ -277,19 +272,6 @@ static bool arguments_goes_on(const struct argument *argument, struct text word,
     return quantity_read(text_of(joined), dimension, NULL, &value, NULL, &ignored);
 }
 
-/* Take a word to the value before it, if it goes on with that. */
-static bool take_on(struct words *words, struct text word, struct arena *arena)
-{
-    struct argument *last = words->last;
-    if (last == NULL || !arguments_goes_on(last, word, arena)) {
-        return false;
-    }
-    const char *between = last->text.start[last->text.length - 1] == ',' ? "" : " ";
-    last->text = text_of(arena_printf(arena, "%.*s%s%.*s", (int)last->text.length, last->text.start,
-                                      between, (int)word.length, word.start));
-    return true;
-}
-
 /* A word that belongs to nothing: say how it may have been meant. */
 static bool unexpected(const struct arguments *arguments, const struct words *words,
                        struct text word, struct error *error)
@@ -297,7 +279,7 @@ static bool unexpected(const struct arguments *arguments, const struct words *wo
     const struct example *example = arguments->command->examples;
     const struct argument *last = words->last;
     fail(error, ERROR_USAGE, "unexpected argument '%.*s'", text_shown(word), word.start);
-    if (last != NULL && last->option->kind->name_of != NULL) {
+    if (last != NULL && option_has_names(last->option)) {
         return error_hint(error, "put a value with blanks in quotes: --%s \"%.*s %.*s\"",
                           last->option->name, text_shown(last->text), last->text.start,
                           text_shown(word), word.start);
@@ -313,7 +295,11 @@ static bool unexpected(const struct arguments *arguments, const struct words *wo
 static bool parse_operand(struct arguments *arguments, struct text word, struct words *words,
                           struct arena *arena, struct error *error)
 {
-    if (take_on(words, word, arena)) {
+    struct argument *last = words->last;
+    if (last != NULL && arguments_goes_on(last, word, arena)) {
+        const char *between = last->text.start[last->text.length - 1] == ',' ? "" : " ";
+        last->text = text_of(arena_printf(arena, "%.*s%s%.*s", (int)last->text.length,
+                                          last->text.start, between, (int)word.length, word.start));
         return true;
     }
     for (size_t i = 0; i < arguments->count; i++) {
@@ -338,13 +324,9 @@ static bool parse_operand(struct arguments *arguments, struct text word, struct 
     return unexpected(arguments, words, word, error);
 }
 
-bool arguments_parse(struct arguments *arguments, const struct command *command, int count,
-                     char **all, struct arena *arena, struct error *error)
+/* What --color asks for: known before anything is complained about. */
+static enum color_when color_of(int count, char **all)
 {
-    struct words words = {.count = count, .all = all, .arena = arena};
-    bool options_end = false;
-    arguments->command = command;
-    /* what --color asks for: known before anything is complained about */
     enum color_when color = COLOR_AUTO;
     for (int i = 0; i < count && strcmp(all[i], "--") != 0; i++) {
         struct text asked = text_behind(text_of(all[i]), "--color=");
@@ -355,7 +337,32 @@ bool arguments_parse(struct arguments *arguments, const struct command *command,
             color = text_equal(asked, color_words[k].word) ? (enum color_when)k : color;
         }
     }
-    arguments->color = color;
+    return color;
+}
+
+/* Standard input has one reader: the batch or a lens. */
+static bool check_standard_input(const struct arguments *arguments, struct error *error)
+{
+    const struct argument *batch = arguments_find(arguments, text_of("batch"));
+    bool taken = batch != NULL && batch->is_given && text_equal(batch->text, "-");
+    for (size_t i = 0; i < arguments->count && taken; i++) {
+        const struct argument *argument = &arguments->all[i];
+        if (argument->option->kind == &kind_lens && argument->is_given &&
+            text_equal(text_trim(argument->text), "-")) {
+            return fail(error, ERROR_USAGE, "--%s - and --batch - cannot both read standard input",
+                        argument->option->name);
+        }
+    }
+    return true;
+}
+
+bool arguments_parse(struct arguments *arguments, const struct command *command, int count,
+                     char **all, struct arena *arena, struct error *error)
+{
+    struct words words = {.count = count, .all = all, .arena = arena};
+    bool options_end = false;
+    arguments->command = command;
+    arguments->color = color_of(count, all);
     size_t own = command->option_count + command->artifact_count;
     arguments->all = ARENA_ARRAY(arena, own + common_option_count, struct argument);
     for (size_t i = 0; i < own; i++) {
@@ -389,18 +396,7 @@ bool arguments_parse(struct arguments *arguments, const struct command *command,
             return false;
         }
     }
-    /* standard input has one reader: the batch or a lens */
-    const struct argument *batch = arguments_find(arguments, text_of("batch"));
-    bool taken = batch != NULL && batch->is_given && text_equal(batch->text, "-");
-    for (size_t i = 0; i < arguments->count && taken; i++) {
-        const struct argument *argument = &arguments->all[i];
-        if (argument->option->kind == &kind_lens && argument->is_given &&
-            text_equal(text_trim(argument->text), "-")) {
-            return fail(error, ERROR_USAGE, "--%s - and --batch - cannot both read standard input",
-                        argument->option->name);
-        }
-    }
-    return true;
+    return check_standard_input(arguments, error);
 }
 
 bool arguments_common(const struct arguments *arguments, const struct reader *reader,

@@ -37,15 +37,6 @@ static const char *const known_endings[] = {".svg", ".png", ".pfm",  ".jpg",  ".
                                             ".csv", ".tsv", ".json", ".html", ".part", ".lens",
                                             ".zmx", ".seq", ".len",  ".agf",  NULL};
 
-static bool has_known_ending(struct text path)
-{
-    size_t i = 0;
-    while (known_endings[i] != NULL && !file_type_ends(path, known_endings[i])) {
-        i++;
-    }
-    return known_endings[i] != NULL;
-}
-
 /*
  * What the file shall hold: what the input asks for, else what its name says. Where only one thing
  * can be written any name will do that is not the name of something else.
@@ -61,7 +52,11 @@ static bool artifact_choose_type(struct artifact_job *job, struct arena *arena, 
     bool nameless = place_is_standard(job->path, arena);
     struct text path = text_of(nameless ? "" : job->path);
     job->type = file_type_of(types, path);
-    bool only = types(1) == NULL && !has_known_ending(path);
+    size_t known = 0;
+    while (known_endings[known] != NULL && !file_type_ends(path, known_endings[known])) {
+        known++;
+    }
+    bool only = types(1) == NULL && known_endings[known] == NULL;
     if (job->type == NULL && (nameless || only)) {
         job->type = types(0);
     }
@@ -182,24 +177,19 @@ static const void *const *inputs_of(const struct artifact_setting *setting, size
     return inputs;
 }
 
-/* Bytes go to files and pipes. */
-static bool check_terminal(const struct artifact_job *job, struct arena *arena, struct error *error)
-{
-    if (!job->artifact->is_binary || !place_is_standard(job->path, arena) ||
-        !isatty(STDOUT_FILENO)) {
-        return true;
-    }
-    fail(error, ERROR_USAGE, "a terminal shows no such files");
-    return error_hint(error, "--%s FILE writes one", job->artifact->option.name);
-}
-
 /* One more, if nothing speaks against it. */
 static bool artifact_order(struct artifacts *artifacts, const struct artifact_setting *setting,
                            struct artifact_job job, struct error *error)
 {
     const struct artifact *artifact = job.artifact;
-    if (!check_scope(&job, setting, error) || !check_terminal(&job, setting->arena, error)) {
+    if (!check_scope(&job, setting, error)) {
         return false;
+    }
+    /* bytes go to files and pipes */
+    if (artifact->is_binary && place_is_standard(job.path, setting->arena) &&
+        isatty(STDOUT_FILENO)) {
+        fail(error, ERROR_USAGE, "a terminal shows no such files");
+        return error_hint(error, "--%s FILE writes one", artifact->option.name);
     }
     const bool is_each = artifact->scope == ARTIFACT_OF_EACH;
     job.count = is_each || artifact->scope == ARTIFACT_OF_SWEEP ? setting->sweep->total : 1;
@@ -237,20 +227,6 @@ static bool artifact_order(struct artifacts *artifacts, const struct artifact_se
     return true;
 }
 
-static bool open_sink(const struct artifact_setting *setting, const char *path, struct output *sink,
-                      struct error *error)
-{
-    if (setting->is_inside) {
-        output_inside(sink, setting->arena);
-        return true;
-    }
-    if (!output_open(sink, path, setting->arena, error)) {
-        return false;
-    }
-    terminal_guard(sink);
-    return true;
-}
-
 bool artifacts_asked(const struct command *command, const struct arguments *arguments)
 {
     bool asked = false;
@@ -258,13 +234,6 @@ bool artifacts_asked(const struct command *command, const struct arguments *argu
         asked = asked || arguments->all[command->option_count + i].is_given;
     }
     return asked;
-}
-
-/* Of a command without rows the answer is made unless something else is asked for. */
-static bool is_answer(const struct artifact_setting *setting, size_t which)
-{
-    const struct command *command = setting->command;
-    return command->run == NULL && which == 0 && !artifacts_asked(command, setting->arguments);
 }
 
 bool artifacts_order(struct artifacts *artifacts, const struct artifact_setting *setting,
@@ -283,8 +252,10 @@ bool artifacts_order(struct artifacts *artifacts, const struct artifact_setting 
         if (argument->is_given && job.path[0] == '\0') {
             return fail(error, ERROR_USAGE, "--%s is empty", argument->option->name);
         }
-        if ((argument->is_given || is_answer(setting, i)) &&
-            !artifact_order(artifacts, setting, job, error)) {
+        /* of a command without rows the answer is made unless something else is asked for */
+        const bool is_answer =
+            command->run == NULL && i == 0 && !artifacts_asked(command, setting->arguments);
+        if ((argument->is_given || is_answer) && !artifact_order(artifacts, setting, job, error)) {
             return false;
         }
     }
@@ -298,8 +269,12 @@ bool artifacts_order(struct artifacts *artifacts, const struct artifact_setting 
     for (size_t i = 0; i < artifacts->count; i++) {
         const struct artifact_job *ordered = &artifacts->jobs[i];
         for (size_t k = 0; k < ordered->files; k++) {
-            if (!open_sink(setting, numbered(ordered, k, arena), &artifacts->sinks[artifacts->open],
-                           error)) {
+            struct output *sink = &artifacts->sinks[artifacts->open];
+            if (setting->is_inside) {
+                output_inside(sink, arena);
+            } else if (output_open(sink, numbered(ordered, k, arena), arena, error)) {
+                terminal_guard(sink);
+            } else {
                 return false;
             }
             artifacts->open++;

@@ -22,16 +22,6 @@ static const char *column_name(const struct option *option, struct arena *arena)
     return option->column != NULL ? option->column : spelt(option->name, '-', '_', arena);
 }
 
-static bool echo_lists(const char *words, const char *name)
-{
-    struct text rest = text_of(words != NULL ? words : "");
-    bool found = false;
-    while (rest.length > 0 && !found) {
-        found = text_equal(text_cut(&rest, ' '), name);
-    }
-    return found;
-}
-
 /* Is it named as the option, or does it follow from it first of all? */
 static bool echo_is_like(const struct column *column, const struct option *option, const char *name)
 {
@@ -71,6 +61,18 @@ static bool is_told(const struct sheet *sheet, const struct option *option)
     return told;
 }
 
+/* It tells rows apart here, whatever else brings it or keeps it back. */
+static void bring(struct column *column, const struct option *option)
+{
+    const unsigned kept_back = COLUMN_HIDDEN | COLUMN_TIED | COLUMN_WITH;
+    column->repeats = option->name;
+    column->flags = (column->flags & ~kept_back) | COLUMN_BRIEF;
+    if (!text_lists(column->with, text_of(option->name))) {
+        column->flags &= ~(unsigned)COLUMN_EXTRA;
+        column->with = NULL;
+    }
+}
+
 static bool echo_is_number(const struct option *option)
 {
     return option->kind == &kind_quantity || option->kind == &kind_wavelength ||
@@ -89,6 +91,13 @@ static enum column_type echo_type_of(const struct option *option)
         return COLUMN_FLAG;
     }
     return COLUMN_TEXT;
+}
+
+/* Are there words or numbers for its values? */
+static bool is_sayable(const struct option *option)
+{
+    return echo_type_of(option) != COLUMN_TEXT || option_has_names(option) ||
+           option->kind->words_of != NULL;
 }
 
 static bool may_be_infinite(const struct option *option)
@@ -137,10 +146,7 @@ void echo_open(struct echo *echo, const struct echo_question *question, struct a
             continue;
         }
         const size_t found = echo_find_column(own, option, column_name(option, arena));
-        /* are there words or numbers for its values? */
-        if (found == own->column_count &&
-            (echo_type_of(option) != COLUMN_TEXT || option->kind->name_of != NULL ||
-             option->kind->words_of != NULL)) {
+        if (found == own->column_count && is_sayable(option)) {
             /* behind those that were added before */
             const size_t offset = echo->sheet.row_size;
             const char *name = column_name(option, arena);
@@ -168,14 +174,7 @@ void echo_open(struct echo *echo, const struct echo_question *question, struct a
             while (spread->name != own->columns[found].name) {
                 spread++;
             }
-            /* it tells rows apart here, whatever else brings it or keeps it back */
-            const unsigned kept_back = COLUMN_HIDDEN | COLUMN_TIED | COLUMN_WITH;
-            spread->repeats = option->name;
-            spread->flags = (spread->flags & ~kept_back) | COLUMN_BRIEF;
-            if (!echo_lists(spread->with, option->name)) {
-                spread->flags &= ~(unsigned)COLUMN_EXTRA;
-                spread->with = NULL;
-            }
+            bring(spread, option);
         }
     }
     /* those that were added lie right before the command's */
@@ -204,7 +203,7 @@ static const char *echo_words_of(const struct option *option, const void *member
                                  struct arena *arena)
 {
     const struct option_kind *kind = option->kind;
-    const char *name = kind->name_of != NULL ? kind->name_of(option, member) : NULL;
+    const char *name = option_value_name(option, member);
     return name == NULL && kind->words_of != NULL ? kind->words_of(option, member, arena) : name;
 }
 

@@ -81,7 +81,7 @@ static bool idle_holds(const struct idle *idle, const struct condition *conditio
     size_t count;
     const char *values = idle_values_of(idle, option, &count);
     for (size_t i = 0; i < count && !found; i++) {
-        const char *name = option->kind->name_of(option, values + i * option->kind->size);
+        const char *name = option_value_name(option, values + i * option->kind->size);
         bool same = name != NULL && text_same(condition->value, name);
         found = same != condition->is_other;
     }
@@ -109,26 +109,21 @@ static bool has_wanted(const struct idle *idle, const char *wants, char *words, 
     return false;
 }
 
-/* The option that is asked for of those that this one excludes; null = none. */
-static const struct option *find_excluded(const struct idle *idle, const struct option *option)
-{
-    const char *list = option->excludes != NULL ? option->excludes : "";
-    while (*list != '\0') {
-        size_t length = strcspn(list, " ");
-        const struct argument *other =
-            arguments_find(idle->arguments, text_between(list, list + length));
-        if (asking_given(idle->asking, other->option->name)) {
-            return other->option;
-        }
-        list += length + (list[length] == ' ');
-    }
-    return NULL;
-}
-
 static bool check_option(const struct idle *idle, const struct option *option, struct error *error)
 {
     char words[120] = "";
-    const struct option *other = find_excluded(idle, option);
+    /* the option that is asked for of those that this one excludes; null = none */
+    const struct option *other = NULL;
+    const char *list = option->excludes != NULL ? option->excludes : "";
+    while (*list != '\0' && other == NULL) {
+        size_t length = strcspn(list, " ");
+        const struct option *excluded =
+            arguments_find(idle->arguments, text_between(list, list + length))->option;
+        if (asking_given(idle->asking, excluded->name)) {
+            other = excluded;
+        }
+        list += length + (list[length] == ' ');
+    }
     if (other != NULL) {
         return fail(error, ERROR_USAGE, "{--%s} and {--%s} exclude each other%s%s", option->name,
                     other->name, option->why != NULL ? ": " : "",

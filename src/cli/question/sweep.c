@@ -22,11 +22,6 @@ struct sweep_values {
     const struct unit *shared; /* that bare items take from the last one; null = the option's */
 };
 
-static bool sweep_is_number(const struct option *option)
-{
-    return option->kind->number_of != NULL;
-}
-
 static bool too_many(const struct option *option, struct error *error)
 {
     fail(error, ERROR_USAGE, "--%s sweeps over more than a million values", option->name);
@@ -60,18 +55,6 @@ struct sweep_range {
     const struct unit *unit; /* that was typed at an end, else the option's */
 };
 
-/* Of a range in a unit that is not the program's own, what would have been typed: 65 deg. */
-static double as_typed(const struct sweep_range *range, double number)
-{
-    const struct unit *unit = range->unit;
-    double most = fmax(fabs(range->from), fabs(range->to)), own;
-    if (unit == NULL || unit_is_own(unit)) {
-        return number;
-    }
-    double slack = 8 * DBL_EPSILON * unit_from_own(unit, most);
-    return unit_decimal_to_own(unit, unit_from_own(unit, number), slack, &own) ? own : number;
-}
-
 static bool add_number(struct sweep_values *values, const struct sweep_range *range, double number,
                        struct error *error)
 {
@@ -87,12 +70,18 @@ static bool add_number(struct sweep_values *values, const struct sweep_range *ra
                option_read(values->reader, values->option, typed,
                            values->data + values->count++ * size, error);
     }
-    number = as_typed(range, number);
+    const struct unit *unit = range->unit;
+    if (unit != NULL && !unit_is_own(unit)) {
+        /* what would have been typed: 65 deg */
+        double most = fmax(fabs(range->from), fabs(range->to)), own;
+        double slack = 8 * DBL_EPSILON * unit_from_own(unit, most);
+        number = unit_decimal_to_own(unit, unit_from_own(unit, number), slack, &own) ? own : number;
+    }
     if (!option_check_range(values->option, number, error) || !reserve(values, 1, error)) {
         return false;
     }
     option_doubt(values->reader, values->option, number);
-    kind->set_number(values->data + values->count++ * kind->size, number, range->unit);
+    kind->set_number(values->data + values->count++ * kind->size, number, unit);
     return true;
 }
 
@@ -301,7 +290,6 @@ static bool sweep_add_points(struct sweep_values *values, const struct sweep_ran
 static bool sweep_add_series(struct sweep_values *values, const struct sweep_range *range,
                              bool *added, struct error *error)
 {
-    const struct dimension *dimension = values->option->dimension;
     const char *name = NULL;
     double *stops;
     size_t count;
@@ -312,12 +300,10 @@ static bool sweep_add_series(struct sweep_values *values, const struct sweep_ran
     if (!option_has_series(values->option)) {
         return name == NULL || range_fail(values, range, "it has no stop series", error);
     }
-    const struct nominal_range labels = {.dimension = dimension,
-                                         .series = name,
-                                         .first = range->from,
-                                         .last = range->to,
-                                         .exact = values->reader->nominal};
-    if (!nominal_between(values->reader->db, &labels, &stops, &count, error)) {
+    const struct reader *reader = values->reader;
+    if (!nominal_between(reader->db, values->option->dimension, name,
+                         (const double[]){range->from, range->to}, reader->nominal, &stops, &count,
+                         error)) {
         return range->kind == '/' && sweep_blame(values, range->text, range->tail, error);
     }
     for (size_t i = 0; i < count; i++) {
@@ -347,7 +333,7 @@ static bool sweep_add_range(struct sweep_values *values, struct sweep_range *ran
     if (!read_ends(values, range, error)) {
         return false;
     }
-    if (sweep_is_number(values->option)) {
+    if (values->option->kind->number_of != NULL) {
         values->unit = range->unit;
     }
     if (range->kind == '*') {
@@ -389,7 +375,7 @@ static void note_unit(struct sweep_values *values, struct text item)
     const struct unit *typed = NULL;
     struct error ignored;
     double value;
-    if (!sweep_is_number(option) ||
+    if (option->kind->number_of == NULL ||
         !quantity_read(item, option->dimension, option_unit(option), &value, &typed, &ignored) ||
         (isinf(value) && typed == NULL)) {
         return; /* infinity is the same in all units */
@@ -403,7 +389,8 @@ static void note_unit(struct sweep_values *values, struct text item)
 static bool add_item(struct sweep_values *values, struct text item, struct error *error)
 {
     struct sweep_range range;
-    const bool has_ranges = sweep_is_number(values->option) || values->option->kind == &kind_coc;
+    const bool has_ranges =
+        values->option->kind->number_of != NULL || values->option->kind == &kind_coc;
     if (has_ranges && split_range(values->option, item, &range)) {
         return sweep_add_range(values, &range, error);
     }
@@ -432,7 +419,7 @@ static const struct unit *shared_unit(const struct option *option, struct text t
     struct text rest = text;
     bool light =
         option->dimension == &dimension_wavelength || option->dimension == &dimension_wavelength_um;
-    if (!sweep_is_number(option) || light) {
+    if (option->kind->number_of == NULL || light) {
         return NULL;
     }
     while (rest.start != NULL) {
