@@ -168,19 +168,6 @@ static bool quantity_wrong_unit(struct quantity_parser *reading, struct text nam
     return false;
 }
 
-/* The longest beginning of the text that is a unit: "ft" of "ft6in", all of "cd/m2". */
-static const struct unit *longest_unit(const struct dimension *dimension, struct text text,
-                                       size_t *length)
-{
-    for (*length = text.length; *length > 0; --*length) {
-        const struct unit *unit = unit_find(dimension, (struct text){text.start, *length});
-        if (unit != NULL) {
-            return unit;
-        }
-    }
-    return NULL;
-}
-
 /* Read the unit here, if one stands here; null in *unit if none does. */
 static bool quantity_read_unit(struct quantity_parser *reading, const struct unit **unit)
 {
@@ -194,9 +181,13 @@ static bool quantity_read_unit(struct quantity_parser *reading, const struct uni
     if (letters == from) {
         return true;
     }
-    size_t room = (size_t)(reading->end - from), length;
-    struct text rest = {from, room < LONGEST_UNIT ? room : LONGEST_UNIT};
-    *unit = longest_unit(reading->dimension, rest, &length);
+    const size_t room = (size_t)(reading->end - from);
+    size_t length = room < LONGEST_UNIT ? room : LONGEST_UNIT;
+    /* the longest beginning that is a unit: "ft" of "ft6in", all of "cd/m2" */
+    while (length > 0 &&
+           (*unit = unit_find(reading->dimension, (struct text){from, length})) == NULL) {
+        length--;
+    }
     /* a unit ends where its word ends: "mm" does not begin with "m" */
     bool cut = *unit != NULL && length < room && is_unit_letter(from[length]) &&
                is_unit_letter(from[length - 1]) && from[length - 1] != '\'' &&

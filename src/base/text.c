@@ -80,28 +80,18 @@ size_t text_shared_name(struct text a, struct text b)
     return count;
 }
 
-/* Does `whole` begin with the letters of `part`? */
-static bool begins_with_name(struct text whole, struct text part)
-{
-    for (;;) {
-        char wanted = next_letter(&part);
-        if (wanted == '\0') {
-            return true;
-        }
-        if (next_letter(&whole) != wanted) {
-            return false;
-        }
-    }
-}
-
 bool text_contains_name(struct text whole, struct text part)
 {
-    for (size_t i = 0; i <= whole.length; i++) {
-        if (begins_with_name((struct text){whole.start + i, whole.length - i}, part)) {
-            return true;
-        }
+    bool found = false;
+    for (size_t i = 0; i <= whole.length && !found; i++) {
+        struct text rest = {whole.start + i, whole.length - i}, letters = part;
+        char wanted;
+        do {
+            wanted = next_letter(&letters);
+        } while (wanted != '\0' && next_letter(&rest) == wanted);
+        found = wanted == '\0';
     }
-    return false;
+    return found;
 }
 
 static bool text_is_blank(char c)

@@ -98,21 +98,6 @@ static void crc_tables_fill(uint32_t rest[AT_ONCE][256])
     }
 }
 
-/* Of as many times AT_ONCE bytes as there are. */
-static uint32_t crc_of_many(uint32_t crc, const unsigned char *at, size_t count)
-{
-    uint32_t rest[AT_ONCE][256];
-    crc_tables_fill(rest);
-    for (; count >= AT_ONCE; at += AT_ONCE, count -= AT_ONCE) {
-        const uint64_t next = bytes_little(at, AT_ONCE) ^ crc;
-        crc = 0;
-        for (int k = 0; k < AT_ONCE; k++) {
-            crc ^= rest[AT_ONCE - 1 - k][next >> 8 * k & 255];
-        }
-    }
-    return crc;
-}
-
 uint32_t crc_of(const void *data, size_t count)
 {
     /* what four bits leave */
@@ -124,7 +109,15 @@ uint32_t crc_of(const void *data, size_t count)
     uint32_t crc = 0xffffffffU;
     const size_t many = count >= WORTH ? count - count % AT_ONCE : 0;
     if (many > 0) {
-        crc = crc_of_many(crc, at, many);
+        uint32_t tables[AT_ONCE][256];
+        crc_tables_fill(tables);
+        for (size_t i = 0; i < many; i += AT_ONCE) {
+            const uint64_t next = bytes_little(at + i, AT_ONCE) ^ crc;
+            crc = 0;
+            for (int k = 0; k < AT_ONCE; k++) {
+                crc ^= tables[AT_ONCE - 1 - k][next >> 8 * k & 255];
+            }
+        }
     }
     for (size_t i = many; i < count; i++) {
         crc ^= at[i];

@@ -28,18 +28,6 @@ const struct column columns_of_columns[COLUMNS_OF_COLUMNS] = {
 
 static const struct sheet described = SHEET(columns_of_columns, struct column_row);
 
-static const char *letter_of(const struct command *command, const char *column, struct arena *arena)
-{
-    const struct option *option;
-    for (size_t i = 0; (option = command_option(command, i)) != NULL; i++) {
-        if (option->letter != '\0' && option->column != NULL &&
-            strcmp(option->column, column) == 0) {
-            return arena_string(arena, &option->letter, 1);
-        }
-    }
-    return NULL;
-}
-
 /* "with --film", or the kinds of answers that have it anyway. */
 static const char *shown_where(const struct column *column, struct arena *arena)
 {
@@ -89,11 +77,18 @@ static bool never(const void *asked, const char *option)
 static struct column_row describe(const struct command *command, const struct column *column,
                                   struct arena *arena)
 {
-    const char *unit = column->unit;
+    const char *unit = column->unit, *letter = NULL;
+    const struct option *option;
+    for (size_t i = 0; letter == NULL && (option = command_option(command, i)) != NULL; i++) {
+        if (option->letter != '\0' && option->column != NULL &&
+            strcmp(option->column, column->name) == 0) {
+            letter = arena_string(arena, &option->letter, 1);
+        }
+    }
     return (struct column_row){
         .command = command->name,
         .column = unit != NULL ? ARENA_JOIN(arena, column->name, "_", unit) : column->name,
-        .letter = letter_of(command, column->name, arena),
+        .letter = letter,
         .unit = unit != NULL ? unit_find(column->dimension, text_of(unit))->label : NULL,
         .label = column_label(column),
         .help = column->help,

@@ -244,15 +244,14 @@ static bool open_batch(struct driver *driver, struct error *error)
     memcpy(constants, driver->input, driver->command->input_size);
     /* what the header needs lies below the first row's mark and stays */
     driver->reader.arena = &driver->row_arena;
-    const struct batch_source source = {.path = common->batch,
-                                        .format = (enum batch_format)common->batch_format,
-                                        .arguments = &driver->arguments,
-                                        .reader = &driver->reader,
-                                        .arena = &driver->arena,
-                                        .sheet = asked_sheet(driver),
-                                        .commands = driver->commands,
-                                        .constants = constants};
-    if (!batch_open(&driver->batch, &source, error) ||
+    driver->batch = (struct batch){.arguments = &driver->arguments,
+                                   .reader = &driver->reader,
+                                   .arena = &driver->arena,
+                                   .sheet = asked_sheet(driver),
+                                   .commands = driver->commands,
+                                   .constants = constants};
+    if (!batch_open(&driver->batch, common->batch, (enum batch_format)common->batch_format,
+                    error) ||
         !batch_settle(&driver->batch, asked_sheet(driver), driver->report.format->is_keyed,
                       error)) {
         return false;
@@ -265,27 +264,6 @@ static bool open_batch(struct driver *driver, struct error *error)
                      driver->batch.source, driver->command->name);
     }
     return true;
-}
-
-/* The sheet of this question. Rows of a batch go to the command in blocks if it takes them. */
-static void driver_choose_sheet(struct driver *driver)
-{
-    const struct command *command = driver->command;
-    const struct sheet *sheet = asked_sheet(driver);
-    const struct echo_question question = {.command = command,
-                                           .sheet = sheet,
-                                           .all = driver->common.columns != NULL,
-                                           .is_for_people = driver->report.format->is_for_people,
-                                           .given = asked_given,
-                                           .varied = asked_varied,
-                                           .asked = driver,
-                                           .input = driver->input};
-    echo_open(&driver->echo, &question, &driver->arena);
-    driver->report.sheet = &driver->echo.sheet;
-    if (driver->is_batch && command->takes_blocks != NULL &&
-        command->takes_blocks(driver->input, &driver->asking)) {
-        queue_open(&driver->queue, command, sheet, driver->batch.passed_count, &driver->arena);
-    }
 }
 
 static bool open_output(struct driver *driver, struct error *error)
@@ -333,7 +311,22 @@ static bool driver_ask(struct driver *driver, struct error *error)
     if (!idle_check(&driver->sweep, &driver->arguments, &driver->asking, driver->input, error)) {
         return false;
     }
-    driver_choose_sheet(driver);
+    const struct sheet *sheet = asked_sheet(driver);
+    const struct echo_question question = {.command = command,
+                                           .sheet = sheet,
+                                           .all = driver->common.columns != NULL,
+                                           .is_for_people = driver->report.format->is_for_people,
+                                           .given = asked_given,
+                                           .varied = asked_varied,
+                                           .asked = driver,
+                                           .input = driver->input};
+    echo_open(&driver->echo, &question, &driver->arena);
+    driver->report.sheet = &driver->echo.sheet;
+    /* rows of a batch go to the command in blocks if it takes them */
+    if (driver->is_batch && command->takes_blocks != NULL &&
+        command->takes_blocks(driver->input, &driver->asking)) {
+        queue_open(&driver->queue, command, sheet, driver->batch.passed_count, &driver->arena);
+    }
     driver->common.columns =
         columns_from_options(command, driver->report.sheet, common->columns, ",", &driver->arena);
     /* before a row is printed: a batch finds out row by row */

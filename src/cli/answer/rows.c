@@ -328,22 +328,6 @@ static bool take_failure(struct driver *driver, struct error *error)
     return true;
 }
 
-/* What a thread has answered. False if that ends the sweep. */
-static bool take_answer(struct driver *driver, struct team_answer *answer, struct error *error)
-{
-    const size_t size = driver->echo.own->row_size;
-    driver->answered = answer->input;
-    for (size_t i = 0; i < answer->count && is_going(driver); i++) {
-        rows_emit(&driver->run, answer->rows + i * size);
-    }
-    count_answer(driver, answer->done, &answer->shortfall);
-    if (answer->done) {
-        return true;
-    }
-    *error = answer->error;
-    return error->code != ERROR_USAGE && take_failure(driver, error);
-}
-
 /* Every combination of a sweep, by a team. */
 static bool rows_by_team(struct driver *driver, struct error *error)
 {
@@ -369,8 +353,17 @@ static bool rows_by_team(struct driver *driver, struct error *error)
         compute_end(driver);
         for (size_t k = 0; k < here && is_going(driver); k++) {
             driver->index = done + k;
-            if (!take_answer(driver, &answers[k], error)) {
-                return false;
+            struct team_answer *answer = &answers[k];
+            driver->answered = answer->input;
+            for (size_t i = 0; i < answer->count && is_going(driver); i++) {
+                rows_emit(&driver->run, answer->rows + i * driver->echo.own->row_size);
+            }
+            count_answer(driver, answer->done, &answer->shortfall);
+            if (!answer->done) {
+                *error = answer->error;
+                if (error->code == ERROR_USAGE || !take_failure(driver, error)) {
+                    return false;
+                }
             }
         }
     }
@@ -434,23 +427,6 @@ static bool flush_before_read(void *data, struct error *error)
     return going;
 }
 
-/* An object of JSON has keys that were not there before: what waits is printed without them. */
-static bool take_new_keys(struct driver *driver, struct error *error)
-{
-    const struct batch *batch = &driver->batch;
-    struct error earlier;
-    driver->known_columns = batch->column_count;
-    if (!flush_queue(driver, &earlier)) {
-        *error = earlier;
-        return false;
-    }
-    driver->queue.capacity = 0; /* it has no place for them */
-    driver->passed = batch->passed;
-    driver->report.passed_names = batch->passed_names;
-    driver->report.passed_count = batch->passed_count;
-    return true;
-}
-
 /* The real focal length of a row; most rows have one, and no sensor of a wide lens. */
 static bool rows_settle_focal(struct driver *driver, struct error *error)
 {
@@ -495,6 +471,7 @@ static bool rows_take_row(struct driver *driver, enum batch_result result, struc
 bool rows_of_batch(struct driver *driver, struct error *error)
 {
     const struct arena_mark mark = arena_mark(&driver->row_arena);
+    const struct batch *batch = &driver->batch;
     driver->batch.before_read = flush_before_read;
     driver->batch.waiting = driver;
     for (;;) {
@@ -502,9 +479,21 @@ bool rows_of_batch(struct driver *driver, struct error *error)
         if (result == BATCH_END) {
             break;
         }
-        if (result == BATCH_FAILED || (driver->batch.column_count != driver->known_columns &&
-                                       !take_new_keys(driver, error))) {
+        if (result == BATCH_FAILED) {
             return false;
+        }
+        if (batch->column_count != driver->known_columns) {
+            /* an object has keys that were not there before: what waits is printed without them */
+            struct error earlier;
+            driver->known_columns = batch->column_count;
+            if (!flush_queue(driver, &earlier)) {
+                *error = earlier;
+                return false;
+            }
+            driver->queue.capacity = 0; /* it has no place for them */
+            driver->passed = batch->passed;
+            driver->report.passed_names = batch->passed_names;
+            driver->report.passed_count = batch->passed_count;
         }
         if (!rows_take_row(driver, result, error)) {
             return false;

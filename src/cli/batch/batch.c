@@ -407,20 +407,15 @@ static bool batch_begin(struct batch *batch, enum batch_format format, struct er
     return true;
 }
 
-bool batch_open(struct batch *batch, const struct batch_source *source, struct error *error)
+bool batch_open(struct batch *batch, const char *path, enum batch_format format,
+                struct error *error)
 {
-    const char *path = source->path;
-    *batch = (struct batch){.source = strcmp(path, "-") == 0 ? "standard input" : path,
-                            .descriptor = STDIN_FILENO,
-                            .reader = source->reader,
-                            .arena = source->arena,
-                            .sheet = source->sheet,
-                            .commands = source->commands,
-                            .arguments = source->arguments,
-                            .constants = source->constants,
-                            .capacity = BLOCK,
-                            .next_line = 1};
-    if (strcmp(path, "-") != 0) {
+    const bool is_piped = strcmp(path, "-") == 0;
+    batch->source = is_piped ? "standard input" : path;
+    batch->descriptor = STDIN_FILENO;
+    batch->capacity = BLOCK;
+    batch->next_line = 1;
+    if (!is_piped) {
         batch->descriptor = open(path, O_RDONLY | O_CLOEXEC);
         if (batch->descriptor < 0) {
             return fail(error, ERROR_IO, "cannot read %s: %s", path, strerror(errno));
@@ -431,7 +426,7 @@ bool batch_open(struct batch *batch, const struct batch_source *source, struct e
         return fail(error, ERROR_IO, "out of memory reading %s", path);
     }
     batch->at = batch->end = batch->buffer;
-    return batch_begin(batch, source->format, error);
+    return batch_begin(batch, format, error);
 }
 
 bool batch_settle(struct batch *batch, const struct sheet *sheet, bool hands_late,

@@ -108,25 +108,18 @@ long batch_breaks(struct text text);
 
 enum batch_result { BATCH_ROW, BATCH_BAD_ROW, BATCH_END, BATCH_FAILED };
 
-/* What a batch is read from, and into what. */
-struct batch_source {
-    const char *path; /* "-" for standard input */
-    enum batch_format format;
-    const struct arguments *arguments;
-    const struct reader *reader;
-    struct arena *arena;                   /* stays as long as the batch */
-    const struct sheet *sheet;             /* of the rows, as far as options choose it */
-    const struct command *const *commands; /* all there are */
-    const void *constants; /* the input as the command line left it: the value of empty cells */
-};
-
 /*
  * Open the file and read its header; batch_settle says what comes of its columns.
  *
+ * Given     batch  with reader, arena, arguments, sheet (as far as options choose it), commands and
+ *                  constants (the input as the command line left it: the value of empty cells);
+ *                  all else is 0
+ *           path   "-" for standard input
  * Errors    ERROR_IO; ERROR_DATA with line and column: no header, a column twice, a unit that
  *           does not fit
  */
-bool batch_open(struct batch *batch, const struct batch_source *source, struct error *error);
+bool batch_open(struct batch *batch, const char *path, enum batch_format format,
+                struct error *error);
 
 /*
  * Decide what is handed through. Results of an earlier run in the same file are computed anew, and

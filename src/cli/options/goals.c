@@ -112,19 +112,6 @@ static bool goals_put_field(struct goal_parser *reading, enum field_kind kind, d
     return isfinite(value) || WRONG_AT(reading, place, error, "a field is finite");
 }
 
-static bool put_frequency(struct goal_parser *reading, double value, struct text place,
-                          struct error *error)
-{
-    struct operand *operand = reading->operand;
-    if (!may_have(reading, OPERAND_AT_FREQUENCY, !isnan(operand->frequency), "spatial frequency",
-                  place, error)) {
-        return false;
-    }
-    operand->frequency = value;
-    return (value > 0 && isfinite(value)) ||
-           WRONG_AT(reading, place, error, "a spatial frequency is above 0");
-}
-
 /* A number with its unit. */
 static bool has_unit(struct text place, const struct dimension *dimension, double *value,
                      const struct unit **unit)
@@ -134,23 +121,6 @@ static bool has_unit(struct text place, const struct dimension *dimension, doubl
     return quantity_read(place, dimension, NULL, value, unit, &ignored) && *unit != NULL;
 }
 
-/* A bare number, where it can only be one thing. */
-static bool put_bare(struct goal_parser *reading, double value, struct text place,
-                     struct error *error)
-{
-    const unsigned is = reading->type->is;
-    if ((is & OPERAND_NEEDS_FIELD) != 0 && reading->operand->field == NULL) {
-        return goals_put_field(reading, FIELD_ANGLE,
-                               unit_to_own(unit_find(&dimension_angle, text_of("deg")), value),
-                               place, error);
-    }
-    if ((is & OPERAND_AT_WAVELENGTH) != 0 && (is & OPERAND_AT_FIELD) == 0) {
-        return goals_put_wavelength(reading, value / 1000, place, error);
-    }
-    WRONG_AT(reading, place, error, "'%.*s' has no unit", text_shown(place), place.start);
-    return error_hint(error, "fields are 10deg or 5mm, wavelengths F or 550nm, frequencies 40/mm");
-}
-
 /* A number, with or without a unit. */
 static bool goals_read_number(struct goal_parser *reading, struct text place, struct error *error)
 {
@@ -158,7 +128,14 @@ static bool goals_read_number(struct goal_parser *reading, struct text place, st
     struct error ignored;
     double value;
     if (has_unit(place, &dimension_frequency, &value, &unit)) {
-        return put_frequency(reading, value, place, error);
+        struct operand *operand = reading->operand;
+        if (!may_have(reading, OPERAND_AT_FREQUENCY, !isnan(operand->frequency),
+                      "spatial frequency", place, error)) {
+            return false;
+        }
+        operand->frequency = value;
+        return (value > 0 && isfinite(value)) ||
+               WRONG_AT(reading, place, error, "a spatial frequency is above 0");
     }
     if (has_unit(place, &dimension_angle, &value, &unit)) {
         return goals_put_field(reading, FIELD_ANGLE, value, place, error);
@@ -170,7 +147,19 @@ static bool goals_read_number(struct goal_parser *reading, struct text place, st
                         : goals_put_field(reading, FIELD_HEIGHT, value, place, error);
     }
     if (quantity_read(place, &dimension_number, NULL, &value, NULL, &ignored)) {
-        return put_bare(reading, value, place, error);
+        /* a bare number, where it can only be one thing */
+        const unsigned is = reading->type->is;
+        if ((is & OPERAND_NEEDS_FIELD) != 0 && reading->operand->field == NULL) {
+            return goals_put_field(reading, FIELD_ANGLE,
+                                   unit_to_own(unit_find(&dimension_angle, text_of("deg")), value),
+                                   place, error);
+        }
+        if ((is & OPERAND_AT_WAVELENGTH) != 0 && (is & OPERAND_AT_FIELD) == 0) {
+            return goals_put_wavelength(reading, value / 1000, place, error);
+        }
+        WRONG_AT(reading, place, error, "'%.*s' has no unit", text_shown(place), place.start);
+        return error_hint(error,
+                          "fields are 10deg or 5mm, wavelengths F or 550nm, frequencies 40/mm");
     }
     WRONG_AT(reading, place, error, "'%.*s' is no wavelength, field, frequency or position",
              text_shown(place), place.start);

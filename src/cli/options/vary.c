@@ -371,27 +371,22 @@ static bool vary_read_item(struct vary_parser *naming, struct text item, struct 
            add_parameter(naming, what, error);
 }
 
-/* The next item of a list: commas inside of brackets belong to it. */
-static struct text next_item(struct text *rest)
-{
-    size_t length = 0;
-    int depth = 0;
-    while (length < rest->length && (rest->start[length] != ',' || depth > 0)) {
-        depth += (rest->start[length] == '[') - (rest->start[length] == ']');
-        length++;
-    }
-    const struct text item = {rest->start, length};
-    *rest = length < rest->length
-                ? (struct text){rest->start + length + 1, rest->length - length - 1}
-                : (struct text){NULL, 0};
-    return text_trim(item);
-}
-
 static bool vary_read_items(struct vary_parser *naming, const char *list, struct error *error)
 {
     struct text rest = text_of(list);
     while (rest.start != NULL) {
-        if (!vary_read_item(naming, next_item(&rest), error)) {
+        /* the next item of a list: commas inside of brackets belong to it */
+        size_t length = 0;
+        int depth = 0;
+        while (length < rest.length && (rest.start[length] != ',' || depth > 0)) {
+            depth += (rest.start[length] == '[') - (rest.start[length] == ']');
+            length++;
+        }
+        const struct text item = {rest.start, length};
+        rest = length < rest.length
+                   ? (struct text){rest.start + length + 1, rest.length - length - 1}
+                   : (struct text){NULL, 0};
+        if (!vary_read_item(naming, text_trim(item), error)) {
             return false;
         }
     }
