@@ -143,7 +143,7 @@ static const char *skip_digits(const char *at, const char *end)
 }
 
 /* A number as JSON writes it: no +, no 0 before other digits, digits on both sides of a point. */
-static bool json_read_is_number(struct text text)
+static bool is_json_number(struct text text)
 {
     const char *const end = text.start + text.length;
     const char *digits = text.start + (text.length > 0 && *text.start == '-');
@@ -181,7 +181,7 @@ bool json_scalar(struct json *json, struct json_value *value)
         return json_fail(json, "a value is missing");
     }
     if (!(text_equal(value->text, "null") || text_equal(value->text, "true") ||
-          text_equal(value->text, "false") || json_read_is_number(value->text))) {
+          text_equal(value->text, "false") || is_json_number(value->text))) {
         json->at = from;
         return json_fail(json, strchr("+-.0123456789", *from) != NULL
                                    ? "this is not a number as JSON writes it"

@@ -39,16 +39,11 @@ static const double divisors[] = {
     1e7,  1e6,  1e5,  1e4,  1e3,  1e2,  1e1,  1,    1,    1,    1,    1,    1,    1,   1,
     1,    1,    1,    1,    1,    1,    1,    1,    1,    1,    1,    1,    1,    1,   1};
 
-static inline bool number_read_is_digit(char c)
-{
-    return (unsigned char)(c - '0') < 10;
-}
-
 /* Append digits to the mantissa, modulo 2^64. */
 static inline const char *read_digits(const char *at, const char *end, uint64_t *mantissa)
 {
     uint64_t all = *mantissa;
-    for (; at < end && number_read_is_digit(*at); at++) {
+    for (; at < end && char_is_digit(*at); at++) {
         all = all * 10 + (uint64_t)(*at - '0');
     }
     *mantissa = all;
@@ -64,12 +59,12 @@ static const char *read_exponent(const char *at, const char *end, ptrdiff_t *exp
     if (digit < end && (*digit == '-' || *digit == '+')) {
         digit++;
     }
-    if (digit == end || !number_read_is_digit(*digit)) {
+    if (digit == end || !char_is_digit(*digit)) {
         return at;
     }
 
     ptrdiff_t typed = 0;
-    for (; digit < end && number_read_is_digit(*digit); digit++) {
+    for (; digit < end && char_is_digit(*digit); digit++) {
         typed = typed < enough ? typed * 10 + (*digit - '0') : typed;
     }
     *exponent += negative ? -typed : typed;

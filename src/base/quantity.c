@@ -212,7 +212,7 @@ static bool divides(const struct quantity_parser *reading)
 }
 
 /* A denominator after '/' or ':' divides what was read. */
-static bool quantity_read_denominator(struct quantity_parser *reading, double *value)
+static bool quantity_divide(struct quantity_parser *reading, double *value)
 {
     if (!divides(reading)) {
         return true;
@@ -338,7 +338,7 @@ static bool read_usual(struct quantity_parser *reading, double *value)
         return false;
     }
     const char *behind = reading->at;
-    if (!quantity_read_denominator(reading, &plain)) {
+    if (!quantity_divide(reading, &plain)) {
         return false;
     }
     bool fraction = reading->at != behind;

@@ -13,8 +13,7 @@ bool quantity_wrong(struct quantity_parser *reading, const char *at, const char 
     return fail_at(reading->error, ERROR_USAGE, reading->text, caret, "%s", what);
 }
 
-static enum quantity_form quantity_form_wrong(struct quantity_parser *form, const char *at,
-                                              const char *what)
+static enum quantity_form form_wrong(struct quantity_parser *form, const char *at, const char *what)
 {
     quantity_wrong(form, at, what);
     return QUANTITY_FORM_WRONG;
@@ -27,20 +26,20 @@ void quantity_skip_blanks(struct quantity_parser *reading)
     }
 }
 
-static bool quantity_form_begins_number(const struct quantity_parser *form)
+static bool form_has_number(const struct quantity_parser *form)
 {
     return form->at < form->end && (char_is_digit(*form->at) || *form->at == '.');
 }
 
 /* A number without sign, exponent or infinity. */
-static bool quantity_form_read_plain(struct quantity_parser *form, double *value)
+static bool form_number(struct quantity_parser *form, double *value)
 {
     const char *end = form->at;
     while (end < form->end && (char_is_digit(*end) || *end == '.')) {
         end++;
     }
     const char *behind = number_read(form->at, end, NUMBER_UNSCALED, value);
-    if (!quantity_form_begins_number(form) || behind != end || isinf(*value)) {
+    if (!form_has_number(form) || behind != end || isinf(*value)) {
         return false;
     }
     form->at = behind;
@@ -48,11 +47,11 @@ static bool quantity_form_read_plain(struct quantity_parser *form, double *value
 }
 
 /* "/2" behind a numerator divides it; false: there is none. */
-static bool quantity_form_read_denominator(struct quantity_parser *form, double *value)
+static bool form_denominator(struct quantity_parser *form, double *value)
 {
     double denominator;
-    if (form->at == form->end || *form->at++ != '/' ||
-        !quantity_form_read_plain(form, &denominator) || !(denominator > 0)) {
+    if (form->at == form->end || *form->at++ != '/' || !form_number(form, &denominator) ||
+        !(denominator > 0)) {
         return false;
     }
     *value /= denominator;
@@ -67,16 +66,15 @@ static bool read_mixed(struct quantity_parser *form, double *value, bool *mixed)
 {
     double part;
     *mixed = false;
-    if (!quantity_form_read_plain(form, value)) {
+    if (!form_number(form, value)) {
         return false;
     }
     if (form->at < form->end && *form->at == '/') {
-        return quantity_form_read_denominator(form, value);
+        return form_denominator(form, value);
     }
     struct quantity_parser ahead = *form;
     quantity_skip_blanks(&ahead);
-    if (ahead.at == form->at || !quantity_form_read_plain(&ahead, &part) ||
-        !quantity_form_read_denominator(&ahead, &part)) {
+    if (ahead.at == form->at || !form_number(&ahead, &part) || !form_denominator(&ahead, &part)) {
         return true;
     }
     *form = ahead;
@@ -86,8 +84,8 @@ static bool read_mixed(struct quantity_parser *form, double *value, bool *mixed)
 }
 
 /* The words for infinity. */
-static enum quantity_form quantity_form_read_infinity(const struct quantity_parser *form,
-                                                      struct quantity_formed *formed)
+static enum quantity_form form_infinity(const struct quantity_parser *form,
+                                        struct quantity_formed *formed)
 {
     static const char *const words[] = {"\xe2\x88\x9e", "infinity", "inf", "infinite"};
     struct text word = form->text;
@@ -146,7 +144,7 @@ static bool is_ascii_letter(char c)
 }
 
 /* Step over the longest of the words that stands here as a whole word. */
-static bool quantity_form_take_word(struct quantity_parser *form, const char *words)
+static bool form_word(struct quantity_parser *form, const char *words)
 {
     struct text rest = text_of(words);
     size_t longest = 0;
@@ -186,7 +184,7 @@ static bool read_step(struct quantity_parser *form, const struct ladder *ladder,
     bool bare = form->at == form->end;
     step->rung = above + 1;
     while (!bare && step->rung < ladder->count &&
-           !quantity_form_take_word(form, ladder->rungs[step->rung].words)) {
+           !form_word(form, ladder->rungs[step->rung].words)) {
         step->rung++;
     }
     quantity_skip_blanks(form);
@@ -208,7 +206,7 @@ static enum quantity_form read_ladder(struct quantity_parser *form, const struct
             sum *= ladder->rungs[i].count;
         }
         if (steps > 0 && !(step.number < ladder->rungs[step.rung].count)) {
-            return quantity_form_wrong(form, step.from, ladder->wrong);
+            return form_wrong(form, step.from, ladder->wrong);
         }
         const struct unit *unit =
             unit_find(ladder->dimension, text_of(ladder->rungs[step.rung].unit));
@@ -230,7 +228,7 @@ static enum quantity_form read_clock(struct quantity_parser *form, struct quanti
     do {
         const char *from = form->at;
         double number;
-        if (!quantity_form_read_plain(form, &number) || count == 3) {
+        if (!form_number(form, &number) || count == 3) {
             return QUANTITY_FORM_NONE;
         }
         bool more = form->at < form->end && *form->at == ':';
@@ -238,7 +236,7 @@ static enum quantity_form read_clock(struct quantity_parser *form, struct quanti
             return QUANTITY_FORM_NONE;
         }
         if (count > 0 && !(number < 60)) {
-            return quantity_form_wrong(form, from, ladders[0].wrong);
+            return form_wrong(form, from, ladders[0].wrong);
         }
         seconds = seconds * 60 + number;
         count++;
@@ -253,7 +251,7 @@ static enum quantity_form read_display(struct quantity_parser *form, struct quan
     char digits[32];
     const char *quote = memchr(form->at, '"', form->text.length);
     if (quote == NULL || quote + 1 >= form->end || form->text.length >= sizeof digits ||
-        !quantity_form_begins_number(form)) {
+        !form_has_number(form)) {
         return QUANTITY_FORM_NONE;
     }
     memcpy(digits, form->at, form->text.length);
@@ -284,8 +282,7 @@ static enum quantity_form read_fraction(struct quantity_parser *form,
         return QUANTITY_FORM_NONE;
     }
     if (!read) {
-        return quantity_form_wrong(form, from,
-                                   "a fraction behind a whole number must be less than 1");
+        return form_wrong(form, from, "a fraction behind a whole number must be less than 1");
     }
     struct text name = text_trim(text_between(form->at, form->end));
     const struct unit *unit = form->unit;
@@ -306,7 +303,7 @@ static enum quantity_form read_hyphened(struct quantity_parser *form,
                                         struct quantity_formed *formed)
 {
     double number;
-    if (!quantity_form_read_plain(form, &number) || form->at == form->end || *form->at++ != '-') {
+    if (!form_number(form, &number) || form->at == form->end || *form->at++ != '-') {
         return QUANTITY_FORM_NONE;
     }
     formed->typed = unit_find(form->dimension, text_between(form->at, form->end));
@@ -330,13 +327,13 @@ static const int din_speeds[DIN_HIGHEST - DIN_LOWEST + 1] = {
 static bool read_degrees(struct quantity_parser *form, double *degrees)
 {
     static const char marks[] = "DIN din Din " DEGREE_SIGN "DIN " DEGREE_SIGN;
-    bool marked = quantity_form_take_word(form, "DIN din Din");
+    bool marked = form_word(form, "DIN din Din");
     quantity_skip_blanks(form);
-    if (!quantity_form_read_plain(form, degrees)) {
+    if (!form_number(form, degrees)) {
         return false;
     }
     quantity_skip_blanks(form);
-    marked = quantity_form_take_word(form, marks) || marked;
+    marked = form_word(form, marks) || marked;
     return marked && form->at == form->end;
 }
 
@@ -345,29 +342,28 @@ static enum quantity_form read_speed(struct quantity_parser *form, struct quanti
 {
     double degrees, speed = NAN;
     const char *slash = memchr(form->at, '/', form->text.length), *from = form->at;
-    if (quantity_form_take_word(form, "ISO iso Iso ASA asa")) {
+    if (form_word(form, "ISO iso Iso ASA asa")) {
         quantity_skip_blanks(form);
     }
     if (slash != NULL) {
-        if (!quantity_form_read_plain(form, &speed) || form->at != slash) {
+        if (!form_number(form, &speed) || form->at != slash) {
             return QUANTITY_FORM_NONE;
         }
         from = ++form->at;
-        if (!quantity_form_read_plain(form, &degrees) ||
-            (quantity_form_take_word(form, DEGREE_SIGN), form->at != form->end)) {
+        if (!form_number(form, &degrees) || (form_word(form, DEGREE_SIGN), form->at != form->end)) {
             return QUANTITY_FORM_NONE;
         }
     } else if (!read_degrees(form, &degrees)) {
         return QUANTITY_FORM_NONE;
     }
     if (!(degrees >= DIN_LOWEST && degrees <= DIN_HIGHEST) || degrees != floor(degrees)) {
-        return quantity_form_wrong(form, from, "degrees DIN are whole numbers from 8 to 51");
+        return form_wrong(form, from, "degrees DIN are whole numbers from 8 to 51");
     }
     double marked = din_speeds[(int)degrees - DIN_LOWEST];
     /* labels differ by less than half a step of a third of a stop */
     if (!isnan(speed) && !(fabs(log2(speed / marked)) < 1 / 6.0)) {
-        return quantity_form_wrong(
-            form, from, "speed and degrees contradict each other (ISO 400 is 27 degrees)");
+        return form_wrong(form, from,
+                          "speed and degrees contradict each other (ISO 400 is 27 degrees)");
     }
     *formed = (struct quantity_formed){isnan(speed) ? marked : speed, NULL};
     return QUANTITY_FORM_READ;
@@ -384,7 +380,7 @@ enum quantity_form quantity_form_read(const struct quantity_parser *form,
                  {&dimension_iso, read_speed},
                  {NULL, read_hyphened},
                  {NULL, read_fraction}};
-    enum quantity_form result = quantity_form_read_infinity(form, formed);
+    enum quantity_form result = form_infinity(form, formed);
     /* each is tried from the text's beginning */
     for (size_t i = 0; i < sizeof ladders / sizeof ladders[0] && result == QUANTITY_FORM_NONE;
          i++) {

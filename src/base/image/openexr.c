@@ -25,7 +25,7 @@ static void put_name(struct bytes *to, const char *name)
     bytes_put(to, name, strlen(name) + 1);
 }
 
-static void openexr_put_attribute(struct bytes *to, const char *name, const char *type, size_t size)
+static void exr_attribute(struct bytes *to, const char *name, const char *type, size_t size)
 {
     put_name(to, name);
     put_name(to, type);
@@ -34,19 +34,19 @@ static void openexr_put_attribute(struct bytes *to, const char *name, const char
 
 static void put_float(struct bytes *to, const char *name, float value)
 {
-    openexr_put_attribute(to, name, "float", 4);
+    exr_attribute(to, name, "float", 4);
     bytes_put_little(to, bytes_bits(value), 4);
 }
 
 static void put_byte(struct bytes *to, const char *name, const char *type, int value)
 {
-    openexr_put_attribute(to, name, type, 1);
+    exr_attribute(to, name, type, 1);
     bytes_put_little(to, (uint64_t)value, 1);
 }
 
 static void put_window(struct bytes *to, const char *name, const struct image *image)
 {
-    openexr_put_attribute(to, name, "box2i", 16);
+    exr_attribute(to, name, "box2i", 16);
     bytes_put_little(to, 0, 8);
     bytes_put_little(to, image->width - 1, 4);
     bytes_put_little(to, image->height - 1, 4);
@@ -66,14 +66,14 @@ static void put_head(struct bytes *to, const struct image *image,
         bytes_put_little(&list, 1, 4);
     }
     bytes_put_little(&list, 0, 1);
-    openexr_put_attribute(to, "channels", "chlist", list.used);
+    exr_attribute(to, "channels", "chlist", list.used);
     bytes_put(to, list.data, list.used);
     put_byte(to, "compression", "compression", zip ? OPENEXR_ZIP : OPENEXR_NONE);
     put_window(to, "dataWindow", image);
     put_window(to, "displayWindow", image);
     put_byte(to, "lineOrder", "lineOrder", 0);
     put_float(to, "pixelAspectRatio", image->aspect > 0 ? (float)image->aspect : 1);
-    openexr_put_attribute(to, "screenWindowCenter", "v2f", 8);
+    exr_attribute(to, "screenWindowCenter", "v2f", 8);
     bytes_put_little(to, 0, 8);
     put_float(to, "screenWindowWidth", 1);
     for (size_t i = 0; i < image->note_count; i++) {
@@ -81,7 +81,7 @@ static void put_head(struct bytes *to, const struct image *image,
         /* of 31 characters at most, unless readers are told of longer ones */
         char *key = arena_string(to->arena, image->notes[i].key, strlen(image->notes[i].key));
         key[strlen(key) > 31 ? 31 : strlen(key)] = '\0';
-        openexr_put_attribute(to, key, "string", strlen(value));
+        exr_attribute(to, key, "string", strlen(value));
         bytes_put_string(to, value);
     }
     bytes_put_little(to, 0, 1);

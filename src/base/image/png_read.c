@@ -159,7 +159,7 @@ static bool take_gamma(struct png *png, const struct chunk *chunk, struct error 
  * Pixels a metre are whole numbers of such that were none: those that are large and differ by their
  * rounding only are those of square pixels. Without a unit it is the ratio; 0 says nothing.
  */
-static bool png_read_take_aspect(struct png *png, const struct chunk *chunk, struct error *error)
+static bool png_aspect(struct png *png, const struct chunk *chunk, struct error *error)
 {
     if (chunk->count != 9) {
         return chunk_wrong(chunk, "must have 9 bytes", error);
@@ -222,11 +222,9 @@ static bool take_chunk(struct png *png, const struct chunk *chunk, struct error 
         char type[5];
         bool (*take)(struct png *png, const struct chunk *chunk, struct error *error);
     } takers[] = {
-        {"IHDR", take_header},   {"PLTE", take_palette},
-        {"tRNS", take_alpha},    {"IDAT", take_data},
-        {"IEND", png_read_pass}, {"sRGB", take_srgb},
-        {"gAMA", take_gamma},    {"tEXt", take_latin},
-        {"iTXt", take_unicode},  {"pHYs", png_read_take_aspect},
+        {"IHDR", take_header},   {"PLTE", take_palette}, {"tRNS", take_alpha}, {"IDAT", take_data},
+        {"IEND", png_read_pass}, {"sRGB", take_srgb},    {"gAMA", take_gamma}, {"tEXt", take_latin},
+        {"iTXt", take_unicode},  {"pHYs", png_aspect},
     };
     if ((chunk->at == PNG_START) != (strcmp(chunk->type, "IHDR") == 0)) {
         return chunk_wrong(chunk, "is not where it belongs", error);
@@ -241,7 +239,7 @@ static bool take_chunk(struct png *png, const struct chunk *chunk, struct error 
 }
 
 /* Deflate packs at most 1032 to 1: a file that claims more is not believed, and no room is made. */
-static bool png_read_check_size(const struct png *png, struct error *error)
+static bool png_check_size(const struct png *png, struct error *error)
 {
     const size_t row = (png->width * samples[png->color] * (size_t)png->bits + 7) / 8;
     return row * png->height / 1032 <= png->data + 1 ||
@@ -326,7 +324,7 @@ bool png_read(struct text file, const struct image_wish *wish, struct arena *are
     image->channels += png.has_alpha && image->channels % 2 != 0 ? 1 : 0;
     image->bits = png.bits == 16 ? 16 : 8;
     image->gamma = png.has_srgb ? 0 : png.gamma;
-    if (!png_read_check_size(&png, error) || !image_new_wished(image, wish, arena, error)) {
+    if (!png_check_size(&png, error) || !image_new_wished(image, wish, arena, error)) {
         return false;
     }
     struct arena codes = {0};

@@ -73,7 +73,7 @@ static bool radiance_divide(struct radiance *file, const char *name, struct text
 }
 
 /* x and y of red, green, blue and white. */
-static bool radiance_take_primaries(struct radiance *file, struct text values, struct error *error)
+static bool radiance_primaries(struct radiance *file, struct text values, struct error *error)
 {
     const char *end = values.start + values.length, *at = values.start;
     for (int i = 0; i < 8 && at != NULL; i++) {
@@ -98,7 +98,7 @@ static bool radiance_take_line(struct radiance *file, struct text line, struct e
     const struct text aspect = text_behind(line, "PIXASPECT=");
     const struct text primaries = text_behind(line, "PRIMARIES=");
     if (primaries.start != NULL) {
-        return radiance_take_primaries(file, primaries, error);
+        return radiance_primaries(file, primaries, error);
     }
     if (aspect.start != NULL) {
         /* height of a pixel over its width; several lines are multiplied */

@@ -89,7 +89,7 @@ static bool is_computed(const struct batch *batch, struct text name)
     return text_equal(name, "error") || is_column(batch->sheet, name);
 }
 
-static bool batch_header_wrong_unit(const struct batch_column *column, struct error *error)
+static bool header_wrong_unit(const struct batch_column *column, struct error *error)
 {
     struct text name = column->name, typed = column->typed_unit;
     return fail(error, ERROR_DATA, "column '%.*s': '%.*s' is not a unit of --%s (a %s)",
@@ -118,8 +118,8 @@ static void set_scale(struct batch_column *column, const struct reader *reader)
                        (column->is_focal && !unit_is_equivalent(unit));
 }
 
-static bool batch_header_find_column(const struct batch *batch, struct text name,
-                                     struct batch_column *column, struct error *error)
+static bool header_column(const struct batch *batch, struct text name, struct batch_column *column,
+                          struct error *error)
 {
     *column = (struct batch_column){.name = name};
     const char *called = arena_printf(batch->arena, "column '%.*s'", text_shown(name), name.start);
@@ -136,7 +136,7 @@ static bool batch_header_find_column(const struct batch *batch, struct text name
     }
     for (size_t i = 0; dimensions[i] != NULL && column->doubtful != NULL; i++) {
         if (unit_find(dimensions[i], column->typed_unit) != NULL) {
-            return batch_header_wrong_unit(column, error);
+            return header_wrong_unit(column, error);
         }
     }
     if (column->option != NULL) {
@@ -216,8 +216,7 @@ static bool push_column(struct batch *batch, const struct batch_column *column, 
 bool batch_add_column(struct batch *batch, struct text name, size_t at, struct error *error)
 {
     struct batch_column column;
-    if (!batch_header_find_column(batch, name, &column, error) ||
-        !check_new(batch, &column, error)) {
+    if (!header_column(batch, name, &column, error) || !check_new(batch, &column, error)) {
         return error_locate(error, batch->source, batch->line, at);
     }
     column.place = at;
@@ -250,7 +249,7 @@ static bool settle_column(struct batch *batch, struct batch_column *column, bool
     const struct option *meant = column->doubtful;
     if (meant != NULL && !batch_has(batch, meant->name) &&
         !arguments_given(batch->arguments, meant->name)) {
-        return batch_header_wrong_unit(column, error);
+        return header_wrong_unit(column, error);
     }
     bool goal = column->option != NULL && (column->option->flags & OPTION_GOAL) != 0;
     if (goal && settled && !arguments_given(batch->arguments, column->option->name)) {
@@ -314,7 +313,7 @@ struct batch_column *batch_add_late(struct batch *batch, struct text name, struc
 {
     struct batch_column column;
     name.start = arena_string(batch->arena, name.start, name.length);
-    if (!batch_header_find_column(batch, name, &column, error)) {
+    if (!header_column(batch, name, &column, error)) {
         return NULL;
     }
     column.is_late = true;

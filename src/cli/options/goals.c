@@ -86,8 +86,8 @@ static bool may_have(const struct goal_parser *reading, unsigned what, bool is_t
     return !is_there || WRONG_AT(reading, place, error, "the %s is there twice", words);
 }
 
-static bool goals_put_wavelength(struct goal_parser *reading, double wavelength, struct text place,
-                                 struct error *error)
+static bool goal_wavelength(struct goal_parser *reading, double wavelength, struct text place,
+                            struct error *error)
 {
     struct operand *operand = reading->operand;
     if (!may_have(reading, OPERAND_AT_WAVELENGTH, !isnan(operand->wavelength), "wavelength", place,
@@ -99,8 +99,8 @@ static bool goals_put_wavelength(struct goal_parser *reading, double wavelength,
            WRONG_AT(reading, place, error, "the wavelength is not within 1 nm to 100 mm");
 }
 
-static bool goals_put_field(struct goal_parser *reading, enum field_kind kind, double value,
-                            struct text place, struct error *error)
+static bool goal_field(struct goal_parser *reading, enum field_kind kind, double value,
+                       struct text place, struct error *error)
 {
     struct operand *operand = reading->operand;
     struct setup_field *field = ARENA_NEW(reading->reader->arena, struct setup_field);
@@ -138,24 +138,24 @@ static bool goals_read_number(struct goal_parser *reading, struct text place, st
                WRONG_AT(reading, place, error, "a spatial frequency is above 0");
     }
     if (has_unit(place, &dimension_angle, &value, &unit)) {
-        return goals_put_field(reading, FIELD_ANGLE, value, place, error);
+        return goal_field(reading, FIELD_ANGLE, value, place, error);
     }
     if (has_unit(place, &dimension_length, &value, &unit)) {
         const bool is_short = strcmp(unit->name, "nm") == 0 || strcmp(unit->name, "um") == 0;
         return is_short ? has_unit(place, &dimension_wavelength_um, &value, &unit) &&
-                              goals_put_wavelength(reading, value, place, error)
-                        : goals_put_field(reading, FIELD_HEIGHT, value, place, error);
+                              goal_wavelength(reading, value, place, error)
+                        : goal_field(reading, FIELD_HEIGHT, value, place, error);
     }
     if (quantity_read(place, &dimension_number, NULL, &value, NULL, &ignored)) {
         /* a bare number, where it can only be one thing */
         const unsigned is = reading->type->is;
         if ((is & OPERAND_NEEDS_FIELD) != 0 && reading->operand->field == NULL) {
-            return goals_put_field(reading, FIELD_ANGLE,
-                                   unit_to_own(unit_find(&dimension_angle, text_of("deg")), value),
-                                   place, error);
+            return goal_field(reading, FIELD_ANGLE,
+                              unit_to_own(unit_find(&dimension_angle, text_of("deg")), value),
+                              place, error);
         }
         if ((is & OPERAND_AT_WAVELENGTH) != 0 && (is & OPERAND_AT_FIELD) == 0) {
-            return goals_put_wavelength(reading, value / 1000, place, error);
+            return goal_wavelength(reading, value / 1000, place, error);
         }
         WRONG_AT(reading, place, error, "'%.*s' has no unit", text_shown(place), place.start);
         return error_hint(error,
@@ -194,7 +194,7 @@ static bool goals_read_place(struct goal_parser *reading, struct text place, str
         reading->operand->position = position;
         return true;
     }
-    return is_line ? goals_put_wavelength(reading, wavelength, place, error)
+    return is_line ? goal_wavelength(reading, wavelength, place, error)
                    : goals_read_number(reading, place, error);
 }
 

@@ -226,8 +226,8 @@ static bool read_flag(const struct reader *reader, const struct option *option, 
     return true;
 }
 
-static bool option_part_read_part(const struct reader *reader, const struct option *option,
-                                  struct text text, void *member, struct error *error)
+static bool part_value_read(const struct reader *reader, const struct option *option,
+                            struct text text, void *member, struct error *error)
 {
     (void)reader;
     return part_parse(text_trim(text), member, error) ||
@@ -248,8 +248,8 @@ static bool read_text(const struct reader *reader, const struct option *option, 
     return true;
 }
 
-static bool option_read_count(const struct reader *reader, const struct option *option,
-                              struct text text, void *member, struct error *error)
+static bool count_value_read(const struct reader *reader, const struct option *option,
+                             struct text text, void *member, struct error *error)
 {
     const double most = 1e9; /* where no range is said */
     (void)reader;
@@ -388,7 +388,7 @@ const struct option_kind kind_count = {
     .name = "count",
     .size = sizeof(long),
     .is_list = true,
-    .read = option_read_count,
+    .read = count_value_read,
 };
 
 const struct option_kind kind_coc = {
@@ -406,5 +406,5 @@ const struct option_kind kind_coc = {
 const struct option_kind kind_part = {
     .name = "part",
     .size = sizeof(struct part),
-    .read = option_part_read_part,
+    .read = part_value_read,
 };

@@ -7,8 +7,8 @@
 
 #include <math.h>
 
-static bool option_glass_read_glass(const struct reader *reader, const struct option *option,
-                                    struct text text, void *member, struct error *error)
+static bool glass_value_read(const struct reader *reader, const struct option *option,
+                             struct text text, void *member, struct error *error)
 {
     struct glass_record *record = ARENA_NEW(reader->arena, struct glass_record);
     enum glass_naming naming =
@@ -33,8 +33,8 @@ static bool bad_interval(const struct option *option, struct text text, struct e
 }
 
 /* One end; nothing stands for an open one. */
-static bool option_glass_read_end(const struct option *option, struct text text, double *end,
-                                  struct error *error)
+static bool interval_end_read(const struct option *option, struct text text, double *end,
+                              struct error *error)
 {
     *end = NAN;
     if (text_trim(text).length == 0) {
@@ -69,8 +69,8 @@ static bool read_interval(const struct reader *reader, const struct option *opti
                option_check_range(option, near->near, error);
     }
     struct text high = {text.start + at + 2, text.length - at - 2};
-    if (!option_glass_read_end(option, (struct text){text.start, at}, &interval.low, error) ||
-        !option_glass_read_end(option, high, &interval.high, error)) {
+    if (!interval_end_read(option, (struct text){text.start, at}, &interval.low, error) ||
+        !interval_end_read(option, high, &interval.high, error)) {
         return false;
     }
     if ((isnan(interval.low) && isnan(interval.high)) || interval.low > interval.high) {
@@ -101,7 +101,7 @@ const struct option_kind kind_glass = {
     .name = "glass",
     .size = sizeof(struct glass_value),
     .is_list = true,
-    .read = option_glass_read_glass,
+    .read = glass_value_read,
     OPTION_NAMED(struct glass_value, name),
     .reads = READS_LENSDB | READS_GLASSES,
 };

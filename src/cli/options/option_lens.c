@@ -15,9 +15,8 @@ static struct lens_memo *lens_memo_new(const struct lens *lens, struct arena *ar
     return ARENA_ARRAY(arena, positions, struct lens_memo);
 }
 
-static bool option_lens_find_lens(const struct reader *reader, struct text name,
-                                  struct arena *arena, struct lens_value *value,
-                                  struct error *error)
+static bool lens_value_find(const struct reader *reader, struct text name, struct arena *arena,
+                            struct lens_value *value, struct error *error)
 {
     struct lens *lens = ARENA_NEW(arena, struct lens);
     struct lens_warnings warnings;
@@ -93,14 +92,14 @@ static bool read_lens_of_row(const struct reader *reader, struct text name,
     if (text_equal(name, "-")) {
         return fail(error, ERROR_USAGE, "a row cannot read its lens from standard input");
     }
-    if (!option_lens_find_lens(reader, name, reader->arena, value, error)) {
+    if (!lens_value_find(reader, name, reader->arena, value, error)) {
         return false;
     }
     if (cache->count == MOST_KEPT) {
         return true;
     }
     /* once more, now that it is good, to stay */
-    if (!option_lens_find_lens(reader, name, cache->arena, value, error)) {
+    if (!lens_value_find(reader, name, cache->arena, value, error)) {
         return false;
     }
     option_lens_keep(cache, value);
@@ -124,7 +123,7 @@ void option_lens_at_once(struct lens_cache *cache, size_t count)
 }
 
 /* The slot that has this lens, else the one whose lens was wanted longest ago. */
-static struct lens_slot *option_lens_slot_of(struct lens_cache *cache, struct text name)
+static struct lens_slot *slot_of_lens(struct lens_cache *cache, struct text name)
 {
     option_lens_at_once(cache, 1);
     struct lens_slot *oldest = &cache->slots[0];
@@ -143,10 +142,10 @@ static struct lens_slot *option_lens_slot_of(struct lens_cache *cache, struct te
 static bool read_into_slot(const struct reader *reader, struct text name, struct lens_value *value,
                            struct error *error)
 {
-    struct lens_slot *slot = option_lens_slot_of(reader->lenses, name);
+    struct lens_slot *slot = slot_of_lens(reader->lenses, name);
     slot->used = ++reader->lenses->wanted;
     if (slot->value.lens == NULL &&
-        !option_lens_find_lens(reader, name, &slot->arena, &slot->value, error)) {
+        !lens_value_find(reader, name, &slot->arena, &slot->value, error)) {
         return false;
     }
     *value = slot->value;
@@ -173,7 +172,7 @@ static bool read_lens_of_list(const struct reader *reader, struct text name,
         return true;
     }
     if (cache->count < MOST_KEPT || !is_lasting(name, reader->arena)) {
-        if (!option_lens_find_lens(reader, name, reader->arena, value, error)) {
+        if (!lens_value_find(reader, name, reader->arena, value, error)) {
             return false;
         }
         option_lens_keep(cache, value);
@@ -196,7 +195,7 @@ static bool read_lens(const struct reader *reader, const struct option *option, 
     }
     return reader->recalls && (option->flags & OPTION_MANY) != 0
                ? read_lens_of_list(reader, name, member, error)
-               : option_lens_find_lens(reader, name, reader->arena, member, error);
+               : lens_value_find(reader, name, reader->arena, member, error);
 }
 
 static bool recall_lens(const struct reader *reader, void *member, struct error *error)
@@ -257,8 +256,8 @@ bool wavelength_read(const struct reader *reader, const struct option *option, s
                 TYPED(option, name));
 }
 
-static bool option_lens_read_wavelength(const struct reader *reader, const struct option *option,
-                                        struct text text, void *member, struct error *error)
+static bool wavelength_value_read(const struct reader *reader, const struct option *option,
+                                  struct text text, void *member, struct error *error)
 {
     struct text name = text_trim(text);
     struct wavelength_value value = {.name = arena_string(reader->arena, name.start, name.length)};
@@ -282,7 +281,7 @@ const struct option_kind kind_wavelength = {
     .name = "wavelength",
     .size = sizeof(struct wavelength_value),
     .is_list = true,
-    .read = option_lens_read_wavelength,
+    .read = wavelength_value_read,
     OPTION_NAMED(struct wavelength_value, name),
     .number_of = option_first_number,
     .reads = READS_LENSDB,

@@ -10,8 +10,7 @@
 #include <string.h>
 
 /* "published: Kodak F-4017"; null where the table says neither. */
-static const char *option_light_join(const struct reader *reader, struct text status,
-                                     struct text source)
+static const char *status_words(const struct reader *reader, struct text status, struct text source)
 {
     if (status.length == 0 && source.length == 0) {
         return NULL;
@@ -21,12 +20,12 @@ static const char *option_light_join(const struct reader *reader, struct text st
 }
 
 /* What was looked for is not there: say by which option. */
-static bool option_light_blame(const struct option *option, struct error *error)
+static bool light_blame(const struct option *option, struct error *error)
 {
     return error->code == ERROR_USAGE && error_prefix(error, "%s: ", CALLED(option));
 }
 
-static bool option_light_is_digit(char c)
+static bool filter_digit(char c)
 {
     return (c >= '0' && c <= '9') || c == '.';
 }
@@ -37,9 +36,8 @@ static bool bad_filter(const struct option *option, struct text piece, const cha
     return fail(error, ERROR_DOMAIN, "%s '%.*s': %s", TYPED(option, piece), what);
 }
 
-static bool option_light_read_number(const struct option *option, struct text piece,
-                                     struct text number, const struct dimension *dimension,
-                                     double *value, struct error *error)
+static bool filter_number(const struct option *option, struct text piece, struct text number,
+                          const struct dimension *dimension, double *value, struct error *error)
 {
     return quantity_read(number, dimension, NULL, value, NULL, error) ||
            error_within(error, piece, number) ||
@@ -51,7 +49,7 @@ static bool read_factor(const struct option *option, struct text piece, struct t
                         double *stops, struct error *error)
 {
     double factor;
-    if (!option_light_read_number(option, piece, number, &dimension_number, &factor, error)) {
+    if (!filter_number(option, piece, number, &dimension_number, &factor, error)) {
         return false;
     }
     *stops = stops_from_factor(factor);
@@ -59,7 +57,7 @@ static bool read_factor(const struct option *option, struct text piece, struct t
            bad_filter(option, piece, "a filter factor is 1 to 1e30", error);
 }
 
-static bool option_light_ends_with(struct text text, const char *end)
+static bool filter_ends(struct text text, const char *end)
 {
     const size_t length = strlen(end);
     return text.length > length &&
@@ -71,15 +69,15 @@ static struct text without_words(struct text piece)
 {
     static const char *const words[] = {" filter", " nd", "-nd"};
     for (size_t i = 0; i < sizeof words / sizeof words[0]; i++) {
-        if (option_light_ends_with(piece, words[i])) {
+        if (filter_ends(piece, words[i])) {
             piece = text_trim((struct text){piece.start, piece.length - strlen(words[i])});
         }
     }
     return piece;
 }
 
-static bool option_light_read_stops(const struct option *option, struct text piece, double *stops,
-                                    struct error *error)
+static bool filter_stops(const struct option *option, struct text piece, double *stops,
+                         struct error *error)
 {
     const struct unit *typed;
     if (!quantity_read(piece, &dimension_stops, NULL, stops, &typed, error)) {
@@ -105,13 +103,13 @@ static bool read_neutral(const struct option *option, struct text piece, double 
 {
     struct text number = text_trim((struct text){piece.start + 2, piece.length - 2});
     double density;
-    if (option_light_ends_with(number, "stop") || option_light_ends_with(number, "stops")) {
-        return option_light_read_stops(option, number, stops, error);
+    if (filter_ends(number, "stop") || filter_ends(number, "stops")) {
+        return filter_stops(option, number, stops, error);
     }
     if (memchr(number.start, '.', number.length) == NULL) {
         return read_factor(option, piece, number, stops, error);
     }
-    if (!option_light_read_number(option, piece, number, &dimension_number, &density, error)) {
+    if (!filter_number(option, piece, number, &dimension_number, &density, error)) {
         return false;
     }
     *stops = stops_from_density(density);
@@ -126,18 +124,17 @@ static bool read_one_filter(const struct reader *reader, const struct option *op
     if (piece.length == 0) {
         return fail(error, ERROR_USAGE, "%s has an empty item", CALLED(option));
     }
-    if (option_light_is_digit(piece.start[0]) ||
-        (piece.length > 2 && option_light_is_digit(piece.start[2]))) {
+    if (filter_digit(piece.start[0]) || (piece.length > 2 && filter_digit(piece.start[2]))) {
         piece = without_words(piece);
     }
     bool neutral = piece.length > 2 && text_same((struct text){piece.start, 2}, "nd");
-    if (neutral && (option_light_is_digit(piece.start[2]) || piece.start[2] == ' ')) {
+    if (neutral && (filter_digit(piece.start[2]) || piece.start[2] == ' ')) {
         return read_neutral(option, piece, &one->stops, error);
     }
-    if (!option_light_is_digit(piece.start[0]) && piece.start[0] != '-') {
+    if (!filter_digit(piece.start[0]) && piece.start[0] != '-') {
         struct lensdb_filter filter;
         if (!lensdb_find_filter(reader->db, piece, &filter, error)) {
-            return option_light_blame(option, error);
+            return light_blame(option, error);
         }
         *one = (struct loss_value){lensdb_filter_stops(&filter), filter.mired, NULL};
         return true;
@@ -149,7 +146,7 @@ static bool read_one_filter(const struct reader *reader, const struct option *op
     struct lensdb_filter filter;
     struct error ignored;
     /* 85B is no number of stops */
-    if (option_light_read_stops(option, piece, &one->stops, error)) {
+    if (filter_stops(option, piece, &one->stops, error)) {
         return true;
     }
     if (!lensdb_find_filter(reader->db, piece, &filter, &ignored)) {
@@ -206,7 +203,7 @@ static bool read_film(const struct reader *reader, const struct option *option, 
     struct lensdb_film film;
     struct reciprocity *model = ARENA_NEW(reader->arena, struct reciprocity);
     if (!lensdb_find_film(reader->db, text, &film, error)) {
-        return option_light_blame(option, error);
+        return light_blame(option, error);
     }
     if (!lensdb_film_model(&film, model, error)) {
         return false;
@@ -223,7 +220,7 @@ static bool read_film(const struct reader *reader, const struct option *option, 
         .name =
             arena_printf(reader->arena, "%.*s%s%.*s", (int)film.maker.length, film.maker.start,
                          film.maker.length > 0 ? " " : "", (int)film.name.length, film.name.start),
-        .source = option_light_join(reader, film.status, film.source),
+        .source = status_words(reader, film.status, film.source),
         .speed = speed,
         .type = film.type.length > 0
                     ? arena_printf(reader->arena, "%.*s", (int)film.type.length, film.type.start)
@@ -247,12 +244,12 @@ static bool read_scene(const struct reader *reader, const struct option *option,
                        "a file with a scene is named without an option: lenscalc render %.*s",
                        text_shown(text), text.start);
         }
-        return option_light_blame(option, error);
+        return light_blame(option, error);
     }
     *(struct scene_value *)member = (struct scene_value){
         .ev100 = scene.ev100,
         .name = arena_string(reader->arena, scene.name.start, scene.name.length),
-        .source = option_light_join(reader, scene.confidence, scene.source)};
+        .source = status_words(reader, scene.confidence, scene.source)};
     return true;
 }
 

@@ -5,14 +5,14 @@
 #include <math.h>
 
 /* Say which option was wrong, before what was wrong. */
-static bool option_ray_blame(const struct option *option, struct text text, struct error *error)
+static bool ray_blame(const struct option *option, struct text text, struct error *error)
 {
     return error_prefix(error, "bad value in %s '%.*s': ", TYPED(option, text));
 }
 
 /* `count` numbers with ':' between them; a unit behind the last counts for all that have none. */
-static bool option_ray_read_numbers(const struct option *option, struct text text, double *at,
-                                    int count, struct error *error)
+static bool colon_numbers_read(const struct option *option, struct text text, double *at, int count,
+                               struct error *error)
 {
     const struct unit *unit = option_unit(option), *typed = NULL;
     struct text parts[3], rest = text_trim(text);
@@ -29,7 +29,7 @@ static bool option_ray_read_numbers(const struct option *option, struct text tex
         if (!quantity_read(parts[i], option->dimension, unit, &at[i],
                            i == count - 1 ? &typed : NULL, error)) {
             error_within(error, text, parts[i]);
-            return option_ray_blame(option, text, error);
+            return ray_blame(option, text, error);
         }
         unit = typed != NULL ? typed : unit;
         if (isinf(at[i])) {
@@ -45,7 +45,7 @@ static bool read_vector(const struct reader *reader, const struct option *option
     struct vector_value *vector = member;
     (void)reader;
     vector->is_given = true;
-    return option_ray_read_numbers(option, text, vector->at, 3, error);
+    return colon_numbers_read(option, text, vector->at, 3, error);
 }
 
 static bool read_pupil(const struct reader *reader, const struct option *option, struct text text,
@@ -54,12 +54,12 @@ static bool read_pupil(const struct reader *reader, const struct option *option,
     struct pupil_value *pupil = member;
     (void)reader;
     pupil->is_given = true;
-    return option_ray_read_numbers(option, text, pupil->at, 2, error);
+    return colon_numbers_read(option, text, pupil->at, 2, error);
 }
 
 /* The numbers as read_numbers takes them. */
-static const char *option_ray_write_numbers(const struct option *option, const double *at,
-                                            int count, struct arena *arena)
+static const char *colon_numbers_words(const struct option *option, const double *at, int count,
+                                       struct arena *arena)
 {
     const struct unit *unit = option_unit(option);
     const char *words = "";
@@ -75,17 +75,17 @@ static const char *vector_words(const struct option *option, const void *member,
                                 struct arena *arena)
 {
     const struct vector_value *vector = member;
-    return vector->is_given ? option_ray_write_numbers(option, vector->at, 3, arena) : NULL;
+    return vector->is_given ? colon_numbers_words(option, vector->at, 3, arena) : NULL;
 }
 
 static const char *pupil_words(const struct option *option, const void *member, struct arena *arena)
 {
     const struct pupil_value *pupil = member;
-    return pupil->is_given ? option_ray_write_numbers(option, pupil->at, 2, arena) : NULL;
+    return pupil->is_given ? colon_numbers_words(option, pupil->at, 2, arena) : NULL;
 }
 
-static bool option_ray_read_plane(const struct reader *reader, const struct option *option,
-                                  struct text text, void *member, struct error *error)
+static bool plane_value_read(const struct reader *reader, const struct option *option,
+                             struct text text, void *member, struct error *error)
 {
     static const struct {
         const char *word;
@@ -103,7 +103,7 @@ static bool option_ray_read_plane(const struct reader *reader, const struct opti
     plane->kind = PLANE_AT;
     if (!quantity_read(text, option->dimension, option_unit(option), &plane->distance, NULL,
                        error)) {
-        option_ray_blame(option, text, error);
+        ray_blame(option, text, error);
         return error_hint(error, "paraxial, table, best, or a distance from the last vertex");
     }
     return !isinf(plane->distance) ||
@@ -150,7 +150,7 @@ const struct option_kind kind_pupil = {
 const struct option_kind kind_plane = {
     .name = "plane",
     .size = sizeof(struct plane_value),
-    .read = option_ray_read_plane,
+    .read = plane_value_read,
 };
 
 const struct option_kind kind_target = {

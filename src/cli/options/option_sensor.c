@@ -58,9 +58,8 @@ bool option_read_size(const struct option *option, struct text text, double side
     return true;
 }
 
-static bool option_sensor_read_size(const struct reader *reader, const struct option *option,
-                                    struct text text, struct sensor_value *sensor,
-                                    struct error *error)
+static bool sensor_size_read(const struct reader *reader, const struct option *option,
+                             struct text text, struct sensor_value *sensor, struct error *error)
 {
     double sides[2];
     bool has_unit;
@@ -108,7 +107,7 @@ static struct text without_size(struct text text)
 }
 
 /* "1/1.8", "2/3": fractions of an inch, as makers of cameras for machines write them. */
-static bool option_sensor_is_fraction(struct text text)
+static bool is_inch_fraction(struct text text)
 {
     struct text below = text;
     const struct text above = text_cut(&below, '/');
@@ -129,7 +128,7 @@ static struct text inches_of(struct text text)
     static const char *const ends[] = {"-type", " type", "\"", "\xe2\x80\xb3", "\xe2\x80\x9d", "''",
                                        "-inch", "inch",  "in"};
     struct text rest = text;
-    bool any = option_sensor_is_fraction(text);
+    bool any = is_inch_fraction(text);
     for (size_t i = 0; i < sizeof ends / sizeof ends[0]; i++) {
         size_t length = strlen(ends[i]);
         if (rest.length > length &&
@@ -190,7 +189,7 @@ static const struct {
 };
 
 /* The shape in words: "2.39:1", "16:9", "1.85". */
-static bool option_sensor_read_shape(struct text text, double *ratio)
+static bool gate_shape_read(struct text text, double *ratio)
 {
     struct error ignored;
     return text.length > 0 && char_is_digit(text.start[0]) &&
@@ -222,7 +221,7 @@ static bool is_crop_factor(struct text text)
            quantity_read(number, &dimension_number, NULL, &factor, NULL, &ignored) && factor < 10;
 }
 
-static bool option_sensor_refuse(const struct option *option, struct text text, struct error *error)
+static bool sensor_refuse(const struct option *option, struct text text, struct error *error)
 {
     double ratio;
     for (size_t i = 0; i < sizeof kinds / sizeof kinds[0]; i++) {
@@ -236,7 +235,7 @@ static bool option_sensor_refuse(const struct option *option, struct text text, 
              TYPED(option, text));
         return error_hint(error, "say which: 'aps-c', 'aps-c-canon', 'aps-h', '4/3' or a camera");
     }
-    if (option_sensor_read_shape(text, &ratio)) {
+    if (gate_shape_read(text, &ratio)) {
         fail(error, ERROR_USAGE, "%s '%.*s' is an aspect ratio without a size",
              TYPED(option, text));
         return error_hint(error, "name the gate: 'super35 %.*s'", text_shown(text), text.start);
@@ -259,7 +258,7 @@ static bool read_whole(const struct reader *reader, const struct option *option,
     if (error->code != ERROR_USAGE) {
         return false;
     }
-    if (option_sensor_read_size(reader, option, without_size(text), sensor, &own)) {
+    if (sensor_size_read(reader, option, without_size(text), sensor, &own)) {
         return true;
     }
     bool read =
@@ -284,7 +283,7 @@ static bool read_extraction(const struct reader *reader, const struct option *op
         at--;
     }
     struct text shape = {text.start + at, text.length - at};
-    if (at < 2 || !option_sensor_read_shape(shape, &ratio)) {
+    if (at < 2 || !gate_shape_read(shape, &ratio)) {
         return false;
     }
     struct text name = text_trim((struct text){text.start, at - 1});
@@ -299,8 +298,8 @@ static bool read_extraction(const struct reader *reader, const struct option *op
     return true;
 }
 
-static bool option_sensor_read_sensor(const struct reader *reader, const struct option *option,
-                                      struct text text, void *member, struct error *error)
+static bool sensor_value_read(const struct reader *reader, const struct option *option,
+                              struct text text, void *member, struct error *error)
 {
     struct sensor_value sensor = {0};
     bool begun;
@@ -311,15 +310,14 @@ static bool option_sensor_read_sensor(const struct reader *reader, const struct 
         *(struct sensor_value *)member = sensor;
         return true;
     }
-    return !begun && error->code == ERROR_USAGE &&
-           option_sensor_refuse(option, text_trim(text), error);
+    return !begun && error->code == ERROR_USAGE && sensor_refuse(option, text_trim(text), error);
 }
 
 const struct option_kind kind_sensor = {
     .name = "sensor",
     .size = sizeof(struct sensor_value),
     .is_list = true,
-    .read = option_sensor_read_sensor,
+    .read = sensor_value_read,
     OPTION_NAMED(struct sensor_value, name),
     .reads = READS_LENSDB,
     .nan_count = 3,

@@ -41,7 +41,7 @@ static const char *const known_endings[] = {".svg", ".png", ".pfm",  ".jpg",  ".
  * What the file shall hold: what the input asks for, else what its name says. Where only one thing
  * can be written any name will do that is not the name of something else.
  */
-static bool artifact_choose_type(struct artifact_job *job, struct arena *arena, struct error *error)
+static bool job_choose_type(struct artifact_job *job, struct arena *arena, struct error *error)
 {
     const struct artifact *artifact = job->artifact;
     file_types *types = artifact->option.types;
@@ -138,8 +138,8 @@ static const char *other_writer(const struct artifacts *artifacts,
 }
 
 /* A file that is there already, or is read, and two artifacts in one file. */
-static bool artifact_check_place(const struct artifacts *artifacts, const struct artifact_job *job,
-                                 const struct artifact_setting *setting, struct error *error)
+static bool job_check_place(const struct artifacts *artifacts, const struct artifact_job *job,
+                            const struct artifact_setting *setting, struct error *error)
 {
     for (size_t i = 0; i < job->files && job->path != NULL; i++) {
         const char *path = numbered(job, i, setting->arena);
@@ -200,7 +200,7 @@ static bool artifact_order(struct artifacts *artifacts, const struct artifact_se
     job.asking = setting->asking;
     job.is_forced = setting->common->force;
     job.run = setting->run;
-    if (!artifact_choose_type(&job, setting->arena, error)) {
+    if (!job_choose_type(&job, setting->arena, error)) {
         return false;
     }
     const bool gathers = artifact->gathers != NULL && job.type != NULL &&
@@ -219,7 +219,7 @@ static bool artifact_order(struct artifacts *artifacts, const struct artifact_se
                     job.files, job.artifact->option.name);
     }
     if ((artifact->check != NULL && !artifact->check(&job, error)) ||
-        !artifact_check_place(artifacts, &job, setting, error)) {
+        !job_check_place(artifacts, &job, setting, error)) {
         return false;
     }
     artifacts->jobs[artifacts->count++] = job;
