@@ -27,6 +27,16 @@ static void skip_prefix(struct quantity_parser *reading)
     }
 }
 
+/* Refuse what a double cannot hold, where the number was neither infinite nor 0. */
+static bool fits_double(struct quantity_parser *reading, const char *at, double value,
+                        bool was_infinite, bool was_zero)
+{
+    if (isinf(value) && !was_infinite) {
+        return quantity_wrong(reading, at, "the number is too large");
+    }
+    return value != 0 || was_zero || quantity_wrong(reading, at, "the number is too small");
+}
+
 static bool has_nonzero_digit(const char *at, const char *end)
 {
     for (; at < end && *at != 'e' && *at != 'E'; at++) {
@@ -52,13 +62,10 @@ static bool read_scaled(struct quantity_parser *reading, struct number_scale sca
         }
         return quantity_wrong(reading, reading->at, "no number here");
     }
-    /* refuse what a double cannot hold */
     const char *first = reading->at + (*reading->at == '-' || *reading->at == '+');
-    if (isinf(*value) && *first != 'i' && *first != 'I') {
-        return quantity_wrong(reading, reading->at, "the number is too large");
-    }
-    if (*value == 0 && has_nonzero_digit(reading->at, after)) {
-        return quantity_wrong(reading, reading->at, "the number is too small");
+    if (!fits_double(reading, reading->at, *value, *first == 'i' || *first == 'I',
+                     !has_nonzero_digit(reading->at, after))) {
+        return false;
     }
     reading->at = after;
     return true;
@@ -227,13 +234,7 @@ static bool quantity_divide(struct quantity_parser *reading, double *value)
     }
     const double numerator = *value;
     *value /= denominator;
-    if (isinf(*value) && !isinf(numerator)) {
-        return quantity_wrong(reading, slash, "the number is too large");
-    }
-    if (*value == 0 && numerator != 0) {
-        return quantity_wrong(reading, slash, "the number is too small");
-    }
-    return true;
+    return fits_double(reading, slash, *value, isinf(numerator), numerator == 0);
 }
 
 /* Inches behind feet: 5ft6in, 5'6". */
@@ -296,11 +297,8 @@ static bool read_with_unit(struct quantity_parser *reading, const char *from, do
         number_read(from, reading->end, unit->scale, value);
         *value *= unit->factor;
     }
-    if (isinf(*value) && !isinf(plain)) {
-        return quantity_wrong(reading, from, "the number is too large");
-    }
-    if (*value == 0 && plain != 0) {
-        return quantity_wrong(reading, from, "the number is too small");
+    if (!fits_double(reading, from, *value, isinf(plain), plain == 0)) {
+        return false;
     }
     *value += 0.0; /* -0 is 0 */
     return true;

@@ -84,11 +84,6 @@ static bool read_lens_of_row(const struct reader *reader, struct text name,
                              struct lens_value *value, struct error *error)
 {
     struct lens_cache *cache = reader->lenses;
-    const struct lens_value *known = known_lens(cache, name);
-    if (known != NULL) {
-        *value = *known;
-        return true;
-    }
     if (text_equal(name, "-")) {
         return fail(error, ERROR_USAGE, "a row cannot read its lens from standard input");
     }
@@ -166,11 +161,6 @@ static bool read_lens_of_list(const struct reader *reader, struct text name,
                               struct lens_value *value, struct error *error)
 {
     struct lens_cache *cache = reader->lenses;
-    const struct lens_value *known = known_lens(cache, name);
-    if (known != NULL) {
-        *value = *known;
-        return true;
-    }
     if (cache->count < MOST_KEPT || !is_lasting(name, reader->arena)) {
         if (!lens_value_find(reader, name, reader->arena, value, error)) {
             return false;
@@ -190,12 +180,17 @@ static bool read_lens(const struct reader *reader, const struct option *option, 
 {
     struct text name = text_trim(text);
     struct lens_cache *cache = reader->lenses;
-    if (cache != NULL && cache->arena != reader->arena) {
-        return read_lens_of_row(reader, name, member, error);
+    const bool is_of_row = cache != NULL && cache->arena != reader->arena;
+    if (!is_of_row && (!reader->recalls || (option->flags & OPTION_MANY) == 0)) {
+        return lens_value_find(reader, name, reader->arena, member, error);
     }
-    return reader->recalls && (option->flags & OPTION_MANY) != 0
-               ? read_lens_of_list(reader, name, member, error)
-               : lens_value_find(reader, name, reader->arena, member, error);
+    const struct lens_value *known = known_lens(cache, name);
+    if (known != NULL) {
+        *(struct lens_value *)member = *known;
+        return true;
+    }
+    return is_of_row ? read_lens_of_row(reader, name, member, error)
+                     : read_lens_of_list(reader, name, member, error);
 }
 
 static bool recall_lens(const struct reader *reader, void *member, struct error *error)

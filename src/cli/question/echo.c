@@ -199,14 +199,6 @@ void echo_settle(struct echo *echo, struct report *report)
     }
 }
 
-static const char *echo_words_of(const struct option *option, const void *member,
-                                 struct arena *arena)
-{
-    const struct option_kind *kind = option->kind;
-    const char *name = option_value_name(option, member);
-    return name == NULL && kind->words_of != NULL ? kind->words_of(option, member, arena) : name;
-}
-
 /* Of an equivalent focal length none: what it is for the sensor only the command knows. */
 static double echo_number_of(const struct echo_item *item, const void *member)
 {
@@ -221,6 +213,7 @@ static void echo_set_value(char *to, const struct echo_item *item, const void *i
 {
     const struct option *option = item->option;
     const void *member = (const char *)input + option->offset;
+    const char *words;
     if (item->is_equivalent) {
         *(double *)(void *)to = ((const struct focal_value *)member)->equivalent;
         return;
@@ -236,7 +229,11 @@ static void echo_set_value(char *to, const struct echo_item *item, const void *i
         *(bool *)to = *(const bool *)member;
         break;
     case COLUMN_TEXT:
-        *(const char **)(void *)to = item->has_value ? echo_words_of(option, member, arena) : NULL;
+        words = option_value_name(option, member);
+        if (words == NULL && option->kind->words_of != NULL) {
+            words = option->kind->words_of(option, member, arena);
+        }
+        *(const char **)(void *)to = item->has_value ? words : NULL;
         break;
     }
 }

@@ -109,6 +109,27 @@ static bool has_wanted(const struct idle *idle, const char *wants, char *words, 
     return false;
 }
 
+/* Is anything asked for that reads such data? */
+static bool reads_any(const struct idle *idle, unsigned data)
+{
+    const struct command *command = idle->arguments->command;
+    unsigned found = command->reads;
+    for (size_t i = 0; i < command->option_count; i++) {
+        const struct option *option = &command->options[i];
+        const bool counts = option->fallback != NULL || asking_given(idle->asking, option->name);
+        found |= counts ? option->kind->reads : 0;
+    }
+    return (found & data) != 0;
+}
+
+/* Common options that say how data are read. */
+static const struct {
+    const char *name, *what;
+    unsigned data;
+} readings[] = {{"lossy", "lens", READS_LENSES},
+                {"glass-numbers", "lens", READS_LENSES},
+                {"agf", "lens or glass", READS_GLASSES}};
+
 static bool check_option(const struct idle *idle, const struct option *option, struct error *error)
 {
     char words[120] = "";
@@ -132,33 +153,10 @@ static bool check_option(const struct idle *idle, const struct option *option, s
     if (option->wants != NULL && !has_wanted(idle, option->wants, words, sizeof words)) {
         return fail(error, ERROR_USAGE, "{--%s} needs %s", option->name, words);
     }
-    return option->serves == NULL || serves_any(idle, option) ||
-           fail(error, ERROR_USAGE, "{--%s} does nothing here: it is for {--coc} %s", option->name,
-                option->served);
-}
-
-/* Is anything asked for that reads such data? */
-static bool reads_any(const struct idle *idle, unsigned data)
-{
-    const struct command *command = idle->arguments->command;
-    unsigned found = command->reads;
-    for (size_t i = 0; i < command->option_count; i++) {
-        const struct option *option = &command->options[i];
-        const bool counts = option->fallback != NULL || asking_given(idle->asking, option->name);
-        found |= counts ? option->kind->reads : 0;
+    if (option->serves != NULL && !serves_any(idle, option)) {
+        return fail(error, ERROR_USAGE, "{--%s} does nothing here: it is for {--coc} %s",
+                    option->name, option->served);
     }
-    return (found & data) != 0;
-}
-
-/* Common options that say how data are read. */
-static bool check_reading(const struct idle *idle, const struct option *option, struct error *error)
-{
-    static const struct {
-        const char *name, *what;
-        unsigned data;
-    } readings[] = {{"lossy", "lens", READS_LENSES},
-                    {"glass-numbers", "lens", READS_LENSES},
-                    {"agf", "lens or glass", READS_GLASSES}};
     for (size_t i = 0; i < sizeof readings / sizeof readings[0]; i++) {
         if (strcmp(option->name, readings[i].name) == 0 && !reads_any(idle, readings[i].data)) {
             return fail(error, ERROR_USAGE, "{--%s} does nothing here: no %s is read", option->name,
@@ -174,8 +172,7 @@ bool idle_check(const struct sweep *sweep, const struct arguments *arguments,
     const struct idle idle = {sweep, arguments, asking, input};
     for (size_t i = 0; i < arguments->count; i++) {
         const struct option *option = arguments->all[i].option;
-        if (arguments->all[i].is_given &&
-            !(check_option(&idle, option, error) && check_reading(&idle, option, error))) {
+        if (arguments->all[i].is_given && !check_option(&idle, option, error)) {
             return false;
         }
     }
