@@ -7,7 +7,7 @@
 /* Where a name stands, or could; there is a free slot. */
 static size_t name_table_slot_of(const struct name_table *index, struct text name)
 {
-    /* fowler, Noll and Vo's, with 64 bits */
+    /* Fowler, Noll and Vo's, with 64 bits */
     uint64_t hash = 0xcbf29ce484222325;
     for (size_t i = 0; i < name.length; i++) {
         hash = (hash ^ (unsigned char)name.start[i]) * 0x100000001b3;

@@ -164,7 +164,7 @@ static bool radiance_read_head(struct radiance *file, struct error *error)
     if (!radiance_next_line(file, &line, error)) {
         return false;
     }
-    /* "-Y 480 +X 640": rows from the top of pixels from the left; "+X 640 -Y 480": columns. */
+    /* "-Y 480 +X 640": rows from the top of pixels from the left; "+X 640 -Y 480": columns */
     struct image *image = file->image;
     struct text rest = line;
     bool first = true, second = true;

@@ -81,8 +81,8 @@ static const char *find_row_end(const struct batch *batch, struct scan *scan)
     const size_t length = (size_t)(batch->end - batch->at);
     /* do quotes mean anything in the row that begins here? Not in comments, not in JSON */
     char first = batch->at < batch->end ? *batch->at : '\0';
-    if (!(batch->format != BATCH_JSONL && first != '#' &&
-          !(batch->format == BATCH_AUTO && first == '{'))) {
+    if (batch->format == BATCH_JSONL || first == '#' ||
+        (batch->format == BATCH_AUTO && first == '{')) {
         const char *from = batch->at + scan->offset;
         scan->offset = length;
         return from < batch->end ? memchr(from, '\n', (size_t)(batch->end - from)) : NULL;
