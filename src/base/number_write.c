@@ -292,15 +292,6 @@ static inline char *write_special(char *to, uint64_t bits, bool *done)
     return to + *done;
 }
 
-/* The C library's own for the ties that 128 bits do not settle. */
-static char *write_slowly(char *to, double x, int digits)
-{
-    char text[NUMBER_LENGTH];
-    int length = snprintf(text, sizeof text, "%.*g", digits, x);
-    memcpy(to, text, (size_t)length);
-    return to + length;
-}
-
 /*
  * Most numbers: FEW_DIGITS at most, and no exponent. Scaled to an integer below 10^8 by an exact
  * power of ten they are wrong by 2^-27 at most. Null if this is none of them, or too near to a tie
@@ -341,6 +332,26 @@ static inline char *write_few(char *to, double x, uint64_t bits, int digits)
     return to + (end > layout.least ? end : layout.least);
 }
 
+/* As round_to_digits, by the C library: ties that 128 bits do not settle. */
+static struct number_write_decimal round_slowly(double x, int digits)
+{
+    struct number_write_decimal decimal = {0, digits, 0};
+    char text[NUMBER_LENGTH];
+    snprintf(text, sizeof text, "%.*e", digits - 1, x);
+    const char *at = text;
+    for (; *at != 'e'; at++) {
+        if (*at >= '0' && *at <= '9') {
+            decimal.integer = 10 * decimal.integer + (uint64_t)(*at - '0');
+        }
+    }
+    const bool below = *++at == '-';
+    while (*++at != '\0') {
+        decimal.exponent = 10 * decimal.exponent + (*at - '0');
+    }
+    decimal.exponent = below ? -decimal.exponent : decimal.exponent;
+    return decimal;
+}
+
 /* Out of line, so that few digits need not make room for it. */
 __attribute__((noinline)) static char *write_many(char *to, double x, uint64_t bits, int digits)
 {
@@ -351,7 +362,7 @@ __attribute__((noinline)) static char *write_many(char *to, double x, uint64_t b
     }
     struct number_write_decimal decimal;
     if (!round_to_digits(parts_of(bits), digits, &decimal)) {
-        return write_slowly(to, x, digits);
+        decimal = round_slowly(x, digits);
     }
     return number_write_lay_out(at, decimal, digits);
 }
@@ -374,26 +385,6 @@ char *number_write_shortest(char *to, double x)
         return at;
     }
     return number_write_lay_out(at, with_length(find_shortest(parts_of(bits))), MOST_DIGITS);
-}
-
-/* As round_to_digits, by the C library. */
-static struct number_write_decimal round_slowly(double x, int digits)
-{
-    struct number_write_decimal decimal = {0, digits, 0};
-    char text[NUMBER_LENGTH];
-    snprintf(text, sizeof text, "%.*e", digits - 1, x);
-    const char *at = text;
-    for (; *at != 'e'; at++) {
-        if (*at >= '0' && *at <= '9') {
-            decimal.integer = 10 * decimal.integer + (uint64_t)(*at - '0');
-        }
-    }
-    const bool below = *++at == '-';
-    while (*++at != '\0') {
-        decimal.exponent = 10 * decimal.exponent + (*at - '0');
-    }
-    decimal.exponent = below ? -decimal.exponent : decimal.exponent;
-    return decimal;
 }
 
 char *number_write_plain(char *to, double x, int digits, bool padded)

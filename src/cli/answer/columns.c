@@ -207,41 +207,31 @@ int columns_print(const struct command *command, const struct common *common, st
     return 0;
 }
 
-/* The column that repeats the option of this letter or name; null where there is none. */
-static const char *repeating(const struct command *command, struct text name)
-{
-    const struct option *option;
-    for (size_t i = 0; (option = command_option(command, i)) != NULL; i++) {
-        bool letter = name.length == 1 && name.start[0] == option->letter;
-        if (option->column != NULL && (letter || text_same_name(name, text_of(option->name)))) {
-            return option->column;
-        }
-    }
-    return NULL;
-}
-
-/* Does a column that was added stand for a name that one of the command's own answers to? */
-static bool is_disputed(const struct sheet *sheet, struct text name, const char *column,
-                        struct arena *arena)
-{
-    const struct sheet own = report_own_columns(sheet);
-    struct shown shown;
-    struct error ignored;
-    return !has_column(&own, column, strlen(column)) &&
-           report_find_column(&own, name, arena, &shown, &ignored);
-}
-
 const char *columns_from_options(const struct command *command, const struct sheet *sheet,
                                  const char *names, const char *separators, struct arena *arena)
 {
     const char *all = names != NULL ? "" : NULL;
+    const struct sheet own = report_own_columns(sheet);
+    struct shown shown;
+    struct error ignored;
     while (names != NULL && *names != '\0') {
         size_t length = strcspn(names, separators);
         struct text name = text_trim((struct text){names, length});
         bool known = name.length == 0 || has_column(sheet, name.start, name.length);
-        const char *column = known ? NULL : repeating(command, name);
-        bool taken = column != NULL && has_column(sheet, column, strlen(column)) &&
-                     !is_disputed(sheet, name, column, arena);
+        /* the column that repeats the option of this letter or name */
+        const char *column = NULL;
+        const struct option *option;
+        for (size_t i = 0;
+             !known && column == NULL && (option = command_option(command, i)) != NULL; i++) {
+            bool letter = name.length == 1 && name.start[0] == option->letter;
+            bool is_meant = letter || text_same_name(name, text_of(option->name));
+            column = is_meant ? option->column : NULL;
+        }
+        bool taken = column != NULL && has_column(sheet, column, strlen(column));
+        if (taken && !has_column(&own, column, strlen(column))) {
+            /* it was added: a name that one of the command's own answers to means that */
+            taken = !report_find_column(&own, name, arena, &shown, &ignored);
+        }
         all = taken ? arena_printf(arena, "%s%s", all, column)
                     : arena_printf(arena, "%s%.*s", all, (int)length, names);
         names += length;

@@ -10,23 +10,12 @@
 static const char *const series_names[] = {"full", "third", "half"};
 enum { SERIES = 3 };
 
-struct series {
-    struct lensdb_stop *stops;
-    size_t count;
-};
-
-static bool nominal_load(struct lensdb *db, const struct dimension *dimension, const char *name,
-                         struct series *series, struct error *error)
-{
-    return lensdb_stops(db, dimension->series, name, &series->stops, &series->count, error);
-}
-
 /* The index of a label; count if it is none. */
-static size_t nominal_find(const struct series *series, double label)
+static size_t nominal_find(const struct lensdb_stop *stops, size_t count, double label)
 {
     size_t i = 0;
     /* labels are short decimals; a fraction such as 1/125 is read the same way on both sides */
-    while (i < series->count && !(fabs(series->stops[i].value - label) <= 1e-12 * label)) {
+    while (i < count && !(fabs(stops[i].value - label) <= 1e-12 * label)) {
         i++;
     }
     return i;
@@ -37,17 +26,18 @@ bool nominal_exact(struct lensdb *db, const struct dimension *dimension, double 
 {
     const struct lensdb_stop *below = NULL, *above = NULL; /* the next labels of all series */
     for (size_t i = 0; i < SERIES; i++) {
-        struct series series;
-        if (!nominal_load(db, dimension, series_names[i], &series, error)) {
+        struct lensdb_stop *stops;
+        size_t length;
+        if (!lensdb_stops(db, dimension->series, series_names[i], &stops, &length, error)) {
             return false;
         }
-        size_t found = nominal_find(&series, label);
-        if (found < series.count) {
-            *exact = series.stops[found].exact;
+        size_t found = nominal_find(stops, length, label);
+        if (found < length) {
+            *exact = stops[found].exact;
             return true;
         }
-        for (size_t k = 0; k < series.count; k++) {
-            const struct lensdb_stop *stop = &series.stops[k];
+        for (size_t k = 0; k < length; k++) {
+            const struct lensdb_stop *stop = &stops[k];
             if (stop->value < label && (below == NULL || stop->value > below->value)) {
                 below = stop;
             }
@@ -72,19 +62,21 @@ bool nominal_between(struct lensdb *db, const struct dimension *dimension, const
     *count = 0;
     error->code = ERROR_NONE;
     for (size_t i = 0; i < SERIES; i++) {
-        struct series series;
+        struct lensdb_stop *stops;
+        size_t length;
         if (name != NULL && strcmp(name, series_names[i]) != 0) {
             continue;
         }
-        if (!nominal_load(db, dimension, series_names[i], &series, error)) {
+        if (!lensdb_stops(db, dimension->series, series_names[i], &stops, &length, error)) {
             return false;
         }
-        size_t from = nominal_find(&series, ends[0]), to = nominal_find(&series, ends[1]);
-        if (from < series.count && to < series.count) {
+        size_t from = nominal_find(stops, length, ends[0]),
+               to = nominal_find(stops, length, ends[1]);
+        if (from < length && to < length) {
             *count = (from < to ? to - from : from - to) + 1;
             *values = ARENA_ARRAY(db->arena, *count, double);
             for (size_t k = 0; k < *count; k++) {
-                const struct lensdb_stop *stop = &series.stops[from < to ? from + k : from - k];
+                const struct lensdb_stop *stop = &stops[from < to ? from + k : from - k];
                 (*values)[k] = exact ? stop->exact : stop->value;
             }
             return true;
