@@ -336,16 +336,9 @@ static void prepare_plain(struct batch *batch)
     }
     struct batch_plain *plain = ARENA_ARRAY(batch->arena, count, struct batch_plain);
     for (size_t i = 0; i < count; i++) {
-        const struct batch_column *column = &batch->columns[i];
-        plain[i] = (struct batch_plain){.scale = column->scale,
-                                        .factor = column->factor,
-                                        .lowest = column->lowest,
-                                        .highest = column->highest,
-                                        .offset = column->offset,
-                                        .is_coc = column->is_coc,
-                                        .is_focal = column->is_focal,
-                                        .behind = i + 1 < count ? batch->separator : '\n'};
-        if (!column->is_plain || !batch_set_factors(&plain[i])) {
+        plain[i] = batch->columns[i].plain;
+        plain[i].behind = i + 1 < count ? batch->separator : '\n';
+        if (!batch->columns[i].is_plain || !batch_set_factors(&plain[i])) {
             return;
         }
     }

@@ -7,6 +7,16 @@
 #include "cli/question/arguments.h"
 #include "report/report.h"
 
+/* What reading a bare number of a column takes, ready for use. */
+struct batch_plain {
+    double up, down[NUMBER_SHORT_DIGITS + 1]; /* a short number is mantissa x up / down[decimals] */
+    struct number_scale scale;                /* of a longer number */
+    double factor, lowest, highest;           /* between these it is legal without a closer look */
+    size_t offset;                            /* of the value in the input */
+    bool is_coc, is_focal;
+    char behind; /* what ends the cell */
+};
+
 /* What to do with a column of the file. */
 struct batch_column {
     const struct option *option;   /* null: handed through, or passed over */
@@ -14,17 +24,13 @@ struct batch_column {
     struct text typed_unit;        /* that end */
     size_t place;                  /* in the header line, 1-based */
     struct option as_read;         /* the option with the unit of the header */
-    struct number_scale scale;     /* of a bare number */
-    double factor;
-    double lowest, highest; /* a bare number between these is legal without a closer look */
-    size_t offset;
-    bool is_plain; /* a number that needs no lensdb, no prefix */
-    bool is_coc, is_focal;
-    bool is_ignored;      /* neither input nor handed through */
-    bool is_infinite;     /* a JSON companion: true makes the option infinite */
-    bool is_late;         /* in JSON: the first object does not have it */
-    struct text name;     /* as in the file */
-    const char *tag;      /* the tag of photographs that it is; null: it is none */
+    struct batch_plain plain;      /* but for what prepare_plain finds */
+    bool is_plain;                 /* a number that needs no lensdb, no prefix */
+    bool is_ignored;               /* neither input nor handed through */
+    bool is_infinite;              /* a JSON companion: true makes the option infinite */
+    bool is_late;                  /* in JSON: the first object does not have it */
+    struct text name;              /* as in the file */
+    const char *tag;               /* the tag of photographs that it is; null: it is none */
     bool is_copy;         /* of a tag, by the camera's maker or another standard than Exif */
     bool zero_is_unknown; /* of a tag: 0 is no value */
     bool is_shared;       /* another column may have a value for the same option */
@@ -33,16 +39,6 @@ struct batch_column {
     long filled;          /* the row in which it had a value last; 0 = none */
     long row;             /* in JSON: the object in which it was seen last */
     size_t passed;        /* index among the columns handed through */
-};
-
-/* What reading a bare number of a column takes, ready for use. */
-struct batch_plain {
-    double up, down[NUMBER_SHORT_DIGITS + 1]; /* a short number is mantissa x up / down[decimals] */
-    struct number_scale scale;                /* of a longer number */
-    double factor, lowest, highest;
-    size_t offset; /* of the value in the input */
-    bool is_coc, is_focal;
-    char behind; /* what ends the cell */
 };
 
 /* How fractions are written in a file whose cells are separated by ';'. */

@@ -100,22 +100,23 @@ static bool header_wrong_unit(const struct batch_column *column, struct error *e
 static void set_scale(struct batch_column *column, const struct reader *reader)
 {
     const struct unit *unit = option_unit(&column->as_read);
-    column->scale = unit != NULL ? unit->scale : NUMBER_UNSCALED;
-    column->factor = unit != NULL ? unit->factor : 1;
+    struct batch_plain *plain = &column->plain;
+    plain->scale = unit != NULL ? unit->scale : NUMBER_UNSCALED;
+    plain->factor = unit != NULL ? unit->factor : 1;
     bool limited = column->option->lowest != 0 || column->option->highest != 0;
-    column->lowest = limited ? column->option->lowest : -INFINITY;
-    column->highest = limited ? column->option->highest : INFINITY;
+    plain->lowest = limited ? column->option->lowest : -INFINITY;
+    plain->highest = limited ? column->option->highest : INFINITY;
     if (column->option->unusual != NULL) {
         /* the short way leaves what is doubted to the long one */
-        column->lowest = fmax(column->lowest, column->option->usual[0]);
-        column->highest = fmin(column->highest, column->option->usual[1]);
+        plain->lowest = fmax(plain->lowest, column->option->usual[0]);
+        plain->highest = fmin(plain->highest, column->option->usual[1]);
     }
-    column->offset = column->option->offset;
-    column->is_coc = column->option->kind == &kind_coc;
+    plain->offset = column->option->offset;
+    plain->is_coc = column->option->kind == &kind_coc;
     bool labels = reader->nominal && option_has_series(column->option);
-    column->is_focal = column->option->kind == &kind_focal;
-    column->is_plain = (column->option->kind == &kind_quantity && !labels) || column->is_coc ||
-                       (column->is_focal && !unit_is_equivalent(unit));
+    plain->is_focal = column->option->kind == &kind_focal;
+    column->is_plain = (column->option->kind == &kind_quantity && !labels) || plain->is_coc ||
+                       (plain->is_focal && !unit_is_equivalent(unit));
 }
 
 static bool header_column(const struct batch *batch, struct text name, struct batch_column *column,
