@@ -183,24 +183,19 @@ struct arena_mark arena_mark(const struct arena *arena)
     return (struct arena_mark){arena->block, arena->block == NULL ? 0 : arena->block->used};
 }
 
-static void give_up(struct arena *arena, struct arena_block *block)
-{
-    const bool is_own = arena->within == NULL;
-    if (is_own && (block->size > most_spare || arena->spare_size > most_spare - block->size)) {
-        free(block);
-        return;
-    }
-    block->previous = arena->spare;
-    arena->spare = block;
-    arena->spare_size += block->size;
-}
-
 void arena_reset(struct arena *arena, struct arena_mark mark)
 {
     while (arena->block != mark.block) {
         struct arena_block *given = arena->block;
         arena->block = given->previous;
-        give_up(arena, given);
+        if (arena->within == NULL &&
+            (given->size > most_spare || arena->spare_size > most_spare - given->size)) {
+            free(given);
+            continue;
+        }
+        given->previous = arena->spare;
+        arena->spare = given;
+        arena->spare_size += given->size;
     }
     if (arena->block != NULL) {
         arena->block->used = mark.used;

@@ -25,23 +25,18 @@ static double distribution_density(double z)
     return exponential(-z * z / 2) / ROOT_OF_2_PI;
 }
 
-/* The share of the normal distribution from -z to z: terms of one sign, so nothing cancels. */
-static double distribution_share_within(double z)
-{
-    double term = z, sum = z;
-    for (int n = 3; term > sum * 1e-18; n += 2) {
-        term *= z * z / n;
-        sum += term;
-    }
-    return 2 * distribution_density(z) * sum;
-}
-
 struct spread spread_of(enum distribution distribution, double sigmas)
 {
     struct spread spread = {distribution, sigmas, 1};
     if (distribution == DISTRIBUTION_TRUNCATED) {
         assert(sigmas >= DISTRIBUTION_SIGMAS_LEAST && sigmas <= DISTRIBUTION_SIGMAS_MOST);
-        spread.within = distribution_share_within(sigmas);
+        /* the share of the normal distribution within: terms of one sign, so nothing cancels */
+        double term = sigmas, sum = sigmas;
+        for (int n = 3; term > sum * 1e-18; n += 2) {
+            term *= sigmas * sigmas / n;
+            sum += term;
+        }
+        spread.within = 2 * distribution_density(sigmas) * sum;
     }
     return spread;
 }

@@ -16,9 +16,12 @@ static bool is_of_name(char c)
            c == '-' || c == '%';
 }
 
-/* The format with marks in place of the braces around names. */
-static void mark_names(char marked[LONGEST_FORMAT], const char *format)
+/* One printed text of an error, and the quantities in it. */
+static void compose(char *text, size_t size, struct mentions *mentions, const char *format,
+                    va_list arguments)
 {
+    char marked[LONGEST_FORMAT], whole[LONGEST_FORMAT];
+    /* the format with marks in place of the braces around names */
     char *open = NULL;
     size_t i = 0;
     for (; format[i] != '\0' && i + 1 < LONGEST_FORMAT; i++) {
@@ -34,20 +37,18 @@ static void mark_names(char marked[LONGEST_FORMAT], const char *format)
         }
     }
     marked[i] = '\0';
-}
-
-/* Take the marks out of the text, noting what stood between them. */
-static void error_collect(char *text, struct mentions *mentions)
-{
-    char *to = text, *open = NULL;
+    vsnprintf(whole, sizeof whole, marked, arguments);
+    /* take the marks out of the text, noting what stood between them */
+    char *to = whole;
+    open = NULL;
     mentions->count = 0;
-    for (const char *from = text; *from != '\0'; from++) {
+    for (const char *from = whole; *from != '\0'; from++) {
         if (*from == OPENS) {
             open = to;
         } else if (*from == CLOSES) {
             if (open != NULL && mentions->count < ERROR_MENTIONS) {
                 mentions->all[mentions->count++] =
-                    (struct mention){(short)(open - text), (short)(to - open)};
+                    (struct mention){(short)(open - whole), (short)(to - open)};
             }
             open = NULL;
         } else {
@@ -55,16 +56,6 @@ static void error_collect(char *text, struct mentions *mentions)
         }
     }
     *to = '\0';
-}
-
-/* One printed text of an error, and the quantities in it. */
-static void compose(char *text, size_t size, struct mentions *mentions, const char *format,
-                    va_list arguments)
-{
-    char marked[LONGEST_FORMAT], whole[LONGEST_FORMAT];
-    mark_names(marked, format);
-    vsnprintf(whole, sizeof whole, marked, arguments);
-    error_collect(whole, mentions);
     text_make_printable(whole, "");
     size_t length = strlen(whole);
     if (length >= size) {
@@ -201,13 +192,6 @@ bool error_prefix(struct error *error, const char *format, ...)
     return false;
 }
 
-/* The name without the article that a sentence may want before it. */
-static struct text without_article(struct text name)
-{
-    bool has_article = name.length > 4 && memcmp(name.start, "the ", 4) == 0;
-    return has_article ? (struct text){name.start + 4, name.length - 4} : name;
-}
-
 /* Does the text begin with a blank and a value? */
 static bool is_value(const char *text)
 {
@@ -229,7 +213,10 @@ static void rename_in(char *text, size_t size, struct mentions *mentions,
             continue; /* cut off */
         }
         struct text words = {text + name.at, (size_t)name.length};
-        const char *instead = name_of(context, without_article(words), !is_value(text + behind));
+        /* the name without the article that a sentence may want before it */
+        const struct text bare = text_behind(words, "the ");
+        const char *instead =
+            name_of(context, bare.start != NULL ? bare : words, !is_value(text + behind));
         if (instead != NULL) {
             snprintf(rest, sizeof rest, "%s", text + behind);
             snprintf(text + name.at, size - (size_t)name.at, "%s%s", instead, rest);

@@ -26,26 +26,22 @@ size_t fft_length_from(size_t length)
     return length;
 }
 
-/* Of `left` numbers, `length` parts of `radix`: exp(-2 pi i p k/left), k from 1. */
-static struct fft_pass pass_of(size_t radix, size_t left, struct arena *arena)
-{
-    const size_t length = left / radix, count = length * (radix - 1);
-    double *cosine = ARENA_ARRAY(arena, count, double), *sine = ARENA_ARRAY(arena, count, double);
-    for (size_t i = 0; i < count; i++) {
-        const size_t p = i / (radix - 1), k = i % (radix - 1) + 1;
-        turns_of_ratio(p * k, left, &cosine[i], &sine[i]);
-        sine[i] = -sine[i];
-    }
-    return (struct fft_pass){radix, length, cosine, sine};
-}
-
 struct fft fft_open(size_t length, struct arena *arena)
 {
     struct fft fft = {.length = length};
     size_t left = length;
     for (size_t i = 0; i < RADICES; i++) {
         for (; left % radices[i] == 0; left /= radices[i]) {
-            fft.passes[fft.count++] = pass_of(radices[i], left, arena);
+            /* of `left` numbers, `part` parts of a radix: exp(-2 pi i p k/left), k from 1 */
+            const size_t part = left / radices[i], count = part * (radices[i] - 1);
+            double *cosine = ARENA_ARRAY(arena, count, double),
+                   *sine = ARENA_ARRAY(arena, count, double);
+            for (size_t j = 0; j < count; j++) {
+                const size_t p = j / (radices[i] - 1), k = j % (radices[i] - 1) + 1;
+                turns_of_ratio(p * k, left, &cosine[j], &sine[j]);
+                sine[j] = -sine[j];
+            }
+            fft.passes[fft.count++] = (struct fft_pass){radices[i], part, cosine, sine};
         }
     }
     return fft;

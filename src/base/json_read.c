@@ -107,22 +107,16 @@ static bool read_escape(struct json *json, char **to)
     return true;
 }
 
-/* Where a string ends whose first quote was taken: at the next one that is not escaped. */
-static const char *string_end(const struct json *json)
-{
-    const char *at = json->at;
-    while (at < json->end && *at != '"') {
-        at += *at == '\\' && at + 1 < json->end ? 2 : 1;
-    }
-    return at;
-}
-
 bool json_string(struct json *json, struct text *text)
 {
     if (!json_take(json, '"')) {
         return json_fail(json, "expected a quoted string here");
     }
-    const char *end = string_end(json);
+    /* where a string ends whose first quote was taken: at the next one that is not escaped */
+    const char *end = json->at;
+    while (end < json->end && *end != '"') {
+        end += *end == '\\' && end + 1 < json->end ? 2 : 1;
+    }
     char *content = arena_array(json->arena, (size_t)(end - json->at) + 1, 1), *to = content;
     while (json->at < end) {
         char c = *json->at++;
@@ -149,7 +143,7 @@ static const char *skip_digits(const char *at, const char *end)
 }
 
 /* A number as JSON writes it: no +, no 0 before other digits, digits on both sides of a point. */
-static bool json_read_is_number(struct text text)
+static bool is_json_number(struct text text)
 {
     const char *const end = text.start + text.length;
     const char *digits = text.start + (text.length > 0 && *text.start == '-');
@@ -169,12 +163,6 @@ static bool json_read_is_number(struct text text)
     return good && at == end;
 }
 
-static bool is_bare_value(struct text text)
-{
-    return text_equal(text, "null") || text_equal(text, "true") || text_equal(text, "false") ||
-           json_read_is_number(text);
-}
-
 bool json_scalar(struct json *json, struct json_value *value)
 {
     json_skip_blanks(json);
@@ -192,7 +180,8 @@ bool json_scalar(struct json *json, struct json_value *value)
     if (value->text.length == 0) {
         return json_fail(json, "a value is missing");
     }
-    if (!is_bare_value(value->text)) {
+    if (!(text_equal(value->text, "null") || text_equal(value->text, "true") ||
+          text_equal(value->text, "false") || is_json_number(value->text))) {
         json->at = from;
         return json_fail(json, strchr("+-.0123456789", *from) != NULL
                                    ? "this is not a number as JSON writes it"
@@ -201,12 +190,20 @@ bool json_scalar(struct json *json, struct json_value *value)
     return true;
 }
 
-static bool json_read_value(struct json *json, int depth, struct json_value *value);
-
-/* What stands between the brackets. */
-static bool json_read_items(struct json *json, int depth, struct json_value *value)
+static bool json_read_value(struct json *json, int depth, struct json_value *value)
 {
-    bool object = value->kind == JSON_OBJECT;
+    json_skip_blanks(json);
+    const char *at = json->at;
+    bool object = json_take(json, '{');
+    if (!object && !json_take(json, '[')) {
+        return json_scalar(json, value);
+    }
+    if (depth >= DEEPEST) {
+        return json_fail(json, "values nested more than 32 deep");
+    }
+    *value = (struct json_value){object ? JSON_OBJECT : JSON_ARRAY,
+                                 .at = (size_t)(at - json->text.start) + 1};
+    /* what stands between the brackets */
     char closing = object ? '}' : ']';
     struct json_value **next = &value->first;
     if (json_take(json, closing)) {
@@ -231,22 +228,6 @@ static bool json_read_items(struct json *json, int depth, struct json_value *val
     } while (json_take(json, ','));
     return json_take(json, closing) ||
            json_fail(json, object ? "expected ',' or '}' here" : "expected ',' or ']' here");
-}
-
-static bool json_read_value(struct json *json, int depth, struct json_value *value)
-{
-    json_skip_blanks(json);
-    const char *at = json->at;
-    bool object = json_take(json, '{');
-    if (!object && !json_take(json, '[')) {
-        return json_scalar(json, value);
-    }
-    if (depth >= DEEPEST) {
-        return json_fail(json, "values nested more than 32 deep");
-    }
-    *value = (struct json_value){object ? JSON_OBJECT : JSON_ARRAY,
-                                 .at = (size_t)(at - json->text.start) + 1};
-    return json_read_items(json, depth, value);
 }
 
 bool json_tree(struct json *json, struct json_value *value)

@@ -29,22 +29,13 @@ static double column_length(const struct linear_factors *all, size_t column, siz
     return largest * sqrt(sum);
 }
 
-static void scale_columns(struct linear_factors *all)
-{
-    for (size_t j = 0; j < all->columns; j++) {
-        double length = column_length(all, j, 0);
-        all->scale[j] = length > 0 ? length : 1;
-        all->order[j] = j;
-        for (size_t i = 0; i < all->rows; i++) {
-            all->a[i * all->columns + j] /= all->scale[j];
-        }
-    }
-}
-
-/* Lengths of columns from k on, of what is below and at row k; row by row, as memory has them. */
-static void column_lengths(const struct linear_factors *all, size_t k)
+/* Bring the column of which most is left to place k; returns that rest. */
+static double pivot(struct linear_factors *all, size_t k)
 {
     const size_t n = all->columns;
+    size_t best = k;
+    double longest = -1;
+    /* lengths of columns, of what is below and at row k; row by row, as memory has them */
     double *lengths = all->spare;
     for (size_t j = k; j < n; j++) {
         lengths[j] = 0;
@@ -59,17 +50,9 @@ static void column_lengths(const struct linear_factors *all, size_t k)
         const bool plain = lengths[j] > 1e-200 && lengths[j] < 1e200;
         lengths[j] = plain ? sqrt(lengths[j]) : column_length(all, j, k);
     }
-}
-
-/* Bring the column of which most is left to place k; returns that rest. */
-static double pivot(struct linear_factors *all, size_t k)
-{
-    size_t n = all->columns, best = k;
-    double longest = -1;
-    column_lengths(all, k);
     for (size_t j = k; j < n; j++) {
-        if (all->spare[j] > longest) {
-            longest = all->spare[j];
+        if (lengths[j] > longest) {
+            longest = lengths[j];
             best = j;
         }
     }
@@ -82,23 +65,6 @@ static double pivot(struct linear_factors *all, size_t k)
     all->order[k] = all->order[best];
     all->order[best] = kept;
     return longest;
-}
-
-/*
- * x -= v (v^T x) / v0, where v is reflection k, its head apart, its tail below R, scaled so that
- * |v|^2 = 2 v0
- */
-static void reflect(const struct linear_factors *all, size_t k, double *x)
-{
-    double product = all->reflector[k] * x[k];
-    for (size_t i = k + 1; i < all->rows; i++) {
-        product += all->a[i * all->columns + k] * x[i];
-    }
-    const double factor = product / all->reflector[k];
-    x[k] -= factor * all->reflector[k];
-    for (size_t i = k + 1; i < all->rows; i++) {
-        x[i] -= factor * all->a[i * all->columns + k];
-    }
 }
 
 /* The same of all columns behind k, row by row. */
@@ -129,20 +95,6 @@ static void reflect_rows(struct linear_factors *all, size_t k)
     }
 }
 
-/* Make the reflection that turns column k into (r, 0 ..), and apply it to those behind. */
-static void eliminate(struct linear_factors *all, size_t k, double length)
-{
-    size_t n = all->columns;
-    double head = all->a[k * n + k];
-    double r = head > 0 ? -length : length;
-    for (size_t i = k; i < all->rows; i++) {
-        all->a[i * n + k] /= -r;
-    }
-    all->reflector[k] = all->a[k * n + k] + 1;
-    all->a[k * n + k] = r;
-    reflect_rows(all, k);
-}
-
 struct linear_factors linear_factor(double *a, size_t rows, size_t columns, double tolerance,
                                     struct arena *arena)
 {
@@ -151,13 +103,28 @@ struct linear_factors linear_factor(double *a, size_t rows, size_t columns, doub
     all.scale = ARENA_ARRAY(arena, columns, double);
     all.order = ARENA_ARRAY(arena, columns, size_t);
     all.spare = ARENA_ARRAY(arena, columns, double);
-    scale_columns(&all);
+    for (size_t j = 0; j < columns; j++) {
+        const double length = column_length(&all, j, 0);
+        all.scale[j] = length > 0 ? length : 1;
+        all.order[j] = j;
+        for (size_t i = 0; i < rows; i++) {
+            a[i * columns + j] /= all.scale[j];
+        }
+    }
     for (size_t k = 0; k < columns && k < rows; k++) {
         double length = pivot(&all, k);
         if (!(length > tolerance)) {
             break;
         }
-        eliminate(&all, k, length);
+        /* make the reflection that turns column k into (r, 0 ..), and apply it to those behind */
+        double *const head = a + k * columns + k;
+        const double r = *head > 0 ? -length : length;
+        for (size_t i = k; i < rows; i++) {
+            a[i * columns + k] /= -r;
+        }
+        all.reflector[k] = *head + 1;
+        *head = r;
+        reflect_rows(&all, k);
         all.rank = k + 1;
     }
     return all;
@@ -166,7 +133,19 @@ struct linear_factors linear_factor(double *a, size_t rows, size_t columns, doub
 void linear_reflect(const struct linear_factors *factors, double *b)
 {
     for (size_t k = 0; k < factors->rank; k++) {
-        reflect(factors, k, b);
+        /*
+         * b -= v (v^T b) / v0, where v is reflection k, its head apart, its tail below R, scaled so
+         * that |v|^2 = 2 v0
+         */
+        double product = factors->reflector[k] * b[k];
+        for (size_t i = k + 1; i < factors->rows; i++) {
+            product += factors->a[i * factors->columns + k] * b[i];
+        }
+        const double factor = product / factors->reflector[k];
+        b[k] -= factor * factors->reflector[k];
+        for (size_t i = k + 1; i < factors->rows; i++) {
+            b[i] -= factor * factors->a[i * factors->columns + k];
+        }
     }
 }
 

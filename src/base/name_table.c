@@ -4,20 +4,15 @@
 
 #include <stdint.h>
 
-/* Fowler, Noll and Vo's, with 64 bits. */
-static uint64_t name_table_hash_of(struct text name)
+/* Where a name stands, or could; there is a free slot. */
+static size_t name_table_slot_of(const struct name_table *index, struct text name)
 {
+    /* Fowler, Noll and Vo's, with 64 bits */
     uint64_t hash = 0xcbf29ce484222325;
     for (size_t i = 0; i < name.length; i++) {
         hash = (hash ^ (unsigned char)name.start[i]) * 0x100000001b3;
     }
-    return hash ^ hash >> 32;
-}
-
-/* Where a name stands, or could; there is a free slot. */
-static size_t name_table_slot_of(const struct name_table *index, struct text name)
-{
-    size_t slot = (size_t)name_table_hash_of(name) & (index->slot_count - 1);
+    size_t slot = (size_t)(hash ^ hash >> 32) & (index->slot_count - 1);
     while (index->slots[slot] != 0 && !text_identical(index->names[index->slots[slot] - 1], name)) {
         slot = (slot + 1) & (index->slot_count - 1);
     }

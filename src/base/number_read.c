@@ -39,16 +39,11 @@ static const double divisors[] = {
     1e7,  1e6,  1e5,  1e4,  1e3,  1e2,  1e1,  1,    1,    1,    1,    1,    1,    1,   1,
     1,    1,    1,    1,    1,    1,    1,    1,    1,    1,    1,    1,    1,    1,   1};
 
-static inline bool number_read_is_digit(char c)
-{
-    return (unsigned char)(c - '0') < 10;
-}
-
 /* Append digits to the mantissa, modulo 2^64. */
 static inline const char *read_digits(const char *at, const char *end, uint64_t *mantissa)
 {
     uint64_t all = *mantissa;
-    for (; at < end && number_read_is_digit(*at); at++) {
+    for (; at < end && char_is_digit(*at); at++) {
         all = all * 10 + (uint64_t)(*at - '0');
     }
     *mantissa = all;
@@ -64,12 +59,12 @@ static const char *read_exponent(const char *at, const char *end, ptrdiff_t *exp
     if (digit < end && (*digit == '-' || *digit == '+')) {
         digit++;
     }
-    if (digit == end || !number_read_is_digit(*digit)) {
+    if (digit == end || !char_is_digit(*digit)) {
         return at;
     }
 
     ptrdiff_t typed = 0;
-    for (; digit < end && number_read_is_digit(*digit); digit++) {
+    for (; digit < end && char_is_digit(*digit); digit++) {
         typed = typed < enough ? typed * 10 + (*digit - '0') : typed;
     }
     *exponent += negative ? -typed : typed;
@@ -85,31 +80,6 @@ static const char *number_read_infinity(const char *at, const char *end, bool ne
     }
     *value = negative ? -INFINITY : INFINITY;
     return at + 3;
-}
-
-static void skip_leading_zeros(struct number_read_decimal *decimal)
-{
-    const char *at = decimal->first;
-    while (at < decimal->end && (*at == '0' || *at == '.')) {
-        at++;
-    }
-    bool point_ahead = at <= decimal->point && decimal->point < decimal->end;
-    decimal->first = at;
-    decimal->count = decimal->end - at - point_ahead;
-}
-
-/* The first WORD_DIGITS digits, of at least so many. */
-static uint64_t leading_digits(const struct number_read_decimal *decimal)
-{
-    uint64_t digits = 0;
-    const char *at = decimal->first;
-    for (int count = 0; count < WORD_DIGITS; at++) {
-        if (at != decimal->point) {
-            digits = digits * 10 + (uint64_t)(*at - '0');
-            count++;
-        }
-    }
-    return digits;
 }
 
 /*
@@ -215,20 +185,17 @@ static int multiply_digits(struct number_read_decimal *decimal, unsigned multipl
     return KEPT_DIGITS + 1;
 }
 
-/* The case that is always right: multiply in decimal, then leave the rounding to strtod. */
-static double read_long(struct number_read_decimal decimal, unsigned multiplier)
-{
-    char text[KEPT_DIGITS + 32];
-    int count = multiply_digits(&decimal, multiplier, text);
-    snprintf(text + count, sizeof text - (size_t)count, "e%td", decimal.exponent);
-    return strtod(text, NULL);
-}
-
 /* All that is not small enough for one exact operation. */
 static double read_hard(struct number_read_decimal decimal, unsigned multiplier)
 {
     const bool counted = decimal.count <= WORD_DIGITS;
-    skip_leading_zeros(&decimal);
+    const char *at = decimal.first;
+    while (at < decimal.end && (*at == '0' || *at == '.')) {
+        at++;
+    }
+    bool point_ahead = at <= decimal.point && decimal.point < decimal.end;
+    decimal.first = at;
+    decimal.count = decimal.end - at - point_ahead;
     if (decimal.count == 0) {
         return 0;
     }
@@ -248,13 +215,25 @@ static double read_hard(struct number_read_decimal decimal, unsigned multiplier)
     }
     uint64_t mantissa = decimal.mantissa;
     if (!counted && left_out > 0) {
-        mantissa = leading_digits(&decimal);
+        /* the first WORD_DIGITS digits, of at least so many */
+        mantissa = 0;
+        at = decimal.first;
+        for (int used = 0; used < WORD_DIGITS; at++) {
+            if (at != decimal.point) {
+                mantissa = mantissa * 10 + (uint64_t)(*at - '0');
+                used++;
+            }
+        }
     }
     double value;
     if (read_wide(mantissa, left_out > 0, multiplier, (int)(decimal.exponent + left_out), &value)) {
         return value;
     }
-    return read_long(decimal, multiplier);
+    /* the case that is always right: multiply in decimal, then leave the rounding to strtod */
+    char text[KEPT_DIGITS + 32];
+    int count = multiply_digits(&decimal, multiplier, text);
+    snprintf(text + count, sizeof text - (size_t)count, "e%td", decimal.exponent);
+    return strtod(text, NULL);
 }
 
 /* An integer up to 2^53 and a power of ten up to 10^22 are doubles: one operation, one rounding. */

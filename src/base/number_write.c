@@ -138,19 +138,6 @@ static inline void store_with_point(char *to, const struct characters *digits, i
     to[whole] = '.';
 }
 
-static char *write_exponent(char *to, int exponent)
-{
-    *to++ = 'e';
-    *to++ = exponent < 0 ? '-' : '+';
-    const unsigned size = (unsigned)(exponent < 0 ? -exponent : exponent);
-    if (size >= 100) {
-        *to++ = (char)('0' + size / 100);
-    }
-    *to++ = (char)('0' + size / 10 % 10);
-    *to++ = (char)('0' + size % 10);
-    return to;
-}
-
 /* As %g does: fixed from 1e-4 to below 10^precision, no zeros at the end. */
 static inline char *number_write_lay_out(char *to, struct number_write_decimal decimal,
                                          int precision)
@@ -172,22 +159,16 @@ static inline char *number_write_lay_out(char *to, struct number_write_decimal d
         return to + digits.count;
     }
     store_with_point(to, &digits, 1);
-    return write_exponent(to + digits.count + (digits.count > 1), exponent);
-}
-
-/*
- * floor(log10(factor x 2^(log2 - 63))), top bit of the factor set: that of the power of two, or one
- * more from the next power of ten on, if that lies in the same octave. No branch: it would be a
- * coin toss.
- */
-static inline int decimal_exponent(uint64_t factor, int log2)
-{
-    const int below = number_log10_of_power2(log2);
-    const uint64_t next = number_powers[below + 1 - NUMBER_POWER_MIN].high;
-    const int same_octave = number_log2_of_power10(below + 1) == log2;
-    /* a power that is not exact lies above its first 64 bits, which have more than 53 that count */
-    const int reached = (factor > next) | ((factor == next) & number_power_is_exact(below + 1));
-    return below + (same_octave & reached);
+    to += digits.count + (digits.count > 1);
+    *to++ = 'e';
+    *to++ = exponent < 0 ? '-' : '+';
+    const unsigned size = (unsigned)(exponent < 0 ? -exponent : exponent);
+    if (size >= 100) {
+        *to++ = (char)('0' + size / 100);
+    }
+    *to++ = (char)('0' + size / 10 % 10);
+    *to++ = (char)('0' + size % 10);
+    return to;
 }
 
 /*
@@ -203,7 +184,18 @@ static inline bool round_to_digits(struct number_write_parts parts, int digits,
     const int exponent = parts.exponent - shift;
 
     decimal->length = digits;
-    decimal->exponent = decimal_exponent(factor, exponent + 63);
+    /*
+     * floor(log10(factor x 2^(log2 - 63))), top bit of the factor set: that of the power of two, or
+     * one more from the next power of ten on, if that lies in the same octave. No branch: it would
+     * be a coin toss.
+     */
+    const int log2 = exponent + 63;
+    const int below = number_log10_of_power2(log2);
+    const uint64_t next = number_powers[below + 1 - NUMBER_POWER_MIN].high;
+    const int same_octave = number_log2_of_power10(below + 1) == log2;
+    /* a power that is not exact lies above its first 64 bits, which have more than 53 that count */
+    const int reached = (factor > next) | ((factor == next) & number_power_is_exact(below + 1));
+    decimal->exponent = below + (same_octave & reached);
     const int power = digits - 1 - decimal->exponent;
     const int drop = -1 - number_log2_of_power10(power) - exponent;
     const uint64_t high = number_multiply_high(factor, power);
@@ -300,15 +292,6 @@ static inline char *write_special(char *to, uint64_t bits, bool *done)
     return to + *done;
 }
 
-/* The C library's own for the ties that 128 bits do not settle. */
-static char *write_slowly(char *to, double x, int digits)
-{
-    char text[NUMBER_LENGTH];
-    int length = snprintf(text, sizeof text, "%.*g", digits, x);
-    memcpy(to, text, (size_t)length);
-    return to + length;
-}
-
 /*
  * Most numbers: FEW_DIGITS at most, and no exponent. Scaled to an integer below 10^8 by an exact
  * power of ten they are wrong by 2^-27 at most. Null if this is none of them, or too near to a tie
@@ -349,6 +332,26 @@ static inline char *write_few(char *to, double x, uint64_t bits, int digits)
     return to + (end > layout.least ? end : layout.least);
 }
 
+/* As round_to_digits, by the C library: ties that 128 bits do not settle. */
+static struct number_write_decimal round_slowly(double x, int digits)
+{
+    struct number_write_decimal decimal = {0, digits, 0};
+    char text[NUMBER_LENGTH];
+    snprintf(text, sizeof text, "%.*e", digits - 1, x);
+    const char *at = text;
+    for (; *at != 'e'; at++) {
+        if (*at >= '0' && *at <= '9') {
+            decimal.integer = 10 * decimal.integer + (uint64_t)(*at - '0');
+        }
+    }
+    const bool below = *++at == '-';
+    while (*++at != '\0') {
+        decimal.exponent = 10 * decimal.exponent + (*at - '0');
+    }
+    decimal.exponent = below ? -decimal.exponent : decimal.exponent;
+    return decimal;
+}
+
 /* Out of line, so that few digits need not make room for it. */
 __attribute__((noinline)) static char *write_many(char *to, double x, uint64_t bits, int digits)
 {
@@ -359,7 +362,7 @@ __attribute__((noinline)) static char *write_many(char *to, double x, uint64_t b
     }
     struct number_write_decimal decimal;
     if (!round_to_digits(parts_of(bits), digits, &decimal)) {
-        return write_slowly(to, x, digits);
+        decimal = round_slowly(x, digits);
     }
     return number_write_lay_out(at, decimal, digits);
 }
@@ -382,26 +385,6 @@ char *number_write_shortest(char *to, double x)
         return at;
     }
     return number_write_lay_out(at, with_length(find_shortest(parts_of(bits))), MOST_DIGITS);
-}
-
-/* As round_to_digits, by the C library. */
-static struct number_write_decimal round_slowly(double x, int digits)
-{
-    struct number_write_decimal decimal = {0, digits, 0};
-    char text[NUMBER_LENGTH];
-    snprintf(text, sizeof text, "%.*e", digits - 1, x);
-    const char *at = text;
-    for (; *at != 'e'; at++) {
-        if (*at >= '0' && *at <= '9') {
-            decimal.integer = 10 * decimal.integer + (uint64_t)(*at - '0');
-        }
-    }
-    const bool below = *++at == '-';
-    while (*++at != '\0') {
-        decimal.exponent = 10 * decimal.exponent + (*at - '0');
-    }
-    decimal.exponent = below ? -decimal.exponent : decimal.exponent;
-    return decimal;
 }
 
 char *number_write_plain(char *to, double x, int digits, bool padded)

@@ -48,27 +48,6 @@ static bool pair_take_apart(const char *at, const char *end, struct pair_decimal
     return true;
 }
 
-/* 10^n for 0 <= n <= 40, exact up to 22, else to 2^-104. */
-static struct pair small_power_of_ten(int n)
-{
-    static const double exact[] = {1,    1e1,  1e2,  1e3,  1e4,  1e5,  1e6,  1e7,
-                                   1e8,  1e9,  1e10, 1e11, 1e12, 1e13, 1e14, 1e15,
-                                   1e16, 1e17, 1e18, 1e19, 1e20, 1e21, 1e22};
-    return n <= MOST_POWER ? pair_of(exact[n])
-                           : pair_product(exact[MOST_POWER], exact[n - MOST_POWER]);
-}
-
-/* What the double `hi` leaves over of the decimal: (mantissa - hi 10^n) / 10^n. */
-static double pair_left_over(const struct pair_decimal *decimal, double hi)
-{
-    const int64_t split = 1 << 30; /* the mantissa as the sum of two doubles, each exact */
-    struct pair mantissa =
-        pair_sum((double)(decimal->mantissa / split * split), (double)(decimal->mantissa % split));
-    struct pair power = small_power_of_ten(-decimal->exponent);
-    struct pair rest = pair_subtract(mantissa, pair_multiply(power, pair_of(hi)));
-    return rest.hi / power.hi;
-}
-
 /* -------- all others -------- */
 
 enum { CHUNK_DIGITS = 15, CHUNKS = 3, MOST_EXPONENT = 250 };
@@ -122,28 +101,23 @@ static struct pair pair_power_of_ten(int exponent)
     return power;
 }
 
-/* The digits' value, to about 1e-32. */
-static struct pair pair_value_of(const struct digits *digits, struct number_scale scale)
-{
-    struct pair value = {0, 0};
-    for (int first = 0; first < digits->count; first += CHUNK_DIGITS) {
-        int length = digits->count - first < CHUNK_DIGITS ? digits->count - first : CHUNK_DIGITS;
-        value = pair_add(pair_multiply(value, pair_power_of_ten(length)),
-                         pair_of(digits->chunks[first / CHUNK_DIGITS]));
-    }
-    int exponent = (int)digits->exponent + scale.power;
-    value = pair_multiply(value, pair_of((double)scale.multiplier));
-    struct pair power = pair_power_of_ten(exponent);
-    return exponent < 0 ? pair_divide(value, power) : pair_multiply(value, power);
-}
-
 static double long_left_over(const char *at, const char *end, struct number_scale scale, double hi)
 {
     struct digits digits = pair_scan(at, end);
     if (!(hi < 1e200) || !(hi > 1e-200) || !(fabs(digits.exponent) <= MOST_EXPONENT)) {
         return 0;
     }
-    struct pair exact = pair_value_of(&digits, scale);
+    /* the digits' value, to about 1e-32 */
+    struct pair value = {0, 0};
+    for (int first = 0; first < digits.count; first += CHUNK_DIGITS) {
+        int length = digits.count - first < CHUNK_DIGITS ? digits.count - first : CHUNK_DIGITS;
+        value = pair_add(pair_multiply(value, pair_power_of_ten(length)),
+                         pair_of(digits.chunks[first / CHUNK_DIGITS]));
+    }
+    int exponent = (int)digits.exponent + scale.power;
+    value = pair_multiply(value, pair_of((double)scale.multiplier));
+    struct pair power = pair_power_of_ten(exponent);
+    struct pair exact = exponent < 0 ? pair_divide(value, power) : pair_multiply(value, power);
     return (exact.hi - hi) + exact.lo;
 }
 
@@ -161,7 +135,20 @@ const char *pair_read(const char *at, const char *end, struct number_scale scale
     if (scale.multiplier == 1 && *at != 'i' && pair_take_apart(at, behind, &decimal) &&
         decimal.exponent + scale.power <= 0 && decimal.exponent + scale.power >= -MOST_DECIMALS) {
         decimal.exponent += scale.power;
-        lo = pair_left_over(&decimal, hi);
+        /* what the double `hi` leaves over of the decimal: (mantissa - hi 10^n) / 10^n */
+        const int64_t split = 1 << 30; /* the mantissa as the sum of two doubles, each exact */
+        struct pair mantissa = pair_sum((double)(decimal.mantissa / split * split),
+                                        (double)(decimal.mantissa % split));
+        /* 10^n for 0 <= n <= 40, exact up to 22, else to 2^-104 */
+        const int n = -decimal.exponent;
+        static const double exact[] = {1,    1e1,  1e2,  1e3,  1e4,  1e5,  1e6,  1e7,
+                                       1e8,  1e9,  1e10, 1e11, 1e12, 1e13, 1e14, 1e15,
+                                       1e16, 1e17, 1e18, 1e19, 1e20, 1e21, 1e22};
+        struct pair power = n <= MOST_POWER
+                                ? pair_of(exact[n])
+                                : pair_product(exact[MOST_POWER], exact[n - MOST_POWER]);
+        struct pair rest = pair_subtract(mantissa, pair_multiply(power, pair_of(hi)));
+        lo = rest.hi / power.hi;
     } else if (hi > 0 && hi < INFINITY) {
         lo = long_left_over(at, behind, scale, hi);
     }

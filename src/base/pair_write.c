@@ -26,14 +26,6 @@ static struct pair pair_write_power_of_ten(int exponent)
     return power;
 }
 
-/* In two steps where one power would overflow, or lose its low part. */
-static struct pair times_power_of_ten(struct pair x, int exponent)
-{
-    const int first = abs(exponent) > 150 ? exponent / 2 : exponent;
-    x = pair_multiply(x, pair_write_power_of_ten(first));
-    return first != exponent ? pair_multiply(x, pair_write_power_of_ten(exponent - first)) : x;
-}
-
 /* The first 32 digits; the last one is wrong by a few units. */
 static struct pair_write_decimal pair_write_decimal_of(struct pair value, struct number_scale unit)
 {
@@ -41,7 +33,11 @@ static struct pair_write_decimal pair_write_decimal_of(struct pair value, struct
     struct pair x = decimal.negative ? pair_negate(value) : value;
     x = pair_divide(x, pair_of((double)unit.multiplier));
     decimal.point = (int)floor(log10(x.hi)) + 1;
-    x = times_power_of_ten(x, 1 - decimal.point);
+    /* in two steps where one power would overflow, or lose its low part */
+    const int exponent = 1 - decimal.point;
+    const int first = abs(exponent) > 150 ? exponent / 2 : exponent;
+    x = pair_multiply(x, pair_write_power_of_ten(first));
+    x = first != exponent ? pair_multiply(x, pair_write_power_of_ten(exponent - first)) : x;
     decimal.point -= unit.power;
     if (x.hi < 1 || (x.hi == 1 && x.lo < 0)) { /* the logarithm was rounded up */
         x = pair_multiply(x, pair_of(10));

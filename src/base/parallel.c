@@ -45,20 +45,6 @@ static void *take_pieces(void *argument)
 /* bytes of a thread's work that are looked after, of so many threads */
 enum { ROOM = 16 * 1024 * 1024, MOST_ROOMS = 4 };
 
-/*
- * Start a thread where memory is left for the work of all `count` that then there are, up to 16 MiB
- * each, 64 MiB in all: so much its stack does not take from the others. Bigger work may still
- * want for memory.
- */
-static bool parallel_start(pthread_t *thread, struct parallel_worker *worker, size_t count)
-{
-    /* never touched, so that it costs next to nothing; volatile, so that it is asked for */
-    void *volatile room = malloc((count < MOST_ROOMS ? count : MOST_ROOMS) * ROOM);
-    const bool done = room != NULL && pthread_create(thread, NULL, take_pieces, worker) == 0;
-    free(room);
-    return done;
-}
-
 /* `arenas` is null where the work needs none. */
 static void parallel_run(int threads, struct loop *loop, struct arena *arenas)
 {
@@ -70,9 +56,18 @@ static void parallel_run(int threads, struct loop *loop, struct arena *arenas)
         workers[i] = (struct parallel_worker){loop, i, arenas != NULL ? &arenas[i] : NULL};
     }
     for (size_t i = 1; i < most && i < pieces; i++) {
-        if (parallel_start(&others[started], &workers[i], started + 2)) {
-            started++;
-        }
+        /*
+         * A thread starts where memory is left for the work of all that then there are, up to 16
+         * MiB each, 64 MiB in all: so much its stack does not take from the others. Bigger work may
+         * still want for memory.
+         */
+        const size_t count = started + 2;
+        /* never touched, so that it costs next to nothing; volatile, so that it is asked for */
+        void *volatile room = malloc((count < MOST_ROOMS ? count : MOST_ROOMS) * ROOM);
+        const bool done =
+            room != NULL && pthread_create(&others[started], NULL, take_pieces, &workers[i]) == 0;
+        free(room);
+        started += done;
     }
     take_pieces(&workers[0]);
     for (size_t i = 0; i < started; i++) {

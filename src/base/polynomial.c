@@ -47,7 +47,7 @@ struct polynomial polynomial_scale(const struct polynomial *a, struct pair facto
     return scaled;
 }
 
-static struct pair polynomial_value_of(const struct polynomial *a, struct pair x)
+static struct pair polynomial_at(const struct polynomial *a, struct pair x)
 {
     struct pair sum = a->c[a->degree];
     for (size_t i = a->degree; i-- > 0;) {
@@ -77,7 +77,7 @@ static double size_at(const struct polynomial *a, double x)
 
 static double value_at(double x, const void *context)
 {
-    return polynomial_value_of(context, pair_of(x)).hi;
+    return polynomial_at(context, pair_of(x)).hi;
 }
 
 /* Without the highest terms that are rounding. */
@@ -92,25 +92,6 @@ static struct polynomial without_rounding(const struct polynomial *a, double sca
     return clean;
 }
 
-static double cauchy_bound(const struct polynomial *a, double scale)
-{
-    double most = 0;
-    for (size_t i = 0; i < a->degree; i++) {
-        double ratio = a->c[i].hi / a->c[a->degree].hi;
-        most = fmax(most, fabs(ratio) / pow(scale, (double)(a->degree - i)));
-    }
-    return scale * (1 + most);
-}
-
-/* One Newton step in pairs from the double that is nearest. */
-static struct pair polish(const struct polynomial *a, const struct polynomial *slope, double x)
-{
-    struct pair step =
-        pair_divide(polynomial_value_of(a, pair_of(x)), polynomial_value_of(slope, pair_of(x)));
-    bool sound = fabs(step.hi) <= 1e-9 * (fabs(x) + 1e-300);
-    return sound ? pair_subtract(pair_of(x), step) : pair_of(x);
-}
-
 /* Roots of `a` between the points, at which its slope is 0 or the interval ends. */
 static size_t roots_between(const struct polynomial *a, const struct pair *points, size_t count,
                             struct pair *roots)
@@ -118,7 +99,7 @@ static size_t roots_between(const struct polynomial *a, const struct pair *point
     const struct polynomial slope = derivative_of(a);
     size_t found = 0;
     for (size_t i = 0; i < count; i++) {
-        double x = points[i].hi, y = polynomial_value_of(a, points[i]).hi;
+        double x = points[i].hi, y = polynomial_at(a, points[i]).hi;
         if (fabs(y) <= TOUCHING * size_at(a, x)) {
             if (found == 0 || roots[found - 1].hi != x) {
                 roots[found++] = points[i];
@@ -128,13 +109,17 @@ static size_t roots_between(const struct polynomial *a, const struct pair *point
         if (i + 1 == count) {
             break;
         }
-        double next_x = points[i + 1].hi, next_y = polynomial_value_of(a, points[i + 1]).hi;
+        double next_x = points[i + 1].hi, next_y = polynomial_at(a, points[i + 1]).hi;
         bool crosses = (y < 0) != (next_y < 0);
         double root;
         struct error ignored;
         if (crosses && fabs(next_y) > TOUCHING * size_at(a, next_x) &&
             root_find(value_at, a, x, next_x, &root, &ignored)) {
-            roots[found++] = polish(a, &slope, root);
+            /* one Newton step in pairs from the double that is nearest */
+            struct pair step =
+                pair_divide(polynomial_at(a, pair_of(root)), polynomial_at(&slope, pair_of(root)));
+            bool sound = fabs(step.hi) <= 1e-9 * (fabs(root) + 1e-300);
+            roots[found++] = sound ? pair_subtract(pair_of(root), step) : pair_of(root);
         }
     }
     return found;
@@ -155,7 +140,12 @@ size_t polynomial_roots(const struct polynomial *a, double low, double high, dou
     if (all[0].degree == 0) {
         return 0;
     }
-    double bound = cauchy_bound(&all[0], scale);
+    double most = 0;
+    for (size_t i = 0; i < all[0].degree; i++) {
+        double ratio = all[0].c[i].hi / all[0].c[all[0].degree].hi;
+        most = fmax(most, fabs(ratio) / pow(scale, (double)(all[0].degree - i)));
+    }
+    double bound = scale * (1 + most);
     low = fmax(low, -bound);
     high = fmin(high, bound);
     if (!(low <= high)) {

@@ -7,29 +7,6 @@
 #include <math.h>
 #include <string.h>
 
-/* The reading of one quantity: where it stands, and what to say of it. */
-struct quantity_parser {
-    struct text text; /* trimmed */
-    const char *at, *end;
-    const struct dimension *dimension;
-    const struct unit *unit;  /* for bare numbers */
-    const struct unit *typed; /* the unit that was read, or null */
-    struct error *error;
-};
-
-static bool quantity_wrong(struct quantity_parser *reading, const char *at, const char *what)
-{
-    size_t caret = (size_t)(at - reading->text.start) + 1;
-    return fail_at(reading->error, ERROR_USAGE, reading->text, caret, "%s", what);
-}
-
-static void quantity_skip_blanks(struct quantity_parser *reading)
-{
-    while (reading->at < reading->end && (*reading->at == ' ' || *reading->at == '\t')) {
-        reading->at++;
-    }
-}
-
 /* Step over the longest of the prefixes that stands here ("f/" before "f"). */
 static void skip_prefix(struct quantity_parser *reading)
 {
@@ -50,17 +27,14 @@ static void skip_prefix(struct quantity_parser *reading)
     }
 }
 
-/* Not a number: say what it is instead. */
-static bool quantity_no_number(struct quantity_parser *reading)
+/* Refuse what a double cannot hold, where the number was neither infinite nor 0. */
+static bool fits_double(struct quantity_parser *reading, const char *at, double value,
+                        bool was_infinite, bool was_zero)
 {
-    if (reading->at >= reading->end) {
-        return quantity_wrong(reading, reading->at, "a number is missing");
+    if (isinf(value) && !was_infinite) {
+        return quantity_wrong(reading, at, "the number is too large");
     }
-    struct text rest = text_between(reading->at, reading->end);
-    if (text_same(rest, "nan") || text_same(rest, "-nan")) {
-        return quantity_wrong(reading, reading->at, "nan is not a value");
-    }
-    return quantity_wrong(reading, reading->at, "no number here");
+    return value != 0 || was_zero || quantity_wrong(reading, at, "the number is too small");
 }
 
 static bool has_nonzero_digit(const char *at, const char *end)
@@ -73,30 +47,24 @@ static bool has_nonzero_digit(const char *at, const char *end)
     return false;
 }
 
-/* Refuse what a double cannot hold: the text names a number that is neither infinite nor zero. */
-static bool check_magnitude(struct quantity_parser *reading, const char *from, const char *to,
-                            double value)
-{
-    if (isinf(value)) {
-        const char *first = *from == '-' || *from == '+' ? from + 1 : from;
-        if (*first != 'i' && *first != 'I') {
-            return quantity_wrong(reading, from, "the number is too large");
-        }
-    }
-    if (value == 0 && has_nonzero_digit(from, to)) {
-        return quantity_wrong(reading, from, "the number is too small");
-    }
-    return true;
-}
-
 /* Read a number at the present place, times `scale`. */
 static bool read_scaled(struct quantity_parser *reading, struct number_scale scale, double *value)
 {
     const char *after = number_read(reading->at, reading->end, scale, value);
     if (after == NULL) {
-        return quantity_no_number(reading);
+        /* not a number: say what it is instead */
+        if (reading->at >= reading->end) {
+            return quantity_wrong(reading, reading->at, "a number is missing");
+        }
+        struct text rest = text_between(reading->at, reading->end);
+        if (text_same(rest, "nan") || text_same(rest, "-nan")) {
+            return quantity_wrong(reading, reading->at, "nan is not a value");
+        }
+        return quantity_wrong(reading, reading->at, "no number here");
     }
-    if (!check_magnitude(reading, reading->at, after, *value)) {
+    const char *first = reading->at + (*reading->at == '-' || *reading->at == '+');
+    if (!fits_double(reading, reading->at, *value, *first == 'i' || *first == 'I',
+                     !has_nonzero_digit(reading->at, after))) {
         return false;
     }
     reading->at = after;
@@ -107,17 +75,6 @@ static bool is_unit_letter(char c)
 {
     return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (unsigned char)c >= 0x80 ||
            c == '_' || c == '%' || c == '\'' || c == '"' || c == '/';
-}
-
-/* The dimension that has this unit, if it is not the wanted one. */
-static const struct dimension *dimension_of(struct text unit)
-{
-    for (size_t i = 0; dimensions[i] != NULL; i++) {
-        if (unit_find(dimensions[i], unit) != NULL) {
-            return dimensions[i];
-        }
-    }
-    return NULL;
 }
 
 static const char *article(const char *noun)
@@ -139,19 +96,6 @@ static const char *meant_unit(const struct quantity_parser *reading, struct text
     }
     /* among so short words edit distance says nothing */
     return name.length <= 2 ? reading->unit->name : nearest.best.start;
-}
-
-static bool unknown_unit(struct quantity_parser *reading, struct text name, int shown)
-{
-    struct text whole = reading->text;
-    size_t before = (size_t)(name.start - whole.start);
-    const char *meant = meant_unit(reading, name);
-    fail_at(reading->error, ERROR_USAGE, whole, before + 1, "unknown unit '%.*s'", shown,
-            name.start);
-    if (meant != NULL && before < 60) {
-        error_hint(reading->error, "did you mean '%.*s%s'?", (int)before, whole.start, meant);
-    }
-    return false;
 }
 
 /* "8", ".5", "f/8", "ISO400": a number, or letters before one. */
@@ -203,7 +147,13 @@ static bool quantity_wrong_unit(struct quantity_parser *reading, struct text nam
     }
     size_t caret = (size_t)(name.start - reading->text.start) + 1;
     int shown = name.length < 40 ? (int)name.length : 40;
-    const struct dimension *other = dimension_of(name);
+    /* the dimension that has this unit, if it is not the wanted one */
+    const struct dimension *other = NULL;
+    for (size_t i = 0; dimensions[i] != NULL && other == NULL; i++) {
+        if (unit_find(dimensions[i], name) != NULL) {
+            other = dimensions[i];
+        }
+    }
     if (other != NULL) {
         return fail_at(reading->error, ERROR_USAGE, reading->text, caret,
                        "unit '%.*s' measures %s %s, expected %s %s", shown, name.start,
@@ -214,20 +164,15 @@ static bool quantity_wrong_unit(struct quantity_parser *reading, struct text nam
                        "'%.*s' does not belong to %s %s", shown, name.start, article(wanted),
                        wanted);
     }
-    return unknown_unit(reading, name, shown);
-}
-
-/* The longest beginning of the text that is a unit: "ft" of "ft6in", all of "cd/m2". */
-static const struct unit *longest_unit(const struct dimension *dimension, struct text text,
-                                       size_t *length)
-{
-    for (*length = text.length; *length > 0; --*length) {
-        const struct unit *unit = unit_find(dimension, (struct text){text.start, *length});
-        if (unit != NULL) {
-            return unit;
-        }
+    struct text whole = reading->text;
+    size_t before = (size_t)(name.start - whole.start);
+    const char *meant = meant_unit(reading, name);
+    fail_at(reading->error, ERROR_USAGE, whole, before + 1, "unknown unit '%.*s'", shown,
+            name.start);
+    if (meant != NULL && before < 60) {
+        error_hint(reading->error, "did you mean '%.*s%s'?", (int)before, whole.start, meant);
     }
-    return NULL;
+    return false;
 }
 
 /* Read the unit here, if one stands here; null in *unit if none does. */
@@ -243,9 +188,13 @@ static bool quantity_read_unit(struct quantity_parser *reading, const struct uni
     if (letters == from) {
         return true;
     }
-    size_t room = (size_t)(reading->end - from), length;
-    struct text rest = {from, room < LONGEST_UNIT ? room : LONGEST_UNIT};
-    *unit = longest_unit(reading->dimension, rest, &length);
+    const size_t room = (size_t)(reading->end - from);
+    size_t length = room < LONGEST_UNIT ? room : LONGEST_UNIT;
+    /* the longest beginning that is a unit: "ft" of "ft6in", all of "cd/m2" */
+    while (length > 0 &&
+           (*unit = unit_find(reading->dimension, (struct text){from, length})) == NULL) {
+        length--;
+    }
     /* a unit ends where its word ends: "mm" does not begin with "m" */
     bool cut = *unit != NULL && length < room && is_unit_letter(from[length]) &&
                is_unit_letter(from[length - 1]) && from[length - 1] != '\'' &&
@@ -270,7 +219,7 @@ static bool divides(const struct quantity_parser *reading)
 }
 
 /* A denominator after '/' or ':' divides what was read. */
-static bool quantity_read_denominator(struct quantity_parser *reading, double *value)
+static bool quantity_divide(struct quantity_parser *reading, double *value)
 {
     if (!divides(reading)) {
         return true;
@@ -285,13 +234,7 @@ static bool quantity_read_denominator(struct quantity_parser *reading, double *v
     }
     const double numerator = *value;
     *value /= denominator;
-    if (isinf(*value) && !isinf(numerator)) {
-        return quantity_wrong(reading, slash, "the number is too large");
-    }
-    if (*value == 0 && numerator != 0) {
-        return quantity_wrong(reading, slash, "the number is too small");
-    }
-    return true;
+    return fits_double(reading, slash, *value, isinf(numerator), numerator == 0);
 }
 
 /* Inches behind feet: 5ft6in, 5'6". */
@@ -354,11 +297,8 @@ static bool read_with_unit(struct quantity_parser *reading, const char *from, do
         number_read(from, reading->end, unit->scale, value);
         *value *= unit->factor;
     }
-    if (isinf(*value) && !isinf(plain)) {
-        return quantity_wrong(reading, from, "the number is too large");
-    }
-    if (*value == 0 && plain != 0) {
-        return quantity_wrong(reading, from, "the number is too small");
+    if (!fits_double(reading, from, *value, isinf(plain), plain == 0)) {
+        return false;
     }
     *value += 0.0; /* -0 is 0 */
     return true;
@@ -387,48 +327,29 @@ static bool read_shutter(struct text text, double *value, struct error *error)
 }
 
 /* A number with or without one unit, as nearly all are. */
-static bool read_usual(struct text text, const struct dimension *dimension, const struct unit *unit,
-                       double *value, const struct unit **typed, struct error *error)
+static bool read_usual(struct quantity_parser *reading, double *value)
 {
-    if (dimension == &dimension_time && memchr(text.start, '@', text.length) != NULL) {
-        if (typed != NULL) {
-            *typed = NULL;
-        }
-        return read_shutter(text, value, error);
-    }
-    struct quantity_parser reading = {.text = text_trim(text),
-                                      .dimension = dimension,
-                                      .unit = unit != NULL ? unit : &dimension->units[0],
-                                      .error = error};
-    reading.at = reading.text.start;
-    reading.end = reading.at + reading.text.length;
-    skip_prefix(&reading);
-    const char *from = reading.at;
+    skip_prefix(reading);
+    const char *from = reading->at;
     double plain;
-    if (!read_scaled(&reading, NUMBER_UNSCALED, &plain)) {
+    if (!read_scaled(reading, NUMBER_UNSCALED, &plain)) {
         return false;
     }
-    const char *behind = reading.at;
-    if (!quantity_read_denominator(&reading, &plain)) {
+    const char *behind = reading->at;
+    if (!quantity_divide(reading, &plain)) {
         return false;
     }
-    bool fraction = reading.at != behind;
-    if (!quantity_read_unit(&reading, &reading.typed) ||
-        !read_with_unit(&reading, from, plain, fraction, value)) {
+    bool fraction = reading->at != behind;
+    if (!quantity_read_unit(reading, &reading->typed) ||
+        !read_with_unit(reading, from, plain, fraction, value)) {
         return false;
     }
-    if (reading.typed != NULL && dimension->units == dimension_length.units &&
-        !read_inches(&reading, value)) {
+    if (reading->typed != NULL && reading->dimension->units == dimension_length.units &&
+        !read_inches(reading, value)) {
         return false;
     }
-    quantity_skip_blanks(&reading);
-    if (reading.at != reading.end) {
-        return quantity_left_over(&reading);
-    }
-    if (typed != NULL) {
-        *typed = reading.typed;
-    }
-    return true;
+    quantity_skip_blanks(reading);
+    return reading->at == reading->end || quantity_left_over(reading);
 }
 
 bool quantity_read(struct text text, const struct dimension *dimension, const struct unit *unit,
@@ -436,23 +357,35 @@ bool quantity_read(struct text text, const struct dimension *dimension, const st
 {
     struct quantity_formed formed;
     struct error other;
-    if (read_usual(text, dimension, unit, value, typed, error)) {
-        return true;
-    }
-    switch (quantity_form_read(text_trim(text), dimension, unit, &formed, &other)) {
-    case QUANTITY_FORM_READ:
-        error->code = ERROR_NONE;
-        *value = formed.value;
-        if (typed != NULL) {
-            *typed = formed.typed;
+    const struct text trimmed = text_trim(text);
+    struct quantity_parser reading = {.text = trimmed,
+                                      .at = trimmed.start,
+                                      .end = trimmed.start + trimmed.length,
+                                      .dimension = dimension,
+                                      .unit = unit != NULL ? unit : &dimension->units[0],
+                                      .error = error};
+    const bool is_shutter =
+        dimension == &dimension_time && memchr(text.start, '@', text.length) != NULL;
+    if (!(is_shutter ? read_shutter(text, value, error) : read_usual(&reading, value))) {
+        reading.at = trimmed.start;
+        reading.error = &other;
+        switch (quantity_form_read(&reading, &formed)) {
+        case QUANTITY_FORM_READ:
+            error->code = ERROR_NONE;
+            *value = formed.value;
+            reading.typed = formed.typed;
+            break;
+        case QUANTITY_FORM_WRONG:
+            *error = other;
+            return false;
+        default:
+            return false;
         }
-        return true;
-    case QUANTITY_FORM_WRONG:
-        *error = other;
-        return false;
-    default:
-        return false;
     }
+    if (typed != NULL) {
+        *typed = reading.typed;
+    }
+    return true;
 }
 
 /* Does the text, read in this unit, give the value back? */

@@ -7,84 +7,74 @@
 
 #define DEGREE_SIGN "\xc2\xb0"
 
-/* One quantity while it is read. */
-struct form {
-    struct text text;
-    const char *at, *end;
-    const struct dimension *dimension;
-    const struct unit *unit;
-    struct error *error;
-};
-
-static enum quantity_form quantity_form_wrong(const struct form *form, const char *at,
-                                              const char *what)
+bool quantity_wrong(struct quantity_parser *reading, const char *at, const char *what)
 {
-    fail_at(form->error, ERROR_USAGE, form->text, (size_t)(at - form->text.start) + 1, "%s", what);
+    size_t caret = (size_t)(at - reading->text.start) + 1;
+    return fail_at(reading->error, ERROR_USAGE, reading->text, caret, "%s", what);
+}
+
+static enum quantity_form form_wrong(struct quantity_parser *form, const char *at, const char *what)
+{
+    quantity_wrong(form, at, what);
     return QUANTITY_FORM_WRONG;
 }
 
-static void quantity_form_skip_blanks(struct form *form)
+void quantity_skip_blanks(struct quantity_parser *reading)
 {
-    while (form->at < form->end && (*form->at == ' ' || *form->at == '\t')) {
-        form->at++;
+    while (reading->at < reading->end && (*reading->at == ' ' || *reading->at == '\t')) {
+        reading->at++;
     }
 }
 
-static bool quantity_form_begins_number(const struct form *form)
+static bool form_has_number(const struct quantity_parser *form)
 {
     return form->at < form->end && (char_is_digit(*form->at) || *form->at == '.');
 }
 
 /* A number without sign, exponent or infinity. */
-static bool quantity_form_read_plain(struct form *form, double *value)
+static bool form_number(struct quantity_parser *form, double *value)
 {
     const char *end = form->at;
     while (end < form->end && (char_is_digit(*end) || *end == '.')) {
         end++;
     }
     const char *behind = number_read(form->at, end, NUMBER_UNSCALED, value);
-    if (!quantity_form_begins_number(form) || behind != end || isinf(*value)) {
+    if (!form_has_number(form) || behind != end || isinf(*value)) {
         return false;
     }
     form->at = behind;
     return true;
 }
 
-/* "/2" behind a numerator divides it. */
-static bool quantity_form_read_denominator(struct form *form, double *value)
+/* "/2" behind a numerator divides it; false: there is none. */
+static bool form_denominator(struct quantity_parser *form, double *value)
 {
     double denominator;
-    form->at++;
-    if (!quantity_form_read_plain(form, &denominator) || !(denominator > 0)) {
+    if (form->at == form->end || *form->at++ != '/' || !form_number(form, &denominator) ||
+        !(denominator > 0)) {
         return false;
     }
     *value /= denominator;
     return true;
 }
 
-static bool at_slash(const struct form *form)
-{
-    return form->at < form->end && *form->at == '/';
-}
-
 /*
  * A number, a fraction, or a whole number and a fraction: "6", "1/2", "6 1/2". False if none of
  * them stands here; `*mixed` tells the last.
  */
-static bool read_mixed(struct form *form, double *value, bool *mixed)
+static bool read_mixed(struct quantity_parser *form, double *value, bool *mixed)
 {
     double part;
     *mixed = false;
-    if (!quantity_form_read_plain(form, value)) {
+    if (!form_number(form, value)) {
         return false;
     }
-    if (at_slash(form)) {
-        return quantity_form_read_denominator(form, value);
+    if (form->at < form->end && *form->at == '/') {
+        return form_denominator(form, value);
     }
-    struct form ahead = *form;
-    quantity_form_skip_blanks(&ahead);
-    if (ahead.at == form->at || !quantity_form_read_plain(&ahead, &part) || !at_slash(&ahead) ||
-        !quantity_form_read_denominator(&ahead, &part)) {
+    struct quantity_parser ahead = *form;
+    quantity_skip_blanks(&ahead);
+    if (ahead.at == form->at || !form_number(&ahead, &part) || !form_denominator(&ahead, &part)) {
         return true;
     }
     *form = ahead;
@@ -94,8 +84,8 @@ static bool read_mixed(struct form *form, double *value, bool *mixed)
 }
 
 /* The words for infinity. */
-static enum quantity_form quantity_form_read_infinity(const struct form *form,
-                                                      struct quantity_formed *formed)
+static enum quantity_form form_infinity(const struct quantity_parser *form,
+                                        struct quantity_formed *formed)
 {
     static const char *const words[] = {"\xe2\x88\x9e", "infinity", "inf", "infinite"};
     struct text word = form->text;
@@ -154,7 +144,7 @@ static bool is_ascii_letter(char c)
 }
 
 /* Step over the longest of the words that stands here as a whole word. */
-static bool quantity_form_take_word(struct form *form, const char *words)
+static bool form_word(struct quantity_parser *form, const char *words)
 {
     struct text rest = text_of(words);
     size_t longest = 0;
@@ -173,17 +163,6 @@ static bool quantity_form_take_word(struct form *form, const char *words)
     return longest > 0;
 }
 
-/* The rung whose word stands here, not above `first`; the number of rungs if there is none. */
-static int take_rung(struct form *form, const struct ladder *ladder, int first)
-{
-    for (int i = first; i < ladder->count; i++) {
-        if (quantity_form_take_word(form, ladder->rungs[i].words)) {
-            return i;
-        }
-    }
-    return ladder->count;
-}
-
 /* One number and its unit, which is the next smaller one if it is left out at the end. */
 struct quantity_form_step {
     const char *from;
@@ -192,24 +171,28 @@ struct quantity_form_step {
 };
 
 /* False if no number with a unit below `above` stands here; `above` is -1 at the first. */
-static bool read_step(struct form *form, const struct ladder *ladder, int above,
+static bool read_step(struct quantity_parser *form, const struct ladder *ladder, int above,
                       struct quantity_form_step *step)
 {
     bool mixed;
-    quantity_form_skip_blanks(form);
+    quantity_skip_blanks(form);
     step->from = form->at;
     if (!read_mixed(form, &step->number, &mixed)) {
         return false;
     }
-    quantity_form_skip_blanks(form);
+    quantity_skip_blanks(form);
     bool bare = form->at == form->end;
-    step->rung = bare ? above + 1 : take_rung(form, ladder, above + 1);
-    quantity_form_skip_blanks(form);
+    step->rung = above + 1;
+    while (!bare && step->rung < ladder->count &&
+           !form_word(form, ladder->rungs[step->rung].words)) {
+        step->rung++;
+    }
+    quantity_skip_blanks(form);
     return step->rung < ladder->count && !(bare && above < 0);
 }
 
 /* "2min30s", "5' 6 1/2\"", "30\"": numbers with ever smaller units; the last may lack its own. */
-static enum quantity_form read_ladder(struct form *form, const struct ladder *ladder,
+static enum quantity_form read_ladder(struct quantity_parser *form, const struct ladder *ladder,
                                       struct quantity_formed *formed)
 {
     double sum = 0;
@@ -223,7 +206,7 @@ static enum quantity_form read_ladder(struct form *form, const struct ladder *la
             sum *= ladder->rungs[i].count;
         }
         if (steps > 0 && !(step.number < ladder->rungs[step.rung].count)) {
-            return quantity_form_wrong(form, step.from, ladder->wrong);
+            return form_wrong(form, step.from, ladder->wrong);
         }
         const struct unit *unit =
             unit_find(ladder->dimension, text_of(ladder->rungs[step.rung].unit));
@@ -238,14 +221,14 @@ static enum quantity_form read_ladder(struct form *form, const struct ladder *la
 }
 
 /* 2:30 is two and a half minutes, 1:02:30 an hour more. */
-static enum quantity_form read_clock(struct form *form, struct quantity_formed *formed)
+static enum quantity_form read_clock(struct quantity_parser *form, struct quantity_formed *formed)
 {
     double seconds = 0;
     int count = 0;
     do {
         const char *from = form->at;
         double number;
-        if (!quantity_form_read_plain(form, &number) || count == 3) {
+        if (!form_number(form, &number) || count == 3) {
             return QUANTITY_FORM_NONE;
         }
         bool more = form->at < form->end && *form->at == ':';
@@ -253,7 +236,7 @@ static enum quantity_form read_clock(struct form *form, struct quantity_formed *
             return QUANTITY_FORM_NONE;
         }
         if (count > 0 && !(number < 60)) {
-            return quantity_form_wrong(form, from, ladders[0].wrong);
+            return form_wrong(form, from, ladders[0].wrong);
         }
         seconds = seconds * 60 + number;
         count++;
@@ -263,12 +246,12 @@ static enum quantity_form read_clock(struct form *form, struct quantity_formed *
 }
 
 /* As cameras show a time: 1"3 is 1.3 s. */
-static enum quantity_form read_display(struct form *form, struct quantity_formed *formed)
+static enum quantity_form read_display(struct quantity_parser *form, struct quantity_formed *formed)
 {
     char digits[32];
     const char *quote = memchr(form->at, '"', form->text.length);
     if (quote == NULL || quote + 1 >= form->end || form->text.length >= sizeof digits ||
-        !quantity_form_begins_number(form)) {
+        !form_has_number(form)) {
         return QUANTITY_FORM_NONE;
     }
     memcpy(digits, form->at, form->text.length);
@@ -285,7 +268,8 @@ static enum quantity_form read_display(struct form *form, struct quantity_formed
 }
 
 /* "1 2/3 stops": a whole number, a fraction less than 1, and the unit. */
-static enum quantity_form read_fraction(struct form *form, struct quantity_formed *formed)
+static enum quantity_form read_fraction(struct quantity_parser *form,
+                                        struct quantity_formed *formed)
 {
     double number;
     bool mixed;
@@ -298,8 +282,7 @@ static enum quantity_form read_fraction(struct form *form, struct quantity_forme
         return QUANTITY_FORM_NONE;
     }
     if (!read) {
-        return quantity_form_wrong(form, from,
-                                   "a fraction behind a whole number must be less than 1");
+        return form_wrong(form, from, "a fraction behind a whole number must be less than 1");
     }
     struct text name = text_trim(text_between(form->at, form->end));
     const struct unit *unit = form->unit;
@@ -316,10 +299,11 @@ static enum quantity_form read_fraction(struct form *form, struct quantity_forme
 }
 
 /* "10-stop", "50-mm": the unit behind a hyphen. */
-static enum quantity_form read_hyphened(struct form *form, struct quantity_formed *formed)
+static enum quantity_form read_hyphened(struct quantity_parser *form,
+                                        struct quantity_formed *formed)
 {
     double number;
-    if (!quantity_form_read_plain(form, &number) || form->at == form->end || *form->at++ != '-') {
+    if (!form_number(form, &number) || form->at == form->end || *form->at++ != '-') {
         return QUANTITY_FORM_NONE;
     }
     formed->typed = unit_find(form->dimension, text_between(form->at, form->end));
@@ -340,90 +324,76 @@ static const int din_speeds[DIN_HIGHEST - DIN_LOWEST + 1] = {
     10000, 12800, 16000, 20000, 25600, 32000, 40000, 51200, 64000, 80000, 102400};
 
 /* "27DIN", "27\xc2\xb0", "DIN 27": degrees. */
-static bool read_degrees(struct form *form, double *degrees)
+static bool read_degrees(struct quantity_parser *form, double *degrees)
 {
     static const char marks[] = "DIN din Din " DEGREE_SIGN "DIN " DEGREE_SIGN;
-    bool marked = quantity_form_take_word(form, "DIN din Din");
-    quantity_form_skip_blanks(form);
-    if (!quantity_form_read_plain(form, degrees)) {
+    bool marked = form_word(form, "DIN din Din");
+    quantity_skip_blanks(form);
+    if (!form_number(form, degrees)) {
         return false;
     }
-    quantity_form_skip_blanks(form);
-    marked = quantity_form_take_word(form, marks) || marked;
+    quantity_skip_blanks(form);
+    marked = form_word(form, marks) || marked;
     return marked && form->at == form->end;
 }
 
 /* A film speed by degrees, or as boxes have it: 400/27\xc2\xb0. */
-static enum quantity_form read_speed(struct form *form, struct quantity_formed *formed)
+static enum quantity_form read_speed(struct quantity_parser *form, struct quantity_formed *formed)
 {
     double degrees, speed = NAN;
     const char *slash = memchr(form->at, '/', form->text.length), *from = form->at;
-    if (quantity_form_take_word(form, "ISO iso Iso ASA asa")) {
-        quantity_form_skip_blanks(form);
+    if (form_word(form, "ISO iso Iso ASA asa")) {
+        quantity_skip_blanks(form);
     }
     if (slash != NULL) {
-        if (!quantity_form_read_plain(form, &speed) || form->at != slash) {
+        if (!form_number(form, &speed) || form->at != slash) {
             return QUANTITY_FORM_NONE;
         }
         from = ++form->at;
-        if (!quantity_form_read_plain(form, &degrees) ||
-            (quantity_form_take_word(form, DEGREE_SIGN), form->at != form->end)) {
+        if (!form_number(form, &degrees) || (form_word(form, DEGREE_SIGN), form->at != form->end)) {
             return QUANTITY_FORM_NONE;
         }
     } else if (!read_degrees(form, &degrees)) {
         return QUANTITY_FORM_NONE;
     }
     if (!(degrees >= DIN_LOWEST && degrees <= DIN_HIGHEST) || degrees != floor(degrees)) {
-        return quantity_form_wrong(form, from, "degrees DIN are whole numbers from 8 to 51");
+        return form_wrong(form, from, "degrees DIN are whole numbers from 8 to 51");
     }
     double marked = din_speeds[(int)degrees - DIN_LOWEST];
     /* labels differ by less than half a step of a third of a stop */
     if (!isnan(speed) && !(fabs(log2(speed / marked)) < 1 / 6.0)) {
-        return quantity_form_wrong(
-            form, from, "speed and degrees contradict each other (ISO 400 is 27 degrees)");
+        return form_wrong(form, from,
+                          "speed and degrees contradict each other (ISO 400 is 27 degrees)");
     }
     *formed = (struct quantity_formed){isnan(speed) ? marked : speed, NULL};
     return QUANTITY_FORM_READ;
 }
 
-/* The forms of one dimension, each tried from the text's beginning. */
-static enum quantity_form read_forms(const struct form *form, struct quantity_formed *formed)
+enum quantity_form quantity_form_read(const struct quantity_parser *form,
+                                      struct quantity_formed *formed)
 {
-    enum quantity_form result = QUANTITY_FORM_NONE;
-    for (size_t i = 0; i < sizeof ladders / sizeof ladders[0]; i++) {
-        struct form copy = *form;
-        if (form->dimension == ladders[i].dimension && result == QUANTITY_FORM_NONE) {
+    static const struct {
+        const struct dimension *of; /* null: any */
+        enum quantity_form (*read)(struct quantity_parser *form, struct quantity_formed *formed);
+    } forms[] = {{&dimension_time, read_clock},
+                 {&dimension_time, read_display},
+                 {&dimension_iso, read_speed},
+                 {NULL, read_hyphened},
+                 {NULL, read_fraction}};
+    enum quantity_form result = form_infinity(form, formed);
+    /* each is tried from the text's beginning */
+    for (size_t i = 0; i < sizeof ladders / sizeof ladders[0] && result == QUANTITY_FORM_NONE;
+         i++) {
+        struct quantity_parser copy = *form;
+        if (form->dimension == ladders[i].dimension) {
             result = read_ladder(&copy, &ladders[i], formed);
         }
     }
-    struct form clock = *form, display = *form, fraction = *form, speed = *form, hyphened = *form;
-    if (form->dimension == &dimension_time && result == QUANTITY_FORM_NONE) {
-        result = read_clock(&clock, formed);
+    for (size_t i = 0; i < sizeof forms / sizeof forms[0] && result == QUANTITY_FORM_NONE; i++) {
+        struct quantity_parser copy = *form;
+        if (forms[i].of == NULL || forms[i].of == form->dimension) {
+            result = forms[i].read(&copy, formed);
+        }
     }
-    if (form->dimension == &dimension_time && result == QUANTITY_FORM_NONE) {
-        result = read_display(&display, formed);
-    }
-    if (form->dimension == &dimension_iso && result == QUANTITY_FORM_NONE) {
-        result = read_speed(&speed, formed);
-    }
-    if (result == QUANTITY_FORM_NONE) {
-        result = read_hyphened(&hyphened, formed);
-    }
-    return result == QUANTITY_FORM_NONE ? read_fraction(&fraction, formed) : result;
-}
-
-enum quantity_form quantity_form_read(struct text text, const struct dimension *dimension,
-                                      const struct unit *unit, struct quantity_formed *formed,
-                                      struct error *error)
-{
-    struct form form = {.text = text,
-                        .at = text.start,
-                        .end = text.start + text.length,
-                        .dimension = dimension,
-                        .unit = unit != NULL ? unit : &dimension->units[0],
-                        .error = error};
-    if (quantity_form_read_infinity(&form, formed) == QUANTITY_FORM_READ) {
-        return QUANTITY_FORM_READ;
-    }
-    return read_forms(&form, formed);
+    return result;
 }

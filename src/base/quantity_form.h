@@ -6,6 +6,22 @@
 #include "base/error.h"
 #include "base/units.h"
 
+/* The reading of one quantity: where it stands, and what to say of it. */
+struct quantity_parser {
+    struct text text; /* trimmed */
+    const char *at, *end;
+    const struct dimension *dimension;
+    const struct unit *unit;  /* for bare numbers */
+    const struct unit *typed; /* the unit that was read, or null */
+    struct error *error;
+};
+
+/* Refuse it for what stands at this place. Returns false. */
+bool quantity_wrong(struct quantity_parser *reading, const char *at, const char *what);
+
+/* Step over blanks. */
+void quantity_skip_blanks(struct quantity_parser *reading);
+
 /* What was made of a text. */
 enum quantity_form {
     QUANTITY_FORM_NONE, /* it is none of these forms */
@@ -26,18 +42,15 @@ struct quantity_formed {
  * fractions ("5' 6 1/2\"", "5 feet 6 inches"); angles in degrees, minutes and seconds; film speeds
  * in degrees DIN ("27DIN", "400/27\xc2\xb0").
  *
- * Given     text       trimmed
- *           dimension  what it must measure
- *           unit       what a bare number means; null for the program's own
- *           formed     receives what was read
+ * Given     form    at the beginning of the text
+ *           formed  receives what was read
  * Formula   DIN: the speed is the one on the label beside that many degrees,
  *           100 x 2^((degrees - 21)/3) rounded as films and cameras are marked
- * Errors    ERROR_USAGE with a caret: a smaller unit that makes more than one of the larger (70 min
- *           behind hours), a fraction of 1 or more behind a whole number, speed and degrees that
- *           contradict each other, degrees outside 8 to 51
+ * Errors    QUANTITY_FORM_WRONG, with a caret: a smaller unit that makes more than one of the
+ *           larger (70 min behind hours), a fraction of 1 or more behind a whole number, speed and
+ *           degrees that contradict each other, degrees outside 8 to 51
  */
-enum quantity_form quantity_form_read(struct text text, const struct dimension *dimension,
-                                      const struct unit *unit, struct quantity_formed *formed,
-                                      struct error *error);
+enum quantity_form quantity_form_read(const struct quantity_parser *form,
+                                      struct quantity_formed *formed);
 
 #endif

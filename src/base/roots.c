@@ -32,22 +32,6 @@ static double next_fraction(const struct roots_bracket *k)
     return t > 0 && t < 1 ? t : 0.5;
 }
 
-/* Take the value f at x into the bracket. */
-static void roots_narrow(struct roots_bracket *k, double x, double f)
-{
-    if (roots_opposite(f, k->fa)) {
-        k->c = k->b;
-        k->fc = k->fb;
-        k->b = k->a;
-        k->fb = k->fa;
-    } else {
-        k->c = k->a;
-        k->fc = k->fa;
-    }
-    k->a = x;
-    k->fa = f;
-}
-
 bool root_find(root_function *function, const void *context, double low, double high, double *root,
                struct error *error)
 {
@@ -68,7 +52,18 @@ bool root_find(root_function *function, const void *context, double low, double 
         if (isnan(f)) {
             return fail(error, ERROR_DOMAIN, "root search met no number at %.15g", x);
         }
-        roots_narrow(&k, x, f);
+        /* take the value f at x into the bracket */
+        if (roots_opposite(f, k.fa)) {
+            k.c = k.b;
+            k.fc = k.fb;
+            k.b = k.a;
+            k.fb = k.fa;
+        } else {
+            k.c = k.a;
+            k.fc = k.fa;
+        }
+        k.a = x;
+        k.fa = f;
         *root = fabs(k.fa) <= fabs(k.fb) ? k.a : k.b;
         double width = fabs(k.b - k.a), least = 2 * DBL_EPSILON * fabs(*root) + DBL_MIN;
         if (f == 0 || width <= 2 * least) {

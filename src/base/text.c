@@ -46,15 +46,11 @@ bool text_same(struct text a, const char *b)
     return i == a.length && b[i] == '\0';
 }
 
-static bool is_filler(char c)
-{
-    return c == ' ' || c == '-' || c == '_';
-}
-
 /* The next character that counts in a name, in lower case; 0 at the end. */
 static char next_letter(struct text *rest)
 {
-    while (rest->length > 0 && is_filler(rest->start[0])) {
+    while (rest->length > 0 &&
+           (rest->start[0] == ' ' || rest->start[0] == '-' || rest->start[0] == '_')) {
         rest->start++;
         rest->length--;
     }
@@ -84,28 +80,18 @@ size_t text_shared_name(struct text a, struct text b)
     return count;
 }
 
-/* Does `whole` begin with the letters of `part`? */
-static bool begins_with_name(struct text whole, struct text part)
-{
-    for (;;) {
-        char wanted = next_letter(&part);
-        if (wanted == '\0') {
-            return true;
-        }
-        if (next_letter(&whole) != wanted) {
-            return false;
-        }
-    }
-}
-
 bool text_contains_name(struct text whole, struct text part)
 {
-    for (size_t i = 0; i <= whole.length; i++) {
-        if (begins_with_name((struct text){whole.start + i, whole.length - i}, part)) {
-            return true;
-        }
+    bool found = false;
+    for (size_t i = 0; i <= whole.length && !found; i++) {
+        struct text rest = {whole.start + i, whole.length - i}, letters = part;
+        char wanted;
+        do {
+            wanted = next_letter(&letters);
+        } while (wanted != '\0' && next_letter(&rest) == wanted);
+        found = wanted == '\0';
     }
-    return false;
+    return found;
 }
 
 static bool text_is_blank(char c)
@@ -143,6 +129,16 @@ struct text text_cut(struct text *rest, char separator)
     }
     *rest = text_between(at + 1, all.start + all.length);
     return text_between(all.start, at);
+}
+
+bool text_lists(const char *words, struct text word)
+{
+    struct text rest = text_of(words != NULL ? words : "");
+    bool found = false;
+    while (rest.length > 0 && !found) {
+        found = text_identical(text_cut(&rest, ' '), word);
+    }
+    return found;
 }
 
 struct text text_cut_range(struct text *rest)
@@ -302,18 +298,6 @@ size_t text_cells(struct text text)
     return cells;
 }
 
-/* The same of a character that XML can hold (XML 1.0, production 2), else 0. */
-static size_t text_xml_length(const char *start, size_t room)
-{
-    const unsigned char *byte = (const unsigned char *)start;
-    if (room > 0 && byte[0] < 0x20) {
-        return byte[0] == '\t' || byte[0] == '\n';
-    }
-    const size_t length = text_utf8_length(start, room);
-    const bool reserved = length == 3 && byte[0] == 0xef && byte[1] == 0xbf && byte[2] > 0xbd;
-    return reserved ? 0 : length;
-}
-
 /* Marks and embeddings that turn the direction of writing, and separators of lines (Unicode 9). */
 static bool text_turns(const unsigned char *at, size_t length)
 {
@@ -363,7 +347,14 @@ void text_make_printable(char *string, const char *kept)
 
 struct text text_xml(struct text text, size_t *step)
 {
-    const size_t bytes = text_xml_length(text.start, text.length);
+    /* of a character that XML can hold (XML 1.0, production 2), else 0 */
+    const unsigned char *byte = (const unsigned char *)text.start;
+    size_t bytes = text_utf8_length(text.start, text.length);
+    if (text.length > 0 && byte[0] < 0x20) {
+        bytes = byte[0] == '\t' || byte[0] == '\n';
+    } else if (bytes == 3 && byte[0] == 0xef && byte[1] == 0xbf && byte[2] > 0xbd) {
+        bytes = 0; /* reserved */
+    }
     *step = bytes > 0 ? bytes : 1;
     switch (*text.start) {
     case '&':

@@ -71,6 +71,9 @@ int text_order(const void *a, const void *b);
 /* What follows `begin`; its start is null where the text begins otherwise or ends there. */
 struct text text_behind(struct text text, const char *begin);
 
+/* Is it one of the blank-separated words? Null: there are none. Case counts. */
+bool text_lists(const char *words, struct text word);
+
 /* Without blanks and tabs at both ends. */
 struct text text_trim(struct text text);
 

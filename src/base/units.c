@@ -228,24 +228,11 @@ const struct dimension *const dimensions[] = {
     &dimension_colour,    NULL,
 };
 
-/* Is `name` one of the blank-separated words? Case counts: mm is not MM, D is not d. */
-static bool is_spelling(const char *words, struct text name)
-{
-    struct text rest = text_of(words != NULL ? words : "");
-    while (rest.start != NULL) {
-        struct text word = text_cut(&rest, ' ');
-        if (text_identical(word, name)) {
-            return word.length > 0;
-        }
-    }
-    return false;
-}
-
 const struct unit *unit_find(const struct dimension *dimension, struct text name)
 {
     for (size_t i = 0; i < dimension->unit_count; i++) {
         const struct unit *unit = &dimension->units[i];
-        if (text_equal(name, unit->name) || is_spelling(unit->spellings, name)) {
+        if (text_equal(name, unit->name) || text_lists(unit->spellings, name)) {
             return unit;
         }
     }
@@ -253,7 +240,7 @@ const struct unit *unit_find(const struct dimension *dimension, struct text name
 }
 
 /* 10^n for 0 <= n <= 12, exact. */
-static double units_power_of_ten(int n)
+static double ten_to_the(int n)
 {
     static const double powers[] = {1,   1e1, 1e2, 1e3,  1e4,  1e5, 1e6,
                                     1e7, 1e8, 1e9, 1e10, 1e11, 1e12};
@@ -274,7 +261,7 @@ double unit_to_own(const struct unit *unit, double value)
 {
     int power = unit->scale.power;
     double scaled = value * unit->scale.multiplier;
-    scaled = power >= 0 ? scaled * units_power_of_ten(power) : scaled / units_power_of_ten(-power);
+    scaled = power >= 0 ? scaled * ten_to_the(power) : scaled / ten_to_the(-power);
     return scaled * unit->factor;
 }
 
@@ -283,10 +270,10 @@ double unit_from_own(const struct unit *unit, double value)
     int power = unit->scale.power;
     double scaled = value / unit->factor;
     if (power < 0) {
-        scaled *= units_power_of_ten(-power);
+        scaled *= ten_to_the(-power);
         return scaled / unit->scale.multiplier;
     }
-    return scaled / (unit->scale.multiplier * units_power_of_ten(power));
+    return scaled / (unit->scale.multiplier * ten_to_the(power));
 }
 
 bool unit_decimal_to_own(const struct unit *unit, double value, double slack, double *own)
@@ -295,21 +282,21 @@ bool unit_decimal_to_own(const struct unit *unit, double value, double slack, do
     int places = PLACES;
     /* what is divided by a power of ten in the end is a whole number of 53 bits: one rounding */
     double size = fabs(value) * unit->scale.multiplier;
-    while (places > 0 && !(size * units_power_of_ten(places) < 0x1p53)) {
+    while (places > 0 && !(size * ten_to_the(places) < 0x1p53)) {
         places--;
     }
-    double whole = rint(value * units_power_of_ten(places));
-    if (!(size * units_power_of_ten(places) < 0x1p53) ||
-        !(fabs(whole / units_power_of_ten(places) - value) <= slack)) {
+    double whole = rint(value * ten_to_the(places));
+    if (!(size * ten_to_the(places) < 0x1p53) ||
+        !(fabs(whole / ten_to_the(places) - value) <= slack)) {
         return false;
     }
     double scaled = whole * unit->scale.multiplier;
     int power = unit->scale.power - places;
     if (power >= 0) {
-        scaled *= units_power_of_ten(power);
+        scaled *= ten_to_the(power);
     } else {
         int first = -power < PLACES ? -power : PLACES;
-        scaled /= units_power_of_ten(first) * units_power_of_ten(-power - first);
+        scaled /= ten_to_the(first) * ten_to_the(-power - first);
     }
     *own = scaled * unit->factor + 0.0; /* -0 is 0 */
     return true;

@@ -54,20 +54,6 @@ static void sleep_for(long milliseconds)
     nanosleep(&time, NULL);
 }
 
-/* Until the work has had its time. */
-static void wait_for_work(void)
-{
-    const double began = clock_of(CLOCK_MONOTONIC), before = clock_of(CLOCK_PROCESS_CPUTIME_ID);
-    for (bool is_over = false; !is_over;) {
-        sleep_for(20);
-        const double time = clock_of(CLOCK_MONOTONIC) - began;
-        const double busy = clock_of(CLOCK_PROCESS_CPUTIME_ID) - before;
-        is_over = atomic_load(&is_noticed)
-                      ? time > noticed_most
-                      : time > time_most || (time > time_least && busy > busy_least);
-    }
-}
-
 /*
  * Take the answer from where it is released: say so, and look whether it stays so while what either
  * thread has written reaches the other, which takes less than a microsecond. False: it is held for
@@ -93,7 +79,16 @@ static void *end_work(void *argument)
     const struct watcher *own = argument;
     while (sem_wait(&arrived) != 0) {
     }
-    wait_for_work();
+    /* until the work has had its time */
+    const double began = clock_of(CLOCK_MONOTONIC), before = clock_of(CLOCK_PROCESS_CPUTIME_ID);
+    for (bool is_over = false; !is_over;) {
+        sleep_for(20);
+        const double time = clock_of(CLOCK_MONOTONIC) - began;
+        const double busy = clock_of(CLOCK_PROCESS_CPUTIME_ID) - before;
+        is_over = atomic_load(&is_noticed)
+                      ? time > noticed_most
+                      : time > time_most || (time > time_least && busy > busy_least);
+    }
     if (answer_take()) {
         own->break_off(own->context);
     }
@@ -102,31 +97,25 @@ static void *end_work(void *argument)
     return NULL;
 }
 
-/* Signals are for the others: system calls of these return. */
-static bool start_watcher(void)
-{
-    pthread_t thread;
-    sigset_t all, before;
-    sigfillset(&all);
-    pthread_sigmask(SIG_SETMASK, &all, &before);
-    const bool done = sem_init(&arrived, 0, 0) == 0 &&
-                      pthread_create(&thread, NULL, end_work, &watcher) == 0 &&
-                      pthread_detach(thread) == 0;
-    pthread_sigmask(SIG_SETMASK, &before, NULL);
-    return done;
-}
-
 void interrupt_watch(interrupt_break_off *break_off, void *context)
 {
     static const int signals[] = {SIGINT, SIGTERM};
     watcher = (struct watcher){true, break_off, context};
-    watcher.is_there = start_watcher();
+    /* signals are for the others: system calls of these return */
+    pthread_t thread;
+    sigset_t all, before;
+    sigfillset(&all);
+    pthread_sigmask(SIG_SETMASK, &all, &before);
+    watcher.is_there = sem_init(&arrived, 0, 0) == 0 &&
+                       pthread_create(&thread, NULL, end_work, &watcher) == 0 &&
+                       pthread_detach(thread) == 0;
+    pthread_sigmask(SIG_SETMASK, &before, NULL);
     for (size_t i = 0; i < sizeof signals / sizeof signals[0]; i++) {
-        struct sigaction before,
+        struct sigaction old,
             action = {.sa_handler = interrupt_note, .sa_flags = (int)SA_RESETHAND};
         sigemptyset(&action.sa_mask);
-        if (sigaction(signals[i], &action, &before) == 0 && before.sa_handler == SIG_IGN) {
-            sigaction(signals[i], &before, NULL);
+        if (sigaction(signals[i], &action, &old) == 0 && old.sa_handler == SIG_IGN) {
+            sigaction(signals[i], &old, NULL);
         }
     }
 }

@@ -31,27 +31,6 @@ static size_t adapted(size_t every, double elapsed)
     return elapsed > 2 * looked_every && every > 1 ? every / 2 : every;
 }
 
-static bool progress_is_seen(struct progress *progress)
-{
-    if (progress->terminal == PROGRESS_UNKNOWN) {
-        progress->terminal = isatty(STDERR_FILENO) ? PROGRESS_SEEN : PROGRESS_UNSEEN;
-        progress->is_shared = isatty(STDOUT_FILENO) != 0;
-    }
-    return progress->terminal == PROGRESS_SEEN;
-}
-
-/* "2.1 M rays/s" */
-static int write_rate(char *to, size_t room, double rate, const char *unit)
-{
-    static const char *const prefixes[] = {"", "k ", "M ", "G "};
-    size_t i = 0;
-    for (; rate >= 1000 && i < 3; i++) {
-        rate /= 1000;
-    }
-    int decimals = rate < 10 ? 1 : 0;
-    return snprintf(to, room, "  %.*f %s%s/s", decimals, rate, prefixes[i], unit);
-}
-
 /* Rows, or what one row that takes long counts. */
 static void progress_show(struct progress *progress, double time)
 {
@@ -70,7 +49,16 @@ static void progress_show(struct progress *progress, double time)
     if (share >= 0 && share <= 1) {
         used += snprintf(line + used, LINE - (size_t)used, "  %.0f %%", 100 * share);
     }
-    used += write_rate(line + used, LINE - (size_t)used, done / elapsed, unit);
+    /* "2.1 M rays/s" */
+    double rate = done / elapsed;
+    static const char *const prefixes[] = {"", "k ", "M ", "G "};
+    size_t i = 0;
+    for (; rate >= 1000 && i < 3; i++) {
+        rate /= 1000;
+    }
+    int decimals = rate < 10 ? 1 : 0;
+    used += snprintf(line + used, LINE - (size_t)used, "  %.*f %s%s/s", decimals, rate, prefixes[i],
+                     unit);
     size_t width = terminal_width(STDERR_FILENO);
     size_t length = (size_t)used < width ? (size_t)used : width - 1;
     size_t behind = progress->width > length ? progress->width - length : 0;
@@ -85,8 +73,13 @@ void progress_look(struct progress *progress)
     progress->every = adapted(progress->every, time - progress->looked);
     progress->until = progress->every;
     progress->looked = time;
-    if (time - progress->started > first_after && time - progress->shown > shown_every &&
-        progress_is_seen(progress)) {
+    const bool is_due =
+        time - progress->started > first_after && time - progress->shown > shown_every;
+    if (is_due && progress->terminal == PROGRESS_UNKNOWN) {
+        progress->terminal = isatty(STDERR_FILENO) ? PROGRESS_SEEN : PROGRESS_UNSEEN;
+        progress->is_shared = isatty(STDOUT_FILENO) != 0;
+    }
+    if (is_due && progress->terminal == PROGRESS_SEEN) {
         progress_show(progress, time);
     }
     atomic_store(&progress->watch.is_ended, interrupt_came());

@@ -109,15 +109,13 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
     void *constants = arena_array(&arena, 1, command->input_size);
     memcpy(constants, input, command->input_size);
     reader.arena = &row_arena;
-    const struct batch_source source = {.path = path,
-                                        .format = (enum batch_format)(data[0] / 3 % 4),
-                                        .arguments = &arguments,
-                                        .reader = &reader,
-                                        .arena = &arena,
-                                        .sheet = &command->sheet,
-                                        .commands = commands,
-                                        .constants = constants};
-    if (batch_open(&batch, &source, &error) &&
+    batch = (struct batch){.arguments = &arguments,
+                           .reader = &reader,
+                           .arena = &arena,
+                           .sheet = &command->sheet,
+                           .commands = commands,
+                           .constants = constants};
+    if (batch_open(&batch, path, (enum batch_format)(data[0] / 3 % 4), &error) &&
         batch_settle(&batch, &command->sheet, data[0] / 12 % 2 == 0, &error)) {
         read_rows(&batch, command, &run, input, constants, lines_in(data + 1, size - 1));
     } else {

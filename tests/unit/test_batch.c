@@ -67,13 +67,12 @@ static bool open_rows(struct asked *asked, const char *text, struct batch *batch
     CHECK(pipe(ends) == 0 && write(ends[1], text, length) == (ssize_t)length);
     close(ends[1]);
     const char *path = arena_printf(&arena, "/dev/fd/%d", ends[0]);
-    const struct batch_source source = {.path = path,
-                                        .arguments = &asked->arguments,
-                                        .reader = &asked->reader,
-                                        .arena = &arena,
-                                        .commands = commands,
-                                        .constants = asked->constants};
-    const bool is_open = batch_open(batch, &source, error);
+    *batch = (struct batch){.arguments = &asked->arguments,
+                            .reader = &asked->reader,
+                            .arena = &arena,
+                            .commands = commands,
+                            .constants = asked->constants};
+    const bool is_open = batch_open(batch, path, BATCH_AUTO, error);
     close(ends[0]);
     return is_open;
 }

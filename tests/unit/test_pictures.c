@@ -1,6 +1,6 @@
 /* tests/unit/test_pictures.c - formats of pictures: there and back, refused, cut, damaged. */
 /* SPDX-License-Identifier: MIT */
-#include "base/image/crc.h"
+#include "base/image/bytes.h"
 #include "check.h"
 #include "file/image_file.h"
 

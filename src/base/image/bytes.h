@@ -1,4 +1,4 @@
-/* base/image/bytes.h - numbers as files of pictures hold them. */
+/* base/image/bytes.h - numbers as files of pictures hold them, and checksums of bytes. */
 /* SPDX-License-Identifier: MIT */
 #ifndef LENSCALC_BASE_IMAGE_BYTES_H
 #define LENSCALC_BASE_IMAGE_BYTES_H
@@ -75,5 +75,26 @@ static inline struct text bytes_text(const struct bytes *bytes)
 {
     return (struct text){(const char *)bytes->data, bytes->used};
 }
+
+/* The largest that is not rounded to infinity lies just under this. */
+#define HALF_END 65520.0F
+
+/*
+ * IEEE 754's binary16: a sign, 5 bits of exponent, 10 of fraction.
+ *
+ * Given     value  any; above HALF_END it becomes infinity, a NaN stays one
+ * Result    the nearest, ties to even
+ */
+uint16_t half_of_float(float value);
+
+/* Exact. */
+float half_value(uint16_t half);
+
+/*
+ * CRC-32 of bytes: polynomial 0x04c11db7, bits in reverse, begun and ended with all ones.
+ *
+ * Source    [PNG03] annex D; of "123456789" it is 0xcbf43926
+ */
+uint32_t crc_of(const void *data, size_t count);
 
 #endif

@@ -77,23 +77,6 @@ static bool is_key(struct text key)
     return is_plain;
 }
 
-/* For one more note; a place that a copy of the image has taken is not there any more. */
-static void image_make_room(struct image *image, struct arena *arena)
-{
-    enum { LEAST = 16 };
-    const size_t count = image->note_count;
-    if (count < image->note_room && image->notes[count].key == NULL) {
-        return;
-    }
-    const size_t room = 2 * count > LEAST ? 2 * count : LEAST;
-    struct image_note *notes = ARENA_ARRAY(arena, room, struct image_note);
-    if (count > 0) {
-        memcpy(notes, image->notes, count * sizeof *notes);
-    }
-    image->notes = notes;
-    image->note_room = room;
-}
-
 void image_note(struct image *image, struct arena *arena, struct text key, struct text value)
 {
     if (!is_key(key)) {
@@ -108,7 +91,18 @@ void image_note(struct image *image, struct arena *arena, struct text key, struc
         }
         i += length > 0 ? length : 1;
     }
-    image_make_room(image, arena);
+    /* a place that a copy of the image has taken is not there any more */
+    const size_t count = image->note_count;
+    if (count >= image->note_room || image->notes[count].key != NULL) {
+        enum { LEAST = 16 };
+        const size_t room = 2 * count > LEAST ? 2 * count : LEAST;
+        struct image_note *notes = ARENA_ARRAY(arena, room, struct image_note);
+        if (count > 0) {
+            memcpy(notes, image->notes, count * sizeof *notes);
+        }
+        image->notes = notes;
+        image->note_room = room;
+    }
     image->notes[image->note_count++] =
         (struct image_note){arena_string(arena, key.start, key.length), clean};
 }

@@ -3,7 +3,6 @@
 #include "base/image/openexr.h"
 
 #include "base/image/bytes.h"
-#include "base/image/half.h"
 #include "base/image/stb.h"
 
 #include <math.h>
@@ -21,59 +20,33 @@ static int openexr_by_name(const void *a, const void *b)
                   ((const struct openexr_channel *)b)->name);
 }
 
-static struct openexr_channel *sort_channels(const struct image *image, struct arena *arena)
-{
-    struct openexr_channel *channels = ARENA_ARRAY(arena, image->channels, struct openexr_channel);
-    for (size_t i = 0; i < image->channels; i++) {
-        channels[i] = (struct openexr_channel){image_channel(image, i, arena), i};
-    }
-    qsort(channels, image->channels, sizeof *channels, openexr_by_name);
-    return channels;
-}
-
 static void put_name(struct bytes *to, const char *name)
 {
     bytes_put(to, name, strlen(name) + 1);
 }
 
-static void openexr_put_attribute(struct bytes *to, const char *name, const char *type, size_t size)
+static void exr_attribute(struct bytes *to, const char *name, const char *type, size_t size)
 {
     put_name(to, name);
     put_name(to, type);
     bytes_put_little(to, size, 4);
 }
 
-static void put_channels(struct bytes *to, const struct openexr_channel *channels, size_t count,
-                         int type)
-{
-    struct bytes list = {.arena = to->arena};
-    for (size_t i = 0; i < count; i++) {
-        put_name(&list, channels[i].name);
-        bytes_put_little(&list, (uint64_t)type, 4);
-        bytes_put_little(&list, 0, 4);
-        bytes_put_little(&list, 1, 4);
-        bytes_put_little(&list, 1, 4);
-    }
-    bytes_put_little(&list, 0, 1);
-    openexr_put_attribute(to, "channels", "chlist", list.used);
-    bytes_put(to, list.data, list.used);
-}
-
 static void put_float(struct bytes *to, const char *name, float value)
 {
-    openexr_put_attribute(to, name, "float", 4);
+    exr_attribute(to, name, "float", 4);
     bytes_put_little(to, bytes_bits(value), 4);
 }
 
 static void put_byte(struct bytes *to, const char *name, const char *type, int value)
 {
-    openexr_put_attribute(to, name, type, 1);
+    exr_attribute(to, name, type, 1);
     bytes_put_little(to, (uint64_t)value, 1);
 }
 
 static void put_window(struct bytes *to, const char *name, const struct image *image)
 {
-    openexr_put_attribute(to, name, "box2i", 16);
+    exr_attribute(to, name, "box2i", 16);
     bytes_put_little(to, 0, 8);
     bytes_put_little(to, image->width - 1, 4);
     bytes_put_little(to, image->height - 1, 4);
@@ -84,13 +57,23 @@ static void put_head(struct bytes *to, const struct image *image,
 {
     bytes_put_little(to, OPENEXR_MAGIC, 4);
     bytes_put_little(to, 2, 4);
-    put_channels(to, channels, image->channels, way->half ? OPENEXR_HALF : OPENEXR_FLOAT);
+    struct bytes list = {.arena = to->arena};
+    for (size_t i = 0; i < image->channels; i++) {
+        put_name(&list, channels[i].name);
+        bytes_put_little(&list, (uint64_t)(way->half ? OPENEXR_HALF : OPENEXR_FLOAT), 4);
+        bytes_put_little(&list, 0, 4);
+        bytes_put_little(&list, 1, 4);
+        bytes_put_little(&list, 1, 4);
+    }
+    bytes_put_little(&list, 0, 1);
+    exr_attribute(to, "channels", "chlist", list.used);
+    bytes_put(to, list.data, list.used);
     put_byte(to, "compression", "compression", zip ? OPENEXR_ZIP : OPENEXR_NONE);
     put_window(to, "dataWindow", image);
     put_window(to, "displayWindow", image);
     put_byte(to, "lineOrder", "lineOrder", 0);
     put_float(to, "pixelAspectRatio", image->aspect > 0 ? (float)image->aspect : 1);
-    openexr_put_attribute(to, "screenWindowCenter", "v2f", 8);
+    exr_attribute(to, "screenWindowCenter", "v2f", 8);
     bytes_put_little(to, 0, 8);
     put_float(to, "screenWindowWidth", 1);
     for (size_t i = 0; i < image->note_count; i++) {
@@ -98,42 +81,10 @@ static void put_head(struct bytes *to, const struct image *image,
         /* of 31 characters at most, unless readers are told of longer ones */
         char *key = arena_string(to->arena, image->notes[i].key, strlen(image->notes[i].key));
         key[strlen(key) > 31 ? 31 : strlen(key)] = '\0';
-        openexr_put_attribute(to, key, "string", strlen(value));
+        exr_attribute(to, key, "string", strlen(value));
         bytes_put_string(to, value);
     }
     bytes_put_little(to, 0, 1);
-}
-
-static void put_rows(struct bytes *to, const struct image *image,
-                     const struct openexr_channel *channels, bool half, const size_t rows[2])
-{
-    const size_t all = (rows[1] - rows[0]) * image->width * image->channels * (half ? 2 : 4);
-    unsigned char *at = bytes_room(to, all);
-    for (size_t y = rows[0]; y < rows[1]; y++) {
-        for (size_t k = 0; k < image->channels; k++) {
-            const float *value = image_row(image, y) + channels[k].number;
-            for (size_t x = 0; x < image->width; x++, value += image->channels) {
-                if (half) {
-                    bytes_store_little(at, half_of_float(*value), 2);
-                } else {
-                    bytes_store_little(at, bytes_bits(*value), 4);
-                }
-                at += half ? 2 : 4;
-            }
-        }
-    }
-    to->used += all;
-}
-
-/* Even bytes before odd ones, each as its difference from the one before, and 128. */
-static void openexr_spread(const unsigned char *from, size_t count, unsigned char *to)
-{
-    for (size_t i = 0; i < count; i++) {
-        to[i / 2 + (i % 2 != 0 ? (count + 1) / 2 : 0)] = from[i];
-    }
-    for (size_t i = count; i-- > 1;) {
-        to[i] = (unsigned char)(to[i] - to[i - 1] + 128);
-    }
 }
 
 /* The rows of a block, packed where that makes them less. */
@@ -141,22 +92,15 @@ static struct text openexr_pack(const struct bytes *plain, struct arena *arena)
 {
     struct bytes packed = {.arena = arena};
     unsigned char *apart = ARENA_ARRAY(arena, plain->used, unsigned char);
-    openexr_spread(plain->data, plain->used, apart);
+    /* even bytes before odd ones, each as its difference from the one before, and 128 */
+    for (size_t i = 0; i < plain->used; i++) {
+        apart[i / 2 + (i % 2 != 0 ? (plain->used + 1) / 2 : 0)] = plain->data[i];
+    }
+    for (size_t i = plain->used; i-- > 1;) {
+        apart[i] = (unsigned char)(apart[i] - apart[i - 1] + 128);
+    }
     stb_pack(&packed, apart, plain->used);
     return bytes_text(packed.used < plain->used ? &packed : plain);
-}
-
-static bool check_values(const struct image *image, bool half, struct error *error)
-{
-    const size_t count = image->width * image->height * image->channels;
-    for (size_t i = 0; i < count && half; i++) {
-        const float value = image->pixels[i];
-        if (fabsf(value) >= HALF_END && !isinf(value)) {
-            return fail(error, ERROR_DATA, "a value of %g: half floats reach to 65504",
-                        (double)value);
-        }
-    }
-    return image_check(image, IMAGE_NUMBERS, error);
 }
 
 /* Rows without light; a NaN and -0 have bits. */
@@ -195,7 +139,20 @@ static struct text openexr_block(struct openexr_blocks *blocks, const size_t ran
     if (is_black && blocks->black.length > 0) {
         return blocks->black;
     }
-    put_rows(&plain, blocks->image, blocks->channels, blocks->way->half, range);
+    const struct image *image = blocks->image;
+    const int size = blocks->way->half ? 2 : 4;
+    const size_t all = (range[1] - range[0]) * image->width * image->channels * (size_t)size;
+    unsigned char *at = bytes_room(&plain, all);
+    for (size_t y = range[0]; y < range[1]; y++) {
+        for (size_t k = 0; k < image->channels; k++) {
+            const float *value = image_row(image, y) + blocks->channels[k].number;
+            for (size_t x = 0; x < image->width; x++, value += image->channels, at += size) {
+                bytes_store_little(at, size == 2 ? half_of_float(*value) : bytes_bits(*value),
+                                   size);
+            }
+        }
+    }
+    plain.used += all;
     if (is_black) {
         blocks->black = openexr_pack(&plain, arena);
         return blocks->black;
@@ -209,16 +166,27 @@ bool openexr_write(const struct image *image, const struct image_way *way, struc
     const bool zip = way->packed || way->stored;
     const size_t rows = zip ? OPENEXR_ZIP_ROWS : 1;
     const size_t blocks = (image->height + rows - 1) / rows;
-    const struct openexr_channel *channels = sort_channels(image, arena);
+    struct openexr_channel *channels = ARENA_ARRAY(arena, image->channels, struct openexr_channel);
+    for (size_t i = 0; i < image->channels; i++) {
+        channels[i] = (struct openexr_channel){image_channel(image, i, arena), i};
+    }
+    qsort(channels, image->channels, sizeof *channels, openexr_by_name);
     struct openexr_blocks made = {image, channels, way, rows, {NULL, 0}};
     struct bytes to = {.arena = arena};
     struct arena scratch = {0};
-    if (!check_values(image, way->half, error)) {
+    const size_t count = image->width * image->height * image->channels;
+    for (size_t i = 0; i < count && way->half; i++) {
+        const float value = image->pixels[i];
+        if (fabsf(value) >= HALF_END && !isinf(value)) {
+            return fail(error, ERROR_DATA, "a value of %g: half floats reach to 65504",
+                        (double)value);
+        }
+    }
+    if (!image_check(image, IMAGE_NUMBERS, error)) {
         return false;
     }
     /* what is not packed goes to its place at once */
-    const size_t most = image->width * image->height * image->channels * (way->half ? 2 : 4);
-    bytes_room(&to, (zip ? 0 : most) + 16 * blocks);
+    bytes_room(&to, (zip ? 0 : count * (way->half ? 2 : 4)) + 16 * blocks);
     put_head(&to, image, channels, way, zip);
     const size_t table = to.used;
     bytes_room(&to, 8 * blocks);

@@ -1,7 +1,6 @@
 /* base/image/openexr_read.c - OpenEXR read: scanlines of halves and floats. */
 /* SPDX-License-Identifier: MIT */
 #include "base/image/bytes.h"
-#include "base/image/half.h"
 #include "base/image/openexr.h"
 #include "base/image/stb.h"
 
@@ -35,7 +34,7 @@ struct openexr_read_value {
     size_t at, size;
 };
 
-static bool openexr_read_refuse(struct error *error, const char *what)
+static bool exr_refuse(struct error *error, const char *what)
 {
     return fail(error, ERROR_DATA, "OpenEXR: %s", what);
 }
@@ -68,7 +67,7 @@ static bool take_name(struct openexr *file, size_t end, const char **name, struc
     return true;
 }
 
-static uint32_t openexr_read_take_word(struct openexr *file)
+static uint32_t exr_word(struct openexr *file)
 {
     file->at += 4;
     return (uint32_t)bytes_little(file->data + file->at - 4, 4);
@@ -88,9 +87,9 @@ static bool take_channels(struct openexr *file, const struct openexr_read_value 
             return fail(error, ERROR_DATA, "OpenEXR: channel '%.60s' is cut off, or more than %d",
                         name, IMAGE_CHANNELS_MOST);
         }
-        const uint32_t type = openexr_read_take_word(file);
+        const uint32_t type = exr_word(file);
         file->at += 4;
-        const uint32_t across = openexr_read_take_word(file), down = openexr_read_take_word(file);
+        const uint32_t across = exr_word(file), down = exr_word(file);
         if (type > OPENEXR_FLOAT || across != 1 || down != 1) {
             return fail(error, ERROR_DATA,
                         "OpenEXR: channel '%.60s' is of type %u, one value in %u x %u pixels: "
@@ -126,14 +125,14 @@ static bool take_window(struct openexr *file, const struct openexr_read_value *v
     const int which = strcmp(value->name, "dataWindow") == 0 ? 0 : 1;
     (void)error;
     for (int i = 0; i < 4; i++) {
-        file->window[which][i] = (int32_t)openexr_read_take_word(file);
+        file->window[which][i] = (int32_t)exr_word(file);
     }
     file->has_window[which] = true;
     return true;
 }
 
-static bool openexr_read_take_aspect(struct openexr *file, const struct openexr_read_value *value,
-                                     struct error *error)
+static bool exr_aspect(struct openexr *file, const struct openexr_read_value *value,
+                       struct error *error)
 {
     const float aspect = bytes_float((uint32_t)bytes_little(file->data + value->at, 4));
     return image_take_aspect(file->image, (double)aspect) ||
@@ -163,7 +162,7 @@ static bool take_value(struct openexr *file, const struct openexr_read_value *va
         {"compression", "compression", 1, take_packing},
         {"dataWindow", "box2i", 16, take_window},
         {"displayWindow", "box2i", 16, take_window},
-        {"pixelAspectRatio", "float", 4, openexr_read_take_aspect},
+        {"pixelAspectRatio", "float", 4, exr_aspect},
         {NULL, "string", 0, take_string},
     };
     for (size_t i = 0; i < sizeof takers / sizeof *takers; i++) {
@@ -187,7 +186,7 @@ static bool openexr_read_head(struct openexr *file, struct error *error)
         return truncated(file, "its head", error);
     }
     file->at = 4;
-    const uint32_t version = openexr_read_take_word(file);
+    const uint32_t version = exr_word(file);
     if ((version & 0xff) != 2 || (version & ~0x4ffU) != 0) {
         return fail(error, ERROR_DATA,
                     "OpenEXR: version %u with flags %#x: one part of scanlines of version 2 is "
@@ -204,7 +203,7 @@ static bool openexr_read_head(struct openexr *file, struct error *error)
         if (!has(file, 4)) {
             return truncated(file, "its head", error);
         }
-        value.size = openexr_read_take_word(file);
+        value.size = exr_word(file);
         value.at = file->at;
         if (!has(file, value.size)) {
             return truncated(file, "its head", error);
@@ -217,9 +216,26 @@ static bool openexr_read_head(struct openexr *file, struct error *error)
     return false;
 }
 
-/* The channels of a known set come in its order, not in that of the alphabet. */
-static void order_channels(struct openexr *file)
+static bool check_head(struct openexr *file, struct error *error)
 {
+    const int32_t *data = file->window[0];
+    struct image *image = file->image;
+    if (file->count == 0 || !file->has_packing || !file->has_window[0]) {
+        return exr_refuse(error, "its head lacks channels, compression or dataWindow");
+    }
+    if (file->has_window[1] && memcmp(data, file->window[1], sizeof file->window[0]) != 0) {
+        return exr_refuse(error, "its data window is not its display window: part of a picture");
+    }
+    const int64_t width = (int64_t)data[2] - data[0] + 1, height = (int64_t)data[3] - data[1] + 1;
+    image->width = width > 0 ? (size_t)width : 0;
+    image->height = height > 0 ? (size_t)height : 0;
+    image->channels = file->count;
+    for (size_t i = 1; i < file->count; i++) {
+        if (strcmp(file->channels[i - 1].name, file->channels[i].name) >= 0) {
+            return exr_refuse(error, "its channels are not in the order of their names");
+        }
+    }
+    /* the channels of a known set come in its order, not in that of the alphabet */
     static const char sets[][5] = {"YA", "RGB", "RGBA"};
     const char **names = ARENA_ARRAY(file->arena, file->count, const char *);
     for (size_t k = 0; k < sizeof sets / sizeof *sets; k++) {
@@ -238,29 +254,6 @@ static void order_channels(struct openexr *file)
         names[file->channels[i].to] = file->channels[i].name;
     }
     file->image->names = names;
-}
-
-static bool check_head(struct openexr *file, struct error *error)
-{
-    const int32_t *data = file->window[0];
-    struct image *image = file->image;
-    if (file->count == 0 || !file->has_packing || !file->has_window[0]) {
-        return openexr_read_refuse(error, "its head lacks channels, compression or dataWindow");
-    }
-    if (file->has_window[1] && memcmp(data, file->window[1], sizeof file->window[0]) != 0) {
-        return openexr_read_refuse(error,
-                                   "its data window is not its display window: part of a picture");
-    }
-    const int64_t width = (int64_t)data[2] - data[0] + 1, height = (int64_t)data[3] - data[1] + 1;
-    image->width = width > 0 ? (size_t)width : 0;
-    image->height = height > 0 ? (size_t)height : 0;
-    image->channels = file->count;
-    for (size_t i = 1; i < file->count; i++) {
-        if (strcmp(file->channels[i - 1].name, file->channels[i].name) >= 0) {
-            return openexr_read_refuse(error, "its channels are not in the order of their names");
-        }
-    }
-    order_channels(file);
     return true;
 }
 
@@ -288,17 +281,6 @@ static bool unpack_runs(const unsigned char *from, size_t size, unsigned char *t
     return done == count;
 }
 
-/* Differences summed up, and the halves put together again. */
-static void openexr_read_gather(unsigned char *apart, size_t count, unsigned char *to)
-{
-    for (size_t i = 1; i < count; i++) {
-        apart[i] = (unsigned char)(apart[i] + apart[i - 1] - 128);
-    }
-    for (size_t i = 0; i < count; i++) {
-        to[i] = apart[i / 2 + (i % 2 != 0 ? (count + 1) / 2 : 0)];
-    }
-}
-
 /* The plain bytes of a block: as they are if they were not packed, else in plain[1]. */
 static const unsigned char *unpack(const struct openexr *file, size_t size, size_t count,
                                    unsigned char *plain[2])
@@ -316,7 +298,13 @@ static const unsigned char *unpack(const struct openexr *file, size_t size, size
     if (!done) {
         return NULL;
     }
-    openexr_read_gather(plain[0], count, plain[1]);
+    /* differences summed up, and the halves put together again */
+    for (size_t i = 1; i < count; i++) {
+        plain[0][i] = (unsigned char)(plain[0][i] + plain[0][i - 1] - 128);
+    }
+    for (size_t i = 0; i < count; i++) {
+        plain[1][i] = plain[0][i / 2 + (i % 2 != 0 ? (count + 1) / 2 : 0)];
+    }
     return plain[1];
 }
 
@@ -343,16 +331,16 @@ static void fill_rows(const struct openexr *file, const unsigned char *from, siz
 }
 
 /* A block, wherever the table says it lies; each of the rows comes once. */
-static bool openexr_read_block(struct openexr *file, size_t rows, bool *seen,
-                               unsigned char *plain[2], struct error *error)
+static bool exr_block_read(struct openexr *file, size_t rows, bool *seen, unsigned char *plain[2],
+                           struct error *error)
 {
     const struct image *image = file->image;
     if (!has(file, 8)) {
         return truncated(file, "its rows", error);
     }
     const size_t begin = file->at;
-    const int64_t y = (int64_t)(int32_t)openexr_read_take_word(file) - file->window[0][1];
-    const size_t size = openexr_read_take_word(file);
+    const int64_t y = (int64_t)(int32_t)exr_word(file) - file->window[0][1];
+    const size_t size = exr_word(file);
     if (y < 0 || (size_t)y >= image->height || (size_t)y % rows != 0 || seen[(size_t)y / rows]) {
         return fail(error, ERROR_DATA, "OpenEXR: the block at byte %zu is of no row, or one again",
                     begin);
@@ -402,7 +390,7 @@ bool openexr_read(struct text bytes, const struct image_wish *wish, struct arena
     for (size_t i = 0; i < blocks; i++) {
         const uint64_t at = bytes_little(file->data + table + 8 * i, 8);
         file->at = at < file->size ? (size_t)at : file->size;
-        if (!openexr_read_block(file, rows, seen, plain, error)) {
+        if (!exr_block_read(file, rows, seen, plain, error)) {
             return false;
         }
     }

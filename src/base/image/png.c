@@ -3,7 +3,6 @@
 #include "base/image/png.h"
 
 #include "base/image/bytes.h"
-#include "base/image/crc.h"
 #include "base/image/srgb.h"
 #include "base/image/stb.h"
 #include "base/parallel.h"
@@ -44,41 +43,6 @@ static void put_chunk(struct bytes *to, const char *type, const void *data, size
     end_chunk(to, begin);
 }
 
-static void png_put_header(struct bytes *to, const struct image *image, int bits)
-{
-    static const unsigned char colors[] = {0, 0, 4, 2, 6};
-    unsigned char header[PNG_HEADER] = {0};
-    for (int i = 0; i < 4; i++) {
-        header[i] = (unsigned char)(image->width >> (24 - 8 * i));
-        header[4 + i] = (unsigned char)(image->height >> (24 - 8 * i));
-    }
-    header[8] = (unsigned char)bits;
-    header[9] = colors[image->channels];
-    put_chunk(to, "IHDR", header, PNG_HEADER);
-}
-
-static void put_encoding(struct bytes *to, enum image_values values)
-{
-    const uint32_t gamma = values == IMAGE_LIGHT ? SRGB_GAMMA : PNG_GAMMA_LINEAR;
-    const unsigned char big[] = {(unsigned char)(gamma >> 24), (unsigned char)(gamma >> 16),
-                                 (unsigned char)(gamma >> 8), (unsigned char)gamma};
-    if (values == IMAGE_LIGHT) {
-        put_chunk(to, "sRGB", "", 1);
-    }
-    put_chunk(to, "gAMA", big, sizeof big);
-}
-
-/* Pixels of some unknown unit across and down: more digits than anyone needs. */
-static void put_aspect(struct bytes *to, double aspect)
-{
-    const double across = fmin(1 / aspect, 1), down = fmin(aspect, 1);
-    struct bytes sizes = {.arena = to->arena};
-    bytes_put_big(&sizes, (uint64_t)round(PNG_ASPECT_UNIT * across), 4);
-    bytes_put_big(&sizes, (uint64_t)round(PNG_ASPECT_UNIT * down), 4);
-    bytes_put_big(&sizes, 0, 1);
-    put_chunk(to, "pHYs", sizes.data, sizes.used);
-}
-
 /* Latin letters as tEXt, others, in UTF-8, as iTXt. */
 static void put_note(struct bytes *to, const struct image_note *note)
 {
@@ -116,23 +80,6 @@ static int foretold(int filter, int left, int above, int corner)
     }
 }
 
-/* One row by one filter; the sum of what is left of it, as signed bytes. */
-static size_t filter_row(int filter, const unsigned char *row, const unsigned char *above,
-                         const size_t size[2], unsigned char *to)
-{
-    const size_t count = size[0], pixel = size[1];
-    size_t sum = 0;
-    to[0] = (unsigned char)filter;
-    for (size_t i = 0; i < count; i++) {
-        const int left = i < pixel ? 0 : row[i - pixel], corner = i < pixel ? 0 : above[i - pixel];
-        const unsigned char rest =
-            (unsigned char)(row[i] - foretold(filter, left, above[i], corner));
-        to[1 + i] = rest;
-        sum += rest < 128 ? rest : 256U - rest;
-    }
-    return sum;
-}
-
 enum { ROWS_AT_ONCE = 8 };
 
 static void encode_row(const struct image *image, const struct image_way *way, size_t y,
@@ -161,16 +108,25 @@ static unsigned char *filter_all(const struct image *image, const struct image_w
                                  struct arena *arena)
 {
     const size_t pixel = image->channels * (size_t)way->bits / 8;
-    const size_t size[2] = {image->width * pixel, pixel}, stride = 1 + size[0];
+    const size_t count = image->width * pixel, stride = 1 + count;
     unsigned char *all = ARENA_ARRAY(arena, image->height * stride, unsigned char);
-    unsigned char *above = ARENA_ARRAY(arena, size[0], unsigned char);
-    unsigned char *row = ARENA_ARRAY(arena, size[0], unsigned char);
+    unsigned char *above = ARENA_ARRAY(arena, count, unsigned char);
+    unsigned char *row = ARENA_ARRAY(arena, count, unsigned char);
     unsigned char *trial = ARENA_ARRAY(arena, stride, unsigned char);
     for (size_t y = 0; y < image->height; y++) {
         size_t least = SIZE_MAX;
         encode_row(image, way, y, row);
         for (int filter = 0; filter < FILTERS; filter++) {
-            const size_t sum = filter_row(filter, row, above, size, trial);
+            size_t sum = 0; /* of what is left, as signed bytes */
+            trial[0] = (unsigned char)filter;
+            for (size_t i = 0; i < count; i++) {
+                const int left = i < pixel ? 0 : row[i - pixel],
+                          corner = i < pixel ? 0 : above[i - pixel];
+                const unsigned char rest =
+                    (unsigned char)(row[i] - foretold(filter, left, above[i], corner));
+                trial[1 + i] = rest;
+                sum += rest < 128 ? rest : 256U - rest;
+            }
             if (sum < least) {
                 least = sum;
                 memcpy(all + y * stride, trial, stride);
@@ -200,21 +156,6 @@ static void png_rows_encode(void *context, size_t begin, size_t end)
     }
 }
 
-static void put_pixels(struct bytes *to, const struct image *image, const struct image_way *way,
-                       size_t stride)
-{
-    const size_t begin = begin_chunk(to, "IDAT");
-    if (way->stored) {
-        struct png_rows rows = {image, way, NULL, stride};
-        rows.all = arena_buffer_array(to->arena, image->height, stride);
-        parallel_for(way->threads, image->height, ROWS_AT_ONCE, png_rows_encode, &rows);
-        stb_store(to, rows.all, image->height, stride);
-    } else {
-        stb_pack(to, filter_all(image, way, to->arena), stride * image->height);
-    }
-    end_chunk(to, begin);
-}
-
 bool png_write(const struct image *image, const struct image_way *way, struct arena *arena,
                struct text *file, struct error *error)
 {
@@ -232,15 +173,44 @@ bool png_write(const struct image *image, const struct image_way *way, struct ar
         return false;
     }
     bytes_put(&to, PNG_SIGNATURE, PNG_START);
-    png_put_header(&to, image, way->bits);
-    put_encoding(&to, way->values);
+    static const unsigned char colors[] = {0, 0, 4, 2, 6};
+    unsigned char header[PNG_HEADER] = {0};
+    for (int i = 0; i < 4; i++) {
+        header[i] = (unsigned char)(image->width >> (24 - 8 * i));
+        header[4 + i] = (unsigned char)(image->height >> (24 - 8 * i));
+    }
+    header[8] = (unsigned char)way->bits;
+    header[9] = colors[image->channels];
+    put_chunk(&to, "IHDR", header, PNG_HEADER);
+    const uint32_t gamma = way->values == IMAGE_LIGHT ? SRGB_GAMMA : PNG_GAMMA_LINEAR;
+    const unsigned char big[] = {(unsigned char)(gamma >> 24), (unsigned char)(gamma >> 16),
+                                 (unsigned char)(gamma >> 8), (unsigned char)gamma};
+    if (way->values == IMAGE_LIGHT) {
+        put_chunk(&to, "sRGB", "", 1);
+    }
+    put_chunk(&to, "gAMA", big, sizeof big);
     if (image->aspect > 0) {
-        put_aspect(&to, image->aspect);
+        /* pixels of some unknown unit across and down: more digits than anyone needs */
+        const double across = fmin(1 / image->aspect, 1), down = fmin(image->aspect, 1);
+        struct bytes sizes = {.arena = to.arena};
+        bytes_put_big(&sizes, (uint64_t)round(PNG_ASPECT_UNIT * across), 4);
+        bytes_put_big(&sizes, (uint64_t)round(PNG_ASPECT_UNIT * down), 4);
+        bytes_put_big(&sizes, 0, 1);
+        put_chunk(&to, "pHYs", sizes.data, sizes.used);
     }
     for (size_t i = 0; i < image->note_count; i++) {
         put_note(&to, &image->notes[i]);
     }
-    put_pixels(&to, image, way, stride);
+    const size_t begin = begin_chunk(&to, "IDAT");
+    if (way->stored) {
+        struct png_rows rows = {image, way, NULL, stride};
+        rows.all = arena_buffer_array(to.arena, image->height, stride);
+        parallel_for(way->threads, image->height, ROWS_AT_ONCE, png_rows_encode, &rows);
+        stb_store(&to, rows.all, image->height, stride);
+    } else {
+        stb_pack(&to, filter_all(image, way, to.arena), stride * image->height);
+    }
+    end_chunk(&to, begin);
     put_chunk(&to, "IEND", "", 0);
     *file = bytes_text(&to);
     return true;

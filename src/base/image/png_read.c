@@ -1,7 +1,6 @@
 /* base/image/png_read.c - PNG read: its chunks checked, its pixels decoded by stb. */
 /* SPDX-License-Identifier: MIT */
 #include "base/image/bytes.h"
-#include "base/image/crc.h"
 #include "base/image/png.h"
 #include "base/image/srgb.h"
 #include "base/image/stb.h"
@@ -160,7 +159,7 @@ static bool take_gamma(struct png *png, const struct chunk *chunk, struct error 
  * Pixels a metre are whole numbers of such that were none: those that are large and differ by their
  * rounding only are those of square pixels. Without a unit it is the ratio; 0 says nothing.
  */
-static bool png_read_take_aspect(struct png *png, const struct chunk *chunk, struct error *error)
+static bool png_aspect(struct png *png, const struct chunk *chunk, struct error *error)
 {
     if (chunk->count != 9) {
         return chunk_wrong(chunk, "must have 9 bytes", error);
@@ -223,11 +222,9 @@ static bool take_chunk(struct png *png, const struct chunk *chunk, struct error 
         char type[5];
         bool (*take)(struct png *png, const struct chunk *chunk, struct error *error);
     } takers[] = {
-        {"IHDR", take_header},   {"PLTE", take_palette},
-        {"tRNS", take_alpha},    {"IDAT", take_data},
-        {"IEND", png_read_pass}, {"sRGB", take_srgb},
-        {"gAMA", take_gamma},    {"tEXt", take_latin},
-        {"iTXt", take_unicode},  {"pHYs", png_read_take_aspect},
+        {"IHDR", take_header},   {"PLTE", take_palette}, {"tRNS", take_alpha}, {"IDAT", take_data},
+        {"IEND", png_read_pass}, {"sRGB", take_srgb},    {"gAMA", take_gamma}, {"tEXt", take_latin},
+        {"iTXt", take_unicode},  {"pHYs", png_aspect},
     };
     if ((chunk->at == PNG_START) != (strcmp(chunk->type, "IHDR") == 0)) {
         return chunk_wrong(chunk, "is not where it belongs", error);
@@ -241,37 +238,13 @@ static bool take_chunk(struct png *png, const struct chunk *chunk, struct error 
     return chunk->type[0] >= 'a' || chunk_wrong(chunk, "is none that PNG has", error);
 }
 
-/* How large the picture is, and what its numbers are. */
-static void png_read_open_image(const struct png *png)
-{
-    struct image *image = png->image;
-    image->width = png->width;
-    image->height = png->height;
-    image->channels = png->color == PALETTE ? 3 : samples[png->color];
-    image->channels += png->has_alpha && image->channels % 2 != 0 ? 1 : 0;
-    image->bits = png->bits == 16 ? 16 : 8;
-    image->gamma = png->has_srgb ? 0 : png->gamma;
-}
-
 /* Deflate packs at most 1032 to 1: a file that claims more is not believed, and no room is made. */
-static bool png_read_check_size(const struct png *png, struct error *error)
+static bool png_check_size(const struct png *png, struct error *error)
 {
     const size_t row = (png->width * samples[png->color] * (size_t)png->bits + 7) / 8;
     return row * png->height / 1032 <= png->data + 1 ||
            fail(error, ERROR_DATA, "PNG: %zu x %zu pixels do not come from %zu bytes", png->width,
                 png->height, png->data);
-}
-
-/* Light, or the number itself, of each code. */
-static float *decoding(const struct png *png, int most, enum image_values values,
-                       struct arena *arena)
-{
-    float *table = ARENA_ARRAY(arena, (size_t)most + 1, float);
-    for (int i = 0; i <= most; i++) {
-        const double code = (double)i / most;
-        table[i] = (float)(values == IMAGE_CODES ? code : image_light(png->image, code));
-    }
-    return table;
 }
 
 /* Pixels from codes. */
@@ -280,7 +253,12 @@ static void png_read_fill(const struct png *png, const uint16_t *codes, enum ima
 {
     const struct image *image = png->image;
     const int most = png->bits == 16 ? 65535 : 255;
-    const float *light = decoding(png, most, values, arena);
+    /* light, or the number itself, of each code */
+    float *light = ARENA_ARRAY(arena, (size_t)most + 1, float);
+    for (int i = 0; i <= most; i++) {
+        const double code = (double)i / most;
+        light[i] = (float)(values == IMAGE_CODES ? code : image_light(png->image, code));
+    }
     const size_t channels = image->channels, colors = channels - (channels % 2 == 0 ? 1 : 0);
     for (size_t i = 0; i < image->width * image->height * channels; i++) {
         image->pixels[i] =
@@ -339,8 +317,14 @@ bool png_read(struct text file, const struct image_wish *wish, struct arena *are
             return false;
         }
     }
-    png_read_open_image(&png);
-    if (!png_read_check_size(&png, error) || !image_new_wished(image, wish, arena, error)) {
+    /* how large the picture is, and what its numbers are */
+    image->width = png.width;
+    image->height = png.height;
+    image->channels = png.color == PALETTE ? 3 : samples[png.color];
+    image->channels += png.has_alpha && image->channels % 2 != 0 ? 1 : 0;
+    image->bits = png.bits == 16 ? 16 : 8;
+    image->gamma = png.has_srgb ? 0 : png.gamma;
+    if (!png_check_size(&png, error) || !image_new_wished(image, wish, arena, error)) {
         return false;
     }
     struct arena codes = {0};

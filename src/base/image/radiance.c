@@ -49,21 +49,6 @@ static bool radiance_next_line(struct radiance *file, struct text *line, struct 
     return true;
 }
 
-/* Height of a pixel over its width; several lines are multiplied. */
-static bool radiance_take_aspect(struct radiance *file, struct text value, struct error *error)
-{
-    struct image *image = file->image;
-    const double before = image->aspect > 0 ? image->aspect : 1;
-    const struct text number = text_trim(value);
-    const char *end = number.start + number.length;
-    double ratio = 0;
-    return (number_read(number.start, end, NUMBER_UNSCALED, &ratio) == end &&
-            image_take_aspect(image, before / ratio)) ||
-           fail(error, ERROR_DATA,
-                "Radiance: line %zu: PIXASPECT '%.*s' must be a number of %g to %g", file->line,
-                text_shown(number), number.start, IMAGE_ASPECT_LEAST, IMAGE_ASPECT_MOST);
-}
-
 /* Divide by `count` numbers of a line, or by one for all channels. */
 static bool radiance_divide(struct radiance *file, const char *name, struct text values, int count,
                             struct error *error)
@@ -88,7 +73,7 @@ static bool radiance_divide(struct radiance *file, const char *name, struct text
 }
 
 /* x and y of red, green, blue and white. */
-static bool radiance_take_primaries(struct radiance *file, struct text values, struct error *error)
+static bool radiance_primaries(struct radiance *file, struct text values, struct error *error)
 {
     const char *end = values.start + values.length, *at = values.start;
     for (int i = 0; i < 8 && at != NULL; i++) {
@@ -105,14 +90,6 @@ static bool radiance_take_primaries(struct radiance *file, struct text values, s
                 file->line, text_shown(values), values.start);
 }
 
-static void radiance_take_note(struct radiance *file, struct text line)
-{
-    struct text value = {line.start + 1, line.length - 1}, key = text_cut(&value, ':');
-    if (value.start != NULL) {
-        image_note(file->image, file->arena, text_trim(key), text_trim(value));
-    }
-}
-
 static bool radiance_take_line(struct radiance *file, struct text line, struct error *error)
 {
     const struct text exposure = text_behind(line, "EXPOSURE=");
@@ -121,10 +98,20 @@ static bool radiance_take_line(struct radiance *file, struct text line, struct e
     const struct text aspect = text_behind(line, "PIXASPECT=");
     const struct text primaries = text_behind(line, "PRIMARIES=");
     if (primaries.start != NULL) {
-        return radiance_take_primaries(file, primaries, error);
+        return radiance_primaries(file, primaries, error);
     }
     if (aspect.start != NULL) {
-        return radiance_take_aspect(file, aspect, error);
+        /* height of a pixel over its width; several lines are multiplied */
+        struct image *image = file->image;
+        const double before = image->aspect > 0 ? image->aspect : 1;
+        const struct text number = text_trim(aspect);
+        const char *end = number.start + number.length;
+        double ratio = 0;
+        return (number_read(number.start, end, NUMBER_UNSCALED, &ratio) == end &&
+                image_take_aspect(image, before / ratio)) ||
+               fail(error, ERROR_DATA,
+                    "Radiance: line %zu: PIXASPECT '%.*s' must be a number of %g to %g", file->line,
+                    text_shown(number), number.start, IMAGE_ASPECT_LEAST, IMAGE_ASPECT_MOST);
     }
     if (exposure.start != NULL) {
         return radiance_divide(file, "EXPOSURE", exposure, 1, error);
@@ -141,7 +128,10 @@ static bool radiance_take_line(struct radiance *file, struct text line, struct e
                     text_shown(format), format.start);
     }
     if (line.length > 0 && line.start[0] == '#') {
-        radiance_take_note(file, line);
+        struct text value = {line.start + 1, line.length - 1}, key = text_cut(&value, ':');
+        if (value.start != NULL) {
+            image_note(file->image, file->arena, text_trim(key), text_trim(value));
+        }
     }
     return true;
 }
@@ -162,9 +152,19 @@ static bool radiance_take_side(struct text *line, char axis, bool *is_positive, 
     return sign.length == 2 && sign.start[1] == axis && (*is_positive || sign.start[0] == '-');
 }
 
-/* "-Y 480 +X 640": rows from the top of pixels from the left; "+X 640 -Y 480": columns. */
-static bool take_size(struct radiance *file, struct text line, struct error *error)
+static bool radiance_read_head(struct radiance *file, struct error *error)
 {
+    struct text line;
+    do {
+        if (!radiance_next_line(file, &line, error) || !radiance_take_line(file, line, error)) {
+            return false;
+        }
+    } while (line.length > 0);
+    file->image->has_primaries = file->image->has_primaries && !file->is_xyz;
+    if (!radiance_next_line(file, &line, error)) {
+        return false;
+    }
+    /* "-Y 480 +X 640": rows from the top of pixels from the left; "+X 640 -Y 480": columns */
     struct image *image = file->image;
     struct text rest = line;
     bool first = true, second = true;
@@ -180,18 +180,6 @@ static bool take_size(struct radiance *file, struct text line, struct error *err
     image->width = file->is_upright ? file->count : file->length;
     image->height = file->is_upright ? file->length : file->count;
     return true;
-}
-
-static bool radiance_read_head(struct radiance *file, struct error *error)
-{
-    struct text line;
-    do {
-        if (!radiance_next_line(file, &line, error) || !radiance_take_line(file, line, error)) {
-            return false;
-        }
-    } while (line.length > 0);
-    file->image->has_primaries = file->image->has_primaries && !file->is_xyz;
-    return radiance_next_line(file, &line, error) && take_size(file, line, error);
 }
 
 /* What pixels lie in, one after the other. */
@@ -243,26 +231,6 @@ static bool read_packed(struct radiance *file, size_t row, unsigned char *pixels
     return true;
 }
 
-/* Pixel by pixel. 1, 1, 1, n repeated the pixel before it: how rows were packed before 1991. */
-static bool radiance_read_plain(struct radiance *file, size_t row, unsigned char *pixels,
-                                struct error *error)
-{
-    const size_t width = file->length;
-    if (file->rest.length < 4 * width) {
-        return short_of(file, row, error);
-    }
-    memcpy(pixels, file->rest.start, 4 * width);
-    skip(file, 4 * width);
-    for (size_t x = 0; x < width; x++) {
-        if (memcmp(pixels + 4 * x, "\1\1\1", 3) == 0) {
-            return fail(error, ERROR_DATA,
-                        "Radiance: %s %zu is packed in the old way, which is not read",
-                        radiance_word(file), row + 1);
-        }
-    }
-    return true;
-}
-
 /* A row that begins with 2, 2 and its width is packed; a plain one has no such pixel. */
 static bool radiance_read_row(struct radiance *file, size_t row, unsigned char *pixels,
                               struct error *error)
@@ -271,27 +239,26 @@ static bool radiance_read_row(struct radiance *file, size_t row, unsigned char *
     const size_t width = file->length;
     if (width < PACKED_LEAST || width > PACKED_MOST || file->rest.length < 4 || at[0] != 2 ||
         at[1] != 2 || at[2] >= 128) {
-        return radiance_read_plain(file, row, pixels, error);
+        /* pixel by pixel; before 1991 1, 1, 1, n repeated the one before it */
+        if (file->rest.length < 4 * width) {
+            return short_of(file, row, error);
+        }
+        memcpy(pixels, file->rest.start, 4 * width);
+        skip(file, 4 * width);
+        for (size_t x = 0; x < width; x++) {
+            if (memcmp(pixels + 4 * x, "\1\1\1", 3) == 0) {
+                return fail(error, ERROR_DATA,
+                            "Radiance: %s %zu is packed in the old way, which is not read",
+                            radiance_word(file), row + 1);
+            }
+        }
+        return true;
     }
     if (bytes_big(at + 2, 2) != width) {
         return fail(error, ERROR_DATA, "Radiance: %s %zu says it has %zu pixels, not %zu",
                     radiance_word(file), row + 1, (size_t)bytes_big(at + 2, 2), width);
     }
     return read_packed(file, row, pixels, error);
-}
-
-static void radiance_fill_row(const struct radiance *file, size_t row, const unsigned char *pixels)
-{
-    const struct image *image = file->image;
-    for (size_t i = 0; i < file->length; i++) {
-        const unsigned char *from = pixels + 4 * i;
-        const size_t x = file->is_upright ? row : i, y = file->is_upright ? i : row;
-        float *pixel = image_row(image, file->from_bottom ? image->height - 1 - y : y) +
-                       3 * (file->from_right ? image->width - 1 - x : x);
-        for (int k = 0; k < 3 && from[3] != 0; k++) {
-            pixel[k] = (float)(ldexp(from[k], from[3] - EXCESS) * file->factor[k]);
-        }
-    }
 }
 
 bool radiance_read(struct text bytes, const struct image_wish *wish, struct arena *arena,
@@ -320,7 +287,15 @@ bool radiance_read(struct text bytes, const struct image_wish *wish, struct aren
         if (!radiance_read_row(&file, y, pixels, error)) {
             return false;
         }
-        radiance_fill_row(&file, y, pixels);
+        for (size_t i = 0; i < file.length; i++) {
+            const unsigned char *from = pixels + 4 * i;
+            const size_t column = file.is_upright ? y : i, row = file.is_upright ? i : y;
+            float *pixel = image_row(image, file.from_bottom ? image->height - 1 - row : row) +
+                           3 * (file.from_right ? image->width - 1 - column : column);
+            for (int k = 0; k < 3 && from[3] != 0; k++) {
+                pixel[k] = (float)(ldexp(from[k], from[3] - EXCESS) * file.factor[k]);
+            }
+        }
     }
     return image_check(image, IMAGE_FINITE, error);
 }
@@ -378,19 +353,6 @@ static void pack_plane(struct bytes *to, const unsigned char *pixels, size_t wid
     }
 }
 
-static void radiance_write_row(struct bytes *to, const unsigned char *pixels, size_t width)
-{
-    if (width < PACKED_LEAST || width > PACKED_MOST) {
-        bytes_put(to, pixels, 4 * width);
-        return;
-    }
-    bytes_put_big(to, 0x0202, 2);
-    bytes_put_big(to, width, 2);
-    for (size_t plane = 0; plane < 4; plane++) {
-        pack_plane(to, pixels + plane, width);
-    }
-}
-
 bool radiance_write(const struct image *image, struct arena *arena, struct text *file,
                     struct error *error)
 {
@@ -425,7 +387,15 @@ bool radiance_write(const struct image *image, struct arena *arena, struct text 
                             x + 1, y + 1, (double)row[channels * x]);
             }
         }
-        radiance_write_row(&to, pixels, image->width);
+        if (image->width < PACKED_LEAST || image->width > PACKED_MOST) {
+            bytes_put(&to, pixels, 4 * image->width);
+            continue;
+        }
+        bytes_put_big(&to, 0x0202, 2);
+        bytes_put_big(&to, image->width, 2);
+        for (size_t plane = 0; plane < 4; plane++) {
+            pack_plane(&to, pixels + plane, image->width);
+        }
     }
     *file = bytes_text(&to);
     return true;

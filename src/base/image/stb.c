@@ -74,12 +74,6 @@ static uint32_t adler32(uint32_t sum, const unsigned char *data, size_t count)
     return b << 16 | a;
 }
 
-static uint32_t adler32_of_zeros(uint32_t sum, size_t count)
-{
-    const uint64_t a = sum & 0xffff, b = sum >> 16;
-    return (uint32_t)((b + count % 65521 * a) % 65521 << 16 | a);
-}
-
 void stb_pack(struct bytes *to, const void *data, size_t count)
 {
     int length = 0;
@@ -112,31 +106,6 @@ static void put_bits(struct bit_writer *writer, uint64_t bits, unsigned count)
     }
 }
 
-/* A block of fixed codes (RFC 1951, 3.2.6): a zero, and copies of the one before it. */
-static void put_zeros(struct bit_writer *writer, size_t count)
-{
-    enum { COPIED_MOST = 258 };
-    put_bits(writer, 1U << 1, 3);
-    for (size_t left = count; left > 0;) {
-        const bool is_copied = left < count && left >= COPIED_MOST;
-        put_bits(writer, is_copied ? 0xa3 : 0x0c, is_copied ? 8 + 5 : 8);
-        left -= is_copied ? COPIED_MOST : 1;
-    }
-    put_bits(writer, 0, 7);
-}
-
-static void put_stored(struct bit_writer *writer, const unsigned char *from, size_t count)
-{
-    enum { BLOCK_MOST = 65535 };
-    for (size_t done = 0, length; done < count; done += length) {
-        length = count - done < BLOCK_MOST ? count - done : BLOCK_MOST;
-        put_bits(writer, 0, 3);
-        put_bits(writer, 0, -writer->count & 7);
-        bytes_put_little(writer->to, length | (uint64_t)(~length & 0xffff) << 16, 4);
-        bytes_put(writer->to, from + done, length);
-    }
-}
-
 void stb_store(struct bytes *to, const void *data, size_t rows, size_t stride)
 {
     const unsigned char *from = data;
@@ -151,10 +120,26 @@ void stb_store(struct bytes *to, const void *data, size_t rows, size_t stride)
         }
         const size_t count = (next - i) * stride;
         if (is_zero) {
-            put_zeros(&writer, count);
-            sum = adler32_of_zeros(sum, count);
+            /* a block of fixed codes (RFC 1951, 3.2.6): a zero, and copies of the one before it */
+            enum { COPIED_MOST = 258 };
+            put_bits(&writer, 1U << 1, 3);
+            for (size_t left = count; left > 0;) {
+                const bool is_copied = left < count && left >= COPIED_MOST;
+                put_bits(&writer, is_copied ? 0xa3 : 0x0c, is_copied ? 8 + 5 : 8);
+                left -= is_copied ? COPIED_MOST : 1;
+            }
+            put_bits(&writer, 0, 7);
+            const uint64_t a = sum & 0xffff, b = sum >> 16;
+            sum = (uint32_t)((b + count % 65521 * a) % 65521 << 16 | a);
         } else {
-            put_stored(&writer, from + i * stride, count);
+            enum { BLOCK_MOST = 65535 };
+            for (size_t done = 0, length; done < count; done += length) {
+                length = count - done < BLOCK_MOST ? count - done : BLOCK_MOST;
+                put_bits(&writer, 0, 3);
+                put_bits(&writer, 0, -writer.count & 7);
+                bytes_put_little(writer.to, length | (uint64_t)(~length & 0xffff) << 16, 4);
+                bytes_put(writer.to, from + i * stride + done, length);
+            }
             sum = adler32(sum, from + i * stride, count);
         }
     }

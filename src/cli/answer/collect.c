@@ -57,10 +57,26 @@ const char *axis_label(const struct collection *collection, const struct axis *a
     return axis->option->name;
 }
 
-/* A number as people write it: f/2.8, 1/125 s, 3 m. */
-static const char *number_words(const struct collection *collection, const struct axis *axis,
-                                double value, bool with_unit)
+const char *axis_value(const struct collection *collection, const struct axis *axis, size_t i,
+                       bool with_unit)
 {
+    const struct option *option = axis->option;
+    const char *member = axis->values + i * option->kind->size;
+    const char *name = option_value_name(option, member);
+    if (name != NULL) {
+        return name;
+    }
+    if (option->kind == &kind_count) {
+        return arena_printf(collection->arena, "%ld", *(const long *)(const void *)member);
+    }
+    if (option->kind == &kind_coc) {
+        return arena_printf(collection->arena, "%.6g%s",
+                            ((const struct coc_value *)(const void *)member)->coc.value,
+                            with_unit ? " mm" : "");
+    }
+    double own = axis_number(axis, i);
+    double value = axis->unit != NULL ? unit_from_own(axis->unit, own) : own;
+    /* a number as people write it: f/2.8, 1/125 s, 3 m */
     const struct dimension *dimension = axis->option->dimension;
     if (with_unit && dimension == &dimension_fnumber) {
         return arena_printf(collection->arena, "f/%.4g", value);
@@ -75,49 +91,15 @@ static const char *number_words(const struct collection *collection, const struc
                         unit ? axis->unit->label : "");
 }
 
-const char *axis_value(const struct collection *collection, const struct axis *axis, size_t i,
-                       bool with_unit)
+bool collection_columns(const struct collection *collection, const char *names, char separator,
+                        bool convert, struct shown **shown, size_t *count, struct error *error)
 {
-    const struct option *option = axis->option;
-    const char *member = axis->values + i * option->kind->size;
-    const char *name = option->kind->name_of != NULL ? option->kind->name_of(option, member) : NULL;
-    if (name != NULL) {
-        return name;
-    }
-    if (option->kind == &kind_count) {
-        return arena_printf(collection->arena, "%ld", *(const long *)(const void *)member);
-    }
-    if (option->kind == &kind_coc) {
-        return arena_printf(collection->arena, "%.6g%s",
-                            ((const struct coc_value *)(const void *)member)->coc.value,
-                            with_unit ? " mm" : "");
-    }
-    double own = axis_number(axis, i);
-    double value = axis->unit != NULL ? unit_from_own(axis->unit, own) : own;
-    return number_words(collection, axis, value, with_unit);
-}
-
-/* Distances in feet where the user reads feet; other units stay. */
-static struct shown in_system(const struct collection *collection, struct shown shown)
-{
-    if (collection->units == UNITS_IMPERIAL && shown.unit != NULL &&
-        shown.column->dimension == &dimension_length && strcmp(shown.unit->name, "m") == 0) {
-        shown.unit = unit_find(&dimension_length, text_of("ft"));
-        shown.name = arena_printf(collection->arena, "%s_ft", shown.column->name);
-        shown.divisor = 0;
-    }
-    return shown;
-}
-
-bool collection_columns(const struct collection *collection, const struct column_names *wanted,
-                        struct shown **shown, size_t *count, struct error *error)
-{
-    struct text rest = text_of(wanted->names);
+    struct text rest = text_of(names);
     size_t most = rest.length + 1;
     *shown = ARENA_ARRAY(collection->arena, most, struct shown);
     *count = 0;
     while (rest.start != NULL) {
-        struct text name = text_trim(text_cut(&rest, wanted->separator));
+        struct text name = text_trim(text_cut(&rest, separator));
         struct shown found;
         if (!report_find_column(collection->sheet, name, collection->arena, &found, error)) {
             if (text_equal(name, "error")) {
@@ -130,7 +112,13 @@ bool collection_columns(const struct collection *collection, const struct column
                 return fail(error, ERROR_USAGE, "column %s is named twice", found.name);
             }
         }
-        (*shown)[(*count)++] = wanted->convert ? in_system(collection, found) : found;
+        if (convert && collection->units == UNITS_IMPERIAL && found.unit != NULL &&
+            found.column->dimension == &dimension_length && strcmp(found.unit->name, "m") == 0) {
+            found.unit = unit_find(&dimension_length, text_of("ft"));
+            found.name = arena_printf(collection->arena, "%s_ft", found.column->name);
+            found.divisor = 0;
+        }
+        (*shown)[(*count)++] = found;
     }
     return *count > 0 || fail(error, ERROR_USAGE, "no column is named");
 }

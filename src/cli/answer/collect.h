@@ -52,16 +52,13 @@ const char *axis_value(const struct collection *collection, const struct axis *a
 const char *axis_machine_value(const struct collection *collection, const struct axis *axis,
                                size_t i);
 
-/* Names of columns as they were typed. */
-struct column_names {
-    const char *names;
-    char separator;
-    bool convert; /* distances become feet where the user reads feet; a typed unit stays */
-};
-
-/* The columns of these names; "error" is passed over where no column is called so. */
-bool collection_columns(const struct collection *collection, const struct column_names *wanted,
-                        struct shown **shown, size_t *count, struct error *error);
+/*
+ * The columns of these names, as typed; "error" is passed over where no column is called so.
+ *
+ * Given     convert  distances become feet where the user reads feet; a typed unit stays
+ */
+bool collection_columns(const struct collection *collection, const char *names, char separator,
+                        bool convert, struct shown **shown, size_t *count, struct error *error);
 
 /* Refuse columns of different units in one cell or on one axis, and, for an axis, words. */
 bool collection_check_units(const struct shown *shown, size_t count, const char *option,

@@ -28,18 +28,6 @@ const struct column columns_of_columns[COLUMNS_OF_COLUMNS] = {
 
 static const struct sheet described = SHEET(columns_of_columns, struct column_row);
 
-static const char *letter_of(const struct command *command, const char *column, struct arena *arena)
-{
-    const struct option *option;
-    for (size_t i = 0; (option = command_option(command, i)) != NULL; i++) {
-        if (option->letter != '\0' && option->column != NULL &&
-            strcmp(option->column, column) == 0) {
-            return arena_string(arena, &option->letter, 1);
-        }
-    }
-    return NULL;
-}
-
 /* "with --film", or the kinds of answers that have it anyway. */
 static const char *shown_where(const struct column *column, struct arena *arena)
 {
@@ -79,26 +67,6 @@ static bool has_column(const struct sheet *sheet, const char *name, size_t lengt
     return false;
 }
 
-static bool stands_in_any(const struct sheet *const *sheets, const char *name)
-{
-    bool found = false;
-    for (size_t i = 0; sheets[i] != NULL && !found; i++) {
-        found = has_column(sheets[i], name, strlen(name));
-    }
-    return found;
-}
-
-/* Does a column of one of the sheets before this one have the name of the column? */
-static bool columns_stands_before(const struct sheet *const *sheets, size_t kind,
-                                  const struct column *column)
-{
-    bool found = false;
-    for (size_t i = 0; i < kind && !found; i++) {
-        found = has_column(sheets[i], column->name, strlen(column->name));
-    }
-    return found;
-}
-
 static bool never(const void *asked, const char *option)
 {
     (void)asked;
@@ -109,11 +77,18 @@ static bool never(const void *asked, const char *option)
 static struct column_row describe(const struct command *command, const struct column *column,
                                   struct arena *arena)
 {
-    const char *unit = column->unit;
+    const char *unit = column->unit, *letter = NULL;
+    const struct option *option;
+    for (size_t i = 0; letter == NULL && (option = command_option(command, i)) != NULL; i++) {
+        if (option->letter != '\0' && option->column != NULL &&
+            strcmp(option->column, column->name) == 0) {
+            letter = arena_string(arena, &option->letter, 1);
+        }
+    }
     return (struct column_row){
         .command = command->name,
         .column = unit != NULL ? ARENA_JOIN(arena, column->name, "_", unit) : column->name,
-        .letter = letter_of(command, column->name, arena),
+        .letter = letter,
         .unit = unit != NULL ? unit_find(column->dimension, text_of(unit))->label : NULL,
         .label = column_label(column),
         .help = column->help,
@@ -135,8 +110,10 @@ static size_t describe_echoes(const struct command *command, const struct sheet 
         for (size_t k = 0; k < echo.count; k++) {
             const struct column *column = &echo.sheet.columns[k];
             const struct option *option = echo.items[k].option;
-            bool known = !option->kind->is_list || (option->flags & OPTION_ASIDE) != 0 ||
-                         stands_in_any(sheets, column->name);
+            bool known = !option->kind->is_list || (option->flags & OPTION_ASIDE) != 0;
+            for (size_t n = 0; sheets[n] != NULL && !known; n++) {
+                known = has_column(sheets[n], column->name, strlen(column->name));
+            }
             for (size_t n = 0; n < count && !known; n++) {
                 known = strcmp(names[n], column->name) == 0;
             }
@@ -165,7 +142,12 @@ const struct column_row *columns_describe(const struct command *command, size_t 
         struct column *columns = ARENA_ARRAY(arena, 2 * sheets[i]->column_count, struct column);
         const size_t spread = sheet_spread(sheets[i], columns, arena);
         for (size_t k = 0; k < spread; k++) {
-            if (!columns_stands_before(sheets, i, &columns[k])) {
+            const char *name = columns[k].name;
+            bool stands_before = false;
+            for (size_t earlier = 0; earlier < i && !stands_before; earlier++) {
+                stands_before = has_column(sheets[earlier], name, strlen(name));
+            }
+            if (!stands_before) {
                 rows[(*count)++] = describe(command, &columns[k], arena);
             }
         }
@@ -225,41 +207,31 @@ int columns_print(const struct command *command, const struct common *common, st
     return 0;
 }
 
-/* The column that repeats the option of this letter or name; null where there is none. */
-static const char *repeating(const struct command *command, struct text name)
-{
-    const struct option *option;
-    for (size_t i = 0; (option = command_option(command, i)) != NULL; i++) {
-        bool letter = name.length == 1 && name.start[0] == option->letter;
-        if (option->column != NULL && (letter || text_same_name(name, text_of(option->name)))) {
-            return option->column;
-        }
-    }
-    return NULL;
-}
-
-/* Does a column that was added stand for a name that one of the command's own answers to? */
-static bool is_disputed(const struct sheet *sheet, struct text name, const char *column,
-                        struct arena *arena)
-{
-    const struct sheet own = report_own_columns(sheet);
-    struct shown shown;
-    struct error ignored;
-    return !has_column(&own, column, strlen(column)) &&
-           report_find_column(&own, name, arena, &shown, &ignored);
-}
-
 const char *columns_from_options(const struct command *command, const struct sheet *sheet,
                                  const char *names, const char *separators, struct arena *arena)
 {
     const char *all = names != NULL ? "" : NULL;
+    const struct sheet own = report_own_columns(sheet);
+    struct shown shown;
+    struct error ignored;
     while (names != NULL && *names != '\0') {
         size_t length = strcspn(names, separators);
         struct text name = text_trim((struct text){names, length});
         bool known = name.length == 0 || has_column(sheet, name.start, name.length);
-        const char *column = known ? NULL : repeating(command, name);
-        bool taken = column != NULL && has_column(sheet, column, strlen(column)) &&
-                     !is_disputed(sheet, name, column, arena);
+        /* the column that repeats the option of this letter or name */
+        const char *column = NULL;
+        const struct option *option;
+        for (size_t i = 0;
+             !known && column == NULL && (option = command_option(command, i)) != NULL; i++) {
+            bool letter = name.length == 1 && name.start[0] == option->letter;
+            bool is_meant = letter || text_same_name(name, text_of(option->name));
+            column = is_meant ? option->column : NULL;
+        }
+        bool taken = column != NULL && has_column(sheet, column, strlen(column));
+        if (taken && !has_column(&own, column, strlen(column))) {
+            /* it was added: a name that one of the command's own answers to means that */
+            taken = !report_find_column(&own, name, arena, &shown, &ignored);
+        }
         all = taken ? arena_printf(arena, "%s%s", all, column)
                     : arena_printf(arena, "%s%.*s", all, (int)length, names);
         names += length;

@@ -199,57 +199,44 @@ static bool common_reads(const struct command *command, unsigned data)
     return (found & data) != 0 || (data == READS_LENSDB && has_series(command));
 }
 
-static bool reads_lensdb(const struct command *command)
-{
-    return common_reads(command, READS_LENSDB);
-}
-
-static bool reads_glasses(const struct command *command)
-{
-    return common_reads(command, READS_GLASSES);
-}
-
 /* More rows than usual, or a file that is also read. */
 static bool is_forced(const struct command *command)
 {
-    bool found = takes_many(command) || command->again != NULL || reads_glasses(command);
+    bool found =
+        takes_many(command) || command->again != NULL || common_reads(command, READS_GLASSES);
     for (size_t i = 0; i < command->option_count && !found; i++) {
         found = (command->options[i].flags & OPTION_FILE) != 0;
     }
     return found;
 }
 
-static bool reads_lenses(const struct command *command)
-{
-    return common_reads(command, READS_LENSES);
-}
-
 /* What a command must have for an option to do anything, and what is said where it has not. */
 static const struct {
     const char *option;
-    bool (*is_used)(const struct command *command);
+    bool (*is_used)(const struct command *command); /* null: as it depends on such data */
     const char *why_not;
+    unsigned data;
 } uses[] = {
-    {"format", common_has_rows, "prints no rows"},
-    {"csv", common_has_rows, "prints no rows"},
-    {"tsv", common_has_rows, "prints no rows"},
-    {"json", common_has_rows, "prints no rows"},
-    {"jsonl", common_has_rows, "prints no rows"},
-    {"columns", common_has_rows, "prints no rows"},
-    {"digits", common_has_rows, "prints no rows"},
-    {"units", has_distances, "prints no distances in metres"},
-    {"table", takes_two, "has no value for each pair of two swept options"},
-    {"plot", has_curves, "has no value for each value of a swept option"},
-    {"explain", has_formulas, "has no formulas to show"},
-    {"nominal", has_series, "takes no f-number, time or ISO"},
-    {"batch", takes_many, "reads no rows"},
-    {"batch-format", takes_many, "reads no rows"},
-    {"fail-fast", takes_many, "answers one question"},
-    {"force", is_forced, "has nothing to force"},
-    {"lensdb", reads_lensdb, "uses no data of lensdb"},
-    {"agf", reads_glasses, "uses no glasses"},
-    {"lossy", reads_lenses, "reads no lenses"},
-    {"glass-numbers", reads_lenses, "reads no lenses"},
+    {"format", common_has_rows, "prints no rows", 0},
+    {"csv", common_has_rows, "prints no rows", 0},
+    {"tsv", common_has_rows, "prints no rows", 0},
+    {"json", common_has_rows, "prints no rows", 0},
+    {"jsonl", common_has_rows, "prints no rows", 0},
+    {"columns", common_has_rows, "prints no rows", 0},
+    {"digits", common_has_rows, "prints no rows", 0},
+    {"units", has_distances, "prints no distances in metres", 0},
+    {"table", takes_two, "has no value for each pair of two swept options", 0},
+    {"plot", has_curves, "has no value for each value of a swept option", 0},
+    {"explain", has_formulas, "has no formulas to show", 0},
+    {"nominal", has_series, "takes no f-number, time or ISO", 0},
+    {"batch", takes_many, "reads no rows", 0},
+    {"batch-format", takes_many, "reads no rows", 0},
+    {"fail-fast", takes_many, "answers one question", 0},
+    {"force", is_forced, "has nothing to force", 0},
+    {"lensdb", NULL, "uses no data of lensdb", READS_LENSDB},
+    {"agf", NULL, "uses no glasses", READS_GLASSES},
+    {"lossy", NULL, "reads no lenses", READS_LENSES},
+    {"glass-numbers", NULL, "reads no lenses", READS_LENSES},
 };
 
 /* Most names differ in their first letter: every start compares some hundreds of them. */
@@ -273,8 +260,10 @@ const char *command_has_no_use(const struct command *command, const struct optio
 {
     const char *why = NULL;
     for (size_t i = 0; i < sizeof uses / sizeof uses[0] && why == NULL; i++) {
-        if (common_is_same(uses[i].option, common->name) && !uses[i].is_used(command)) {
-            why = uses[i].why_not;
+        if (common_is_same(uses[i].option, common->name)) {
+            const bool is_used = uses[i].is_used != NULL ? uses[i].is_used(command)
+                                                         : common_reads(command, uses[i].data);
+            why = is_used ? NULL : uses[i].why_not;
         }
     }
     return why;
@@ -291,24 +280,20 @@ const struct option *command_next_common(const struct command *command, const st
     return option < end ? option : NULL;
 }
 
-/* Formats have options of their names: --csv is short for --format csv. */
-static bool is_short_for(const struct common *common, const struct format *format)
-{
-    size_t i = 0;
-    while (i < common_option_count && strcmp(common_options[i].name, format->word.word) != 0) {
-        i++;
-    }
-    return i < common_option_count &&
-           *(const bool *)((const char *)common + common_options[i].offset);
-}
-
 bool common_format(const struct common *common, bool has_format, const struct format **format,
                    struct error *error)
 {
     int given = has_format;
     *format = formats[common->format];
     for (size_t i = 0; formats[i] != NULL; i++) {
-        if (is_short_for(common, formats[i])) {
+        /* formats have options of their names: --csv is short for --format csv */
+        size_t k = 0;
+        while (k < common_option_count &&
+               strcmp(common_options[k].name, formats[i]->word.word) != 0) {
+            k++;
+        }
+        if (k < common_option_count &&
+            *(const bool *)((const char *)common + common_options[k].offset)) {
             *format = formats[i];
             given++;
         }

@@ -21,7 +21,7 @@ static struct output *complain_begin(struct voice *voice, enum color_when color)
 }
 
 /* Lines from outside; what must not reach a terminal, or is no UTF-8, is '?'. */
-static void complain_write_lines(struct output *output, const char *start, size_t length)
+static void voice_lines(struct output *output, const char *start, size_t length)
 {
     for (size_t i = 0; i < length;) {
         const size_t whole = text_utf8_length(start + i, length - i);
@@ -35,38 +35,9 @@ static void complain_write_lines(struct output *output, const char *start, size_
     }
 }
 
-static void complain_write_string(struct output *output, const char *string)
+static void voice_string(struct output *output, const char *string)
 {
-    complain_write_lines(output, string, strlen(string));
-}
-
-/* "tessar.lens:7:12: " */
-static void write_place(struct output *output, const struct error *error)
-{
-    if (error->source[0] == '\0') {
-        return;
-    }
-    complain_write_string(output, error->source);
-    if (error->line > 0) {
-        output_printf(output, ":%ld", error->line);
-    }
-    if (error->column > 0) {
-        output_printf(output, ":%d", error->column);
-    }
-    output_string(output, ": ");
-}
-
-/* The text, and a caret under its wrong character. */
-static void write_caret(struct output *output, const struct error *error)
-{
-    const size_t length = strlen(error->text), behind = (size_t)error->caret - 1;
-    const struct text before = {error->text, behind < length ? behind : length};
-    output_string(output, "    ");
-    complain_write_string(output, error->text);
-    output_string(output, "\n    ");
-    output_spaces(output, text_cells(before));
-    output_styled(output, STYLE_ERROR, "^");
-    output_character(output, '\n');
+    voice_lines(output, string, strlen(string));
 }
 
 void error_print(const struct error *error, const char *command, enum color_when color)
@@ -82,18 +53,35 @@ void error_print(const struct error *error, const char *command, enum color_when
                   named ? ":" : "");
     output_style(output, STYLE_PLAIN);
     output_character(output, ' ');
-    write_place(output, error);
-    complain_write_string(output, error->message);
+    if (error->source[0] != '\0') { /* "tessar.lens:7:12: " */
+        voice_string(output, error->source);
+        if (error->line > 0) {
+            output_printf(output, ":%ld", error->line);
+        }
+        if (error->column > 0) {
+            output_printf(output, ":%d", error->column);
+        }
+        output_string(output, ": ");
+    }
+    voice_string(output, error->message);
     output_character(output, '\n');
     if (error->caret > 0) {
-        write_caret(output, error);
+        /* the text, and a caret under its wrong character */
+        const size_t length = strlen(error->text), behind = (size_t)error->caret - 1;
+        const struct text before = {error->text, behind < length ? behind : length};
+        output_string(output, "    ");
+        voice_string(output, error->text);
+        output_string(output, "\n    ");
+        output_spaces(output, text_cells(before));
+        output_styled(output, STYLE_ERROR, "^");
+        output_character(output, '\n');
     }
     if (error->more != NULL) {
-        complain_write_string(output, error->more);
+        voice_string(output, error->more);
     }
     if (error->hint[0] != '\0') {
         output_string(output, "    ");
-        complain_write_string(output, error->hint);
+        voice_string(output, error->hint);
         output_character(output, '\n');
     }
     output_flush(output);
@@ -163,11 +151,11 @@ static void write_warning(struct output *output, const char *command, const char
     output_printf(output, "lenscalc: %s: ", command);
     output_styled(output, STYLE_WARNING, "warning:");
     output_character(output, ' ');
-    complain_write_string(output, text);
+    voice_string(output, text);
     output_character(output, '\n');
 }
 
-static void complain_write_doubts(struct output *output, const struct report *report)
+static void write_doubts(struct output *output, const struct report *report)
 {
     struct warnings *doubts = report->doubts;
     for (size_t i = 0; i < doubts->count; i++) {
@@ -180,7 +168,7 @@ static void complain_write_doubts(struct output *output, const struct report *re
 }
 
 /* Columns that were asked for, and have no value in any row. */
-static void complain_write_absent(struct output *output, const struct report *report)
+static void write_absent(struct output *output, const struct report *report)
 {
     for (size_t i = 0; i < report->shown_count; i++) {
         if (!report->has_value[i]) {
@@ -209,14 +197,14 @@ void print_beside(const struct report *report, bool is_apart, enum color_when co
         output_printf(output, "lenscalc: %s: %s\n", report->command, lead);
     }
     if (explain != NULL) {
-        complain_write_string(output, explain);
+        voice_string(output, explain);
         output_character(output, '\n');
     }
     if (are_looked_at) {
-        complain_write_absent(output, report);
+        write_absent(output, report);
     }
     if (warnings > 0) {
-        complain_write_doubts(output, report);
+        write_doubts(output, report);
     }
     output_flush(output);
 }
@@ -228,6 +216,6 @@ void print_remark(const char *start, size_t length)
         return;
     }
     struct output *output = complain_begin(&voice, COLOR_NEVER);
-    complain_write_lines(output, start, length);
+    voice_lines(output, start, length);
     output_flush(output);
 }

@@ -23,28 +23,21 @@ static bool is_machine(const struct report *report)
     return !report->format->is_for_people;
 }
 
-static const struct axis *cross_find_axis(const struct collection *collection, struct text name)
-{
-    for (size_t i = 0; i < collection->sweep->axis_count; i++) {
-        const struct axis *axis = &collection->sweep->axes[i];
-        if ((name.length == 1 && name.start[0] == axis->option->letter) ||
-            text_same_name(name, text_of(axis->option->name)) ||
-            (axis->option->column != NULL && text_same_name(name, text_of(axis->option->column)))) {
-            return axis;
-        }
-    }
-    return NULL;
-}
-
+/* The swept option of this letter, name or column. */
 static bool read_axis(const struct collection *collection, struct text name,
                       const struct axis **axis, struct error *error)
 {
-    *axis = cross_find_axis(collection, name);
-    if (*axis == NULL) {
-        return fail(error, ERROR_USAGE, "--table: '%.*s' is not an option with several values here",
-                    text_shown_up_to(name, 40), name.start);
+    for (size_t i = 0; i < collection->sweep->axis_count; i++) {
+        *axis = &collection->sweep->axes[i];
+        const struct option *option = (*axis)->option;
+        if ((name.length == 1 && name.start[0] == option->letter) ||
+            text_same_name(name, text_of(option->name)) ||
+            (option->column != NULL && text_same_name(name, text_of(option->column)))) {
+            return true;
+        }
     }
-    return true;
+    return fail(error, ERROR_USAGE, "--table: '%.*s' is not an option with several values here",
+                text_shown_up_to(name, 40), name.start);
 }
 
 static bool read_specification(const struct collection *collection, const char *specification,
@@ -71,31 +64,12 @@ static bool read_specification(const struct collection *collection, const char *
                     collection->sweep->axis_count);
     }
     bool people = !is_machine(report), typed = values.start != NULL;
-    const struct column_names wanted = {
-        .names = names, .separator = '+', .convert = people && !typed};
-    if (!collection_columns(collection, &wanted, &cross->values, &cross->value_count, error)) {
+    if (!collection_columns(collection, names, '+', people && !typed, &cross->values,
+                            &cross->value_count, error)) {
         return error_prefix(error, "--table: ");
     }
     return !people ||
            collection_check_units(cross->values, cross->value_count, "--table", false, error);
-}
-
-static bool cross_check_format(const struct report *report, struct error *error)
-{
-    const char *able = "";
-    for (size_t i = 0; formats[i] != NULL; i++) {
-        if (formats[i]->write_grid != NULL) {
-            able = arena_printf(report->arena, "%s%s%s", able, able[0] != '\0' ? ", " : "",
-                                formats[i]->word.word);
-        }
-    }
-    return report->format->write_grid != NULL ||
-           fail(error, ERROR_USAGE, "--table is for %s", able);
-}
-
-static int compare_names(const void *a, const void *b)
-{
-    return strcmp(*(const char *const *)a, *(const char *const *)b);
 }
 
 /* Programs find a column by its name: values that are written alike would give one name twice. */
@@ -106,7 +80,7 @@ static bool check_heads(const struct collection *collection, const struct axis *
     for (size_t j = 0; j < across->count; j++) {
         values[j] = axis_machine_value(collection, across, j);
     }
-    qsort(values, across->count, sizeof *values, compare_names);
+    qsort(values, across->count, sizeof *values, text_order);
     for (size_t j = 1; j < across->count; j++) {
         if (strcmp(values[j - 1], values[j]) == 0) {
             return fail(error, ERROR_USAGE,
@@ -127,8 +101,17 @@ bool cross_table_check(const struct collection *collection, const char *specific
                     "--columns does nothing beside --table: what its cells show stands behind a "
                     "colon there, ROW,COL:VALUE");
     }
-    return cross_check_format(report, error) &&
-           read_specification(collection, specification, report, &cross, error) &&
+    const char *able = "";
+    for (size_t i = 0; formats[i] != NULL; i++) {
+        if (formats[i]->write_grid != NULL) {
+            able = arena_printf(report->arena, "%s%s%s", able, able[0] != '\0' ? ", " : "",
+                                formats[i]->word.word);
+        }
+    }
+    if (report->format->write_grid == NULL) {
+        return fail(error, ERROR_USAGE, "--table is for %s", able);
+    }
+    return read_specification(collection, specification, report, &cross, error) &&
            (!is_machine(report) || check_heads(collection, cross.across, error));
 }
 
@@ -141,55 +124,10 @@ static const void *row_at(const struct collection *collection, const struct cros
     return collection_row(collection, index);
 }
 
-/* The median magnitude of a column over the whole table. */
-static double cross_typical(const struct collection *collection, const struct shown *shown)
-{
-    size_t total = collection->sweep->total, count = 0;
-    double *values = ARENA_ARRAY(collection->arena, total, double);
-    for (size_t i = 0; i < total; i++) {
-        const void *row = collection_row(collection, i);
-        if (row != NULL && shown->column->type == COLUMN_NUMBER) {
-            double value = fabs(row_number(row, shown->column));
-            if (isfinite(value)) {
-                values[count++] = value;
-            }
-        }
-    }
-    return readable_median(values, count);
-}
-
-/* The column in metres, so that readable_unit may choose feet and inches or millimetres. */
-static struct shown for_people(const struct collection *collection, struct shown shown)
-{
-    if (shown.column->unit != NULL && shown.unit != NULL && collection->units == UNITS_IMPERIAL &&
-        strcmp(shown.unit->name, "ft") == 0) {
-        shown.unit = unit_find(shown.column->dimension, text_of(shown.column->unit));
-    }
-    return shown;
-}
-
-/* "near limit - far limit (m)" */
-static const char *value_words(const struct collection *collection, const struct cross *cross)
-{
-    const char *words = "";
-    for (size_t k = 0; k < cross->value_count; k++) {
-        const struct shown *shown = &cross->values[k];
-        words = arena_printf(collection->arena, "%s%s%s", words, k > 0 ? " - " : "",
-                             column_label(shown->column));
-    }
-    const char *unit = readable_unit_label(&cross->values[0], cross->units[0]);
-    return unit[0] == '\0' ? words : arena_printf(collection->arena, "%s (%s)", words, unit);
-}
-
 static int cross_digits_of(const struct report *report, const struct column *column)
 {
-    if (report->digits != 0) {
-        return report->digits;
-    }
-    if (column->digits != 0) {
-        return column->digits;
-    }
-    return 4;
+    const int own = column->digits != 0 ? column->digits : 4;
+    return report->digits != 0 ? report->digits : own;
 }
 
 /* One unit for the whole table, and one form of feet and inches: values that share a cell share
@@ -198,7 +136,19 @@ static void cross_choose_units(const struct collection *collection, const struct
                                const struct cross *cross)
 {
     const struct shown *first = &cross->values[0];
-    double size = cross_typical(collection, first);
+    /* the median magnitude of a column over the whole table */
+    size_t total = collection->sweep->total, count = 0;
+    double *values = ARENA_ARRAY(collection->arena, total, double);
+    for (size_t i = 0; i < total; i++) {
+        const void *row = collection_row(collection, i);
+        if (row != NULL && first->column->type == COLUMN_NUMBER) {
+            double value = fabs(row_number(row, first->column));
+            if (isfinite(value)) {
+                values[count++] = value;
+            }
+        }
+    }
+    double size = readable_median(values, count);
     const struct unit *unit = readable_unit(first, collection->units, size);
     int places = readable_inch_places(first, unit, size, cross_digits_of(report, first->column));
     for (size_t k = 0; k < cross->value_count; k++) {
@@ -229,54 +179,32 @@ static const char *machine_value(const struct collection *collection, const void
     return row_text(row, shown->column);
 }
 
-static void write_cell(const struct collection *collection, const struct cross *cross,
-                       const struct report *report, const void *row, struct grid *grid, size_t j)
+/*
+ * "distance (m)", or for machines "distance_m": the output column that repeats the axis, in the
+ * unit of its values.
+ */
+static const char *axis_head(const struct collection *collection, const struct axis *axis,
+                             bool is_for_machines)
 {
-    const char *words = "";
-    for (size_t k = 0; k < cross->value_count; k++) {
-        char value[256] = "-";
-        const struct shown *shown = &cross->values[k];
-        if (is_machine(report)) {
-            grid_set(grid, 1 + j * cross->value_count + k,
-                     machine_value(collection, row, shown, report->digits));
-            continue;
-        }
-        if (row != NULL && !row_is_absent(row, shown->column)) {
-            readable_value(value, sizeof value, row, shown, cross->units[k],
-                           cross_digits_of(report, shown->column));
-        }
-        words = arena_printf(collection->arena, "%s%s%s", words, k > 0 ? " - " : "", value);
+    const struct option *option = axis->option;
+    const char *column = option->column != NULL ? option->column : option->name;
+    const char *name = is_for_machines ? column : axis_label(collection, axis);
+    /* times say their own, as prints do */
+    const bool has_unit = axis->unit != NULL && axis->unit->name[0] != '\0' &&
+                          option->kind != &kind_print &&
+                          (is_for_machines || option->dimension != &dimension_time);
+    if (!has_unit) {
+        return name;
     }
-    if (!is_machine(report)) {
-        grid_set(grid, 1 + j, words);
-    }
-}
-
-static const char *axis_head(const struct collection *collection, const struct axis *axis)
-{
-    const char *label = axis_label(collection, axis);
-    bool unit = axis->unit != NULL && axis->unit->label[0] != '\0' &&
-                axis->option->dimension != &dimension_time && /* times say their own */
-                axis->option->kind != &kind_print;            /* as prints do */
-    return unit ? arena_printf(collection->arena, "%s (%s)", label, axis->unit->label) : label;
-}
-
-/* "distance_m": the output column that repeats the axis, in the unit of its values. */
-static const char *machine_name(const struct collection *collection, const struct axis *axis)
-{
-    const char *name = axis->option->column != NULL ? axis->option->column : axis->option->name;
-    bool unit =
-        axis->unit != NULL && axis->unit->name[0] != '\0' && axis->option->kind != &kind_print;
-    return unit ? arena_printf(collection->arena, "%s_%s", name, axis->unit->name) : name;
+    return is_for_machines ? arena_printf(collection->arena, "%s_%s", name, axis->unit->name)
+                           : arena_printf(collection->arena, "%s (%s)", name, axis->unit->label);
 }
 
 static void cross_write_head(const struct collection *collection, const struct cross *cross,
                              const struct report *report, struct grid *grid)
 {
     grid_add_row(grid);
-    grid_set(grid, 0,
-             is_machine(report) ? machine_name(collection, cross->down)
-                                : axis_head(collection, cross->down));
+    grid_set(grid, 0, axis_head(collection, cross->down, is_machine(report)));
     for (size_t j = 0; j < cross->across->count; j++) {
         const char *value = axis_value(collection, cross->across, j, true);
         if (!is_machine(report)) {
@@ -286,7 +214,7 @@ static void cross_write_head(const struct collection *collection, const struct c
         for (size_t k = 0; k < cross->value_count; k++) {
             grid_set(grid, 1 + j * cross->value_count + k,
                      arena_printf(collection->arena, "%s_%s_%s", cross->values[k].name,
-                                  machine_name(collection, cross->across),
+                                  axis_head(collection, cross->across, true),
                                   axis_machine_value(collection, cross->across, j)));
         }
     }
@@ -304,7 +232,25 @@ static struct grid cross_build(const struct collection *collection, const struct
                  is_machine(report) ? axis_machine_value(collection, cross->down, i)
                                     : axis_value(collection, cross->down, i, false));
         for (size_t j = 0; j < cross->across->count; j++) {
-            write_cell(collection, cross, report, row_at(collection, cross, i, j), &grid, j);
+            const void *row = row_at(collection, cross, i, j);
+            const char *words = "";
+            for (size_t k = 0; k < cross->value_count; k++) {
+                char value[256] = "-";
+                const struct shown *shown = &cross->values[k];
+                if (is_machine(report)) {
+                    grid_set(&grid, 1 + j * cross->value_count + k,
+                             machine_value(collection, row, shown, report->digits));
+                    continue;
+                }
+                if (row != NULL && !row_is_absent(row, shown->column)) {
+                    readable_value(value, sizeof value, row, shown, cross->units[k],
+                                   cross_digits_of(report, shown->column));
+                }
+                words = arena_printf(collection->arena, "%s%s%s", words, k > 0 ? " - " : "", value);
+            }
+            if (!is_machine(report)) {
+                grid_set(&grid, 1 + j, words);
+            }
         }
     }
     return grid;
@@ -329,10 +275,10 @@ static void write_grid(struct report *report, const struct grid *grid)
     }
 }
 
-/* Values that no cell has are said to be absent, not shown as nothing. */
-static void doubt_absent(const struct collection *collection, const struct cross *cross,
-                         const struct report *report)
+static void cross_doubt(const struct collection *collection, const struct cross *cross,
+                        const struct report *report)
 {
+    /* values that no cell has are said to be absent, not shown as nothing */
     for (size_t k = 0; k < cross->value_count; k++) {
         const struct column *column = cross->values[k].column;
         bool any_row = false, any = false;
@@ -348,12 +294,7 @@ static void doubt_absent(const struct collection *collection, const struct cross
                          report_absence(report, column));
         }
     }
-}
-
-/* What is doubtful about a lens stands in a column of its rows, which a table has not. */
-static void doubt_warnings(const struct collection *collection, const struct cross *cross,
-                           const struct report *report)
-{
+    /* what is doubtful about a lens stands in a column of its rows, which a table has not */
     for (size_t k = 0; k < report->sheet->column_count; k++) {
         const struct column *column = &report->sheet->columns[k];
         if ((column->flags & COLUMN_NOTE) == 0 || !text_equal(text_of(column->name), "warning")) {
@@ -384,19 +325,30 @@ bool cross_table_write(const struct collection *collection, const char *specific
     }
     cross.units = ARENA_ARRAY(collection->arena, cross.value_count, const struct unit *);
     for (size_t k = 0; k < cross.value_count; k++) {
-        if (!is_machine(report)) {
-            cross.values[k] = for_people(collection, cross.values[k]);
+        struct shown *shown = &cross.values[k];
+        /* in metres, so that readable_unit may choose feet and inches or millimetres */
+        if (!is_machine(report) && shown->column->unit != NULL && shown->unit != NULL &&
+            collection->units == UNITS_IMPERIAL && strcmp(shown->unit->name, "ft") == 0) {
+            shown->unit = unit_find(shown->column->dimension, text_of(shown->column->unit));
         }
     }
     cross_choose_units(collection, report, &cross);
-    doubt_absent(collection, &cross, report);
-    doubt_warnings(collection, &cross, report);
+    cross_doubt(collection, &cross, report);
     struct grid grid = cross_build(collection, &cross, report);
     if (!is_machine(report)) {
         const void *row = collection_first_row(collection);
-        grid.title =
-            arena_printf(collection->arena, "%s by %s and %s", value_words(collection, &cross),
-                         axis_label(collection, cross.down), axis_label(collection, cross.across));
+        /* "near limit - far limit (m)" */
+        const char *words = "";
+        for (size_t k = 0; k < cross.value_count; k++) {
+            const struct shown *shown = &cross.values[k];
+            words = arena_printf(collection->arena, "%s%s%s", words, k > 0 ? " - " : "",
+                                 column_label(shown->column));
+        }
+        const char *unit = readable_unit_label(&cross.values[0], cross.units[0]);
+        grid.title = arena_printf(
+            collection->arena, "%s by %s and %s",
+            unit[0] == '\0' ? words : arena_printf(collection->arena, "%s (%s)", words, unit),
+            axis_label(collection, cross.down), axis_label(collection, cross.across));
         grid.in_blocks = true;
         grid.note = row != NULL ? report_assumptions(report, row) : NULL;
     }

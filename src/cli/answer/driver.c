@@ -45,19 +45,6 @@ static bool asked_varied(const void *asked, const char *option)
            asked_in_rows(asked, option);
 }
 
-/* Before a row is printed: a batch finds out row by row. */
-static bool check_sheets(struct driver *driver, struct error *error)
-{
-    size_t count = driver->command->choose_sheet != NULL ? driver->sweep.total : 0;
-    for (size_t i = 0; i < count; i++) {
-        if (!sweep_recall(&driver->sweep, i, driver->input, error) ||
-            !rows_check_sheet(driver, error)) {
-            return false;
-        }
-    }
-    return true;
-}
-
 static bool set_up_report(struct driver *driver, struct error *error)
 {
     struct report *report = &driver->report;
@@ -93,17 +80,6 @@ static const char *plot_columns(const struct driver *driver)
     return driver->common.columns != NULL ? driver->common.columns : driver->command->plot;
 }
 
-/* Do --table and --plot suit the question? They show one row of each value of a sweep. */
-static bool check_collects(const struct driver *driver, const char *option, struct error *error)
-{
-    if (driver->is_batch) {
-        return fail(error, ERROR_USAGE, "--%s works with swept options, not with --batch", option);
-    }
-    return driver->command->makes_many == NULL || !driver->command->makes_many(driver->input) ||
-           fail(error, ERROR_USAGE,
-                "--%s needs one row per combination, but this question has several", option);
-}
-
 /* Rows of a sweep are kept for --table and --plot. */
 static bool set_up_collection(struct driver *driver, struct error *error)
 {
@@ -117,8 +93,13 @@ static bool set_up_collection(struct driver *driver, struct error *error)
         return true;
     }
     const char *option = common->table != NULL ? "table" : "plot";
-    if (!check_collects(driver, option, error)) {
-        return false;
+    /* --table and --plot show one row of each value of a sweep */
+    if (driver->is_batch) {
+        return fail(error, ERROR_USAGE, "--%s works with swept options, not with --batch", option);
+    }
+    if (driver->command->makes_many != NULL && driver->command->makes_many(driver->input)) {
+        return fail(error, ERROR_USAGE,
+                    "--%s needs one row per combination, but this question has several", option);
     }
     driver->collection =
         (struct collection){.sweep = &driver->sweep,
@@ -263,15 +244,14 @@ static bool open_batch(struct driver *driver, struct error *error)
     memcpy(constants, driver->input, driver->command->input_size);
     /* what the header needs lies below the first row's mark and stays */
     driver->reader.arena = &driver->row_arena;
-    const struct batch_source source = {.path = common->batch,
-                                        .format = (enum batch_format)common->batch_format,
-                                        .arguments = &driver->arguments,
-                                        .reader = &driver->reader,
-                                        .arena = &driver->arena,
-                                        .sheet = asked_sheet(driver),
-                                        .commands = driver->commands,
-                                        .constants = constants};
-    if (!batch_open(&driver->batch, &source, error) ||
+    driver->batch = (struct batch){.arguments = &driver->arguments,
+                                   .reader = &driver->reader,
+                                   .arena = &driver->arena,
+                                   .sheet = asked_sheet(driver),
+                                   .commands = driver->commands,
+                                   .constants = constants};
+    if (!batch_open(&driver->batch, common->batch, (enum batch_format)common->batch_format,
+                    error) ||
         !batch_settle(&driver->batch, asked_sheet(driver), driver->report.format->is_keyed,
                       error)) {
         return false;
@@ -284,27 +264,6 @@ static bool open_batch(struct driver *driver, struct error *error)
                      driver->batch.source, driver->command->name);
     }
     return true;
-}
-
-/* The sheet of this question. Rows of a batch go to the command in blocks if it takes them. */
-static void driver_choose_sheet(struct driver *driver)
-{
-    const struct command *command = driver->command;
-    const struct sheet *sheet = asked_sheet(driver);
-    const struct echo_question question = {.command = command,
-                                           .sheet = sheet,
-                                           .all = driver->common.columns != NULL,
-                                           .is_for_people = driver->report.format->is_for_people,
-                                           .given = asked_given,
-                                           .varied = asked_varied,
-                                           .asked = driver,
-                                           .input = driver->input};
-    echo_open(&driver->echo, &question, &driver->arena);
-    driver->report.sheet = &driver->echo.sheet;
-    if (driver->is_batch && command->takes_blocks != NULL &&
-        command->takes_blocks(driver->input, &driver->asking)) {
-        queue_open(&driver->queue, command, sheet, driver->batch.passed_count, &driver->arena);
-    }
 }
 
 static bool open_output(struct driver *driver, struct error *error)
@@ -352,12 +311,33 @@ static bool driver_ask(struct driver *driver, struct error *error)
     if (!idle_check(&driver->sweep, &driver->arguments, &driver->asking, driver->input, error)) {
         return false;
     }
-    driver_choose_sheet(driver);
+    const struct sheet *sheet = asked_sheet(driver);
+    const struct echo_question question = {.command = command,
+                                           .sheet = sheet,
+                                           .all = driver->common.columns != NULL,
+                                           .is_for_people = driver->report.format->is_for_people,
+                                           .given = asked_given,
+                                           .varied = asked_varied,
+                                           .asked = driver,
+                                           .input = driver->input};
+    echo_open(&driver->echo, &question, &driver->arena);
+    driver->report.sheet = &driver->echo.sheet;
+    /* rows of a batch go to the command in blocks if it takes them */
+    if (driver->is_batch && command->takes_blocks != NULL &&
+        command->takes_blocks(driver->input, &driver->asking)) {
+        queue_open(&driver->queue, command, sheet, driver->batch.passed_count, &driver->arena);
+    }
     driver->common.columns =
         columns_from_options(command, driver->report.sheet, common->columns, ",", &driver->arena);
-    return check_sheets(driver, error) && set_up_report(driver, error) &&
-           set_up_collection(driver, error) && order_artifacts(driver, error) &&
-           open_output(driver, error);
+    /* before a row is printed: a batch finds out row by row */
+    for (size_t i = 0; command->choose_sheet != NULL && i < driver->sweep.total; i++) {
+        if (!sweep_recall(&driver->sweep, i, driver->input, error) ||
+            !rows_check_sheet(driver, error)) {
+            return false;
+        }
+    }
+    return set_up_report(driver, error) && set_up_collection(driver, error) &&
+           order_artifacts(driver, error) && open_output(driver, error);
 }
 
 static bool driver_answer(struct driver *driver, struct error *error)
@@ -528,20 +508,6 @@ bool command_embed(const struct embedded_command *embedding, struct run *outer,
 static int execute(const struct again *question, const struct command *const *commands, char **argv,
                    const char *database);
 
-/* A command that has another one answer. */
-static int ask_again(struct driver *driver, char **argv)
-{
-    struct again question = {0};
-    struct error error = {0};
-    if (!sweep_build(&driver->sweep, &driver->arguments, &driver->reader, false, driver->input,
-                     &error) ||
-        !driver->command->again(driver->input, &driver->run, &question, &error)) {
-        complain(&error, &driver->arguments, &driver->batch);
-        return (int)error.code;
-    }
-    return execute(&question, driver->commands, argv, driver->database);
-}
-
 static int answer_question(struct driver *driver, char **argv)
 {
     const struct command *command = driver->command;
@@ -553,7 +519,16 @@ static int answer_question(struct driver *driver, char **argv)
         return columns_print(command, &driver->common, &driver->arena);
     }
     if (command->again != NULL) {
-        return ask_again(driver, argv);
+        /* a command that has another one answer */
+        struct again question = {0};
+        struct error error = {0};
+        if (!sweep_build(&driver->sweep, &driver->arguments, &driver->reader, false, driver->input,
+                         &error) ||
+            !driver->command->again(driver->input, &driver->run, &question, &error)) {
+            complain(&error, &driver->arguments, &driver->batch);
+            return (int)error.code;
+        }
+        return execute(&question, driver->commands, argv, driver->database);
     }
     const bool lacks = relay_is_wanted(command, &driver->arguments) &&
                        !relay_to_ceres(argv, &driver->arena, &missing);

@@ -15,24 +15,6 @@ size_t help_width(const struct output *output)
     return output->width >= NARROWEST && output->width < WIDTH ? output->width : WIDTH;
 }
 
-/* "(mm; above 0 mm; default 50)": unit, range and default of an option; "" if it has none. */
-static const char *help_facts_of(const struct option *option, struct arena *arena)
-{
-    const struct unit *unit = option_unit(option);
-    const char *range = option_range(option, arena), *facts = "";
-    if (unit != NULL && unit->name[0] != '\0') {
-        facts = arena_printf(arena, " (%s", unit->label);
-    }
-    if (range[0] != '\0') {
-        facts = arena_printf(arena, "%s%s%s", facts, facts[0] != '\0' ? "; " : " (", range);
-    }
-    if (option->fallback != NULL) {
-        facts = arena_printf(arena, "%s%sdefault %s", facts, facts[0] != '\0' ? "; " : " (",
-                             option->fallback);
-    }
-    return facts[0] != '\0' ? arena_printf(arena, "%s)", facts) : "";
-}
-
 /* "-f, --focal-length LENGTH" padded, then what it is for, its unit, range and default. */
 static void write_option(const struct option *option, struct output *output, struct arena *arena)
 {
@@ -47,9 +29,22 @@ static void write_option(const struct option *option, struct output *output, str
     if (strlen(name) >= NAME_WIDTH) {
         output_printf(output, "\n%*s", NAME_WIDTH, "");
     }
-    output_paragraph(output,
-                     arena_printf(arena, "%s%s", option->help, help_facts_of(option, arena)),
-                     NAME_WIDTH, NAME_WIDTH, help_width(output));
+    /* "(mm; above 0 mm; default 50)": unit, range and default of an option; "" if it has none */
+    const struct unit *unit = option_unit(option);
+    const char *range = option_range(option, arena), *facts = "";
+    if (unit != NULL && unit->name[0] != '\0') {
+        facts = arena_printf(arena, " (%s", unit->label);
+    }
+    if (range[0] != '\0') {
+        facts = arena_printf(arena, "%s%s%s", facts, facts[0] != '\0' ? "; " : " (", range);
+    }
+    if (option->fallback != NULL) {
+        facts = arena_printf(arena, "%s%sdefault %s", facts, facts[0] != '\0' ? "; " : " (",
+                             option->fallback);
+    }
+    output_paragraph(
+        output, arena_printf(arena, "%s%s%s", option->help, facts, facts[0] != '\0' ? ")" : ""),
+        NAME_WIDTH, NAME_WIDTH, help_width(output));
     for (size_t i = 0; option_word(option, i) != NULL; i++) {
         const struct word *word = option_word(option, i);
         enum { WORD_AT = NAME_WIDTH + 2, HELP_AT = WORD_AT + WORD_WIDTH };
@@ -60,37 +55,6 @@ static void write_option(const struct option *option, struct output *output, str
     }
 }
 
-static void write_usage(const struct command *command, struct output *output, struct arena *arena)
-{
-    const char *usage = arena_printf(arena, "lenscalc %s", command->name);
-    for (size_t i = 0; i < command->option_count; i++) {
-        const struct option *option = &command->options[i];
-        if ((option->flags & OPTION_OPERAND) != 0) {
-            bool many = (option->flags & (OPTION_MANY | OPTION_TOGETHER)) != 0;
-            usage = arena_printf(arena, "%s [%s]%s", usage, option->value, many ? "..." : "");
-        }
-    }
-    output_paragraph(output, arena_printf(arena, "%s [options]: %s", usage, command->summary), 0, 2,
-                     help_width(output));
-}
-
-/* The last place of the first `most` characters before which a shell lets a line end. */
-static size_t help_line_end(const char *words, size_t most)
-{
-    size_t end = 0;
-    char quote = '\0';
-    for (size_t i = 0; words[i] != '\0' && i < most; i++) {
-        if (words[i] == quote) {
-            quote = '\0';
-        } else if (quote == '\0' && (words[i] == '"' || words[i] == '\'')) {
-            quote = words[i];
-        } else if (quote == '\0' && words[i] == ' ' && words[i + 1] == '-') {
-            end = i;
-        }
-    }
-    return end;
-}
-
 /* The words of an example, in lines that a shell reads as one. */
 static void write_example(const char *words, struct output *output)
 {
@@ -98,7 +62,18 @@ static void write_example(const char *words, struct output *output)
     size_t room = help_width(output) - BEGINS;
     output_string(output, "  lenscalc ");
     while (strlen(words) > room) {
-        size_t end = help_line_end(words, room - 2);
+        /* the last place before which a shell lets a line end */
+        size_t end = 0;
+        char quote = '\0';
+        for (size_t i = 0; words[i] != '\0' && i < room - 2; i++) {
+            if (words[i] == quote) {
+                quote = '\0';
+            } else if (quote == '\0' && (words[i] == '"' || words[i] == '\'')) {
+                quote = words[i];
+            } else if (quote == '\0' && words[i] == ' ' && words[i + 1] == '-') {
+                end = i;
+            }
+        }
         if (end == 0) {
             break;
         }
@@ -111,7 +86,16 @@ static void write_example(const char *words, struct output *output)
 
 void help_write(const struct command *command, struct output *output, struct arena *arena)
 {
-    write_usage(command, output, arena);
+    const char *usage = arena_printf(arena, "lenscalc %s", command->name);
+    for (size_t i = 0; i < command->option_count; i++) {
+        const struct option *option = &command->options[i];
+        if ((option->flags & OPTION_OPERAND) != 0) {
+            bool many = (option->flags & (OPTION_MANY | OPTION_TOGETHER)) != 0;
+            usage = arena_printf(arena, "%s [%s]%s", usage, option->value, many ? "..." : "");
+        }
+    }
+    output_paragraph(output, arena_printf(arena, "%s [options]: %s", usage, command->summary), 0, 2,
+                     help_width(output));
     output_string(output, "\nExamples:\n");
     for (const struct example *example = command->examples; example->arguments != NULL; example++) {
         write_example(example->arguments, output);

@@ -85,16 +85,11 @@ static double column_value(const void *row, const struct column *column)
     return row_is_absent(row, column) ? NAN : (double)row_integer(row, column);
 }
 
-static double *curve(const struct collection *collection, const struct plotting_layout *layout,
-                     size_t group, const struct shown *shown)
+/* The same in the unit that is shown; NaN of no row. */
+static double shown_value(const void *row, const struct shown *shown)
 {
-    double *y = ARENA_ARRAY(collection->arena, layout->x->count, double);
-    for (size_t i = 0; i < layout->x->count; i++) {
-        const void *row = collection_row(collection, combination(layout, group, i));
-        double value = row != NULL ? column_value(row, shown->column) : NAN;
-        y[i] = shown->unit != NULL ? unit_from_own(shown->unit, value) : value;
-    }
-    return y;
+    const double value = row != NULL ? column_value(row, shown->column) : NAN;
+    return shown->unit != NULL ? unit_from_own(shown->unit, value) : value;
 }
 
 /* Which of the shown columns has this name? Their count: none. */
@@ -135,7 +130,12 @@ static void plotting_add_curves(const struct collection *collection,
     for (size_t g = 0; g < groups; g++) {
         for (size_t k = 0; k < columns; k++) {
             struct plot_series *one = &series[g * columns + k];
-            one->y = curve(collection, layout, g, &layout->shown[k]);
+            double *y = ARENA_ARRAY(collection->arena, layout->x->count, double);
+            for (size_t i = 0; i < layout->x->count; i++) {
+                const void *row = collection_row(collection, combination(layout, g, i));
+                y[i] = shown_value(row, &layout->shown[k]);
+            }
+            one->y = y;
             one->style = groups > 1 ? g : k;
             /* near and far of a group look alike: one label is enough */
             if (groups == 1) {
@@ -180,30 +180,21 @@ static bool curve_group_at(void *context, double x, double *y)
     }
     const void *row = collection->answer(collection->asked, collection->input);
     for (size_t k = 0; k < layout->shown_count; k++) {
-        const struct shown *shown = &layout->shown[k];
-        const double value = row != NULL ? column_value(row, shown->column) : NAN;
-        y[k] = shown->unit != NULL ? unit_from_own(shown->unit, value) : value;
+        y[k] = shown_value(row, &layout->shown[k]);
     }
     return true;
-}
-
-/* Do more answers cost so little that a drawing may ask for them? How many then, together? */
-static size_t most_between(const struct collection *collection)
-{
-    const size_t most = 6000;
-    const struct command *command = collection->command;
-    if (command->needs_ceres != NULL) {
-        return 0;
-    }
-    const double weight = command->weight != NULL ? command->weight(collection->input) : 1;
-    return (size_t)((double)most / fmax(weight, 1));
 }
 
 /* What lies between the samples, where the curves are bent or end. */
 static void refine_curves(const struct collection *collection, const struct plotting_layout *layout,
                           struct plot *plot)
 {
-    const size_t columns = layout->shown_count, most = most_between(collection) / layout->groups;
+    const size_t columns = layout->shown_count, most_together = 6000;
+    const struct command *command = collection->command;
+    const double weight = command->weight != NULL ? command->weight(collection->input) : 1;
+    /* as long as answers cost so little that a drawing may ask for more */
+    const size_t all = (size_t)((double)most_together / fmax(weight, 1));
+    const size_t most = command->needs_ceres != NULL ? 0 : all / layout->groups;
     struct plot_series *refined =
         ARENA_ARRAY(collection->arena, plot->series_count, struct plot_series);
     const double **y = ARENA_ARRAY(collection->arena, columns, const double *);
@@ -259,8 +250,8 @@ static bool plotting_lay_out(const struct collection *collection, const char *co
     if (columns == NULL) {
         return fail(error, ERROR_USAGE, "--plot: say what to plot with --columns");
     }
-    const struct column_names wanted = {.names = columns, .separator = ',', .convert = !typed};
-    return collection_columns(collection, &wanted, &layout->shown, &layout->shown_count, error) &&
+    return collection_columns(collection, columns, ',', !typed, &layout->shown,
+                              &layout->shown_count, error) &&
            collection_check_units(layout->shown, layout->shown_count, "--plot", true, error) &&
            choose_x(collection, layout, error);
 }

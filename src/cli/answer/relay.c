@@ -107,20 +107,6 @@ bool relay_to_ceres(char **argv, struct arena *arena, struct error *error)
                 "libceres-dev and g++ (as 'make deps' does), then 'make' and 'make install' again");
 }
 
-/* Is the word one of the list's? */
-static bool relay_lists(struct text list, const char *word)
-{
-    const char *const end = list.start + list.length;
-    for (const char *at = list.start; at != NULL;) {
-        const char *comma = memchr(at, ',', (size_t)(end - at));
-        if (text_same(text_between(at, comma != NULL ? comma : end), word)) {
-            return true;
-        }
-        at = comma != NULL ? comma + 1 : NULL;
-    }
-    return false;
-}
-
 bool relay_is_wanted(const struct command *command, const struct arguments *arguments)
 {
     const char *when = command->needs_ceres;
@@ -129,5 +115,10 @@ bool relay_is_wanted(const struct command *command, const struct arguments *argu
     }
     const char *word = strchr(when, '=');
     const struct argument *argument = arguments_find(arguments, text_between(when, word));
-    return argument->is_given && relay_lists(argument->text, word + 1);
+    struct text list = argument->text;
+    bool found = false;
+    while (argument->is_given && list.start != NULL && !found) {
+        found = text_same(text_cut(&list, ','), word + 1);
+    }
+    return found;
 }

@@ -44,26 +44,6 @@ static bool is_going(const struct driver *driver)
     return driver->output.failure == 0 && !atomic_load(&driver->progress.watch.is_ended);
 }
 
-/* Notes that no answer is silent about: what is doubtful, and what was taken for what was named. */
-static bool is_told(const struct column *column)
-{
-    return (column->flags & COLUMN_NOTE) != 0 && (text_equal(text_of(column->name), "warning") ||
-                                                  text_equal(text_of(column->name), "taken_as"));
-}
-
-/* Those that nobody reads among the rows: people do, below them. */
-static void find_hidden_notes(struct driver *driver)
-{
-    const struct report *report = &driver->report;
-    driver->hidden_count = 0;
-    for (size_t i = 0; i < report->sheet->column_count && !report->format->is_for_people; i++) {
-        const struct column *column = &report->sheet->columns[i];
-        if (driver->begun && is_told(column) && !report_shows(report, column)) {
-            driver->hidden_notes[driver->hidden_count++] = column;
-        }
-    }
-}
-
 /* The first row, and every one that is kept or looked at for something else too. */
 static void emit_first(struct driver *driver, const void *row)
 {
@@ -83,18 +63,16 @@ static void emit_first(struct driver *driver, const void *row)
     const bool has_all =
         !report->are_named || report->format->is_for_people || report_note_values(report, row);
     driver->only_prints = driver->begun && !driver->collects && has_all;
-    find_hidden_notes(driver);
-}
-
-/* Columns were chosen, and these notes were not: they are told beside the answer. */
-static void tell_notes(struct driver *driver, const void *row)
-{
-    for (size_t i = 0; i < driver->hidden_count; i++) {
-        const struct column *column = driver->hidden_notes[i];
-        const char *note = row_text(row, column);
-        if (note != NULL) {
-            const bool is_warning = text_equal(text_of(column->name), "warning");
-            warnings_add(&driver->doubts, "%s%s", is_warning ? "" : "taken as ", note);
+    /* those that nobody reads among the rows: people do, below them */
+    driver->hidden_count = 0;
+    for (size_t i = 0; i < report->sheet->column_count && !report->format->is_for_people; i++) {
+        const struct column *column = &report->sheet->columns[i];
+        /* no answer is silent about what is doubtful, and what was taken for what was named */
+        if (driver->begun && (column->flags & COLUMN_NOTE) != 0 &&
+            (text_equal(text_of(column->name), "warning") ||
+             text_equal(text_of(column->name), "taken_as")) &&
+            !report_shows(report, column)) {
+            driver->hidden_notes[driver->hidden_count++] = column;
         }
     }
 }
@@ -109,8 +87,14 @@ bool rows_emit(struct run *run, const void *row)
     if (!driver->only_prints) {
         emit_first(driver, row);
     }
-    if (driver->hidden_count > 0) {
-        tell_notes(driver, row);
+    /* columns were chosen, and these notes were not: they are told beside the answer */
+    for (size_t i = 0; i < driver->hidden_count; i++) {
+        const struct column *column = driver->hidden_notes[i];
+        const char *note = row_text(row, column);
+        if (note != NULL) {
+            const bool is_warning = text_equal(text_of(column->name), "warning");
+            warnings_add(&driver->doubts, "%s%s", is_warning ? "" : "taken as ", note);
+        }
     }
     if (driver->begun) {
         report->format->row(report, row, driver->passed, NULL);
@@ -129,12 +113,6 @@ bool rows_emit_amid(struct run *run, const void *row)
     return is_going_on;
 }
 
-static bool rows_is_same(const struct error *a, const struct error *b)
-{
-    return a->line == b->line && a->column == b->column && strcmp(a->source, b->source) == 0 &&
-           strcmp(a->message, b->message) == 0 && strcmp(a->hint, b->hint) == 0;
-}
-
 /* A failure names its quantities by what gave them in its row. */
 static void failure_name(const struct driver *driver, struct error *failure)
 {
@@ -148,7 +126,11 @@ static void failure_name(const struct driver *driver, struct error *failure)
  */
 static void rows_say(struct driver *driver, struct error *failure)
 {
-    if (driver->is_inside || rows_is_same(failure, &driver->said)) {
+    if (driver->is_inside ||
+        (failure->line == driver->said.line && failure->column == driver->said.column &&
+         strcmp(failure->source, driver->said.source) == 0 &&
+         strcmp(failure->message, driver->said.message) == 0 &&
+         strcmp(failure->hint, driver->said.hint) == 0)) {
         return;
     }
     driver->said = *failure;
@@ -163,18 +145,6 @@ static void rows_say(struct driver *driver, struct error *failure)
     error_print(failure, driver->command->name, driver->arguments.color);
 }
 
-/* How many rows lack what was said of the first of them. */
-static void say_gaps(struct driver *driver)
-{
-    struct error rest;
-    for (size_t i = 0; i < driver->gaps.count; i++) {
-        if (gaps_rest(&driver->gaps, i, driver->batch.source, &rest)) {
-            progress_erase(&driver->progress);
-            error_print(&rest, driver->command->name, driver->arguments.color);
-        }
-    }
-}
-
 /* A row names its quantities as what is said of it does, be it said or not. */
 static void write_failure(struct driver *driver, const struct passed_cell *passed,
                           struct error *failure)
@@ -182,20 +152,6 @@ static void write_failure(struct driver *driver, const struct passed_cell *passe
     failure_name(driver, failure);
     driver->report.format->row(&driver->report, NULL, passed, failure);
     driver->report.rows++;
-}
-
-/* A row that failed keeps its place. */
-static void emit_failure(struct driver *driver, struct error *failure)
-{
-    driver->failed++;
-    rows_say(driver, failure);
-    if (driver->common.table == NULL) {
-        if (!driver->begun) {
-            rows_begin(driver);
-        }
-        write_failure(driver, driver->passed, failure);
-    }
-    progress_row(&driver->progress);
 }
 
 /* Can the format say in a row why there is none? */
@@ -338,21 +294,6 @@ const void *rows_answer(void *context, void *input)
     return done ? aside.row : NULL;
 }
 
-/* --fail-fast: the status is that of the rows so far. Returns false. */
-static bool stop_early(struct driver *driver, struct error *error)
-{
-    if (driver->is_batch && gaps_has(error)) {
-        gaps_explain(error, &driver->batch, driver->answered);
-    }
-    failure_name(driver, error);
-    if (driver->begun && rows_has_place(&driver->report)) {
-        write_failure(driver, driver->passed, error);
-        driver->is_broken_off = true;
-    }
-    error->code = driver->good > 0 ? ERROR_ROWS : ERROR_DOMAIN;
-    return false;
-}
-
 /* One combination of several failed. False if that ends the sweep. */
 static bool take_failure(struct driver *driver, struct error *error)
 {
@@ -362,26 +303,29 @@ static bool take_failure(struct driver *driver, struct error *error)
         return false;
     }
     if (driver->common.fail_fast) {
-        return stop_early(driver, error);
+        /* the status is that of the rows so far */
+        if (driver->is_batch && gaps_has(error)) {
+            gaps_explain(error, &driver->batch, driver->answered);
+        }
+        failure_name(driver, error);
+        if (driver->begun && rows_has_place(&driver->report)) {
+            write_failure(driver, driver->passed, error);
+            driver->is_broken_off = true;
+        }
+        error->code = driver->good > 0 ? ERROR_ROWS : ERROR_DOMAIN;
+        return false;
     }
-    emit_failure(driver, error);
+    /* a row that failed keeps its place */
+    driver->failed++;
+    rows_say(driver, error);
+    if (driver->common.table == NULL) {
+        if (!driver->begun) {
+            rows_begin(driver);
+        }
+        write_failure(driver, driver->passed, error);
+    }
+    progress_row(&driver->progress);
     return true;
-}
-
-/* What a thread has answered. False if that ends the sweep. */
-static bool take_answer(struct driver *driver, struct team_answer *answer, struct error *error)
-{
-    const size_t size = driver->echo.own->row_size;
-    driver->answered = answer->input;
-    for (size_t i = 0; i < answer->count && is_going(driver); i++) {
-        rows_emit(&driver->run, answer->rows + i * size);
-    }
-    count_answer(driver, answer->done, &answer->shortfall);
-    if (answer->done) {
-        return true;
-    }
-    *error = answer->error;
-    return error->code != ERROR_USAGE && take_failure(driver, error);
 }
 
 /* Every combination of a sweep, by a team. */
@@ -409,8 +353,17 @@ static bool rows_by_team(struct driver *driver, struct error *error)
         compute_end(driver);
         for (size_t k = 0; k < here && is_going(driver); k++) {
             driver->index = done + k;
-            if (!take_answer(driver, &answers[k], error)) {
-                return false;
+            struct team_answer *answer = &answers[k];
+            driver->answered = answer->input;
+            for (size_t i = 0; i < answer->count && is_going(driver); i++) {
+                rows_emit(&driver->run, answer->rows + i * driver->echo.own->row_size);
+            }
+            count_answer(driver, answer->done, &answer->shortfall);
+            if (!answer->done) {
+                *error = answer->error;
+                if (error->code == ERROR_USAGE || !take_failure(driver, error)) {
+                    return false;
+                }
             }
         }
     }
@@ -474,23 +427,6 @@ static bool flush_before_read(void *data, struct error *error)
     return going;
 }
 
-/* An object of JSON has keys that were not there before: what waits is printed without them. */
-static bool take_new_keys(struct driver *driver, struct error *error)
-{
-    const struct batch *batch = &driver->batch;
-    struct error earlier;
-    driver->known_columns = batch->column_count;
-    if (!flush_queue(driver, &earlier)) {
-        *error = earlier;
-        return false;
-    }
-    driver->queue.capacity = 0; /* it has no place for them */
-    driver->passed = batch->passed;
-    driver->report.passed_names = batch->passed_names;
-    driver->report.passed_count = batch->passed_count;
-    return true;
-}
-
 /* The real focal length of a row; most rows have one, and no sensor of a wide lens. */
 static bool rows_settle_focal(struct driver *driver, struct error *error)
 {
@@ -535,6 +471,7 @@ static bool rows_take_row(struct driver *driver, enum batch_result result, struc
 bool rows_of_batch(struct driver *driver, struct error *error)
 {
     const struct arena_mark mark = arena_mark(&driver->row_arena);
+    const struct batch *batch = &driver->batch;
     driver->batch.before_read = flush_before_read;
     driver->batch.waiting = driver;
     for (;;) {
@@ -542,9 +479,21 @@ bool rows_of_batch(struct driver *driver, struct error *error)
         if (result == BATCH_END) {
             break;
         }
-        if (result == BATCH_FAILED || (driver->batch.column_count != driver->known_columns &&
-                                       !take_new_keys(driver, error))) {
+        if (result == BATCH_FAILED) {
             return false;
+        }
+        if (batch->column_count != driver->known_columns) {
+            /* an object has keys that were not there before: what waits is printed without them */
+            struct error earlier;
+            driver->known_columns = batch->column_count;
+            if (!flush_queue(driver, &earlier)) {
+                *error = earlier;
+                return false;
+            }
+            driver->queue.capacity = 0; /* it has no place for them */
+            driver->passed = batch->passed;
+            driver->report.passed_names = batch->passed_names;
+            driver->report.passed_count = batch->passed_count;
         }
         if (!rows_take_row(driver, result, error)) {
             return false;
@@ -557,6 +506,13 @@ bool rows_of_batch(struct driver *driver, struct error *error)
         }
     }
     const bool done = flush_queue(driver, error);
-    say_gaps(driver);
+    /* how many rows lack what was said of the first of them */
+    struct error rest;
+    for (size_t i = 0; i < driver->gaps.count; i++) {
+        if (gaps_rest(&driver->gaps, i, driver->batch.source, &rest)) {
+            progress_erase(&driver->progress);
+            error_print(&rest, driver->command->name, driver->arguments.color);
+        }
+    }
     return done && (!interrupt_came() || interrupt_fail(error));
 }

@@ -24,17 +24,10 @@ struct team {
     struct team_answer *answers; /* of the present call */
 };
 
-/* Where the rows of one answer go. */
-struct row_sink {
-    const struct team *team;
-    struct team_answer *answer;
-};
-
 static bool keep_row(struct run *run, const void *row)
 {
-    const struct row_sink *keeping = run->driver;
-    struct team_answer *answer = keeping->answer;
-    const size_t size = keeping->team->row_size;
+    struct team_answer *answer = run->driver;
+    const size_t size = answer->row_size;
     answer->rows = arena_grow(run->arena, answer->rows, answer->count, &answer->room, size);
     memcpy(answer->rows + answer->count * size, row, size);
     answer->count++;
@@ -47,18 +40,18 @@ static void answer_piece(void *context, const struct parallel_piece *piece)
     struct member *member = &team->members[piece->thread];
     for (size_t i = piece->begin; i < piece->end; i++) {
         struct team_answer *answer = &team->answers[i];
-        struct row_sink keeping = {team, answer};
         struct run run = team->run;
         run.arena = piece->arena;
         run.kept = &member->kept;
         run.state = member->state;
         run.emit = keep_row;
-        run.driver = &keeping;
+        run.driver = answer;
         run.doubts = NULL;
         run.leads = NULL;
         run.watch = NULL;
         run.shortfall.code = ERROR_NONE;
         answer->rows = NULL;
+        answer->row_size = team->row_size;
         answer->count = answer->room = 0;
         answer->done =
             !answer->is_missing && team->command->run(answer->input, &run, &answer->error);

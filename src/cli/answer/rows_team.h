@@ -14,7 +14,7 @@ struct team_answer {
     void *input;
     bool is_missing; /* the input cannot be had: `error` says why, and is the answer */
     char *rows;      /* count of row_size */
-    size_t count, room;
+    size_t row_size, count, room;
     bool done;
     struct error error;     /* why it is not */
     struct error shortfall; /* as that of struct run */

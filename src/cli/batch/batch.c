@@ -13,13 +13,6 @@
 
 enum { BLOCK = BATCH_BLOCK, BEHIND = BATCH_BEHIND };
 
-/* The next row of whatever the file has. */
-static bool batch_take_row(struct batch *batch, struct text *row, struct error *error)
-{
-    return batch->is_array ? batch_next_object(batch, row, error)
-                           : batch_next_row(batch, row, error);
-}
-
 /* One cell of a separated row: its content without quotes, and where it starts in the line. */
 struct batch_cell {
     struct text text;
@@ -83,13 +76,6 @@ static bool object_fail(struct batch *batch, struct text object, struct error *e
                                   (struct text){object.start + begin, object.length - begin});
 }
 
-static bool wrong_count(struct batch *batch, size_t cells, struct error *error)
-{
-    fail(error, ERROR_DATA, "the row has %zu cells where the header has %zu", cells,
-         batch->column_count);
-    return row_fail(batch, error, 0);
-}
-
 static bool set_cell(struct batch *batch, struct batch_column *column, struct text cell, size_t at,
                      void *input, struct error *error)
 {
@@ -134,8 +120,10 @@ static bool batch_read_row(struct batch *batch, struct text line, void *input, s
     if (!good) {
         return error_count_characters(error, line);
     }
-    if (cells != batch->column_count && !wrong_count(batch, cells, error)) {
-        return false;
+    if (cells != batch->column_count) {
+        fail(error, ERROR_DATA, "the row has %zu cells where the header has %zu", cells,
+             batch->column_count);
+        return row_fail(batch, error, 0);
     }
     batch->decimals = batch->row_decimals;
     return true;
@@ -206,15 +194,6 @@ static bool take_plain_row(struct batch *batch, void *input)
     return true;
 }
 
-/* No cell of an earlier row is left when this one is cut short. */
-static void clear_passed(struct batch *batch)
-{
-    for (size_t i = 0; i < batch->passed_count; i++) {
-        batch->passed[i] =
-            (struct passed_cell){.text = {"", 0}, .is_bare = batch->format == BATCH_JSONL};
-    }
-}
-
 enum batch_result batch_next(struct batch *batch, void *input, struct error *error)
 {
     struct text line;
@@ -222,8 +201,14 @@ enum batch_result batch_next(struct batch *batch, void *input, struct error *err
     if (batch->plain != NULL && take_plain_row(batch, input)) {
         return BATCH_ROW;
     }
-    clear_passed(batch);
-    if (!batch_take_row(batch, &line, error)) {
+    /* no cell of an earlier row is left when this one is cut short */
+    for (size_t i = 0; i < batch->passed_count; i++) {
+        batch->passed[i] =
+            (struct passed_cell){.text = {"", 0}, .is_bare = batch->format == BATCH_JSONL};
+    }
+    /* the next row of whatever the file has */
+    if (!(batch->is_array ? batch_next_object(batch, &line, error)
+                          : batch_next_row(batch, &line, error))) {
         return error->code == ERROR_NONE ? BATCH_END : BATCH_FAILED;
     }
     batch->rows++;
@@ -351,35 +336,13 @@ static void prepare_plain(struct batch *batch)
     }
     struct batch_plain *plain = ARENA_ARRAY(batch->arena, count, struct batch_plain);
     for (size_t i = 0; i < count; i++) {
-        const struct batch_column *column = &batch->columns[i];
-        plain[i] = (struct batch_plain){.scale = column->scale,
-                                        .factor = column->factor,
-                                        .lowest = column->lowest,
-                                        .highest = column->highest,
-                                        .offset = column->offset,
-                                        .is_coc = column->is_coc,
-                                        .is_focal = column->is_focal,
-                                        .behind = i + 1 < count ? batch->separator : '\n'};
-        if (!column->is_plain || !batch_set_factors(&plain[i])) {
+        plain[i] = batch->columns[i].plain;
+        plain[i].behind = i + 1 < count ? batch->separator : '\n';
+        if (!batch->columns[i].is_plain || !batch_set_factors(&plain[i])) {
             return;
         }
     }
     batch->plain = plain;
-}
-
-/* A BOM may stand before everything, comments too. */
-static bool skip_byte_order_mark(struct batch *batch, struct error *error)
-{
-    error->code = ERROR_NONE;
-    while (batch->end - batch->at < 3 && !batch->at_end) {
-        if (!batch_refill(batch, error) && error->code != ERROR_NONE) {
-            return false;
-        }
-    }
-    if (batch->end - batch->at >= 3 && memcmp(batch->at, "\xef\xbb\xbf", 3) == 0) {
-        batch->at += 3;
-    }
-    return true;
 }
 
 /* An array of objects, as exiftool -json writes it: `line` is where it begins, then its first. */
@@ -403,8 +366,15 @@ static bool batch_begin(struct batch *batch, enum batch_format format, struct er
     struct text line;
     batch->format = format;
     batch->separator = format == BATCH_TSV ? '\t' : ',';
-    if (!skip_byte_order_mark(batch, error)) {
-        return false;
+    /* a BOM may stand before everything, comments too */
+    error->code = ERROR_NONE;
+    while (batch->end - batch->at < 3 && !batch->at_end) {
+        if (!batch_refill(batch, error) && error->code != ERROR_NONE) {
+            return false;
+        }
+    }
+    if (batch->end - batch->at >= 3 && memcmp(batch->at, "\xef\xbb\xbf", 3) == 0) {
+        batch->at += 3;
     }
     if (!batch_next_row(batch, &line, error)) {
         if (error->code != ERROR_NONE) {
@@ -430,20 +400,15 @@ static bool batch_begin(struct batch *batch, enum batch_format format, struct er
     return true;
 }
 
-bool batch_open(struct batch *batch, const struct batch_source *source, struct error *error)
+bool batch_open(struct batch *batch, const char *path, enum batch_format format,
+                struct error *error)
 {
-    const char *path = source->path;
-    *batch = (struct batch){.source = strcmp(path, "-") == 0 ? "standard input" : path,
-                            .descriptor = STDIN_FILENO,
-                            .reader = source->reader,
-                            .arena = source->arena,
-                            .sheet = source->sheet,
-                            .commands = source->commands,
-                            .arguments = source->arguments,
-                            .constants = source->constants,
-                            .capacity = BLOCK,
-                            .next_line = 1};
-    if (strcmp(path, "-") != 0) {
+    const bool is_piped = strcmp(path, "-") == 0;
+    batch->source = is_piped ? "standard input" : path;
+    batch->descriptor = STDIN_FILENO;
+    batch->capacity = BLOCK;
+    batch->next_line = 1;
+    if (!is_piped) {
         batch->descriptor = open(path, O_RDONLY | O_CLOEXEC);
         if (batch->descriptor < 0) {
             return fail(error, ERROR_IO, "cannot read %s: %s", path, strerror(errno));
@@ -454,7 +419,7 @@ bool batch_open(struct batch *batch, const struct batch_source *source, struct e
         return fail(error, ERROR_IO, "out of memory reading %s", path);
     }
     batch->at = batch->end = batch->buffer;
-    return batch_begin(batch, source->format, error);
+    return batch_begin(batch, format, error);
 }
 
 bool batch_settle(struct batch *batch, const struct sheet *sheet, bool hands_late,

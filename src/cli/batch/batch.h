@@ -7,6 +7,16 @@
 #include "cli/question/arguments.h"
 #include "report/report.h"
 
+/* What reading a bare number of a column takes, ready for use. */
+struct batch_plain {
+    double up, down[NUMBER_SHORT_DIGITS + 1]; /* a short number is mantissa x up / down[decimals] */
+    struct number_scale scale;                /* of a longer number */
+    double factor, lowest, highest;           /* between these it is legal without a closer look */
+    size_t offset;                            /* of the value in the input */
+    bool is_coc, is_focal;
+    char behind; /* what ends the cell */
+};
+
 /* What to do with a column of the file. */
 struct batch_column {
     const struct option *option;   /* null: handed through, or passed over */
@@ -14,17 +24,13 @@ struct batch_column {
     struct text typed_unit;        /* that end */
     size_t place;                  /* in the header line, 1-based */
     struct option as_read;         /* the option with the unit of the header */
-    struct number_scale scale;     /* of a bare number */
-    double factor;
-    double lowest, highest; /* a bare number between these is legal without a closer look */
-    size_t offset;
-    bool is_plain; /* a number that needs no lensdb, no prefix */
-    bool is_coc, is_focal;
-    bool is_ignored;      /* neither input nor handed through */
-    bool is_infinite;     /* a JSON companion: true makes the option infinite */
-    bool is_late;         /* in JSON: the first object does not have it */
-    struct text name;     /* as in the file */
-    const char *tag;      /* the tag of photographs that it is; null: it is none */
+    struct batch_plain plain;      /* but for what prepare_plain finds */
+    bool is_plain;                 /* a number that needs no lensdb, no prefix */
+    bool is_ignored;               /* neither input nor handed through */
+    bool is_infinite;              /* a JSON companion: true makes the option infinite */
+    bool is_late;                  /* in JSON: the first object does not have it */
+    struct text name;              /* as in the file */
+    const char *tag;               /* the tag of photographs that it is; null: it is none */
     bool is_copy;         /* of a tag, by the camera's maker or another standard than Exif */
     bool zero_is_unknown; /* of a tag: 0 is no value */
     bool is_shared;       /* another column may have a value for the same option */
@@ -33,26 +39,6 @@ struct batch_column {
     long filled;          /* the row in which it had a value last; 0 = none */
     long row;             /* in JSON: the object in which it was seen last */
     size_t passed;        /* index among the columns handed through */
-};
-
-/* What reading a bare number of a column takes, ready for use. */
-struct batch_plain {
-    double up, down[NUMBER_SHORT_DIGITS + 1]; /* a short number is mantissa x up / down[decimals] */
-    struct number_scale scale;                /* of a longer number */
-    double factor, lowest, highest;
-    size_t offset; /* of the value in the input */
-    bool is_coc, is_focal;
-    char behind; /* what ends the cell */
-};
-
-/* What the name of a column stands for. */
-struct batch_meaning {
-    const struct option *option;   /* null: none */
-    const char *unit;              /* that stands behind the name; null: none does */
-    const struct option *doubtful; /* as in struct batch_column */
-    struct text typed_unit;
-    const char *tag;
-    bool is_copy, zero_is_unknown;
 };
 
 /* How fractions are written in a file whose cells are separated by ';'. */
@@ -118,25 +104,18 @@ long batch_breaks(struct text text);
 
 enum batch_result { BATCH_ROW, BATCH_BAD_ROW, BATCH_END, BATCH_FAILED };
 
-/* What a batch is read from, and into what. */
-struct batch_source {
-    const char *path; /* "-" for standard input */
-    enum batch_format format;
-    const struct arguments *arguments;
-    const struct reader *reader;
-    struct arena *arena;                   /* stays as long as the batch */
-    const struct sheet *sheet;             /* of the rows, as far as options choose it */
-    const struct command *const *commands; /* all there are */
-    const void *constants; /* the input as the command line left it: the value of empty cells */
-};
-
 /*
  * Open the file and read its header; batch_settle says what comes of its columns.
  *
+ * Given     batch  with reader, arena, arguments, sheet (as far as options choose it), commands and
+ *                  constants (the input as the command line left it: the value of empty cells);
+ *                  all else is 0
+ *           path   "-" for standard input
  * Errors    ERROR_IO; ERROR_DATA with line and column: no header, a column twice, a unit that
  *           does not fit
  */
-bool batch_open(struct batch *batch, const struct batch_source *source, struct error *error);
+bool batch_open(struct batch *batch, const char *path, enum batch_format format,
+                struct error *error);
 
 /*
  * Decide what is handed through. Results of an earlier run in the same file are computed anew, and
@@ -188,8 +167,8 @@ struct batch_column *batch_add_late(struct batch *batch, struct text name, struc
 
 /* -------- cli/batch/batch_names.c -------- */
 
-/* What a column of this name means to the command. */
-struct batch_meaning batch_meaning_of(const struct batch *batch, struct text name);
+/* What a column of this name means to the command; of as_read only the unit behind the name. */
+void batch_find_meaning(const struct batch *batch, struct text name, struct batch_column *column);
 
 /* The option that a name without unit stands for: "f", "focal_length", "FocalLength" or "focal". */
 const struct option *batch_option_of(const struct batch *batch, struct text name);

@@ -101,9 +101,8 @@ static void leave_member(const struct batch *batch, const struct batch_column *c
 }
 
 /* Do two cells have the same value? Numbers may be written in different ways. */
-static bool batch_cell_is_same_value(const struct batch_column *column,
-                                     const struct batch_column *other, const void *value,
-                                     const void *known)
+static bool is_same_cell(const struct batch_column *column, const struct batch_column *other,
+                         const void *value, const void *known)
 {
     double (*number_of)(const void *) = column->option->kind->number_of;
     if (number_of == NULL) {
@@ -138,7 +137,7 @@ static bool read_shared(struct batch *batch, struct batch_column *column, struct
     }
     column->filled = batch->rows;
     column->cell = cell;
-    return other == NULL || batch_cell_is_same_value(column, other, value, member) ||
+    return other == NULL || is_same_cell(column, other, value, member) ||
            contradict(column, other, error);
 }
 

@@ -60,15 +60,6 @@ static bool find_companion(const struct batch *batch, struct text name, struct b
     return column->is_infinite;
 }
 
-/* Is this '_' and one of the units in which machines read the column? */
-static bool is_unit_behind(const struct column *column, struct text rest)
-{
-    const struct text unit = {rest.start + 1, rest.length - 1};
-    return column->unit != NULL && rest.start[0] == '_' &&
-           (text_equal(unit, column->unit) ||
-            (column->other != NULL && text_equal(unit, column->other->unit)));
-}
-
 /* Is this the name, with or without unit, of a column of the sheet that is always printed? */
 static bool is_column(const struct sheet *sheet, struct text name)
 {
@@ -77,9 +68,15 @@ static bool is_column(const struct sheet *sheet, struct text name)
         size_t length = strlen(column->name);
         bool begins = name.length >= length && memcmp(name.start, column->name, length) == 0;
         struct text rest = {name.start + length, begins ? name.length - length : 0};
-        if (begins && (column->flags & COLUMN_EXTRA) == 0 &&
-            (rest.length == 0 || text_equal(rest, "_is_infinite") ||
-             is_unit_behind(column, rest))) {
+        if (!begins || (column->flags & COLUMN_EXTRA) != 0) {
+            continue;
+        }
+        /* '_' and one of the units in which machines read it */
+        const struct text unit = text_behind(rest, "_");
+        if (rest.length == 0 || text_equal(rest, "_is_infinite") ||
+            (column->unit != NULL && unit.start != NULL &&
+             (text_equal(unit, column->unit) ||
+              (column->other != NULL && text_equal(unit, column->other->unit))))) {
             return true;
         }
     }
@@ -92,28 +89,7 @@ static bool is_computed(const struct batch *batch, struct text name)
     return text_equal(name, "error") || is_column(batch->sheet, name);
 }
 
-/* Does any command print a column of this name? */
-static bool is_printed(const struct batch *batch, struct text name)
-{
-    for (size_t i = 0; batch->commands[i] != NULL; i++) {
-        if (is_column(&batch->commands[i]->sheet, name)) {
-            return true;
-        }
-    }
-    return false;
-}
-
-static bool is_unit_of_any(struct text name)
-{
-    for (size_t i = 0; dimensions[i] != NULL; i++) {
-        if (unit_find(dimensions[i], name) != NULL) {
-            return true;
-        }
-    }
-    return false;
-}
-
-static bool batch_header_wrong_unit(const struct batch_column *column, struct error *error)
+static bool header_wrong_unit(const struct batch_column *column, struct error *error)
 {
     struct text name = column->name, typed = column->typed_unit;
     return fail(error, ERROR_DATA, "column '%.*s': '%.*s' is not a unit of --%s (a %s)",
@@ -124,26 +100,27 @@ static bool batch_header_wrong_unit(const struct batch_column *column, struct er
 static void set_scale(struct batch_column *column, const struct reader *reader)
 {
     const struct unit *unit = option_unit(&column->as_read);
-    column->scale = unit != NULL ? unit->scale : NUMBER_UNSCALED;
-    column->factor = unit != NULL ? unit->factor : 1;
+    struct batch_plain *plain = &column->plain;
+    plain->scale = unit != NULL ? unit->scale : NUMBER_UNSCALED;
+    plain->factor = unit != NULL ? unit->factor : 1;
     bool limited = column->option->lowest != 0 || column->option->highest != 0;
-    column->lowest = limited ? column->option->lowest : -INFINITY;
-    column->highest = limited ? column->option->highest : INFINITY;
+    plain->lowest = limited ? column->option->lowest : -INFINITY;
+    plain->highest = limited ? column->option->highest : INFINITY;
     if (column->option->unusual != NULL) {
         /* the short way leaves what is doubted to the long one */
-        column->lowest = fmax(column->lowest, column->option->usual[0]);
-        column->highest = fmin(column->highest, column->option->usual[1]);
+        plain->lowest = fmax(plain->lowest, column->option->usual[0]);
+        plain->highest = fmin(plain->highest, column->option->usual[1]);
     }
-    column->offset = column->option->offset;
-    column->is_coc = column->option->kind == &kind_coc;
+    plain->offset = column->option->offset;
+    plain->is_coc = column->option->kind == &kind_coc;
     bool labels = reader->nominal && option_has_series(column->option);
-    column->is_focal = column->option->kind == &kind_focal;
-    column->is_plain = (column->option->kind == &kind_quantity && !labels) || column->is_coc ||
-                       (column->is_focal && !unit_is_equivalent(unit));
+    plain->is_focal = column->option->kind == &kind_focal;
+    column->is_plain = (column->option->kind == &kind_quantity && !labels) || plain->is_coc ||
+                       (plain->is_focal && !unit_is_equivalent(unit));
 }
 
-static bool batch_header_find_column(const struct batch *batch, struct text name,
-                                     struct batch_column *column, struct error *error)
+static bool header_column(const struct batch *batch, struct text name, struct batch_column *column,
+                          struct error *error)
 {
     *column = (struct batch_column){.name = name};
     const char *called = arena_printf(batch->arena, "column '%.*s'", text_shown(name), name.start);
@@ -152,20 +129,20 @@ static bool batch_header_find_column(const struct batch *batch, struct text name
         column->as_read.called = called;
         return true;
     }
-    const struct batch_meaning meaning = batch_meaning_of(batch, name);
-    column->option = meaning.option;
-    column->tag = meaning.tag;
-    column->is_copy = meaning.is_copy;
-    column->zero_is_unknown = meaning.zero_is_unknown;
+    batch_find_meaning(batch, name, column);
+    const char *unit = column->as_read.unit;
     /* s_id is a name of its own beside s_m, near_diopter comes from another run */
-    column->doubtful = is_printed(batch, name) ? NULL : meaning.doubtful;
-    column->typed_unit = meaning.typed_unit;
-    if (column->doubtful != NULL && is_unit_of_any(column->typed_unit)) {
-        return batch_header_wrong_unit(column, error);
+    for (size_t i = 0; batch->commands[i] != NULL && column->doubtful != NULL; i++) {
+        column->doubtful = is_column(&batch->commands[i]->sheet, name) ? NULL : column->doubtful;
+    }
+    for (size_t i = 0; dimensions[i] != NULL && column->doubtful != NULL; i++) {
+        if (unit_find(dimensions[i], column->typed_unit) != NULL) {
+            return header_wrong_unit(column, error);
+        }
     }
     if (column->option != NULL) {
         column->as_read = *column->option;
-        column->as_read.unit = meaning.unit != NULL ? meaning.unit : column->option->unit;
+        column->as_read.unit = unit != NULL ? unit : column->option->unit;
         column->as_read.called = called;
         column->has_decimals = batch->separator == ';' && batch_has_decimals(column->option);
         set_scale(column, batch->reader);
@@ -180,17 +157,6 @@ static bool is_own_name(const struct batch_column *column)
     const size_t length = own != NULL ? strlen(own) : 0;
     return own != NULL && column->name.length >= length &&
            memcmp(column->name.start, own, length) == 0;
-}
-
-/* Beside the column of an option, a result that bears the option's name does not mean it. */
-static void prefer_own_name(const struct batch *batch, struct batch_column *one,
-                            struct batch_column *other)
-{
-    struct batch_column *const result = is_own_name(one) ? other : one;
-    if (one->option == other->option && is_own_name(one) != is_own_name(other) &&
-        is_computed(batch, result->name)) {
-        result->option = NULL;
-    }
 }
 
 /*
@@ -218,7 +184,12 @@ static bool check_new(struct batch *batch, struct batch_column *column, struct e
     for (size_t i = 0; i < batch->column_count; i++) {
         struct batch_column *other = &batch->columns[i];
         if (column->option != NULL && other->option != NULL) {
-            prefer_own_name(batch, column, other);
+            /* beside an option's column a result that bears its name does not mean it */
+            struct batch_column *const result = is_own_name(column) ? other : column;
+            if (column->option == other->option && is_own_name(column) != is_own_name(other) &&
+                is_computed(batch, result->name)) {
+                result->option = NULL;
+            }
         }
         bool same_name = text_identical(other->name, column->name);
         bool same_option = column->option != NULL && column->option == other->option;
@@ -246,8 +217,7 @@ static bool push_column(struct batch *batch, const struct batch_column *column, 
 bool batch_add_column(struct batch *batch, struct text name, size_t at, struct error *error)
 {
     struct batch_column column;
-    if (!batch_header_find_column(batch, name, &column, error) ||
-        !check_new(batch, &column, error)) {
+    if (!header_column(batch, name, &column, error) || !check_new(batch, &column, error)) {
         return error_locate(error, batch->source, batch->line, at);
     }
     column.place = at;
@@ -273,18 +243,6 @@ static bool has_all_settings(const struct batch *batch)
     return any;
 }
 
-static void pass_column(struct batch *batch, struct batch_column *column)
-{
-    size_t room = batch->passed_room;
-    batch->passed_names = arena_grow(batch->arena, batch->passed_names, batch->passed_count, &room,
-                                     sizeof *batch->passed_names);
-    batch->passed = arena_grow(batch->arena, batch->passed, batch->passed_count,
-                               &batch->passed_room, sizeof *batch->passed);
-    column->passed = batch->passed_count;
-    batch->passed[batch->passed_count].text = (struct text){"", 0};
-    batch->passed_names[batch->passed_count++] = column->name;
-}
-
 /* What becomes of a column. `settled`: the columns say all that goals would be solved for. */
 static bool settle_column(struct batch *batch, struct batch_column *column, bool settled,
                           struct error *error)
@@ -292,7 +250,7 @@ static bool settle_column(struct batch *batch, struct batch_column *column, bool
     const struct option *meant = column->doubtful;
     if (meant != NULL && !batch_has(batch, meant->name) &&
         !arguments_given(batch->arguments, meant->name)) {
-        return batch_header_wrong_unit(column, error);
+        return header_wrong_unit(column, error);
     }
     bool goal = column->option != NULL && (column->option->flags & OPTION_GOAL) != 0;
     if (goal && settled && !arguments_given(batch->arguments, column->option->name)) {
@@ -306,7 +264,14 @@ static bool settle_column(struct batch *batch, struct batch_column *column, bool
                      "the first row has no key '%.*s': only json and jsonl hand it through",
                      text_shown(column->name), column->name.start);
     } else if (column->option == NULL) {
-        pass_column(batch, column);
+        size_t room = batch->passed_room;
+        batch->passed_names = arena_grow(batch->arena, batch->passed_names, batch->passed_count,
+                                         &room, sizeof *batch->passed_names);
+        batch->passed = arena_grow(batch->arena, batch->passed, batch->passed_count,
+                                   &batch->passed_room, sizeof *batch->passed);
+        column->passed = batch->passed_count;
+        batch->passed[batch->passed_count].text = (struct text){"", 0};
+        batch->passed_names[batch->passed_count++] = column->name;
     }
     return true;
 }
@@ -323,40 +288,24 @@ bool batch_settle_columns(struct batch *batch, struct error *error)
     return true;
 }
 
-static void ignore_column(struct batch *batch, const char *name)
-{
-    for (size_t i = 0; i < batch->column_count; i++) {
-        struct batch_column *gone = &batch->columns[i];
-        if (gone->option != NULL || gone->is_ignored || !text_equal(gone->name, name)) {
-            continue;
-        }
-        gone->is_ignored = true;
-        batch->passed_count--;
-        for (size_t k = gone->passed; k < batch->passed_count; k++) {
-            batch->passed_names[k] = batch->passed_names[k + 1];
-        }
-        for (size_t k = 0; k < batch->column_count; k++) {
-            struct batch_column *other = &batch->columns[k];
-            other->passed -= other->passed > gone->passed ? 1 : 0;
-        }
-    }
-}
-
 void batch_ignore(struct batch *batch, const struct shown *shown, size_t count)
 {
     for (size_t i = 0; i < count; i++) {
-        ignore_column(batch, shown[i].name);
-    }
-}
-
-/* Rows may have either of two keys for one option, or both with the same value. */
-static void share_late(struct batch *batch, struct batch_column *column)
-{
-    for (size_t i = 0; i < batch->column_count; i++) {
-        struct batch_column *other = &batch->columns[i];
-        if (column->option != NULL && column->option == other->option &&
-            !share_option(column, other)) {
-            column->is_shared = other->is_shared = true;
+        for (size_t j = 0; j < batch->column_count; j++) {
+            struct batch_column *gone = &batch->columns[j];
+            if (gone->option != NULL || gone->is_ignored ||
+                !text_equal(gone->name, shown[i].name)) {
+                continue;
+            }
+            gone->is_ignored = true;
+            batch->passed_count--;
+            for (size_t k = gone->passed; k < batch->passed_count; k++) {
+                batch->passed_names[k] = batch->passed_names[k + 1];
+            }
+            for (size_t k = 0; k < batch->column_count; k++) {
+                struct batch_column *other = &batch->columns[k];
+                other->passed -= other->passed > gone->passed ? 1 : 0;
+            }
         }
     }
 }
@@ -365,11 +314,18 @@ struct batch_column *batch_add_late(struct batch *batch, struct text name, struc
 {
     struct batch_column column;
     name.start = arena_string(batch->arena, name.start, name.length);
-    if (!batch_header_find_column(batch, name, &column, error)) {
+    if (!header_column(batch, name, &column, error)) {
         return NULL;
     }
     column.is_late = true;
-    share_late(batch, &column);
+    /* rows may have either of two keys for one option, or both with the same value */
+    for (size_t i = 0; i < batch->column_count; i++) {
+        struct batch_column *other = &batch->columns[i];
+        if (column.option != NULL && column.option == other->option &&
+            !share_option(&column, other)) {
+            column.is_shared = other->is_shared = true;
+        }
+    }
     if (!push_column(batch, &column, error)) {
         return NULL;
     }

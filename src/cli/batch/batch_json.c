@@ -7,15 +7,6 @@
 #include <math.h>
 #include <string.h>
 
-static bool batch_json_read_value(struct json *json, struct json_value *value)
-{
-    json_skip_blanks(json);
-    if (json->at < json->end && (*json->at == '{' || *json->at == '[')) {
-        return json_fail(json, "objects and arrays cannot be values of a row");
-    }
-    return json_scalar(json, value);
-}
-
 /* The next "key": value; false at the end of the object or on failure. */
 static bool next_pair(struct json *json, bool first, struct text *key, struct json_value *value)
 {
@@ -33,7 +24,11 @@ static bool next_pair(struct json *json, bool first, struct text *key, struct js
     if (!json_take(json, ':')) {
         return json_fail(json, "expected ':' here");
     }
-    return batch_json_read_value(json, value);
+    json_skip_blanks(json);
+    if (json->at < json->end && (*json->at == '{' || *json->at == '[')) {
+        return json_fail(json, "objects and arrays cannot be values of a row");
+    }
+    return json_scalar(json, value);
 }
 
 static bool batch_json_start(struct json *json, const struct batch *batch, struct text line,
@@ -68,22 +63,32 @@ bool batch_json_header(struct batch *batch, struct text line, struct error *erro
     return true;
 }
 
-/* The column of a key: usually the one after the last. */
-static struct batch_column *batch_json_column_of(const struct batch *batch, struct text key,
-                                                 size_t guess)
+/* One value of a row; `guess` is where among the columns its key may be. */
+static bool take_pair(struct batch *batch, struct text key, size_t guess,
+                      const struct json_value *value, void *input, struct error *error)
 {
-    for (size_t i = 0; i < batch->column_count; i++) {
-        struct batch_column *column = &batch->columns[(guess + i) % batch->column_count];
-        if (text_identical(column->name, key)) {
-            return column;
+    /* the column of a key: usually the one after the last */
+    struct batch_column *column = NULL;
+    for (size_t i = 0; i < batch->column_count && column == NULL; i++) {
+        struct batch_column *other = &batch->columns[(guess + i) % batch->column_count];
+        if (text_identical(other->name, key)) {
+            column = other;
         }
     }
-    return NULL;
-}
-
-static bool batch_json_set_value(struct batch *batch, struct batch_column *column,
-                                 const struct json_value *value, void *input, struct error *error)
-{
+    if (column == NULL) {
+        column = batch_add_late(batch, key, error);
+    }
+    if (column == NULL) {
+        error->column = (int)value->at;
+        return false;
+    }
+    const bool is_twice = column->row == batch->objects;
+    column->row = batch->objects;
+    if (is_twice) {
+        fail(error, ERROR_DATA, "the key '%.*s' appears twice", text_shown(key), key.start);
+        error->column = (int)value->at;
+        return false;
+    }
     if (column->is_ignored) {
         return true;
     }
@@ -103,42 +108,6 @@ static bool batch_json_set_value(struct batch *batch, struct batch_column *colum
     return true;
 }
 
-/* Every member as it is without the row; of what is handed through, first keys are null. */
-static void reset(struct batch *batch, void *input)
-{
-    for (size_t i = 0; i < batch->column_count; i++) {
-        const struct batch_column *column = &batch->columns[i];
-        const struct option *option = column->option;
-        if (option != NULL) {
-            batch_reset_member(batch, option, input);
-        } else if (!column->is_ignored && column->is_late) {
-            batch->passed[column->passed].text = (struct text){NULL, 0};
-        }
-    }
-}
-
-/* One value of a row; `guess` is where among the columns its key may be. */
-static bool take_pair(struct batch *batch, struct text key, size_t guess,
-                      const struct json_value *value, void *input, struct error *error)
-{
-    struct batch_column *column = batch_json_column_of(batch, key, guess);
-    if (column == NULL) {
-        column = batch_add_late(batch, key, error);
-    }
-    if (column == NULL) {
-        error->column = (int)value->at;
-        return false;
-    }
-    const bool is_twice = column->row == batch->objects;
-    column->row = batch->objects;
-    if (is_twice) {
-        fail(error, ERROR_DATA, "the key '%.*s' appears twice", text_shown(key), key.start);
-        error->column = (int)value->at;
-        return false;
-    }
-    return batch_json_set_value(batch, column, value, input, error);
-}
-
 /*
  * After a bad value the others are still looked at: what is handed through belongs to its row even
  * if that fails.
@@ -152,7 +121,16 @@ bool batch_json_row(struct batch *batch, struct text line, void *input, struct e
     bool good = true;
     size_t pairs = 0;
     batch->objects++;
-    reset(batch, input);
+    /* every member as it is without the row; of what is handed through, first keys are null */
+    for (size_t i = 0; i < batch->column_count; i++) {
+        const struct batch_column *column = &batch->columns[i];
+        const struct option *option = column->option;
+        if (option != NULL) {
+            batch_reset_member(batch, option, input);
+        } else if (!column->is_ignored && column->is_late) {
+            batch->passed[column->passed].text = (struct text){NULL, 0};
+        }
+    }
     if (!batch_json_start(&json, batch, line, error)) {
         return false;
     }

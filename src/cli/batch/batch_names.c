@@ -32,15 +32,6 @@ enum { TAG_COUNT = sizeof tags / sizeof tags[0] };
 /* Groups of exiftool whose tags are the photograph's own, not its maker's or its thumbnail's. */
 static const char *const own_groups[] = {"EXIF", "IFD0", "ExifIFD", "Composite"};
 
-static bool is_own_group(struct text group)
-{
-    bool found = group.length == 0;
-    for (size_t i = 0; i < sizeof own_groups / sizeof own_groups[0] && !found; i++) {
-        found = text_same_name(group, text_of(own_groups[i]));
-    }
-    return found;
-}
-
 /* Cut the last group, "ExifIFD", off a name such as "EXIF:ExifIFD:FNumber" of exiftool -G0:1. */
 static struct text cut_group(struct text *name)
 {
@@ -62,17 +53,13 @@ static const struct photo_tag *find_tag(struct text name)
     return NULL;
 }
 
-static bool batch_names_is_letter(char c)
-{
-    return (c >= 'A' && c <= 'Z') || (c >= 'a' && c <= 'z');
-}
-
 /* Written as exiftool writes tags, most of which mean nothing here: "Lens", "DOF". */
 static bool is_tag_like(struct text name)
 {
     bool is_word = name.length > 1 && name.start[0] >= 'A' && name.start[0] <= 'Z';
     for (size_t i = 0; i < name.length && is_word; i++) {
-        is_word = batch_names_is_letter(name.start[i]) || char_is_digit(name.start[i]);
+        is_word = (name.start[i] >= 'A' && name.start[i] <= 'Z') ||
+                  (name.start[i] >= 'a' && name.start[i] <= 'z') || char_is_digit(name.start[i]);
     }
     return is_word;
 }
@@ -114,87 +101,70 @@ const struct option *batch_option_of(const struct batch *batch, struct text name
     return argument != NULL && argument->is_input ? argument->option : option_like(batch, name);
 }
 
-/* As it is typed, or as the heads of tables have it: "1/mm". */
-static const struct unit *unit_called(const struct dimension *dimension, struct text typed)
-{
-    const struct unit *unit = unit_find(dimension, typed);
-    for (size_t i = 0; i < dimension->unit_count && unit == NULL && typed.length > 0; i++) {
-        unit = text_equal(typed, dimension->units[i].label) ? &dimension->units[i] : NULL;
-    }
-    return unit;
-}
-
 /* A name and what may be the unit behind it; false: it is no such name with such a unit. */
 static bool match_unit(const struct batch *batch, struct text name, struct text typed,
-                       struct batch_meaning *meaning)
+                       struct batch_column *column)
 {
     const struct option *option = batch_option_of(batch, name);
     if (option == NULL || option->dimension == NULL) {
         return false;
     }
-    const struct unit *unit = unit_called(option->dimension, typed);
-    meaning->typed_unit = typed;
+    /* as it is typed, or as the heads of tables have it: "1/mm" */
+    const struct unit *unit = unit_find(option->dimension, typed);
+    for (size_t i = 0; i < option->dimension->unit_count && unit == NULL && typed.length > 0; i++) {
+        unit = text_equal(typed, option->dimension->units[i].label) ? &option->dimension->units[i]
+                                                                    : NULL;
+    }
+    column->typed_unit = typed;
     if (unit != NULL) {
-        meaning->option = option;
-        meaning->unit = unit->name;
+        column->option = option;
+        column->as_read.unit = unit->name;
     } else {
-        meaning->doubtful = option;
+        column->doubtful = option;
     }
     return unit != NULL;
 }
 
 /* "Focal Length (mm)", "Distance [ft]". */
-static bool match_brackets(const struct batch *batch, struct text name,
-                           struct batch_meaning *meaning)
+static bool match_brackets(const struct batch *batch, struct text name, struct batch_column *column)
 {
     const char last = name.length > 0 ? name.start[name.length - 1] : '\0';
-    char opening = '\0';
-    if (last == ')') {
-        opening = '(';
-    } else if (last == ']') {
-        opening = '[';
-    }
-    size_t at = opening != '\0' ? name.length - 1 : 0;
-    while (at > 0 && name.start[at] != opening) {
+    size_t at = last == ')' || last == ']' ? name.length - 1 : 0;
+    while (at > 0 && name.start[at] != (last == ')' ? '(' : '[')) {
         at--;
     }
     if (at == 0) {
         return false;
     }
     const struct text inside = {name.start + at + 1, name.length - at - 2};
-    return match_unit(batch, text_trim((struct text){name.start, at}), text_trim(inside), meaning);
+    return match_unit(batch, text_trim((struct text){name.start, at}), text_trim(inside), column);
 }
 
-/* Split "focal_length_mm" or "speed_m_s" into the option and its unit, at any '_'. */
-static bool match_with_unit(const struct batch *batch, struct text name,
-                            struct batch_meaning *meaning)
+void batch_find_meaning(const struct batch *batch, struct text name, struct batch_column *column)
 {
-    for (size_t at = 1; at + 1 < name.length; at++) {
-        const struct text behind = {name.start + at + 1, name.length - at - 1};
-        if (name.start[at] == '_' &&
-            match_unit(batch, (struct text){name.start, at}, behind, meaning)) {
-            return true;
-        }
-    }
-    return match_brackets(batch, name, meaning);
-}
-
-struct batch_meaning batch_meaning_of(const struct batch *batch, struct text name)
-{
-    struct batch_meaning meaning = {0};
     struct text bare = name;
     const struct text group = cut_group(&bare);
     const struct photo_tag *tag = find_tag(bare);
     if (tag != NULL && (group.length > 0 || text_equal(bare, tag->tag))) {
-        meaning.option = batch_option_of(batch, bare);
-        meaning.tag = tag->tag;
-        meaning.is_copy = !is_own_group(group);
-        meaning.zero_is_unknown = tag->zero_is_unknown;
-        return meaning;
+        bool is_own = group.length == 0;
+        for (size_t i = 0; i < sizeof own_groups / sizeof own_groups[0] && !is_own; i++) {
+            is_own = text_same_name(group, text_of(own_groups[i]));
+        }
+        column->option = batch_option_of(batch, bare);
+        column->tag = tag->tag;
+        column->is_copy = !is_own;
+        column->zero_is_unknown = tag->zero_is_unknown;
+        return;
     }
-    meaning.option = batch_option_of(batch, name);
-    if (meaning.option == NULL && match_with_unit(batch, name, &meaning)) {
-        meaning.doubtful = NULL;
+    column->option = batch_option_of(batch, name);
+    bool found = column->option != NULL;
+    /* "focal_length_mm" or "speed_m_s": the option and its unit, at any '_' */
+    for (size_t at = 1; at + 1 < name.length && !found; at++) {
+        const struct text behind = {name.start + at + 1, name.length - at - 1};
+        found = name.start[at] == '_' &&
+                match_unit(batch, (struct text){name.start, at}, behind, column);
     }
-    return meaning;
+    if (found || match_brackets(batch, name, column)) {
+        column->doubtful = NULL;
+    }
 }

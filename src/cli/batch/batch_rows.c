@@ -62,14 +62,6 @@ struct scan {
     size_t just_closed; /* offset behind the last closing quote: a quote there opens again */
 };
 
-/* Do quotes mean anything in the row that begins here? Not in comments, not in JSON. */
-static bool has_quotes(const struct batch *batch)
-{
-    char first = batch->at < batch->end ? *batch->at : '\0';
-    return batch->format != BATCH_JSONL && first != '#' &&
-           !(batch->format == BATCH_AUTO && first == '{');
-}
-
 /* Does a quote at this offset open a cell? As cut_cell sees it: only at the cell's start. */
 static bool opens_cell(const struct batch *batch, const struct scan *scan)
 {
@@ -87,7 +79,10 @@ static bool opens_cell(const struct batch *batch, const struct scan *scan)
 static const char *find_row_end(const struct batch *batch, struct scan *scan)
 {
     const size_t length = (size_t)(batch->end - batch->at);
-    if (!has_quotes(batch)) {
+    /* do quotes mean anything in the row that begins here? Not in comments, not in JSON */
+    char first = batch->at < batch->end ? *batch->at : '\0';
+    if (batch->format == BATCH_JSONL || first == '#' ||
+        (batch->format == BATCH_AUTO && first == '{')) {
         const char *from = batch->at + scan->offset;
         scan->offset = length;
         return from < batch->end ? memchr(from, '\n', (size_t)(batch->end - from)) : NULL;

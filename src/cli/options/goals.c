@@ -86,8 +86,8 @@ static bool may_have(const struct goal_parser *reading, unsigned what, bool is_t
     return !is_there || WRONG_AT(reading, place, error, "the %s is there twice", words);
 }
 
-static bool goals_put_wavelength(struct goal_parser *reading, double wavelength, struct text place,
-                                 struct error *error)
+static bool goal_wavelength(struct goal_parser *reading, double wavelength, struct text place,
+                            struct error *error)
 {
     struct operand *operand = reading->operand;
     if (!may_have(reading, OPERAND_AT_WAVELENGTH, !isnan(operand->wavelength), "wavelength", place,
@@ -99,8 +99,8 @@ static bool goals_put_wavelength(struct goal_parser *reading, double wavelength,
            WRONG_AT(reading, place, error, "the wavelength is not within 1 nm to 100 mm");
 }
 
-static bool goals_put_field(struct goal_parser *reading, enum field_kind kind, double value,
-                            struct text place, struct error *error)
+static bool goal_field(struct goal_parser *reading, enum field_kind kind, double value,
+                       struct text place, struct error *error)
 {
     struct operand *operand = reading->operand;
     struct setup_field *field = ARENA_NEW(reading->reader->arena, struct setup_field);
@@ -112,19 +112,6 @@ static bool goals_put_field(struct goal_parser *reading, enum field_kind kind, d
     return isfinite(value) || WRONG_AT(reading, place, error, "a field is finite");
 }
 
-static bool put_frequency(struct goal_parser *reading, double value, struct text place,
-                          struct error *error)
-{
-    struct operand *operand = reading->operand;
-    if (!may_have(reading, OPERAND_AT_FREQUENCY, !isnan(operand->frequency), "spatial frequency",
-                  place, error)) {
-        return false;
-    }
-    operand->frequency = value;
-    return (value > 0 && isfinite(value)) ||
-           WRONG_AT(reading, place, error, "a spatial frequency is above 0");
-}
-
 /* A number with its unit. */
 static bool has_unit(struct text place, const struct dimension *dimension, double *value,
                      const struct unit **unit)
@@ -134,23 +121,6 @@ static bool has_unit(struct text place, const struct dimension *dimension, doubl
     return quantity_read(place, dimension, NULL, value, unit, &ignored) && *unit != NULL;
 }
 
-/* A bare number, where it can only be one thing. */
-static bool put_bare(struct goal_parser *reading, double value, struct text place,
-                     struct error *error)
-{
-    const unsigned is = reading->type->is;
-    if ((is & OPERAND_NEEDS_FIELD) != 0 && reading->operand->field == NULL) {
-        return goals_put_field(reading, FIELD_ANGLE,
-                               unit_to_own(unit_find(&dimension_angle, text_of("deg")), value),
-                               place, error);
-    }
-    if ((is & OPERAND_AT_WAVELENGTH) != 0 && (is & OPERAND_AT_FIELD) == 0) {
-        return goals_put_wavelength(reading, value / 1000, place, error);
-    }
-    WRONG_AT(reading, place, error, "'%.*s' has no unit", text_shown(place), place.start);
-    return error_hint(error, "fields are 10deg or 5mm, wavelengths F or 550nm, frequencies 40/mm");
-}
-
 /* A number, with or without a unit. */
 static bool goals_read_number(struct goal_parser *reading, struct text place, struct error *error)
 {
@@ -158,19 +128,38 @@ static bool goals_read_number(struct goal_parser *reading, struct text place, st
     struct error ignored;
     double value;
     if (has_unit(place, &dimension_frequency, &value, &unit)) {
-        return put_frequency(reading, value, place, error);
+        struct operand *operand = reading->operand;
+        if (!may_have(reading, OPERAND_AT_FREQUENCY, !isnan(operand->frequency),
+                      "spatial frequency", place, error)) {
+            return false;
+        }
+        operand->frequency = value;
+        return (value > 0 && isfinite(value)) ||
+               WRONG_AT(reading, place, error, "a spatial frequency is above 0");
     }
     if (has_unit(place, &dimension_angle, &value, &unit)) {
-        return goals_put_field(reading, FIELD_ANGLE, value, place, error);
+        return goal_field(reading, FIELD_ANGLE, value, place, error);
     }
     if (has_unit(place, &dimension_length, &value, &unit)) {
         const bool is_short = strcmp(unit->name, "nm") == 0 || strcmp(unit->name, "um") == 0;
         return is_short ? has_unit(place, &dimension_wavelength_um, &value, &unit) &&
-                              goals_put_wavelength(reading, value, place, error)
-                        : goals_put_field(reading, FIELD_HEIGHT, value, place, error);
+                              goal_wavelength(reading, value, place, error)
+                        : goal_field(reading, FIELD_HEIGHT, value, place, error);
     }
     if (quantity_read(place, &dimension_number, NULL, &value, NULL, &ignored)) {
-        return put_bare(reading, value, place, error);
+        /* a bare number, where it can only be one thing */
+        const unsigned is = reading->type->is;
+        if ((is & OPERAND_NEEDS_FIELD) != 0 && reading->operand->field == NULL) {
+            return goal_field(reading, FIELD_ANGLE,
+                              unit_to_own(unit_find(&dimension_angle, text_of("deg")), value),
+                              place, error);
+        }
+        if ((is & OPERAND_AT_WAVELENGTH) != 0 && (is & OPERAND_AT_FIELD) == 0) {
+            return goal_wavelength(reading, value / 1000, place, error);
+        }
+        WRONG_AT(reading, place, error, "'%.*s' has no unit", text_shown(place), place.start);
+        return error_hint(error,
+                          "fields are 10deg or 5mm, wavelengths F or 550nm, frequencies 40/mm");
     }
     WRONG_AT(reading, place, error, "'%.*s' is no wavelength, field, frequency or position",
              text_shown(place), place.start);
@@ -205,7 +194,7 @@ static bool goals_read_place(struct goal_parser *reading, struct text place, str
         reading->operand->position = position;
         return true;
     }
-    return is_line ? goals_put_wavelength(reading, wavelength, place, error)
+    return is_line ? goal_wavelength(reading, wavelength, place, error)
                    : goals_read_number(reading, place, error);
 }
 
@@ -348,19 +337,6 @@ static struct text cut_relation(struct text item, struct text *left,
     return (struct text){item.start + at, item.length - at};
 }
 
-/* The goal as typed, with a target that its kind usually has. */
-static bool hint_target(const struct goal_parser *reading, struct text left, struct error *error)
-{
-    static const char *const usual[OPERAND_KINDS] = {
-        [OPERAND_INCIDENCE] = "< 45deg", [OPERAND_EDGE] = "> 1mm",      [OPERAND_CENTER] = "> 1mm",
-        [OPERAND_AIR] = "> 1mm",         [OPERAND_GRAZING] = "< 85deg", [OPERAND_MTF] = "> 0.5",
-        [OPERAND_GMTF] = "> 0.5"};
-    const char *words = usual[reading->operand->kind];
-    return words != NULL ? error_hint(error, "write %.*s %s", text_shown(left), left.start, words)
-                         : error_hint(error, "write %.*s = 1%s", text_shown(left), left.start,
-                                      reading->type->unit);
-}
-
 /* What the kind cannot do without. */
 static bool goals_check(const struct goal_parser *reading, struct text left, struct error *error)
 {
@@ -369,7 +345,17 @@ static bool goals_check(const struct goal_parser *reading, struct text left, str
     const char *name = reading->type->name;
     if ((is & OPERAND_NEEDS_TARGET) != 0 && !reading->has_target) {
         WRONG_AT(reading, reading->item, error, "%s has no target", name);
-        return hint_target(reading, left, error);
+        /* the goal as typed, with a target that its kind usually has */
+        static const char *const usual[OPERAND_KINDS] = {
+            [OPERAND_INCIDENCE] = "< 45deg", [OPERAND_EDGE] = "> 1mm",
+            [OPERAND_CENTER] = "> 1mm",      [OPERAND_AIR] = "> 1mm",
+            [OPERAND_GRAZING] = "< 85deg",   [OPERAND_MTF] = "> 0.5",
+            [OPERAND_GMTF] = "> 0.5"};
+        const char *words = usual[reading->operand->kind];
+        return words != NULL
+                   ? error_hint(error, "write %.*s %s", text_shown(left), left.start, words)
+                   : error_hint(error, "write %.*s = 1%s", text_shown(left), left.start,
+                                reading->type->unit);
     }
     if ((is & OPERAND_NEEDS_FIELD) != 0 && operand->field == NULL) {
         WRONG_AT(reading, reading->item, error, "%s is that of a field", name);
@@ -380,18 +366,6 @@ static bool goals_check(const struct goal_parser *reading, struct text left, str
         return error_hint(error, "write %s@40/mm", name);
     }
     return true;
-}
-
-/* In one form: what stands before the relation as typed, with the target. */
-static const char *goals_name_of(const struct goal_parser *reading, struct text left,
-                                 struct text target)
-{
-    struct arena *arena = reading->reader->arena;
-    const char *where = arena_string(arena, left.start, left.length);
-    return reading->has_target
-               ? ARENA_JOIN(arena, where, " ", operand_relations[reading->operand->relation], " ",
-                            arena_string(arena, target.start, target.length))
-               : where;
 }
 
 static bool goals_read_goal(struct goal_parser *reading, struct error *error)
@@ -412,7 +386,14 @@ static bool goals_read_goal(struct goal_parser *reading, struct error *error)
         !read_deviation(reading, deviation, error) || !goals_check(reading, left, error)) {
         return false;
     }
-    operand->name = goals_name_of(reading, left, target);
+    /* in one form: what stands before the relation as typed, with the target */
+    struct arena *arena = reading->reader->arena;
+    const char *where = arena_string(arena, left.start, left.length);
+    operand->name =
+        reading->has_target
+            ? ARENA_JOIN(arena, where, " ", operand_relations[reading->operand->relation], " ",
+                         arena_string(arena, target.start, target.length))
+            : where;
     return true;
 }
 

@@ -16,21 +16,17 @@
 bool nominal_exact(struct lensdb *db, const struct dimension *dimension, double label,
                    double *exact, struct error *error);
 
-struct nominal_range {
-    const struct dimension *dimension;
-    const char *series; /* "full", "half", "third", or null: the coarsest that has both labels */
-    double first, last;
-    bool exact; /* give exact values instead of the labels */
-};
-
 /*
- * All labels between two labels of one series, in the order from first to last.
+ * All labels between two labels of one series, in the order from the first end to the last.
  *
+ * Given     name   "full", "half", "third", or null: the coarsest that has both labels
+ *           exact  give exact values instead of the labels
  * Result    *count values in the database's arena; 0 with error->code ERROR_NONE if the ends are
  *           no labels and no series was named
  * Errors    ERROR_USAGE: no such series, or an end is none of its labels
  */
-bool nominal_between(struct lensdb *db, const struct nominal_range *range, double **values,
-                     size_t *count, struct error *error);
+bool nominal_between(struct lensdb *db, const struct dimension *dimension, const char *name,
+                     const double ends[2], bool exact, double **values, size_t *count,
+                     struct error *error);
 
 #endif

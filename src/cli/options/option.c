@@ -10,6 +10,28 @@
 #include <stdio.h>
 #include <string.h>
 
+const char *option_called(const struct option *option, struct called *room)
+{
+    if (option->called != NULL) {
+        return option->called;
+    }
+    snprintf(room->text, sizeof room->text, "--%s", option->name);
+    return room->text;
+}
+
+bool option_is_quantity(const struct option *option, struct text quantity)
+{
+    const char *own = option->quantity != NULL ? option->quantity : option->name;
+    size_t i = 0;
+    for (; i < quantity.length && own[i] != '\0'; i++) {
+        char c = own[i] == '-' && option->quantity == NULL ? ' ' : own[i];
+        if (c != quantity.start[i]) {
+            return false;
+        }
+    }
+    return i == quantity.length && own[i] == '\0';
+}
+
 const struct word *option_word(const struct option *option, size_t i)
 {
     if (option->words == NULL) {
@@ -47,19 +69,6 @@ const char *option_range(const struct option *option, struct arena *arena)
                         below ? "below " : "", high, blank, label);
 }
 
-static bool out_of_range(const struct option *option, double value, struct error *error)
-{
-    char number[NUMBER_LENGTH + 1];
-    const struct unit *unit = option_unit(option);
-    struct arena arena = {0};
-    *quantity_write(number, value, unit) = '\0';
-    fail(error, ERROR_DOMAIN, "%s %s%s%s is out of range: it must be %s", CALLED(option), number,
-         unit != NULL && unit->label[0] != '\0' ? " " : "", unit != NULL ? unit->label : "",
-         option_range(option, &arena));
-    arena_free(&arena);
-    return false;
-}
-
 bool option_check_range(const struct option *option, double value, struct error *error)
 {
     if (isinf(value) && (option->flags & OPTION_NO_INFINITY) != 0) {
@@ -72,7 +81,18 @@ bool option_check_range(const struct option *option, double value, struct error 
     bool below = (option->flags & OPTION_BELOW_HIGHEST) != 0;
     bool low_enough = below ? value < option->highest : value <= option->highest;
     bool high_enough = above ? value > option->lowest : value >= option->lowest;
-    return (low_enough && high_enough) || out_of_range(option, value, error);
+    if (low_enough && high_enough) {
+        return true;
+    }
+    char number[NUMBER_LENGTH + 1];
+    const struct unit *unit = option_unit(option);
+    struct arena arena = {0};
+    *quantity_write(number, value, unit) = '\0';
+    fail(error, ERROR_DOMAIN, "%s %s%s%s is out of range: it must be %s", CALLED(option), number,
+         unit != NULL && unit->label[0] != '\0' ? " " : "", unit != NULL ? unit->label : "",
+         option_range(option, &arena));
+    arena_free(&arena);
+    return false;
 }
 
 bool option_recall(const struct reader *reader, const struct option *option, void *member,
@@ -106,10 +126,22 @@ bool option_read(const struct reader *reader, const struct option *option, struc
 
 void option_clear(const struct option *option, void *member)
 {
-    memset(member, 0, option->kind->size);
-    if (option->kind->clear != NULL) {
-        option->kind->clear(member);
+    const struct option_kind *kind = option->kind;
+    double *number = (double *)(void *)((char *)member + kind->nan_at);
+    memset(member, 0, kind->size);
+    for (size_t i = 0; i < kind->nan_count; i++) {
+        number[i] = NAN;
     }
+}
+
+const char *option_value_name(const struct option *option, const void *member)
+{
+    const struct option_kind *kind = option->kind;
+    const void *name = (const char *)member + kind->name_at;
+    if (kind->name_of != NULL) {
+        return kind->name_of(option, member);
+    }
+    return kind->is_named ? *(const char *const *)name : NULL;
 }
 
 void option_doubt(const struct reader *reader, const struct option *option, double value)
@@ -120,19 +152,6 @@ void option_doubt(const struct reader *reader, const struct option *option, doub
                      unit != NULL ? unit_from_own(unit, value) : value,
                      unit != NULL && unit->label[0] != '\0' ? " " : "",
                      unit != NULL ? unit->label : "", option->unusual);
-    }
-}
-
-/* A T-stop where an f-number is meant. */
-static void doubt_t_stop(const struct reader *reader, const struct option *option, struct text text,
-                         double value)
-{
-    const struct text trimmed = text_trim(text);
-    if (option->dimension == &dimension_fnumber && (option->flags & OPTION_T_STOP) == 0 &&
-        trimmed.length > 0 && (trimmed.start[0] == 'T' || trimmed.start[0] == 't')) {
-        warnings_add(reader->doubts,
-                     "%s %.*s is a T-stop, taken as f/%.6g: as if the lens lost no light",
-                     CALLED(option), text_shown(trimmed), trimmed.start, value);
     }
 }
 
@@ -164,7 +183,14 @@ static bool read_quantity(const struct reader *reader, const struct option *opti
         return false;
     }
     option_doubt(reader, option, value);
-    doubt_t_stop(reader, option, text, value);
+    /* a T-stop where an f-number is meant */
+    const struct text trimmed = text_trim(text);
+    if (option->dimension == &dimension_fnumber && (option->flags & OPTION_T_STOP) == 0 &&
+        trimmed.length > 0 && (trimmed.start[0] == 'T' || trimmed.start[0] == 't')) {
+        warnings_add(reader->doubts,
+                     "%s %.*s is a T-stop, taken as f/%.6g: as if the lens lost no light",
+                     TYPED(option, trimmed), value);
+    }
     *(double *)member = value;
     return true;
 }
@@ -194,11 +220,18 @@ static bool read_flag(const struct reader *reader, const struct option *option, 
     bool yes = text_same(text, "yes") || text_same(text, "true") || text_equal(text, "1");
     bool no = text_same(text, "no") || text_same(text, "false") || text_equal(text, "0");
     if (!yes && !no) {
-        return fail(error, ERROR_USAGE, "%s is 'yes' or 'no', not '%.*s'", CALLED(option),
-                    text_shown(text), text.start);
+        return fail(error, ERROR_USAGE, "%s is 'yes' or 'no', not '%.*s'", TYPED(option, text));
     }
     *(bool *)member = yes;
     return true;
+}
+
+static bool part_value_read(const struct reader *reader, const struct option *option,
+                            struct text text, void *member, struct error *error)
+{
+    (void)reader;
+    return part_parse(text_trim(text), member, error) ||
+           error_prefix(error, "%s: ", CALLED(option));
 }
 
 static bool read_text(const struct reader *reader, const struct option *option, struct text text,
@@ -215,8 +248,8 @@ static bool read_text(const struct reader *reader, const struct option *option, 
     return true;
 }
 
-static bool option_read_count(const struct reader *reader, const struct option *option,
-                              struct text text, void *member, struct error *error)
+static bool count_value_read(const struct reader *reader, const struct option *option,
+                             struct text text, void *member, struct error *error)
 {
     const double most = 1e9; /* where no range is said */
     (void)reader;
@@ -225,8 +258,7 @@ static bool option_read_count(const struct reader *reader, const struct option *
         return option_blame(option, text, error);
     }
     if (value != floor(value)) { /* NaN too */
-        return fail(error, ERROR_USAGE, "%s '%.*s' is not a whole number", CALLED(option),
-                    text_shown(text), text.start);
+        return fail(error, ERROR_USAGE, "%s '%.*s' is not a whole number", TYPED(option, text));
     }
     if (!option_check_range(option, value, error)) {
         error->code = ERROR_USAGE; /* a count is no physics */
@@ -234,16 +266,10 @@ static bool option_read_count(const struct reader *reader, const struct option *
     }
     if (!(fabs(value) <= most)) {
         return fail(error, ERROR_USAGE, "%s '%.*s' is out of range: it must be %g to %g",
-                    CALLED(option), text_shown(text), text.start, -most, most);
+                    TYPED(option, text), -most, most);
     }
     *(long *)member = (long)value;
     return true;
-}
-
-static bool option_ends_with(struct text text, const char *end)
-{
-    size_t length = strlen(end);
-    return text.length > length && memcmp(text.start + text.length - length, end, length) == 0;
 }
 
 /* The kind of criterion, and where its number stands. */
@@ -258,7 +284,7 @@ static enum coc_kind coc_kind_of(struct text text, struct text *number)
         *number = (struct text){text.start + 2, text.length - 2};
         return COC_DIAGONAL;
     }
-    if (option_ends_with(text, "px")) {
+    if (text.length > 2 && memcmp(text.start + text.length - 2, "px", 2) == 0) {
         number->length -= 2;
         return COC_PIXELS;
     }
@@ -280,7 +306,7 @@ static bool read_coc(const struct reader *reader, const struct option *option, s
         return fail(error, ERROR_DOMAIN,
                     "%s '%.*s' is out of range: it must be a length of 0 mm or more, d/K or Kpx "
                     "with K above 0, airy, or print",
-                    CALLED(option), text_shown(text), text.start);
+                    TYPED(option, text));
     }
     *(struct coc_value *)member = (struct coc_value){
         coc, length ? COC_GIVEN : arena_string(reader->arena, trimmed.start, trimmed.length),
@@ -309,17 +335,6 @@ static const char *choice_name(const struct option *option, const void *member)
     return option_word(option, (size_t)(*(const int *)member))->word;
 }
 
-static const char *text_name(const struct option *option, const void *member)
-{
-    (void)option;
-    return *(const char *const *)member;
-}
-
-static void clear_quantity(void *member)
-{
-    *(double *)member = NAN;
-}
-
 static void coc_set_number(void *member, double number, const struct unit *unit)
 {
     (void)unit;
@@ -327,12 +342,7 @@ static void coc_set_number(void *member, double number, const struct unit *unit)
         (struct coc_value){{.kind = COC_LENGTH, .value = number}, COC_GIVEN, false};
 }
 
-static void clear_coc(void *member)
-{
-    ((struct coc_value *)member)->coc.value = NAN;
-}
-
-static double quantity_number(const void *member)
+double option_first_number(const void *member)
 {
     return *(const double *)member;
 }
@@ -348,9 +358,9 @@ const struct option_kind kind_quantity = {
     .size = sizeof(double),
     .is_list = true,
     .read = read_quantity,
-    .number_of = quantity_number,
+    .number_of = option_first_number,
     .set_number = quantity_set_number,
-    .clear = clear_quantity,
+    .nan_count = 1,
 };
 
 const struct option_kind kind_choice = {
@@ -371,14 +381,14 @@ const struct option_kind kind_text = {
     .name = "text",
     .size = sizeof(const char *),
     .read = read_text,
-    .name_of = text_name,
+    .is_named = true,
 };
 
 const struct option_kind kind_count = {
     .name = "count",
     .size = sizeof(long),
     .is_list = true,
-    .read = option_read_count,
+    .read = count_value_read,
 };
 
 const struct option_kind kind_coc = {
@@ -389,5 +399,12 @@ const struct option_kind kind_coc = {
     .name_of = coc_name,
     .words_of = coc_words,
     .set_number = coc_set_number,
-    .clear = clear_coc,
+    .nan_at = offsetof(struct coc_value, coc.value),
+    .nan_count = 1,
+};
+
+const struct option_kind kind_part = {
+    .name = "part",
+    .size = sizeof(struct part),
+    .read = part_value_read,
 };

@@ -3,19 +3,19 @@
 #ifndef LENSCALC_CLI_OPTIONS_OPTION_H
 #define LENSCALC_CLI_OPTIONS_OPTION_H
 
+#include "analysis/setup/setup.h"
+#include "analysis/setup/setup_question.h"
 #include "base/arena.h"
 #include "base/error.h"
 #include "base/file_type.h"
 #include "base/quantity.h"
-#include "cli/options/option_field.h"
-#include "cli/options/option_focal.h"
+#include "base/text.h"
 #include "cli/options/option_glass.h"
-#include "cli/options/option_lens.h"
 #include "cli/options/option_light.h"
-#include "cli/options/option_ray.h"
-#include "cli/options/option_spectrum.h"
 #include "data/lensdb.h"
 #include "file/part.h"
+#include "optics/first_order.h"
+#include "optics/lens.h"
 #include "photo/format.h"
 #include "report/warnings.h"
 
@@ -36,6 +36,170 @@ struct reader {
     struct warnings *doubts; /* of values that are legal but odd; null = nobody listens */
 };
 
+/* What was found of a lens in one position, for the rows that ask again. */
+struct lens_memo {
+    bool is_known;
+    double wavelength; /* um, that it was found for */
+    int section;
+    struct first_order first;
+    struct setup_width width;
+    const char *warning; /* null = all is well */
+};
+
+/* A lens as the user named it. */
+struct lens_value {
+    const struct lens *lens; /* null = not given */
+    const char *name;        /* as typed */
+    const char *warning;     /* what lens_check doubts; null = nothing */
+    struct arena *arena;     /* where it lives */
+    struct lens_memo *memo;  /* one a position */
+    size_t serial; /* which of the lenses that were read: what is known of it; 0 = nobody counts */
+};
+
+/* A lens that is read again when it is wanted. */
+struct lens_slot {
+    struct arena arena;
+    struct lens_value value;
+    size_t used; /* when it was wanted last */
+};
+
+/*
+ * The lenses of a run. The first ones stay, which rows name again and again; of those of a longer
+ * list only the names stay, beside the lenses that were wanted last.
+ */
+struct lens_cache {
+    struct arena *arena;       /* lives as long as the run */
+    struct lens_value *lenses; /* null = none yet */
+    size_t count;
+    struct lens_slot *slots; /* null = none yet */
+    size_t slot_count;
+    size_t read, wanted; /* how often, up to now */
+};
+
+/* Make a lens known that was read elsewhere, and may be used there by another thread meanwhile. */
+void option_lens_lend(struct lens_cache *cache, const struct lens_value *value);
+
+/* So many lenses of a list are wanted at once, where that is more than one. */
+void option_lens_at_once(struct lens_cache *cache, size_t count);
+
+/* A lens that is still text: it is read by the command. */
+struct lens_text_value {
+    const char *source; /* what to call it in messages; null = not given */
+    struct text content;
+    bool is_file; /* the source is its path */
+    struct lensdb *db;
+    struct arena *arena; /* that of the value */
+};
+
+/* A wavelength: a number with a unit (nm), or the name of a spectral line. */
+struct wavelength_value {
+    double wavelength; /* um; 0 = not given */
+    const char *name;  /* as typed */
+};
+
+/* mm to um by way of the digits: 0.55um and 550 are the same, and print so. */
+double wavelength_micrometres(double millimetres);
+
+/* And back: um as columns of lengths have it, in mm, so that it prints in nm as typed. */
+double wavelength_millimetres(double micrometres);
+
+/* One of a set. A number without a unit is both: degrees of a far object, mm of a near one. */
+struct field_item {
+    double angle;  /* rad; NaN: a length was typed */
+    double height; /* mm; NaN: an angle was typed */
+    double weight; /* 1 unless typed */
+};
+
+/* A set that is judged as a whole: 0,10:2,14deg. */
+struct fields_value {
+    const char *text; /* as typed; null = not given */
+    const struct field_item *items;
+    size_t count;
+};
+
+enum { MOST_FIELDS = 64 };
+
+/* Is it a field with a weight, "10:2"? */
+bool field_has_weight(struct text text);
+
+/* Where each field has an answer of its own a weight would be lost without a word. */
+bool field_refuse_weight(const char *option, struct text text, struct error *error);
+
+/* A focal length as the user wrote it, mm. */
+struct focal_value {
+    double length;     /* NaN: not given, or an equivalent one that is not settled */
+    double equivalent; /* "26mm-eq": 26; else NaN */
+};
+
+/* The options of a command that take such values, and the one that names the sensor. */
+struct focal_options {
+    const struct option *focal[2], *sensor;
+    size_t count;
+};
+
+struct focal_options focal_options_of(const struct option *options, size_t count);
+
+/* Refuse a list in which some are equivalent ones and some are not: one axis has one measure. */
+bool focal_check_alike(const struct focal_value *values, size_t count, const struct option *option,
+                       struct error *error);
+
+/* Is it, in this input, given as an equivalent one? */
+bool focal_is_equivalent(const struct option *option, const void *input);
+
+/*
+ * The real length of focal lengths that are equivalent ones, and a doubt about those of phones,
+ * drones and action cameras that no main lens of them has.
+ *
+ * Given     input   the command's struct with all of its options
+ *           doubts  null: nobody listens
+ * Formula   f = equivalent x diagonal/sqrt(36^2 + 24^2)
+ * Source    [Ray02]; makers state equivalents by the diagonal
+ * Errors    ERROR_USAGE: nobody named a sensor, or the command has no option for one
+ * Limits    The main lenses of such cameras are 15 to 35 mm equivalent, as their makers state them:
+ *           what is longer than 40 is doubted where the sensor is smaller than 4/3. Drones with
+ *           larger ones change lenses; compact cameras zoom to 3000 mm equivalent, so that no
+ *           length is implausible there
+ */
+bool focal_settle(const struct focal_options *options, void *input, struct warnings *doubts,
+                  struct error *error);
+
+/* A point or a direction: x:y:z. */
+struct vector_value {
+    bool is_given;
+    double at[3]; /* mm, or plain numbers */
+};
+
+/* A point of the pupil: x:y, in units of its radius. */
+struct pupil_value {
+    bool is_given;
+    double at[2];
+};
+
+/* Where rays end. */
+enum target_kind { TARGET_USUAL, TARGET_IMAGE, TARGET_LAST, TARGET_SURFACE };
+
+struct target_value {
+    enum target_kind kind; /* TARGET_USUAL: not given */
+    long surface;          /* TARGET_SURFACE: from 1 */
+};
+
+/* Several wavelengths at once: d:1,F:0.5; or photopic. */
+struct spectrum_value {
+    const char *text; /* as typed; null = not given */
+    const struct setup_wavelength *items;
+    size_t count;
+};
+
+enum { MOST_SPECTRUM = 64 };
+
+/*
+ * Read a wavelength, um: a number with a unit, or the name of a spectral line.
+ *
+ * Errors    ERROR_USAGE, ERROR_DOMAIN, the message naming the option; as lines_find
+ */
+bool wavelength_read(const struct reader *reader, const struct option *option, struct text text,
+                     double *wavelength, struct error *error);
+
 /* Data that an answer may depend on, which the user may add to. */
 enum reads {
     READS_LENSDB = 1,  /* tables of --lensdb */
@@ -53,7 +217,10 @@ struct option_kind {
     /* Read again, for the present row, a value of which a list has the name only; null: lists have
        values whole. */
     bool (*recall)(const struct reader *reader, void *member, struct error *error);
-    /* The value's name, where it has one ("exact", "35mm (36 x 24 mm)"); null: it has none. */
+    /* The value's name, where it has one ("exact", "35mm (36 x 24 mm)"): a member of it, or what
+       the function finds; neither: it has none. */
+    bool is_named;
+    size_t name_at;
     const char *(*name_of)(const struct option *option, const void *member);
     /* A value without a name in words that read back; null for one that is absent, and where names
        or numbers say all. */
@@ -62,10 +229,10 @@ struct option_kind {
     double (*number_of)(const void *member);
     /* Set it to such a number, typed in this unit; null: it is read from text. */
     void (*set_number)(void *member, double number, const struct unit *unit);
-    unsigned reads; /* enum reads: where its values come from */
-    /* Make a member absent whose bytes are zero; null: zero is absent. */
-    void (*clear)(void *member);
+    unsigned reads;           /* enum reads: where its values come from */
+    size_t nan_at, nan_count; /* numbers of a member that is absent: NaN, all else is zero */
 };
+#define OPTION_NAMED(S, member) .is_named = true, .name_at = offsetof(S, member)
 
 extern const struct option_kind kind_quantity, kind_focal, kind_choice, kind_flag, kind_text,
     kind_count, kind_sensor, kind_coc, kind_loss, kind_film, kind_scene, kind_series, kind_glass,
@@ -214,6 +381,8 @@ struct called {
 const char *option_called(const struct option *option, struct called *room);
 
 #define CALLED(option) option_called((option), &(struct called){{0}})
+/* And what was typed for it, for "%s '%.*s'". */
+#define TYPED(option, text) CALLED(option), text_shown(text), (text).start
 
 /* Is it what the formulas call by this name? */
 bool option_is_quantity(const struct option *option, struct text quantity);
@@ -262,6 +431,18 @@ void option_doubt(const struct reader *reader, const struct option *option, doub
 
 /* The legal range in words: "above 0 mm", "0 to 90 deg", ".svg or .png"; "" if there is none. */
 const char *option_range(const struct option *option, struct arena *arena);
+
+/* Have its values names? */
+static inline bool option_has_names(const struct option *option)
+{
+    return option->kind->is_named || option->kind->name_of != NULL;
+}
+
+/* The value's name; null: it has none. */
+const char *option_value_name(const struct option *option, const void *member);
+
+/* For number_of, of values that begin with their number. */
+double option_first_number(const void *member);
 
 /* Make a member absent: NaN, null, false, or the first choice. */
 void option_clear(const struct option *option, void *member);

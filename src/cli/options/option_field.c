@@ -1,7 +1,5 @@
 /* cli/options/option_field.c - read fields of a lens. */
 /* SPDX-License-Identifier: MIT */
-#include "cli/options/option_field.h"
-
 #include "cli/options/option.h"
 
 #include <math.h>
@@ -11,8 +9,8 @@
  *
  * Result    `weight` receives where the weight stands in the text; its start is null without one
  */
-static bool option_field_read_field(struct text text, struct field_item *item, struct text *weight,
-                                    struct error *error)
+static bool field_item_read(struct text text, struct field_item *item, struct text *weight,
+                            struct error *error)
 {
     const struct unit *degree = unit_find(&dimension_angle, text_of("deg"));
     struct error ignored;
@@ -33,7 +31,7 @@ bool field_has_weight(struct text text)
     struct field_item item;
     struct text weight;
     struct error ignored;
-    return option_field_read_field(text, &item, &weight, &ignored) && weight.start != NULL;
+    return field_item_read(text, &item, &weight, &ignored) && weight.start != NULL;
 }
 
 bool field_refuse_weight(const char *option, struct text text, struct error *error)
@@ -50,8 +48,8 @@ static bool is_finite(const struct field_item *item)
     return !isinf(item->angle) && !isinf(item->height) && isfinite(item->weight);
 }
 
-static bool option_field_read_fields(const struct reader *reader, const struct option *option,
-                                     struct text text, void *member, struct error *error)
+static bool fields_value_read(const struct reader *reader, const struct option *option,
+                              struct text text, void *member, struct error *error)
 {
     struct text rest = text, weight;
     struct field_item *items = ARENA_ARRAY(reader->arena, MOST_FIELDS, struct field_item);
@@ -61,12 +59,12 @@ static bool option_field_read_fields(const struct reader *reader, const struct o
             return fail(error, ERROR_USAGE, "%s has more than %d fields", CALLED(option),
                         MOST_FIELDS);
         }
-        if (!option_field_read_field(text_cut(&rest, ','), &items[count], &weight, error)) {
+        if (!field_item_read(text_cut(&rest, ','), &items[count], &weight, error)) {
             return error_prefix(error, "bad %s: ", CALLED(option));
         }
         if (items[count].weight < 0) {
             return fail(error, ERROR_USAGE, "%s has the weight %.*s: weights are 0 or more",
-                        CALLED(option), text_shown(weight), weight.start);
+                        TYPED(option, weight));
         }
         if (!is_finite(&items[count++])) {
             return fail(error, ERROR_USAGE, "%s has a field or weight that is not finite",
@@ -81,5 +79,5 @@ static bool option_field_read_fields(const struct reader *reader, const struct o
 const struct option_kind kind_fields = {
     .name = "fields",
     .size = sizeof(struct fields_value),
-    .read = option_field_read_fields,
+    .read = fields_value_read,
 };

@@ -1,9 +1,8 @@
 /* cli/options/option_focal.c - focal lengths, real ones and those equivalent on 36 x 24 mm. */
 /* SPDX-License-Identifier: MIT */
-#include "cli/options/option_focal.h"
+#include "cli/options/option.h"
 
 #include "base/number.h"
-#include "cli/options/option.h"
 
 #include <math.h>
 #include <string.h>
@@ -18,20 +17,6 @@ static void focal_set_number(void *member, double number, const struct unit *uni
                                                          is_equivalent ? number : (double)NAN};
 }
 
-/* "26-eq", "26 eq." and the like: an equivalent whose unit is not whole. Returns false. */
-static bool focal_hint_equivalent(struct text text, struct error *error)
-{
-    const char *const end = text.start + text.length;
-    double number;
-    const char *rest = number_read(text.start, end, NUMBER_UNSCALED, &number);
-    const int digits = rest != NULL ? (int)(rest - text.start) : 0;
-    while (digits > 0 && rest < end && (*rest == ' ' || *rest == '-' || *rest == 'm')) {
-        rest++;
-    }
-    return digits > 0 && end - rest >= 2 && memcmp(rest, "eq", 2) == 0 &&
-           error_hint(error, "did you mean '%.*smm-eq'?", digits, text.start);
-}
-
 static bool focal_read(const struct reader *reader, const struct option *option, struct text text,
                        void *member, struct error *error)
 {
@@ -39,7 +24,16 @@ static bool focal_read(const struct reader *reader, const struct option *option,
     const struct unit *typed;
     if (!quantity_read(text, option->dimension, option_unit(option), &value, &typed, error)) {
         option_blame(option, text, error);
-        return focal_hint_equivalent(text, error);
+        /* "26-eq", "26 eq." and the like: an equivalent whose unit is not whole */
+        const char *const end = text.start + text.length;
+        double number;
+        const char *rest = number_read(text.start, end, NUMBER_UNSCALED, &number);
+        const int digits = rest != NULL ? (int)(rest - text.start) : 0;
+        while (digits > 0 && rest < end && (*rest == ' ' || *rest == '-' || *rest == 'm')) {
+            rest++;
+        }
+        return digits > 0 && end - rest >= 2 && memcmp(rest, "eq", 2) == 0 &&
+               error_hint(error, "did you mean '%.*smm-eq'?", digits, text.start);
     }
     if (!option_check_range(option, value, error)) {
         return false;
@@ -55,11 +49,6 @@ static double focal_number(const void *member)
     return isnan(focal->equivalent) ? focal->length : focal->equivalent;
 }
 
-static void focal_clear(void *member)
-{
-    *(struct focal_value *)member = (struct focal_value){NAN, NAN};
-}
-
 const struct option_kind kind_focal = {
     .name = "quantity",
     .size = sizeof(struct focal_value),
@@ -67,7 +56,7 @@ const struct option_kind kind_focal = {
     .read = focal_read,
     .number_of = focal_number,
     .set_number = focal_set_number,
-    .clear = focal_clear,
+    .nan_count = 2,
 };
 
 struct focal_options focal_options_of(const struct option *options, size_t count)
@@ -104,35 +93,6 @@ bool focal_is_equivalent(const struct option *option, const void *input)
     return option->kind == &kind_focal && !isnan(focal->equivalent);
 }
 
-static bool focal_refuse(const struct option *option, const struct focal_value *focal,
-                         bool has_sensor, struct error *error)
-{
-    fail(error, ERROR_USAGE, "{--%s} %.6gmm-eq needs {--sensor}", option->name, focal->equivalent);
-    return has_sensor ? error_hint(error, "name the camera, or 'list formats': the real focal "
-                                          "length follows from the sensor's diagonal")
-                      : error_hint(error,
-                                   "this command has none: give the focal length that is engraved "
-                                   "on the lens, or that 'lenscalc fov -f %.6gmm-eq --sensor "
-                                   "CAMERA' prints",
-                                   focal->equivalent);
-}
-
-/* A maker's equivalent where the real length is meant? */
-static void focal_doubt(const struct option *option, const struct focal_value *focal,
-                        const struct sensor_value *sensor, struct warnings *doubts)
-{
-    const double crop = sensor_crop(&sensor->size);
-    if (focal->length * crop > LONGEST_MAIN && sensor_diagonal(&sensor->size) < LARGEST_DIAGONAL) {
-        warnings_add(
-            doubts,
-            "%s %.6g mm on %s is as narrow as %.3g mm on 35 mm film, longer than the main "
-            "lens of such a camera: if it is the maker's equivalent, write %.6gmm-eq (%.4g "
-            "mm)",
-            CALLED(option), focal->length, sensor->name, focal->length * crop, focal->length,
-            focal->length / crop);
-    }
-}
-
 bool focal_settle(const struct focal_options *options, void *input, struct warnings *doubts,
                   struct error *error)
 {
@@ -144,11 +104,32 @@ bool focal_settle(const struct focal_options *options, void *input, struct warni
         const bool has_sensor = sensor != NULL && sensor->name != NULL && !sensor->is_fallback;
         if (!isnan(focal->equivalent)) {
             if (!has_sensor) {
-                return focal_refuse(option, focal, sensor != NULL, error);
+                fail(error, ERROR_USAGE, "{--%s} %.6gmm-eq needs {--sensor}", option->name,
+                     focal->equivalent);
+                return sensor != NULL
+                           ? error_hint(error, "name the camera, or 'list formats': the real focal "
+                                               "length follows from the sensor's diagonal")
+                           : error_hint(
+                                 error,
+                                 "this command has none: give the focal length that is engraved "
+                                 "on the lens, or that 'lenscalc fov -f %.6gmm-eq --sensor "
+                                 "CAMERA' prints",
+                                 focal->equivalent);
             }
             focal->length = focal->equivalent / sensor_crop(&sensor->size);
         } else if (has_sensor && sensor->is_wide) {
-            focal_doubt(option, focal, sensor, doubts);
+            /* a maker's equivalent where the real length is meant? */
+            const double crop = sensor_crop(&sensor->size);
+            if (focal->length * crop > LONGEST_MAIN &&
+                sensor_diagonal(&sensor->size) < LARGEST_DIAGONAL) {
+                warnings_add(
+                    doubts,
+                    "%s %.6g mm on %s is as narrow as %.3g mm on 35 mm film, longer than the main "
+                    "lens of such a camera: if it is the maker's equivalent, write %.6gmm-eq (%.4g "
+                    "mm)",
+                    CALLED(option), focal->length, sensor->name, focal->length * crop,
+                    focal->length, focal->length / crop);
+            }
         }
     }
     return true;

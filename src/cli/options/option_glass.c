@@ -7,8 +7,8 @@
 
 #include <math.h>
 
-static bool option_glass_read_glass(const struct reader *reader, const struct option *option,
-                                    struct text text, void *member, struct error *error)
+static bool glass_value_read(const struct reader *reader, const struct option *option,
+                             struct text text, void *member, struct error *error)
 {
     struct glass_record *record = ARENA_NEW(reader->arena, struct glass_record);
     enum glass_naming naming =
@@ -23,44 +23,18 @@ static bool option_glass_read_glass(const struct reader *reader, const struct op
     return true;
 }
 
-static const char *glass_name(const struct option *option, const void *member)
-{
-    (void)option;
-    return ((const struct glass_value *)member)->name;
-}
-
 /* A single value is allowed where the option says of which size. */
-static bool takes_one(const struct option *option)
-{
-    return option->highest > option->lowest;
-}
-
 static bool bad_interval(const struct option *option, struct text text, struct error *error)
 {
-    bool one = takes_one(option);
-    fail(error, ERROR_USAGE, "%s '%.*s' is no %srange", CALLED(option), text_shown(text),
-         text.start, one ? "value or " : "");
+    bool one = option->highest > option->lowest;
+    fail(error, ERROR_USAGE, "%s '%.*s' is no %srange", TYPED(option, text),
+         one ? "value or " : "");
     return error_hint(error, "say %sLOW..HIGH, LOW.. or ..HIGH", one ? "a number, " : "");
 }
 
-/* A value to be near to. */
-static bool read_near(const struct option *option, struct text text,
-                      struct interval_value *interval, struct error *error)
-{
-    const struct dimension *dimension =
-        option->dimension != NULL ? option->dimension : &dimension_number;
-    if (text_trim(text).length == 0 || !takes_one(option)) {
-        return bad_interval(option, text, error);
-    }
-    *interval = (struct interval_value){NAN, NAN, NAN};
-    return (quantity_read(text, dimension, option_unit(option), &interval->near, NULL, error) ||
-            error_prefix(error, "bad value in %s: ", CALLED(option))) &&
-           option_check_range(option, interval->near, error);
-}
-
 /* One end; nothing stands for an open one. */
-static bool option_glass_read_end(const struct option *option, struct text text, double *end,
-                                  struct error *error)
+static bool interval_end_read(const struct option *option, struct text text, double *end,
+                              struct error *error)
 {
     *end = NAN;
     if (text_trim(text).length == 0) {
@@ -82,11 +56,21 @@ static bool read_interval(const struct reader *reader, const struct option *opti
         at++;
     }
     if (at + 1 >= text.length) {
-        return read_near(option, text, member, error);
+        /* a value to be near to */
+        const struct dimension *dimension =
+            option->dimension != NULL ? option->dimension : &dimension_number;
+        if (text_trim(text).length == 0 || !(option->highest > option->lowest)) {
+            return bad_interval(option, text, error);
+        }
+        struct interval_value *near = member;
+        *near = interval;
+        return (quantity_read(text, dimension, option_unit(option), &near->near, NULL, error) ||
+                error_prefix(error, "bad value in %s: ", CALLED(option))) &&
+               option_check_range(option, near->near, error);
     }
     struct text high = {text.start + at + 2, text.length - at - 2};
-    if (!option_glass_read_end(option, (struct text){text.start, at}, &interval.low, error) ||
-        !option_glass_read_end(option, high, &interval.high, error)) {
+    if (!interval_end_read(option, (struct text){text.start, at}, &interval.low, error) ||
+        !interval_end_read(option, high, &interval.high, error)) {
         return false;
     }
     if ((isnan(interval.low) && isnan(interval.high)) || interval.low > interval.high) {
@@ -94,11 +78,6 @@ static bool read_interval(const struct reader *reader, const struct option *opti
     }
     *(struct interval_value *)member = interval;
     return true;
-}
-
-static void clear_interval(void *member)
-{
-    *(struct interval_value *)member = (struct interval_value){NAN, NAN, NAN};
 }
 
 /* "1.5..1.6", as it is typed; an end that is open is empty. */
@@ -122,8 +101,8 @@ const struct option_kind kind_glass = {
     .name = "glass",
     .size = sizeof(struct glass_value),
     .is_list = true,
-    .read = option_glass_read_glass,
-    .name_of = glass_name,
+    .read = glass_value_read,
+    OPTION_NAMED(struct glass_value, name),
     .reads = READS_LENSDB | READS_GLASSES,
 };
 
@@ -133,5 +112,5 @@ const struct option_kind kind_interval = {
     .is_list = true,
     .read = read_interval,
     .words_of = interval_words,
-    .clear = clear_interval,
+    .nan_count = 3,
 };

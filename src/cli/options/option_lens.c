@@ -1,9 +1,7 @@
 /* cli/options/option_lens.c - read the values of lens commands. */
 /* SPDX-License-Identifier: MIT */
-#include "cli/options/option_lens.h"
-
 #include "cli/options/option.h"
-#include "cli/options/option_spectrum.h"
+
 #include "data/lines.h"
 #include "exchange/lens_open.h"
 #include "optics/wavelength.h"
@@ -17,9 +15,8 @@ static struct lens_memo *lens_memo_new(const struct lens *lens, struct arena *ar
     return ARENA_ARRAY(arena, positions, struct lens_memo);
 }
 
-static bool option_lens_find_lens(const struct reader *reader, struct text name,
-                                  struct arena *arena, struct lens_value *value,
-                                  struct error *error)
+static bool lens_value_find(const struct reader *reader, struct text name, struct arena *arena,
+                            struct lens_value *value, struct error *error)
 {
     struct lens *lens = ARENA_NEW(arena, struct lens);
     struct lens_warnings warnings;
@@ -87,22 +84,17 @@ static bool read_lens_of_row(const struct reader *reader, struct text name,
                              struct lens_value *value, struct error *error)
 {
     struct lens_cache *cache = reader->lenses;
-    const struct lens_value *known = known_lens(cache, name);
-    if (known != NULL) {
-        *value = *known;
-        return true;
-    }
     if (text_equal(name, "-")) {
         return fail(error, ERROR_USAGE, "a row cannot read its lens from standard input");
     }
-    if (!option_lens_find_lens(reader, name, reader->arena, value, error)) {
+    if (!lens_value_find(reader, name, reader->arena, value, error)) {
         return false;
     }
     if (cache->count == MOST_KEPT) {
         return true;
     }
     /* once more, now that it is good, to stay */
-    if (!option_lens_find_lens(reader, name, cache->arena, value, error)) {
+    if (!lens_value_find(reader, name, cache->arena, value, error)) {
         return false;
     }
     option_lens_keep(cache, value);
@@ -126,7 +118,7 @@ void option_lens_at_once(struct lens_cache *cache, size_t count)
 }
 
 /* The slot that has this lens, else the one whose lens was wanted longest ago. */
-static struct lens_slot *option_lens_slot_of(struct lens_cache *cache, struct text name)
+static struct lens_slot *slot_of_lens(struct lens_cache *cache, struct text name)
 {
     option_lens_at_once(cache, 1);
     struct lens_slot *oldest = &cache->slots[0];
@@ -145,10 +137,10 @@ static struct lens_slot *option_lens_slot_of(struct lens_cache *cache, struct te
 static bool read_into_slot(const struct reader *reader, struct text name, struct lens_value *value,
                            struct error *error)
 {
-    struct lens_slot *slot = option_lens_slot_of(reader->lenses, name);
+    struct lens_slot *slot = slot_of_lens(reader->lenses, name);
     slot->used = ++reader->lenses->wanted;
     if (slot->value.lens == NULL &&
-        !option_lens_find_lens(reader, name, &slot->arena, &slot->value, error)) {
+        !lens_value_find(reader, name, &slot->arena, &slot->value, error)) {
         return false;
     }
     *value = slot->value;
@@ -169,13 +161,8 @@ static bool read_lens_of_list(const struct reader *reader, struct text name,
                               struct lens_value *value, struct error *error)
 {
     struct lens_cache *cache = reader->lenses;
-    const struct lens_value *known = known_lens(cache, name);
-    if (known != NULL) {
-        *value = *known;
-        return true;
-    }
     if (cache->count < MOST_KEPT || !is_lasting(name, reader->arena)) {
-        if (!option_lens_find_lens(reader, name, reader->arena, value, error)) {
+        if (!lens_value_find(reader, name, reader->arena, value, error)) {
             return false;
         }
         option_lens_keep(cache, value);
@@ -193,12 +180,17 @@ static bool read_lens(const struct reader *reader, const struct option *option, 
 {
     struct text name = text_trim(text);
     struct lens_cache *cache = reader->lenses;
-    if (cache != NULL && cache->arena != reader->arena) {
-        return read_lens_of_row(reader, name, member, error);
+    const bool is_of_row = cache != NULL && cache->arena != reader->arena;
+    if (!is_of_row && (!reader->recalls || (option->flags & OPTION_MANY) == 0)) {
+        return lens_value_find(reader, name, reader->arena, member, error);
     }
-    return reader->recalls && (option->flags & OPTION_MANY) != 0
-               ? read_lens_of_list(reader, name, member, error)
-               : option_lens_find_lens(reader, name, reader->arena, member, error);
+    const struct lens_value *known = known_lens(cache, name);
+    if (known != NULL) {
+        *(struct lens_value *)member = *known;
+        return true;
+    }
+    return is_of_row ? read_lens_of_row(reader, name, member, error)
+                     : read_lens_of_list(reader, name, member, error);
 }
 
 static bool recall_lens(const struct reader *reader, void *member, struct error *error)
@@ -220,18 +212,6 @@ static bool read_lens_text(const struct reader *reader, const struct option *opt
     value.is_file = text_equal(text_trim(text), value.source);
     *(struct lens_text_value *)member = value;
     return true;
-}
-
-static const char *lens_text_name(const struct option *option, const void *member)
-{
-    (void)option;
-    return ((const struct lens_text_value *)member)->source;
-}
-
-static const char *lens_name(const struct option *option, const void *member)
-{
-    (void)option;
-    return ((const struct lens_value *)member)->name;
 }
 
 double wavelength_micrometres(double millimetres)
@@ -268,11 +248,11 @@ bool wavelength_read(const struct reader *reader, const struct option *option, s
     }
     return (*wavelength >= WAVELENGTH_SHORTEST && *wavelength <= WAVELENGTH_LONGEST) ||
            fail(error, ERROR_DOMAIN, "%s %.*s is out of range: it must be 1 nm to 100 mm",
-                CALLED(option), text_shown(name), name.start);
+                TYPED(option, name));
 }
 
-static bool option_lens_read_wavelength(const struct reader *reader, const struct option *option,
-                                        struct text text, void *member, struct error *error)
+static bool wavelength_value_read(const struct reader *reader, const struct option *option,
+                                  struct text text, void *member, struct error *error)
 {
     struct text name = text_trim(text);
     struct wavelength_value value = {.name = arena_string(reader->arena, name.start, name.length)};
@@ -283,23 +263,12 @@ static bool option_lens_read_wavelength(const struct reader *reader, const struc
     return true;
 }
 
-static double wavelength_number(const void *member)
-{
-    return ((const struct wavelength_value *)member)->wavelength;
-}
-
-static const char *wavelength_name(const struct option *option, const void *member)
-{
-    (void)option;
-    return ((const struct wavelength_value *)member)->name;
-}
-
 const struct option_kind kind_lens = {
     .name = "lens",
     .size = sizeof(struct lens_value),
     .read = read_lens,
     .recall = recall_lens,
-    .name_of = lens_name,
+    OPTION_NAMED(struct lens_value, name),
     .reads = READS_LENSDB | READS_GLASSES | READS_LENSES,
 };
 
@@ -307,9 +276,9 @@ const struct option_kind kind_wavelength = {
     .name = "wavelength",
     .size = sizeof(struct wavelength_value),
     .is_list = true,
-    .read = option_lens_read_wavelength,
-    .name_of = wavelength_name,
-    .number_of = wavelength_number,
+    .read = wavelength_value_read,
+    OPTION_NAMED(struct wavelength_value, name),
+    .number_of = option_first_number,
     .reads = READS_LENSDB,
 };
 
@@ -317,6 +286,6 @@ const struct option_kind kind_lens_text = {
     .name = "lens_text",
     .size = sizeof(struct lens_text_value),
     .read = read_lens_text,
-    .name_of = lens_text_name,
+    OPTION_NAMED(struct lens_text_value, source),
     .reads = READS_LENSDB | READS_GLASSES | READS_LENSES,
 };

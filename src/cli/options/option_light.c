@@ -9,14 +9,8 @@
 #include <math.h>
 #include <string.h>
 
-static const char *option_light_string(const struct reader *reader, struct text text)
-{
-    return arena_string(reader->arena, text.start, text.length);
-}
-
 /* "published: Kodak F-4017"; null where the table says neither. */
-static const char *option_light_join(const struct reader *reader, struct text status,
-                                     struct text source)
+static const char *status_words(const struct reader *reader, struct text status, struct text source)
 {
     if (status.length == 0 && source.length == 0) {
         return NULL;
@@ -26,12 +20,12 @@ static const char *option_light_join(const struct reader *reader, struct text st
 }
 
 /* What was looked for is not there: say by which option. */
-static bool option_light_blame(const struct option *option, struct error *error)
+static bool light_blame(const struct option *option, struct error *error)
 {
     return error->code == ERROR_USAGE && error_prefix(error, "%s: ", CALLED(option));
 }
 
-static bool option_light_is_digit(char c)
+static bool filter_digit(char c)
 {
     return (c >= '0' && c <= '9') || c == '.';
 }
@@ -39,18 +33,15 @@ static bool option_light_is_digit(char c)
 static bool bad_filter(const struct option *option, struct text piece, const char *what,
                        struct error *error)
 {
-    return fail(error, ERROR_DOMAIN, "%s '%.*s': %s", CALLED(option), text_shown(piece),
-                piece.start, what);
+    return fail(error, ERROR_DOMAIN, "%s '%.*s': %s", TYPED(option, piece), what);
 }
 
-static bool option_light_read_number(const struct option *option, struct text piece,
-                                     struct text number, const struct dimension *dimension,
-                                     double *value, struct error *error)
+static bool filter_number(const struct option *option, struct text piece, struct text number,
+                          const struct dimension *dimension, double *value, struct error *error)
 {
     return quantity_read(number, dimension, NULL, value, NULL, error) ||
            error_within(error, piece, number) ||
-           error_prefix(error, "bad value in %s '%.*s': ", CALLED(option), text_shown(piece),
-                        piece.start);
+           error_prefix(error, "bad value in %s '%.*s': ", TYPED(option, piece));
 }
 
 /* A factor by which light is divided: ND8, 8x. */
@@ -58,7 +49,7 @@ static bool read_factor(const struct option *option, struct text piece, struct t
                         double *stops, struct error *error)
 {
     double factor;
-    if (!option_light_read_number(option, piece, number, &dimension_number, &factor, error)) {
+    if (!filter_number(option, piece, number, &dimension_number, &factor, error)) {
         return false;
     }
     *stops = stops_from_factor(factor);
@@ -66,7 +57,7 @@ static bool read_factor(const struct option *option, struct text piece, struct t
            bad_filter(option, piece, "a filter factor is 1 to 1e30", error);
 }
 
-static bool option_light_ends_with(struct text text, const char *end)
+static bool filter_ends(struct text text, const char *end)
 {
     const size_t length = strlen(end);
     return text.length > length &&
@@ -78,25 +69,24 @@ static struct text without_words(struct text piece)
 {
     static const char *const words[] = {" filter", " nd", "-nd"};
     for (size_t i = 0; i < sizeof words / sizeof words[0]; i++) {
-        if (option_light_ends_with(piece, words[i])) {
+        if (filter_ends(piece, words[i])) {
             piece = text_trim((struct text){piece.start, piece.length - strlen(words[i])});
         }
     }
     return piece;
 }
 
-static bool option_light_read_stops(const struct option *option, struct text piece, double *stops,
-                                    struct error *error)
+static bool filter_stops(const struct option *option, struct text piece, double *stops,
+                         struct error *error)
 {
     const struct unit *typed;
     if (!quantity_read(piece, &dimension_stops, NULL, stops, &typed, error)) {
-        return error_prefix(error, "bad value in %s '%.*s': ", CALLED(option), text_shown(piece),
-                            piece.start);
+        return error_prefix(error, "bad value in %s '%.*s': ", TYPED(option, piece));
     }
     /* a column of a batch may say the unit for all its cells */
     if (typed == NULL && option->unit == NULL) {
-        fail(error, ERROR_USAGE, "%s '%.*s' may be stops, a factor or a density", CALLED(option),
-             text_shown(piece), piece.start);
+        fail(error, ERROR_USAGE, "%s '%.*s' may be stops, a factor or a density",
+             TYPED(option, piece));
         return error_hint(error,
                           "write %.*sstops, %.*sx or ND%.*s (ND0.9 is a density, ND8 a "
                           "factor)",
@@ -113,29 +103,18 @@ static bool read_neutral(const struct option *option, struct text piece, double 
 {
     struct text number = text_trim((struct text){piece.start + 2, piece.length - 2});
     double density;
-    if (option_light_ends_with(number, "stop") || option_light_ends_with(number, "stops")) {
-        return option_light_read_stops(option, number, stops, error);
+    if (filter_ends(number, "stop") || filter_ends(number, "stops")) {
+        return filter_stops(option, number, stops, error);
     }
     if (memchr(number.start, '.', number.length) == NULL) {
         return read_factor(option, piece, number, stops, error);
     }
-    if (!option_light_read_number(option, piece, number, &dimension_number, &density, error)) {
+    if (!filter_number(option, piece, number, &dimension_number, &density, error)) {
         return false;
     }
     *stops = stops_from_density(density);
     return (density >= 0 && density <= 30) ||
            bad_filter(option, piece, "a density is 0 to 30", error);
-}
-
-static bool option_light_read_named(const struct reader *reader, const struct option *option,
-                                    struct text piece, struct loss_value *one, struct error *error)
-{
-    struct lensdb_filter filter;
-    if (!lensdb_find_filter(reader->db, piece, &filter, error)) {
-        return option_light_blame(option, error);
-    }
-    *one = (struct loss_value){lensdb_filter_stops(&filter), filter.mired, NULL};
-    return true;
 }
 
 static bool read_one_filter(const struct reader *reader, const struct option *option,
@@ -145,16 +124,20 @@ static bool read_one_filter(const struct reader *reader, const struct option *op
     if (piece.length == 0) {
         return fail(error, ERROR_USAGE, "%s has an empty item", CALLED(option));
     }
-    if (option_light_is_digit(piece.start[0]) ||
-        (piece.length > 2 && option_light_is_digit(piece.start[2]))) {
+    if (filter_digit(piece.start[0]) || (piece.length > 2 && filter_digit(piece.start[2]))) {
         piece = without_words(piece);
     }
     bool neutral = piece.length > 2 && text_same((struct text){piece.start, 2}, "nd");
-    if (neutral && (option_light_is_digit(piece.start[2]) || piece.start[2] == ' ')) {
+    if (neutral && (filter_digit(piece.start[2]) || piece.start[2] == ' ')) {
         return read_neutral(option, piece, &one->stops, error);
     }
-    if (!option_light_is_digit(piece.start[0]) && piece.start[0] != '-') {
-        return option_light_read_named(reader, option, piece, one, error);
+    if (!filter_digit(piece.start[0]) && piece.start[0] != '-') {
+        struct lensdb_filter filter;
+        if (!lensdb_find_filter(reader->db, piece, &filter, error)) {
+            return light_blame(option, error);
+        }
+        *one = (struct loss_value){lensdb_filter_stops(&filter), filter.mired, NULL};
+        return true;
     }
     size_t last = piece.length - 1;
     if (piece.start[last] == 'x' || piece.start[last] == 'X') {
@@ -163,7 +146,7 @@ static bool read_one_filter(const struct reader *reader, const struct option *op
     struct lensdb_filter filter;
     struct error ignored;
     /* 85B is no number of stops */
-    if (option_light_read_stops(option, piece, &one->stops, error)) {
+    if (filter_stops(option, piece, &one->stops, error)) {
         return true;
     }
     if (!lensdb_find_filter(reader->db, piece, &filter, &ignored)) {
@@ -171,20 +154,6 @@ static bool read_one_filter(const struct reader *reader, const struct option *op
     }
     *one = (struct loss_value){lensdb_filter_stops(&filter), filter.mired, NULL};
     return true;
-}
-
-/* The first filter of a sum; a name may hold a '+' itself ("polarizer-b+w-low"). */
-static struct text first_filter(const struct reader *reader, struct text sum)
-{
-    struct lensdb_filter filter;
-    struct error ignored;
-    struct text piece = sum;
-    while (memchr(piece.start, '+', piece.length) != NULL &&
-           !lensdb_find_filter(reader->db, piece, &filter, &ignored)) {
-        while (piece.start[--piece.length] != '+') {
-        }
-    }
-    return piece;
 }
 
 static bool read_loss(const struct reader *reader, const struct option *option, struct text text,
@@ -199,11 +168,19 @@ static bool read_loss(const struct reader *reader, const struct option *option, 
         joined += rest.start[i] == '+';
     }
     if (joined >= MOST_FILTERS) {
-        return fail(error, ERROR_DOMAIN, "%s '%.*s...' joins more than %d filters", CALLED(option),
-                    text_shown(text), text.start, (int)MOST_FILTERS);
+        return fail(error, ERROR_DOMAIN, "%s '%.*s...' joins more than %d filters",
+                    TYPED(option, text), (int)MOST_FILTERS);
     }
     while (more) {
-        struct text piece = first_filter(reader, rest);
+        /* the first filter of a sum; a name may hold a '+' itself ("polarizer-b+w-low") */
+        struct lensdb_filter filter;
+        struct error ignored;
+        struct text piece = rest;
+        while (memchr(piece.start, '+', piece.length) != NULL &&
+               !lensdb_find_filter(reader->db, piece, &filter, &ignored)) {
+            while (piece.start[--piece.length] != '+') {
+            }
+        }
         struct loss_value one;
         if (!read_one_filter(reader, option, text_trim(piece), &one, error)) {
             return false;
@@ -220,43 +197,37 @@ static bool read_loss(const struct reader *reader, const struct option *option, 
     return true;
 }
 
-/* "160, 400, 100"; null where there is none. */
-static const char *join_speeds(const struct reader *reader, struct text speeds)
-{
-    const char *joined = NULL;
-    while (speeds.start != NULL && speeds.length > 0) {
-        struct text speed = text_cut(&speeds, ' ');
-        joined = arena_printf(reader->arena, "%s%s%.*s", joined != NULL ? joined : "",
-                              joined != NULL ? ", " : "", (int)speed.length, speed.start);
-    }
-    return joined;
-}
-
 static bool read_film(const struct reader *reader, const struct option *option, struct text text,
                       void *member, struct error *error)
 {
     struct lensdb_film film;
     struct reciprocity *model = ARENA_NEW(reader->arena, struct reciprocity);
     if (!lensdb_find_film(reader->db, text, &film, error)) {
-        return option_light_blame(option, error);
+        return light_blame(option, error);
     }
     if (!lensdb_film_model(&film, model, error)) {
         return false;
     }
     double speed = lensdb_film_speed(&film, text);
+    const char *speeds = NULL; /* "160, 400, 100" */
+    while (film.speeds.length > 0) {
+        const struct text one = text_cut(&film.speeds, ' ');
+        speeds = arena_printf(reader->arena, "%s%s%.*s", speeds != NULL ? speeds : "",
+                              speeds != NULL ? ", " : "", (int)one.length, one.start);
+    }
     *(struct film_value *)member = (struct film_value){
         .model = model,
         .name =
             arena_printf(reader->arena, "%.*s%s%.*s", (int)film.maker.length, film.maker.start,
                          film.maker.length > 0 ? " " : "", (int)film.name.length, film.name.start),
-        .source = option_light_join(reader, film.status, film.source),
+        .source = status_words(reader, film.status, film.source),
         .speed = speed,
         .type = film.type.length > 0
                     ? arena_printf(reader->arena, "%.*s", (int)film.type.length, film.type.start)
                     : NULL,
         .speed_note = !isnan(speed)
                           ? arena_printf(reader->arena, "ISO %.6g, the film's box speed", speed)
-                          : join_speeds(reader, film.speeds)};
+                          : speeds};
     return true;
 }
 
@@ -273,12 +244,12 @@ static bool read_scene(const struct reader *reader, const struct option *option,
                        "a file with a scene is named without an option: lenscalc render %.*s",
                        text_shown(text), text.start);
         }
-        return option_light_blame(option, error);
+        return light_blame(option, error);
     }
-    *(struct scene_value *)member =
-        (struct scene_value){.ev100 = scene.ev100,
-                             .name = option_light_string(reader, scene.name),
-                             .source = option_light_join(reader, scene.confidence, scene.source)};
+    *(struct scene_value *)member = (struct scene_value){
+        .ev100 = scene.ev100,
+        .name = arena_string(reader->arena, scene.name.start, scene.name.length),
+        .source = status_words(reader, scene.confidence, scene.source)};
     return true;
 }
 
@@ -313,8 +284,8 @@ static bool read_series(const struct reader *reader, const struct option *option
         }
     }
     if (series.per_stop == 0) {
-        return fail(error, ERROR_USAGE, "%s '%.*s' is none of full, half, third", CALLED(option),
-                    text_shown(text), text.start);
+        return fail(error, ERROR_USAGE, "%s '%.*s' is none of full, half, third",
+                    TYPED(option, text));
     }
     const char *name = names[series.per_stop - 1];
     series.db = reader->db;
@@ -344,30 +315,12 @@ const char *series_speed(const struct series_value *series, double S, double *ex
     return NULL;
 }
 
-static const char *loss_name(const struct option *option, const void *member)
-{
-    (void)option;
-    return ((const struct loss_value *)member)->name;
-}
-
-static const char *film_name(const struct option *option, const void *member)
-{
-    (void)option;
-    return ((const struct film_value *)member)->name;
-}
-
-static const char *scene_name(const struct option *option, const void *member)
-{
-    (void)option;
-    return ((const struct scene_value *)member)->name;
-}
-
 const struct option_kind kind_loss = {
     .name = "loss",
     .size = sizeof(struct loss_value),
     .is_list = true,
     .read = read_loss,
-    .name_of = loss_name,
+    OPTION_NAMED(struct loss_value, name),
     .reads = READS_LENSDB,
 };
 
@@ -376,7 +329,7 @@ const struct option_kind kind_film = {
     .size = sizeof(struct film_value),
     .is_list = true,
     .read = read_film,
-    .name_of = film_name,
+    OPTION_NAMED(struct film_value, name),
     .reads = READS_LENSDB,
 };
 
@@ -385,7 +338,7 @@ const struct option_kind kind_scene = {
     .size = sizeof(struct scene_value),
     .is_list = true,
     .read = read_scene,
-    .name_of = scene_name,
+    OPTION_NAMED(struct scene_value, name),
     .reads = READS_LENSDB,
 };
 

@@ -59,8 +59,7 @@ static bool read_sheet(const struct option *option, struct text text, struct pri
         return false;
     }
     if (!has_unit) {
-        fail(error, ERROR_USAGE, "%s '%.*s' has no unit", CALLED(option), text_shown(text),
-             text.start);
+        fail(error, ERROR_USAGE, "%s '%.*s' has no unit", TYPED(option, text));
         return error_hint(error, "say %.*sin or %.*scm", text_shown(text), text.start,
                           text_shown(text), text.start);
     }
@@ -68,7 +67,7 @@ static bool read_sheet(const struct option *option, struct text text, struct pri
     print->longer = fmax(sides[0], sides[1]);
     return (print->shorter > 0 && isfinite(print->longer)) ||
            fail(error, ERROR_DOMAIN, "%s '%.*s': both sides must be above 0 and finite",
-                CALLED(option), text_shown(text), text.start);
+                TYPED(option, text));
 }
 
 /* `unit` receives that of a length, null where it has none; kept for a paper or a size. */
@@ -128,8 +127,7 @@ static bool read_view(const struct option *option, struct text text, struct prin
         print->viewing = distance;
         return true;
     }
-    fail(error, ERROR_USAGE, "%s: '%.*s' is no viewing distance and no eye", CALLED(option),
-         text_shown(text), text.start);
+    fail(error, ERROR_USAGE, "%s: '%.*s' is no viewing distance and no eye", TYPED(option, text));
     return error_hint(error, "A2@1m is seen from 1 m, A2@1m@20/20 by an eye of that acuity");
 }
 
@@ -157,11 +155,6 @@ static bool read_print(const struct reader *reader, const struct option *option,
     return true;
 }
 
-static double print_number(const void *member)
-{
-    return ((const struct print_value *)member)->longer;
-}
-
 /* As typed, for a table over several. */
 static const char *print_name(const struct option *option, const void *member)
 {
@@ -170,17 +163,12 @@ static const char *print_name(const struct option *option, const void *member)
     return print->criterion == NULL ? NULL : print->criterion + sizeof "print " - 1;
 }
 
-static void clear_print(void *member)
-{
-    *(struct print_value *)member = (struct print_value){NAN, NAN, NAN, NAN, NULL};
-}
-
 const struct option_kind kind_print = {
     .name = "print",
     .size = sizeof(struct print_value),
     .is_list = true,
     .read = read_print,
     .name_of = print_name,
-    .number_of = print_number,
-    .clear = clear_print,
+    .number_of = option_first_number,
+    .nan_count = 4,
 };

@@ -1,21 +1,18 @@
 /* cli/options/option_ray.c - read the values of ray commands. */
 /* SPDX-License-Identifier: MIT */
-#include "cli/options/option_ray.h"
-
 #include "cli/options/option.h"
 
 #include <math.h>
 
 /* Say which option was wrong, before what was wrong. */
-static bool option_ray_blame(const struct option *option, struct text text, struct error *error)
+static bool ray_blame(const struct option *option, struct text text, struct error *error)
 {
-    return error_prefix(error, "bad value in %s '%.*s': ", CALLED(option), text_shown(text),
-                        text.start);
+    return error_prefix(error, "bad value in %s '%.*s': ", TYPED(option, text));
 }
 
 /* `count` numbers with ':' between them; a unit behind the last counts for all that have none. */
-static bool option_ray_read_numbers(const struct option *option, struct text text, double *at,
-                                    int count, struct error *error)
+static bool colon_numbers_read(const struct option *option, struct text text, double *at, int count,
+                               struct error *error)
 {
     const struct unit *unit = option_unit(option), *typed = NULL;
     struct text parts[3], rest = text_trim(text);
@@ -24,8 +21,7 @@ static bool option_ray_read_numbers(const struct option *option, struct text tex
         parts[found] = text_trim(text_cut(&rest, ':'));
     }
     if (found < count || rest.start != NULL) {
-        fail(error, ERROR_USAGE, "%s '%.*s' is not %s", CALLED(option), text_shown(text),
-             text.start, option->value);
+        fail(error, ERROR_USAGE, "%s '%.*s' is not %s", TYPED(option, text), option->value);
         return error_hint(error, "%d numbers with ':' between them: %s", count,
                           count == 3 ? "0:10:-20" : "0:0.7");
     }
@@ -33,7 +29,7 @@ static bool option_ray_read_numbers(const struct option *option, struct text tex
         if (!quantity_read(parts[i], option->dimension, unit, &at[i],
                            i == count - 1 ? &typed : NULL, error)) {
             error_within(error, text, parts[i]);
-            return option_ray_blame(option, text, error);
+            return ray_blame(option, text, error);
         }
         unit = typed != NULL ? typed : unit;
         if (isinf(at[i])) {
@@ -49,7 +45,7 @@ static bool read_vector(const struct reader *reader, const struct option *option
     struct vector_value *vector = member;
     (void)reader;
     vector->is_given = true;
-    return option_ray_read_numbers(option, text, vector->at, 3, error);
+    return colon_numbers_read(option, text, vector->at, 3, error);
 }
 
 static bool read_pupil(const struct reader *reader, const struct option *option, struct text text,
@@ -58,12 +54,12 @@ static bool read_pupil(const struct reader *reader, const struct option *option,
     struct pupil_value *pupil = member;
     (void)reader;
     pupil->is_given = true;
-    return option_ray_read_numbers(option, text, pupil->at, 2, error);
+    return colon_numbers_read(option, text, pupil->at, 2, error);
 }
 
 /* The numbers as read_numbers takes them. */
-static const char *option_ray_write_numbers(const struct option *option, const double *at,
-                                            int count, struct arena *arena)
+static const char *colon_numbers_words(const struct option *option, const double *at, int count,
+                                       struct arena *arena)
 {
     const struct unit *unit = option_unit(option);
     const char *words = "";
@@ -79,17 +75,17 @@ static const char *vector_words(const struct option *option, const void *member,
                                 struct arena *arena)
 {
     const struct vector_value *vector = member;
-    return vector->is_given ? option_ray_write_numbers(option, vector->at, 3, arena) : NULL;
+    return vector->is_given ? colon_numbers_words(option, vector->at, 3, arena) : NULL;
 }
 
 static const char *pupil_words(const struct option *option, const void *member, struct arena *arena)
 {
     const struct pupil_value *pupil = member;
-    return pupil->is_given ? option_ray_write_numbers(option, pupil->at, 2, arena) : NULL;
+    return pupil->is_given ? colon_numbers_words(option, pupil->at, 2, arena) : NULL;
 }
 
-static bool option_ray_read_plane(const struct reader *reader, const struct option *option,
-                                  struct text text, void *member, struct error *error)
+static bool plane_value_read(const struct reader *reader, const struct option *option,
+                             struct text text, void *member, struct error *error)
 {
     static const struct {
         const char *word;
@@ -107,7 +103,7 @@ static bool option_ray_read_plane(const struct reader *reader, const struct opti
     plane->kind = PLANE_AT;
     if (!quantity_read(text, option->dimension, option_unit(option), &plane->distance, NULL,
                        error)) {
-        option_ray_blame(option, text, error);
+        ray_blame(option, text, error);
         return error_hint(error, "paraxial, table, best, or a distance from the last vertex");
     }
     return !isinf(plane->distance) ||
@@ -128,7 +124,7 @@ static bool read_target(const struct reader *reader, const struct option *option
     if (!quantity_read(text, &dimension_number, NULL, &number, NULL, error) ||
         number != floor(number) || !(number >= 1 && number <= 1e6)) {
         fail(error, ERROR_USAGE, "%s '%.*s' is neither image, last nor the number of a surface",
-             CALLED(option), text_shown(text), text.start);
+             TYPED(option, text));
         return error_hint(error, "surfaces count from 1, the stop counted");
     }
     *target = (struct target_value){TARGET_SURFACE, (long)number};
@@ -154,7 +150,7 @@ const struct option_kind kind_pupil = {
 const struct option_kind kind_plane = {
     .name = "plane",
     .size = sizeof(struct plane_value),
-    .read = option_ray_read_plane,
+    .read = plane_value_read,
 };
 
 const struct option_kind kind_target = {

@@ -58,9 +58,8 @@ bool option_read_size(const struct option *option, struct text text, double side
     return true;
 }
 
-static bool option_sensor_read_size(const struct reader *reader, const struct option *option,
-                                    struct text text, struct sensor_value *sensor,
-                                    struct error *error)
+static bool sensor_size_read(const struct reader *reader, const struct option *option,
+                             struct text text, struct sensor_value *sensor, struct error *error)
 {
     double sides[2];
     bool has_unit;
@@ -79,12 +78,6 @@ static bool option_sensor_read_size(const struct reader *reader, const struct op
     return true;
 }
 
-/* Cameras with a lens that cannot be changed, and whose main one is wide. */
-static bool is_wide_class(struct text class)
-{
-    return text_equal(class, "phone") || text_equal(class, "drone") || text_equal(class, "action");
-}
-
 static struct sensor_value name_sensor(const struct reader *reader,
                                        const struct lensdb_sensor *found)
 {
@@ -93,7 +86,9 @@ static struct sensor_value name_sensor(const struct reader *reader,
     sensor.name = arena_printf(reader->arena, "%.*s%s%.*s (%s)", (int)found->maker.length,
                                found->maker.start, found->maker.length > 0 ? " " : "",
                                (int)found->name.length, found->name.start, size);
-    sensor.is_wide = is_wide_class(found->class);
+    /* cameras with a lens that cannot be changed, and whose main one is wide */
+    sensor.is_wide = text_equal(found->class, "phone") || text_equal(found->class, "drone") ||
+                     text_equal(found->class, "action");
     if (text_equal(found->pitch_from, "estimate")) {
         sensor.pitch_note = "worked out from an estimated pixel count, good to about 2 %";
     }
@@ -112,7 +107,7 @@ static struct text without_size(struct text text)
 }
 
 /* "1/1.8", "2/3": fractions of an inch, as makers of cameras for machines write them. */
-static bool option_sensor_is_fraction(struct text text)
+static bool is_inch_fraction(struct text text)
 {
     struct text below = text;
     const struct text above = text_cut(&below, '/');
@@ -133,7 +128,7 @@ static struct text inches_of(struct text text)
     static const char *const ends[] = {"-type", " type", "\"", "\xe2\x80\xb3", "\xe2\x80\x9d", "''",
                                        "-inch", "inch",  "in"};
     struct text rest = text;
-    bool any = option_sensor_is_fraction(text);
+    bool any = is_inch_fraction(text);
     for (size_t i = 0; i < sizeof ends / sizeof ends[0]; i++) {
         size_t length = strlen(ends[i]);
         if (rest.length > length &&
@@ -194,7 +189,7 @@ static const struct {
 };
 
 /* The shape in words: "2.39:1", "16:9", "1.85". */
-static bool option_sensor_read_shape(struct text text, double *ratio)
+static bool gate_shape_read(struct text text, double *ratio)
 {
     struct error ignored;
     return text.length > 0 && char_is_digit(text.start[0]) &&
@@ -226,24 +221,23 @@ static bool is_crop_factor(struct text text)
            quantity_read(number, &dimension_number, NULL, &factor, NULL, &ignored) && factor < 10;
 }
 
-static bool option_sensor_refuse(const struct option *option, struct text text, struct error *error)
+static bool sensor_refuse(const struct option *option, struct text text, struct error *error)
 {
     double ratio;
     for (size_t i = 0; i < sizeof kinds / sizeof kinds[0]; i++) {
         if (text_same_name(text, text_of(kinds[i].word))) {
-            fail(error, ERROR_USAGE, "%s '%.*s': %s", CALLED(option), text_shown(text), text.start,
-                 kinds[i].message);
+            fail(error, ERROR_USAGE, "%s '%.*s': %s", TYPED(option, text), kinds[i].message);
             return error_hint(error, "%s", kinds[i].hint);
         }
     }
     if (is_crop_factor(text)) {
         fail(error, ERROR_USAGE, "%s '%.*s' is a crop factor, which sensors of several sizes have",
-             CALLED(option), text_shown(text), text.start);
+             TYPED(option, text));
         return error_hint(error, "say which: 'aps-c', 'aps-c-canon', 'aps-h', '4/3' or a camera");
     }
-    if (option_sensor_read_shape(text, &ratio)) {
-        fail(error, ERROR_USAGE, "%s '%.*s' is an aspect ratio without a size", CALLED(option),
-             text_shown(text), text.start);
+    if (gate_shape_read(text, &ratio)) {
+        fail(error, ERROR_USAGE, "%s '%.*s' is an aspect ratio without a size",
+             TYPED(option, text));
         return error_hint(error, "name the gate: 'super35 %.*s'", text_shown(text), text.start);
     }
     return error_prefix(error, "%s: ", CALLED(option));
@@ -264,7 +258,7 @@ static bool read_whole(const struct reader *reader, const struct option *option,
     if (error->code != ERROR_USAGE) {
         return false;
     }
-    if (option_sensor_read_size(reader, option, without_size(text), sensor, &own)) {
+    if (sensor_size_read(reader, option, without_size(text), sensor, &own)) {
         return true;
     }
     bool read =
@@ -289,7 +283,7 @@ static bool read_extraction(const struct reader *reader, const struct option *op
         at--;
     }
     struct text shape = {text.start + at, text.length - at};
-    if (at < 2 || !option_sensor_read_shape(shape, &ratio)) {
+    if (at < 2 || !gate_shape_read(shape, &ratio)) {
         return false;
     }
     struct text name = text_trim((struct text){text.start, at - 1});
@@ -304,8 +298,8 @@ static bool read_extraction(const struct reader *reader, const struct option *op
     return true;
 }
 
-static bool option_sensor_read_sensor(const struct reader *reader, const struct option *option,
-                                      struct text text, void *member, struct error *error)
+static bool sensor_value_read(const struct reader *reader, const struct option *option,
+                              struct text text, void *member, struct error *error)
 {
     struct sensor_value sensor = {0};
     bool begun;
@@ -316,28 +310,15 @@ static bool option_sensor_read_sensor(const struct reader *reader, const struct 
         *(struct sensor_value *)member = sensor;
         return true;
     }
-    return !begun && error->code == ERROR_USAGE &&
-           option_sensor_refuse(option, text_trim(text), error);
-}
-
-static const char *sensor_name(const struct option *option, const void *member)
-{
-    (void)option;
-    return ((const struct sensor_value *)member)->name;
-}
-
-static void clear_sensor(void *member)
-{
-    struct sensor *size = &((struct sensor_value *)member)->size;
-    size->width = size->height = size->pitch = NAN;
+    return !begun && error->code == ERROR_USAGE && sensor_refuse(option, text_trim(text), error);
 }
 
 const struct option_kind kind_sensor = {
     .name = "sensor",
     .size = sizeof(struct sensor_value),
     .is_list = true,
-    .read = option_sensor_read_sensor,
-    .name_of = sensor_name,
+    .read = sensor_value_read,
+    OPTION_NAMED(struct sensor_value, name),
     .reads = READS_LENSDB,
-    .clear = clear_sensor,
+    .nan_count = 3,
 };

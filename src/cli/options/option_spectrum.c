@@ -1,7 +1,5 @@
 /* cli/options/option_spectrum.c - read a spectrum. */
 /* SPDX-License-Identifier: MIT */
-#include "cli/options/option_spectrum.h"
-
 #include "cli/options/option.h"
 
 #include <math.h>
@@ -11,25 +9,6 @@ static const struct setup_wavelength photopic[] = {
     {0.45, 0.038}, {0.47, 0.09098}, {0.49, 0.20802}, {0.51, 0.503}, {0.53, 0.862}, {0.55, 0.99495},
     {0.57, 0.952}, {0.59, 0.757},   {0.61, 0.503},   {0.63, 0.265}, {0.65, 0.107},
 };
-
-static bool option_spectrum_read_item(const struct reader *reader, const struct option *option,
-                                      struct text item, struct setup_wavelength *to,
-                                      struct error *error)
-{
-    struct text weight = item;
-    const struct text name = text_cut(&weight, ':');
-    to->weight = 1;
-    if (!wavelength_read(reader, option, name, &to->wavelength, error)) {
-        return false;
-    }
-    if (weight.start != NULL &&
-        !quantity_read(weight, &dimension_number, NULL, &to->weight, NULL, error)) {
-        return error_prefix(error, "bad weight in %s: ", CALLED(option));
-    }
-    return (to->weight >= 0 && isfinite(to->weight)) ||
-           fail(error, ERROR_USAGE, "%s has the weight %.*s: weights are finite and 0 or more",
-                CALLED(option), text_shown(weight), weight.start);
-}
 
 static bool read_spectrum(const struct reader *reader, const struct option *option,
                           struct text text, void *member, struct error *error)
@@ -49,9 +28,21 @@ static bool read_spectrum(const struct reader *reader, const struct option *opti
             return fail(error, ERROR_USAGE, "%s has more than %d wavelengths", CALLED(option),
                         MOST_SPECTRUM);
         }
-        if (!option_spectrum_read_item(reader, option, text_cut(&rest, ','), &items[value.count],
-                                       error)) {
+        struct text weight = text_cut(&rest, ',');
+        const struct text name = text_cut(&weight, ':');
+        struct setup_wavelength *item = &items[value.count];
+        item->weight = 1;
+        if (!wavelength_read(reader, option, name, &item->wavelength, error)) {
             return false;
+        }
+        if (weight.start != NULL &&
+            !quantity_read(weight, &dimension_number, NULL, &item->weight, NULL, error)) {
+            return error_prefix(error, "bad weight in %s: ", CALLED(option));
+        }
+        if (!(item->weight >= 0 && isfinite(item->weight))) {
+            return fail(error, ERROR_USAGE,
+                        "%s has the weight %.*s: weights are finite and 0 or more",
+                        TYPED(option, weight));
         }
         sum += items[value.count].weight;
     }

@@ -18,30 +18,6 @@ static bool tolerances_read_file(const struct tolerances_reader *reader, const c
     return lens_tolerances_read(file, content, reader->lens, reader->arena, marks, error);
 }
 
-/* What was used, in words. */
-static const char *tolerances_words_of(const struct tolerances_reader *reader, const char *grade,
-                                       const char *file, const struct perturbations *all)
-{
-    struct text_buffer words = {.arena = reader->arena};
-    const char *marks = file != NULL ? file : "the lens";
-    if (grade != NULL) {
-        growing_format(&words, "grade %s", grade);
-    }
-    if (grade == NULL) {
-        growing_format(&words, "those of %s", marks);
-    } else if (all->won != NULL) {
-        growing_format(&words, ", but %s of %s", all->won, marks);
-    }
-    if (file != NULL && reader->lens->tolerance_count > 0) {
-        growing_string(&words, "; those of the lens are not used");
-    }
-    if (all->left_out != NULL) {
-        growing_format(&words, "; without %s, of media that have no Abbe number", all->left_out);
-    }
-    const struct text done = growing_done(&words);
-    return arena_string(reader->arena, done.start, done.length);
-}
-
 const char *tolerances_grade(const struct lens *lens, const char *grade, const char *file)
 {
     const bool says = file != NULL || lens->tolerance_count > 0;
@@ -60,6 +36,25 @@ bool tolerances_of(const struct tolerances_reader *reader, const char *grade, co
         !perturbations_of(lens, &wish, reader->arena, perturbations, error)) {
         return false;
     }
-    *assumed = tolerances_words_of(reader, grade, file, perturbations);
+    /* what was used, in words */
+    struct text_buffer words = {.arena = reader->arena};
+    const char *marks = file != NULL ? file : "the lens";
+    if (grade != NULL) {
+        growing_format(&words, "grade %s", grade);
+    }
+    if (grade == NULL) {
+        growing_format(&words, "those of %s", marks);
+    } else if (perturbations->won != NULL) {
+        growing_format(&words, ", but %s of %s", perturbations->won, marks);
+    }
+    if (file != NULL && reader->lens->tolerance_count > 0) {
+        growing_string(&words, "; those of the lens are not used");
+    }
+    if (perturbations->left_out != NULL) {
+        growing_format(&words, "; without %s, of media that have no Abbe number",
+                       perturbations->left_out);
+    }
+    const struct text done = growing_done(&words);
+    *assumed = arena_string(reader->arena, done.start, done.length);
     return true;
 }

@@ -189,31 +189,6 @@ static bool vary_add_word(struct vary_parser *naming, size_t word, size_t positi
     return true;
 }
 
-static size_t find_word(const struct lens *lens, struct text name)
-{
-    for (size_t i = 0; i < lens->variable_count; i++) {
-        if (text_identical(lens->variables[i].name, name)) {
-            return i;
-        }
-    }
-    return LENS_NONE;
-}
-
-/* d5@tele */
-static bool vary_read_word(struct vary_parser *naming, size_t word, struct text position,
-                           struct error *error)
-{
-    const struct lens *lens = naming->reader->lens;
-    size_t at = position.start != NULL ? lens_position_find(lens, position) : LENS_NONE;
-    if (position.start != NULL && at == LENS_NONE) {
-        fail(error, ERROR_USAGE, "bad part '%.*s' in {--%s}: the lens has no position '%.*s'",
-             text_shown(naming->item), naming->item.start, naming->option, text_shown(position),
-             position.start);
-        return error_hint(error, "it has %s and others", lens->positions[0]);
-    }
-    return vary_add_word(naming, word, at, error);
-}
-
 static bool vary_takes(const struct vary_reader *reader, enum parameter_kind kind)
 {
     return reader->takes == NULL || reader->takes(kind);
@@ -350,33 +325,30 @@ static bool vary_read_range(struct vary_parser *naming, struct text name, const 
            vary_add_range(naming, first, last.surface + 1, error);
 }
 
-/* all-R, all-t; `name` is what stands behind all-. */
-static bool vary_read_all(struct vary_parser *naming, struct text name, struct error *error)
-{
-    const struct lens *lens = naming->reader->lens;
-    struct parameter what = {0};
-    if (!parameter_name_read(name, &what.kind, &what.order)) {
-        fail(error, ERROR_USAGE, "bad part '%.*s' in {--%s}: '%.*s' names nothing of a surface",
-             text_shown(naming->item), naming->item.start, naming->option, text_shown(name),
-             name.start);
-        return error_hint(error, "all-R varies all radii, all-t all gaps between surfaces");
-    }
-    size_t end = lens->surface_count - (what.kind == PARAMETER_THICKNESS ? 1 : 0);
-    return vary_check_kind(naming, what, error) && vary_add_range(naming, what, end, error);
-}
-
 static bool vary_read_item(struct vary_parser *naming, struct text item, struct error *error)
 {
     struct text bounds = item, name = text_trim(text_cut(&bounds, '['));
     struct text position = name, word = text_cut(&position, '@');
     const struct text all = text_behind(name, "all-");
     struct parameter what;
+    const struct lens *lens = naming->reader->lens;
     naming->item = item;
     naming->bounds = bounds;
     naming->is_group = false;
-    size_t known = find_word(naming->reader->lens, word);
-    if (known != LENS_NONE) {
-        return vary_read_word(naming, known, position, error);
+    size_t known = 0;
+    while (known < lens->variable_count && !text_identical(lens->variables[known].name, word)) {
+        known++;
+    }
+    if (known < lens->variable_count) {
+        /* d5@tele */
+        size_t at = position.start != NULL ? lens_position_find(lens, position) : LENS_NONE;
+        if (position.start != NULL && at == LENS_NONE) {
+            fail(error, ERROR_USAGE, "bad part '%.*s' in {--%s}: the lens has no position '%.*s'",
+                 text_shown(naming->item), naming->item.start, naming->option, text_shown(position),
+                 position.start);
+            return error_hint(error, "it has %s and others", lens->positions[0]);
+        }
+        return vary_add_word(naming, known, at, error);
     }
     for (size_t i = 0; i + 1 < name.length; i++) {
         if (name.start[i] == '.' && name.start[i + 1] == '.') {
@@ -384,33 +356,37 @@ static bool vary_read_item(struct vary_parser *naming, struct text item, struct 
         }
     }
     if (all.start != NULL) {
-        return vary_read_all(naming, all, error);
+        /* all-R, all-t */
+        what = (struct parameter){0};
+        if (!parameter_name_read(all, &what.kind, &what.order)) {
+            fail(error, ERROR_USAGE, "bad part '%.*s' in {--%s}: '%.*s' names nothing of a surface",
+                 text_shown(naming->item), naming->item.start, naming->option, text_shown(all),
+                 all.start);
+            return error_hint(error, "all-R varies all radii, all-t all gaps between surfaces");
+        }
+        size_t end = lens->surface_count - (what.kind == PARAMETER_THICKNESS ? 1 : 0);
+        return vary_check_kind(naming, what, error) && vary_add_range(naming, what, end, error);
     }
     return read_parameter(naming, name, &what, error) && vary_check_kind(naming, what, error) &&
            add_parameter(naming, what, error);
-}
-
-/* The next item of a list: commas inside of brackets belong to it. */
-static struct text next_item(struct text *rest)
-{
-    size_t length = 0;
-    int depth = 0;
-    while (length < rest->length && (rest->start[length] != ',' || depth > 0)) {
-        depth += (rest->start[length] == '[') - (rest->start[length] == ']');
-        length++;
-    }
-    const struct text item = {rest->start, length};
-    *rest = length < rest->length
-                ? (struct text){rest->start + length + 1, rest->length - length - 1}
-                : (struct text){NULL, 0};
-    return text_trim(item);
 }
 
 static bool vary_read_items(struct vary_parser *naming, const char *list, struct error *error)
 {
     struct text rest = text_of(list);
     while (rest.start != NULL) {
-        if (!vary_read_item(naming, next_item(&rest), error)) {
+        /* the next item of a list: commas inside of brackets belong to it */
+        size_t length = 0;
+        int depth = 0;
+        while (length < rest.length && (rest.start[length] != ',' || depth > 0)) {
+            depth += (rest.start[length] == '[') - (rest.start[length] == ']');
+            length++;
+        }
+        const struct text item = {rest.start, length};
+        rest = length < rest.length
+                   ? (struct text){rest.start + length + 1, rest.length - length - 1}
+                   : (struct text){NULL, 0};
+        if (!vary_read_item(naming, text_trim(item), error)) {
             return false;
         }
     }
@@ -424,45 +400,6 @@ static void set_mark(struct variable *variable, const struct vary *mark)
         variable->low = mark->low.value.hi;
         variable->high = mark->high.value.hi;
     }
-}
-
-/* A mark with its bounds; of a glass two numbers. */
-static bool vary_add_mark(struct vary_parser *naming, struct parameter what,
-                          const struct vary *mark, struct error *error)
-{
-    size_t before = naming->count;
-    if (!add_parameter(naming, what, error)) {
-        return false;
-    }
-    for (size_t i = before; i < naming->count; i++) {
-        set_mark(&naming->entries[i].variable, mark);
-    }
-    return true;
-}
-
-static bool add_word_marks(struct vary_parser *naming, struct error *error)
-{
-    const struct lens *lens = naming->reader->lens;
-    for (size_t i = 0; i < lens->variable_count; i++) {
-        const struct vary *const *marks = lens->variables[i].varies;
-        for (size_t p = 0; p < lens->position_count && marks != NULL; p++) {
-            size_t before = naming->count;
-            if (marks[p] != NULL && !vary_add_word(naming, i, p, error)) {
-                return false;
-            }
-            if (marks[p] != NULL) {
-                set_mark(&naming->entries[before].variable, marks[p]);
-            }
-        }
-    }
-    return true;
-}
-
-static const char *join_mark(const char *all, struct parameter what, struct arena *arena)
-{
-    return arena_printf(arena, "%s%s%s~ of surface %zu", all != NULL ? all : "",
-                        all != NULL ? ", " : "", parameter_mark_name(what.kind, what.order, arena),
-                        what.surface + 1);
 }
 
 static void hand_out(const struct vary_parser *naming, struct variable **list, size_t *count)
@@ -484,13 +421,34 @@ static bool vary_add_marks(struct vary_parser *naming, const char **ignored, str
             const struct vary *mark = &lens->surfaces[i].varies[j];
             const struct parameter what = {i, mark->kind, mark->order};
             if (!vary_takes(reader, mark->kind)) {
-                *ignored = join_mark(*ignored, what, reader->arena);
-            } else if (!vary_add_mark(naming, what, mark, error)) {
+                *ignored = arena_printf(
+                    reader->arena, "%s%s%s~ of surface %zu", *ignored != NULL ? *ignored : "",
+                    *ignored != NULL ? ", " : "",
+                    parameter_mark_name(what.kind, what.order, reader->arena), what.surface + 1);
+                continue;
+            }
+            const size_t before = naming->count;
+            if (!add_parameter(naming, what, error)) {
                 return false;
+            }
+            for (size_t k = before; k < naming->count; k++) { /* of a glass two numbers */
+                set_mark(&naming->entries[k].variable, mark);
             }
         }
     }
-    return add_word_marks(naming, error);
+    for (size_t i = 0; i < lens->variable_count; i++) {
+        const struct vary *const *marks = lens->variables[i].varies;
+        for (size_t p = 0; p < lens->position_count && marks != NULL; p++) {
+            size_t before = naming->count;
+            if (marks[p] != NULL && !vary_add_word(naming, i, p, error)) {
+                return false;
+            }
+            if (marks[p] != NULL) {
+                set_mark(&naming->entries[before].variable, marks[p]);
+            }
+        }
+    }
+    return true;
 }
 
 bool vary_marks(const struct vary_reader *reader, struct variable **list, size_t *count,

@@ -4,23 +4,6 @@
 
 #include <string.h>
 
-static void arguments_list_options(struct arguments *arguments, struct arena *arena)
-{
-    const struct command *command = arguments->command;
-    size_t own = command->option_count + command->artifact_count;
-    arguments->all = ARENA_ARRAY(arena, own + common_option_count, struct argument);
-    for (size_t i = 0; i < own; i++) {
-        arguments->all[i].option = command_option(command, i);
-        arguments->all[i].is_input = i < command->option_count;
-    }
-    arguments->count = own;
-    const struct option *common = NULL;
-    while ((common = command_next_common(command, common)) != NULL) {
-        arguments->all[arguments->count].option = common;
-        arguments->all[arguments->count++].is_common = true;
-    }
-}
-
 /* As people write option names: '_' may stand for '-'. */
 static bool arguments_is_called(const struct option *option, struct text name)
 {
@@ -47,16 +30,6 @@ bool arguments_given(const struct arguments *arguments, const char *name)
 {
     const struct argument *argument = arguments_find(arguments, text_of(name));
     return argument != NULL && argument->is_given;
-}
-
-static struct argument *arguments_find_letter(const struct arguments *arguments, char letter)
-{
-    for (size_t i = 0; i < arguments->count; i++) {
-        if (arguments->all[i].option->letter == letter && letter != '\0') {
-            return &arguments->all[i];
-        }
-    }
-    return NULL;
 }
 
 /* What other programs, and the trade, call what is an option here. */
@@ -230,7 +203,12 @@ static bool parse_short(struct arguments *arguments, struct text word, struct wo
                         struct error *error)
 {
     while (word.length > 0) {
-        struct argument *argument = arguments_find_letter(arguments, word.start[0]);
+        struct argument *argument = NULL;
+        for (size_t i = 0; i < arguments->count && argument == NULL; i++) {
+            if (arguments->all[i].option->letter == word.start[0] && word.start[0] != '\0') {
+                argument = &arguments->all[i];
+            }
+        }
         if (argument == NULL) {
             return arguments_unknown(arguments, word, "-", error);
         }
@@ -259,18 +237,6 @@ static const struct dimension *measured_in(const struct option *option)
     return option->kind == &kind_loss ? &dimension_stops : option->dimension;
 }
 
-/* The last value of a list or range, or side of a size. */
-static struct text last_value(const struct option *option, struct text text)
-{
-    size_t at = text.length;
-    while (at > 0 && text.start[at - 1] != ',' &&
-           !(at > 1 && text.start[at - 1] == '.' && text.start[at - 2] == '.') &&
-           !(option->kind == &kind_sensor && (text.start[at - 1] | 0x20) == 'x')) {
-        at--;
-    }
-    return (struct text){text.start + at, text.length - at};
-}
-
 /*
  * Does a word go on with the value before it? A unit behind a bare number does ("50" "mm"), the
  * rest of a quantity ("5" "ft" "6" "in"), and what follows the comma of a list.
@@ -280,7 +246,15 @@ static bool arguments_goes_on(const struct argument *argument, struct text word,
 {
     const struct option *option = argument->option;
     const struct dimension *dimension = measured_in(option);
-    struct text before = argument->text, last = last_value(option, before);
+    const struct text before = argument->text;
+    /* the last value of a list or range, or side of a size */
+    size_t at = before.length;
+    while (at > 0 && before.start[at - 1] != ',' &&
+           !(at > 1 && before.start[at - 1] == '.' && before.start[at - 2] == '.') &&
+           !(option->kind == &kind_sensor && (before.start[at - 1] | 0x20) == 'x')) {
+        at--;
+    }
+    const struct text last = {before.start + at, before.length - at};
     struct error ignored;
     double value;
     if (dimension == NULL || before.length == 0 || word.length == 0) {
@@ -298,19 +272,6 @@ static bool arguments_goes_on(const struct argument *argument, struct text word,
     return quantity_read(text_of(joined), dimension, NULL, &value, NULL, &ignored);
 }
 
-/* Take a word to the value before it, if it goes on with that. */
-static bool take_on(struct words *words, struct text word, struct arena *arena)
-{
-    struct argument *last = words->last;
-    if (last == NULL || !arguments_goes_on(last, word, arena)) {
-        return false;
-    }
-    const char *between = last->text.start[last->text.length - 1] == ',' ? "" : " ";
-    last->text = text_of(arena_printf(arena, "%.*s%s%.*s", (int)last->text.length, last->text.start,
-                                      between, (int)word.length, word.start));
-    return true;
-}
-
 /* A word that belongs to nothing: say how it may have been meant. */
 static bool unexpected(const struct arguments *arguments, const struct words *words,
                        struct text word, struct error *error)
@@ -318,7 +279,7 @@ static bool unexpected(const struct arguments *arguments, const struct words *wo
     const struct example *example = arguments->command->examples;
     const struct argument *last = words->last;
     fail(error, ERROR_USAGE, "unexpected argument '%.*s'", text_shown(word), word.start);
-    if (last != NULL && last->option->kind->name_of != NULL) {
+    if (last != NULL && option_has_names(last->option)) {
         return error_hint(error, "put a value with blanks in quotes: --%s \"%.*s %.*s\"",
                           last->option->name, text_shown(last->text), last->text.start,
                           text_shown(word), word.start);
@@ -334,7 +295,11 @@ static bool unexpected(const struct arguments *arguments, const struct words *wo
 static bool parse_operand(struct arguments *arguments, struct text word, struct words *words,
                           struct arena *arena, struct error *error)
 {
-    if (take_on(words, word, arena)) {
+    struct argument *last = words->last;
+    if (last != NULL && arguments_goes_on(last, word, arena)) {
+        const char *between = last->text.start[last->text.length - 1] == ',' ? "" : " ";
+        last->text = text_of(arena_printf(arena, "%.*s%s%.*s", (int)last->text.length,
+                                          last->text.start, between, (int)word.length, word.start));
         return true;
     }
     for (size_t i = 0; i < arguments->count; i++) {
@@ -359,22 +324,6 @@ static bool parse_operand(struct arguments *arguments, struct text word, struct 
     return unexpected(arguments, words, word, error);
 }
 
-/* Standard input has one reader: the batch or a lens. */
-static bool check_standard_input(const struct arguments *arguments, struct error *error)
-{
-    const struct argument *batch = arguments_find(arguments, text_of("batch"));
-    bool taken = batch != NULL && batch->is_given && text_equal(batch->text, "-");
-    for (size_t i = 0; i < arguments->count && taken; i++) {
-        const struct argument *argument = &arguments->all[i];
-        if (argument->option->kind == &kind_lens && argument->is_given &&
-            text_equal(text_trim(argument->text), "-")) {
-            return fail(error, ERROR_USAGE, "--%s - and --batch - cannot both read standard input",
-                        argument->option->name);
-        }
-    }
-    return true;
-}
-
 /* What --color asks for: known before anything is complained about. */
 static enum color_when color_of(int count, char **all)
 {
@@ -391,6 +340,22 @@ static enum color_when color_of(int count, char **all)
     return color;
 }
 
+/* Standard input has one reader: the batch or a lens. */
+static bool check_standard_input(const struct arguments *arguments, struct error *error)
+{
+    const struct argument *batch = arguments_find(arguments, text_of("batch"));
+    bool taken = batch != NULL && batch->is_given && text_equal(batch->text, "-");
+    for (size_t i = 0; i < arguments->count && taken; i++) {
+        const struct argument *argument = &arguments->all[i];
+        if (argument->option->kind == &kind_lens && argument->is_given &&
+            text_equal(text_trim(argument->text), "-")) {
+            return fail(error, ERROR_USAGE, "--%s - and --batch - cannot both read standard input",
+                        argument->option->name);
+        }
+    }
+    return true;
+}
+
 bool arguments_parse(struct arguments *arguments, const struct command *command, int count,
                      char **all, struct arena *arena, struct error *error)
 {
@@ -398,7 +363,18 @@ bool arguments_parse(struct arguments *arguments, const struct command *command,
     bool options_end = false;
     arguments->command = command;
     arguments->color = color_of(count, all);
-    arguments_list_options(arguments, arena);
+    size_t own = command->option_count + command->artifact_count;
+    arguments->all = ARENA_ARRAY(arena, own + common_option_count, struct argument);
+    for (size_t i = 0; i < own; i++) {
+        arguments->all[i].option = command_option(command, i);
+        arguments->all[i].is_input = i < command->option_count;
+    }
+    arguments->count = own;
+    const struct option *common = NULL;
+    while ((common = command_next_common(command, common)) != NULL) {
+        arguments->all[arguments->count].option = common;
+        arguments->all[arguments->count++].is_common = true;
+    }
     while (words.at < words.count) {
         struct text word = text_of(words.all[words.at++]);
         bool dashed = !options_end && word.length > 1 && word.start[0] == '-';

@@ -37,20 +37,11 @@ static const char *const known_endings[] = {".svg", ".png", ".pfm",  ".jpg",  ".
                                             ".csv", ".tsv", ".json", ".html", ".part", ".lens",
                                             ".zmx", ".seq", ".len",  ".agf",  NULL};
 
-static bool has_known_ending(struct text path)
-{
-    size_t i = 0;
-    while (known_endings[i] != NULL && !file_type_ends(path, known_endings[i])) {
-        i++;
-    }
-    return known_endings[i] != NULL;
-}
-
 /*
  * What the file shall hold: what the input asks for, else what its name says. Where only one thing
  * can be written any name will do that is not the name of something else.
  */
-static bool artifact_choose_type(struct artifact_job *job, struct arena *arena, struct error *error)
+static bool job_choose_type(struct artifact_job *job, struct arena *arena, struct error *error)
 {
     const struct artifact *artifact = job->artifact;
     file_types *types = artifact->option.types;
@@ -61,7 +52,11 @@ static bool artifact_choose_type(struct artifact_job *job, struct arena *arena, 
     bool nameless = place_is_standard(job->path, arena);
     struct text path = text_of(nameless ? "" : job->path);
     job->type = file_type_of(types, path);
-    bool only = types(1) == NULL && !has_known_ending(path);
+    size_t known = 0;
+    while (known_endings[known] != NULL && !file_type_ends(path, known_endings[known])) {
+        known++;
+    }
+    bool only = types(1) == NULL && known_endings[known] == NULL;
     if (job->type == NULL && (nameless || only)) {
         job->type = types(0);
     }
@@ -143,8 +138,8 @@ static const char *other_writer(const struct artifacts *artifacts,
 }
 
 /* A file that is there already, or is read, and two artifacts in one file. */
-static bool artifact_check_place(const struct artifacts *artifacts, const struct artifact_job *job,
-                                 const struct artifact_setting *setting, struct error *error)
+static bool job_check_place(const struct artifacts *artifacts, const struct artifact_job *job,
+                            const struct artifact_setting *setting, struct error *error)
 {
     for (size_t i = 0; i < job->files && job->path != NULL; i++) {
         const char *path = numbered(job, i, setting->arena);
@@ -182,32 +177,19 @@ static const void *const *inputs_of(const struct artifact_setting *setting, size
     return inputs;
 }
 
-/* Bytes go to files and pipes. */
-static bool check_terminal(const struct artifact_job *job, struct arena *arena, struct error *error)
-{
-    if (!job->artifact->is_binary || !place_is_standard(job->path, arena) ||
-        !isatty(STDOUT_FILENO)) {
-        return true;
-    }
-    fail(error, ERROR_USAGE, "a terminal shows no such files");
-    return error_hint(error, "--%s FILE writes one", job->artifact->option.name);
-}
-
-/* Several files want names. */
-static bool check_names(const struct artifact_job *job, struct arena *arena, struct error *error)
-{
-    return job->files == 1 || !place_is_standard(job->path, arena) ||
-           fail(error, ERROR_USAGE, "%zu files do not go to standard output: --%s FILE", job->files,
-                job->artifact->option.name);
-}
-
 /* One more, if nothing speaks against it. */
 static bool artifact_order(struct artifacts *artifacts, const struct artifact_setting *setting,
                            struct artifact_job job, struct error *error)
 {
     const struct artifact *artifact = job.artifact;
-    if (!check_scope(&job, setting, error) || !check_terminal(&job, setting->arena, error)) {
+    if (!check_scope(&job, setting, error)) {
         return false;
+    }
+    /* bytes go to files and pipes */
+    if (artifact->is_binary && place_is_standard(job.path, setting->arena) &&
+        isatty(STDOUT_FILENO)) {
+        fail(error, ERROR_USAGE, "a terminal shows no such files");
+        return error_hint(error, "--%s FILE writes one", artifact->option.name);
     }
     const bool is_each = artifact->scope == ARTIFACT_OF_EACH;
     job.count = is_each || artifact->scope == ARTIFACT_OF_SWEEP ? setting->sweep->total : 1;
@@ -218,7 +200,7 @@ static bool artifact_order(struct artifacts *artifacts, const struct artifact_se
     job.asking = setting->asking;
     job.is_forced = setting->common->force;
     job.run = setting->run;
-    if (!artifact_choose_type(&job, setting->arena, error)) {
+    if (!job_choose_type(&job, setting->arena, error)) {
         return false;
     }
     const bool gathers = artifact->gathers != NULL && job.type != NULL &&
@@ -231,45 +213,17 @@ static bool artifact_order(struct artifacts *artifacts, const struct artifact_se
     } else {
         job.files = 1;
     }
-    if (!check_names(&job, setting->arena, error) ||
-        (artifact->check != NULL && !artifact->check(&job, error)) ||
-        !artifact_check_place(artifacts, &job, setting, error)) {
+    /* several files want names */
+    if (job.files != 1 && place_is_standard(job.path, setting->arena)) {
+        return fail(error, ERROR_USAGE, "%zu files do not go to standard output: --%s FILE",
+                    job.files, job.artifact->option.name);
+    }
+    if ((artifact->check != NULL && !artifact->check(&job, error)) ||
+        !job_check_place(artifacts, &job, setting, error)) {
         return false;
     }
     artifacts->jobs[artifacts->count++] = job;
     artifacts->files += job.files;
-    return true;
-}
-
-static bool open_sink(const struct artifact_setting *setting, const char *path, struct output *sink,
-                      struct error *error)
-{
-    if (setting->is_inside) {
-        output_inside(sink, setting->arena);
-        return true;
-    }
-    if (!output_open(sink, path, setting->arena, error)) {
-        return false;
-    }
-    terminal_guard(sink);
-    return true;
-}
-
-static bool open_sinks(struct artifacts *artifacts, const struct artifact_setting *setting,
-                       struct error *error)
-{
-    struct arena *arena = setting->arena;
-    artifacts->sinks = ARENA_ARRAY(arena, artifacts->files + 1, struct output);
-    for (size_t i = 0; i < artifacts->count; i++) {
-        const struct artifact_job *job = &artifacts->jobs[i];
-        for (size_t k = 0; k < job->files; k++) {
-            if (!open_sink(setting, numbered(job, k, arena), &artifacts->sinks[artifacts->open],
-                           error)) {
-                return false;
-            }
-            artifacts->open++;
-        }
-    }
     return true;
 }
 
@@ -280,13 +234,6 @@ bool artifacts_asked(const struct command *command, const struct arguments *argu
         asked = asked || arguments->all[command->option_count + i].is_given;
     }
     return asked;
-}
-
-/* Of a command without rows the answer is made unless something else is asked for. */
-static bool is_answer(const struct artifact_setting *setting, size_t which)
-{
-    const struct command *command = setting->command;
-    return command->run == NULL && which == 0 && !artifacts_asked(command, setting->arguments);
 }
 
 bool artifacts_order(struct artifacts *artifacts, const struct artifact_setting *setting,
@@ -305,27 +252,35 @@ bool artifacts_order(struct artifacts *artifacts, const struct artifact_setting 
         if (argument->is_given && job.path[0] == '\0') {
             return fail(error, ERROR_USAGE, "--%s is empty", argument->option->name);
         }
-        if ((argument->is_given || is_answer(setting, i)) &&
-            !artifact_order(artifacts, setting, job, error)) {
+        /* of a command without rows the answer is made unless something else is asked for */
+        const bool is_answer =
+            command->run == NULL && i == 0 && !artifacts_asked(command, setting->arguments);
+        if ((argument->is_given || is_answer) && !artifact_order(artifacts, setting, job, error)) {
             return false;
         }
     }
     const struct artifact_job job = {
         .artifact = columns, .path = setting->common->plot, .context = context};
-    return (columns == NULL || artifact_order(artifacts, setting, job, error)) &&
-           open_sinks(artifacts, setting, error);
-}
-
-/* Of several files some may not be made: one of that name that is there stays, and is told. */
-static void tell_left(struct output *sinks, size_t count)
-{
-    for (size_t i = 0; i < count; i++) {
-        struct output *sink = &sinks[i];
-        if (sink->is_unused && sink->path != NULL && place_is_file(sink->path, sink->arena)) {
-            sink->remarks = text_of(arena_printf(
-                sink->arena, "%s stays as it was: it is of an earlier run\n", sink->path));
+    if (columns != NULL && !artifact_order(artifacts, setting, job, error)) {
+        return false;
+    }
+    struct arena *arena = setting->arena;
+    artifacts->sinks = ARENA_ARRAY(arena, artifacts->files + 1, struct output);
+    for (size_t i = 0; i < artifacts->count; i++) {
+        const struct artifact_job *ordered = &artifacts->jobs[i];
+        for (size_t k = 0; k < ordered->files; k++) {
+            struct output *sink = &artifacts->sinks[artifacts->open];
+            if (setting->is_inside) {
+                output_inside(sink, arena);
+            } else if (output_open(sink, numbered(ordered, k, arena), arena, error)) {
+                terminal_guard(sink);
+            } else {
+                return false;
+            }
+            artifacts->open++;
         }
     }
+    return true;
 }
 
 bool artifacts_make(const struct artifacts *artifacts, struct error *error)
@@ -334,7 +289,14 @@ bool artifacts_make(const struct artifacts *artifacts, struct error *error)
     for (size_t i = 0; i < artifacts->count && done; i++) {
         const struct artifact_job *job = &artifacts->jobs[i];
         done = job->artifact->make(job, &artifacts->sinks[job->first], error);
-        tell_left(&artifacts->sinks[job->first], done ? job->files : 0);
+        /* some files may not be made: one of that name that is there stays, and is told */
+        for (size_t k = 0; done && k < job->files; k++) {
+            struct output *sink = &artifacts->sinks[job->first + k];
+            if (sink->is_unused && sink->path != NULL && place_is_file(sink->path, sink->arena)) {
+                sink->remarks = text_of(arena_printf(
+                    sink->arena, "%s stays as it was: it is of an earlier run\n", sink->path));
+            }
+        }
     }
     return done;
 }

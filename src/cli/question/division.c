@@ -167,15 +167,6 @@ bool division_read(const char *path, struct arena *arena, struct part_file *file
            part_read(path, content, file, error);
 }
 
-/* Is the file the one that this part left? */
-static bool division_check_part(const struct part_file *file, struct part part, struct error *error)
-{
-    const struct part other = file->head.part;
-    return other.count != part.count || other.number == part.number ||
-           fail(error, ERROR_DATA, "%s is part %ld/%ld, not %ld/%ld", file->path, other.number,
-                other.count, part.number, part.count);
-}
-
 bool division_found(const struct run *run, const struct part_head *head, const char *path,
                     const struct part_file **files, size_t *count, struct error *error)
 {
@@ -186,8 +177,10 @@ bool division_found(const struct run *run, const struct part_head *head, const c
         if (!division_read(path, run->arena, file, error)) {
             return error->code == ERROR_NONE;
         }
-        if (!division_check_part(file, head->part, error)) {
-            return false;
+        const struct part part = head->part, other = file->head.part;
+        if (other.count == part.count && other.number != part.number) {
+            return fail(error, ERROR_DATA, "%s is part %ld/%ld, not %ld/%ld", file->path,
+                        other.number, other.count, part.number, part.count);
         }
         *files = file;
         *count = 1;

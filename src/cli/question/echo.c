@@ -22,16 +22,6 @@ static const char *column_name(const struct option *option, struct arena *arena)
     return option->column != NULL ? option->column : spelt(option->name, '-', '_', arena);
 }
 
-static bool echo_lists(const char *words, const char *name)
-{
-    struct text rest = text_of(words != NULL ? words : "");
-    bool found = false;
-    while (rest.length > 0 && !found) {
-        found = text_equal(text_cut(&rest, ' '), name);
-    }
-    return found;
-}
-
 /* Is it named as the option, or does it follow from it first of all? */
 static bool echo_is_like(const struct column *column, const struct option *option, const char *name)
 {
@@ -77,7 +67,7 @@ static void bring(struct column *column, const struct option *option)
     const unsigned kept_back = COLUMN_HIDDEN | COLUMN_TIED | COLUMN_WITH;
     column->repeats = option->name;
     column->flags = (column->flags & ~kept_back) | COLUMN_BRIEF;
-    if (!echo_lists(column->with, option->name)) {
+    if (!text_lists(column->with, text_of(option->name))) {
         column->flags &= ~(unsigned)COLUMN_EXTRA;
         column->with = NULL;
     }
@@ -106,7 +96,7 @@ static enum column_type echo_type_of(const struct option *option)
 /* Are there words or numbers for its values? */
 static bool is_sayable(const struct option *option)
 {
-    return echo_type_of(option) != COLUMN_TEXT || option->kind->name_of != NULL ||
+    return echo_type_of(option) != COLUMN_TEXT || option_has_names(option) ||
            option->kind->words_of != NULL;
 }
 
@@ -114,37 +104,6 @@ static bool may_be_infinite(const struct option *option)
 {
     return option->kind == &kind_quantity && (option->flags & OPTION_NO_INFINITY) == 0 &&
            (isinf(option->highest) || (option->lowest == 0 && option->highest == 0));
-}
-
-static struct column new_column(const struct option *option, const char *name, size_t offset,
-                                struct arena *arena)
-{
-    const struct unit *unit = echo_is_number(option) ? option_unit(option) : NULL;
-    return (struct column){
-        .name = name,
-        .unit = unit != NULL && unit->name[0] != '\0' ? unit->name : NULL,
-        .dimension = echo_is_number(option) ? option->dimension : NULL,
-        .type = echo_type_of(option),
-        .offset = offset,
-        .flags = COLUMN_ADDED | COLUMN_ECHO | COLUMN_BRIEF |
-                 (may_be_infinite(option) ? COLUMN_INFINITE : 0),
-        .with = option->name,
-        .label = option->quantity != NULL ? option->quantity : spelt(name, '_', ' ', arena),
-        .help = option->help,
-    };
-}
-
-/* Behind those that were added before; `place` is its own. */
-static void echo_add(struct echo *echo, const struct echo_question *question,
-                     const struct option *option, struct column *place, struct arena *arena)
-{
-    const size_t offset = echo->sheet.row_size;
-    *place = new_column(option, column_name(option, arena), offset, arena);
-    echo->sheet.row_size += VALUE;
-    echo->sheet.column_count++;
-    echo->items[echo->count++] = (struct echo_item){
-        option, offset, option->fallback != NULL || question->given(question->asked, option->name),
-        false};
 }
 
 /* What was given as an equivalent focal length stands among the assumptions, beside the sensor. */
@@ -165,15 +124,6 @@ static void add_equivalent(struct echo *echo, const struct option *option, struc
     echo->sheet.row_size += VALUE;
     echo->sheet.column_count++;
     echo->items[echo->count++] = (struct echo_item){option, place->offset, true, true};
-}
-
-/* A column of the command, among those of sheet_spread. */
-static struct column *spread_column(struct column *spread, const struct column *own)
-{
-    while (spread->name != own->name) {
-        spread++;
-    }
-    return spread;
 }
 
 void echo_open(struct echo *echo, const struct echo_question *question, struct arena *arena)
@@ -197,9 +147,34 @@ void echo_open(struct echo *echo, const struct echo_question *question, struct a
         }
         const size_t found = echo_find_column(own, option, column_name(option, arena));
         if (found == own->column_count && is_sayable(option)) {
-            echo_add(echo, question, option, &columns[echo->count], arena);
+            /* behind those that were added before */
+            const size_t offset = echo->sheet.row_size;
+            const char *name = column_name(option, arena);
+            const struct unit *unit = echo_is_number(option) ? option_unit(option) : NULL;
+            columns[echo->count] = (struct column){
+                .name = name,
+                .unit = unit != NULL && unit->name[0] != '\0' ? unit->name : NULL,
+                .dimension = echo_is_number(option) ? option->dimension : NULL,
+                .type = echo_type_of(option),
+                .offset = offset,
+                .flags = COLUMN_ADDED | COLUMN_ECHO | COLUMN_BRIEF |
+                         (may_be_infinite(option) ? COLUMN_INFINITE : 0),
+                .with = option->name,
+                .label = option->quantity != NULL ? option->quantity : spelt(name, '_', ' ', arena),
+                .help = option->help,
+            };
+            echo->sheet.row_size += VALUE;
+            echo->sheet.column_count++;
+            echo->items[echo->count++] = (struct echo_item){
+                option, offset,
+                option->fallback != NULL || question->given(question->asked, option->name), false};
         } else if (found < own->column_count && varies) {
-            bring(spread_column(columns + most, &own->columns[found]), option);
+            /* a column of the command, among those of sheet_spread */
+            struct column *spread = columns + most;
+            while (spread->name != own->columns[found].name) {
+                spread++;
+            }
+            bring(spread, option);
         }
     }
     /* those that were added lie right before the command's */
@@ -224,14 +199,6 @@ void echo_settle(struct echo *echo, struct report *report)
     }
 }
 
-static const char *echo_words_of(const struct option *option, const void *member,
-                                 struct arena *arena)
-{
-    const struct option_kind *kind = option->kind;
-    const char *name = kind->name_of != NULL ? kind->name_of(option, member) : NULL;
-    return name == NULL && kind->words_of != NULL ? kind->words_of(option, member, arena) : name;
-}
-
 /* Of an equivalent focal length none: what it is for the sensor only the command knows. */
 static double echo_number_of(const struct echo_item *item, const void *member)
 {
@@ -246,6 +213,7 @@ static void echo_set_value(char *to, const struct echo_item *item, const void *i
 {
     const struct option *option = item->option;
     const void *member = (const char *)input + option->offset;
+    const char *words;
     if (item->is_equivalent) {
         *(double *)(void *)to = ((const struct focal_value *)member)->equivalent;
         return;
@@ -261,7 +229,11 @@ static void echo_set_value(char *to, const struct echo_item *item, const void *i
         *(bool *)to = *(const bool *)member;
         break;
     case COLUMN_TEXT:
-        *(const char **)(void *)to = item->has_value ? echo_words_of(option, member, arena) : NULL;
+        words = option_value_name(option, member);
+        if (words == NULL && option->kind->words_of != NULL) {
+            words = option->kind->words_of(option, member, arena);
+        }
+        *(const char **)(void *)to = item->has_value ? words : NULL;
         break;
     }
 }

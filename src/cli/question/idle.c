@@ -81,7 +81,7 @@ static bool idle_holds(const struct idle *idle, const struct condition *conditio
     size_t count;
     const char *values = idle_values_of(idle, option, &count);
     for (size_t i = 0; i < count && !found; i++) {
-        const char *name = option->kind->name_of(option, values + i * option->kind->size);
+        const char *name = option_value_name(option, values + i * option->kind->size);
         bool same = name != NULL && text_same(condition->value, name);
         found = same != condition->is_other;
     }
@@ -109,39 +109,6 @@ static bool has_wanted(const struct idle *idle, const char *wants, char *words, 
     return false;
 }
 
-/* The option that is asked for of those that this one excludes; null = none. */
-static const struct option *find_excluded(const struct idle *idle, const struct option *option)
-{
-    const char *list = option->excludes != NULL ? option->excludes : "";
-    while (*list != '\0') {
-        size_t length = strcspn(list, " ");
-        const struct argument *other =
-            arguments_find(idle->arguments, text_between(list, list + length));
-        if (asking_given(idle->asking, other->option->name)) {
-            return other->option;
-        }
-        list += length + (list[length] == ' ');
-    }
-    return NULL;
-}
-
-static bool check_option(const struct idle *idle, const struct option *option, struct error *error)
-{
-    char words[120] = "";
-    const struct option *other = find_excluded(idle, option);
-    if (other != NULL) {
-        return fail(error, ERROR_USAGE, "{--%s} and {--%s} exclude each other%s%s", option->name,
-                    other->name, option->why != NULL ? ": " : "",
-                    option->why != NULL ? option->why : "");
-    }
-    if (option->wants != NULL && !has_wanted(idle, option->wants, words, sizeof words)) {
-        return fail(error, ERROR_USAGE, "{--%s} needs %s", option->name, words);
-    }
-    return option->serves == NULL || serves_any(idle, option) ||
-           fail(error, ERROR_USAGE, "{--%s} does nothing here: it is for {--coc} %s", option->name,
-                option->served);
-}
-
 /* Is anything asked for that reads such data? */
 static bool reads_any(const struct idle *idle, unsigned data)
 {
@@ -156,14 +123,40 @@ static bool reads_any(const struct idle *idle, unsigned data)
 }
 
 /* Common options that say how data are read. */
-static bool check_reading(const struct idle *idle, const struct option *option, struct error *error)
+static const struct {
+    const char *name, *what;
+    unsigned data;
+} readings[] = {{"lossy", "lens", READS_LENSES},
+                {"glass-numbers", "lens", READS_LENSES},
+                {"agf", "lens or glass", READS_GLASSES}};
+
+static bool check_option(const struct idle *idle, const struct option *option, struct error *error)
 {
-    static const struct {
-        const char *name, *what;
-        unsigned data;
-    } readings[] = {{"lossy", "lens", READS_LENSES},
-                    {"glass-numbers", "lens", READS_LENSES},
-                    {"agf", "lens or glass", READS_GLASSES}};
+    char words[120] = "";
+    /* the option that is asked for of those that this one excludes; null = none */
+    const struct option *other = NULL;
+    const char *list = option->excludes != NULL ? option->excludes : "";
+    while (*list != '\0' && other == NULL) {
+        size_t length = strcspn(list, " ");
+        const struct option *excluded =
+            arguments_find(idle->arguments, text_between(list, list + length))->option;
+        if (asking_given(idle->asking, excluded->name)) {
+            other = excluded;
+        }
+        list += length + (list[length] == ' ');
+    }
+    if (other != NULL) {
+        return fail(error, ERROR_USAGE, "{--%s} and {--%s} exclude each other%s%s", option->name,
+                    other->name, option->why != NULL ? ": " : "",
+                    option->why != NULL ? option->why : "");
+    }
+    if (option->wants != NULL && !has_wanted(idle, option->wants, words, sizeof words)) {
+        return fail(error, ERROR_USAGE, "{--%s} needs %s", option->name, words);
+    }
+    if (option->serves != NULL && !serves_any(idle, option)) {
+        return fail(error, ERROR_USAGE, "{--%s} does nothing here: it is for {--coc} %s",
+                    option->name, option->served);
+    }
     for (size_t i = 0; i < sizeof readings / sizeof readings[0]; i++) {
         if (strcmp(option->name, readings[i].name) == 0 && !reads_any(idle, readings[i].data)) {
             return fail(error, ERROR_USAGE, "{--%s} does nothing here: no %s is read", option->name,
@@ -179,8 +172,7 @@ bool idle_check(const struct sweep *sweep, const struct arguments *arguments,
     const struct idle idle = {sweep, arguments, asking, input};
     for (size_t i = 0; i < arguments->count; i++) {
         const struct option *option = arguments->all[i].option;
-        if (arguments->all[i].is_given &&
-            !(check_option(&idle, option, error) && check_reading(&idle, option, error))) {
+        if (arguments->all[i].is_given && !check_option(&idle, option, error)) {
             return false;
         }
     }

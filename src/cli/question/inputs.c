@@ -34,14 +34,6 @@ static bool word_names(struct text word, const struct stat *file, struct arena *
     return found;
 }
 
-/* A lens is one of lensdb before it is a file. */
-static bool lens_names(struct text word, struct lensdb *db, const struct stat *file,
-                       struct arena *arena)
-{
-    const char *path = lens_open_path(db, text_trim(word), arena);
-    return path != NULL && is_name_of(text_of(path), file, arena);
-}
-
 static bool inputs_reads(const struct argument *argument, struct lensdb *db,
                          const struct stat *file, struct arena *arena)
 {
@@ -55,7 +47,10 @@ static bool inputs_reads(const struct argument *argument, struct lensdb *db,
     bool found = false;
     for (struct text rest = argument->text; rest.start != NULL && !found;) {
         const struct text word = text_cut(&rest, OPTION_MANY_SEPARATOR);
-        found = is_lens ? lens_names(word, db, file, arena) : word_names(word, file, arena);
+        /* a lens is one of lensdb before it is a file */
+        const char *path = is_lens ? lens_open_path(db, text_trim(word), arena) : NULL;
+        found = is_lens ? path != NULL && is_name_of(text_of(path), file, arena)
+                        : word_names(word, file, arena);
     }
     return found;
 }

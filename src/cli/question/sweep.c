@@ -22,11 +22,6 @@ struct sweep_values {
     const struct unit *shared; /* that bare items take from the last one; null = the option's */
 };
 
-static bool sweep_is_number(const struct option *option)
-{
-    return option->kind->number_of != NULL;
-}
-
 static bool too_many(const struct option *option, struct error *error)
 {
     fail(error, ERROR_USAGE, "--%s sweeps over more than a million values", option->name);
@@ -52,18 +47,6 @@ static bool reserve(struct sweep_values *values, size_t more, struct error *erro
     return true;
 }
 
-/* What is more than a number, as if it had been typed: 700 nm, not 700.0000000000001. */
-static bool add_typed(struct sweep_values *values, double number, struct error *error)
-{
-    char text[NUMBER_LENGTH];
-    const struct unit *unit = option_unit(values->option);
-    const struct text typed =
-        text_between(text, number_write_digits(text, unit_from_own(unit, number), 13));
-    size_t size = values->option->kind->size;
-    return reserve(values, 1, error) && option_read(values->reader, values->option, typed,
-                                                    values->data + values->count++ * size, error);
-}
-
 /* A range: first..last, then :step, *factor, #count or /series. */
 struct sweep_range {
     struct text text, first, last, tail;
@@ -72,31 +55,33 @@ struct sweep_range {
     const struct unit *unit; /* that was typed at an end, else the option's */
 };
 
-/* Of a range in a unit that is not the program's own, what would have been typed: 65 deg. */
-static double as_typed(const struct sweep_range *range, double number)
-{
-    const struct unit *unit = range->unit;
-    double most = fmax(fabs(range->from), fabs(range->to)), own;
-    if (unit == NULL || unit_is_own(unit)) {
-        return number;
-    }
-    double slack = 8 * DBL_EPSILON * unit_from_own(unit, most);
-    return unit_decimal_to_own(unit, unit_from_own(unit, number), slack, &own) ? own : number;
-}
-
 static bool add_number(struct sweep_values *values, const struct sweep_range *range, double number,
                        struct error *error)
 {
     const struct option_kind *kind = values->option->kind;
     if (kind->set_number == NULL) {
-        return add_typed(values, number, error);
+        /* what is more than a number, as if it had been typed: 700 nm, not 700.0000000000001 */
+        char text[NUMBER_LENGTH];
+        const struct unit *unit = option_unit(values->option);
+        const struct text typed =
+            text_between(text, number_write_digits(text, unit_from_own(unit, number), 13));
+        size_t size = values->option->kind->size;
+        return reserve(values, 1, error) &&
+               option_read(values->reader, values->option, typed,
+                           values->data + values->count++ * size, error);
     }
-    number = as_typed(range, number);
+    const struct unit *unit = range->unit;
+    if (unit != NULL && !unit_is_own(unit)) {
+        /* what would have been typed: 65 deg */
+        double most = fmax(fabs(range->from), fabs(range->to)), own;
+        double slack = 8 * DBL_EPSILON * unit_from_own(unit, most);
+        number = unit_decimal_to_own(unit, unit_from_own(unit, number), slack, &own) ? own : number;
+    }
     if (!option_check_range(values->option, number, error) || !reserve(values, 1, error)) {
         return false;
     }
     option_doubt(values->reader, values->option, number);
-    kind->set_number(values->data + values->count++ * kind->size, number, range->unit);
+    kind->set_number(values->data + values->count++ * kind->size, number, unit);
     return true;
 }
 
@@ -117,12 +102,6 @@ static bool has_colon(const struct option *option, struct text text)
 {
     return option->dimension != NULL && option->dimension->ratio &&
            memchr(text.start, ':', text.length) != NULL;
-}
-
-/* Is it the f-number of 1:2.8? */
-static bool is_written_as_ratio(const struct option *option, struct text text)
-{
-    return option->dimension == &dimension_fnumber && memchr(text.start, ':', text.length) != NULL;
 }
 
 /* Does a tail begin here: a step, a factor, a count or a series? */
@@ -147,8 +126,10 @@ static bool split_range(const struct option *option, struct text text, struct sw
     }
     *range = (struct sweep_range){.text = text, .first = {text.start, at}};
     struct text last = {text.start + at + 2, text.length - at - 2};
-    /* 1:8..1:1 and 1:2.8..1:8, whose colons are no steps */
-    bool colon = has_colon(option, range->first) || is_written_as_ratio(option, range->first);
+    /* the ratios of 1:8..1:1 and the f-numbers of 1:2.8..1:8, whose colons are no steps */
+    bool colon = has_colon(option, range->first) ||
+                 (option->dimension == &dimension_fnumber &&
+                  memchr(range->first.start, ':', range->first.length) != NULL);
     for (size_t i = 0; i < last.length && range->kind == 0; i++) {
         char c = last.start[i];
         if (c == ':' && colon) {
@@ -309,7 +290,6 @@ static bool sweep_add_points(struct sweep_values *values, const struct sweep_ran
 static bool sweep_add_series(struct sweep_values *values, const struct sweep_range *range,
                              bool *added, struct error *error)
 {
-    const struct dimension *dimension = values->option->dimension;
     const char *name = NULL;
     double *stops;
     size_t count;
@@ -320,12 +300,10 @@ static bool sweep_add_series(struct sweep_values *values, const struct sweep_ran
     if (!option_has_series(values->option)) {
         return name == NULL || range_fail(values, range, "it has no stop series", error);
     }
-    const struct nominal_range labels = {.dimension = dimension,
-                                         .series = name,
-                                         .first = range->from,
-                                         .last = range->to,
-                                         .exact = values->reader->nominal};
-    if (!nominal_between(values->reader->db, &labels, &stops, &count, error)) {
+    const struct reader *reader = values->reader;
+    if (!nominal_between(reader->db, values->option->dimension, name,
+                         (const double[]){range->from, range->to}, reader->nominal, &stops, &count,
+                         error)) {
         return range->kind == '/' && sweep_blame(values, range->text, range->tail, error);
     }
     for (size_t i = 0; i < count; i++) {
@@ -348,29 +326,6 @@ static bool sweep_is_fraction(const struct sweep_values *values, const struct sw
             has_colon(values->option, range->first) || has_colon(values->option, range->last));
 }
 
-/* Fractions run in stops: 1/16, 1/8, 1/4, 1/2, 1. */
-static bool sweep_add_stops(struct sweep_values *values, const struct sweep_range *range,
-                            struct error *error)
-{
-    double stops = log2(range->to / range->from), whole = rint(stops);
-    if (!(range->from > 0 && range->to > 0)) {
-        return range_fail(values, range, "a range of fractions has ends above 0", error);
-    }
-    if (!(fabs(stops - whole) <= 1e-9)) {
-        range_fail(values, range, "fractions step in stops, and these are not whole stops apart",
-                   error);
-        return error_hint(error,
-                          "add a step: :0.1 adds, *2 multiplies, #5 sets the number of points");
-    }
-    for (double i = 0; i <= fabs(whole); i++) {
-        double value = i == fabs(whole) ? range->to : range->from * exp2(copysign(i, whole));
-        if (!add_number(values, range, value, error)) {
-            return false;
-        }
-    }
-    return true;
-}
-
 static bool sweep_add_range(struct sweep_values *values, struct sweep_range *range,
                             struct error *error)
 {
@@ -378,7 +333,7 @@ static bool sweep_add_range(struct sweep_values *values, struct sweep_range *ran
     if (!read_ends(values, range, error)) {
         return false;
     }
-    if (sweep_is_number(values->option)) {
+    if (values->option->kind->number_of != NULL) {
         values->unit = range->unit;
     }
     if (range->kind == '*') {
@@ -391,7 +346,24 @@ static bool sweep_add_range(struct sweep_values *values, struct sweep_range *ran
         return false;
     }
     if (!added && range->kind == 0 && sweep_is_fraction(values, range)) {
-        return sweep_add_stops(values, range, error);
+        /* fractions run in stops: 1/16, 1/8, 1/4, 1/2, 1 */
+        double stops = log2(range->to / range->from), whole = rint(stops);
+        if (!(range->from > 0 && range->to > 0)) {
+            return range_fail(values, range, "a range of fractions has ends above 0", error);
+        }
+        if (!(fabs(stops - whole) <= 1e-9)) {
+            range_fail(values, range,
+                       "fractions step in stops, and these are not whole stops apart", error);
+            return error_hint(error,
+                              "add a step: :0.1 adds, *2 multiplies, #5 sets the number of points");
+        }
+        for (double i = 0; i <= fabs(whole); i++) {
+            double value = i == fabs(whole) ? range->to : range->from * exp2(copysign(i, whole));
+            if (!add_number(values, range, value, error)) {
+                return false;
+            }
+        }
+        return true;
     }
     return added || add_steps(values, range, error);
 }
@@ -403,7 +375,7 @@ static void note_unit(struct sweep_values *values, struct text item)
     const struct unit *typed = NULL;
     struct error ignored;
     double value;
-    if (!sweep_is_number(option) ||
+    if (option->kind->number_of == NULL ||
         !quantity_read(item, option->dimension, option_unit(option), &value, &typed, &ignored) ||
         (isinf(value) && typed == NULL)) {
         return; /* infinity is the same in all units */
@@ -417,7 +389,8 @@ static void note_unit(struct sweep_values *values, struct text item)
 static bool add_item(struct sweep_values *values, struct text item, struct error *error)
 {
     struct sweep_range range;
-    const bool has_ranges = sweep_is_number(values->option) || values->option->kind == &kind_coc;
+    const bool has_ranges =
+        values->option->kind->number_of != NULL || values->option->kind == &kind_coc;
     if (has_ranges && split_range(values->option, item, &range)) {
         return sweep_add_range(values, &range, error);
     }
@@ -436,15 +409,6 @@ static bool add_item(struct sweep_values *values, struct text item, struct error
     return true;
 }
 
-/* Has an item of a list a unit? False for what is no plain quantity. */
-static bool sweep_unit_of(const struct option *option, struct text item, const struct unit **unit)
-{
-    struct error ignored;
-    double value;
-    return quantity_read(item, option->dimension, option_unit(option), &value, unit, &ignored) &&
-           !isinf(value);
-}
-
 /*
  * The unit that stands behind a list and is meant for all of it: 1,2,3ft are feet, as 1..3ft are.
  * Null where the last item has none, or any other item has one of its own.
@@ -455,12 +419,15 @@ static const struct unit *shared_unit(const struct option *option, struct text t
     struct text rest = text;
     bool light =
         option->dimension == &dimension_wavelength || option->dimension == &dimension_wavelength_um;
-    if (!sweep_is_number(option) || light) {
+    if (option->kind->number_of == NULL || light) {
         return NULL;
     }
     while (rest.start != NULL) {
         struct text item = text_trim(text_cut(&rest, ','));
-        if (!sweep_unit_of(option, item, &unit) || (unit != NULL && rest.start != NULL)) {
+        struct error ignored;
+        double value;
+        if (!quantity_read(item, option->dimension, option_unit(option), &value, &unit, &ignored) ||
+            isinf(value) || (unit != NULL && rest.start != NULL)) {
             return NULL;
         }
         last = unit;
@@ -468,36 +435,26 @@ static const struct unit *shared_unit(const struct option *option, struct text t
     return last;
 }
 
-/* All values of one option, as typed. */
-static bool sweep_read_list(struct sweep_values *values, struct text text, struct error *error)
+/* One value is stored, several make an axis. */
+static bool set_values(struct sweep *sweep, struct sweep_values *values, struct text text,
+                       void *member, struct error *error)
 {
     struct text rest = text;
     values->unit = option_unit(values->option);
     bool many = (values->option->flags & OPTION_MANY) != 0;
-    if (!values->option->kind->is_list && !many) {
-        return add_item(values, text, error);
-    }
-    values->shared = shared_unit(values->option, text);
+    const bool is_one = !values->option->kind->is_list && !many;
+    values->shared = is_one ? NULL : shared_unit(values->option, text);
     do {
-        struct text item = text_trim(text_cut(&rest, many ? OPTION_MANY_SEPARATOR : ','));
-        if (item.length == 0) {
+        struct text item =
+            is_one ? text : text_trim(text_cut(&rest, many ? OPTION_MANY_SEPARATOR : ','));
+        if (item.length == 0 && !is_one) {
             return fail(error, ERROR_USAGE, "--%s '%.*s' has an empty item", values->option->name,
                         text_shown(text), text.start);
         }
         if (!add_item(values, item, error)) {
             return false;
         }
-    } while (rest.start != NULL);
-    return true;
-}
-
-/* One value is stored, several make an axis. */
-static bool set_values(struct sweep *sweep, struct sweep_values *values, struct text text,
-                       void *member, struct error *error)
-{
-    if (!sweep_read_list(values, text, error)) {
-        return false;
-    }
+    } while (rest.start != NULL && !is_one);
     memcpy(member, values->data, values->option->kind->size);
     if (values->option->kind == &kind_focal &&
         !focal_check_alike((const void *)values->data, values->count, values->option, error)) {

@@ -65,27 +65,16 @@ bool axis_set_number(const struct sweep *sweep, const struct axis *axis, double 
                        member, &ignored);
 }
 
-/* Does one of its artifacts have a file for each value of the option? */
-static bool may_vary(const struct command *command, const char *option)
-{
-    for (size_t i = 0; i < command->artifact_count; i++) {
-        struct text rest =
-            text_of(command->artifacts[i].varies != NULL ? command->artifacts[i].varies : "");
-        while (rest.length > 0) {
-            if (text_equal(text_cut(&rest, ' '), option)) {
-                return true;
-            }
-        }
-    }
-    return false;
-}
-
 bool sweep_check_single(const struct sweep *sweep, const struct command *command,
                         struct error *error)
 {
     for (size_t i = 0; i < sweep->axis_count; i++) {
         const char *option = sweep->axes[i].option->name;
-        if (!may_vary(command, option)) {
+        bool may_vary = false; /* does an artifact have a file for each value? */
+        for (size_t k = 0; k < command->artifact_count && !may_vary; k++) {
+            may_vary = text_lists(command->artifacts[k].varies, text_of(option));
+        }
+        if (!may_vary) {
             return fail(error, ERROR_USAGE, "--%s has several values: %s takes one", option,
                         command->name);
         }
