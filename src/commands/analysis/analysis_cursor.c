@@ -119,17 +119,6 @@ static bool analysis_cursor_place(const struct analysis_question *question,
     return true;
 }
 
-static const char *analysis_cursor_warning(const struct analysis_question *question,
-                                           const struct setup *setup)
-{
-    const char *both = lens_warnings_join(
-        question->lens.warning, first_order_warning(setup->lens, setup->arena), setup->arena);
-    const char *width =
-        question->no_clip ? NULL : setup_width_warning(setup, question->fnumber, setup->arena);
-    both = lens_warnings_join(both, setup->warning, setup->arena);
-    return lens_warnings_join(both, width, setup->arena);
-}
-
 const char *analysis_spectrum_words(const struct setup *setup)
 {
     const char *words = NULL;
@@ -170,10 +159,15 @@ static bool analysis_cursor_open(const struct analysis_question *question,
         !analysis_cursor_place(question, policy, setup, error)) {
         return false;
     }
+    const char *both = lens_warnings_join(
+        question->lens.warning, first_order_warning(setup->lens, setup->arena), setup->arena);
+    const char *width =
+        question->no_clip ? NULL : setup_width_warning(setup, question->fnumber, setup->arena);
+    both = lens_warnings_join(both, setup->warning, setup->arena);
     *one = (struct analysis_case){.question = question,
                                   .setup = setup,
                                   .clip = !question->no_clip,
-                                  .warning = analysis_cursor_warning(question, setup),
+                                  .warning = lens_warnings_join(both, width, setup->arena),
                                   .spectrum = analysis_spectrum_words(setup)};
     return true;
 }
@@ -207,10 +201,19 @@ bool analysis_next_case(struct analysis_cursor *at, struct error *error)
 struct analysis_cursor analysis_begin(const void *input, const struct analysis_policy *policy,
                                       struct run *run)
 {
+    return analysis_begin_finding(input, policy, run, NULL, 0);
+}
+
+struct analysis_cursor analysis_begin_finding(const void *input,
+                                              const struct analysis_policy *policy, struct run *run,
+                                              analysis_find *find, size_t found_size)
+{
     return (struct analysis_cursor){.input = input,
                                     .question = input,
                                     .policy = policy,
                                     .run = run,
+                                    .find = find,
+                                    .found_size = found_size,
                                     .keeps_lost = analysis_makes_many(input, policy->fields)};
 }
 
@@ -282,10 +285,10 @@ bool analysis_next(struct analysis_cursor *at, struct error *error)
 
 /* -------- rows -------- */
 
-static struct analysis_point analysis_point_of_lens(const struct analysis_case *one)
+struct analysis_point analysis_point_of(const struct analysis_case *one, size_t field)
 {
     const struct setup *setup = one->setup;
-    return (struct analysis_point){
+    struct analysis_point point = (struct analysis_point){
         .position = setup->position,
         .spectrum = one->spectrum,
         .focus = setup->focus,
@@ -299,11 +302,6 @@ static struct analysis_point analysis_point_of_lens(const struct analysis_case *
         .image = setup->image,
         .defocus = one->question->defocus,
     };
-}
-
-struct analysis_point analysis_point_of(const struct analysis_case *one, size_t field)
-{
-    struct analysis_point point = analysis_point_of_lens(one);
     const struct field_point *at = &one->setup->fields[field].point;
     const bool angle = at->kind == FIELD_ANGLE || at->kind == FIELD_NONE;
     point.field = angle ? at->value[1] : (double)NAN;

@@ -1,6 +1,6 @@
 /* commands/analysis/cmd_distortion.c - lenscalc distortion: image heights against a projection. */
 /* SPDX-License-Identifier: MIT */
-#include "commands/analysis/distortion_asked.h"
+#include "commands/analysis/distortion_models.h"
 
 /* "auto", then those of photo/fov.h. */
 static const struct word *projection_word_at(size_t i)
@@ -30,8 +30,8 @@ static const struct word *fit_word_at(size_t i)
 }
 
 static const struct option options[] = {
-    ANALYSIS_OPTIONS(struct distortion_input, question, LENS_PRIMARY_WAVELENGTH, ""),
-    ANALYSIS_FIELD_OPTIONS(struct distortion_input, question),
+    ANALYSIS_OPTIONS(LENS_PRIMARY_WAVELENGTH, ""),
+    ANALYSIS_FIELD_OPTIONS,
     {OPTION(struct distortion_input, projection), .name = "projection",
      .word_at = projection_word_at, .fallback = "auto", .value = "KIND",
      .help = "the ideal image that distortion is measured against"},
@@ -68,9 +68,7 @@ struct distortion_row {
     COLUMN_OF_LENGTH(struct distortion_row, member_name, "mm"), .flags = (more)
 
 static const struct column columns[] = {
-    ANALYSIS_POINT_COLUMNS(struct distortion_row, point),
-    ANALYSIS_DEFOCUS_COLUMN(struct distortion_row, point),
-    ANALYSIS_WAVELENGTH_COLUMN(struct distortion_row, point),
+    ANALYSIS_ROW_COLUMNS,
     {COLUMN_OF_ANGLE(struct distortion_row, angle, "deg"), .name = "angle", .flags = COLUMN_SPARSE,
      .symbol = "t", .label = "angle from the axis",
      .help = "of the light before the lens; absent for a near object"},
@@ -102,24 +100,8 @@ static const struct column columns[] = {
      .flags = COLUMN_ASSUMED | COLUMN_EXTRA, .with = "calibrated",
      .name = "calibrated_magnification", .depends = "calibrated",
      .label = "calibrated magnification", .help = "the same for a near object"},
-    ANALYSIS_TAIL_COLUMNS(struct distortion_row, point),
+    ANALYSIS_TAIL_COLUMNS,
 };
-
-static void distortion_fill(const struct distortion_case *ready,
-                            const struct distortion_point *found, struct distortion_row *row)
-{
-    const bool far = ready->map.setup.object.is_infinite;
-    *(far ? &row->angle : &row->object) = found->field;
-    *(far ? &row->calibrated_focal : &row->calibrated_magnification) = ready->calibrated;
-    row->ideal = found->ideal;
-    row->image = found->height;
-    row->x = found->image[0] + 0.0;
-    row->y = found->image[1] + 0.0;
-    row->distortion = found->percent / 100;
-    row->focal = ready->focal;
-    row->magnification = ready->magnification;
-    row->projection = ready->projection;
-}
 
 static const struct sheet field_sheet = SHEET(columns, struct distortion_row);
 static const struct sheet *const sheets[] = {&field_sheet, &distortion_fit_sheet, NULL};
@@ -147,7 +129,17 @@ static bool distortion_run(const void *data, struct run *run, struct error *erro
         }
         analysis_begin_row(&at, &field_sheet, &row);
         if (is_there) {
-            distortion_fill(&ready, &found, &row);
+            const bool far = ready.map.setup.object.is_infinite;
+            *(far ? &row.angle : &row.object) = found.field;
+            *(far ? &row.calibrated_focal : &row.calibrated_magnification) = ready.calibrated;
+            row.ideal = found.ideal;
+            row.image = found.height;
+            row.x = found.image[0] + 0.0;
+            row.y = found.image[1] + 0.0;
+            row.distortion = found.percent / 100;
+            row.focal = ready.focal;
+            row.magnification = ready.magnification;
+            row.projection = ready.projection;
             analysis_warn(&at, &row.point,
                           found.is_lit ? NULL
                                        : "clear apertures stop the chief ray of some field: what "

@@ -31,9 +31,8 @@ static const struct word references[] = {
 };
 
 static const struct option options[] = {
-    ANALYSIS_OPTIONS(struct fan_input, question, "all of the lens, each by itself",
-                     ", or the fields of one question"),
-    ANALYSIS_FIELD_OPTIONS(struct fan_input, question),
+    ANALYSIS_OPTIONS("all of the lens, each by itself", ", or the fields of one question"),
+    ANALYSIS_FIELD_OPTIONS,
     ANALYSIS_SPECTRUM_OPTION(struct fan_input, question),
     {OPTION(struct fan_input, show), .name = "show", .words = shows, .fallback = "transverse",
      .value = "WHAT", .help = "what text and --plot show"},
@@ -42,9 +41,8 @@ static const struct option options[] = {
     {OPTION(struct fan_input, points), .name = "points", .lowest = 3, .highest = 100001,
      .fallback = "21", .value = "COUNT",
      .help = "rays in each section, an odd number: one lies in the middle"},
-    {OPTION(struct fan_input, question.aim), .name = "aim", .words = analysis_aims,
-     .fallback = "stop", .value = "WHERE", .help = "pupil that the ray points lie in"},
-    ANALYSIS_CLIP_OPTIONS(struct fan_input, question),
+    ANALYSIS_AIM_OPTION(NULL, "pupil that the ray points lie in"),
+    ANALYSIS_CLIP_OPTIONS,
 };
 
 struct fan_row {
@@ -72,8 +70,7 @@ static const struct column_form sines = {&dimension_angle, "mrad",
 
 /* With what people read of the transverse aberrations, and of the path differences. */
 #define FAN_COLUMNS(off, path)                                                                     \
-    ANALYSIS_POINT_COLUMNS(struct fan_row, point), ANALYSIS_DEFOCUS_COLUMN(struct fan_row, point), \
-        ANALYSIS_WAVELENGTH_COLUMN(struct fan_row, point),                                         \
+    ANALYSIS_ROW_COLUMNS,                                                                          \
         ENTRY(PLAIN(section, COLUMN_BRIEF), .name = "section",                                     \
               .help = "tangential: through the axis and the field point; or sagittal, across it"), \
         ENTRY(PLAIN(pupil_x, COLUMN_BRIEF), .name = "pupil_x", .label = "pupil x",                 \
@@ -106,8 +103,7 @@ static const struct column_form sines = {&dimension_angle, "mrad",
         ENTRY(PLAIN(reference, COLUMN_ASSUMED), .name = "reference",                               \
               .depends = "reference lens wavelength spectrum",                                     \
               .help = "reference point of the aberrations"),                                       \
-        ANALYSIS_SPECTRUM_COLUMN(struct fan_row, point),                                           \
-        ANALYSIS_TAIL_COLUMNS(struct fan_row, point)
+        ANALYSIS_SPECTRUM_COLUMN, ANALYSIS_TAIL_COLUMNS
 
 static const struct column transverse_columns[] = {FAN_COLUMNS(COLUMN_BRIEF, COLUMN_HIDDEN)};
 static const struct column opd_columns[] = {FAN_COLUMNS(COLUMN_HIDDEN, COLUMN_BRIEF)};
@@ -136,18 +132,12 @@ static bool fan_find(const struct analysis_cursor *at, const struct analysis_cas
     return fan_trace(&question, one->setup->arena, found, error);
 }
 
-static struct analysis_cursor fan_begin(const struct fan_input *input, struct run *run)
+/* The rows of a field; false: no more are wanted. */
+static bool fan_emit(const struct analysis_cursor *at, struct fan_row *row)
 {
-    struct analysis_cursor at = analysis_begin(input, &policy, run);
-    at.find = fan_find;
-    at.found_size = sizeof(struct fan);
-    return at;
-}
-
-/* What the rows of a field have in common. */
-static void fan_row_begin(const struct analysis_cursor *at, const struct fan *fan,
-                          struct fan_row *row)
-{
+    static const char *const names[FAN_SECTIONS] = {"tangential", "sagittal"};
+    const struct fan *fan = at->found;
+    struct fan_ray *rays = ARENA_ARRAY(at->run->arena, fan->points + FAN_ENDS, struct fan_ray);
     const struct fan_input *input = at->input;
     struct arena *arena = at->run->arena;
     if (input->reference == WAVE_CHIEF) {
@@ -163,15 +153,6 @@ static void fan_row_begin(const struct analysis_cursor *at, const struct fan *fa
         row->at_z = fan->reference[2];
     }
     row->radius = fan->no_opd != NULL ? (double)NAN : fan->radius;
-}
-
-/* The rows of a field; false: no more are wanted. */
-static bool fan_emit(const struct analysis_cursor *at, struct fan_row *row)
-{
-    static const char *const names[FAN_SECTIONS] = {"tangential", "sagittal"};
-    const struct fan *fan = at->found;
-    struct fan_ray *rays = ARENA_ARRAY(at->run->arena, fan->points + FAN_ENDS, struct fan_ray);
-    fan_row_begin(at, fan, row);
     for (size_t g = 0; g < at->one->setup->wavelength_count; g++) {
         row->point.wavelength = at->one->setup->wavelengths[g].wavelength;
         for (size_t s = 0; s < FAN_SECTIONS; s++) {
@@ -198,7 +179,8 @@ static bool fan_emit(const struct analysis_cursor *at, struct fan_row *row)
 static bool fan_run(const void *data, struct run *run, struct error *error)
 {
     const struct fan_input *input = data;
-    struct analysis_cursor at = fan_begin(input, run);
+    struct analysis_cursor at =
+        analysis_begin_finding(input, &policy, run, fan_find, sizeof(struct fan));
     if (input->points % 2 != 1) {
         return fail(error, ERROR_USAGE,
                     "{--points} %ld: an odd number, so that one ray lies in the middle",
@@ -375,17 +357,6 @@ static size_t fan_figure_key_of(const double *keys, size_t count, double wavelen
     return at;
 }
 
-/* The greatest value; false: there is none. */
-static bool find_most(const double *y, size_t count, double *most)
-{
-    bool any = false;
-    for (size_t i = 0; i < count; i++) {
-        any = any || isfinite(y[i]);
-        *most = isfinite(y[i]) ? fmax(*most, fabs(y[i])) : *most;
-    }
-    return any;
-}
-
 /* Panels two a row, with the greatest value in `most`. */
 static struct panel *make_panels(const struct fan_figure_painter *painter, const double *keys,
                                  size_t key_count, double *most)
@@ -406,7 +377,11 @@ static struct panel *make_panels(const struct fan_figure_painter *painter, const
                                       .y = curve->y[section],
                                       .count = curve->counts[section],
                                       .key = fan_figure_key_of(keys, key_count, curve->wavelength)};
-            any = find_most(curve->y[section], curve->counts[section], most) || any;
+            for (size_t j = 0; j < curve->counts[section]; j++) {
+                const double y = fabs(curve->y[section][j]);
+                any = any || isfinite(y);
+                *most = isfinite(y) ? fmax(*most, y) : *most;
+            }
         }
         panels[i] =
             (struct panel){.series = series, .count = count, .note = any ? NULL : "no ray arrives"};
@@ -470,7 +445,8 @@ static bool fan_figure(const struct artifact_job *job, struct output *sink, stru
     for (size_t i = 0; i < job->count; i++) {
         painter.input = *(const struct fan_input *)job->inputs[i];
         painter.input.points = points;
-        struct analysis_cursor at = fan_begin(&painter.input, job->run);
+        struct analysis_cursor at =
+            analysis_begin_finding(&painter.input, &policy, job->run, fan_find, sizeof(struct fan));
         at.keeps_lost = true;
         while (analysis_next(&at, error)) {
             fan_figure_add(&painter, &at);

@@ -12,8 +12,7 @@ struct illumination_input {
 };
 
 static const struct option options[] = {
-    ANALYSIS_OPTIONS(struct illumination_input, question, LENS_PRIMARY_WAVELENGTH,
-                     ", or the heights of one question"),
+    ANALYSIS_OPTIONS(LENS_PRIMARY_WAVELENGTH, ", or the heights of one question"),
     {ANALYSIS_LENGTH(struct illumination_input, question.height), .name = "height",
      .column = "height", .flags = OPTION_NO_INFINITY,
      .help = "a point in the image at this distance from the axis; a list is swept; default: from "
@@ -33,7 +32,7 @@ static const struct option options[] = {
      .dimension = &dimension_number, .lowest = 1e-13, .highest = 1, .fallback = "1e-4",
      .value = "NUMBER",
      .help = "rays are doubled until the relative error of the irradiance is below this"},
-    ANALYSIS_CLIP_OPTIONS(struct illumination_input, question),
+    ANALYSIS_CLIP_OPTIONS,
 };
 
 struct illumination_row {
@@ -56,8 +55,8 @@ static const struct column columns[] = {
      .flags = COLUMN_BRIEF | COLUMN_SPARSE,
      .help = "angle from the axis, before the lens, of the light whose chief ray comes there; "
              "absent where none does"},
-    ANALYSIS_WAVELENGTH_COLUMN(struct illumination_row, point),
-    ANALYSIS_DEFOCUS_COLUMN(struct illumination_row, point),
+    ANALYSIS_WAVELENGTH_COLUMN,
+    ANALYSIS_DEFOCUS_COLUMN,
     {LENGTH(stop_diameter, COLUMN_ECHO | COLUMN_BRIEF | COLUMN_EXTRA), .name = "stop_diameter",
      .with = "stop-diameter", .label = "stop", .help = "diameter of the stop"},
     {PLAIN(at.light.value, COLUMN_BRIEF), .name = "irradiance_per_radiance", .symbol = "E",
@@ -84,7 +83,7 @@ static const struct column columns[] = {
      .help = "what that may be off: a share that is less than its error is 0"},
     {PLAIN(at.cos4, 0), .name = "cos4", .label = "cos^4",
      .help = "fourth power of the cosine of the field angle, for comparison"},
-    ANALYSIS_TAIL_COLUMNS(struct illumination_row, point),
+    ANALYSIS_TAIL_COLUMNS,
 };
 
 /* -------- points of the image -------- */
@@ -175,23 +174,6 @@ static bool find_point(const struct analysis_case *one, size_t field,
     return true;
 }
 
-static void illumination_row_fill(const struct analysis_cursor *at, double share,
-                                  const struct relative_illumination_point *found,
-                                  struct illumination_row *row)
-{
-    row->at = *found;
-    const char *const warnings[] = {
-        found->light.is_met ? NULL : "the irradiance has not converged: see its error",
-        found->is_field_met ? NULL : "the light by field has not converged: see its error",
-        share < 1 ? "no chief ray of the largest field comes to the image: the points end where "
-                    "one does"
-                  : NULL,
-        lens_island_warning(&found->islands, at->run->arena)};
-    for (size_t i = 0; i < sizeof warnings / sizeof warnings[0]; i++) {
-        analysis_warn(at, &row->point, warnings[i]);
-    }
-}
-
 /* Points of the image: first .. last of those that part the way from the axis to the end. */
 struct illumination_points {
     const struct relative_illumination *falloff;
@@ -271,7 +253,20 @@ static bool illumination_run(const void *data, struct run *run, struct error *er
             analysis_begin_row(&at, &sheet, &row);
             row.stop_diameter = input.stop_diameter;
             if (is_there) {
-                illumination_row_fill(&at, share, &found[i], &row);
+                row.at = found[i];
+                const char *const warnings[] = {
+                    found[i].light.is_met ? NULL
+                                          : "the irradiance has not converged: see its error",
+                    found[i].is_field_met ? NULL
+                                          : "the light by field has not converged: see its error",
+                    share < 1 ? "no chief ray of the largest field comes to the image: the points "
+                                "end where "
+                                "one does"
+                              : NULL,
+                    lens_island_warning(&found[i].islands, at.run->arena)};
+                for (size_t k = 0; k < sizeof warnings / sizeof warnings[0]; k++) {
+                    analysis_warn(&at, &row.point, warnings[k]);
+                }
             }
             if (!run_emit(run, &row)) {
                 return true;

@@ -384,17 +384,6 @@ static const char *quoted(const char *word, struct arena *arena)
     return arena_printf(arena, "%s'", line);
 }
 
-static const char *command_line(const struct report_section *part, char *const *words, size_t count,
-                                struct arena *arena)
-{
-    const char *line = arena_printf(arena, "lenscalc %s", part->command);
-    for (size_t i = 0; i < count; i++) {
-        const char *said = strcmp(words[i], from_pipe) == 0 ? "-" : words[i];
-        line = arena_printf(arena, "%s %s", line, quoted(said, arena));
-    }
-    return line;
-}
-
 static char *report_word(const char *text, struct arena *arena)
 {
     return arena_string(arena, text, strlen(text));
@@ -430,9 +419,13 @@ static void report_add_part(struct report_writer *writer, const struct report_se
         /* it stays in memory, but this is how it would be called */
         words[count++] = report_word(arena_printf(arena, "%s.svg", part->command), arena);
     }
-    *page = (struct page_part){.title = part->title,
-                               .command = command_line(part, words, count, arena),
-                               .is_drawing = part->is_drawing};
+    const char *line = arena_printf(arena, "lenscalc %s", part->command);
+    for (size_t i = 0; i < count; i++) {
+        const char *said = strcmp(words[i], from_pipe) == 0 ? "-" : words[i];
+        line = arena_printf(arena, "%s %s", line, quoted(said, arena));
+    }
+    *page =
+        (struct page_part){.title = part->title, .command = line, .is_drawing = part->is_drawing};
     if (writer->input->threads != 1 && (part->takes & TAKES_THREADS) != 0) {
         words[count++] = report_word("--threads", arena); /* which change nothing that is shown */
         words[count++] = number_word((double)writer->input->threads, arena);

@@ -51,10 +51,10 @@ static const struct option options[] = {
     LENS_OPTION(struct seidel_input, question),
     LENS_WAVELENGTH_OPTION(struct seidel_input, question, LENS_PRIMARY_WAVELENGTH),
     LENS_FNUMBER_OPTION(struct seidel_input, question),
-    ANALYSIS_EDGE_OPTIONS(struct seidel_input, question, NULL),
+    ANALYSIS_EDGE_OPTIONS(NULL),
     LENS_POSITION_OPTION(struct seidel_input, question),
     LENS_SECTION_OPTION(struct seidel_input, question),
-    ANALYSIS_OBJECT_OPTION(struct seidel_input, question),
+    ANALYSIS_OBJECT_OPTION,
     {OPTION(struct seidel_input, form), .name = "form", .words = forms, .fallback = "welford",
      .value = "FORM", .help = "how the aberrations are expressed"},
     {OPTION(struct seidel_input, chromatic), .name = "chromatic", .words = pairs,
@@ -314,19 +314,6 @@ static void seidel_in_form(const struct seidel_case *one, const struct seidel_pa
 
 /* -------- rows -------- */
 
-/* Row i of a case, of its surfaces or behind them the sum. */
-static void seidel_row_fill(const struct seidel_case *one, size_t i, int form, struct arena *arena,
-                            struct seidel_row *row)
-{
-    const bool is_sum = i == one->light.system.count;
-    const struct seidel_part *part = is_sum ? &one->seidel.total : &one->seidel.parts[i];
-    row->surface = is_sum ? "sum" : arena_printf(arena, "%zu", i + 1);
-    row->is_angular = form == FORM_TRANSVERSE && seidel_is_angular(one);
-    seidel_in_form(one, part, form, row->values);
-    row->values[SEIDEL_TERMS] = 3 * row->values[SEIDEL_COMA];
-    memcpy(row->asphere, part->asphere, sizeof row->asphere);
-}
-
 static bool seidel_run(const void *data, struct run *run, struct error *error)
 {
     const struct seidel_input *input = data;
@@ -352,7 +339,14 @@ static bool seidel_run(const void *data, struct run *run, struct error *error)
             .lagrange = one.seidel.lagrange,
         };
         for (size_t i = 0; i <= one.light.system.count; i++) {
-            seidel_row_fill(&one, i, input->form, run->arena, &row);
+            /* Row i of a case, of its surfaces or behind them the sum. */
+            const bool is_sum = i == one.light.system.count;
+            const struct seidel_part *part = is_sum ? &one.seidel.total : &one.seidel.parts[i];
+            row.surface = is_sum ? "sum" : arena_printf(run->arena, "%zu", i + 1);
+            row.is_angular = input->form == FORM_TRANSVERSE && seidel_is_angular(&one);
+            seidel_in_form(&one, part, input->form, row.values);
+            row.values[SEIDEL_TERMS] = 3 * row.values[SEIDEL_COMA];
+            memcpy(row.asphere, part->asphere, sizeof row.asphere);
             if (!run_emit(run, &row)) {
                 break;
             }
@@ -423,36 +417,6 @@ static const char *seidel_view_subtitle_of(const struct seidel_case *one, struct
                         THOUSAND * one->light.wavelength, colours);
 }
 
-static struct bars seidel_bars(const struct seidel_case *one, int form, struct arena *arena)
-{
-    const size_t count = one->light.system.count;
-    struct bar_group *groups = ARENA_ARRAY(arena, count + 1, struct bar_group);
-    double **values = ARENA_ARRAY(arena, count + 1, double *);
-    for (size_t i = 0; i <= count; i++) {
-        values[i] = ARENA_ARRAY(arena, SEIDEL_TERMS, double);
-        seidel_in_form(one, i < count ? &one->seidel.parts[i] : &one->seidel.total, form,
-                       values[i]);
-        groups[i] =
-            (struct bar_group){.label = i < count ? arena_printf(arena, "%zu", i + 1) : "sum",
-                               .values = values[i],
-                               .apart = i == count};
-    }
-    static const char *const what[] = {[FORM_WELFORD] = "Seidel sums",
-                                       [FORM_TRANSVERSE] = "Transverse third-order aberrations",
-                                       [FORM_WAVES] = "Third-order wavefront"};
-    const char *unit = choose_unit(one, form, values, count + 1);
-    return (struct bars){
-        .title = arena_printf(arena, "%s of %s", what[form], one->setup->lens->title),
-        .subtitle = seidel_view_subtitle_of(one, arena),
-        .x_label = "surface",
-        .y_label = arena_printf(arena, "contribution (%s)", unit),
-        .kinds = names[form],
-        .kind_count = SEIDEL_TERMS,
-        .groups = groups,
-        .group_count = count + 1,
-    };
-}
-
 static bool seidel_view_check(const struct artifact_job *job, struct error *error)
 {
     const struct seidel_input *input = job->inputs[0];
@@ -470,7 +434,32 @@ static bool seidel_view_draw(const struct artifact_job *job, struct output *sink
     if (!analysis_next(&at, error) || !seidel_sum_up(&at, &one, error)) {
         return false;
     }
-    const struct bars bars = seidel_bars(&one, input->form, svg.arena);
+    const size_t count = one.light.system.count;
+    struct bar_group *groups = ARENA_ARRAY(svg.arena, count + 1, struct bar_group);
+    double **values = ARENA_ARRAY(svg.arena, count + 1, double *);
+    for (size_t i = 0; i <= count; i++) {
+        values[i] = ARENA_ARRAY(svg.arena, SEIDEL_TERMS, double);
+        seidel_in_form(&one, i < count ? &one.seidel.parts[i] : &one.seidel.total, input->form,
+                       values[i]);
+        groups[i] =
+            (struct bar_group){.label = i < count ? arena_printf(svg.arena, "%zu", i + 1) : "sum",
+                               .values = values[i],
+                               .apart = i == count};
+    }
+    static const char *const what[] = {[FORM_WELFORD] = "Seidel sums",
+                                       [FORM_TRANSVERSE] = "Transverse third-order aberrations",
+                                       [FORM_WAVES] = "Third-order wavefront"};
+    const char *unit = choose_unit(&one, input->form, values, count + 1);
+    const struct bars bars = (struct bars){
+        .title = arena_printf(svg.arena, "%s of %s", what[input->form], one.setup->lens->title),
+        .subtitle = seidel_view_subtitle_of(&one, svg.arena),
+        .x_label = "surface",
+        .y_label = arena_printf(svg.arena, "contribution (%s)", unit),
+        .kinds = names[input->form],
+        .kind_count = SEIDEL_TERMS,
+        .groups = groups,
+        .group_count = count + 1,
+    };
     return bars_draw(&bars, &svg, error) && drawing_write(job, &svg, sink, error);
 }
 

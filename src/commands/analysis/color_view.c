@@ -32,24 +32,6 @@ void color_direction(const struct setup *setup, const struct field_point *field,
     along[1] = length > 0 ? sign * y / length : (double)(setup_axis(setup) == 1);
 }
 
-/* The shortest and the longest: of those asked for at once, else of the lens. */
-static void color_case_find_ends(const struct analysis_case *one, struct color_summary *summary)
-{
-    const struct setup *setup = one->setup;
-    const struct lens *lens = setup->lens;
-    const bool asked = setup->wavelength_count > 1;
-    const size_t count = asked ? setup->wavelength_count : lens->wavelength_count;
-    double shortest = INFINITY, longest = 0;
-    for (size_t i = 0; i < count; i++) {
-        const double at =
-            asked ? setup->wavelengths[i].wavelength : lens->wavelengths[i].wavelength;
-        shortest = fmin(shortest, at);
-        longest = fmax(longest, at);
-    }
-    summary->shortest = shortest < longest ? shortest : (double)NAN;
-    summary->longest = shortest < longest ? longest : (double)NAN;
-}
-
 static const char *color_case_words_of(const struct color_summary *summary, bool afocal,
                                        struct arena *arena)
 {
@@ -72,7 +54,19 @@ bool color_summarize(const struct analysis_case *one, struct color_summary *summ
     const double primary = lens_primary_wavelength(setup->lens);
     struct chromatic_focus foci[3];
     *summary = (struct color_summary){.axial = {NAN, NAN}, .vergence = NAN};
-    color_case_find_ends(one, summary);
+    /* the ends are those of the wavelengths asked for at once, else of the lens */
+    const struct lens *lens = setup->lens;
+    const bool asked = setup->wavelength_count > 1;
+    const size_t count = asked ? setup->wavelength_count : lens->wavelength_count;
+    double shortest = INFINITY, longest = 0;
+    for (size_t i = 0; i < count; i++) {
+        const double at =
+            asked ? setup->wavelengths[i].wavelength : lens->wavelengths[i].wavelength;
+        shortest = fmin(shortest, at);
+        longest = fmax(longest, at);
+    }
+    summary->shortest = shortest < longest ? shortest : (double)NAN;
+    summary->longest = shortest < longest ? longest : (double)NAN;
     if (isnan(summary->shortest)) {
         return true;
     }
@@ -174,17 +168,6 @@ static const char *color_view_scale(const struct panel *panel, bool along_x, con
     return most < SMALL ? small : large;
 }
 
-static void color_view_multiply(const struct panel *panel, bool along_x, double factor)
-{
-    for (size_t s = 0; s < panel->count; s++) {
-        /* the painter's own numbers */
-        double *values = (double *)(along_x ? panel->series[s].x : panel->series[s].y);
-        for (size_t i = 0; i < panel->series[s].count; i++) {
-            values[i] *= factor;
-        }
-    }
-}
-
 /* A shift along the axis: mm, or 1/m of an afocal lens. */
 static double axial_of(const struct color_view_painter *painter,
                        const struct chromatic_focus *focus)
@@ -200,7 +183,13 @@ static const char *axial_label(const struct color_view_painter *painter, const s
     const char *unit = "1/m";
     if (!color_is_afocal(painter->one->setup)) {
         unit = color_view_scale(panel, along_x, "mm", "\xc2\xb5m");
-        color_view_multiply(panel, along_x, unit[0] == 'm' ? 1 : TO_UM);
+        for (size_t s = 0; s < panel->count; s++) {
+            /* the painter's own numbers */
+            double *values = (double *)(along_x ? panel->series[s].x : panel->series[s].y);
+            for (size_t i = 0; i < panel->series[s].count; i++) {
+                values[i] *= unit[0] == 'm' ? 1 : TO_UM;
+            }
+        }
     }
     return arena_printf(painter->arena, "%s (%s)", words, unit);
 }
@@ -266,13 +255,6 @@ static bool draw_zones(struct color_view_painter *painter, struct error *error)
     return true;
 }
 
-/* Of a field, so far from the axis as it is drawn: deg, or mm. */
-static double field_number(const struct field_point *field)
-{
-    const bool angle = field->kind == FIELD_ANGLE || field->kind == FIELD_NONE;
-    return field_extent(field->kind, field->value) * (angle ? DEGREES_PER_RADIAN : 1);
-}
-
 static bool draw_fields(struct color_view_painter *painter, struct error *error)
 {
     const struct setup *setup = painter->one->setup;
@@ -296,6 +278,8 @@ static bool draw_fields(struct color_view_painter *painter, struct error *error)
     color_direction(setup, edge, along);
     for (long i = 0; i <= FIELDS; i++) {
         const struct field_point at = color_field(edge, i, FIELDS);
+        const bool degrees = angle || at.kind == FIELD_NONE;
+        const double far = field_extent(at.kind, at.value) * (degrees ? DEGREES_PER_RADIAN : 1);
         struct chromatic_chief primary, chief;
         bool found = chromatic_chief(setup, &at, middle, &primary, error);
         for (size_t s = 0; s < painter->wave_count; s++) {
@@ -304,7 +288,7 @@ static bool draw_fields(struct color_view_painter *painter, struct error *error)
                 found ? chromatic_lateral(&primary, &chief, along)
                       : (struct chromatic_lateral){NAN, NAN};
             ((double *)series[s].x)[i] = angular ? TO_MRAD * lateral.angle : TO_UM * lateral.height;
-            ((double *)series[s].y)[i] = field_number(&at);
+            ((double *)series[s].y)[i] = far;
         }
         panel->note = found ? panel->note : "no chief ray where a curve ends";
     }

@@ -1,6 +1,6 @@
 /* commands/analysis/distortion_models.c - distortion --fit: coefficients, and files of them. */
 /* SPDX-License-Identifier: MIT */
-#include "commands/analysis/distortion_asked.h"
+#include "commands/analysis/distortion_models.h"
 
 #include "report/row.h"
 
@@ -66,20 +66,6 @@ static enum projection projection_of(const struct distortion_input *input,
     return input->fit == 1 + MODEL_FISHEYE || is_wide ? EQUIDISTANT : RECTILINEAR;
 }
 
-static struct calibrated_case case_of(const struct distortion_input *input,
-                                      const struct setup *setup, const struct field_point *edge)
-{
-    return (struct calibrated_case){
-        .lens = input->question.lens.serial,
-        .position = setup->position,
-        .projection = projection_of(input, setup),
-        .edge_kind = edge->kind,
-        .numbers = {edge->value[0], edge->value[1], setup->wavelengths[0].wavelength, setup->image,
-                    setup->object.is_infinite ? INFINITY : setup->object.distance.hi,
-                    setup->first.stop_radius, setup->section},
-    };
-}
-
 static bool distortion_asked_is_same(const struct calibrated_case *one,
                                      const struct calibrated_case *other)
 {
@@ -109,7 +95,15 @@ static bool find_calibrated(const struct distortion_input *input, const struct s
                             const struct field_point *edge, struct distortion_memo *memo,
                             struct distortion_case *ready, struct error *error)
 {
-    const struct calibrated_case one = case_of(input, setup, edge);
+    const struct calibrated_case one = (struct calibrated_case){
+        .lens = input->question.lens.serial,
+        .position = setup->position,
+        .projection = projection_of(input, setup),
+        .edge_kind = edge->kind,
+        .numbers = {edge->value[0], edge->value[1], setup->wavelengths[0].wavelength, setup->image,
+                    setup->object.is_infinite ? INFINITY : setup->object.distance.hi,
+                    setup->first.stop_radius, setup->section},
+    };
     double *kept = NULL;
     if (memo != NULL && recall(memo, &one, &kept)) {
         ready->calibrated = *kept;
@@ -184,8 +178,8 @@ static const char *const coefficient_names[] = {"k1", "k2", "k3", "k4", "k5", "k
 
 static const struct column columns[] = {
     LENS_POSITION_COLUMN(struct distortion_models_row, point.position, COLUMN_BRIEF),
-    ANALYSIS_DEFOCUS_COLUMN(struct distortion_models_row, point),
-    ANALYSIS_WAVELENGTH_COLUMN(struct distortion_models_row, point),
+    ANALYSIS_DEFOCUS_COLUMN,
+    ANALYSIS_WAVELENGTH_COLUMN,
     {COLUMN(struct distortion_models_row, model), .name = "model", .flags = COLUMN_BRIEF,
      .repeats = "fit", .help = "whose coefficients they are"},
     {COLUMN(struct distortion_models_row, direction), .name = "direction", .flags = COLUMN_BRIEF,
@@ -224,7 +218,7 @@ static const struct column columns[] = {
     {COLUMN(struct distortion_models_row, resolution), .name = "resolution",
      .flags = COLUMN_ASSUMED, .depends = "pitch sensor", .label = "pixels",
      .help = "of the picture"},
-    ANALYSIS_TAIL_COLUMNS(struct distortion_models_row, point),
+    ANALYSIS_TAIL_COLUMNS,
 };
 
 const struct sheet distortion_fit_sheet = SHEET(columns, struct distortion_models_row);

@@ -1,6 +1,6 @@
 /* commands/analysis/distortion_view.c - distortion drawn: curves over the field, and a grid. */
 /* SPDX-License-Identifier: MIT */
-#include "commands/analysis/distortion_asked.h"
+#include "commands/analysis/distortion_models.h"
 #include "draw/grid_image.h"
 #include "draw/panels.h"
 
@@ -94,23 +94,6 @@ static const char *ideals_words(const struct distortion_input *input,
                               ready->projection, which);
 }
 
-/* Fields whose chief ray is lost are gaps; false with the reason where that are all. */
-static bool trace_curve(const struct distortion_map *map, const double towards[2],
-                        const struct distortion_view_curve *curve, struct error *error)
-{
-    bool any = false;
-    for (size_t i = 0; i < POINTS; i++) {
-        const double share = i > 0 ? (double)i / (POINTS - 1) : 1e-4;
-        struct distortion_point point;
-        const double amount = share * curve->edge;
-        bool found = distortion_towards(map, towards, amount, &point, error);
-        curve->x[i] = found ? point.percent : (double)NAN;
-        curve->y[i] = map->setup.object.is_infinite ? amount * DEGREES_PER_RADIAN : amount;
-        any = any || found;
-    }
-    return any;
-}
-
 /* Of curves of the same place and light the longest one. */
 static struct distortion_view_curve *room_for(struct distortion_view_curves *curves, size_t panel,
                                               size_t key, double edge)
@@ -162,7 +145,18 @@ static bool distortion_view_add_curve(struct distortion_view_curves *curves,
     curves->is_far = far;
     curves->subtitle = curves->count == 1 ? ideal_words(&ready, curves->arena)
                                           : ideals_words(curves->input, &ready, curves->arena);
-    return trace_curve(&ready.map, towards, curve, error);
+    /* Fields whose chief ray is lost are gaps; false with the reason where that are all. */
+    bool any = false;
+    for (size_t i = 0; i < POINTS; i++) {
+        const double share = i > 0 ? (double)i / (POINTS - 1) : 1e-4;
+        struct distortion_point point;
+        const double amount = share * curve->edge;
+        bool found = distortion_towards(&ready.map, towards, amount, &point, error);
+        curve->x[i] = found ? point.percent : (double)NAN;
+        curve->y[i] = ready.map.setup.object.is_infinite ? amount * DEGREES_PER_RADIAN : amount;
+        any = any || found;
+    }
+    return any;
 }
 
 static bool distortion_view_draw_curves(const struct distortion_view_curves *curves,
@@ -222,23 +216,6 @@ bool distortion_plot(const struct artifact_job *job, struct output *sink, struct
 
 enum { LINES = 11, PIECES = 4, LINE_POINTS = (LINES - 1) * PIECES + 1 };
 
-/* Every point of the grid; lost ones are gaps. */
-static void trace_grid(const struct distortion_map *map, double half, double *x, double *y,
-                       struct error *error)
-{
-    for (size_t n = 0; n < 2 * (size_t)LINES * LINE_POINTS; n++) {
-        const size_t line = n / LINE_POINTS % LINES;
-        const double along = half * (2 * (double)(n % LINE_POINTS) / (LINE_POINTS - 1) - 1);
-        const double across = half * (2 * (double)line / (LINES - 1) - 1);
-        const bool is_upright = n < (size_t)LINES * LINE_POINTS;
-        const double ideal[2] = {is_upright ? across : along, is_upright ? along : across};
-        double image[2];
-        bool found = distortion_of_ideal(map, ideal, image, error);
-        x[n] = found ? image[0] : (double)NAN;
-        y[n] = found ? image[1] : (double)NAN;
-    }
-}
-
 static bool distortion_view_draw_grid(const struct distortion_input *input,
                                       const struct analysis_case *one, struct svg *svg,
                                       struct error *error)
@@ -272,7 +249,18 @@ static bool distortion_view_draw_grid(const struct distortion_input *input,
         .x = x,
         .y = y,
     };
-    trace_grid(&ready.map, grid.half, x, y, error);
+    /* Every point of the grid; lost ones are gaps. */
+    for (size_t i = 0; i < 2 * (size_t)LINES * LINE_POINTS; i++) {
+        const size_t line = i / LINE_POINTS % LINES;
+        const double along = grid.half * (2 * (double)(i % LINE_POINTS) / (LINE_POINTS - 1) - 1);
+        const double across = grid.half * (2 * (double)line / (LINES - 1) - 1);
+        const bool is_upright = i < (size_t)LINES * LINE_POINTS;
+        const double ideal[2] = {is_upright ? across : along, is_upright ? along : across};
+        double image[2];
+        bool found = distortion_of_ideal(&ready.map, ideal, image, error);
+        x[i] = found ? image[0] : (double)NAN;
+        y[i] = found ? image[1] : (double)NAN;
+    }
     return grid_image_draw(&grid, svg, error);
 }
 

@@ -1,7 +1,7 @@
-/* commands/analysis/distortion_asked.h - what is asked of a lens's distortion. */
+/* commands/analysis/distortion_models.h - what is asked of a lens's distortion. */
 /* SPDX-License-Identifier: MIT */
-#ifndef LENSCALC_COMMANDS_ANALYSIS_DISTORTION_ASKED_H
-#define LENSCALC_COMMANDS_ANALYSIS_DISTORTION_ASKED_H
+#ifndef LENSCALC_COMMANDS_ANALYSIS_DISTORTION_MODELS_H
+#define LENSCALC_COMMANDS_ANALYSIS_DISTORTION_MODELS_H
 
 #include "analysis/rays/distortion.h"
 #include "analysis/rays/distortion_fit.h"

@@ -1,7 +1,7 @@
-/* commands/analysis/mtf_input.h - what lenscalc mtf is asked, and its drawing. */
+/* commands/analysis/mtf_figure.h - what lenscalc mtf is asked, and its drawing. */
 /* SPDX-License-Identifier: MIT */
-#ifndef LENSCALC_COMMANDS_ANALYSIS_MTF_INPUT_H
-#define LENSCALC_COMMANDS_ANALYSIS_MTF_INPUT_H
+#ifndef LENSCALC_COMMANDS_ANALYSIS_MTF_FIGURE_H
+#define LENSCALC_COMMANDS_ANALYSIS_MTF_FIGURE_H
 
 #include "analysis/image/mtf.h"
 #include "commands/analysis/analysis_cursor.h"
