@@ -265,43 +265,6 @@ static size_t fan_figure_row_of(struct fan_figure_painter *painter, const char *
     return painter->row_count++;
 }
 
-/* The component along the section, um or mrad; or the path difference in waves. */
-static double fan_figure_value_of(const struct fan_figure_painter *painter, const struct fan *fan,
-                                  const struct fan_ray *ray, size_t section, double wavelength)
-{
-    const double *along = fan->along;
-    if (painter->input.show == FAN_OPD) {
-        return 1000 * ray->opd / wavelength;
-    }
-    double off = section == FAN_TANGENTIAL ? ray->off[0] * along[0] + ray->off[1] * along[1]
-                                           : ray->off[0] * along[1] - ray->off[1] * along[0];
-    return 1000 * off;
-}
-
-static void fan_figure_add_curve(struct fan_figure_painter *painter, const struct fan *fan,
-                                 size_t g, double wavelength, const char *label)
-{
-    struct arena *arena = painter->arena;
-    struct fan_figure_curve curve = {
-        label, wavelength, fan_figure_row_of(painter, label, wavelength), {0}, {0}, {0}};
-    const size_t room = fan->points + FAN_ENDS;
-    struct fan_ray *rays = ARENA_ARRAY(arena, room, struct fan_ray);
-    for (size_t s = 0; s < FAN_SECTIONS; s++) {
-        curve.x[s] = ARENA_ARRAY(arena, room, double);
-        curve.y[s] = ARENA_ARRAY(arena, room, double);
-        curve.counts[s] = fan_line(fan, g, (enum fan_section)s, rays);
-        for (size_t i = 0; i < curve.counts[s]; i++) {
-            const double *pupil = rays[i].pupil, *along = fan->along;
-            curve.x[s][i] = s == FAN_TANGENTIAL ? pupil[0] * along[0] + pupil[1] * along[1]
-                                                : pupil[0] * along[1] - pupil[1] * along[0];
-            curve.y[s][i] = fan_figure_value_of(painter, fan, &rays[i], s, wavelength);
-        }
-    }
-    painter->curves =
-        arena_grow(arena, painter->curves, painter->count, &painter->room, sizeof *painter->curves);
-    painter->curves[painter->count++] = curve;
-}
-
 /* The fans of a field; one without light has its row all the same. */
 static void fan_figure_add(struct fan_figure_painter *painter, const struct analysis_cursor *at)
 {
@@ -322,7 +285,36 @@ static void fan_figure_add(struct fan_figure_painter *painter, const struct anal
     painter->reference = differs ? "the chief ray of each wavelength" : reference;
     painter->is_angular = fan->is_angular;
     for (size_t g = 0; g < setup->wavelength_count; g++) {
-        fan_figure_add_curve(painter, fan, g, setup->wavelengths[g].wavelength, label);
+        struct arena *arena = painter->arena;
+        struct fan_figure_curve curve = {
+            label,
+            setup->wavelengths[g].wavelength,
+            fan_figure_row_of(painter, label, setup->wavelengths[g].wavelength),
+            {0},
+            {0},
+            {0}};
+        const size_t room = fan->points + FAN_ENDS;
+        struct fan_ray *rays = ARENA_ARRAY(arena, room, struct fan_ray);
+        for (size_t s = 0; s < FAN_SECTIONS; s++) {
+            curve.x[s] = ARENA_ARRAY(arena, room, double);
+            curve.y[s] = ARENA_ARRAY(arena, room, double);
+            curve.counts[s] = fan_line(fan, g, (enum fan_section)s, rays);
+            for (size_t i = 0; i < curve.counts[s]; i++) {
+                const double *pupil = rays[i].pupil, *along = fan->along;
+                curve.x[s][i] = s == FAN_TANGENTIAL ? pupil[0] * along[0] + pupil[1] * along[1]
+                                                    : pupil[0] * along[1] - pupil[1] * along[0];
+                const double *off = rays[i].off;
+                const double aside = s == FAN_TANGENTIAL ? off[0] * along[0] + off[1] * along[1]
+                                                         : off[0] * along[1] - off[1] * along[0];
+                /* waves; or the component along the section, um or mrad */
+                curve.y[s][i] = painter->input.show == FAN_OPD
+                                    ? 1000 * rays[i].opd / setup->wavelengths[g].wavelength
+                                    : 1000 * aside;
+            }
+        }
+        painter->curves = arena_grow(arena, painter->curves, painter->count, &painter->room,
+                                     sizeof *painter->curves);
+        painter->curves[painter->count++] = curve;
     }
 }
 
@@ -348,15 +340,6 @@ static size_t find_keys(const struct fan_figure_painter *painter, double *keys)
     return count;
 }
 
-static size_t fan_figure_key_of(const double *keys, size_t count, double wavelength)
-{
-    size_t at = 0;
-    while (at + 1 < count && keys[at] < wavelength) {
-        at++;
-    }
-    return at;
-}
-
 /* Panels two a row, with the greatest value in `most`. */
 static struct panel *make_panels(const struct fan_figure_painter *painter, const double *keys,
                                  size_t key_count, double *most)
@@ -372,11 +355,14 @@ static struct panel *make_panels(const struct fan_figure_painter *painter, const
             if (curve->row != i / FAN_SECTIONS) {
                 continue;
             }
-            series[count++] =
-                (struct panel_series){.x = curve->x[section],
-                                      .y = curve->y[section],
-                                      .count = curve->counts[section],
-                                      .key = fan_figure_key_of(keys, key_count, curve->wavelength)};
+            size_t key = 0;
+            while (key + 1 < key_count && keys[key] < curve->wavelength) {
+                key++;
+            }
+            series[count++] = (struct panel_series){.x = curve->x[section],
+                                                    .y = curve->y[section],
+                                                    .count = curve->counts[section],
+                                                    .key = key};
             for (size_t j = 0; j < curve->counts[section]; j++) {
                 const double y = fabs(curve->y[section][j]);
                 any = any || isfinite(y);

@@ -200,37 +200,6 @@ static bool psf_run(const void *data, struct run *run, struct error *error)
 
 /* -------- maps -------- */
 
-static bool psf_map_add(struct map_page *page, const struct analysis_cursor *at,
-                        struct error *error)
-{
-    struct arena *arena = page->job->run->arena;
-    const struct analysis_case *one = at->one;
-    const struct psf *psf = at->found;
-    const char *x_label = psf->is_angular ? "x (mrad)" : "x (\xc2\xb5m)";
-    if (page->rasters.count > 0 && strcmp(page->rasters.x_label, x_label) != 0) {
-        return fail(error, ERROR_USAGE,
-                    "a page has no room for images in \xc2\xb5m and others infinitely far away");
-    }
-    page->rasters.x_label = x_label;
-    page->rasters.y_label = psf->is_angular ? "y (mrad)" : "y (\xc2\xb5m)";
-    const struct raster_map map = {
-        .title = analysis_field_words(one, at->field, arena),
-        .note = isnan(psf->inside) ? arena_printf(arena, "peak %.3g", psf->peak)
-                                   : arena_printf(arena, "peak %.3g, %.3g %% of the light",
-                                                  psf->peak, 100 * psf->inside),
-        .size = psf->size,
-        .values = psf->values,
-        .half = 1000 * psf->pitch * (double)psf->size / 2};
-    const char *light = one->spectrum;
-    if (light == NULL) {
-        light = arena_printf(arena, "%.6g nm", 1000 * one->setup->wavelengths[0].wavelength);
-    }
-    const char *subtitle = psf->is_angular
-                               ? ARENA_JOIN(arena, "angles of an afocal image; ", light)
-                               : ARENA_JOIN(arena, "focus ", one->setup->focus, "; ", light);
-    return map_page_add(page, one, &map, subtitle, error);
-}
-
 /* The maps of all inputs of a job. */
 static bool psf_maps(const struct artifact_job *job, struct output *sink, struct error *error)
 {
@@ -246,7 +215,37 @@ static bool psf_maps(const struct artifact_job *job, struct output *sink, struct
                                                            psf_field_find, sizeof(struct psf));
         at.keeps_lost = true;
         while (psf_next(&at, error)) {
-            if (at.lost == NULL && !psf_map_add(&page, &at, error)) {
+            if (at.lost != NULL) {
+                continue;
+            }
+            struct arena *arena = page.job->run->arena;
+            const struct analysis_case *one = at.one;
+            const struct psf *psf = at.found;
+            const char *x_label = psf->is_angular ? "x (mrad)" : "x (\xc2\xb5m)";
+            if (page.rasters.count > 0 && strcmp(page.rasters.x_label, x_label) != 0) {
+                return fail(
+                    error, ERROR_USAGE,
+                    "a page has no room for images in \xc2\xb5m and others infinitely far away");
+            }
+            page.rasters.x_label = x_label;
+            page.rasters.y_label = psf->is_angular ? "y (mrad)" : "y (\xc2\xb5m)";
+            const struct raster_map map = {
+                .title = analysis_field_words(one, at.field, arena),
+                .note = isnan(psf->inside) ? arena_printf(arena, "peak %.3g", psf->peak)
+                                           : arena_printf(arena, "peak %.3g, %.3g %% of the light",
+                                                          psf->peak, 100 * psf->inside),
+                .size = psf->size,
+                .values = psf->values,
+                .half = 1000 * psf->pitch * (double)psf->size / 2};
+            const char *light = one->spectrum;
+            if (light == NULL) {
+                light =
+                    arena_printf(arena, "%.6g nm", 1000 * one->setup->wavelengths[0].wavelength);
+            }
+            const char *subtitle =
+                psf->is_angular ? ARENA_JOIN(arena, "angles of an afocal image; ", light)
+                                : ARENA_JOIN(arena, "focus ", one->setup->focus, "; ", light);
+            if (!map_page_add(&page, one, &map, subtitle, error)) {
                 return false;
             }
         }

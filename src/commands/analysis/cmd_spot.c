@@ -284,15 +284,6 @@ static void spot_diagram_add_points(struct spot_drawing *drawing, const struct a
     }
 }
 
-/* The Airy disc of the working f-number on the axis, at the primary wavelength. */
-static double airy_radius(const struct setup *setup, bool is_angular)
-{
-    const struct first_order *first = &setup->first;
-    double wavelength = setup->wavelengths[0].wavelength / 1000; /* mm */
-    return is_angular ? 1.21967 * wavelength / fabs(first->exit_diameter)
-                      : 1.21967 * wavelength * fabs(first->working_fnumber);
-}
-
 static bool spot_diagram_add(struct spot_drawing *drawing, struct analysis_cursor *at,
                              struct error *error)
 {
@@ -317,7 +308,11 @@ static bool spot_diagram_add(struct spot_drawing *drawing, struct analysis_curso
     }
     drawing->is_angular = spot.is_angular;
     drawing->is_footprint = question.to > 0;
-    drawing->airy = question.to > 0 ? (double)NAN : airy_radius(setup, spot.is_angular);
+    if (question.to == 0) { /* the Airy disc on the axis, at the primary wavelength */
+        const double disc = 1.21967 * (setup->wavelengths[0].wavelength / 1000);
+        drawing->airy = spot.is_angular ? disc / fabs(setup->first.exit_diameter)
+                                        : disc * fabs(setup->first.working_fnumber);
+    }
     drawn->rms = unit_from_own(spot_diagram_unit(drawing), spot.rms);
     drawn->panel.note =
         ARENA_JOIN(drawing->arena, "RMS ", analysis_number(drawn->rms, drawing->arena), " ",

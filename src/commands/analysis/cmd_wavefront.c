@@ -245,32 +245,6 @@ static bool wavefront_map_find(const struct analysis_cursor *at, const struct an
     return true;
 }
 
-static bool wavefront_map_add(struct map_page *page, const struct analysis_cursor *at,
-                              struct error *error)
-{
-    const struct wavefront_input *input = at->input;
-    struct arena *arena = page->job->run->arena;
-    const size_t size = (size_t)input->size;
-    const double *values = *(const double *const *)at->found;
-    double low = INFINITY, high = -INFINITY;
-    for (size_t i = 0; i < size * size; i++) {
-        low = fmin(low, values[i]);
-        high = fmax(high, values[i]);
-    }
-    const char *note = high >= low ? ARENA_JOIN(arena, "peak to valley ",
-                                                analysis_number(high - low, arena), " waves")
-                                   : "no ray arrives";
-    const struct raster_map map = {.title = analysis_field_words(at->one, at->field, arena),
-                                   .note = note,
-                                   .size = size,
-                                   .values = values,
-                                   .half = 1};
-    const char *reference = wave_reference_words(at->one, (enum wave_about)input->reference, arena);
-    const char *words = analysis_case_words(at->one, true, arena);
-    return map_page_add(page, at->one, &map, ARENA_JOIN(arena, "against ", reference, "; ", words),
-                        error);
-}
-
 /* The maps of all inputs of a job. */
 static bool wavefront_maps(const struct artifact_job *job, struct output *sink, struct error *error)
 {
@@ -288,7 +262,32 @@ static bool wavefront_maps(const struct artifact_job *job, struct output *sink, 
             job->inputs[i], &policy, job->run, wavefront_map_find, sizeof(const double *));
         at.keeps_lost = true;
         while (analysis_next(&at, error)) {
-            if (at.lost == NULL && !wavefront_map_add(&page, &at, error)) {
+            if (at.lost != NULL) {
+                continue;
+            }
+            const struct wavefront_input *input = at.input;
+            struct arena *arena = page.job->run->arena;
+            const size_t size = (size_t)input->size;
+            const double *values = *(const double *const *)at.found;
+            double low = INFINITY, high = -INFINITY;
+            for (size_t i = 0; i < size * size; i++) {
+                low = fmin(low, values[i]);
+                high = fmax(high, values[i]);
+            }
+            const char *note = high >= low
+                                   ? ARENA_JOIN(arena, "peak to valley ",
+                                                analysis_number(high - low, arena), " waves")
+                                   : "no ray arrives";
+            const struct raster_map map = {.title = analysis_field_words(at.one, at.field, arena),
+                                           .note = note,
+                                           .size = size,
+                                           .values = values,
+                                           .half = 1};
+            const char *reference =
+                wave_reference_words(at.one, (enum wave_about)input->reference, arena);
+            const char *words = analysis_case_words(at.one, true, arena);
+            if (!map_page_add(&page, at.one, &map,
+                              ARENA_JOIN(arena, "against ", reference, "; ", words), error)) {
                 return false;
             }
         }

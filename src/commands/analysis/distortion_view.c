@@ -159,35 +159,6 @@ static bool distortion_view_add_curve(struct distortion_view_curves *curves,
     return any;
 }
 
-static bool distortion_view_draw_curves(const struct distortion_view_curves *curves,
-                                        struct svg *svg, struct error *error)
-{
-    struct arena *arena = curves->arena;
-    struct panel *panels = ARENA_ARRAY(arena, curves->panel_count, struct panel);
-    for (size_t p = 0; p < curves->panel_count; p++) {
-        struct panel_series *series = ARENA_ARRAY(arena, curves->count, struct panel_series);
-        panels[p] = (struct panel){.title = curves->panels[p], .series = series};
-        for (size_t i = 0; i < curves->count; i++) {
-            const struct distortion_view_curve *curve = &curves->all[i];
-            if (curve->panel == p) {
-                series[panels[p].count++] = (struct panel_series){
-                    .x = curve->x, .y = curve->y, .count = POINTS, .key = curve->key};
-            }
-        }
-    }
-    const size_t count = curves->panel_count;
-    const struct panels page = {.title = "Distortion over the field",
-                                .subtitle = curves->subtitle,
-                                .x_label = "distortion (%)",
-                                .y_label = curves->is_far ? "field (deg)" : "object height (mm)",
-                                .keys = curves->keys,
-                                .key_count = curves->key_count,
-                                .columns = count < 4 ? count : 4,
-                                .panels = panels,
-                                .count = count};
-    return panels_draw(&page, svg, error);
-}
-
 bool distortion_plot(const struct artifact_job *job, struct output *sink, struct error *error)
 {
     struct svg svg = {.arena = job->run->arena};
@@ -208,8 +179,30 @@ bool distortion_plot(const struct artifact_job *job, struct output *sink, struct
     if (curves.count == 0) {
         return fail(error, ERROR_DOMAIN, "{--plot}: no field lies off the axis");
     }
-    return distortion_view_draw_curves(&curves, &svg, error) &&
-           drawing_write(job, &svg, sink, error);
+    struct arena *arena = curves.arena;
+    struct panel *panels = ARENA_ARRAY(arena, curves.panel_count, struct panel);
+    for (size_t p = 0; p < curves.panel_count; p++) {
+        struct panel_series *series = ARENA_ARRAY(arena, curves.count, struct panel_series);
+        panels[p] = (struct panel){.title = curves.panels[p], .series = series};
+        for (size_t i = 0; i < curves.count; i++) {
+            const struct distortion_view_curve *curve = &curves.all[i];
+            if (curve->panel == p) {
+                series[panels[p].count++] = (struct panel_series){
+                    .x = curve->x, .y = curve->y, .count = POINTS, .key = curve->key};
+            }
+        }
+    }
+    const size_t count = curves.panel_count;
+    const struct panels page = {.title = "Distortion over the field",
+                                .subtitle = curves.subtitle,
+                                .x_label = "distortion (%)",
+                                .y_label = curves.is_far ? "field (deg)" : "object height (mm)",
+                                .keys = curves.keys,
+                                .key_count = curves.key_count,
+                                .columns = count < 4 ? count : 4,
+                                .panels = panels,
+                                .count = count};
+    return panels_draw(&page, &svg, error) && drawing_write(job, &svg, sink, error);
 }
 
 /* -------- a grid -------- */
