@@ -98,19 +98,6 @@ static void csv_begin(struct report *report)
     }
 }
 
-/* All columns are numbers, as in most pipes: nothing but numbers and separators to write. */
-static void csv_write_numbers(struct report *report, const void *row, char separator)
-{
-    const struct shown *shown = report->shown, *behind = shown + report->shown_count;
-    char *to = output_reserve(report->output, report->shown_count * (NUMBER_LENGTH + 1));
-    for (; shown < behind; shown++) {
-        to = shown_write_number(to, row, shown, report->digits);
-        *to++ = separator;
-    }
-    to[-1] = '\n';
-    output_advance(report->output, to);
-}
-
 static void write_cells(struct report *report, const void *row, const struct passed_cell *passed,
                         const struct error *failure)
 {
@@ -146,7 +133,15 @@ static void row(struct report *report, const void *row, const struct passed_cell
                 const struct error *failure)
 {
     if (row != NULL && report->state != NULL) {
-        csv_write_numbers(report, row, report->format->separator);
+        /* all columns are numbers, as in most pipes: nothing else to write */
+        const struct shown *shown = report->shown, *behind = shown + report->shown_count;
+        char *to = output_reserve(report->output, report->shown_count * (NUMBER_LENGTH + 1));
+        for (; shown < behind; shown++) {
+            to = shown_write_number(to, row, shown, report->digits);
+            *to++ = report->format->separator;
+        }
+        to[-1] = '\n';
+        output_advance(report->output, to);
     } else {
         write_cells(report, row, passed, failure);
     }

@@ -99,28 +99,23 @@ static void write_markdown_row(const struct grid *grid, struct output *output, s
     output_character(output, '\n');
 }
 
-/* Names, and the line under them that sets the alignment. */
-static void write_markdown_head(const struct grid *grid, struct output *output)
-{
-    if (grid->title != NULL) {
-        output_string(output, "**");
-        output_string(output,
-                      grid_markdown_text(grid->arena, grid_printable(grid->arena, grid->title)));
-        output_string(output, "**\n\n");
-    }
-    write_markdown_row(grid, output, 0);
-    output_character(output, '|');
-    for (size_t j = 0; j < grid->columns; j++) {
-        output_string(output, grid->left[j] ? " :--- |" : " ---: |");
-    }
-    output_character(output, '\n');
-}
-
 void grid_write_markdown(const struct grid *grid, struct output *output, bool with_head)
 {
     grid_make_printable(grid);
     if (with_head) {
-        write_markdown_head(grid, output);
+        /* Names, and the line under them that sets the alignment. */
+        if (grid->title != NULL) {
+            output_string(output, "**");
+            output_string(
+                output, grid_markdown_text(grid->arena, grid_printable(grid->arena, grid->title)));
+            output_string(output, "**\n\n");
+        }
+        write_markdown_row(grid, output, 0);
+        output_character(output, '|');
+        for (size_t j = 0; j < grid->columns; j++) {
+            output_string(output, grid->left[j] ? " :--- |" : " ---: |");
+        }
+        output_character(output, '\n');
     }
     for (size_t i = grid->head_rows; i < grid->rows; i++) {
         write_markdown_row(grid, output, i);
@@ -163,18 +158,6 @@ void grid_html_paragraph(struct output *output, const char *text)
     output_string(output, "</p>\n");
 }
 
-static void write_html_row(const struct grid *grid, struct output *output, size_t row)
-{
-    const char *tag = row < grid->head_rows ? "th" : "td";
-    output_string(output, "<tr>");
-    for (size_t j = 0; j < grid->columns; j++) {
-        output_printf(output, "<%s%s>", tag, grid->left[j] ? " class=\"w\"" : "");
-        output_escaped(output, text_of(grid_cell(grid, row, j)));
-        output_printf(output, "</%s>", tag);
-    }
-    output_string(output, "</tr>\n");
-}
-
 void grid_write_html(const struct grid *grid, struct output *output, bool with_head)
 {
     grid_make_printable(grid);
@@ -194,7 +177,14 @@ void grid_write_html(const struct grid *grid, struct output *output, bool with_h
         if (i == grid->head_rows && has_head) {
             output_string(output, "</thead>\n<tbody>\n");
         }
-        write_html_row(grid, output, i);
+        const char *tag = i < grid->head_rows ? "th" : "td";
+        output_string(output, "<tr>");
+        for (size_t j = 0; j < grid->columns; j++) {
+            output_printf(output, "<%s%s>", tag, grid->left[j] ? " class=\"w\"" : "");
+            output_escaped(output, text_of(grid_cell(grid, i, j)));
+            output_printf(output, "</%s>", tag);
+        }
+        output_string(output, "</tr>\n");
     }
     output_string(output, has_head && grid->rows == grid->head_rows ? "</thead>\n<tbody>\n" : "");
 }

@@ -115,17 +115,6 @@ static void write_members(struct report *report, const void *row, const struct s
     }
 }
 
-static void write_passed(struct output *output, const struct passed_cell *cell)
-{
-    if (!cell->is_bare) {
-        json_write_string(output, cell->text.start, cell->text.length);
-    } else if (cell->text.length > 0) {
-        output_text(output, cell->text.start, cell->text.length);
-    } else {
-        output_string(output, "null");
-    }
-}
-
 /* What is handed through of the first keys, then the columns of the row and why it failed. */
 static void write_object(struct report *report, const void *row, const struct passed_cell *passed,
                          size_t passed_count, const struct error *failure)
@@ -143,7 +132,13 @@ static void write_object(struct report *report, const void *row, const struct pa
         comma = true;
         json_write_string(report->output, name.start, name.length);
         output_character(report->output, ':');
-        write_passed(report->output, &passed[i]);
+        if (!passed[i].is_bare) {
+            json_write_string(report->output, passed[i].text.start, passed[i].text.length);
+        } else if (passed[i].text.length > 0) {
+            output_text(report->output, passed[i].text.start, passed[i].text.length);
+        } else {
+            output_string(report->output, "null");
+        }
     }
     write_members(report, row, report->shown, report->shown_count, comma);
     if (failure != NULL) {
@@ -152,19 +147,6 @@ static void write_object(struct report *report, const void *row, const struct pa
         json_write_string(report->output, failure->message, strlen(failure->message));
     }
     output_character(report->output, '}');
-}
-
-/* The head waits for the first good row, which knows the assumptions. */
-static void json_write_head(struct report *report, const void *row)
-{
-    output_printf(report->output, "{\"command\":\"%s\",\"version\":\"%s\",\"assumptions\":{",
-                  report->command, LENSCALC_VERSION);
-    write_members(report, row, report->assumed, report->assumed_count, false);
-    if (report->nominal != NULL) {
-        output_string(report->output, report->assumed_count > 0 ? ",\"stops\":\"nominal\""
-                                                                : "\"stops\":\"nominal\"");
-    }
-    output_string(report->output, "},\"rows\":[");
 }
 
 /* Failed rows that came before the first good one. */
@@ -184,30 +166,19 @@ static void write_start(struct report *report, const void *row)
 {
     struct json_state *state = report->state;
     state->has_head = true;
-    json_write_head(report, row);
+    /* The head waits for the first good row, which knows the assumptions. */
+    output_printf(report->output, "{\"command\":\"%s\",\"version\":\"%s\",\"assumptions\":{",
+                  report->command, LENSCALC_VERSION);
+    write_members(report, row, report->assumed, report->assumed_count, false);
+    if (report->nominal != NULL) {
+        output_string(report->output, report->assumed_count > 0 ? ",\"stops\":\"nominal\""
+                                                                : "\"stops\":\"nominal\"");
+    }
+    output_string(report->output, "},\"rows\":[");
     for (struct pending_row *at = state->first; at != NULL; at = at->next) {
         output_string(report->output, at == state->first ? "\n" : ",\n");
         write_object(report, NULL, at->passed, at->passed_count, &at->failure);
     }
-}
-
-static void json_keep(struct report *report, const struct passed_cell *passed,
-                      const struct error *failure)
-{
-    struct json_state *state = report->state;
-    struct pending_row *pending = ARENA_NEW(report->arena, struct pending_row);
-    pending->failure = *failure;
-    pending->passed_count = report->passed_count;
-    pending->passed = ARENA_ARRAY(report->arena, report->passed_count, struct passed_cell);
-    for (size_t i = 0; i < report->passed_count; i++) {
-        const struct text text = passed[i].text;
-        pending->passed[i].text.start =
-            text.start != NULL ? arena_string(report->arena, text.start, text.length) : NULL;
-        pending->passed[i].text.length = text.length;
-        pending->passed[i].is_bare = passed[i].is_bare;
-    }
-    *state->last = pending;
-    state->last = &pending->next;
 }
 
 /* Enough failures in a row that no good one is to be waited for: memory must not grow. */
@@ -225,7 +196,19 @@ static void json_row(struct report *report, const void *row, const struct passed
 {
     struct json_state *state = report->state;
     if (!state->has_head && row == NULL && report->rows < MOST_PENDING) {
-        json_keep(report, passed, failure);
+        struct pending_row *pending = ARENA_NEW(report->arena, struct pending_row);
+        pending->failure = *failure;
+        pending->passed_count = report->passed_count;
+        pending->passed = ARENA_ARRAY(report->arena, report->passed_count, struct passed_cell);
+        for (size_t i = 0; i < report->passed_count; i++) {
+            const struct text text = passed[i].text;
+            pending->passed[i].text.start =
+                text.start != NULL ? arena_string(report->arena, text.start, text.length) : NULL;
+            pending->passed[i].text.length = text.length;
+            pending->passed[i].is_bare = passed[i].is_bare;
+        }
+        *state->last = pending;
+        state->last = &pending->next;
         return;
     }
     if (!state->has_head) {

@@ -26,24 +26,6 @@ static bool is_plain_or_new(const char *path)
 }
 
 /*
- * Give a new file the permissions that the one of this name has or would get, and its owner where
- * that may be given. What lets a program run as its owner was said of the old content.
- */
-static void resemble(int descriptor, const char *path)
-{
-    struct stat old = {0};
-    const mode_t mask = umask(0);
-    umask(mask);
-    const bool is_there = stat(path, &old) == 0;
-    /* a file system without owners or permissions is no reason to fail */
-    if (is_there && fchown(descriptor, old.st_uid, old.st_gid) != 0) {
-        /* a member of the group may give that alone */
-        (void)!fchown(descriptor, (uid_t)-1, old.st_gid);
-    }
-    (void)!fchmod(descriptor, is_there ? old.st_mode & 0777 : 0666 & ~mask);
-}
-
-/*
  * A file without a name in the folder of `path`: whatever ends the program, nothing of it is left.
  * -1 where the system knows no such files.
  */
@@ -62,20 +44,6 @@ static int open_nameless(const char *path, struct arena *arena)
 
 enum { ATTEMPTS = 100 }; /* to find a name that nobody has */
 
-/* Give the nameless file a name beside its path, so that it can be renamed to that. */
-static bool name_nameless(struct output *output)
-{
-    char link[64];
-    bool named = false;
-    snprintf(link, sizeof link, "/proc/self/fd/%d", output->descriptor);
-    errno = EEXIST;
-    for (unsigned i = 0; i < ATTEMPTS && !named && errno == EEXIST; i++) {
-        output->beside = place_beside(output->path, i, output->arena);
-        named = linkat(AT_FDCWD, link, AT_FDCWD, output->beside, AT_SYMLINK_FOLLOW) == 0;
-    }
-    return named;
-}
-
 /* A new file that becomes `path` at the end. What may not be written is not replaced either. */
 static int open_beside(struct output *output, const char *path)
 {
@@ -90,7 +58,18 @@ static int open_beside(struct output *output, const char *path)
         descriptor = open(output->beside, O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0600);
     }
     if (descriptor >= 0) {
-        resemble(descriptor, path);
+        /* The permissions that the file of this name has or would get, and its owner where that may
+           be given; what lets a program run as its owner was said of the old content. */
+        struct stat old = {0};
+        const mode_t mask = umask(0);
+        umask(mask);
+        const bool is_there = stat(path, &old) == 0;
+        /* a file system without owners or permissions is no reason to fail */
+        if (is_there && fchown(descriptor, old.st_uid, old.st_gid) != 0) {
+            /* a member of the group may give that alone */
+            (void)!fchown(descriptor, (uid_t)-1, old.st_gid);
+        }
+        (void)!fchmod(descriptor, is_there ? old.st_mode & 0777 : 0666 & ~mask);
     }
     return descriptor;
 }
@@ -141,21 +120,6 @@ void output_inside(struct output *output, struct arena *arena)
     output->arena = arena;
 }
 
-static void keep_inside(struct output *output, const char *start, size_t length)
-{
-    if (output->kept_room - output->kept_length < length) {
-        const size_t room = 2 * (output->kept_length + length);
-        char *more = arena_buffer(output->arena, room);
-        if (output->kept_length > 0) {
-            memcpy(more, output->kept, output->kept_length);
-        }
-        output->kept = more;
-        output->kept_room = room;
-    }
-    memcpy(output->kept + output->kept_length, start, length);
-    output->kept_length += length;
-}
-
 struct text output_kept(struct output *output)
 {
     output_flush(output);
@@ -166,7 +130,17 @@ static void write_all(struct output *output, const char *start, size_t length)
 {
     if (output->descriptor == NOWHERE) {
         if (length > 0) {
-            keep_inside(output, start, length);
+            if (output->kept_room - output->kept_length < length) {
+                const size_t room = 2 * (output->kept_length + length);
+                char *more = arena_buffer(output->arena, room);
+                if (output->kept_length > 0) {
+                    memcpy(more, output->kept, output->kept_length);
+                }
+                output->kept = more;
+                output->kept_room = room;
+            }
+            memcpy(output->kept + output->kept_length, start, length);
+            output->kept_length += length;
         }
         return;
     }
@@ -353,14 +327,6 @@ void output_printf(struct output *output, const char *format, ...)
     }
 }
 
-/* What is renamed is on the disk: after a power failure there is the old file or the new one. */
-static void output_store(struct output *output)
-{
-    if (fsync(output->descriptor) != 0 && errno != EINVAL && errno != ENOSYS) {
-        output->failure = errno; /* neither: a file system that stores nothing by itself */
-    }
-}
-
 /* Put the whole file in its place; take one away that is not to be kept. */
 static void output_settle(struct output *output, bool keep)
 {
@@ -413,10 +379,22 @@ bool output_close(struct output *output, bool keep, struct error *error)
     }
     bool whole = output->is_renamed && keep && output->failure == 0;
     if (whole) {
-        output_store(output);
+        /* it is on the disk: after a power failure there is the old file or the new one */
+        if (fsync(output->descriptor) != 0 && errno != EINVAL && errno != ENOSYS) {
+            output->failure = errno; /* neither: a file system that stores nothing by itself */
+        }
     }
     if (whole && output->is_nameless && output->failure == 0) {
-        output->is_nameless = !name_nameless(output);
+        /* give it a name beside its path, so that it can be renamed to that */
+        char link[64];
+        bool named = false;
+        snprintf(link, sizeof link, "/proc/self/fd/%d", output->descriptor);
+        errno = EEXIST;
+        for (unsigned i = 0; i < ATTEMPTS && !named && errno == EEXIST; i++) {
+            output->beside = place_beside(output->path, i, output->arena);
+            named = linkat(AT_FDCWD, link, AT_FDCWD, output->beside, AT_SYMLINK_FOLLOW) == 0;
+        }
+        output->is_nameless = !named;
         output->failure = output->is_nameless ? errno : 0;
     }
     /* close reports what a network file system could not store */

@@ -74,15 +74,11 @@ static const struct unit *imperial_length(double typical)
     return length_unit(typical < 1e7 || isinf(typical) || isnan(typical) ? "ft" : "mi");
 }
 
-/* Is it a unit that the user named with the column? Then it is kept. */
-static bool is_asked_for(const struct shown *shown)
-{
-    return shown->column->unit != NULL && strcmp(shown->unit->name, shown->column->unit) != 0;
-}
-
 const struct unit *readable_unit(const struct shown *shown, enum unit_system system, double typical)
 {
-    if (shown->unit == NULL || is_asked_for(shown)) {
+    /* Is it a unit that the user named with the column? Then it is kept. */
+    if (shown->unit == NULL ||
+        (shown->column->unit != NULL && strcmp(shown->unit->name, shown->column->unit) != 0)) {
         return shown->unit;
     }
     if (shown->column->dimension == &dimension_time) {
@@ -131,12 +127,6 @@ int readable_inch_places(const struct shown *shown, const struct unit *unit, dou
         return 0;
     }
     return -1;
-}
-
-/* Significant digits, without exponent where people would not write one; no -0. */
-static void write_significant(char *to, double value, int digits, bool pad)
-{
-    *number_write_plain(to, value + 0.0, digits, pad) = '\0';
 }
 
 /* The digits that are certain: a relative error of condition x 2^-52 is always possible. */
@@ -211,8 +201,9 @@ static void readable_write_number(char *to, size_t room, const void *row, const 
     }
     double converted = unit != NULL ? unit_from_own(unit, value) : value;
     bool typed = (shown->column->flags & COLUMN_ECHO) != 0 && is_short(converted);
-    write_significant(to + used, converted,
-                      typed && certain < TYPED_DIGITS ? TYPED_DIGITS : certain, !typed);
+    /* Significant digits, without exponent where people would not write one; no -0. */
+    *number_write_plain(to + used, converted + 0.0,
+                        typed && certain < TYPED_DIGITS ? TYPED_DIGITS : certain, !typed) = '\0';
 }
 
 void readable_value(char *to, size_t room, const void *row, const struct shown *shown,

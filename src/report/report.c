@@ -20,20 +20,15 @@ static const struct unit *report_find_unit(const struct column *column, struct t
     return column->dimension != NULL ? unit_find(column->dimension, name) : NULL;
 }
 
-/* Most units are a whole number of own units: then one division converts, exactly rounded. */
-static void set_divisor(struct shown *shown)
-{
-    bool whole = shown->unit->factor == 1 && shown->unit->scale.power >= 0;
-    shown->divisor = whole ? unit_to_own(shown->unit, 1) : 0;
-}
-
 static struct shown report_show(const struct column *column, const struct unit *unit,
                                 struct arena *arena)
 {
     struct shown shown = {.column = column, .unit = unit, .name = column->name, .divisor = 1};
     if (unit != NULL) {
         shown.name = ARENA_JOIN(arena, column->name, "_", unit->name);
-        set_divisor(&shown);
+        /* most are a whole number of own units: then one division converts, exactly rounded */
+        bool whole = shown.unit->factor == 1 && shown.unit->scale.power >= 0;
+        shown.divisor = whole ? unit_to_own(shown.unit, 1) : 0;
     }
     return shown;
 }
@@ -67,15 +62,6 @@ static bool names_column(struct text name, const struct column *column, struct a
         return true;
     }
     return false;
-}
-
-/* The column is there, the unit behind its name is not. */
-static bool no_such_unit(const struct column *column, struct text name, struct error *error)
-{
-    size_t length = strlen(column->name) + 1;
-    return fail(error, ERROR_USAGE, "column '%s' is a %s: it cannot be printed in '%.*s'",
-                column->name, column->dimension->name, (int)(name.length - length),
-                name.start + length);
 }
 
 /* What people may call a column: its name in any spelling, before its label or symbol. */
@@ -201,7 +187,10 @@ bool report_find_column(const struct sheet *sheet, struct text name, struct aren
         return true;
     }
     if (other_unit != NULL) {
-        return no_such_unit(other_unit, name, error);
+        size_t length = strlen(other_unit->name) + 1;
+        return fail(error, ERROR_USAGE, "column '%s' is a %s: it cannot be printed in '%.*s'",
+                    other_unit->name, other_unit->dimension->name, (int)(name.length - length),
+                    name.start + length);
     }
     struct nearest nearest = {.typed = name};
     for (size_t i = 0; i < sheet->column_count; i++) {
@@ -365,18 +354,6 @@ static bool belongs(const struct column *column, const struct selection *selecti
            (!report_is_hidden(column, selection) && is_usual(column, selection));
 }
 
-/* Everything a row has, but for extras nobody asked for. */
-static void select_usual(struct report *report, const struct selection *selection)
-{
-    report->shown = ARENA_ARRAY(report->arena, report->sheet->column_count, struct shown);
-    for (size_t i = 0; i < report->sheet->column_count; i++) {
-        const struct column *column = &report->sheet->columns[i];
-        if (belongs(column, selection, depends_on_varied(column, selection))) {
-            report->shown[report->shown_count++] = show_usual(column, report->arena);
-        }
-    }
-}
-
 static void select_assumed(struct report *report, const struct selection *selection)
 {
     report->assumed = ARENA_ARRAY(report->arena, report->sheet->column_count, struct shown);
@@ -400,7 +377,14 @@ bool report_select(struct report *report, const struct selection *selection, str
         report->has_value = ARENA_ARRAY(report->arena, report->shown_count + 1, bool);
         return found;
     }
-    select_usual(report, selection);
+    /* Everything a row has, but for extras nobody asked for. */
+    report->shown = ARENA_ARRAY(report->arena, report->sheet->column_count, struct shown);
+    for (size_t i = 0; i < report->sheet->column_count; i++) {
+        const struct column *column = &report->sheet->columns[i];
+        if (belongs(column, selection, depends_on_varied(column, selection))) {
+            report->shown[report->shown_count++] = show_usual(column, report->arena);
+        }
+    }
     return true;
 }
 

@@ -50,18 +50,6 @@ bool row_is_absent(const void *row, const struct column *column)
     return false;
 }
 
-/* The other form of a column. */
-static struct column column_other(const struct column *column, struct arena *arena)
-{
-    struct column other = *column;
-    other.is_other = true;
-    other.dimension = column->other->dimension;
-    other.unit = column->other->unit;
-    other.flags |= COLUMN_SPARSE;
-    other.help = ARENA_JOIN(arena, column->help, "; ", column->other->help);
-    return other;
-}
-
 size_t sheet_forms(const struct sheet *sheet)
 {
     size_t forms = sheet->column_count;
@@ -89,7 +77,15 @@ size_t sheet_spread(const struct sheet *sheet, struct column *columns, struct ar
         }
         for (; first <= i; first++) {
             if (sheet->columns[first].other != NULL) {
-                columns[count++] = column_other(&sheet->columns[first], arena);
+                /* The other form of a column. */
+                struct column other = sheet->columns[first];
+                other.is_other = true;
+                other.dimension = sheet->columns[first].other->dimension;
+                other.unit = sheet->columns[first].other->unit;
+                other.flags |= COLUMN_SPARSE;
+                other.help = ARENA_JOIN(arena, sheet->columns[first].help, "; ",
+                                        sheet->columns[first].other->help);
+                columns[count++] = other;
             }
         }
     }

@@ -46,33 +46,28 @@ static int second_places(double seconds, int digits)
     return places > 0 ? places : 0;
 }
 
-/* "1 h 2 min 3 s" without the parts that are nothing. */
-static void write_clock(char *to, double seconds, int digits)
-{
-    int places = second_places(seconds, digits);
-    double step = pow(10, -places), whole = round(seconds / step) * step;
-    double minutes = floor(whole / 60 + 1e-9), rest = whole - 60 * minutes;
-    double hours = floor(minutes / 60);
-    size_t used = 0;
-    minutes -= 60 * hours;
-    if (hours > 0) {
-        used += (size_t)snprintf(to + used, SPOKEN_LENGTH - used, "%.0f h ", hours);
-    }
-    if (minutes > 0) {
-        used += (size_t)snprintf(to + used, SPOKEN_LENGTH - used, "%.0f min ", minutes);
-    }
-    if (rest >= step / 2) {
-        char number[NUMBER_LENGTH + 1];
-        write_plain(number, rest, places + 2);
-        used += (size_t)snprintf(to + used, SPOKEN_LENGTH - used, "%s s ", number);
-    }
-    to[used - 1] = '\0';
-}
-
 void spoken_span(char *to, double seconds, int digits)
 {
     if (seconds >= 59.9995 && seconds < 1e8) {
-        write_clock(to, seconds, digits);
+        /* "1 h 2 min 3 s" without the parts that are nothing. */
+        int places = second_places(seconds, digits);
+        double step = pow(10, -places), whole = round(seconds / step) * step;
+        double minutes = floor(whole / 60 + 1e-9), rest = whole - 60 * minutes;
+        double hours = floor(minutes / 60);
+        size_t used = 0;
+        minutes -= 60 * hours;
+        if (hours > 0) {
+            used += (size_t)snprintf(to + used, SPOKEN_LENGTH - used, "%.0f h ", hours);
+        }
+        if (minutes > 0) {
+            used += (size_t)snprintf(to + used, SPOKEN_LENGTH - used, "%.0f min ", minutes);
+        }
+        if (rest >= step / 2) {
+            char number[NUMBER_LENGTH + 1];
+            write_plain(number, rest, places + 2);
+            used += (size_t)snprintf(to + used, SPOKEN_LENGTH - used, "%s s ", number);
+        }
+        to[used - 1] = '\0';
     } else {
         write_plain(to, seconds, digits);
         strcat(to, " s");
