@@ -164,13 +164,6 @@ static void find_fronts(struct mtf_source *source, struct arena *arena)
     }
 }
 
-/* Is the image of a field the same in all directions? */
-static bool is_alike_about(const struct lens *lens, const struct field_point *field)
-{
-    return lens_is_round(lens) &&
-           (field->kind == FIELD_NONE || !(hypot(field->value[0], field->value[1]) > 0));
-}
-
 bool mtf_open(const struct mtf_question *question, struct arena *arena, struct mtf_source *source,
               struct error *error)
 {
@@ -178,9 +171,12 @@ bool mtf_open(const struct mtf_question *question, struct arena *arena, struct m
     if (!mtf_open_pupils(source, arena, error)) {
         return false;
     }
-    source->directions = is_alike_about(question->bundle.setup->lens, question->bundle.field)
-                             ? MTF_TANGENTIAL + 1
-                             : MTF_DIRECTIONS;
+    const struct field_point *field = question->bundle.field;
+    const bool on_axis =
+        field->kind == FIELD_NONE || !(hypot(field->value[0], field->value[1]) > 0);
+    /* the image of a field on the axis of a round lens is the same in all directions */
+    source->directions = lens_is_round(question->bundle.setup->lens) && on_axis ? MTF_TANGENTIAL + 1
+                                                                                : MTF_DIRECTIONS;
     wave_section(question->bundle.field, source->along[MTF_TANGENTIAL]);
     source->along[MTF_SAGITTAL][0] = source->along[MTF_TANGENTIAL][1];
     source->along[MTF_SAGITTAL][1] = 0.0 - source->along[MTF_TANGENTIAL][0];

@@ -30,13 +30,6 @@ static const double steep = 0.15, steepest = 0.4;
    those kinks are the worse the more it turns. */
 static const double a_turn = 2.2;
 
-/* How far series of n terms hold beyond their ends: T_n grows by exp(5) up to there. */
-static double mtf_curve_beyond(const struct exit_series *series)
-{
-    const double n = fmax((double)series->wave_count, (double)series->amplitude_count);
-    return 1 + 12.5 / (n * n);
-}
-
 /*
  * Turns that W1 - W2 makes: the most from place to place along lines, and of all of them across if
  * they were as steep as the steepest, to Gauss's points of the angle and to even ones.
@@ -169,7 +162,10 @@ static void mtf_curve_put_line(const struct mtf_curve_pupil_overlap *one,
     }
     for (size_t k = 0; k < line->spans.count; k++) {
         const double *edges = line->spans.edges + 2 * k, wide = edges[1] - edges[0];
-        const double end_x = mtf_curve_beyond(&line->series[k]);
+        /* How far series of n terms hold beyond their ends: T_n grows by exp(5) up to there. */
+        const double n =
+            fmax((double)line->series[k].wave_count, (double)line->series[k].amplitude_count);
+        const double end_x = 1 + 12.5 / (n * n);
         /* edges that were found between few nodes may cross: no cell lies before the first */
         const size_t from = (size_t)fmin(fmax((edges[0] - first) / one->step, 0), cells);
         const size_t end = (size_t)fmin(fmax(ceil((edges[1] - first) / one->step), 0), cells);
@@ -302,21 +298,6 @@ static bool plan(const struct exit_front *front, bool is_perfect, double step, s
            mtf_curve_set_grid(one, step / (pupil->waves * pupil->n), count);
 }
 
-static void mtf_curve_add_pupil(struct mtf_curve_pupil_overlap *one, size_t count,
-                                struct arena *arena, struct mtf_curve_sums *sums)
-{
-    const struct arena_mark mark = arena_mark(arena);
-    one->arena = arena;
-    /* empty cells behind a line, so that it does not meet its other end up to the last shift */
-    const size_t last = (count - 1) * one->lag;
-    one->fft =
-        fft_open(fft_length_from(one->cells + (last < one->cells ? last : one->cells)), arena);
-    one->power = ARENA_ARRAY(arena, one->fft.length, double);
-    add_pieces(one);
-    add_overlaps(one, count, exit_pupil_weight(one->front->pupil), sums);
-    arena_reset(arena, mark);
-}
-
 bool mtf_curve_find(const struct mtf_source *source, double step, size_t count, struct arena *arena,
                     struct mtf_curve *curve)
 {
@@ -337,7 +318,18 @@ bool mtf_curve_find(const struct mtf_source *source, double step, size_t count, 
         for (size_t i = 0; i < each; i++) {
             const struct wave_light *light = &source->pupils.lights.list[i / BOTH];
             if (light->weight > 0) {
-                mtf_curve_add_pupil(&plans[k * each + i], count, arena, &sums);
+                const struct arena_mark mark = arena_mark(arena);
+                struct mtf_curve_pupil_overlap *one = &plans[k * each + i];
+                one->arena = arena;
+                /* empty cells behind a line, so that it does not meet its other end up to the last
+                   shift */
+                const size_t last = (count - 1) * one->lag;
+                const size_t length = one->cells + (last < one->cells ? last : one->cells);
+                one->fft = fft_open(fft_length_from(length), arena);
+                one->power = ARENA_ARRAY(arena, one->fft.length, double);
+                add_pieces(one);
+                add_overlaps(one, count, exit_pupil_weight(one->front->pupil), &sums);
+                arena_reset(arena, mark);
             }
         }
         for (size_t g = 0; g < lights; g++) {

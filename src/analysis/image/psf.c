@@ -105,26 +105,7 @@ static double find_finest(const struct exit_pupils *pupils)
     return finest;
 }
 
-/* One that does, in an image that has room for the rays. */
-static double choose_pitch(double finest, const double *spreads, size_t count, size_t size)
-{
-    double spread = 0;
-    for (size_t g = 0; g < count; g++) {
-        spread = fmax(spread, spreads[g]);
-    }
-    const double room = 2 * roomy * spread / (double)size;
-    return fmin(fmax(fine * finest, room), 0.9 * finest);
-}
-
 /* -------- what the pixels say -------- */
-
-/* The top of a parabola through three values, from -1/2 to 1/2, and how high it is. */
-static double top_of(const double y[3], double *at)
-{
-    const double bend = y[0] - 2 * y[1] + y[2], slope = (y[2] - y[0]) / 2;
-    *at = bend < 0 ? fmax(-0.5, fmin(0.5, -slope / bend)) : 0;
-    return y[1] + *at * slope + *at * *at * bend / 2;
-}
 
 /* Pixels from the top to half its height, at most so many steps away; NaN: not within them. */
 static double half_way(const struct psf *psf, size_t top, size_t steps, size_t step)
@@ -154,7 +135,10 @@ static void find_peak(struct psf *psf)
         if (place > 0 && place + 1 < size) {
             const double y[3] = {psf->values[top - step], psf->values[top],
                                  psf->values[top + step]};
-            psf->peak += top_of(y, &off) - y[1];
+            /* The top of a parabola through three values, from -1/2 to 1/2, and how high it is. */
+            const double bend = y[0] - 2 * y[1] + y[2], slope = (y[2] - y[0]) / 2;
+            off = bend < 0 ? fmax(-0.5, fmin(0.5, -slope / bend)) : 0;
+            psf->peak += (y[1] + off * slope + off * off * bend / 2) - y[1];
             off = fabs(off) > noise ? off : 0;
         }
         psf->peak_at[k] = ((double)place + off - (double)(size / 2)) * psf->pitch;
@@ -277,39 +261,6 @@ static bool psf_rays_trace(const struct exit_pupil *pupil, struct arena *arena,
     return true;
 }
 
-/* Add them to the pixels they meet: a ray is as large as a pixel, four have shares of it. */
-static void psf_rays_add(const struct psf_rays *rays, const struct psf_plane *plane, double energy,
-                         double *values)
-{
-    const double size = (double)plane->size, middle = (double)(plane->size / 2);
-    const double density = energy / (plane->pitch * plane->pitch);
-    for (size_t i = 0; i < rays->count; i++) {
-        const double x = rays->at[i][0] / plane->pitch + middle;
-        const double y = rays->at[i][1] / plane->pitch + middle;
-        const double left = floor(x), low = floor(y);
-        for (int k = 0; k < 4; k++) {
-            const double column = left + k % 2, row = low + (double)(k / 2);
-            if (column >= 0 && column < size && row >= 0 && row < size) {
-                values[(size_t)row * plane->size + (size_t)column] +=
-                    rays->weights[i] * density * (1 - fabs(x - column)) * (1 - fabs(y - row));
-            }
-        }
-    }
-}
-
-/* The amplitude of W = 0 at the reference. */
-static bool psf_rays_perfect(const struct psf_plane *plane, double *perfect, struct error *error)
-{
-    struct psf_plane still = *plane; /* W = 0 at the reference: no phase turns */
-    struct psf_points points;
-    still.pitch = still.spread = 0;
-    if (!psf_points_put(&still, &points, error)) {
-        return false;
-    }
-    *perfect = points.total;
-    return true;
-}
-
 /* -------- the whole -------- */
 
 /* Sums over wavelengths. */
@@ -399,10 +350,28 @@ static bool psf_add_rays(const struct psf_question *question, const struct exit_
         if (psf_is_dark(pupils, g)) {
             continue;
         }
-        if (!psf_rays_perfect(&plane, &perfect, error)) {
+        struct psf_plane still = plane; /* W = 0 at the reference: no phase turns */
+        struct psf_points points;
+        still.pitch = still.spread = 0;
+        if (!psf_points_put(&still, &points, error)) {
             return false;
         }
-        psf_rays_add(&rays[g], &plane, weight * pupil->energy, sums->values);
+        perfect = points.total;
+        /* a ray is as large as a pixel, and four have shares of it */
+        const double size = (double)plane.size, middle = (double)(plane.size / 2);
+        const double density = (weight * pupil->energy) / (plane.pitch * plane.pitch);
+        for (size_t i = 0; i < rays[g].count; i++) {
+            const double x = rays[g].at[i][0] / plane.pitch + middle;
+            const double y = rays[g].at[i][1] / plane.pitch + middle;
+            const double left = floor(x), low = floor(y);
+            for (int k = 0; k < 4; k++) {
+                const double column = left + k % 2, row = low + (double)(k / 2);
+                if (column >= 0 && column < size && row >= 0 && row < size) {
+                    sums->values[(size_t)row * plane.size + (size_t)column] +=
+                        rays[g].weights[i] * density * (1 - fabs(x - column)) * (1 - fabs(y - row));
+                }
+            }
+        }
         sums->perfect += weight * waves * waves * perfect * perfect;
         sums->total += weight * pupil->energy;
     }
@@ -457,7 +426,13 @@ bool psf_find(const struct psf_question *question, struct arena *arena, struct p
                         .values = sums.values,
                         .islands = pupils->islands};
     if (isnan(psf->pitch)) {
-        psf->pitch = choose_pitch(psf->finest, spreads, pupils->lights.count, psf->size);
+        /* One that does, in an image that has room for the rays. */
+        double spread = 0;
+        for (size_t j = 0; j < pupils->lights.count; j++) {
+            spread = fmax(spread, spreads[j]);
+        }
+        const double room = 2 * roomy * spread / (double)psf->size;
+        psf->pitch = fmin(fmax(fine * psf->finest, room), 0.9 * psf->finest);
     }
     memset(sums.values, 0, count * sizeof *sums.values);
     choose_method(question, pupils, spreads, psf);

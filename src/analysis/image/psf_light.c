@@ -73,25 +73,6 @@ bool psf_by_plane(struct psf_plane *plane, struct error *error)
 
 /* -------- wavelets -------- */
 
-/* Monomials of the Lagrange polynomial of one of the nodes. */
-static void lagrange(const double *at, size_t node, double monomials[PSF_NODES])
-{
-    double over = 1, sums[PSF_NODES] = {1}; /* of the products of other nodes, by how many */
-    for (size_t k = 0, count = 0; k < PSF_NODES; k++) {
-        if (k != node) {
-            over *= at[node] - at[k];
-            count++;
-            for (size_t m = count; m > 0; m--) {
-                sums[m] += sums[m - 1] * at[k];
-            }
-        }
-    }
-    for (size_t m = 0; m < PSF_NODES; m++) {
-        const size_t others = PSF_NODES - 1 - m;
-        monomials[m] = (others % 2 == 0 ? 1 : -1) * sums[others] / over;
-    }
-}
-
 /* Cubics through Chebyshev's nodes. */
 static struct psf_steps steps_of(size_t rows)
 {
@@ -105,7 +86,21 @@ static struct psf_steps steps_of(size_t rows)
     }
     for (size_t k = 0; k < PSF_NODES; k++) {
         double monomials[PSF_NODES];
-        lagrange(steps.at, k, monomials);
+        /* Monomials of the Lagrange polynomial of one of the nodes. */
+        double over = 1, sums[PSF_NODES] = {1}; /* of the products of other nodes, by how many */
+        for (size_t i = 0, count = 0; i < PSF_NODES; i++) {
+            if (i != k) {
+                over *= steps.at[k] - steps.at[i];
+                count++;
+                for (size_t j = count; j > 0; j--) {
+                    sums[j] += sums[j - 1] * steps.at[i];
+                }
+            }
+        }
+        for (size_t j = 0; j < PSF_NODES; j++) {
+            const size_t others = PSF_NODES - 1 - j;
+            monomials[j] = (others % 2 == 0 ? 1 : -1) * sums[others] / over;
+        }
         for (size_t m = 0; m < PSF_NODES; m++) {
             for (size_t power = 0; power < PSF_NODES; power++) {
                 steps.differences[m][k] += powers[m][power] * monomials[power];

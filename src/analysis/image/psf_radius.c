@@ -37,15 +37,6 @@ struct psf_radius_rim {
     size_t count;
 };
 
-static double rim_light(const struct psf_radius_rim *rim, double radius)
-{
-    double sum = rim->inner;
-    for (size_t i = 0; i < rim->count; i++) {
-        sum += rim->values[i] * fmax(fmin(radius - rim->distances[i] + 0.5, 1), 0);
-    }
-    return sum;
-}
-
 /* The ring, a step wide, that the light sought ends in. */
 static size_t field_ring(const struct field *field, struct arena *arena)
 {
@@ -87,7 +78,11 @@ static double field_radius(const struct field *field, struct arena *arena)
     }
     for (int i = 0; i < HALVINGS; i++) {
         const double middle = (low + high) / 2;
-        const bool is_less = rim_light(&rim, middle) < field->light;
+        double sum = rim.inner;
+        for (size_t j = 0; j < rim.count; j++) {
+            sum += rim.values[j] * fmax(fmin(middle - rim.distances[j] + 0.5, 1), 0);
+        }
+        const bool is_less = sum < field->light;
         low = is_less ? middle : low;
         high = is_less ? high : middle;
     }

@@ -28,26 +28,6 @@ static struct paraxial_ray *layout_follow(const struct layout *layout, double y,
     return rays;
 }
 
-/* The image plane, where it lies behind the lens and not too far; else it is only noted. */
-static void layout_find_image(struct layout *layout)
-{
-    double distance = layout->setup->image;
-    double reach = 8 * (layout->right - layout->left + 2 * layout->size);
-    layout->image = NAN;
-    if (distance * layout->light_direction >= 0 && fabs(distance) <= reach) {
-        layout->image = layout_rear(layout) + distance;
-    } else if (isfinite(distance)) {
-        layout_note(layout,
-                    arena_printf(layout->arena, "the image is not shown: it lies %.5g mm %s",
-                                 fabs(distance),
-                                 distance * layout->light_direction > 0
-                                     ? "behind the last vertex"
-                                     : "before the last vertex (virtual)"));
-    } else {
-        layout_note(layout, "the image is at infinity");
-    }
-}
-
 /* As high as the rays that arrive there, across the axis behind the last surface. */
 static void layout_add_image(struct layout *layout)
 {
@@ -93,25 +73,25 @@ static void add_folded_axis(struct layout *layout)
     y[count + 1] = y[count] + t * sin(angle);
 }
 
-/* Through everything that is drawn, and a little farther. */
-static void add_axis(struct layout *layout)
-{
-    double left = layout->left, right = layout->right;
-    for (size_t i = 0; i < layout->part_count; i++) {
-        const struct layout_part *part = &layout->parts[i];
-        for (size_t k = 0; k < part->count; k++) {
-            left = fmin(left, part->z[k]);
-            right = fmax(right, part->z[k]);
-        }
-    }
-    double more = 0.02 * (right - left) + 0.05 * layout->size;
-    layout_line(layout, LAYOUT_AXIS, (struct layout_ends){left - more, 0, right + more, 0}, NULL);
-}
-
 static bool add_bundles(struct layout *layout, const struct layout_request *request,
                         struct error *error)
 {
-    layout_find_image(layout);
+    /* The image plane, where it lies behind the lens and not too far; else it is only noted. */
+    double distance = layout->setup->image;
+    double reach = 8 * (layout->right - layout->left + 2 * layout->size);
+    layout->image = NAN;
+    if (distance * layout->light_direction >= 0 && fabs(distance) <= reach) {
+        layout->image = layout_rear(layout) + distance;
+    } else if (isfinite(distance)) {
+        layout_note(layout,
+                    arena_printf(layout->arena, "the image is not shown: it lies %.5g mm %s",
+                                 fabs(distance),
+                                 distance * layout->light_direction > 0
+                                     ? "behind the last vertex"
+                                     : "before the last vertex (virtual)"));
+    } else {
+        layout_note(layout, "the image is at infinity");
+    }
     if (!request->no_rays && !layout_rays(layout, error)) {
         return false;
     }
@@ -145,7 +125,18 @@ bool layout_make(const struct setup *setup, const struct layout_request *request
         return false;
     }
     if (layout->is_centred) {
-        add_axis(layout);
+        /* Through everything that is drawn, and a little farther. */
+        double left = layout->left, right = layout->right;
+        for (size_t i = 0; i < layout->part_count; i++) {
+            const struct layout_part *part = &layout->parts[i];
+            for (size_t k = 0; k < part->count; k++) {
+                left = fmin(left, part->z[k]);
+                right = fmax(right, part->z[k]);
+            }
+        }
+        double more = 0.02 * (right - left) + 0.05 * layout->size;
+        layout_line(layout, LAYOUT_AXIS, (struct layout_ends){left - more, 0, right + more, 0},
+                    NULL);
     }
     return true;
 }

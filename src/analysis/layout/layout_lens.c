@@ -76,22 +76,6 @@ static double thickness(const struct layout *layout, size_t i, double r)
            layout->direction[i + 1];
 }
 
-static void layout_lens_find_places(struct layout *layout)
-{
-    const struct lens *lens = layout->setup->lens;
-    double z = 0, direction = 1;
-    for (size_t i = 0; i < lens->surface_count; i++) {
-        const struct surface *surface = &lens->surfaces[i];
-        layout->vertex[i] = z;
-        layout->direction[i] = direction;
-        z += surface_advance(surface).hi;
-        direction = surface_reflects(surface) ? -direction : direction;
-        layout->is_drawn[i] = surface_traits(surface)->is_drawn || is_glass(layout, i) ||
-                              (i > 0 && is_glass(layout, i - 1));
-    }
-    layout->light_direction = direction;
-}
-
 /* Shift, then turn, as far as both lie in the plane of the drawing; returns what does not. */
 static bool layout_lens_displace(const struct layout *layout, const struct displacement *by,
                                  struct layout_frame *frame)
@@ -223,20 +207,6 @@ static bool find_diameters(struct layout *layout, struct error *error)
                                  guessed, lens->surface_count));
     }
     return true;
-}
-
-/* A cemented surface reaches to the smaller of the two outer rims, where it can. */
-static void widen_cemented(struct layout *layout)
-{
-    for (size_t i = 1; i + 1 < layout->setup->lens->surface_count; i++) {
-        if (!has_element(layout, i) || !has_element(layout, i - 1)) {
-            continue;
-        }
-        double r = fmin(layout->semi[i - 1], layout->semi[i + 1]);
-        if (r > layout->semi[i] && thickness(layout, i, r) > 0 && thickness(layout, i - 1, r) > 0) {
-            layout->semi[i] = r;
-        }
-    }
 }
 
 static size_t layout_lens_find_glass(struct layout *layout, struct text written)
@@ -490,12 +460,31 @@ bool layout_lens(struct layout *layout, struct error *error)
     layout->axis = ARENA_ARRAY(layout->arena, count, struct layout_frame);
     layout->direction = ARENA_ARRAY(layout->arena, count, double);
     layout->is_drawn = ARENA_ARRAY(layout->arena, count, bool);
-    layout_lens_find_places(layout);
+    double z = 0, direction = 1;
+    for (size_t i = 0; i < lens->surface_count; i++) {
+        const struct surface *surface = &lens->surfaces[i];
+        layout->vertex[i] = z;
+        layout->direction[i] = direction;
+        z += surface_advance(surface).hi;
+        direction = surface_reflects(surface) ? -direction : direction;
+        layout->is_drawn[i] = surface_traits(surface)->is_drawn || is_glass(layout, i) ||
+                              (i > 0 && is_glass(layout, i - 1));
+    }
+    layout->light_direction = direction;
     find_frames(layout);
     if (!find_diameters(layout, error)) {
         return false;
     }
-    widen_cemented(layout);
+    /* A cemented surface reaches to the smaller of the two outer rims, where it can. */
+    for (size_t i = 1; i + 1 < layout->setup->lens->surface_count; i++) {
+        if (!has_element(layout, i) || !has_element(layout, i - 1)) {
+            continue;
+        }
+        double r = fmin(layout->semi[i - 1], layout->semi[i + 1]);
+        if (r > layout->semi[i] && thickness(layout, i, r) > 0 && thickness(layout, i - 1, r) > 0) {
+            layout->semi[i] = r;
+        }
+    }
     for (size_t i = 0; i < count; i++) {
         if (has_element(layout, i)) {
             add_element(layout, i);

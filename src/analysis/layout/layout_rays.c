@@ -39,20 +39,6 @@ static const struct lens *with_clear_apertures(const struct layout *layout)
     return copy;
 }
 
-static bool layout_rays_open_beams(struct layout *layout, struct layout_rays_beams *beams,
-                                   struct error *error)
-{
-    const struct setup *setup = layout->setup;
-    bool has_stop = setup->lens->stop != LENS_NONE && isfinite(setup->first.stop_radius);
-    *beams = (struct layout_rays_beams){
-        .layout = layout,
-        .open = setup_system(setup, layout->wavelength, SETUP_OPEN, error),
-        .has_stop = has_stop};
-    return beams->open != NULL &&
-           setup_compile(setup, with_clear_apertures(layout), layout->wavelength, SETUP_CLIPPED,
-                         &beams->clipped, error);
-}
-
 /* From the frame of a surface's axis to the drawing. */
 static void layout_rays_place(const struct layout *layout, size_t surface, double along,
                               double across, double *z, double *y)
@@ -66,22 +52,6 @@ static void layout_rays_place(const struct layout *layout, size_t surface, doubl
 static double lead(const struct layout *layout)
 {
     return 0.3 * (layout->right - layout->left) + 0.5 * layout->size;
-}
-
-/* Back from the first surface to the left of everything, or to the object. */
-static void begin_ray(const struct layout *layout, const double cosine[3], int section, double *z,
-                      double *y)
-{
-    const struct lens *lens = layout->setup->lens;
-    double back = lead(layout);
-    if (cosine[2] > 0.2) {
-        back += fmax(z[1] - layout->left, 0) / cosine[2];
-    }
-    if (!lens->object_is_infinite && cosine[2] > 0) {
-        back = fmin(back, fmax(z[1] + lens->object.value.hi, 0) / cosine[2]);
-    }
-    z[0] = z[1] - back * cosine[2];
-    y[0] = y[1] - back * cosine[section];
 }
 
 /* On to the image plane, or a little way. */
@@ -128,7 +98,17 @@ static void layout_rays_add_ray(const struct layout_rays_beams *beams, enum layo
             last = i;
         }
     }
-    begin_ray(layout, start->cosine, section, z, y);
+    /* Back from the first surface to the left of everything, or to the object. */
+    const struct lens *lens = layout->setup->lens;
+    double back = lead(layout);
+    if (start->cosine[2] > 0.2) {
+        back += fmax(z[1] - layout->left, 0) / start->cosine[2];
+    }
+    if (!lens->object_is_infinite && start->cosine[2] > 0) {
+        back = fmin(back, fmax(z[1] + lens->object.value.hi, 0) / start->cosine[2]);
+    }
+    z[0] = z[1] - back * start->cosine[2];
+    y[0] = y[1] - back * start->cosine[section];
     if (last != LENS_NONE) {
         end_ray(layout, &meetings[last].ray, last, section, &z[used], &y[used]);
         used++;
@@ -251,19 +231,6 @@ static double layout_rays_find_edge(struct layout_rays_beams *beams,
     return pow(0.97, lit);
 }
 
-static void note_share(const struct layout_rays_beams *beams, double share)
-{
-    struct layout *layout = beams->layout;
-    bool angle = beams->edge.kind == FIELD_ANGLE;
-    double field = beams->edge.value[setup_axis(layout->setup)];
-    layout_note(layout,
-                arena_printf(layout->arena,
-                             "the oblique bundle is drawn at %.3g%s, not %.3g%s: no ray from "
-                             "there passes the clear apertures",
-                             share * field * (angle ? DEGREES_PER_RADIAN : 1), angle ? "°" : " mm",
-                             field * (angle ? DEGREES_PER_RADIAN : 1), angle ? "°" : " mm"));
-}
-
 static bool has_mirror(const struct lens *lens)
 {
     for (size_t i = 0; i < lens->surface_count; i++) {
@@ -284,7 +251,15 @@ static void add_oblique(struct layout_rays_beams *beams)
         return;
     }
     if (share < 1) {
-        note_share(beams, share);
+        bool angle = beams->edge.kind == FIELD_ANGLE;
+        double field = beams->edge.value[setup_axis(layout->setup)];
+        layout_note(layout,
+                    arena_printf(layout->arena,
+                                 "the oblique bundle is drawn at %.3g%s, not %.3g%s: no ray from "
+                                 "there passes the clear apertures",
+                                 share * field * (angle ? DEGREES_PER_RADIAN : 1),
+                                 angle ? "°" : " mm", field * (angle ? DEGREES_PER_RADIAN : 1),
+                                 angle ? "°" : " mm"));
     } else if (cutting(beams, &bundle) != LENS_NONE) {
         layout_note(layout, "the oblique bundle is cut by the clear apertures of the elements");
     }
@@ -313,7 +288,14 @@ bool layout_rays(struct layout *layout, struct error *error)
         layout_note(layout, "no rays: the lens states no aperture (give -N)");
         return true;
     }
-    if (!layout_rays_open_beams(layout, &beams, error)) {
+    bool has_stop = setup->lens->stop != LENS_NONE && isfinite(setup->first.stop_radius);
+    beams = (struct layout_rays_beams){
+        .layout = layout,
+        .open = setup_system(setup, layout->wavelength, SETUP_OPEN, error),
+        .has_stop = has_stop};
+    if (!(beams.open != NULL &&
+          setup_compile(setup, with_clear_apertures(layout), layout->wavelength, SETUP_CLIPPED,
+                        &beams.clipped, error))) {
         return false;
     }
     add_axial(&beams);

@@ -34,22 +34,6 @@ static bool bundle_open_systems(struct bundle_source *source, struct error *erro
     return source->open != NULL;
 }
 
-/* Without a chief ray others may pass: those about where the paraxial pupil is seen. */
-static void open_without_chief(struct bundle_source *source)
-{
-    const struct bundle_question *question = source->question;
-    const struct clear_guess guess =
-        clear_guess_of(source->system, &source->beam, &question->setup->first);
-    source->pupil = (struct stop_beam){
-        .system = source->system,
-        .beam = &source->beam,
-        .origin = {guess.centre[0], guess.centre[1]},
-        .axes = {guess.radius, 0, 0, guess.radius},
-        .radius = fabs(source->open->stop_radius),
-        .weight = question->weight,
-    };
-}
-
 /* The ray through the centre of the stop. */
 static bool open_chief(struct bundle_source *source, struct arena *arena, struct error *error)
 {
@@ -71,7 +55,18 @@ static bool open_stop(struct bundle_source *source, struct arena *arena, struct 
     if (source->question->pattern != PATTERN_GAUSS || !(source->open->stop_radius > 0)) {
         return false;
     }
-    open_without_chief(source);
+    /* Without a chief ray others may pass: those about where the paraxial pupil is seen. */
+    const struct bundle_question *question = source->question;
+    const struct clear_guess guess =
+        clear_guess_of(source->system, &source->beam, &question->setup->first);
+    source->pupil = (struct stop_beam){
+        .system = source->system,
+        .beam = &source->beam,
+        .origin = {guess.centre[0], guess.centre[1]},
+        .axes = {guess.radius, 0, 0, guess.radius},
+        .radius = fabs(source->open->stop_radius),
+        .weight = question->weight,
+    };
     error->code = ERROR_NONE;
     return true;
 }
@@ -171,34 +166,28 @@ void bundle_aim(const struct bundle_source *source, const struct pupil_point *po
     }
 }
 
-/* Points of the whole pupil, whether rays arrive or not. */
-static bool fill_pattern(const struct bundle_source *source, size_t rays, struct arena *arena,
-                         struct bundle *bundle, struct error *error)
-{
-    const struct bundle_question *question = source->question;
-    struct sample sample;
-    if (!sample_make(question->pattern, rays, question->seed, arena, &sample, error)) {
-        return false;
-    }
-    for (size_t i = 0; i < sample.count && question->clip; i++) {
-        sample.points[i].x *= within;
-        sample.points[i].y *= within;
-    }
-    bundle->points = sample.points;
-    bundle->count = sample.count;
-    bundle->rays = rays_new(arena, sample.count);
-    bundle_aim(source, sample.points, sample.count, &bundle->rays);
-    if (question->weight == WEIGHT_BEAM) {
-        quadrature_weigh_beam(&source->pupil, &bundle->rays, sample.points, arena);
-    }
-    return true;
-}
-
 static bool bundle_fill(const struct bundle_source *source, size_t rays, struct arena *arena,
                         struct bundle *bundle, struct error *error)
 {
     if (source->question->pattern != PATTERN_GAUSS) {
-        return fill_pattern(source, rays, arena, bundle, error);
+        /* Points of the whole pupil, whether rays arrive or not. */
+        const struct bundle_question *question = source->question;
+        struct sample sample;
+        if (!sample_make(question->pattern, rays, question->seed, arena, &sample, error)) {
+            return false;
+        }
+        for (size_t i = 0; i < sample.count && question->clip; i++) {
+            sample.points[i].x *= within;
+            sample.points[i].y *= within;
+        }
+        bundle->points = sample.points;
+        bundle->count = sample.count;
+        bundle->rays = rays_new(arena, sample.count);
+        bundle_aim(source, sample.points, sample.count, &bundle->rays);
+        if (question->weight == WEIGHT_BEAM) {
+            quadrature_weigh_beam(&source->pupil, &bundle->rays, sample.points, arena);
+        }
+        return true;
     }
     const struct quadrature all = quadrature_fill(source->region, rays, arena);
     bundle->points = all.sample.points;

@@ -27,21 +27,6 @@ struct encircled_energy_arms encircled_energy_arms_open(const struct bundle *bun
     return all;
 }
 
-/* The last ray of a sheet has come. */
-static void close_sheet(struct encircled_energy_arms *arms, size_t last)
-{
-    const size_t count = arms->arms * arms->rings;
-    if (arms->arrived == count) {
-        struct encircled_energy_sheet *sheet =
-            ARENA_NEW(arms->arena, struct encircled_energy_sheet);
-        *sheet = (struct encircled_energy_sheet){arms->sheets, last + 1 - count, arms->arms,
-                                                 arms->rings,  arms->arcs,       arms->places,
-                                                 arms->shares};
-        arms->sheets = sheet;
-    }
-    arms->arrived = 0;
-}
-
 void encircled_energy_arms_add(struct encircled_energy_arms *arms, size_t ray,
                                struct encircled_energy_mark *marks, size_t mark)
 {
@@ -64,7 +49,17 @@ void encircled_energy_arms_add(struct encircled_energy_arms *arms, size_t ray,
     }
     *last = mark;
     if (ring == arms->rings - 1 && arm == arms->arms - 1) {
-        close_sheet(arms, mark);
+        /* The last ray of a sheet has come. */
+        const size_t count = arms->arms * arms->rings;
+        if (arms->arrived == count) {
+            struct encircled_energy_sheet *sheet =
+                ARENA_NEW(arms->arena, struct encircled_energy_sheet);
+            *sheet = (struct encircled_energy_sheet){arms->sheets, mark + 1 - count, arms->arms,
+                                                     arms->rings,  arms->arcs,       arms->places,
+                                                     arms->shares};
+            arms->sheets = sheet;
+        }
+        arms->arrived = 0;
     }
 }
 
@@ -327,11 +322,6 @@ static size_t looks_around(const struct encircled_energy_sheet *made)
     return looks_between(made->arms, LOOKS_AROUND, MOST_AROUND);
 }
 
-static size_t most_pieces(const struct encircled_energy_sheet *made)
-{
-    return (made->rings + 1) * looks_outwards(made) * made->arms * looks_around(made);
-}
-
 /* The pieces of a sheet; their number. */
 static size_t pieces_of_sheet(const struct encircled_energy_mark *marks,
                               const struct encircled_energy_sheet *made, struct arena *arena,
@@ -374,7 +364,7 @@ static size_t pieces_of_all(const struct encircled_energy_sample *sample, struct
     size_t room = 2 * sample->count, made = 0;
     for (const struct encircled_energy_sheet *each = sample->sheets; each != NULL;
          each = each->next) {
-        room += most_pieces(each);
+        room += (each->rings + 1) * looks_outwards(each) * each->arms * looks_around(each);
     }
     struct piece *pieces = ARENA_ARRAY(arena, room, struct piece);
     bool *is_done = ARENA_ARRAY(arena, sample->count, bool);
@@ -428,21 +418,6 @@ static double excess_within(double distance, const void *context)
     return sum - search->wanted;
 }
 
-/* Give up the pieces that no distance of a bracket cuts. */
-static void encircled_energy_narrow(struct encircled_energy_search *search, double low, double high)
-{
-    size_t kept = 0;
-    for (size_t i = 0; i < search->count; i++) {
-        const struct piece *piece = &search->pieces[i];
-        if (!(piece->high > low)) {
-            search->wanted -= piece->weight;
-        } else if (piece->low < high) {
-            search->pieces[kept++] = *piece;
-        }
-    }
-    search->count = kept;
-}
-
 /* The same where rays lie on arms. */
 static double of_arms(const struct encircled_energy_sample *sample, double share,
                       struct arena *arena)
@@ -462,7 +437,17 @@ static double of_arms(const struct encircled_energy_sample *sample, double share
         const bool is_beyond = excess_within(middle, &search) < 0;
         low = is_beyond ? middle : low;
         high = is_beyond ? high : middle;
-        encircled_energy_narrow(&search, low, high);
+        /* Give up the pieces that no distance of a bracket cuts. */
+        size_t kept = 0;
+        for (size_t j = 0; j < search.count; j++) {
+            const struct piece *piece = &search.pieces[j];
+            if (!(piece->high > low)) {
+                search.wanted -= piece->weight;
+            } else if (piece->low < high) {
+                search.pieces[kept++] = *piece;
+            }
+        }
+        search.count = kept;
     }
     /* a share that ends where light does may have no sign to change */
     return root_find(excess_within, &search, low, high, &found, &error) ? found : (low + high) / 2;

@@ -226,23 +226,6 @@ struct fold {
     struct jacobian_extremes folding;
 };
 
-/* Three rays at a time: one within the edge, and two beside it. */
-static void add_folds(struct fold *fold, const struct ray *rays, size_t count,
-                      double light_direction)
-{
-    for (size_t i = 0; i + 2 < count; i += 3) {
-        double points[3][2];
-        for (size_t k = 0; k < 3; k++) {
-            pupil_shape_cross(&rays[i + k], fold->extent->z, light_direction, points[k]);
-        }
-        caustic_add(&fold->folding, (const double(*)[2])points, 3);
-        for (int k = 0; k < 2; k++) {
-            fold->low[k] = fmin(fold->low[k], points[0][k]);
-            fold->high[k] = fmax(fold->high[k], points[0][k]);
-        }
-    }
-}
-
 /* Where a folded bundle covers a plane twice its edges enclose nothing that has a meaning. */
 static void end_fold(const struct fold *fold)
 {
@@ -284,7 +267,19 @@ static void look_for_folds(const struct pupil_question *question, const struct c
             pupil_shape_trace_places(question, at + done, here, question->open->places, arena);
         for (size_t i = 0; i < PLANES; i++) {
             if (folds[i].extent->outline != NULL) {
-                add_folds(&folds[i], rays, here, light_direction);
+                /* Three rays at a time: one within the edge, and two beside it. */
+                for (size_t m = 0; m + 2 < here; m += 3) {
+                    double points[3][2];
+                    for (size_t j = 0; j < 3; j++) {
+                        pupil_shape_cross(&rays[m + j], folds[i].extent->z, light_direction,
+                                          points[j]);
+                    }
+                    caustic_add(&folds[i].folding, (const double(*)[2])points, 3);
+                    for (int j = 0; j < 2; j++) {
+                        folds[i].low[j] = fmin(folds[i].low[j], points[0][j]);
+                        folds[i].high[j] = fmax(folds[i].high[j], points[0][j]);
+                    }
+                }
             }
         }
         arena_reset(arena, mark);
@@ -394,18 +389,6 @@ static void fill_stop(const struct pupil_question *question, const struct clear_
     }
 }
 
-/* What stops the chief ray, or the middle of the beam where there is no chief ray. */
-static void explain_loss(const struct pupil_question *question, const double at[2],
-                         struct arena *arena, struct pupil_shape *shape)
-{
-    struct rays work = rays_new(arena, 1);
-    struct ray ray = beam_ray(question->beam, at[0], at[1]);
-    rays_set(&work, 0, question->beam->n, &ray);
-    rays_trace(question->clipped, &work, NULL);
-    shape->status = ray_block_status(work.blocks, 0);
-    shape->surface = ray_block_surface(work.blocks, 0);
-}
-
 /* Areas by integrals over the beam: on its own side, on both where something is cut out. */
 static void fill_areas(const struct pupil_question *question, const struct clear_pupil *clear,
                        const double light_direction[2], struct arena *arena,
@@ -450,7 +433,13 @@ static bool pupil_shape_look(const struct pupil_question *question, struct arena
     struct clear_guess guess = clear_guess_of(question->clipped, beam, question->first);
     *shape = (struct pupil_shape){.count = question->directions};
     shape->has_chief = pupil_shape_find_chief(question, &guess, arena, chief);
-    explain_loss(question, chief, arena, shape);
+    /* What stops the chief ray, or the middle of the beam where there is no chief ray. */
+    struct rays work = rays_new(arena, 1);
+    struct ray ray = beam_ray(question->beam, chief[0], chief[1]);
+    rays_set(&work, 0, question->beam->n, &ray);
+    rays_trace(question->clipped, &work, NULL);
+    shape->status = ray_block_status(work.blocks, 0);
+    shape->surface = ray_block_surface(work.blocks, 0);
     guess.centre[0] = chief[0];
     guess.centre[1] = chief[1];
     clear_find(question->clipped, beam, &guess, question->directions, arena, &clear);

@@ -54,25 +54,6 @@ static double miss_of(const double point[2])
     return hypot(point[0], point[1]);
 }
 
-/* Newton's step towards the centre of the stop, the slopes by differences; false: rays are lost. */
-static bool angle_of_view_newton_step(const struct outlook *outlook, const struct from_film *ray,
-                                      double *miss, double step[2])
-{
-    double h = 1e-6 * outlook->question->film, points[3][2];
-    angle_of_view_start(outlook, 0, ray->film, ray->at);
-    angle_of_view_start(outlook, 1, ray->film, (double[2]){ray->at[0] + h, ray->at[1]});
-    angle_of_view_start(outlook, 2, ray->film, (double[2]){ray->at[0], ray->at[1] + h});
-    to_stop(outlook, 3, points);
-    const double *here = points[0];
-    *miss = miss_of(here);
-    double m[4] = {(points[1][0] - here[0]) / h, (points[2][0] - here[0]) / h,
-                   (points[1][1] - here[1]) / h, (points[2][1] - here[1]) / h};
-    double det = m[0] * m[3] - m[1] * m[2];
-    step[0] = (m[1] * here[1] - m[3] * here[0]) / det;
-    step[1] = (m[2] * here[0] - m[0] * here[1]) / det;
-    return isfinite(step[0]) && isfinite(step[1]);
-}
-
 /* The part of the step, halved again and again in the lanes of one block, that comes nearest. */
 static bool take_step(const struct outlook *outlook, struct from_film *ray, double miss,
                       const double step[2])
@@ -100,7 +81,20 @@ static bool angle_of_view_find_chief(const struct outlook *outlook, struct from_
 {
     double miss = INFINITY, step[2];
     for (int turn = 0; turn < 60; turn++) {
-        if (!angle_of_view_newton_step(outlook, ray, &miss, step)) {
+        /* Newton's step towards the centre of the stop, the slopes by differences */
+        double h = 1e-6 * outlook->question->film, points[3][2];
+        angle_of_view_start(outlook, 0, ray->film, ray->at);
+        angle_of_view_start(outlook, 1, ray->film, (double[2]){ray->at[0] + h, ray->at[1]});
+        angle_of_view_start(outlook, 2, ray->film, (double[2]){ray->at[0], ray->at[1] + h});
+        to_stop(outlook, 3, points);
+        const double *here = points[0];
+        miss = miss_of(here);
+        double m[4] = {(points[1][0] - here[0]) / h, (points[2][0] - here[0]) / h,
+                       (points[1][1] - here[1]) / h, (points[2][1] - here[1]) / h};
+        double det = m[0] * m[3] - m[1] * m[2];
+        step[0] = (m[1] * here[1] - m[3] * here[0]) / det;
+        step[1] = (m[2] * here[0] - m[0] * here[1]) / det;
+        if (!(isfinite(step[0]) && isfinite(step[1]))) {
             return false;
         }
         if (!take_step(outlook, ray, miss, step)) {

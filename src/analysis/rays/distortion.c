@@ -96,14 +96,6 @@ static bool distortion_follow(const struct distortion_map *map, const struct bea
 
 /* -------- against the projection -------- */
 
-/* The height of the projection over its scale. */
-static bool project(const struct distortion_map *map, double amount, double *height,
-                    struct error *error)
-{
-    *height = amount;
-    return !map->setup.object.is_infinite || fov_height(map->projection, amount, height, error);
-}
-
 /* Heights count along the direction of the field, turned so that it points up, or along +x. */
 static double along_field(const double towards[2], const double at[2])
 {
@@ -116,8 +108,9 @@ static bool distortion_compare(const struct distortion_map *map, const struct be
                                const struct distortion_place *place, struct distortion_point *point,
                                struct error *error)
 {
-    double ideal;
-    if (!project(map, place->amount, &ideal, error) ||
+    double ideal = place->amount; /* the height of the projection over its scale */
+    if ((map->setup.object.is_infinite &&
+         !fov_height(map->projection, place->amount, &ideal, error)) ||
         !distortion_follow(map, beam, point, error)) {
         return false;
     }
@@ -278,16 +271,6 @@ struct own_scale {
     double edge; /* the field goes from the axis to here */
 };
 
-static bool scale_at(const struct own_scale *own, double amount, double *scale, struct error *error)
-{
-    struct distortion_point point;
-    if (!distortion_towards(own->map, own->towards, amount, &point, error)) {
-        return false;
-    }
-    *scale = own->map->scale * (point.height / point.ideal);
-    return true;
-}
-
 /* The largest (sign 1) or smallest (-1) of the field: the best of 33, then closer about it. */
 static bool find_extreme(const struct own_scale *own, double sign, double *extreme,
                          struct error *error)
@@ -301,9 +284,11 @@ static bool find_extreme(const struct own_scale *own, double sign, double *extre
         double best = low;
         for (int i = 0; i <= PLACES; i++) {
             double amount = i < PLACES ? low + i * step : high, scale;
-            if (!scale_at(own, amount, &scale, error)) {
+            struct distortion_point point;
+            if (!distortion_towards(own->map, own->towards, amount, &point, error)) {
                 return false;
             }
+            scale = own->map->scale * (point.height / point.ideal);
             if (sign * scale > sign * *extreme) {
                 *extreme = scale;
                 best = amount;

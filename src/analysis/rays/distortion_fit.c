@@ -107,16 +107,6 @@ static bool distortion_fit_find_reach(const struct distortion_map *map, double *
                 "object into angles");
 }
 
-static void distortion_fit_weigh(struct distortion_profile *profile)
-{
-    const double *r = profile->real;
-    const size_t last = profile->count - 1;
-    for (size_t i = 0; i <= last; i++) {
-        const double before = i > 0 ? r[i - 1] : 0;
-        profile->weight[i] = (r[i < last ? i + 1 : last] - before) / 2;
-    }
-}
-
 /* Fields evenly spaced as far as `edge`. */
 static bool distortion_fit_sample(const struct distortion_fit_walk *walk, double edge,
                                   double distance, struct distortion_profile *profile,
@@ -138,7 +128,12 @@ static bool distortion_fit_sample(const struct distortion_fit_walk *walk, double
     }
     profile->count = FIELDS;
     profile->reached = profile->real[FIELDS - 1];
-    distortion_fit_weigh(profile);
+    const double *r = profile->real;
+    const size_t last = profile->count - 1;
+    for (size_t i = 0; i <= last; i++) {
+        const double before = i > 0 ? r[i - 1] : 0;
+        profile->weight[i] = (r[i < last ? i + 1 : last] - before) / 2;
+    }
     return true;
 }
 
@@ -291,20 +286,6 @@ static void distortion_fit_solve_linear(const struct distortion_fit_equations *e
     arena_reset(arena, mark);
 }
 
-/* Coefficients and slope by so much of a step more. */
-static struct distortion_fit_equations
-distortion_fit_moved(const struct distortion_fit_equations *equations, const double *step,
-                     double share)
-{
-    struct distortion_fit_equations next = *equations;
-    const size_t terms = equations->facts->terms;
-    for (size_t j = 0; j < terms; j++) {
-        next.c[j] += share * step[j];
-    }
-    next.slope += equations->is_free ? share * step[terms] : 0;
-    return next;
-}
-
 /* Solved as linear ones, with what stood below the line before. */
 static struct distortion_fit_equations solved(const struct distortion_fit_equations *equations,
                                               struct arena *arena)
@@ -326,7 +307,13 @@ static bool distortion_fit_improve(struct distortion_fit_equations *equations, s
     double step[MODEL_TERMS + 1];
     distortion_fit_solve_linear(equations, true, arena, step);
     for (double share = 1; share > 1e-4; share /= 2) {
-        const struct distortion_fit_equations next = distortion_fit_moved(equations, step, share);
+        /* Coefficients and slope by so much of a step more. */
+        struct distortion_fit_equations next = *equations;
+        const size_t terms = equations->facts->terms;
+        for (size_t j = 0; j < terms; j++) {
+            next.c[j] += share * step[j];
+        }
+        next.slope += equations->is_free ? share * step[terms] : 0;
         const double after = distortion_fit_left_over(&next);
         if (after < before) {
             *equations = next;
@@ -355,16 +342,6 @@ static void distortion_fit_solve(struct distortion_fit_equations *equations, str
     }
 }
 
-static const double *distortion_fit_scaled(const double *x, size_t count, double factor,
-                                           struct arena *arena)
-{
-    double *product = ARENA_ARRAY(arena, count, double);
-    for (size_t i = 0; i < count; i++) {
-        product[i] = factor * x[i];
-    }
-    return product;
-}
-
 /* What the polynomial leaves of the heights it makes. */
 static void distortion_fit_measure(const struct distortion_profile *profile,
                                    const struct distortion_fit *fit, enum distortion_way way,
@@ -385,15 +362,6 @@ static void distortion_fit_measure(const struct distortion_profile *profile,
     polynomial->rms = sqrt(sum / weight);
 }
 
-/* The length of r = 1, mm. */
-static double distortion_fit_unit_of(const struct distortion_fit *fit, const struct sensor *sensor)
-{
-    const double units[] = {[UNIT_MILLIMETRE] = 1,
-                            [UNIT_FOCAL] = fit->focal,
-                            [UNIT_HALF_SIDE] = fmin(sensor->width, sensor->height) / 2};
-    return units[distortion_models[fit->model].unit];
-}
-
 /* A free focal length is found by the first way, and is then that of the other. */
 static bool fit_way(const struct distortion_profile *profile, const struct sensor *sensor,
                     enum distortion_way way, struct arena *arena, struct distortion_fit *fit,
@@ -401,8 +369,11 @@ static bool fit_way(const struct distortion_profile *profile, const struct senso
 {
     const struct model_facts *facts = &distortion_models[fit->model];
     const bool is_free = isnan(fit->focal), distorts = way == WAY_DISTORT;
-    const double *ideal =
-        distortion_fit_scaled(profile->ideal, profile->count, is_free ? 1 : fit->focal, arena);
+    double *product = ARENA_ARRAY(arena, profile->count, double);
+    for (size_t i = 0; i < profile->count; i++) {
+        product[i] = (is_free ? 1 : fit->focal) * profile->ideal[i];
+    }
+    const double *ideal = product;
     struct distortion_fit_equations equations = {.profile = profile,
                                                  .facts = facts,
                                                  .in = distorts ? ideal : profile->real,
@@ -417,7 +388,11 @@ static bool fit_way(const struct distortion_profile *profile, const struct senso
     if (is_free) {
         fit->focal = distorts ? equations.slope : 1 / equations.slope;
     }
-    fit->unit = distortion_fit_unit_of(fit, sensor);
+    /* The length of r = 1, mm. */
+    const double units[] = {[UNIT_MILLIMETRE] = 1,
+                            [UNIT_FOCAL] = fit->focal,
+                            [UNIT_HALF_SIDE] = fmin(sensor->width, sensor->height) / 2};
+    fit->unit = units[distortion_models[fit->model].unit];
     for (size_t j = 0; j < facts->terms; j++) {
         /* what was found of a focal length of 1 becomes mm */
         const bool below = is_below(facts, j);

@@ -30,19 +30,6 @@ static bool field_curvature_find_chief(const struct setup *setup, const struct s
     return true;
 }
 
-/* What apertures say to the ray, which goes on all the same. */
-static void look_at_apertures(const struct setup *setup, const struct system *clipped,
-                              const struct beam *beam, const double at[2],
-                              struct field_curvature *curvature)
-{
-    const struct rays rays = rays_new(setup->arena, 1);
-    const struct ray start = beam_ray(beam, at[0], at[1]);
-    rays_set(&rays, 0, beam->n, &start);
-    rays_trace(clipped, &rays, NULL);
-    curvature->status = ray_block_status(rays.blocks, 0);
-    curvature->surface = ray_block_surface(rays.blocks, 0);
-}
-
 /* What is nothing but rounding in a lens of that size is 0. */
 static double field_curvature_rounded(double value, double size)
 {
@@ -101,7 +88,13 @@ static bool field_curvature_look(const struct setup *setup, size_t wavelength,
         return fail(error, ERROR_DOMAIN, "the chief ray is lost at surface %zu: %s", chief->surface,
                     ray_status_name(chief->status));
     }
-    look_at_apertures(&own, clipped, &beam, at, curvature);
+    /* What apertures say to the ray, which goes on all the same. */
+    const struct rays rays = rays_new(own.arena, 1);
+    const struct ray start = beam_ray(&beam, at[0], at[1]);
+    rays_set(&rays, 0, beam.n, &start);
+    rays_trace(clipped, &rays, NULL);
+    curvature->status = ray_block_status(rays.blocks, 0);
+    curvature->surface = ray_block_surface(rays.blocks, 0);
     field_curvature_measure(setup, &light, open->index_last, curvature);
     return true;
 }

@@ -39,26 +39,6 @@ struct bundle_part {
     double area; /* of the unit disc of u and v, mm^2 */
 };
 
-/* The part about a point. It points into itself. */
-static void open_part(const struct illumination_question *question, struct arena *arena,
-                      struct bundle_part *part)
-{
-    const struct clear_guess guess =
-        clear_guess_of(question->clipped, question->beam, question->first);
-    const double *inside = question->inside != NULL ? question->inside : guess.centre;
-    part->beam = (struct stop_beam){.system = question->clipped,
-                                    .beam = question->beam,
-                                    .origin = {inside[0], inside[1]},
-                                    .axes = {guess.radius, 0, 0, guess.radius},
-                                    .radius = question->clipped->stop_radius,
-                                    .weight = WEIGHT_BEAM};
-    part->area = PI * guess.radius * guess.radius;
-    part->region = quadrature_open(&part->beam, arena);
-    part->region.in_r = true;
-    part->region.in_beam = true;
-    part->region.in_half = true;
-}
-
 /* All points of a quadrature of so many rays; weights add up to the area, mm^2. */
 static void each_point(struct bundle_part *part, size_t rays, struct arena *arena,
                        visit_point *visit, void *context)
@@ -203,7 +183,21 @@ static struct illumination illumination_converge(const struct illumination_quest
                                                  struct arena *arena)
 {
     struct bundle_part *part = ARENA_NEW(arena, struct bundle_part);
-    open_part(question, arena, part);
+    /* The part about a point. It points into itself. */
+    const struct clear_guess guess =
+        clear_guess_of(question->clipped, question->beam, question->first);
+    const double *inside = question->inside != NULL ? question->inside : guess.centre;
+    part->beam = (struct stop_beam){.system = question->clipped,
+                                    .beam = question->beam,
+                                    .origin = {inside[0], inside[1]},
+                                    .axes = {guess.radius, 0, 0, guess.radius},
+                                    .radius = question->clipped->stop_radius,
+                                    .weight = WEIGHT_BEAM};
+    part->area = PI * guess.radius * guess.radius;
+    part->region = quadrature_open(&part->beam, arena);
+    part->region.in_r = true;
+    part->region.in_beam = true;
+    part->region.in_half = true;
     size_t rays = RAYS_FIRST;
     double values[4] = {NAN, NAN, sum(question, part, rays / 2, arena),
                         sum_once(question, sum, part, rays, arena)};
@@ -234,20 +228,6 @@ struct illumination illumination_of_field(const struct illumination_question *qu
     return illumination_converge(question, sum_field, doubted_field, arena);
 }
 
-/* The shapes of the stop that pass light, without what blocks. */
-static void keep_passes(struct surface *stop, struct arena *arena)
-{
-    struct aperture *kept = ARENA_ARRAY(arena, stop->aperture_count + 1, struct aperture);
-    size_t count = 0;
-    for (size_t i = 0; i < stop->aperture_count; i++) {
-        if (!stop->apertures[i].blocks) {
-            kept[count++] = stop->apertures[i];
-        }
-    }
-    stop->apertures = count > 0 ? kept : NULL;
-    stop->aperture_count = count;
-}
-
 const struct lens *illumination_stop_only(const struct lens *lens, struct arena *arena)
 {
     struct lens *bare = ARENA_NEW(arena, struct lens);
@@ -256,7 +236,17 @@ const struct lens *illumination_stop_only(const struct lens *lens, struct arena 
     for (size_t i = 0; i < lens->surface_count; i++) {
         surfaces[i] = lens->surfaces[i];
         if (i == lens->stop) {
-            keep_passes(&surfaces[i], arena);
+            /* The shapes of the stop that pass light, without what blocks. */
+            struct aperture *kept =
+                ARENA_ARRAY(arena, surfaces[i].aperture_count + 1, struct aperture);
+            size_t count = 0;
+            for (size_t j = 0; j < surfaces[i].aperture_count; j++) {
+                if (!surfaces[i].apertures[j].blocks) {
+                    kept[count++] = surfaces[i].apertures[j];
+                }
+            }
+            surfaces[i].apertures = count > 0 ? kept : NULL;
+            surfaces[i].aperture_count = count;
         } else {
             surfaces[i].has_diameter = false;
             surfaces[i].apertures = NULL;

@@ -126,18 +126,6 @@ static struct meridional follow_back(const struct check_problem *problem, double
     return paraxial_check_follow(problem, problem->backward, &ray, arena);
 }
 
-static void compare_back(const struct check_problem *problem, enum check_quantity quantity,
-                         struct arena *arena, struct check_value *value)
-{
-    const struct first_order *first = problem->first;
-    struct meridional ray = follow_back(problem, value->height, arena);
-    bool focus = quantity == CHECK_FFL;
-    value->paraxial = focus ? first->ffl : first->front_principal;
-    value->exact = focus ? crossing(&ray) : (value->height - ray.y) / ray.slope;
-    value->scale = place_scale(first);
-    paraxial_check_lose(&ray, value);
-}
-
 static void compare_aperture(const struct check_problem *problem, enum check_quantity quantity,
                              double fraction, struct arena *arena, struct check_value *value)
 {
@@ -296,7 +284,12 @@ struct check_value check_at(const struct check_problem *problem, enum check_quan
         value.height = fraction * first->entrance_diameter / 2;
         value.fnumber = (near ? first->working_fnumber : first->fnumber) / fraction;
         if (quantity == CHECK_FFL || quantity == CHECK_FRONT_PRINCIPAL) {
-            compare_back(problem, quantity, arena, &value);
+            struct meridional ray = follow_back(problem, value.height, arena);
+            bool focus = quantity == CHECK_FFL;
+            value.paraxial = focus ? first->ffl : first->front_principal;
+            value.exact = focus ? crossing(&ray) : (value.height - ray.y) / ray.slope;
+            value.scale = place_scale(first);
+            paraxial_check_lose(&ray, &value);
         } else {
             compare_aperture(problem, quantity, fraction, arena, &value);
         }

@@ -135,14 +135,6 @@ static double quotient_of(const struct illumination *light, const struct illumin
     return quotient;
 }
 
-/* 1 - E/E of the stop alone; what is less than the errors of the two is 0. */
-static double vignetted_of(const struct illumination *light, const struct illumination *stop,
-                           double *error)
-{
-    const double taken = 1 - quotient_of(light, stop, error);
-    return fabs(taken) <= *error ? 0 : taken;
-}
-
 /* Without ratios to the axis; is_row: with islands, and what is vignetted. */
 static struct relative_illumination_point
 relative_illumination_look(const struct relative_illumination *falloff, const double height[2],
@@ -177,7 +169,9 @@ relative_illumination_look(const struct relative_illumination *falloff, const do
     if (falloff->clip && is_row && !falloff->no_vignetting) {
         const struct illumination stop =
             from_film(falloff, falloff->film_stop, &film, found ? inside : NULL, NULL);
-        point.vignetted = vignetted_of(&point.light, &stop, &point.vignetted_error);
+        /* 1 - E/E of the stop alone; what is less than the errors of the two is 0. */
+        const double taken = 1 - quotient_of(&point.light, &stop, &point.vignetted_error);
+        point.vignetted = fabs(taken) <= point.vignetted_error ? 0 : taken;
     }
     return point;
 }

@@ -170,27 +170,6 @@ static double spot_unit_of(const struct bundle_source *source)
                : fabs(pupil->axes[0] * pupil->axes[3] - pupil->axes[1] * pupil->axes[2]);
 }
 
-static bool find_marks(const struct spot_search *seeking, size_t rays, struct arena *arena,
-                       struct marks *marks, struct error *error)
-{
-    const struct setup *setup = seeking->question->bundle.setup;
-    double sum = 0, lit = 0;
-    *marks = (struct marks){.count = 0};
-    for (size_t g = 0; g < setup->wavelength_count; g++) {
-        sum += setup->wavelengths[g].weight;
-    }
-    for (size_t g = 0; g < setup->wavelength_count; g++) {
-        double unit = spot_unit_of(&seeking->sources[g]) / spot_unit_of(&seeking->sources[0]);
-        double weight = setup->wavelengths[g].weight / sum * unit;
-        if (weight > 0 && !spot_add_marks(seeking, g, rays, weight, arena, marks, error)) {
-            return false;
-        }
-        lit += weight;
-    }
-    marks->clear /= lit;
-    return true;
-}
-
 /* -------- what they say -------- */
 
 /* Root mean squares about the centroid and about the origin. */
@@ -246,10 +225,21 @@ static bool spot_measure(const struct spot_search *seeking, size_t rays, struct 
                          struct spot *spot, struct error *error)
 {
     const struct arena_mark mark = arena_mark(arena);
-    struct marks marks;
-    if (!find_marks(seeking, rays, arena, &marks, error)) {
-        return false;
+    struct marks marks = {.count = 0};
+    const struct setup *setup = seeking->question->bundle.setup;
+    double sum = 0, lit = 0;
+    for (size_t g = 0; g < setup->wavelength_count; g++) {
+        sum += setup->wavelengths[g].weight;
     }
+    for (size_t g = 0; g < setup->wavelength_count; g++) {
+        double unit = spot_unit_of(&seeking->sources[g]) / spot_unit_of(&seeking->sources[0]);
+        double weight = setup->wavelengths[g].weight / sum * unit;
+        if (weight > 0 && !spot_add_marks(seeking, g, rays, weight, arena, &marks, error)) {
+            return false;
+        }
+        lit += weight;
+    }
+    marks.clear /= lit;
     spot_sum_up(&marks, seeking->question->about_chief, spot);
     const struct encircled_energy_sample sample = {marks.list, marks.count, marks.has_arms,
                                                    marks.sheets};
@@ -257,28 +247,6 @@ static bool spot_measure(const struct spot_search *seeking, size_t rays, struct 
     spot->energy_radius = isnan(share) ? share : encircled_energy_find(&sample, share, arena);
     arena_reset(arena, mark);
     return true;
-}
-
-/*
- * By how much the root mean squares are off, by what twice the rays change. The largest of their
- * changes: one may vanish by chance, and so may all, wherefore the clear share and what the sample
- * before differed by count a little. A plain pattern is off as one over the root of its rays, by
- * 3.4 times the change.
- */
-static double rms_error(const struct spot *before, const struct spot *here,
-                        const struct spot *finer, bool is_plain)
-{
-    const double changes[] = {finer->rms - here->rms,
-                              finer->rms_x - here->rms_x,
-                              finer->rms_y - here->rms_y,
-                              finer->rms_chief - here->rms_chief,
-                              0.1 * here->rms * (finer->clear - here->clear) / finer->clear,
-                              5e-5 * (here->rms - before->rms)};
-    double most = 0;
-    for (size_t i = 0; i < sizeof changes / sizeof changes[0]; i++) {
-        most = fmax(most, fabs(changes[i]));
-    }
-    return (is_plain ? 4 : 3) * most;
 }
 
 /* The farthest ray of the pupil; of other patterns the farthest of their rays. */
@@ -324,7 +292,23 @@ static bool spot_converge(const struct spot_search *seeking, struct arena *arena
             return false;
         }
         *spot = here;
-        spot->error = fmax(rms_error(&before, &here, &finer, is_plain), least);
+        /*
+         * By how much the root mean squares are off, by what twice the rays change. The largest of
+         * their changes: one may vanish by chance, and so may all, wherefore the clear share and
+         * what the sample before differed by count a little. A plain pattern is off as one over the
+         * root of its rays, by 3.4 times the change.
+         */
+        const double changes[] = {finer.rms - here.rms,
+                                  finer.rms_x - here.rms_x,
+                                  finer.rms_y - here.rms_y,
+                                  finer.rms_chief - here.rms_chief,
+                                  0.1 * here.rms * (finer.clear - here.clear) / finer.clear,
+                                  5e-5 * (here.rms - before.rms)};
+        double most = 0;
+        for (size_t i = 0; i < sizeof changes / sizeof changes[0]; i++) {
+            most = fmax(most, fabs(changes[i]));
+        }
+        spot->error = fmax((is_plain ? 4 : 3) * most, least);
         spot->energy_radius = question->rays > 0 ? here.energy_radius : finer.energy_radius;
         const double energy[] = {fabs(finer.energy_radius - here.energy_radius),
                                  fabs(here.energy_radius - before.energy_radius),

@@ -161,21 +161,6 @@ static struct setup_field *list_all(const struct setup *setup, size_t *count)
     return fields;
 }
 
-/* The largest of those asked for, else of the lens. */
-static void take_largest(const struct setup_question *question, struct setup *setup)
-{
-    struct setup_field *one = ARENA_NEW(setup->arena, struct setup_field);
-    bool five = question->field_policy == FIELDS_EDGE;
-    one->point = setup_fields_farthest(setup->fields, setup->field_count);
-    one->weight = 1;
-    if (five && one->point.value[0] == 0 && one->point.value[1] == 0) {
-        *one = setup_fields_field_at(setup, FIELD_ANGLE, FIVE_DEGREES);
-        setup->fields_from = "the lens states none";
-    }
-    setup->fields = one;
-    setup->field_count = one->point.kind != FIELD_NONE;
-}
-
 bool setup_choose_fields(const struct setup_question *question, struct setup *setup,
                          struct error *error)
 {
@@ -192,7 +177,17 @@ bool setup_choose_fields(const struct setup_question *question, struct setup *se
         setup->fields = list_all(setup, &setup->field_count);
     }
     if (policy == FIELDS_LARGEST || policy == FIELDS_EDGE) {
-        take_largest(question, setup);
+        /* The largest of those asked for, else of the lens. */
+        struct setup_field *one = ARENA_NEW(setup->arena, struct setup_field);
+        bool five = question->field_policy == FIELDS_EDGE;
+        one->point = setup_fields_farthest(setup->fields, setup->field_count);
+        one->weight = 1;
+        if (five && one->point.value[0] == 0 && one->point.value[1] == 0) {
+            *one = setup_fields_field_at(setup, FIELD_ANGLE, FIVE_DEGREES);
+            setup->fields_from = "the lens states none";
+        }
+        setup->fields = one;
+        setup->field_count = one->point.kind != FIELD_NONE;
     }
     setup->edge = setup_fields_farthest(setup->fields, setup->field_count);
     return true;

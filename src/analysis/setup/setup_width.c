@@ -5,17 +5,6 @@
 
 #include <math.h>
 
-/* The f-number of the beam that the lens states; NaN where it states none. */
-static double stated_fnumber(const struct setup *setup)
-{
-    const struct aperture_setting own = lens_aperture(setup->lens);
-    struct first_order first = setup->first;
-    struct error ignored;
-    return first_order_aperture(&first, &setup->object, &own, FIELD_NONE, NAN, &ignored)
-               ? first.fnumber
-               : (double)NAN;
-}
-
 /* How far the marginal ray goes beyond the clear apertures: the largest of height over reach. */
 static double excess(const struct setup *setup, struct arena *arena)
 {
@@ -41,7 +30,15 @@ static double excess(const struct setup *setup, struct arena *arena)
 
 struct setup_width setup_width(const struct setup *setup, double fnumber, struct arena *arena)
 {
-    const double passing = fnumber * excess(setup, arena), stated = stated_fnumber(setup);
+    /* The f-number of the beam that the lens states; NaN where it states none. */
+    const struct aperture_setting own = lens_aperture(setup->lens);
+    struct first_order first = setup->first;
+    struct error ignored;
+    const double passing = fnumber * excess(setup, arena),
+                 stated =
+                     first_order_aperture(&first, &setup->object, &own, FIELD_NONE, NAN, &ignored)
+                         ? first.fnumber
+                         : (double)NAN;
     return (struct setup_width){isfinite(stated) ? stated : passing, passing};
 }
 

@@ -270,9 +270,9 @@ static bool wavefront_maps(const struct artifact_job *job, struct output *sink, 
             const size_t size = (size_t)input->size;
             const double *values = *(const double *const *)at.found;
             double low = INFINITY, high = -INFINITY;
-            for (size_t i = 0; i < size * size; i++) {
-                low = fmin(low, values[i]);
-                high = fmax(high, values[i]);
+            for (size_t k = 0; k < size * size; k++) {
+                low = fmin(low, values[k]);
+                high = fmax(high, values[k]);
             }
             const char *note = high >= low
                                    ? ARENA_JOIN(arena, "peak to valley ",
