@@ -117,24 +117,6 @@ static bool mtf_rays_find(const struct mtf_source *source, double frequency, str
 
 /* -------- by waves -------- */
 
-/* The pupils; by rays it does without where there are no optical paths. */
-static bool mtf_open_pupils(struct mtf_source *source, struct arena *arena, struct error *error)
-{
-    const struct mtf_question *question = source->question;
-    struct exit_pupils *pupils = &source->pupils;
-    if (!exit_pupils_open(&question->bundle, arena, pupils, error)) {
-        if (!question->by_rays || pupils->reference.no_opd == NULL) {
-            return false;
-        }
-        error->code = ERROR_NONE;
-        pupils->list = NULL;
-        pupils->islands = bundle_islands(&pupils->lights.list[0].source, arena);
-    }
-    return !pupils->reference.is_angular ||
-           fail(error, ERROR_DOMAIN,
-                "the image lies infinitely far away: its lines have no frequency in mm");
-}
-
 static void find_fronts(struct mtf_source *source, struct arena *arena)
 {
     const size_t count = source->pupils.lights.count;
@@ -168,8 +150,19 @@ bool mtf_open(const struct mtf_question *question, struct arena *arena, struct m
               struct error *error)
 {
     *source = (struct mtf_source){.question = question};
-    if (!mtf_open_pupils(source, arena, error)) {
-        return false;
+    /* The pupils; by rays it does without where there are no optical paths. */
+    struct exit_pupils *pupils = &source->pupils;
+    if (!exit_pupils_open(&question->bundle, arena, pupils, error)) {
+        if (!question->by_rays || pupils->reference.no_opd == NULL) {
+            return false;
+        }
+        error->code = ERROR_NONE;
+        pupils->list = NULL;
+        pupils->islands = bundle_islands(&pupils->lights.list[0].source, arena);
+    }
+    if (pupils->reference.is_angular) {
+        return fail(error, ERROR_DOMAIN,
+                    "the image lies infinitely far away: its lines have no frequency in mm");
     }
     const struct field_point *field = question->bundle.field;
     const bool on_axis =

@@ -194,19 +194,6 @@ static void mtf_curve_put_line(const struct mtf_curve_pupil_overlap *one,
     }
 }
 
-/* Add the power of lines that were transformed. */
-static void mtf_curve_add_power(const struct mtf_curve_pupil_overlap *one, const double *re,
-                                const double *im)
-{
-    const size_t length = one->fft.length;
-    for (size_t k = 0; k < FFT_LANES; k++) {
-        const double *x = re + k * length, *y = im + k * length;
-        for (size_t j = 0; j < length; j++) {
-            one->power[j] += x[j] * x[j] + y[j] * y[j];
-        }
-    }
-}
-
 /*
  * Lines of one piece. Two of a perfect wave front are a complex line, in whose power what they have
  * in common is odd, so that it does not come back in the real part.
@@ -241,21 +228,15 @@ static void add_piece(const struct mtf_curve_pupil_overlap *one, size_t p, doubl
         }
         const struct fft_lines lines = {re, im, FFT_LANES, length, 1};
         fft_transform(&one->fft, false, &lines, SET_BEST, one->arena);
-        mtf_curve_add_power(one, re, im);
+        /* Add the power of lines that were transformed. */
+        for (size_t k = 0; k < FFT_LANES; k++) {
+            const double *a = re + k * length, *b = im + k * length;
+            for (size_t j = 0; j < length; j++) {
+                one->power[j] += a[j] * a[j] + b[j] * b[j];
+            }
+        }
     }
     arena_reset(one->arena, mark);
-}
-
-/* Of pieces that are mirror images of each other the first counts twice. */
-static void add_pieces(const struct mtf_curve_pupil_overlap *one)
-{
-    const struct exit_lines *lines = one->front->lines;
-    const size_t count = lines->count;
-    for (size_t i = 0; i < (lines->is_mirrored_across ? (count + 1) / 2 : count); i++) {
-        const bool is_middle = 2 * i + 1 == count;
-        add_piece(one, i, lines->is_mirrored_across && !is_middle ? 2 : 1,
-                  lines->is_mirrored_across && is_middle);
-    }
 }
 
 /* What a direction has at the frequencies, of all wavelengths. */
@@ -282,22 +263,6 @@ static void add_overlaps(const struct mtf_curve_pupil_overlap *one, size_t count
     }
 }
 
-/* Plan the overlap of one front; false: it cannot be drawn. */
-static bool plan(const struct exit_front *front, bool is_perfect, double step, size_t count,
-                 struct mtf_curve_pupil_overlap *one)
-{
-    const struct exit_pupil *pupil = front->pupil;
-    *one = (struct mtf_curve_pupil_overlap){.front = front, .is_perfect = is_perfect};
-    for (int k = 0; k < 2; k++) {
-        double range[2];
-        exit_pupil_range(pupil, k == 0 ? front->lines->along : front->lines->across, range);
-        one->middle[k] = (range[0] + range[1]) / 2;
-        one->wide[k] = range[1] - range[0];
-    }
-    return overlap_is_known(front->off) &&
-           mtf_curve_set_grid(one, step / (pupil->waves * pupil->n), count);
-}
-
 bool mtf_curve_find(const struct mtf_source *source, double step, size_t count, struct arena *arena,
                     struct mtf_curve *curve)
 {
@@ -306,8 +271,18 @@ bool mtf_curve_find(const struct mtf_source *source, double step, size_t count, 
     struct mtf_curve_pupil_overlap *plans =
         arena_array(arena, source->directions * each, sizeof(struct mtf_curve_pupil_overlap));
     for (size_t i = 0; i < source->directions * each; i++) {
-        const size_t front = i % each / BOTH * MTF_DIRECTIONS + i / each;
-        if (!plan(&source->fronts[front], i % BOTH == 1, step, count, &plans[i])) {
+        const struct exit_front *front =
+            &source->fronts[i % each / BOTH * MTF_DIRECTIONS + i / each];
+        const struct exit_pupil *pupil = front->pupil;
+        plans[i] = (struct mtf_curve_pupil_overlap){.front = front, .is_perfect = i % BOTH == 1};
+        for (int m = 0; m < 2; m++) {
+            double range[2];
+            exit_pupil_range(pupil, m == 0 ? front->lines->along : front->lines->across, range);
+            plans[i].middle[m] = (range[0] + range[1]) / 2;
+            plans[i].wide[m] = range[1] - range[0];
+        }
+        if (!overlap_is_known(front->off) ||
+            !mtf_curve_set_grid(&plans[i], step / (pupil->waves * pupil->n), count)) {
             return false;
         }
     }
@@ -327,7 +302,15 @@ bool mtf_curve_find(const struct mtf_source *source, double step, size_t count, 
                 const size_t length = one->cells + (last < one->cells ? last : one->cells);
                 one->fft = fft_open(fft_length_from(length), arena);
                 one->power = ARENA_ARRAY(arena, one->fft.length, double);
-                add_pieces(one);
+                /* Of pieces that are mirror images of each other the first counts twice. */
+                const struct exit_lines *lines = one->front->lines;
+                const size_t pieces = lines->count;
+                for (size_t j = 0; j < (lines->is_mirrored_across ? (pieces + 1) / 2 : pieces);
+                     j++) {
+                    const bool is_middle = 2 * j + 1 == pieces;
+                    add_piece(one, j, lines->is_mirrored_across && !is_middle ? 2 : 1,
+                              lines->is_mirrored_across && is_middle);
+                }
                 add_overlaps(one, count, exit_pupil_weight(one->front->pupil), &sums);
                 arena_reset(arena, mark);
             }

@@ -93,18 +93,6 @@ static double find_spread(const struct exit_pupil *pupil, struct arena *arena, d
     return 1.15 * farthest; /* steeper at the edge itself */
 }
 
-/* A pixel below which the waves of all wavelengths are told apart, mm. */
-static double find_finest(const struct exit_pupils *pupils)
-{
-    double finest = INFINITY;
-    for (size_t g = 0; g < pupils->lights.count; g++) {
-        const struct exit_pupil *pupil = &pupils->list[g];
-        const double wide = 2 * fmax(pupil->half[0], pupil->half[1]);
-        finest = fmin(finest, 1 / (pupil->n * pupil->waves * wide));
-    }
-    return finest;
-}
-
 /* -------- what the pixels say -------- */
 
 /* Pixels from the top to half its height, at most so many steps away; NaN: not within them. */
@@ -419,9 +407,16 @@ bool psf_find(const struct psf_question *question, struct arena *arena, struct p
     rays[0] /= light;
     rays[1] /= light;
     struct psf_sums sums = {.values = ARENA_ARRAY(arena, count, double)};
+    /* A pixel below which the waves of all wavelengths are told apart, mm. */
+    double finest = INFINITY;
+    for (size_t k = 0; k < pupils->lights.count; k++) {
+        const struct exit_pupil *each = &pupils->list[k];
+        const double wide = 2 * fmax(each->half[0], each->half[1]);
+        finest = fmin(finest, 1 / (each->n * each->waves * wide));
+    }
     *psf = (struct psf){.size = question->size,
                         .pitch = question->pitch,
-                        .finest = find_finest(pupils),
+                        .finest = finest,
                         .is_angular = pupils->reference.is_angular,
                         .values = sums.values,
                         .islands = pupils->islands};

@@ -86,45 +86,6 @@ static size_t lines_across(const struct point_placer *putting, const struct exit
     return LEAST + (size_t)(across_turn * putting->turns[1] * fmin(share, 1));
 }
 
-/* The points of one line. */
-static void psf_points_put_line(const struct point_placer *putting, const struct exit_piece *piece,
-                                double angle, double weight)
-{
-    struct psf_points *points = putting->points;
-    struct exit_spans spans;
-    double slope;
-    const double t = exit_piece_at(piece, angle, &slope, &spans);
-    for (size_t i = 0; i < spans.count; i++) {
-        const double low = spans.edges[2 * i], length = spans.edges[2 * i + 1] - low;
-        if (!(length > 0)) {
-            continue;
-        }
-        const struct gauss_panels rule =
-            gauss_panels_of(putting->rules, (double)points_along(putting, length));
-        for (size_t k = 0; k < rule.each * rule.panels; k++, points->count++) {
-            points->at[points->count][0] = low + length * gauss_panels_at(&rule, k);
-            points->at[points->count][1] = t;
-            putting->weights[points->count] =
-                weight * slope * length * gauss_panels_weight(&rule, k);
-        }
-    }
-    points->ends[points->lines++] = points->count;
-}
-
-static void take_room(struct point_placer *putting, const struct exit_lines *lines)
-{
-    struct arena *arena = putting->plane->arena;
-    const size_t along = points_along(putting, INFINITY) + EXIT_SPANS * (LEAST + MORE);
-    size_t line_room = 0;
-    for (size_t p = 0; p < lines->count; p++) {
-        line_room += lines_across(putting, &lines->pieces[p]) + MORE;
-    }
-    *putting->points =
-        (struct psf_points){.at = arena_array(arena, line_room * along, sizeof(double[2])),
-                            .ends = ARENA_ARRAY(arena, line_room, size_t)};
-    putting->weights = ARENA_ARRAY(arena, line_room * along, double);
-}
-
 bool psf_points_put(const struct psf_plane *plane, struct psf_points *points, struct error *error)
 {
     static const double across_x[2] = {1, 0};
@@ -139,14 +100,40 @@ bool psf_points_put(const struct psf_plane *plane, struct psf_points *points, st
         return false;
     }
     exit_lines_find(plane->pupil, across_x, arena, lines);
-    take_room(&putting, lines);
+    const size_t along = points_along(&putting, INFINITY) + EXIT_SPANS * (LEAST + MORE);
+    size_t line_room = 0;
+    for (size_t p = 0; p < lines->count; p++) {
+        line_room += lines_across(&putting, &lines->pieces[p]) + MORE;
+    }
+    *putting.points =
+        (struct psf_points){.at = arena_array(arena, line_room * along, sizeof(double[2])),
+                            .ends = ARENA_ARRAY(arena, line_room, size_t)};
+    putting.weights = ARENA_ARRAY(arena, line_room * along, double);
     for (size_t p = 0; p < lines->count; p++) {
         const struct exit_piece *piece = &lines->pieces[p];
         const struct gauss_panels rows =
             gauss_panels_of(putting.rules, (double)lines_across(&putting, piece));
         for (size_t i = 0; i < rows.each * rows.panels; i++) {
-            psf_points_put_line(&putting, piece, PI * (gauss_panels_at(&rows, i) - 0.5),
-                                PI * gauss_panels_weight(&rows, i));
+            /* The points of one line. */
+            struct exit_spans spans;
+            double slope;
+            const double t =
+                exit_piece_at(piece, PI * (gauss_panels_at(&rows, i) - 0.5), &slope, &spans);
+            for (size_t j = 0; j < spans.count; j++) {
+                const double low = spans.edges[2 * j], length = spans.edges[2 * j + 1] - low;
+                if (!(length > 0)) {
+                    continue;
+                }
+                const struct gauss_panels rule =
+                    gauss_panels_of(putting.rules, (double)points_along(&putting, length));
+                for (size_t k = 0; k < rule.each * rule.panels; k++, points->count++) {
+                    points->at[points->count][0] = low + length * gauss_panels_at(&rule, k);
+                    points->at[points->count][1] = t;
+                    putting.weights[points->count] = (PI * gauss_panels_weight(&rows, i)) * slope *
+                                                     length * gauss_panels_weight(&rule, k);
+                }
+            }
+            points->ends[points->lines++] = points->count;
         }
     }
     points->waves = ARENA_ARRAY(arena, points->count, double);

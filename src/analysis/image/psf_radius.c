@@ -142,17 +142,6 @@ static struct field field_between(const struct field *pixels, size_t steps, doub
         values, side, {(double)reach, (double)reach}, pixels->light * (double)(steps * steps)};
 }
 
-/* From the middle to the nearest side of the image, pixels. */
-static double psf_radius_room_of(const struct field *pixels)
-{
-    double room = INFINITY;
-    for (int k = 0; k < 2; k++) {
-        const double before = pixels->middle[k] + 0.5;
-        room = fmin(room, fmin(before, (double)pixels->side - before));
-    }
-    return room;
-}
-
 /* How the radius changes where the circle is about another point, which may be the centroid of all
    light: steps; 0: the point lies as good as there. */
 static double change_about(const struct psf *psf, const struct field *pixels, double radius,
@@ -181,7 +170,13 @@ void psf_radius_find(struct psf *psf, double light, struct arena *arena)
         psf->size,
         {half + psf->centroid[0] / psf->pitch, half + psf->centroid[1] / psf->pitch},
         light};
-    const double room = psf_radius_room_of(&pixels), by_pixels = field_radius(&pixels, arena);
+    /* From the middle to the nearest side of the image, pixels. */
+    double nearest = INFINITY;
+    for (int k = 0; k < 2; k++) {
+        const double before = pixels.middle[k] + 0.5;
+        nearest = fmin(nearest, fmin(before, (double)pixels.side - before));
+    }
+    const double room = nearest, by_pixels = field_radius(&pixels, arena);
     double radius = by_pixels, error = 2 / sqrt(2 * PI * radius);
     if (!(radius <= room)) {
         arena_reset(arena, mark);

@@ -416,16 +416,6 @@ static void add_stroke(struct layout *layout, size_t stop, double z1, double y1,
     layout_line(layout, LAYOUT_STOP, (struct layout_ends){z1, y1, z2, y2}, NULL);
 }
 
-/* Its two principal planes. */
-static void layout_lens_add_thick(struct layout *layout, size_t i)
-{
-    double at = layout->vertex[i], r = layout->semi[i], behind = at + layout_hiatus(layout, i);
-    layout_line(layout, LAYOUT_PLANE, (struct layout_ends){at, -r, at, r}, "thick lens");
-    layout_line(layout, LAYOUT_PLANE, (struct layout_ends){behind, -r, behind, r}, NULL);
-    layout_lens_reach(layout, at);
-    layout_lens_reach(layout, behind);
-}
-
 static void layout_lens_add_stop(struct layout *layout)
 {
     size_t stop = layout->setup->lens->stop;
@@ -493,7 +483,15 @@ bool layout_lens(struct layout *layout, struct error *error)
             add_mirror(layout, i);
         }
         if (surface_has(&lens->surfaces[i], SURFACE_HAS_FOCAL)) {
-            layout_lens_add_thick(layout, i);
+            /* Its two principal planes. */
+            double at = layout->vertex[i], semi = layout->semi[i],
+                   behind = at + layout_hiatus(layout, i);
+            layout_line(layout, LAYOUT_PLANE, (struct layout_ends){at, -semi, at, semi},
+                        "thick lens");
+            layout_line(layout, LAYOUT_PLANE, (struct layout_ends){behind, -semi, behind, semi},
+                        NULL);
+            layout_lens_reach(layout, at);
+            layout_lens_reach(layout, behind);
         }
         add_blocks(layout, i);
     }

@@ -25,15 +25,6 @@ bool bundle_prepare(const struct bundle_question *question, struct error *error)
            system_of(question, false, error) != NULL;
 }
 
-static bool bundle_open_systems(struct bundle_source *source, struct error *error)
-{
-    const struct bundle_question *question = source->question;
-    source->system = system_of(question, question->clip, error);
-    source->through = source->system;
-    source->open = source->system != NULL ? system_of(question, false, error) : NULL;
-    return source->open != NULL;
-}
-
 /* The ray through the centre of the stop. */
 static bool open_chief(struct bundle_source *source, struct arena *arena, struct error *error)
 {
@@ -116,8 +107,10 @@ bool bundle_open(const struct bundle_question *question, struct arena *arena,
 {
     const struct setup *setup = question->setup;
     *source = (struct bundle_source){.question = question};
-    if (!bundle_open_systems(source, error) ||
-        !setup_beam(setup, question->field, &source->beam, error)) {
+    source->system = system_of(question, question->clip, error);
+    source->through = source->system;
+    source->open = source->system != NULL ? system_of(question, false, error) : NULL;
+    if (source->open == NULL || !setup_beam(setup, question->field, &source->beam, error)) {
         return false;
     }
     bool has_stop = source->open->stop != LENS_NONE && source->open->stop_radius > 0;

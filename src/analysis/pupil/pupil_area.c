@@ -20,25 +20,6 @@ struct nodes {
     double weight[CLEAR_ARC], slope[CLEAR_ARC][CLEAR_ARC];
 };
 
-static void set_nodes(const struct clear_pupil *clear, struct nodes *nodes)
-{
-    nodes->x = clear->nodes;
-    nodes->gauss = clear->gauss;
-    for (size_t i = 0; i < CLEAR_ARC; i++) {
-        double x = nodes->x[i];
-        nodes->weight[i] = (i % 2 == 0 ? 1 : -1) * sqrt(x * (1 - x) * nodes->gauss[i]);
-    }
-    for (size_t i = 0; i < CLEAR_ARC; i++) {
-        nodes->slope[i][i] = 0;
-        for (size_t k = 0; k < i; k++) {
-            const double a = nodes->weight[i], b = nodes->weight[k];
-            const double over = 1 / (a * b * (nodes->x[i] - nodes->x[k]));
-            nodes->slope[i][k] = b * b * over;
-            nodes->slope[k][i] = -a * a * over;
-        }
-    }
-}
-
 /* The polynomial through one piece at its beginning (0) or its end (1). */
 static void end_of_arc(const struct nodes *nodes, const double (*points)[2], double end,
                        double at[2])
@@ -76,7 +57,21 @@ static void add_arcs(const struct clear_pupil *clear, const double (*points)[2],
                      struct contour_sums *sums)
 {
     struct nodes nodes;
-    set_nodes(clear, &nodes);
+    nodes.x = clear->nodes;
+    nodes.gauss = clear->gauss;
+    for (size_t i = 0; i < CLEAR_ARC; i++) {
+        double places = nodes.x[i];
+        nodes.weight[i] = (i % 2 == 0 ? 1 : -1) * sqrt(places * (1 - places) * nodes.gauss[i]);
+    }
+    for (size_t i = 0; i < CLEAR_ARC; i++) {
+        nodes.slope[i][i] = 0;
+        for (size_t k = 0; k < i; k++) {
+            const double a = nodes.weight[i], b = nodes.weight[k];
+            const double over = 1 / (a * b * (nodes.x[i] - nodes.x[k]));
+            nodes.slope[i][k] = b * b * over;
+            nodes.slope[k][i] = -a * a * over;
+        }
+    }
     for (size_t arc = 0; arc < clear->arcs; arc++) {
         const double(*here)[2] = points + arc * CLEAR_ARC;
         const double(*next)[2] = points + (arc + 1) % clear->arcs * CLEAR_ARC;

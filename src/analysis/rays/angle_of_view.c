@@ -325,28 +325,24 @@ static bool open_outlook(const struct view_question *question, struct arena *are
     return true;
 }
 
-/* Where on the diagonal clear apertures begin to stop chief rays; the end itself if nowhere. */
-static bool find_dark(const struct outlook *outlook, double x, double y, struct view *view,
-                      struct error *error)
-{
-    struct end end;
-    double diagonal = 2 * hypot(x, y);
-    if (!angle_of_view_find_end(outlook, (double[2]){x, y}, REACH_CHIEF, &end, error)) {
-        return false;
-    }
-    view->circle = view->diagonal.part < 1 ? view->diagonal.part * diagonal : (double)NAN;
-    view->clear = end.part < view->diagonal.part ? end.part * diagonal : (double)NAN;
-    return true;
-}
-
 bool view_of_lens(const struct view_question *question, struct arena *arena, struct view *view,
                   struct error *error)
 {
     struct outlook outlook;
     double x = question->sensor.width / 2, y = question->sensor.height / 2;
-    return open_outlook(question, arena, &outlook, error) &&
-           angle_of_view_look_across(&outlook, x, 0, &view->horizontal, error) &&
-           angle_of_view_look_across(&outlook, 0, y, &view->vertical, error) &&
-           angle_of_view_look_across(&outlook, x, y, &view->diagonal, error) &&
-           find_dark(&outlook, x, y, view, error);
+    if (!open_outlook(question, arena, &outlook, error) ||
+        !angle_of_view_look_across(&outlook, x, 0, &view->horizontal, error) ||
+        !angle_of_view_look_across(&outlook, 0, y, &view->vertical, error) ||
+        !angle_of_view_look_across(&outlook, x, y, &view->diagonal, error)) {
+        return false;
+    }
+    /* Where on the diagonal clear apertures begin to stop chief rays; the end itself if nowhere. */
+    struct end end;
+    double diagonal = 2 * hypot(x, y);
+    if (!angle_of_view_find_end(&outlook, (double[2]){x, y}, REACH_CHIEF, &end, error)) {
+        return false;
+    }
+    view->circle = view->diagonal.part < 1 ? view->diagonal.part * diagonal : (double)NAN;
+    view->clear = end.part < view->diagonal.part ? end.part * diagonal : (double)NAN;
+    return true;
 }

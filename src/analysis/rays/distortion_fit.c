@@ -137,19 +137,6 @@ static bool distortion_fit_sample(const struct distortion_fit_walk *walk, double
     return true;
 }
 
-/* Towards 90 degrees the rectilinear image grows beyond all bounds. */
-static bool check_width(const struct distortion_map *map, const struct distortion_profile *profile,
-                        double edge, struct error *error)
-{
-    const double ideal = profile->focal * profile->ideal[profile->count - 1];
-    return ideal <= 8 * profile->reached ||
-           fail(error, ERROR_DOMAIN,
-                "the picture shows fields of %.4g deg, which the %s projection images %.3g times "
-                "as far out: that is beyond polynomials, use another {projection}",
-                edge * DEGREES_PER_RADIAN, projections[map->projection].word,
-                ideal / profile->reached);
-}
-
 /* Has no surface but the stop a clear aperture? */
 static bool distortion_fit_is_open(const struct lens *lens)
 {
@@ -197,8 +184,17 @@ bool distortion_trace(const struct distortion_map *map, double radius, struct ar
     if (!(edge > 1e-6 * first)) {
         return error_prefix(error, "no field off the axis is imaged: ");
     }
-    return distortion_fit_sample(&walk, edge, distance, profile, error) &&
-           check_width(map, profile, edge, error);
+    if (!distortion_fit_sample(&walk, edge, distance, profile, error)) {
+        return false;
+    }
+    /* Towards 90 degrees the rectilinear image grows beyond all bounds. */
+    const double ideal = profile->focal * profile->ideal[profile->count - 1];
+    return ideal <= 8 * profile->reached ||
+           fail(error, ERROR_DOMAIN,
+                "the picture shows fields of %.4g deg, which the %s projection images %.3g times "
+                "as far out: that is beyond polynomials, use another {projection}",
+                edge * DEGREES_PER_RADIAN, projections[map->projection].word,
+                ideal / profile->reached);
 }
 
 /* -------- the fit -------- */

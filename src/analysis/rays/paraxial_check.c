@@ -117,15 +117,6 @@ static double place_scale(const struct first_order *first)
 
 /* -------- by aperture -------- */
 
-/* Parallel light from behind, in the direction against that of the image space. */
-static struct meridional follow_back(const struct check_problem *problem, double h,
-                                     struct arena *arena)
-{
-    double light_direction = problem->first->index_image < 0 ? 1 : -1;
-    struct ray ray = start_at(problem, h, 0, light_direction);
-    return paraxial_check_follow(problem, problem->backward, &ray, arena);
-}
-
 static void compare_aperture(const struct check_problem *problem, enum check_quantity quantity,
                              double fraction, struct arena *arena, struct check_value *value)
 {
@@ -284,7 +275,11 @@ struct check_value check_at(const struct check_problem *problem, enum check_quan
         value.height = fraction * first->entrance_diameter / 2;
         value.fnumber = (near ? first->working_fnumber : first->fnumber) / fraction;
         if (quantity == CHECK_FFL || quantity == CHECK_FRONT_PRINCIPAL) {
-            struct meridional ray = follow_back(problem, value.height, arena);
+            /* Parallel light from behind, in the direction against that of the image space. */
+            double light_direction = problem->first->index_image < 0 ? 1 : -1;
+            struct ray start = start_at(problem, value.height, 0, light_direction);
+            struct meridional ray =
+                paraxial_check_follow(problem, problem->backward, &start, arena);
             bool focus = quantity == CHECK_FFL;
             value.paraxial = focus ? first->ffl : first->front_principal;
             value.exact = focus ? crossing(&ray) : (value.height - ray.y) / ray.slope;

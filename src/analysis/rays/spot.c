@@ -53,10 +53,12 @@ void spot_axes(const double direction[3], double across[2][3])
     }
 }
 
-/* Sources point into themselves: they stay where they are. */
-static bool open_sources(struct spot_search *seeking, struct arena *arena, struct error *error)
+static bool open_seeking(const struct spot_question *question, struct arena *arena,
+                         struct spot_search *seeking, struct error *error)
 {
-    const struct setup *setup = seeking->question->bundle.setup;
+    const struct setup *setup = question->bundle.setup;
+    *seeking = (struct spot_search){.question = question};
+    /* Sources point into themselves: they stay where they are. */
     seeking->sources = ARENA_ARRAY(arena, setup->wavelength_count, struct bundle_source);
     seeking->questions = ARENA_ARRAY(arena, setup->wavelength_count, struct bundle_question);
     struct aim_near *near = ARENA_NEW(arena, struct aim_near);
@@ -70,12 +72,9 @@ static bool open_sources(struct spot_search *seeking, struct arena *arena, struc
             return false;
         }
     }
-    return true;
-}
-
-/* Where the chief ray meets the plane; without one, where the first ray that arrives does. */
-static bool set_origin(struct spot_search *seeking, struct arena *arena, struct error *error)
-{
+    seeking->plane.is_angular = question->to == 0 && isnan(setup->image);
+    seeking->plane.to = question->to > 0 ? question->to : seeking->sources[0].system->places;
+    /* Where the chief ray meets the plane; without one, where the first ray that arrives does. */
     const struct bundle_source *first = &seeking->sources[0];
     struct ray ray = {.status = RAY_MISS};
     struct bundle bundle;
@@ -96,19 +95,6 @@ static bool set_origin(struct spot_search *seeking, struct arena *arena, struct 
     seeking->plane.origin[1] = ray.point[1];
     spot_axes(ray.cosine, seeking->plane.across);
     return true;
-}
-
-static bool open_seeking(const struct spot_question *question, struct arena *arena,
-                         struct spot_search *seeking, struct error *error)
-{
-    const struct setup *setup = question->bundle.setup;
-    *seeking = (struct spot_search){.question = question};
-    if (!open_sources(seeking, arena, error)) {
-        return false;
-    }
-    seeking->plane.is_angular = question->to == 0 && isnan(setup->image);
-    seeking->plane.to = question->to > 0 ? question->to : seeking->sources[0].system->places;
-    return set_origin(seeking, arena, error);
 }
 
 /* For so many more, and as many of the wavelengths that are left. */
@@ -249,28 +235,6 @@ static bool spot_measure(const struct spot_search *seeking, size_t rays, struct 
     return true;
 }
 
-/* The farthest ray of the pupil; of other patterns the farthest of their rays. */
-static void find_radius(const struct spot_search *seeking, const struct spot *finer,
-                        struct arena *arena, struct spot *spot)
-{
-    static const double nowhere[2] = {0, 0};
-    const struct spot_question *asked = seeking->question;
-    const double *about = asked->about_chief ? nowhere : spot->centroid;
-    const struct spot_radius_question question = {
-        .sources = seeking->sources,
-        .count = asked->bundle.setup->wavelength_count,
-        .plane = &seeking->plane,
-        .about = {about[0], about[1]},
-    };
-    double change = fabs(finer->radius - spot->radius);
-    if (asked->bundle.pattern == PATTERN_GAUSS) {
-        spot->radius = spot_radius_find(&question, arena, &change);
-    }
-    double moved =
-        hypot(finer->centroid[0] - spot->centroid[0], finer->centroid[1] - spot->centroid[1]);
-    spot->radius_error = 2 * change + (asked->about_chief ? 0 : 3 * moved) + rounding(seeking);
-}
-
 /* Samples, each of twice the rays of the one before, until two agree or no more are wanted. */
 static bool spot_converge(const struct spot_search *seeking, struct arena *arena, struct spot *spot,
                           struct error *error)
@@ -326,7 +290,24 @@ static bool spot_converge(const struct spot_search *seeking, struct arena *arena
         if (done && question->no_radius) {
             spot->radius = spot->radius_error = NAN;
         } else if (done) {
-            find_radius(seeking, &finer, arena, spot);
+            /* The farthest ray of the pupil; of other patterns the farthest of their rays. */
+            static const double nowhere[2] = {0, 0};
+            const struct spot_question *asked = seeking->question;
+            const double *about = asked->about_chief ? nowhere : spot->centroid;
+            const struct spot_radius_question sought = {
+                .sources = seeking->sources,
+                .count = asked->bundle.setup->wavelength_count,
+                .plane = &seeking->plane,
+                .about = {about[0], about[1]},
+            };
+            double change = fabs(finer.radius - spot->radius);
+            if (asked->bundle.pattern == PATTERN_GAUSS) {
+                spot->radius = spot_radius_find(&sought, arena, &change);
+            }
+            double moved =
+                hypot(finer.centroid[0] - spot->centroid[0], finer.centroid[1] - spot->centroid[1]);
+            spot->radius_error =
+                2 * change + (asked->about_chief ? 0 : 3 * moved) + rounding(seeking);
         }
         before = here;
         here = finer;

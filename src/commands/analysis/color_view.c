@@ -105,7 +105,6 @@ struct color_view_painter {
     size_t wave_count;
     struct chromatic_focus primary;
     struct panel panels[PANELS];
-    struct panels page;
 };
 
 static const struct color_input *color_view_input_at(const struct artifact_job *job, size_t i)
@@ -134,19 +133,13 @@ static void collect_waves(struct color_view_painter *painter)
     }
     painter->waves = waves;
     painter->wave_count = count;
-}
-
-/* So many that each can be told apart: both ends, and what lies between in even steps. */
-static void thin_waves(struct color_view_painter *painter)
-{
-    const size_t count = painter->wave_count;
-    if (count <= MOST_COLOURS) {
-        return;
+    /* so many that each can be told apart: both ends, and what lies between in even steps */
+    if (count > MOST_COLOURS) {
+        for (size_t i = 0; i < MOST_COLOURS; i++) {
+            waves[i] = waves[i * (count - 1) / (MOST_COLOURS - 1)];
+        }
+        painter->wave_count = MOST_COLOURS;
     }
-    for (size_t i = 0; i < MOST_COLOURS; i++) {
-        painter->waves[i] = painter->waves[i * (count - 1) / (MOST_COLOURS - 1)];
-    }
-    painter->wave_count = MOST_COLOURS;
 }
 
 static double *numbers(const struct color_view_painter *painter, size_t count)
@@ -298,51 +291,6 @@ static bool draw_fields(struct color_view_painter *painter, struct error *error)
 
 /* -------- the page -------- */
 
-static const char *color_view_subtitle_of(const struct color_view_painter *painter,
-                                          const char *summary)
-{
-    const struct setup *setup = painter->one->setup;
-    struct arena *arena = painter->arena;
-    const char *aperture =
-        isfinite(setup->first.fnumber) ? arena_printf(arena, "f/%.4g, ", setup->first.fnumber) : "";
-    return arena_printf(
-        arena, "%s%s%srelative to %.5g nm%s%s", setup->position != NULL ? setup->position : "",
-        setup->position != NULL ? ", " : "", aperture, TO_NM * lens_primary_wavelength(setup->lens),
-        summary != NULL ? "; " : "", summary != NULL ? summary : "");
-}
-
-static bool color_view_paint(struct color_view_painter *painter, struct error *error)
-{
-    const struct analysis_case *one = painter->one;
-    const struct setup *setup = one->setup;
-    struct color_summary summary;
-    collect_waves(painter);
-    thin_waves(painter);
-    if (!color_summarize(one, &summary, error) ||
-        !chromatic_focus(setup, lens_primary_wavelength(setup->lens), &painter->primary, error) ||
-        !draw_shift(painter, error) || !draw_zones(painter, error) ||
-        !draw_fields(painter, error)) {
-        return false;
-    }
-    const char **keys = ARENA_ARRAY(painter->arena, painter->wave_count, const char *);
-    for (size_t i = 0; i < painter->wave_count; i++) {
-        keys[i] = arena_printf(painter->arena, "%.5g nm", TO_NM * painter->waves[i]);
-    }
-    painter->page = (struct panels){
-        .title = arena_printf(painter->arena, "Colour of %s", setup->lens->title),
-        .subtitle = color_view_subtitle_of(painter, summary.words),
-        .keys = keys,
-        .key_count = painter->wave_count,
-        .light = true,
-        .own_x = true,
-        .own_y = true,
-        .columns = PANELS,
-        .panels = painter->panels,
-        .count = PANELS,
-    };
-    return true;
-}
-
 /* Is it the same question at another wavelength? */
 static bool color_view_is_alike(const struct analysis_question *a,
                                 const struct analysis_question *b)
@@ -383,6 +331,37 @@ bool color_view_draw(const struct artifact_job *job, struct output *sink, struct
     }
     painter.one = at.one;
     painter.field = at.field;
-    return color_view_paint(&painter, error) && panels_draw(&painter.page, &svg, error) &&
-           drawing_write(job, &svg, sink, error);
+    const struct setup *setup = at.one->setup;
+    const double primary = lens_primary_wavelength(setup->lens);
+    struct color_summary summary;
+    collect_waves(&painter);
+    if (!color_summarize(at.one, &summary, error) ||
+        !chromatic_focus(setup, primary, &painter.primary, error) || !draw_shift(&painter, error) ||
+        !draw_zones(&painter, error) || !draw_fields(&painter, error)) {
+        return false;
+    }
+    const char **keys = ARENA_ARRAY(painter.arena, painter.wave_count, const char *);
+    for (size_t i = 0; i < painter.wave_count; i++) {
+        keys[i] = arena_printf(painter.arena, "%.5g nm", TO_NM * painter.waves[i]);
+    }
+    const char *position = setup->position, *said = summary.words;
+    const char *aperture = isfinite(setup->first.fnumber)
+                               ? arena_printf(svg.arena, "f/%.4g, ", setup->first.fnumber)
+                               : "";
+    const struct panels page = {
+        .title = arena_printf(painter.arena, "Colour of %s", setup->lens->title),
+        .subtitle =
+            arena_printf(svg.arena, "%s%s%srelative to %.5g nm%s%s",
+                         position != NULL ? position : "", position != NULL ? ", " : "", aperture,
+                         TO_NM * primary, said != NULL ? "; " : "", said != NULL ? said : ""),
+        .keys = keys,
+        .key_count = painter.wave_count,
+        .light = true,
+        .own_x = true,
+        .own_y = true,
+        .columns = PANELS,
+        .panels = painter.panels,
+        .count = PANELS,
+    };
+    return panels_draw(&page, &svg, error) && drawing_write(job, &svg, sink, error);
 }

@@ -251,16 +251,6 @@ static bool find_picture(const struct distortion_input *input, struct picture *p
                 picture->size.pitch, size->width, size->height);
 }
 
-/* What a model cannot be of. */
-static bool check_model(const struct distortion_input *input, struct error *error)
-{
-    const struct model_facts *facts = &distortion_models[input->fit - 1];
-    const int wanted = input->projection - 1;
-    return wanted < 0 || facts->projection == PROJECTIONS || wanted == (int)facts->projection ||
-           fail(error, ERROR_USAGE, "{--fit} %s is of %s images, not {--projection} %s",
-                facts->word.word, projections[facts->projection].word, projections[wanted].word);
-}
-
 struct distortion_models_found {
     struct picture picture;
     struct distortion_case ready;
@@ -273,7 +263,14 @@ static bool distortion_models_find(const struct distortion_input *input,
                                    struct distortion_models_found *found, struct error *error)
 {
     struct arena *arena = one->setup->arena;
-    if (!check_model(input, error) || !find_picture(input, &found->picture, error) ||
+    const struct model_facts *facts = &distortion_models[input->fit - 1];
+    const int wanted = input->projection - 1;
+    if (wanted >= 0 && facts->projection != PROJECTIONS && wanted != (int)facts->projection) {
+        return fail(error, ERROR_USAGE, "{--fit} %s is of %s images, not {--projection} %s",
+                    facts->word.word, projections[facts->projection].word,
+                    projections[wanted].word);
+    }
+    if (!find_picture(input, &found->picture, error) ||
         !distortion_ready(input, one, NULL, &found->ready, error)) {
         return false;
     }
