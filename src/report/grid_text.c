@@ -73,7 +73,7 @@ static size_t count_lines(struct text cell, size_t width)
 }
 
 /* Line `k` of a cell; empty behind its last. */
-static struct text grid_text_line_of(struct text cell, size_t width, size_t k)
+static struct text text_line_of(struct text cell, size_t width, size_t k)
 {
     struct text line = grid_text_next_line(&cell, width);
     for (; k > 0; k--) {
@@ -188,7 +188,7 @@ size_t grid_fit(struct grid *grid, size_t width, const size_t *least, const size
 
 /* -------- printing -------- */
 
-static bool grid_text_is_hidden(const struct grid *grid, size_t column)
+static bool text_is_hidden(const struct grid *grid, size_t column)
 {
     return grid->hidden != NULL && grid->hidden[column];
 }
@@ -198,8 +198,7 @@ static void write_line(const struct grid *grid, struct output *output, const siz
                        const struct text *pieces, enum style style)
 {
     size_t behind = grid->columns; /* the last that says something */
-    while (behind > 0 &&
-           (pieces[behind - 1].length == 0 || grid_text_is_hidden(grid, behind - 1))) {
+    while (behind > 0 && (pieces[behind - 1].length == 0 || text_is_hidden(grid, behind - 1))) {
         behind--;
     }
     size_t gap = 0;
@@ -207,7 +206,7 @@ static void write_line(const struct grid *grid, struct output *output, const siz
         output_style(output, style);
     }
     for (size_t j = 0; j < behind; j++) {
-        if (grid_text_is_hidden(grid, j)) {
+        if (text_is_hidden(grid, j)) {
             continue;
         }
         size_t used = width_of(pieces[j]), blanks = widths[j] > used ? widths[j] - used : 0;
@@ -227,7 +226,7 @@ static void write_line(const struct grid *grid, struct output *output, const siz
 /* Do the cells of this row in this column go on in further lines? */
 static bool wraps(const struct grid *grid, size_t row, size_t column)
 {
-    return grid->widths != NULL && !grid_text_is_hidden(grid, column) &&
+    return grid->widths != NULL && !text_is_hidden(grid, column) &&
            (row < grid->head_rows || grid->left[column]);
 }
 
@@ -250,8 +249,7 @@ static void write_rows(const struct grid *grid, struct output *output, const siz
                 size_t width = wraps(grid, i, j) ? grid->widths[j] : SIZE_MAX;
                 size_t own = count_lines(cell, width);
                 size_t above = i < grid->head_rows ? lines - own : 0;
-                pieces[j] =
-                    k < above ? (struct text){"", 0} : grid_text_line_of(cell, width, k - above);
+                pieces[j] = k < above ? (struct text){"", 0} : text_line_of(cell, width, k - above);
             }
             write_line(grid, output, widths, pieces,
                        i < grid->head_rows ? STYLE_HEAD : STYLE_PLAIN);

@@ -40,7 +40,7 @@ struct mtf_curve_turns {
 
 /* The overlap of one pupil in one direction, or of the same pupil with a perfect wave front, which
    wants fewer cells and lines. */
-struct mtf_curve_pupil_overlap {
+struct curve_pupil_overlap {
     const struct exit_front *front;
     bool is_perfect;
     double middle[2], wide[2]; /* along and across */
@@ -79,7 +79,7 @@ static struct mtf_curve_turns mtf_curve_find_turns(const double (*waves)[LOOKS],
 }
 
 /* W of a line at even places along the pupil, NaN where it is not clear. */
-static void mtf_curve_look_along(const struct mtf_curve_pupil_overlap *one,
+static void mtf_curve_look_along(const struct curve_pupil_overlap *one,
                                  const struct exit_line *line, double *waves)
 {
     double x[LANES] = {0}, here[LANES], amplitudes[LANES];
@@ -100,7 +100,7 @@ static void mtf_curve_look_along(const struct mtf_curve_pupil_overlap *one,
 }
 
 /* Turns for shifts up to the most. */
-static struct mtf_curve_turns mtf_curve_look(const struct mtf_curve_pupil_overlap *one, double most)
+static struct mtf_curve_turns mtf_curve_look(const struct curve_pupil_overlap *one, double most)
 {
     const struct exit_lines *lines = one->front->lines;
     double waves[LOOKS][LOOKS];
@@ -133,7 +133,7 @@ static double lines_for(const struct mtf_curve_turns *turns, double share)
 }
 
 /* Cells and lines for a step of the shift; false: too many. */
-static bool mtf_curve_set_grid(struct mtf_curve_pupil_overlap *one, double shift, size_t count)
+static bool mtf_curve_set_grid(struct curve_pupil_overlap *one, double shift, size_t count)
 {
     one->turns = one->is_perfect ? (struct mtf_curve_turns){0, 0, 0}
                                  : mtf_curve_look(one, shift * (double)count);
@@ -148,8 +148,8 @@ static bool mtf_curve_set_grid(struct mtf_curve_pupil_overlap *one, double shift
 }
 
 /* A line's cells from the first that is clear: complex, or real of a perfect wave front. */
-static void mtf_curve_put_line(const struct mtf_curve_pupil_overlap *one,
-                               const struct exit_line *line, double weight, double *re, double *im)
+static void mtf_curve_put_line(const struct curve_pupil_overlap *one, const struct exit_line *line,
+                               double weight, double *re, double *im)
 {
     kernel_exit_values *find = KERNEL_FOR(SET_BEST, kernel_exit_values);
     const double first = line->spans.edges[0], cells = (double)one->cells;
@@ -201,8 +201,7 @@ static void mtf_curve_put_line(const struct mtf_curve_pupil_overlap *one,
  * Given     times  that the piece counts: for its mirror image too
  *           halves  of a piece that is its own mirror image half the lines do
  */
-static void add_piece(const struct mtf_curve_pupil_overlap *one, size_t p, double times,
-                      bool halves)
+static void add_piece(const struct curve_pupil_overlap *one, size_t p, double times, bool halves)
 {
     const struct arena_mark mark = arena_mark(one->arena);
     const struct exit_piece *piece = &one->front->lines->pieces[p];
@@ -244,7 +243,7 @@ struct mtf_curve_sums {
     double *re, *im, *perfect, light;
 };
 
-static void add_overlaps(const struct mtf_curve_pupil_overlap *one, size_t count, double weight,
+static void add_overlaps(const struct curve_pupil_overlap *one, size_t count, double weight,
                          struct mtf_curve_sums *sums)
 {
     const size_t length = one->fft.length;
@@ -268,13 +267,13 @@ bool mtf_curve_find(const struct mtf_source *source, double step, size_t count, 
 {
     enum { BOTH = 2 }; /* with the wave front, and with a perfect one */
     const size_t lights = source->pupils.lights.count, each = lights * BOTH;
-    struct mtf_curve_pupil_overlap *plans =
-        arena_array(arena, source->directions * each, sizeof(struct mtf_curve_pupil_overlap));
+    struct curve_pupil_overlap *plans =
+        arena_array(arena, source->directions * each, sizeof(struct curve_pupil_overlap));
     for (size_t i = 0; i < source->directions * each; i++) {
         const struct exit_front *front =
             &source->fronts[i % each / BOTH * MTF_DIRECTIONS + i / each];
         const struct exit_pupil *pupil = front->pupil;
-        plans[i] = (struct mtf_curve_pupil_overlap){.front = front, .is_perfect = i % BOTH == 1};
+        plans[i] = (struct curve_pupil_overlap){.front = front, .is_perfect = i % BOTH == 1};
         for (int m = 0; m < 2; m++) {
             double range[2];
             exit_pupil_range(pupil, m == 0 ? front->lines->along : front->lines->across, range);
@@ -294,7 +293,7 @@ bool mtf_curve_find(const struct mtf_source *source, double step, size_t count, 
             const struct wave_light *light = &source->pupils.lights.list[i / BOTH];
             if (light->weight > 0) {
                 const struct arena_mark mark = arena_mark(arena);
-                struct mtf_curve_pupil_overlap *one = &plans[k * each + i];
+                struct curve_pupil_overlap *one = &plans[k * each + i];
                 one->arena = arena;
                 /* empty cells behind a line, so that it does not meet its other end up to the last
                    shift */

@@ -32,7 +32,7 @@ static double field_square(const struct field *field, size_t column, size_t row)
 }
 
 /* The values that the rim may cut. */
-struct psf_radius_rim {
+struct psf_rim {
     double *distances, *values, inner; /* steps; inner: sum of the values within */
     size_t count;
 };
@@ -63,8 +63,7 @@ static double field_radius(const struct field *field, struct arena *arena)
     const double within = pow(low - 0.5, 2), beyond = pow(high + 0.5, 2);
     /* no more lie in a ring of 4 steps' width than its area and its edges have room for */
     const size_t room = (size_t)fmin((double)(side * side), 32 * PI * (high + 2));
-    struct psf_radius_rim rim = {ARENA_ARRAY(arena, room, double), ARENA_ARRAY(arena, room, double),
-                                 0, 0};
+    struct psf_rim rim = {ARENA_ARRAY(arena, room, double), ARENA_ARRAY(arena, room, double), 0, 0};
     for (size_t y = 0; y < side; y++) {
         for (size_t x = 0; x < side; x++) {
             const double square = field_square(field, x, y), value = field->values[y * side + x];

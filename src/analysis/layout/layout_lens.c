@@ -64,7 +64,7 @@ static bool has_element(const struct layout *layout, size_t surface)
 }
 
 /* The surface's own edge in z; what lies beyond its clear diameter is a flat. */
-static double layout_lens_edge(const struct layout *layout, size_t surface)
+static double lens_edge(const struct layout *layout, size_t surface)
 {
     return layout->vertex[surface] + sag(layout, surface, layout->semi[surface]);
 }
@@ -234,15 +234,13 @@ static void add_element(struct layout *layout, size_t i)
     size_t count = 0;
     struct layout_part *part = layout_add(layout, LAYOUT_ELEMENT, 2 * (SAMPLES + 1) + 4, &z, &y);
     double r = fmax(layout->semi[i], layout->semi[i + 1]);
-    bool stepped =
-        (layout_lens_edge(layout, i + 1) - layout_lens_edge(layout, i)) * layout->direction[i + 1] >
-        0;
+    bool stepped = (lens_edge(layout, i + 1) - lens_edge(layout, i)) * layout->direction[i + 1] > 0;
     for (size_t side = 0; side < 2; side++) {
         size_t surface = i + side;
         double semi = layout->semi[surface], up = side == 0 ? 1 : -1;
         bool flat = stepped && semi < r;
         if (flat) {
-            z[count] = layout_lens_edge(layout, surface);
+            z[count] = lens_edge(layout, surface);
             y[count] = -up * r;
             layout_lens_put(layout, surface, &z[count], &y[count]);
             count++;
@@ -255,7 +253,7 @@ static void add_element(struct layout *layout, size_t i)
             layout_lens_reach(layout, z[count++]);
         }
         if (flat) {
-            z[count] = layout_lens_edge(layout, surface);
+            z[count] = lens_edge(layout, surface);
             y[count] = up * r;
             layout_lens_put(layout, surface, &z[count], &y[count]);
             count++;
@@ -268,7 +266,7 @@ static void add_element(struct layout *layout, size_t i)
 /* -------- what apertures leave -------- */
 
 /* Between two heights of a surface, in the plane of the drawing. */
-struct layout_lens_stretch {
+struct lens_stretch {
     double low, high;
 };
 enum { STRETCHES = 16, STRETCH_STEPS = 600 };
@@ -287,8 +285,7 @@ static bool passes_at(const struct layout *layout, const struct aperture_form *f
 
 /* The stretches from one height up to another where the apertures pass, or where they do not. */
 static size_t find_stretches(const struct layout *layout, size_t surface, bool passing,
-                             struct layout_lens_stretch whole,
-                             struct layout_lens_stretch *stretches)
+                             struct lens_stretch whole, struct lens_stretch *stretches)
 {
     const struct surface *one = &layout->setup->lens->surfaces[surface];
     const size_t count = one->aperture_count;
@@ -326,13 +323,12 @@ static size_t find_stretches(const struct layout *layout, size_t surface, bool p
 static void add_blocks(struct layout *layout, size_t i)
 {
     const struct surface *surface = &layout->setup->lens->surfaces[i];
-    struct layout_lens_stretch stretches[STRETCHES];
+    struct lens_stretch stretches[STRETCHES];
     double semi = layout->is_drawn[i] || surface->has_diameter ? layout->semi[i] : layout->size;
     if (surface->aperture_count == 0 || surface_reflects(surface)) {
         return;
     }
-    size_t count =
-        find_stretches(layout, i, false, (struct layout_lens_stretch){-semi, semi}, stretches);
+    size_t count = find_stretches(layout, i, false, (struct lens_stretch){-semi, semi}, stretches);
     for (size_t k = 0; k < count; k++) {
         double *z, *y, low = stretches[k].low, high = stretches[k].high;
         layout_add(layout, LAYOUT_BLOCK, SAMPLES + 1, &z, &y);
@@ -395,14 +391,13 @@ static void add_mirror_piece(struct layout *layout, size_t i, double from, doubl
 static void add_mirror(struct layout *layout, size_t i)
 {
     double semi = layout->semi[i], hole = layout_lens_find_hole(layout, i);
-    struct layout_lens_stretch stretches[STRETCHES];
+    struct lens_stretch stretches[STRETCHES];
     if (layout->setup->lens->surfaces[i].aperture_count == 0) {
         add_mirror_piece(layout, i, -hole, -semi);
         add_mirror_piece(layout, i, hole, semi);
         return;
     }
-    size_t count =
-        find_stretches(layout, i, true, (struct layout_lens_stretch){-semi, semi}, stretches);
+    size_t count = find_stretches(layout, i, true, (struct lens_stretch){-semi, semi}, stretches);
     for (size_t k = 0; k < count; k++) {
         add_mirror_piece(layout, i, stretches[k].low, stretches[k].high);
     }

@@ -58,8 +58,7 @@ static void layout_planes_add_plane(struct layout *layout, double at, double hal
     }
 }
 
-static void layout_planes_add_pupil(struct layout *layout, double at, double diameter,
-                                    const char *name)
+static void planes_add_pupil(struct layout *layout, double at, double diameter, const char *name)
 {
     double r = diameter / 2, tick = 0.3 * layout->size;
     if (!isnan(at) && isfinite(r) && layout_planes_is_near(layout, at, name)) {
@@ -78,10 +77,9 @@ void layout_planes(struct layout *layout, bool with_pupils)
     layout_planes_add_point(layout, at.F, "F");
     layout_planes_add_point(layout, at.F2, "F'");
     if (with_pupils) {
-        layout_planes_add_pupil(layout, first->entrance_pupil, first->entrance_diameter,
-                                "entrance pupil");
-        layout_planes_add_pupil(layout, first->length + first->exit_pupil, first->exit_diameter,
-                                "exit pupil");
+        planes_add_pupil(layout, first->entrance_pupil, first->entrance_diameter, "entrance pupil");
+        planes_add_pupil(layout, first->length + first->exit_pupil, first->exit_diameter,
+                         "exit pupil");
     }
 }
 

@@ -13,7 +13,7 @@
 enum { LEAST_FIELDS = 60 };
 
 /* What the rays need: the lens with a clear aperture at every surface that is drawn. */
-struct layout_rays_beams {
+struct rays_beams {
     struct layout *layout;
     const struct system *open; /* without clear apertures */
     struct system clipped;     /* and with those of the drawing */
@@ -70,7 +70,7 @@ static void end_ray(const struct layout *layout, const struct ray *last, size_t 
                       last->point[section] + way * last->cosine[section], z, y);
 }
 
-static void layout_rays_add_ray(const struct layout_rays_beams *beams, enum layout_kind kind,
+static void layout_rays_add_ray(const struct rays_beams *beams, enum layout_kind kind,
                                 const struct ray *start)
 {
     struct layout *layout = beams->layout;
@@ -117,13 +117,13 @@ static void layout_rays_add_ray(const struct layout_rays_beams *beams, enum layo
 }
 
 /* One bundle: the edges that the clear apertures leave of it in the plane of the drawing. */
-struct layout_rays_bundle {
+struct rays_bundle {
     struct beam beam;
     struct clear_cross clear;
 };
 
-static bool find_bundle(struct layout_rays_beams *beams, const struct field_point *field,
-                        struct layout_rays_bundle *bundle)
+static bool find_bundle(struct rays_beams *beams, const struct field_point *field,
+                        struct rays_bundle *bundle)
 {
     struct layout *layout = beams->layout;
     const struct setup *setup = layout->setup;
@@ -140,31 +140,29 @@ static bool find_bundle(struct layout_rays_beams *beams, const struct field_poin
     return !bundle->clear.is_empty;
 }
 
-static const struct clear_edge *layout_rays_edge_of(const struct layout_rays_beams *beams,
-                                                    const struct layout_rays_bundle *bundle,
-                                                    int side)
+static const struct clear_edge *layout_edge_of(const struct rays_beams *beams,
+                                               const struct rays_bundle *bundle, int side)
 {
     size_t axis = beams->layout->setup->section == SECTION_Y ? 1 : 0;
     return &bundle->clear.ends[side > 0 ? axis : axis + 2];
 }
 
-static void add_edges(const struct layout_rays_beams *beams, enum layout_kind kind,
-                      const struct layout_rays_bundle *bundle)
+static void add_edges(const struct rays_beams *beams, enum layout_kind kind,
+                      const struct rays_bundle *bundle)
 {
     for (int side = -1; side <= 1; side += 2) {
-        const double *at = layout_rays_edge_of(beams, bundle, side)->at;
+        const double *at = layout_edge_of(beams, bundle, side)->at;
         struct ray ray = beam_ray(&bundle->beam, at[0], at[1]);
         layout_rays_add_ray(beams, kind, &ray);
     }
 }
 
 /* The surface whose clear aperture cuts the bundle before the stop does; LENS_NONE: none. */
-static size_t cutting(const struct layout_rays_beams *beams,
-                      const struct layout_rays_bundle *bundle)
+static size_t cutting(const struct rays_beams *beams, const struct rays_bundle *bundle)
 {
     const struct lens *lens = beams->layout->setup->lens;
     for (int side = -1; side <= 1; side += 2) {
-        const struct clear_edge *edge = layout_rays_edge_of(beams, bundle, side);
+        const struct clear_edge *edge = layout_edge_of(beams, bundle, side);
         size_t i = edge->surface - 1;
         if (edge->status == RAY_CLIPPED && i < lens->surface_count && i != lens->stop &&
             isfinite(aperture_reach(&lens->surfaces[i]))) {
@@ -174,11 +172,11 @@ static size_t cutting(const struct layout_rays_beams *beams,
     return LENS_NONE;
 }
 
-static void add_axial(struct layout_rays_beams *beams)
+static void add_axial(struct rays_beams *beams)
 {
     struct layout *layout = beams->layout;
     const struct field_point axis = {.kind = FIELD_NONE};
-    struct layout_rays_bundle bundle;
+    struct rays_bundle bundle;
     if (!find_bundle(beams, &axis, &bundle)) {
         layout_note(layout, "no ray of the point on the axis passes the clear apertures");
         return;
@@ -195,8 +193,7 @@ static void add_axial(struct layout_rays_beams *beams)
     add_edges(beams, LAYOUT_AXIAL, &bundle);
 }
 
-static bool layout_rays_find_at(struct layout_rays_beams *beams, double share,
-                                struct layout_rays_bundle *bundle)
+static bool layout_rays_find_at(struct rays_beams *beams, double share, struct rays_bundle *bundle)
 {
     const struct field_point *edge = &beams->edge;
     const struct field_point field = {edge->kind, {share * edge->value[0], share * edge->value[1]}};
@@ -208,10 +205,9 @@ static bool layout_rays_find_at(struct layout_rays_beams *beams, double share,
  * between the edge and where the last of these steps leads to. If none pass there, none are drawn:
  * to find that nothing passes takes far longer than to find what does.
  */
-static double layout_rays_find_edge(struct layout_rays_beams *beams,
-                                    struct layout_rays_bundle *bundle)
+static double layout_find_edge(struct rays_beams *beams, struct rays_bundle *bundle)
 {
-    struct layout_rays_bundle nearer;
+    struct rays_bundle nearer;
     int dark = 0, lit = LEAST_FIELDS; /* steps from the edge */
     if (layout_rays_find_at(beams, 1, bundle)) {
         return 1;
@@ -241,11 +237,11 @@ static bool has_mirror(const struct lens *lens)
     return false;
 }
 
-static void add_oblique(struct layout_rays_beams *beams)
+static void add_oblique(struct rays_beams *beams)
 {
     struct layout *layout = beams->layout;
-    struct layout_rays_bundle bundle;
-    double share = layout_rays_find_edge(beams, &bundle);
+    struct rays_bundle bundle;
+    double share = layout_find_edge(beams, &bundle);
     if (!(share > 0)) {
         layout_note(layout, "no ray from the edge of the field passes the clear apertures");
         return;
@@ -278,7 +274,7 @@ bool layout_rays(struct layout *layout, struct error *error)
 {
     const struct setup *setup = layout->setup;
     const struct first_order *first = &setup->first;
-    struct layout_rays_beams beams;
+    struct rays_beams beams;
     bool has_clear_aperture = isfinite(first->stop_radius) || isfinite(first->entrance_diameter);
     for (size_t i = 0; i < setup->lens->surface_count; i++) {
         has_clear_aperture =
@@ -289,10 +285,9 @@ bool layout_rays(struct layout *layout, struct error *error)
         return true;
     }
     bool has_stop = setup->lens->stop != LENS_NONE && isfinite(setup->first.stop_radius);
-    beams = (struct layout_rays_beams){
-        .layout = layout,
-        .open = setup_system(setup, layout->wavelength, SETUP_OPEN, error),
-        .has_stop = has_stop};
+    beams = (struct rays_beams){.layout = layout,
+                                .open = setup_system(setup, layout->wavelength, SETUP_OPEN, error),
+                                .has_stop = has_stop};
     if (!(beams.open != NULL &&
           setup_compile(setup, with_clear_apertures(layout), layout->wavelength, SETUP_CLIPPED,
                         &beams.clipped, error))) {

@@ -65,14 +65,14 @@ void encircled_energy_arms_add(struct encircled_energy_arms *arms, size_t ray,
 
 /* -------- of rays by themselves -------- */
 
-struct encircled_energy_point {
+struct energy_point {
     double distance, weight;
 };
 
 static int by_distance(const void *first, const void *second)
 {
-    double a = ((const struct encircled_energy_point *)first)->distance,
-           b = ((const struct encircled_energy_point *)second)->distance;
+    double a = ((const struct energy_point *)first)->distance,
+           b = ((const struct energy_point *)second)->distance;
     return (a > b) - (a < b);
 }
 
@@ -80,18 +80,16 @@ static int by_distance(const void *first, const void *second)
 static double of_points(const struct encircled_energy_mark *marks, size_t count, double share,
                         struct arena *arena)
 {
-    struct encircled_energy_point *points =
-        ARENA_ARRAY(arena, count, struct encircled_energy_point);
+    struct energy_point *points = ARENA_ARRAY(arena, count, struct energy_point);
     double total = 0, before = 0;
     for (size_t i = 0; i < count; i++) {
-        points[i] =
-            (struct encircled_energy_point){hypot(marks[i].at[0], marks[i].at[1]), marks[i].weight};
+        points[i] = (struct energy_point){hypot(marks[i].at[0], marks[i].at[1]), marks[i].weight};
         total += points[i].weight;
     }
     qsort(points, count, sizeof *points, by_distance);
-    const struct encircled_energy_point *last = NULL;
+    const struct energy_point *last = NULL;
     for (size_t i = 0; i < count; i++) {
-        const struct encircled_energy_point *point = &points[i];
+        const struct energy_point *point = &points[i];
         double middle = before + point->weight / 2;
         if (middle >= share * total) {
             double from = last != NULL ? before - last->weight / 2 : 0;
@@ -180,7 +178,7 @@ struct stencil {
 };
 
 /* Lagrange's factors: of the nodes nearest by, or those at the end. */
-static struct stencil encircled_energy_stencil_at(const double *nodes, size_t count, double at)
+static struct stencil encircled_stencil_at(const double *nodes, size_t count, double at)
 {
     struct stencil stencil = {0, count < STENCIL ? count : STENCIL, {0}};
     while (stencil.first + stencil.count < count &&
@@ -205,7 +203,7 @@ static struct stencil stencil_around(size_t steps, size_t gap, double beyond)
     for (size_t j = 0; j < count; j++) {
         nodes[j] = (double)j;
     }
-    struct stencil stencil = encircled_energy_stencil_at(nodes, count, (double)back + beyond);
+    struct stencil stencil = encircled_stencil_at(nodes, count, (double)back + beyond);
     stencil.first = gap + steps - back;
     return stencil;
 }
@@ -214,7 +212,7 @@ static struct stencil stencil_around(size_t steps, size_t gap, double beyond)
  * What there is at looks along an arm. Distances are the same in any axes: of a whole circle each
  * arm has its own, which turn with it, so that nothing changes around a disc.
  */
-struct encircled_energy_value {
+struct encircled_value {
     double at[2], density;
 };
 
@@ -223,7 +221,7 @@ struct energy_sheet {
     const struct encircled_energy_sheet *made;
     const double *radii; /* of looks outwards, from 0 to 1 */
     size_t looks;
-    struct encircled_energy_value *arms; /* `looks` of each */
+    struct encircled_value *arms; /* `looks` of each */
     struct piece *pieces;
     size_t count;
 };
@@ -250,16 +248,14 @@ static void look_along_arms(const struct encircled_energy_mark *marks, const dou
 {
     const struct encircled_energy_sheet *made = sheet->made;
     double *rings = ARENA_ARRAY(arena, made->rings, double);
-    sheet->arms = ARENA_ARRAY(arena, sheet->looks * made->arms, struct encircled_energy_value);
+    sheet->arms = ARENA_ARRAY(arena, sheet->looks * made->arms, struct encircled_value);
     for (size_t ring = 0; ring < made->rings; ring++) {
         rings[ring] = sqrt(made->places[ring]);
     }
     for (size_t i = 0; i < sheet->looks; i++) {
-        const struct stencil stencil =
-            encircled_energy_stencil_at(rings, made->rings, sheet->radii[i]);
+        const struct stencil stencil = encircled_stencil_at(rings, made->rings, sheet->radii[i]);
         for (size_t arm = 0; arm < made->arms; arm++) {
-            struct encircled_energy_value *value = &sheet->arms[arm * sheet->looks + i],
-                                          sum = {{0, 0}, 0};
+            struct encircled_value *value = &sheet->arms[arm * sheet->looks + i], sum = {{0, 0}, 0};
             for (size_t j = 0; j < stencil.count; j++) {
                 const size_t ring = stencil.first + j;
                 const struct encircled_energy_mark *mark =
@@ -286,7 +282,7 @@ static void pieces_between(struct energy_sheet *sheet, size_t first, size_t coun
         double x = 0, y = 0, density = 0;
         for (size_t j = 0; j < stencil->count; j++) {
             const size_t arm = first + (stencil->first + j) % count;
-            const struct encircled_energy_value *value = &sheet->arms[arm * sheet->looks + i];
+            const struct encircled_value *value = &sheet->arms[arm * sheet->looks + i];
             x += stencil->factor[j] * value->at[0];
             y += stencil->factor[j] * value->at[1];
             density += stencil->factor[j] * value->density;
@@ -345,10 +341,9 @@ static size_t pieces_of_sheet(const struct encircled_energy_mark *marks,
         for (size_t i = 0; i < cells; i++) {
             const double within = ((double)(i % around) + 0.5) / (double)around;
             const struct stencil stencil =
-                made->arcs.count == 0
-                    ? stencil_around(count, i / around, within)
-                    : encircled_energy_stencil_at(angles + first, count,
-                                                  ((double)i + 0.5) / (double)cells);
+                made->arcs.count == 0 ? stencil_around(count, i / around, within)
+                                      : encircled_stencil_at(angles + first, count,
+                                                             ((double)i + 0.5) / (double)cells);
             pieces_between(&sheet, first, count, &stencil, 1 / (double)cells);
         }
     }

@@ -18,9 +18,8 @@ static const double ALONG = 1.7e-3;
 
 /* -------- the chief ray -------- */
 
-static bool pupil_shape_find_chief(const struct pupil_question *question,
-                                   const struct clear_guess *guess, struct arena *arena,
-                                   double at[2])
+static bool shape_find_chief(const struct pupil_question *question, const struct clear_guess *guess,
+                             struct arena *arena, double at[2])
 {
     struct aim aim;
     struct error ignored;
@@ -81,8 +80,7 @@ static const double *pupil_shape_place_of(const struct clear_pupil *clear, const
 /* -------- outlines -------- */
 
 /* Where a line crosses z = const; NaN where it runs along it, or the other way. */
-static void pupil_shape_cross(const struct ray *ray, double z, double light_direction,
-                              double point[2])
+static void shape_cross(const struct ray *ray, double z, double light_direction, double point[2])
 {
     double t = (z - ray->point[2]) / ray->cosine[2];
     bool meets = ray->cosine[2] * light_direction > ALONG;
@@ -119,7 +117,7 @@ static void pupil_shape_look_at(const struct clear_pupil *clear, const struct ra
     bool met = isfinite(z);
     *extent = (struct pupil_extent){.z = z};
     for (size_t i = 0; i < count; i++) {
-        pupil_shape_cross(&rays[i], met ? z : 0, light_direction, points[i]);
+        shape_cross(&rays[i], met ? z : 0, light_direction, points[i]);
         met = met && isfinite(points[i][0]) && isfinite(points[i][1]);
     }
     for (size_t i = 0; i < PUPIL_ENDS; i++) {
@@ -141,8 +139,7 @@ static void pupil_shape_look_at(const struct clear_pupil *clear, const struct ra
 enum measure { IN_PLANE, COSINES };
 
 /* What a bit of the beam's plane counts; see the header. */
-static double pupil_shape_weight(const struct beam *beam, const double at[2], enum measure what,
-                                 double z)
+static double shape_weight(const struct beam *beam, const double at[2], enum measure what, double z)
 {
     struct ray ray = beam_ray(beam, at[0], at[1]);
     double cosine = fabs(ray.cosine[2]), d = fabs(beam->distance);
@@ -161,8 +158,7 @@ static double integrate(const struct beam *beam, const struct clear_pupil *clear
     enum { POINTS = 8 };
     double x[POINTS], w[POINTS], sum = 0;
     if (isinf(beam->distance)) {
-        return pupil_shape_weight(beam, clear->centre, what, z) *
-               clear->area; /* alike everywhere */
+        return shape_weight(beam, clear->centre, what, z) * clear->area; /* alike everywhere */
     }
     gauss_rule(POINTS, x, w);
     for (size_t i = 0; i < clear->arm_count; i++) {
@@ -173,7 +169,7 @@ static double integrate(const struct beam *beam, const struct clear_pupil *clear
             double low = intervals->low[k / POINTS], width = intervals->high[k / POINTS] - low;
             double t = low + width * x[k % POINTS];
             const double at[2] = {c[0] + t * arm[0], c[1] + t * arm[1]};
-            along += width * w[k % POINTS] * t * pupil_shape_weight(beam, at, what, z);
+            along += width * w[k % POINTS] * t * shape_weight(beam, at, what, z);
         }
         sum += 2 * along * clear->arms[i].area;
     }
@@ -183,9 +179,8 @@ static double integrate(const struct beam *beam, const struct clear_pupil *clear
 /* -------- both sides -------- */
 
 /* Rays of the beam, taken through to the place `to`. */
-static struct ray *pupil_shape_trace_places(const struct pupil_question *question,
-                                            const double (*at)[2], size_t count, size_t to,
-                                            struct arena *arena)
+static struct ray *shape_trace_places(const struct pupil_question *question, const double (*at)[2],
+                                      size_t count, size_t to, struct arena *arena)
 {
     const struct system *system = question->open;
     struct rays rays = rays_new(arena, count);
@@ -216,7 +211,7 @@ static struct ray *trace_edges(const struct pupil_question *question,
         at[i][0] = place[0];
         at[i][1] = place[1];
     }
-    return pupil_shape_trace_places(question, (const double(*)[2])at, count, to, arena);
+    return shape_trace_places(question, (const double(*)[2])at, count, to, arena);
 }
 
 /* A plane that a bundle may fold in, and how far its rays reach there. */
@@ -264,15 +259,14 @@ static void look_for_folds(const struct pupil_question *question, const struct c
         const struct arena_mark mark = arena_mark(arena);
         const size_t here = count - done < AT_ONCE ? count - done : AT_ONCE;
         const struct ray *rays =
-            pupil_shape_trace_places(question, at + done, here, question->open->places, arena);
+            shape_trace_places(question, at + done, here, question->open->places, arena);
         for (size_t i = 0; i < PLANES; i++) {
             if (folds[i].extent->outline != NULL) {
                 /* Three rays at a time: one within the edge, and two beside it. */
                 for (size_t m = 0; m + 2 < here; m += 3) {
                     double points[3][2];
                     for (size_t j = 0; j < 3; j++) {
-                        pupil_shape_cross(&rays[m + j], folds[i].extent->z, light_direction,
-                                          points[j]);
+                        shape_cross(&rays[m + j], folds[i].extent->z, light_direction, points[j]);
                     }
                     caustic_add(&folds[i].folding, (const double(*)[2])points, 3);
                     for (int j = 0; j < 2; j++) {
@@ -325,7 +319,7 @@ static void fill_side(const struct clear_pupil *clear, const struct ray *rays, b
     if (!has_chief || side->chief.status == RAY_MISS) {
         side->chief = (struct ray){.point = {NAN, NAN, NAN}, .cosine = {NAN, NAN, NAN}};
     } else if (side->chief.cosine[2] * light_direction > ALONG) {
-        pupil_shape_cross(chief, 0, light_direction, side->chief.point);
+        shape_cross(chief, 0, light_direction, side->chief.point);
         side->chief.point[2] = 0;
     }
 }
@@ -432,7 +426,7 @@ static bool pupil_shape_look(const struct pupil_question *question, struct arena
     }
     struct clear_guess guess = clear_guess_of(question->clipped, beam, question->first);
     *shape = (struct pupil_shape){.count = question->directions};
-    shape->has_chief = pupil_shape_find_chief(question, &guess, arena, chief);
+    shape->has_chief = shape_find_chief(question, &guess, arena, chief);
     /* What stops the chief ray, or the middle of the beam where there is no chief ray. */
     struct rays work = rays_new(arena, 1);
     struct ray ray = beam_ray(question->beam, chief[0], chief[1]);

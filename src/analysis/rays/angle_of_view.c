@@ -77,7 +77,7 @@ static bool take_step(const struct outlook *outlook, struct from_film *ray, doub
 }
 
 /* From a guess to the chief ray. It ends when no step brings it closer, which is at rounding. */
-static bool angle_of_view_find_chief(const struct outlook *outlook, struct from_film *ray)
+static bool film_find_chief(const struct outlook *outlook, struct from_film *ray)
 {
     double miss = INFINITY, step[2];
     for (int turn = 0; turn < 60; turn++) {
@@ -204,8 +204,7 @@ static bool angle_of_view_find_end(const struct outlook *outlook, const double c
     double film[2] = {0, 0}, step = 0.25;
     struct from_film ray = {.film = film};
     end->part = 0;
-    if (!angle_of_view_find_chief(outlook, &ray) ||
-        !angle_of_view_leave(outlook, &ray, reach, end)) {
+    if (!film_find_chief(outlook, &ray) || !angle_of_view_leave(outlook, &ray, reach, end)) {
         return fail(error, ERROR_DOMAIN, "the chief ray of the sensor's centre is lost");
     }
     offset[0] = ray.at[0];
@@ -216,8 +215,7 @@ static bool angle_of_view_find_end(const struct outlook *outlook, const double c
             film[i] = part * corner[i];
             ray.at[i] = lean * film[i] + offset[i];
         }
-        if (!angle_of_view_find_chief(outlook, &ray) ||
-            !angle_of_view_leave(outlook, &ray, reach, end)) {
+        if (!film_find_chief(outlook, &ray) || !angle_of_view_leave(outlook, &ray, reach, end)) {
             step /= 2;
             continue;
         }

@@ -15,7 +15,7 @@ enum { FIELDS = 128, STEPS = 24, HALVINGS = 40 };
 static const double UP[2] = {0, 1};
 
 /* A walk along the radius of the image. */
-struct distortion_fit_walk {
+struct fit_walk {
     const struct distortion_map *map;
     double radius; /* goal, mm */
     double stated; /* as far as the lens says that it is made for */
@@ -24,8 +24,7 @@ struct distortion_fit_walk {
     struct error *error;
 };
 
-static bool distortion_fit_look(const struct distortion_fit_walk *walk, double amount,
-                                struct distortion_point *point)
+static bool fit_look(const struct fit_walk *walk, double amount, struct distortion_point *point)
 {
     if (!distortion_towards(walk->map, UP, amount, point, walk->error)) {
         return false;
@@ -39,22 +38,20 @@ static bool distortion_fit_look(const struct distortion_fit_walk *walk, double a
             fail(walk->error, ERROR_DOMAIN, "it is beyond the field of the lens"));
 }
 
-static double distortion_fit_beyond(double amount, const void *context)
+static double fit_beyond(double amount, const void *context)
 {
-    const struct distortion_fit_walk *walk = context;
+    const struct fit_walk *walk = context;
     struct distortion_point point;
-    return distortion_fit_look(walk, amount, &point) ? walk->sign * point.height - walk->radius
-                                                     : (double)NAN;
+    return fit_look(walk, amount, &point) ? walk->sign * point.height - walk->radius : (double)NAN;
 }
 
 /* The last field between one that is seen and one that is not. */
-static double last_between(const struct distortion_fit_walk *walk, double seen, double lost,
-                           double height)
+static double last_between(const struct fit_walk *walk, double seen, double lost, double height)
 {
     for (int i = 0; i < HALVINGS; i++) {
         const double middle = (seen + lost) / 2;
         struct distortion_point point;
-        bool good = distortion_fit_look(walk, middle, &point) && walk->sign * point.height > height;
+        bool good = fit_look(walk, middle, &point) && walk->sign * point.height > height;
         if (good) {
             seen = middle;
             height = walk->sign * point.height;
@@ -66,25 +63,23 @@ static double last_between(const struct distortion_fit_walk *walk, double seen, 
 }
 
 /* The field at the goal, or the last before it. 0: there is none. */
-static double walk_out(const struct distortion_fit_walk *walk, double step)
+static double walk_out(const struct fit_walk *walk, double step)
 {
     double amount = 0, height = 0, edge;
     bool ended = false;
     while (!ended) {
         struct distortion_point point;
         double next = amount + step;
-        ended = !distortion_fit_look(walk, next, &point) || !(walk->sign * point.height > height);
+        ended = !fit_look(walk, next, &point) || !(walk->sign * point.height > height);
         if (ended) {
             next = last_between(walk, amount, next, height);
         }
-        if (!distortion_fit_look(walk, next, &point)) {
+        if (!fit_look(walk, next, &point)) {
             return amount;
         }
         height = walk->sign * point.height;
         if (height >= walk->radius) {
-            return root_find(distortion_fit_beyond, walk, amount, next, &edge, walk->error)
-                       ? edge
-                       : amount;
+            return root_find(fit_beyond, walk, amount, next, &edge, walk->error) ? edge : amount;
         }
         amount = next;
     }
@@ -92,8 +87,7 @@ static double walk_out(const struct distortion_fit_walk *walk, double step)
 }
 
 /* From where a near object is seen: the distance to the entrance pupil. */
-static bool distortion_fit_find_reach(const struct distortion_map *map, double *distance,
-                                      struct error *error)
+static bool fit_find_reach(const struct distortion_map *map, double *distance, struct error *error)
 {
     const struct setup *setup = &map->setup;
     *distance = 1;
@@ -108,9 +102,8 @@ static bool distortion_fit_find_reach(const struct distortion_map *map, double *
 }
 
 /* Fields evenly spaced as far as `edge`. */
-static bool distortion_fit_sample(const struct distortion_fit_walk *walk, double edge,
-                                  double distance, struct distortion_profile *profile,
-                                  struct error *error)
+static bool distortion_sample(const struct fit_walk *walk, double edge, double distance,
+                              struct distortion_profile *profile, struct error *error)
 {
     struct distortion_point point;
     if (!distortion_towards(walk->map, UP, 1e-4 * edge, &point, error)) {
@@ -164,7 +157,7 @@ static double stated_field(const struct distortion_map *map)
 bool distortion_trace(const struct distortion_map *map, double radius, struct arena *arena,
                       struct distortion_profile *profile, struct error *error)
 {
-    struct distortion_fit_walk walk = {
+    struct fit_walk walk = {
         .map = map, .radius = radius, .sign = map->scale < 0 ? -1 : 1, .error = error};
     const bool far = map->setup.object.is_infinite;
     double first = radius / fabs(map->scale), distance;
@@ -175,7 +168,7 @@ bool distortion_trace(const struct distortion_map *map, double radius, struct ar
         return fail(error, ERROR_DOMAIN,
                     "the lens is not the same all about its axis, as models of distortion are");
     }
-    if (!distortion_fit_find_reach(map, &distance, error)) {
+    if (!fit_find_reach(map, &distance, error)) {
         return false;
     }
     walk.stated = stated_field(map);
@@ -184,7 +177,7 @@ bool distortion_trace(const struct distortion_map *map, double radius, struct ar
     if (!(edge > 1e-6 * first)) {
         return error_prefix(error, "no field off the axis is imaged: ");
     }
-    if (!distortion_fit_sample(&walk, edge, distance, profile, error)) {
+    if (!distortion_sample(&walk, edge, distance, profile, error)) {
         return false;
     }
     /* Towards 90 degrees the rectilinear image grows beyond all bounds. */
@@ -200,7 +193,7 @@ bool distortion_trace(const struct distortion_map *map, double radius, struct ar
 /* -------- the fit -------- */
 
 /* One way: out = (slope in + sum c_j in^p_j)/(1 + sum c_j in^p_j), the last terms below. */
-struct distortion_fit_equations {
+struct fit_equations {
     const struct distortion_profile *profile;
     const struct model_facts *facts;
     const double *in, *out;
@@ -209,7 +202,7 @@ struct distortion_fit_equations {
     double c[MODEL_TERMS];
 };
 
-static double distortion_fit_power_of(double x, int power)
+static double distortion_power_of(double x, int power)
 {
     double product = 1;
     for (int i = 0; i < power; i++) {
@@ -225,26 +218,24 @@ static bool is_below(const struct model_facts *facts, size_t j)
 }
 
 /* What the coefficients make of a height, and what of it stands below the line. */
-static double distortion_fit_make(const struct distortion_fit_equations *equations, double in,
-                                  double *below)
+static double fit_make(const struct fit_equations *equations, double in, double *below)
 {
     const struct model_facts *facts = equations->facts;
     double above = equations->slope * in;
     *below = 1;
     for (size_t j = 0; j < facts->terms; j++) {
         *(is_below(facts, j) ? below : &above) +=
-            equations->c[j] * distortion_fit_power_of(in, facts->powers[j]);
+            equations->c[j] * distortion_power_of(in, facts->powers[j]);
     }
     return above / *below;
 }
 
 /* The square of what is left; infinite with a pole among the heights. */
-static double distortion_fit_left_over(const struct distortion_fit_equations *equations)
+static double distortion_fit_left_over(const struct fit_equations *equations)
 {
     double sum = 0, below;
     for (size_t i = 0; i < equations->profile->count; i++) {
-        const double off =
-            equations->out[i] - distortion_fit_make(equations, equations->in[i], &below);
+        const double off = equations->out[i] - fit_make(equations, equations->in[i], &below);
         sum += below > 0 ? equations->profile->weight[i] * off * off : (double)INFINITY;
     }
     return sum;
@@ -254,8 +245,8 @@ static double distortion_fit_left_over(const struct distortion_fit_equations *eq
  * Least squares of the equations times what stands below the line, with that of the coefficients
  * before; is_step: of their differences.
  */
-static void distortion_fit_solve_linear(const struct distortion_fit_equations *equations,
-                                        bool is_step, struct arena *arena, double *x)
+static void distortion_fit_solve_linear(const struct fit_equations *equations, bool is_step,
+                                        struct arena *arena, double *x)
 {
     const struct arena_mark mark = arena_mark(arena);
     const struct model_facts *facts = equations->facts;
@@ -264,11 +255,11 @@ static void distortion_fit_solve_linear(const struct distortion_fit_equations *e
     double *a = ARENA_ARRAY(arena, rows * columns, double), *b = ARENA_ARRAY(arena, rows, double);
     for (size_t i = 0; i < rows; i++) {
         const double in = equations->in[i], out = equations->out[i];
-        double below, made = distortion_fit_make(equations, in, &below);
+        double below, made = fit_make(equations, in, &below);
         const double root = sqrt(equations->profile->weight[i]), over = root / below;
         for (size_t j = 0; j < terms; j++) {
             const double factor = is_below(facts, j) ? -(is_step ? made : out) : 1;
-            a[i * columns + j] = over * factor * distortion_fit_power_of(in, facts->powers[j]);
+            a[i * columns + j] = over * factor * distortion_power_of(in, facts->powers[j]);
         }
         if (equations->is_free) {
             a[i * columns + terms] = over * in;
@@ -283,10 +274,9 @@ static void distortion_fit_solve_linear(const struct distortion_fit_equations *e
 }
 
 /* Solved as linear ones, with what stood below the line before. */
-static struct distortion_fit_equations solved(const struct distortion_fit_equations *equations,
-                                              struct arena *arena)
+static struct fit_equations solved(const struct fit_equations *equations, struct arena *arena)
 {
-    struct distortion_fit_equations next = *equations;
+    struct fit_equations next = *equations;
     double x[MODEL_TERMS + 1];
     distortion_fit_solve_linear(equations, false, arena, x);
     for (size_t j = 0; j < equations->facts->terms; j++) {
@@ -297,14 +287,14 @@ static struct distortion_fit_equations solved(const struct distortion_fit_equati
 }
 
 /* A step of Gauss and Newton, halved until it leaves less; false: none does. */
-static bool distortion_fit_improve(struct distortion_fit_equations *equations, struct arena *arena)
+static bool distortion_fit_improve(struct fit_equations *equations, struct arena *arena)
 {
     const double before = distortion_fit_left_over(equations);
     double step[MODEL_TERMS + 1];
     distortion_fit_solve_linear(equations, true, arena, step);
     for (double share = 1; share > 1e-4; share /= 2) {
         /* Coefficients and slope by so much of a step more. */
-        struct distortion_fit_equations next = *equations;
+        struct fit_equations next = *equations;
         const size_t terms = equations->facts->terms;
         for (size_t j = 0; j < terms; j++) {
             next.c[j] += share * step[j];
@@ -320,14 +310,14 @@ static bool distortion_fit_improve(struct distortion_fit_equations *equations, s
 }
 
 /* Polynomials at once; quotients from there, and from linear equations made from them. */
-static void distortion_fit_solve(struct distortion_fit_equations *equations, struct arena *arena)
+static void distortion_fit_solve(struct fit_equations *equations, struct arena *arena)
 {
     enum { ROUNDS = 8, MOST = 200 };
     if (equations->facts->below == 0) {
         *equations = solved(equations, arena);
         return;
     }
-    struct distortion_fit_equations next = *equations;
+    struct fit_equations next = *equations;
     for (int round = 0; round < ROUNDS; round++) {
         next = solved(&next, arena);
         if (distortion_fit_left_over(&next) < distortion_fit_left_over(equations)) {
@@ -339,9 +329,8 @@ static void distortion_fit_solve(struct distortion_fit_equations *equations, str
 }
 
 /* What the polynomial leaves of the heights it makes. */
-static void distortion_fit_measure(const struct distortion_profile *profile,
-                                   const struct distortion_fit *fit, enum distortion_way way,
-                                   struct distortion_polynomial *polynomial)
+static void fit_measure(const struct distortion_profile *profile, const struct distortion_fit *fit,
+                        enum distortion_way way, struct distortion_polynomial *polynomial)
 {
     double sum = 0, weight = 0;
     polynomial->largest = 0;
@@ -370,12 +359,12 @@ static bool fit_way(const struct distortion_profile *profile, const struct senso
         product[i] = (is_free ? 1 : fit->focal) * profile->ideal[i];
     }
     const double *ideal = product;
-    struct distortion_fit_equations equations = {.profile = profile,
-                                                 .facts = facts,
-                                                 .in = distorts ? ideal : profile->real,
-                                                 .out = distorts ? profile->real : ideal,
-                                                 .is_free = is_free,
-                                                 .slope = 1};
+    struct fit_equations equations = {.profile = profile,
+                                      .facts = facts,
+                                      .in = distorts ? ideal : profile->real,
+                                      .out = distorts ? profile->real : ideal,
+                                      .is_free = is_free,
+                                      .slope = 1};
     if (is_free) {
         equations.slope = equations.out[0] / equations.in[0];
     }
@@ -393,14 +382,13 @@ static bool fit_way(const struct distortion_profile *profile, const struct senso
         /* what was found of a focal length of 1 becomes mm */
         const bool below = is_below(facts, j);
         const double mm = !is_free   ? 1
-                          : distorts ? 1 / distortion_fit_power_of(fit->focal, facts->powers[j])
+                          : distorts ? 1 / distortion_power_of(fit->focal, facts->powers[j])
                           : below    ? 1
                                      : fit->focal;
-        polynomial->reduced[j] =
-            equations.c[j] * mm *
-            distortion_fit_power_of(fit->unit, facts->powers[j] - (below ? 0 : 1));
+        polynomial->reduced[j] = equations.c[j] * mm *
+                                 distortion_power_of(fit->unit, facts->powers[j] - (below ? 0 : 1));
     }
-    distortion_fit_measure(profile, fit, way, polynomial);
+    fit_measure(profile, fit, way, polynomial);
     return distortion_publish(fit->model, polynomial->reduced, polynomial->published) ||
            fail(error, ERROR_DOMAIN,
                 "the distortion is too strong for {the fit} %s, which keeps the middle of the "

@@ -31,7 +31,7 @@ static bool field_curvature_find_chief(const struct setup *setup, const struct s
 }
 
 /* What is nothing but rounding in a lens of that size is 0. */
-static double field_curvature_rounded(double value, double size)
+static double field_rounded(double value, double size)
 {
     return fabs(value) <= 16 * DBL_EPSILON * size ? 0 : value;
 }
@@ -45,12 +45,11 @@ static void field_curvature_measure(const struct setup *setup, const struct setu
     const double size = fabs(image) + fabs(light->first.length);
     double sum = 0;
     for (int i = 0; i < 2; i++) {
-        curvature->height[i] =
-            field_curvature_rounded(chief->point[i] + to_image * chief->cosine[i], size);
+        curvature->height[i] = field_rounded(chief->point[i] + to_image * chief->cosine[i], size);
         sum += curvature->height[i] * curvature->height[i];
     }
-    curvature->tangential = field_curvature_rounded(beam->tangential_z - image, size);
-    curvature->sagittal = field_curvature_rounded(beam->sagittal_z - image, size);
+    curvature->tangential = field_rounded(beam->tangential_z - image, size);
+    curvature->sagittal = field_rounded(beam->sagittal_z - image, size);
     const bool both = isfinite(curvature->tangential) && isfinite(curvature->sagittal);
     curvature->medial = both ? (curvature->tangential + curvature->sagittal) / 2 : (double)NAN;
     curvature->astigmatism = both ? curvature->tangential - curvature->sagittal : (double)NAN;

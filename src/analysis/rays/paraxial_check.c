@@ -54,9 +54,9 @@ struct meridional {
 };
 
 /* Through the whole system; the result in the frame of the last surface met. */
-static struct meridional paraxial_check_follow(const struct check_problem *problem,
-                                               const struct system *system, const struct ray *start,
-                                               struct arena *arena)
+static struct meridional check_follow(const struct check_problem *problem,
+                                      const struct system *system, const struct ray *start,
+                                      struct arena *arena)
 {
     size_t axis = problem->section == SECTION_X ? 0 : 1;
     struct arena_mark mark = arena_mark(arena);
@@ -124,7 +124,7 @@ static void compare_aperture(const struct check_problem *problem, enum check_qua
     double n = first->index_object, y = fraction * first->marginal_y;
     double u = fraction * first->marginal_v / n, y_end, v_end;
     struct ray start = start_at(problem, y, u, 1);
-    struct meridional ray = paraxial_check_follow(problem, problem->forward, &start, arena);
+    struct meridional ray = check_follow(problem, problem->forward, &start, arena);
     double sine = fabs(n) * u / sqrt(1 + u * u);
     paraxial_end(first, y, n * u, &y_end, &v_end);
     value->scale = place_scale(first);
@@ -234,7 +234,7 @@ static void compare_field(const struct check_problem *problem, enum check_quanti
         return;
     }
     double y, u, y_end, v_end, slope = chief.cosine[axis] / chief.cosine[2];
-    struct meridional ray = paraxial_check_follow(problem, problem->forward, &chief, arena);
+    struct meridional ray = check_follow(problem, problem->forward, &chief, arena);
     paraxial_chief(problem, &beam, &y, &u);
     paraxial_end(first, y, first->index_object * u, &y_end, &v_end);
     value->scale = place_scale(first);
@@ -278,8 +278,7 @@ struct check_value check_at(const struct check_problem *problem, enum check_quan
             /* Parallel light from behind, in the direction against that of the image space. */
             double light_direction = problem->first->index_image < 0 ? 1 : -1;
             struct ray start = start_at(problem, value.height, 0, light_direction);
-            struct meridional ray =
-                paraxial_check_follow(problem, problem->backward, &start, arena);
+            struct meridional ray = check_follow(problem, problem->backward, &start, arena);
             bool focus = quantity == CHECK_FFL;
             value.paraxial = focus ? first->ffl : first->front_principal;
             value.exact = focus ? crossing(&ray) : (value.height - ray.y) / ray.slope;
@@ -353,9 +352,8 @@ struct check_order check_order(const struct check_problem *problem, enum check_q
     return result;
 }
 
-static bool paraxial_check_is_within(const struct check_problem *problem,
-                                     enum check_quantity quantity, double fraction,
-                                     double tolerance, struct arena *arena)
+static bool paraxial_is_within(const struct check_problem *problem, enum check_quantity quantity,
+                               double fraction, double tolerance, struct arena *arena)
 {
     struct check_value value = check_at(problem, quantity, fraction, arena);
     return fabs(value.exact - value.paraxial) <= tolerance * value.scale;
@@ -371,13 +369,13 @@ double check_trusted(const struct check_problem *problem, enum check_quantity qu
     }
     for (int i = 1; i <= SAMPLES && isnan(bad); i++) {
         double fraction = (double)i / SAMPLES;
-        bool within = paraxial_check_is_within(problem, quantity, fraction, tolerance, arena);
+        bool within = paraxial_is_within(problem, quantity, fraction, tolerance, arena);
         good = within ? fraction : good;
         bad = within ? bad : fraction;
     }
     for (int i = 0; i < HALVINGS && !isnan(bad); i++) {
         double middle = (good + bad) / 2;
-        bool within = paraxial_check_is_within(problem, quantity, middle, tolerance, arena);
+        bool within = paraxial_is_within(problem, quantity, middle, tolerance, arena);
         good = within ? middle : good;
         bad = within ? bad : middle;
     }

@@ -40,8 +40,7 @@ static bool relative_illumination_check(const struct relative_illumination_quest
     return true;
 }
 
-static bool relative_illumination_open_systems(struct relative_illumination *falloff,
-                                               struct error *error)
+static bool illumination_open_systems(struct relative_illumination *falloff, struct error *error)
 {
     const struct setup *setup = &falloff->setup;
     const struct lens *bare = illumination_stop_only(setup->lens, setup->arena);
@@ -136,9 +135,9 @@ static double quotient_of(const struct illumination *light, const struct illumin
 }
 
 /* Without ratios to the axis; is_row: with islands, and what is vignetted. */
-static struct relative_illumination_point
-relative_illumination_look(const struct relative_illumination *falloff, const double height[2],
-                           bool is_row, struct illumination *field)
+static struct relative_illumination_point relative_look(const struct relative_illumination *falloff,
+                                                        const double height[2], bool is_row,
+                                                        struct illumination *field)
 {
     static const struct illumination no_light = {NAN, NAN, true};
     const struct setup *setup = &falloff->setup;
@@ -237,8 +236,7 @@ relative_illumination_at(const struct relative_illumination *falloff, const doub
 {
     const struct arena_mark mark = arena_mark(falloff->setup.arena);
     struct illumination field;
-    struct relative_illumination_point point =
-        relative_illumination_look(falloff, height, true, &field);
+    struct relative_illumination_point point = relative_look(falloff, height, true, &field);
     arena_reset(falloff->setup.arena, mark);
     point.relative_point = quotient_of(&point.light, &falloff->axis, &point.point_error);
     point.relative_field = quotient_of(&field, &falloff->axis_field, &point.field_error);
@@ -300,11 +298,10 @@ bool relative_illumination_open(const struct relative_illumination_question *que
         return false;
     }
     falloff->first = light.first;
-    if (!relative_illumination_open_systems(falloff, error)) {
+    if (!illumination_open_systems(falloff, error)) {
         return false;
     }
-    falloff->axis =
-        relative_illumination_look(falloff, (double[2]){0, 0}, false, &falloff->axis_field).light;
+    falloff->axis = relative_look(falloff, (double[2]){0, 0}, false, &falloff->axis_field).light;
     const double behind = copysign(own->image, own->image * falloff->first.index_image);
     if (!(falloff->axis.value > 0) && behind < 0) {
         fail(error, ERROR_DOMAIN,

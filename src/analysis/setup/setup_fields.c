@@ -10,8 +10,8 @@ static const double FIVE_DEGREES = 5 * RADIANS_PER_DEGREE;
 static const double HALF_DIAGONAL = 21.633; /* of 35 mm film, mm */
 static const double STEEPEST = 1.732;       /* tan 60 deg: lenses beyond it distort */
 
-static struct setup_field setup_fields_field_at(const struct setup *setup, enum field_kind kind,
-                                                double value)
+static struct setup_field setup_field_at(const struct setup *setup, enum field_kind kind,
+                                         double value)
 {
     struct setup_field field = {.point = {.kind = kind}, .weight = 1};
     field.point.value[setup_axis(setup)] = value;
@@ -22,8 +22,7 @@ static struct setup_field setup_fields_field_at(const struct setup *setup, enum 
 static struct setup_field field_of_lens(const struct setup *setup, size_t i)
 {
     const struct lens_field *from = &setup->lens->fields[i];
-    struct setup_field field =
-        setup_fields_field_at(setup, setup->lens->field_kind, from->at[1].value.hi);
+    struct setup_field field = setup_field_at(setup, setup->lens->field_kind, from->at[1].value.hi);
     if (lens_has_fields_beside(setup->lens)) {
         field.point.value[0] = from->at[0].value.hi;
         field.point.value[1] = from->at[1].value.hi;
@@ -103,7 +102,7 @@ static bool take_in_object(const struct setup_question *question, struct setup *
             !in_object(setup, &asked->point, &value, error)) {
             return false;
         }
-        fields[i] = setup_fields_field_at(setup, kind_in_object(setup), value);
+        fields[i] = setup_field_at(setup, kind_in_object(setup), value);
         fields[i].weight = asked->weight;
     }
     setup->fields = fields;
@@ -137,8 +136,7 @@ static bool setup_fields_spread(struct setup *setup, struct error *error)
     }
     struct setup_field *fields = ARENA_ARRAY(setup->arena, COUNT, struct setup_field);
     for (size_t i = 0; i < COUNT; i++) {
-        fields[i] =
-            setup_fields_field_at(setup, kind_in_object(setup), largest * (double)i / (COUNT - 1));
+        fields[i] = setup_field_at(setup, kind_in_object(setup), largest * (double)i / (COUNT - 1));
     }
     setup->fields = fields;
     setup->field_count = COUNT;
@@ -154,7 +152,7 @@ static struct setup_field *list_all(const struct setup *setup, size_t *count)
     const struct lens *lens = setup->lens;
     *count = lens->field_count > 0 ? lens->field_count : 1;
     struct setup_field *fields = ARENA_ARRAY(setup->arena, *count, struct setup_field);
-    fields[0] = setup_fields_field_at(setup, FIELD_NONE, 0);
+    fields[0] = setup_field_at(setup, FIELD_NONE, 0);
     for (size_t i = 0; i < lens->field_count; i++) {
         fields[i] = field_of_lens(setup, i);
     }
@@ -183,7 +181,7 @@ bool setup_choose_fields(const struct setup_question *question, struct setup *se
         one->point = setup_fields_farthest(setup->fields, setup->field_count);
         one->weight = 1;
         if (five && one->point.value[0] == 0 && one->point.value[1] == 0) {
-            *one = setup_fields_field_at(setup, FIELD_ANGLE, FIVE_DEGREES);
+            *one = setup_field_at(setup, FIELD_ANGLE, FIVE_DEGREES);
             setup->fields_from = "the lens states none";
         }
         setup->fields = one;

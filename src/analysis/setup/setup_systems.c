@@ -27,9 +27,8 @@ struct setup setup_at_wavelength(const struct setup *setup, double wavelength, s
 /* -------- exact rays -------- */
 
 /* Every system of lenscalc's commands: the stop is as wide as at the primary wavelength. */
-static bool setup_systems_compile(const struct setup *setup, const struct lens *lens,
-                                  double wavelength, unsigned which, struct system *system,
-                                  struct error *error)
+static bool systems_compile(const struct setup *setup, const struct lens *lens, double wavelength,
+                            unsigned which, struct system *system, struct error *error)
 {
     struct system_options options = system_options_default();
     options.clip = (which & SETUP_CLIPPED) != 0;
@@ -44,8 +43,8 @@ static bool setup_systems_compile(const struct setup *setup, const struct lens *
 bool setup_compile(const struct setup *setup, const struct lens *lens, size_t wavelength,
                    unsigned which, struct system *system, struct error *error)
 {
-    return setup_systems_compile(setup, lens, setup->wavelengths[wavelength].wavelength, which,
-                                 system, error);
+    return systems_compile(setup, lens, setup->wavelengths[wavelength].wavelength, which, system,
+                           error);
 }
 
 const struct system *setup_system(const struct setup *setup, size_t wavelength, unsigned which,
@@ -74,8 +73,8 @@ struct pair setup_paraxial_image(const struct lens *lens, const struct first_ord
 static bool find_best(const struct setup *setup, double *z, struct error *error)
 {
     struct system system;
-    return setup_systems_compile(setup, setup->lens, lens_primary_wavelength(setup->lens),
-                                 SETUP_OPEN, &system, error) &&
+    return systems_compile(setup, setup->lens, lens_primary_wavelength(setup->lens), SETUP_OPEN,
+                           &system, error) &&
            lens_best_focus(&system, &setup->object, &setup->first, setup->arena, z, error);
 }
 

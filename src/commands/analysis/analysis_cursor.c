@@ -93,9 +93,9 @@ static bool field_asked(const struct analysis_question *question, struct setup_f
 /* Beyond it squares of distances overflow; the lens has the same limit. */
 static const double farthest_image = 1e100;
 
-static bool analysis_cursor_place(const struct analysis_question *question,
-                                  const struct analysis_policy *policy, struct setup *setup,
-                                  struct error *error)
+static bool analysis_place(const struct analysis_question *question,
+                           const struct analysis_policy *policy, struct setup *setup,
+                           struct error *error)
 {
     if (policy->no_image) {
         return true;
@@ -130,10 +130,9 @@ const char *analysis_spectrum_words(const struct setup *setup)
     return words;
 }
 
-static bool analysis_cursor_open(const struct analysis_question *question,
-                                 const struct analysis_policy *policy, size_t position,
-                                 struct arena *arena, struct analysis_case *one,
-                                 struct error *error)
+static bool analysis_open(const struct analysis_question *question,
+                          const struct analysis_policy *policy, size_t position,
+                          struct arena *arena, struct analysis_case *one, struct error *error)
 {
     struct setup *setup = ARENA_NEW(arena, struct setup);
     struct setup_field *field = ARENA_NEW(arena, struct setup_field);
@@ -155,8 +154,7 @@ static bool analysis_cursor_open(const struct analysis_question *question,
         .field_policy = asked && policy->fields == FIELDS_EDGE ? FIELDS_LARGEST : policy->fields,
         .takes_telecentric = true,
     };
-    if (!setup_open(&of, arena, setup, error) ||
-        !analysis_cursor_place(question, policy, setup, error)) {
+    if (!setup_open(&of, arena, setup, error) || !analysis_place(question, policy, setup, error)) {
         return false;
     }
     const char *both = lens_warnings_join(
@@ -186,8 +184,8 @@ bool analysis_next_case(struct analysis_cursor *at, struct error *error)
         return false;
     }
     struct analysis_case *one = ARENA_NEW(arena, struct analysis_case);
-    if (!analysis_cursor_open(at->question, at->policy, at->positions[at->next_position++], arena,
-                              one, error)) {
+    if (!analysis_open(at->question, at->policy, at->positions[at->next_position++], arena, one,
+                       error)) {
         return false;
     }
     one->threads = at->run->threads;

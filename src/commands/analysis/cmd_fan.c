@@ -201,7 +201,7 @@ static bool fan_run(const void *data, struct run *run, struct error *error)
 enum { FINE = 201, MOST_KEYS = 64 };
 
 /* One wavelength of one field. */
-struct fan_figure_curve {
+struct fan_curve {
     const char *label; /* of the field */
     double wavelength; /* um */
     size_t row;
@@ -214,7 +214,7 @@ struct fan_figure_painter {
     const struct artifact_job *job;
     struct fan_input input; /* the one being answered, with `points` */
     struct arena *arena;
-    struct fan_figure_curve *curves;
+    struct fan_curve *curves;
     size_t count, room;
     const char **rows; /* what stands beside them */
     size_t row_count, row_room;
@@ -223,8 +223,8 @@ struct fan_figure_painter {
 };
 
 /* What tells a field from the others: only what differs or is asked for. */
-static const char *fan_figure_label_of(const struct fan_figure_painter *painter,
-                                       const struct field_point *field, const char *position)
+static const char *figure_label_of(const struct fan_figure_painter *painter,
+                                   const struct field_point *field, const char *position)
 {
     const struct analysis_question *question = &painter->input.question;
     struct arena *arena = painter->arena;
@@ -246,13 +246,12 @@ static const char *fan_figure_label_of(const struct fan_figure_painter *painter,
 }
 
 /* The row of a field: that of another wavelength of it, or a new one. */
-static size_t fan_figure_row_of(struct fan_figure_painter *painter, const char *label,
-                                double wavelength)
+static size_t fan_row_of(struct fan_figure_painter *painter, const char *label, double wavelength)
 {
     for (size_t i = painter->row_count; i-- > 0;) {
         bool taken = strcmp(painter->rows[i], label) != 0;
         for (size_t k = 0; k < painter->count && !taken; k++) {
-            const struct fan_figure_curve *curve = &painter->curves[k];
+            const struct fan_curve *curve = &painter->curves[k];
             taken = curve->row == i && !(fabs(curve->wavelength - wavelength) > 0);
         }
         if (!taken) {
@@ -270,13 +269,12 @@ static void fan_figure_add(struct fan_figure_painter *painter, const struct anal
 {
     const struct setup *setup = at->one->setup;
     const struct fan *fan = at->found;
-    const char *label =
-        fan_figure_label_of(painter, &setup->fields[at->field].point, setup->position);
+    const char *label = figure_label_of(painter, &setup->fields[at->field].point, setup->position);
     if (at->lost == NULL || painter->title == NULL) {
         painter->title = setup->lens->title;
     }
     if (at->lost != NULL) {
-        fan_figure_row_of(painter, label, NAN);
+        fan_row_of(painter, label, NAN);
         return;
     }
     const char *reference =
@@ -286,13 +284,12 @@ static void fan_figure_add(struct fan_figure_painter *painter, const struct anal
     painter->is_angular = fan->is_angular;
     for (size_t g = 0; g < setup->wavelength_count; g++) {
         struct arena *arena = painter->arena;
-        struct fan_figure_curve curve = {
-            label,
-            setup->wavelengths[g].wavelength,
-            fan_figure_row_of(painter, label, setup->wavelengths[g].wavelength),
-            {0},
-            {0},
-            {0}};
+        struct fan_curve curve = {label,
+                                  setup->wavelengths[g].wavelength,
+                                  fan_row_of(painter, label, setup->wavelengths[g].wavelength),
+                                  {0},
+                                  {0},
+                                  {0}};
         const size_t room = fan->points + FAN_ENDS;
         struct fan_ray *rays = ARENA_ARRAY(arena, room, struct fan_ray);
         for (size_t s = 0; s < FAN_SECTIONS; s++) {
@@ -351,7 +348,7 @@ static struct panel *make_panels(const struct fan_figure_painter *painter, const
         size_t count = 0, section = i % FAN_SECTIONS;
         bool any = false;
         for (size_t k = 0; k < painter->count; k++) {
-            const struct fan_figure_curve *curve = &painter->curves[k];
+            const struct fan_curve *curve = &painter->curves[k];
             if (curve->row != i / FAN_SECTIONS) {
                 continue;
             }

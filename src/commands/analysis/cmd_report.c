@@ -200,8 +200,8 @@ static double report_page_height_of(const struct page_part *part, double *scale)
     return *scale * LINE * (double)lines;
 }
 
-static void report_page_write_label(struct output *output, double x, double y, const char *look,
-                                    struct text words)
+static void report_write_label(struct output *output, double x, double y, const char *look,
+                               struct text words)
 {
     output_printf(output, "<text x=\"%.6g\" y=\"%.6g\" fill=\"#000\" %s>", x, y, look);
     output_escaped(output, words);
@@ -219,7 +219,7 @@ static void report_page_write_lines(const struct page_part *part, double x, doub
     for (int i = 1; rest.length > 0; i++) {
         const struct text line = text_cut(&rest, '\n');
         if (line.length > 0) {
-            report_page_write_label(output, 0, i * LINE, "", line);
+            report_write_label(output, 0, i * LINE, "", line);
         }
     }
     output_string(output, "</g>\n");
@@ -230,12 +230,12 @@ static void report_page_write_part(const struct page_part *part, size_t number, 
 {
     double scale, x = at[0], y = at[1] + HEAD;
     const double height = report_page_height_of(part, &scale);
-    report_page_write_label(output, x, at[1] + 18, "font-size=\"15\" font-weight=\"bold\"",
-                            text_of(part->title));
-    report_page_write_label(output, x, at[1] + 36, "font-size=\"11\" font-family=\"monospace\"",
-                            text_of(part->command));
+    report_write_label(output, x, at[1] + 18, "font-size=\"15\" font-weight=\"bold\"",
+                       text_of(part->title));
+    report_write_label(output, x, at[1] + 36, "font-size=\"11\" font-family=\"monospace\"",
+                       text_of(part->command));
     if (part->failure != NULL) {
-        report_page_write_label(output, x, y + FONT, "font-size=\"12\"", text_of(part->failure));
+        report_write_label(output, x, y + FONT, "font-size=\"12\"", text_of(part->failure));
     } else if (!part->is_drawing) {
         report_page_write_lines(part, x, y, scale, output);
     } else {
@@ -292,15 +292,14 @@ static void page_write_svg(const struct page *page, struct arena *arena, struct 
     output_escaped(output, text_of(page->title));
     output_printf(output, "</title>\n<rect width=\"%d\" height=\"%.6g\" fill=\"#fff\"/>\n", width,
                   height);
-    report_page_write_label(output, MARGIN, MARGIN + 24, "font-size=\"26\" font-weight=\"bold\"",
-                            text_of(page->title));
-    report_page_write_label(output, MARGIN, MARGIN + 48, "font-size=\"14\"",
-                            text_of(page->subtitle));
+    report_write_label(output, MARGIN, MARGIN + 24, "font-size=\"26\" font-weight=\"bold\"",
+                       text_of(page->title));
+    report_write_label(output, MARGIN, MARGIN + 48, "font-size=\"14\"", text_of(page->subtitle));
     for (size_t i = 0; i < page->count; i++) {
         const struct page_part *part = &page->parts[i];
         if (part->text.start == NULL && part->failure == NULL) {
-            report_page_write_label(output, places[i][0], places[i][1] + 24,
-                                    "font-size=\"20\" font-weight=\"bold\"", text_of(part->title));
+            report_write_label(output, places[i][0], places[i][1] + 24,
+                               "font-size=\"20\" font-weight=\"bold\"", text_of(part->title));
         } else {
             report_page_write_part(part, i, places[i], output);
         }

@@ -424,8 +424,7 @@ static bool seidel_view_check(const struct artifact_job *job, struct error *erro
            fail(error, ERROR_USAGE, "{--plot} shows one position: name it with {--position}");
 }
 
-static bool seidel_view_draw(const struct artifact_job *job, struct output *sink,
-                             struct error *error)
+static bool seidel_draw(const struct artifact_job *job, struct output *sink, struct error *error)
 {
     const struct seidel_input *input = job->inputs[0];
     struct svg svg = {.arena = job->run->arena};
@@ -465,7 +464,7 @@ static bool seidel_view_draw(const struct artifact_job *job, struct output *sink
 
 static const struct artifact artifacts[] = {
     {ARTIFACT_OPTION("plot", drawing_types, "draw the sums as bars, surface by surface"),
-     .scope = ARTIFACT_OF_ANSWER, .check = seidel_view_check, .make = seidel_view_draw},
+     .scope = ARTIFACT_OF_ANSWER, .check = seidel_view_check, .make = seidel_draw},
 };
 
 static const struct explanation explanations[] = {

@@ -211,7 +211,7 @@ static const struct unit *spot_diagram_unit(const struct spot_drawing *drawing)
     return unit_find(&dimension_length, text_of(drawing->is_footprint ? "mm" : "um"));
 }
 
-static const char *spot_diagram_unit_words(const struct spot_drawing *drawing)
+static const char *diagram_unit_words(const struct spot_drawing *drawing)
 {
     if (drawing->is_angular) {
         return "mrad";
@@ -284,8 +284,7 @@ static void spot_diagram_add_points(struct spot_drawing *drawing, const struct a
     }
 }
 
-static bool spot_diagram_add(struct spot_drawing *drawing, struct analysis_cursor *at,
-                             struct error *error)
+static bool spot_add(struct spot_drawing *drawing, struct analysis_cursor *at, struct error *error)
 {
     const struct analysis_case *one = at->one;
     const struct setup *setup = one->setup;
@@ -316,7 +315,7 @@ static bool spot_diagram_add(struct spot_drawing *drawing, struct analysis_curso
     drawn->rms = unit_from_own(spot_diagram_unit(drawing), spot.rms);
     drawn->panel.note =
         ARENA_JOIN(drawing->arena, "RMS ", analysis_number(drawn->rms, drawing->arena), " ",
-                   spot_diagram_unit_words(drawing));
+                   diagram_unit_words(drawing));
     if (drawing->with_points) {
         /* Keys in the order of the light, violet first. */
         double *list = ARENA_ARRAY(drawing->arena, setup->wavelength_count, double);
@@ -401,7 +400,7 @@ static bool spot_diagram_draw_spots(const struct spot_drawing *drawing,
                               drawing->input->to > 0 ? "Footprints" : "Spots", drawing->title,
                               focus ? " through focus" : ""),
         .subtitle = spot_diagram_subtitle_of(drawing),
-        .unit = spot_diagram_unit_words(drawing),
+        .unit = diagram_unit_words(drawing),
         .column_heads = focus ? heads : NULL,
         .row_heads = focus ? fields : NULL,
         .keys = keys,
@@ -444,8 +443,7 @@ static bool spot_diagram_draw_curves(const struct spot_drawing *drawing,
         .title = arena_printf(arena, "Spots of %s", drawing->title),
         .subtitle = spot_diagram_subtitle_of(drawing),
         .x_label = focus ? "defocus (mm)" : field_label,
-        .y_label =
-            arena_printf(drawing->arena, "RMS radius (%s)", spot_diagram_unit_words(drawing)),
+        .y_label = arena_printf(drawing->arena, "RMS radius (%s)", diagram_unit_words(drawing)),
         .x = x,
         .count = count,
         .series = series,
@@ -466,7 +464,7 @@ static bool spot_diagram(const struct artifact_job *job, struct output *sink, st
         struct analysis_cursor at = analysis_begin(drawing.input, &policy, job->run);
         at.keeps_lost = true;
         while (analysis_next(&at, error)) {
-            if (!spot_diagram_add(&drawing, &at, error)) {
+            if (!spot_add(&drawing, &at, error)) {
                 return false;
             }
         }

@@ -95,7 +95,7 @@ enum { MOST_COLOURS = 5, SAMPLES = 121, ZONES = 40, FIELDS = 32, PANELS = 3 };
 static const double TO_NM = 1000, TO_UM = 1000, TO_MRAD = 1000, SMALL = 0.2;
 
 /* The page in the making. */
-struct color_view_painter {
+struct color_painter {
     const struct artifact_job *job;
     const struct color_input *input;
     struct arena *arena;
@@ -113,7 +113,7 @@ static const struct color_input *color_view_input_at(const struct artifact_job *
 }
 
 /* All that the sweep asks for, and the primary one; each once. */
-static void collect_waves(struct color_view_painter *painter)
+static void collect_waves(struct color_painter *painter)
 {
     const struct setup *setup = painter->one->setup;
     const bool asked = painter->input->question.wavelength.name != NULL;
@@ -142,7 +142,7 @@ static void collect_waves(struct color_view_painter *painter)
     }
 }
 
-static double *numbers(const struct color_view_painter *painter, size_t count)
+static double *numbers(const struct color_painter *painter, size_t count)
 {
     return ARENA_ARRAY(painter->arena, count, double);
 }
@@ -162,15 +162,14 @@ static const char *color_view_scale(const struct panel *panel, bool along_x, con
 }
 
 /* A shift along the axis: mm, or 1/m of an afocal lens. */
-static double axial_of(const struct color_view_painter *painter,
-                       const struct chromatic_focus *focus)
+static double axial_of(const struct color_painter *painter, const struct chromatic_focus *focus)
 {
     return color_is_afocal(painter->one->setup)
                ? 1000 * (focus->vergence - painter->primary.vergence)
                : focus->image - painter->primary.image;
 }
 
-static const char *axial_label(const struct color_view_painter *painter, const struct panel *panel,
+static const char *axial_label(const struct color_painter *painter, const struct panel *panel,
                                bool along_x, const char *words)
 {
     const char *unit = "1/m";
@@ -190,7 +189,7 @@ static const char *axial_label(const struct color_view_painter *painter, const s
 /* -------- the panels -------- */
 
 /* The curve, then a dot a wavelength. */
-static bool draw_shift(struct color_view_painter *painter, struct error *error)
+static bool draw_shift(struct color_painter *painter, struct error *error)
 {
     const struct setup *setup = painter->one->setup;
     const size_t count = painter->wave_count + 1;
@@ -221,7 +220,7 @@ static bool draw_shift(struct color_view_painter *painter, struct error *error)
     return true;
 }
 
-static bool draw_zones(struct color_view_painter *painter, struct error *error)
+static bool draw_zones(struct color_painter *painter, struct error *error)
 {
     const struct setup *setup = painter->one->setup;
     const bool entrance = painter->input->question.aim == ANALYSIS_AIM_ENTRANCE;
@@ -248,7 +247,7 @@ static bool draw_zones(struct color_view_painter *painter, struct error *error)
     return true;
 }
 
-static bool draw_fields(struct color_view_painter *painter, struct error *error)
+static bool draw_fields(struct color_painter *painter, struct error *error)
 {
     const struct setup *setup = painter->one->setup;
     const struct field_point *edge = &setup->fields[painter->field].point;
@@ -292,8 +291,7 @@ static bool draw_fields(struct color_view_painter *painter, struct error *error)
 /* -------- the page -------- */
 
 /* Is it the same question at another wavelength? */
-static bool color_view_is_alike(const struct analysis_question *a,
-                                const struct analysis_question *b)
+static bool color_is_alike(const struct analysis_question *a, const struct analysis_question *b)
 {
     const double pairs[][2] = {{a->fnumber, b->fnumber},   {a->field, b->field},
                                {a->field_x, b->field_x},   {a->height, b->height},
@@ -311,7 +309,7 @@ bool color_view_check(const struct artifact_job *job, struct error *error)
 {
     const struct analysis_question *first = &color_view_input_at(job, 0)->question;
     for (size_t i = 1; i < job->count; i++) {
-        if (!color_view_is_alike(first, &color_view_input_at(job, i)->question)) {
+        if (!color_is_alike(first, &color_view_input_at(job, i)->question)) {
             return fail(error, ERROR_USAGE,
                         "{--plot} shows one lens and one field: only {--wavelength} may be a list");
         }
@@ -323,7 +321,7 @@ bool color_view_check(const struct artifact_job *job, struct error *error)
 bool color_view_draw(const struct artifact_job *job, struct output *sink, struct error *error)
 {
     struct svg svg = {.arena = job->run->arena};
-    struct color_view_painter painter = {
+    struct color_painter painter = {
         .job = job, .input = color_view_input_at(job, 0), .arena = svg.arena};
     struct analysis_cursor at = analysis_begin(painter.input, &color_policy, job->run);
     if (!analysis_next(&at, error)) {

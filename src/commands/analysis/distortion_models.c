@@ -66,8 +66,7 @@ static enum projection projection_of(const struct distortion_input *input,
     return input->fit == 1 + MODEL_FISHEYE || is_wide ? EQUIDISTANT : RECTILINEAR;
 }
 
-static bool distortion_asked_is_same(const struct calibrated_case *one,
-                                     const struct calibrated_case *other)
+static bool asked_is_same(const struct calibrated_case *one, const struct calibrated_case *other)
 {
     bool same = one->lens == other->lens && one->position == other->position &&
                 one->projection == other->projection && one->edge_kind == other->edge_kind;
@@ -82,7 +81,7 @@ static bool distortion_asked_is_same(const struct calibrated_case *one,
 static bool recall(struct distortion_memo *memo, const struct calibrated_case *one, double **scale)
 {
     for (size_t i = 0; i < KEPT && i < memo->count; i++) {
-        if (distortion_asked_is_same(&memo->cases[i], one)) {
+        if (asked_is_same(&memo->cases[i], one)) {
             *scale = &memo->scales[i];
             return true;
         }
@@ -158,7 +157,7 @@ bool distortion_ready(const struct distortion_input *input, const struct analysi
 
 /* -------- rows -------- */
 
-struct distortion_models_row {
+struct models_row {
     struct analysis_point point;
     const char *model, *direction, *form, *projection, *sensor, *resolution;
     double coefficients[9];
@@ -170,21 +169,21 @@ struct distortion_models_row {
 static const char *const coefficient_names[] = {"k1", "k2", "k3", "k4", "k5", "k6", "a", "b", "c"};
 
 #define COEFFICIENT(i, called)                                                                     \
-    ENTRY(COLUMN(struct distortion_models_row, coefficients[i]), .name = (called),                 \
+    ENTRY(COLUMN(struct models_row, coefficients[i]), .name = (called),                            \
           .flags = COLUMN_BRIEF | COLUMN_SPARSE, .label = (called), .help = "coefficient",         \
           .digits = 7)
 #define LENGTH(member_name, in_unit, more)                                                         \
-    COLUMN_OF_LENGTH(struct distortion_models_row, member_name, in_unit), .flags = (more)
+    COLUMN_OF_LENGTH(struct models_row, member_name, in_unit), .flags = (more)
 
 static const struct column columns[] = {
-    LENS_POSITION_COLUMN(struct distortion_models_row, point.position, COLUMN_BRIEF),
+    LENS_POSITION_COLUMN(struct models_row, point.position, COLUMN_BRIEF),
     ANALYSIS_DEFOCUS_COLUMN,
     ANALYSIS_WAVELENGTH_COLUMN,
-    {COLUMN(struct distortion_models_row, model), .name = "model", .flags = COLUMN_BRIEF,
-     .repeats = "fit", .help = "whose coefficients they are"},
-    {COLUMN(struct distortion_models_row, direction), .name = "direction", .flags = COLUMN_BRIEF,
+    {COLUMN(struct models_row, model), .name = "model", .flags = COLUMN_BRIEF, .repeats = "fit",
+     .help = "whose coefficients they are"},
+    {COLUMN(struct models_row, direction), .name = "direction", .flags = COLUMN_BRIEF,
      .help = "distort: from the ideal image to the real one; undistort: back"},
-    {COLUMN(struct distortion_models_row, form), .name = "form", .flags = COLUMN_BRIEF,
+    {COLUMN(struct models_row, form), .name = "form", .flags = COLUMN_BRIEF,
      .help = "published: as the model is defined; inverse: a polynomial of the same kind for the "
              "other direction"},
     COEFFICIENT(0, "k1"),
@@ -196,9 +195,9 @@ static const struct column columns[] = {
     COEFFICIENT(6, "a"),
     COEFFICIENT(7, "b"),
     COEFFICIENT(8, "c"),
-    {COLUMN(struct distortion_models_row, rms_pixels), .name = "rms_pixels", .flags = COLUMN_BRIEF,
+    {COLUMN(struct models_row, rms_pixels), .name = "rms_pixels", .flags = COLUMN_BRIEF,
      .label = "RMS residual in pixels", .help = "what is left, over the radius of the picture"},
-    {COLUMN(struct distortion_models_row, max_pixels), .name = "max_pixels", .flags = COLUMN_BRIEF,
+    {COLUMN(struct models_row, max_pixels), .name = "max_pixels", .flags = COLUMN_BRIEF,
      .label = "largest residual in pixels", .help = "the most that is left"},
     {LENGTH(rms, "um", 0), .name = "rms", .label = "RMS residual", .help = "the same in um"},
     {LENGTH(max, "um", 0), .name = "max", .label = "largest residual", .help = "the same in um"},
@@ -209,19 +208,18 @@ static const struct column columns[] = {
              "that fits best"},
     {LENGTH(radius, "mm", 0), .name = "radius", .label = "fitted radius",
      .help = "as far from the middle as the fit goes"},
-    {COLUMN(struct distortion_models_row, projection), .name = "projection",
-     .flags = COLUMN_ASSUMED, .depends = "projection fit", .help = "of the ideal image"},
-    {COLUMN(struct distortion_models_row, sensor), .name = "sensor", .flags = COLUMN_ASSUMED,
+    {COLUMN(struct models_row, projection), .name = "projection", .flags = COLUMN_ASSUMED,
+     .depends = "projection fit", .help = "of the ideal image"},
+    {COLUMN(struct models_row, sensor), .name = "sensor", .flags = COLUMN_ASSUMED,
      .depends = "sensor", .help = "format or camera"},
     {LENGTH(pitch, "um", COLUMN_ASSUMED), .name = "pitch", .depends = "pitch sensor",
      .label = "pixel pitch", .help = "spacing of the pixels"},
-    {COLUMN(struct distortion_models_row, resolution), .name = "resolution",
-     .flags = COLUMN_ASSUMED, .depends = "pitch sensor", .label = "pixels",
-     .help = "of the picture"},
+    {COLUMN(struct models_row, resolution), .name = "resolution", .flags = COLUMN_ASSUMED,
+     .depends = "pitch sensor", .label = "pixels", .help = "of the picture"},
     ANALYSIS_TAIL_COLUMNS,
 };
 
-const struct sheet distortion_fit_sheet = SHEET(columns, struct distortion_models_row);
+const struct sheet distortion_fit_sheet = SHEET(columns, struct models_row);
 
 /* -------- one lens in one position -------- */
 
@@ -258,9 +256,8 @@ struct distortion_models_found {
     struct distortion_fit fit;
 };
 
-static bool distortion_models_find(const struct distortion_input *input,
-                                   const struct analysis_case *one,
-                                   struct distortion_models_found *found, struct error *error)
+static bool distortion_find(const struct distortion_input *input, const struct analysis_case *one,
+                            struct distortion_models_found *found, struct error *error)
 {
     struct arena *arena = one->setup->arena;
     const struct model_facts *facts = &distortion_models[input->fit - 1];
@@ -310,14 +307,14 @@ static const char *distortion_models_warning_of(const struct analysis_case *one,
         arena);
 }
 
-static struct distortion_models_row
-distortion_models_row_of(const struct analysis_case *one,
-                         const struct distortion_models_found *found, enum distortion_way way)
+static struct models_row distortion_models_row_of(const struct analysis_case *one,
+                                                  const struct distortion_models_found *found,
+                                                  enum distortion_way way)
 {
     const struct model_facts *facts = &distortion_models[found->fit.model];
     const struct distortion_polynomial *polynomial = &found->fit.ways[way];
     const double pitch = found->picture.size.pitch;
-    struct distortion_models_row row;
+    struct models_row row;
     row_clear(&distortion_fit_sheet, &row);
     row.point = analysis_point_of(one, 0);
     row.point.warning = distortion_models_warning_of(one, found);
@@ -350,14 +347,14 @@ bool distortion_fit_run(const struct distortion_input *input, struct run *run, s
     struct analysis_cursor at = analysis_begin(input, &distortion_as_whole, run);
     while (analysis_next_case(&at, error)) {
         struct distortion_models_found found;
-        if (!distortion_models_find(input, at.one, &found, error)) {
+        if (!distortion_find(input, at.one, &found, error)) {
             return false;
         }
         const enum distortion_way first = distortion_models[found.fit.model].way;
         const enum distortion_way ways[] = {first,
                                             first == WAY_DISTORT ? WAY_UNDISTORT : WAY_DISTORT};
         for (size_t i = 0; i < sizeof ways / sizeof ways[0]; i++) {
-            struct distortion_models_row row = distortion_models_row_of(at.one, &found, ways[i]);
+            struct models_row row = distortion_models_row_of(at.one, &found, ways[i]);
             row.sensor = input->sensor.name;
             if (!run_emit(run, &row)) {
                 return true;
@@ -498,7 +495,7 @@ bool distortion_fit_save(const struct artifact_job *job, struct output *sink, st
     struct analysis_cursor at = analysis_begin(input, &distortion_as_whole, job->run);
     for (bool first = true; analysis_next_case(&at, error); first = false) {
         struct distortion_models_found found;
-        if (!distortion_models_find(input, at.one, &found, error)) {
+        if (!distortion_find(input, at.one, &found, error)) {
             return false;
         }
         if (!lensfun) {

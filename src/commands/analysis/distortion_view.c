@@ -37,8 +37,7 @@ struct distortion_view_curves {
 };
 
 /* The place of a text in a list, to which it is added; `most` where there is no room. */
-static size_t distortion_view_place_of(const char **list, size_t *count, size_t most,
-                                       const char *text)
+static size_t view_place_of(const char **list, size_t *count, size_t most, const char *text)
 {
     size_t i = 0;
     while (i < *count && strcmp(list[i], text) != 0) {
@@ -124,10 +123,10 @@ static bool distortion_view_add_curve(struct distortion_view_curves *curves,
         !distortion_direction(&ready.map, &setup->fields[0].point, towards, &edge, error)) {
         return false;
     }
-    const size_t panel = distortion_view_place_of(curves->panels, &curves->panel_count, MOST_PANELS,
-                                                  panel_words(setup));
-    const size_t key = distortion_view_place_of(curves->keys, &curves->key_count, MOST_KEYS,
-                                                key_words(curves->input, one));
+    const size_t panel =
+        view_place_of(curves->panels, &curves->panel_count, MOST_PANELS, panel_words(setup));
+    const size_t key =
+        view_place_of(curves->keys, &curves->key_count, MOST_KEYS, key_words(curves->input, one));
     if (panel == MOST_PANELS || key == MOST_KEYS) {
         return fail(error, ERROR_USAGE, "{--plot} has room for %d lenses and %d kinds of light",
                     MOST_PANELS, MOST_KEYS);
@@ -209,9 +208,8 @@ bool distortion_plot(const struct artifact_job *job, struct output *sink, struct
 
 enum { LINES = 11, PIECES = 4, LINE_POINTS = (LINES - 1) * PIECES + 1 };
 
-static bool distortion_view_draw_grid(const struct distortion_input *input,
-                                      const struct analysis_case *one, struct svg *svg,
-                                      struct error *error)
+static bool view_draw_grid(const struct distortion_input *input, const struct analysis_case *one,
+                           struct svg *svg, struct error *error)
 {
     const struct setup *setup = one->setup;
     struct arena *arena = setup->arena;
@@ -269,7 +267,6 @@ bool distortion_grid(const struct artifact_job *job, struct output *sink, struct
     struct svg svg = {.arena = job->run->arena};
     const struct distortion_input *input = job->inputs[0];
     struct analysis_cursor at = analysis_begin(input, distortion_view_policy_of(input), job->run);
-    return analysis_next_case(&at, error) &&
-           distortion_view_draw_grid(input, at.one, &svg, error) &&
+    return analysis_next_case(&at, error) && view_draw_grid(input, at.one, &svg, error) &&
            drawing_write(job, &svg, sink, error);
 }
