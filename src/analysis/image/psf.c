@@ -3,7 +3,6 @@
 #include "analysis/image/psf.h"
 
 #include "analysis/image/psf_light.h"
-#include "analysis/image/psf_points.h"
 #include "analysis/image/psf_radius.h"
 
 #include <math.h>

@@ -1,6 +1,6 @@
 /* analysis/image/psf_transform.c - the light of one wavelength by a fast Fourier transform. */
 /* SPDX-License-Identifier: MIT */
-#include "analysis/image/psf_points.h"
+#include "analysis/image/psf_light.h"
 #include "analysis/waves/exit_lines.h"
 
 #include "base/constants.h"

@@ -50,10 +50,4 @@ file_types distortion_file_types;
 bool distortion_fit_check(const struct artifact_job *job, struct error *error);
 bool distortion_fit_save(const struct artifact_job *job, struct output *sink, struct error *error);
 
-/* -------- commands/analysis/distortion_view.c -------- */
-
-bool distortion_plot(const struct artifact_job *job, struct output *sink, struct error *error);
-bool distortion_grid_check(const struct artifact_job *job, struct error *error);
-bool distortion_grid(const struct artifact_job *job, struct output *sink, struct error *error);
-
 #endif
