@@ -12,12 +12,6 @@ struct grid grid_new(struct arena *arena, size_t columns, size_t head_rows)
     return grid;
 }
 
-void grid_make_room(struct grid *grid, size_t rows)
-{
-    grid->cells = ARENA_ARRAY(grid->arena, rows * grid->columns, char *);
-    grid->capacity = rows;
-}
-
 void grid_add_row(struct grid *grid)
 {
     if (grid->rows == grid->capacity) {
@@ -62,19 +56,6 @@ const char *grid_cell(const struct grid *grid, size_t row, size_t column)
     return string != NULL ? string : "";
 }
 
-/* The head of one column in one cell: its rows joined. */
-static const char *joined_head(const struct grid *grid, size_t column)
-{
-    const char *head = "";
-    for (size_t i = 0; i < grid->head_rows; i++) {
-        const char *part = grid_cell(grid, i, column);
-        if (part[0] != '\0') {
-            head = head[0] == '\0' ? part : arena_printf(grid->arena, "%s (%s)", head, part);
-        }
-    }
-    return head;
-}
-
 const char *grid_markdown_text(struct arena *arena, const char *string)
 {
     char *text = arena_array(arena, 2 * strlen(string) + 1, 1), *to = text;
@@ -92,7 +73,14 @@ static void write_markdown_row(const struct grid *grid, struct output *output, s
     output_character(output, '|');
     for (size_t j = 0; j < grid->columns; j++) {
         output_character(output, ' ');
-        const char *text = row < grid->head_rows ? joined_head(grid, j) : grid_cell(grid, row, j);
+        const char *text = row < grid->head_rows ? "" : grid_cell(grid, row, j);
+        /* the head of one column in one cell: its rows joined */
+        for (size_t i = row; i < grid->head_rows; i++) {
+            const char *part = grid_cell(grid, i, j);
+            if (part[0] != '\0') {
+                text = text[0] == '\0' ? part : arena_printf(grid->arena, "%s (%s)", text, part);
+            }
+        }
         output_string(output, grid_markdown_text(grid->arena, text));
         output_string(output, " |");
     }
@@ -197,20 +185,6 @@ void grid_html_close(const struct grid *grid, struct output *output)
     }
 }
 
-static void write_quoted(struct output *output, const char *string, char separator)
-{
-    if (strchr(string, separator) == NULL && strchr(string, '"') == NULL) {
-        output_string(output, string);
-        return;
-    }
-    output_character(output, '"');
-    for (; *string != '\0'; string++) {
-        output_string(output, *string == '"' ? "\"" : "");
-        output_character(output, *string);
-    }
-    output_character(output, '"');
-}
-
 void grid_write_separated(const struct grid *grid, struct output *output, char separator)
 {
     for (size_t i = 0; i < grid->rows; i++) {
@@ -218,7 +192,17 @@ void grid_write_separated(const struct grid *grid, struct output *output, char s
             if (j > 0) {
                 output_character(output, separator);
             }
-            write_quoted(output, grid_cell(grid, i, j), separator);
+            const char *string = grid_cell(grid, i, j);
+            if (strchr(string, separator) == NULL && strchr(string, '"') == NULL) {
+                output_string(output, string);
+                continue;
+            }
+            output_character(output, '"');
+            for (; *string != '\0'; string++) {
+                output_string(output, *string == '"' ? "\"" : "");
+                output_character(output, *string);
+            }
+            output_character(output, '"');
         }
         output_character(output, '\n');
     }

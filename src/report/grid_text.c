@@ -72,27 +72,7 @@ static size_t count_lines(struct text cell, size_t width)
     return count;
 }
 
-/* Line `k` of a cell; empty behind its last. */
-static struct text text_line_of(struct text cell, size_t width, size_t k)
-{
-    struct text line = grid_text_next_line(&cell, width);
-    for (; k > 0; k--) {
-        line = cell.length > 0 ? grid_text_next_line(&cell, width) : (struct text){"", 0};
-    }
-    return line;
-}
-
 /* -------- as narrow as the terminal -------- */
-
-/* Of the cells below the head. */
-static size_t body_width(const struct grid *grid, size_t column)
-{
-    size_t width = 0;
-    for (size_t i = grid->head_rows; i < grid->rows; i++) {
-        width = larger(width, width_of(text_of(grid_cell(grid, i, column))));
-    }
-    return width;
-}
 
 /* How narrow a column may be: heads break between words, and so do cells of words. */
 static size_t grid_text_least_of(const struct grid *grid, size_t column, size_t width)
@@ -113,15 +93,6 @@ static size_t grid_text_least_of(const struct grid *grid, size_t column, size_t 
         }
     }
     return least < width ? least : width;
-}
-
-static size_t total_width(const struct grid *grid)
-{
-    size_t total = 0;
-    for (size_t j = 0; j < grid->columns; j++) {
-        total += grid->hidden[j] ? 0 : grid->widths[j] + GAP;
-    }
-    return total > 0 ? total - GAP : 0;
 }
 
 /* The widest column that is shown and wider than its bound; the count of columns: there is none. */
@@ -145,7 +116,11 @@ static bool grid_text_narrow(struct grid *grid, size_t width, const size_t *natu
                              const size_t *least, const size_t *bodies)
 {
     memcpy(grid->widths, natural, grid->columns * sizeof *natural);
-    for (size_t total = total_width(grid); total > width; total--) {
+    size_t total = 0;
+    for (size_t j = 0; j < grid->columns; j++) {
+        total += grid->hidden[j] ? 0 : grid->widths[j] + GAP;
+    }
+    for (total = total > 0 ? total - GAP : 0; total > width; total--) {
         size_t widest = widest_above(grid, bodies);
         widest = widest < grid->columns ? widest : widest_above(grid, least);
         if (widest == grid->columns) {
@@ -167,7 +142,10 @@ size_t grid_fit(struct grid *grid, size_t width, const size_t *least, const size
     grid_measure(grid, natural);
     for (size_t j = 0; j < grid->columns; j++) {
         narrowest[j] = least[j] > 0 ? least[j] : grid_text_least_of(grid, j, natural[j]);
-        bodies[j] = larger(narrowest[j], body_width(grid, j));
+        bodies[j] = narrowest[j];
+        for (size_t i = grid->head_rows; i < grid->rows; i++) {
+            bodies[j] = larger(bodies[j], width_of(text_of(grid_cell(grid, i, j))));
+        }
     }
     while (!grid_text_narrow(grid, width, natural, narrowest, bodies)) {
         size_t last = grid->columns;
@@ -249,7 +227,11 @@ static void write_rows(const struct grid *grid, struct output *output, const siz
                 size_t width = wraps(grid, i, j) ? grid->widths[j] : SIZE_MAX;
                 size_t own = count_lines(cell, width);
                 size_t above = i < grid->head_rows ? lines - own : 0;
-                pieces[j] = k < above ? (struct text){"", 0} : text_line_of(cell, width, k - above);
+                pieces[j] = k < above ? (struct text){"", 0} : grid_text_next_line(&cell, width);
+                for (size_t line = above; line < k; line++) {
+                    pieces[j] =
+                        cell.length > 0 ? grid_text_next_line(&cell, width) : (struct text){"", 0};
+                }
             }
             write_line(grid, output, widths, pieces,
                        i < grid->head_rows ? STYLE_HEAD : STYLE_PLAIN);

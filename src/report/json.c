@@ -58,23 +58,15 @@ static double shown_number(const void *row, const struct shown *shown)
     return shown->unit != NULL ? unit_from_own(shown->unit, value) : value;
 }
 
-static void json_write_number(struct report *report, const void *row, const struct shown *shown)
-{
-    if (!isfinite(shown_number(row, shown))) {
-        output_string(report->output, "null");
-        return;
-    }
-    char *to = output_reserve(report->output, NUMBER_LENGTH);
-    output_advance(report->output, shown_write_number(to, row, shown, report->digits));
-}
-
 static void json_write_value(struct report *report, const void *row, const struct shown *shown)
 {
     const struct column *column = shown->column;
-    if (row == NULL || row_is_absent(row, column)) {
+    if (row == NULL || row_is_absent(row, column) ||
+        (column->type == COLUMN_NUMBER && !isfinite(shown_number(row, shown)))) {
         output_string(report->output, "null");
     } else if (column->type == COLUMN_NUMBER) {
-        json_write_number(report, row, shown);
+        char *to = output_reserve(report->output, NUMBER_LENGTH);
+        output_advance(report->output, shown_write_number(to, row, shown, report->digits));
     } else if (column->type == COLUMN_INTEGER) {
         output_printf(report->output, "%ld", row_integer(row, column));
     } else if (column->type == COLUMN_FLAG) {
@@ -218,24 +210,6 @@ static void json_row(struct report *report, const void *row, const struct passed
     write_object(report, row, passed, report->passed_count, failure);
 }
 
-static void json_write_doubts(struct report *report)
-{
-    const struct warnings *doubts = report->doubts;
-    if (doubts == NULL || doubts->count == 0) {
-        return;
-    }
-    for (size_t i = 0; i < doubts->count; i++) {
-        output_string(report->output, i == 0 ? ",\"warnings\":[" : ",");
-        json_write_string(report->output, doubts->texts[i], strlen(doubts->texts[i]));
-    }
-    const char *more = warnings_left_out(report->doubts);
-    if (more != NULL) {
-        output_string(report->output, ",");
-        json_write_string(report->output, more, strlen(more));
-    }
-    output_string(report->output, "]");
-}
-
 static void json_end(struct report *report)
 {
     struct json_state *state = report->state;
@@ -247,8 +221,18 @@ static void json_end(struct report *report)
         output_string(report->output, ",\"explain\":");
         json_write_string(report->output, report->explain, strlen(report->explain));
     }
-    json_write_doubts(report);
-    output_string(report->output, "}\n");
+    const struct warnings *doubts = report->doubts;
+    const size_t count = doubts != NULL ? doubts->count : 0;
+    for (size_t i = 0; i < count; i++) {
+        output_string(report->output, i == 0 ? ",\"warnings\":[" : ",");
+        json_write_string(report->output, doubts->texts[i], strlen(doubts->texts[i]));
+    }
+    const char *more = count > 0 ? warnings_left_out(report->doubts) : NULL;
+    if (more != NULL) {
+        output_string(report->output, ",");
+        json_write_string(report->output, more, strlen(more));
+    }
+    output_string(report->output, count > 0 ? "]}\n" : "}\n");
 }
 
 static void jsonl_begin(struct report *report)

@@ -18,13 +18,6 @@
 
 enum { BUFFER_SIZE = 64 * 1024 };
 
-/* Write to a device or pipe directly: there is nothing to rename. */
-static bool is_plain_or_new(const char *path)
-{
-    struct stat status;
-    return stat(path, &status) != 0 || S_ISREG(status.st_mode);
-}
-
 /*
  * A file without a name in the folder of `path`: whatever ends the program, nothing of it is left.
  * -1 where the system knows no such files.
@@ -103,7 +96,10 @@ bool output_open(struct output *output, const char *path, struct arena *arena, s
     output->path = place != NULL ? place : path;
     output->arena = arena;
     const int descriptor = place_descriptor(output->path, arena);
-    output->is_renamed = place != NULL && descriptor == PLACE_CLOSED && is_plain_or_new(place);
+    /* a device or pipe is written to directly: there is nothing to rename */
+    struct stat status;
+    output->is_renamed = place != NULL && descriptor == PLACE_CLOSED &&
+                         (stat(place, &status) != 0 || S_ISREG(status.st_mode));
     output->descriptor =
         output->is_renamed ? open_beside(output, place) : open_again(output->path, descriptor);
     if (output->descriptor < 0) {
@@ -158,20 +154,17 @@ static void write_all(struct output *output, const char *start, size_t length)
     }
 }
 
-/* Length of what begins here and no terminal shall see; lines end as files have them end. */
-static size_t obeyed(const char *start, size_t room)
-{
-    const bool ends_line = *start == '\n' || (*start == '\r' && room > 1 && start[1] == '\n');
-    return ends_line || *start == '\t' ? 0 : text_unprintable(start, room);
-}
-
 static void write_guarded(struct output *output, const char *start, size_t length)
 {
-    size_t good = 0, bad;
+    size_t good = 0;
     while (good < length) {
-        bad = obeyed(start + good, length - good);
+        const char *at = start + good;
+        const size_t room = length - good;
+        /* what begins here and no terminal shall see; lines end as files have them end */
+        const bool ends_line = *at == '\n' || (*at == '\r' && room > 1 && at[1] == '\n');
+        const size_t bad = ends_line || *at == '\t' ? 0 : text_unprintable(at, room);
         if (bad == 0) {
-            const size_t whole = text_utf8_length(start + good, length - good);
+            const size_t whole = text_utf8_length(at, room);
             good += whole > 0 ? whole : 1;
             continue;
         }
@@ -327,29 +320,6 @@ void output_printf(struct output *output, const char *format, ...)
     }
 }
 
-/* Put the whole file in its place; take one away that is not to be kept. */
-static void output_settle(struct output *output, bool keep)
-{
-    bool whole = keep && output->failure == 0;
-    if (whole && rename(output->beside, output->path) != 0) {
-        output->failure = errno;
-        whole = false;
-    }
-    if (!whole && !output->is_nameless) {
-        unlink(output->beside);
-    }
-}
-
-static bool fail_written(const struct output *output, struct error *error)
-{
-    if (output->path != NULL) {
-        return fail(error, ERROR_IO, "cannot write %s: %s", output->path,
-                    strerror(output->failure));
-    }
-    return fail(error, output->failure == EPIPE ? ERROR_PIPE : ERROR_IO,
-                "cannot write to standard output: %s", strerror(output->failure));
-}
-
 void output_abandon(const struct output *output)
 {
     if (output->is_renamed && !output->is_nameless) {
@@ -401,8 +371,22 @@ bool output_close(struct output *output, bool keep, struct error *error)
     if (output->path != NULL && close(output->descriptor) != 0 && output->failure == 0) {
         output->failure = errno;
     }
-    if (output->is_renamed) {
-        output_settle(output, keep);
+    /* put the whole file in its place; take one away that is not to be kept */
+    whole = output->is_renamed && keep && output->failure == 0;
+    if (whole && rename(output->beside, output->path) != 0) {
+        output->failure = errno;
+        whole = false;
     }
-    return output->failure == 0 || fail_written(output, error);
+    if (output->is_renamed && !whole && !output->is_nameless) {
+        unlink(output->beside);
+    }
+    if (output->failure == 0) {
+        return true;
+    }
+    if (output->path != NULL) {
+        return fail(error, ERROR_IO, "cannot write %s: %s", output->path,
+                    strerror(output->failure));
+    }
+    return fail(error, output->failure == EPIPE ? ERROR_PIPE : ERROR_IO,
+                "cannot write to standard output: %s", strerror(output->failure));
 }

@@ -94,28 +94,6 @@ static const struct unit *cut_unit(struct text *name, const struct column *colum
     return unit;
 }
 
-/* A name that stands for one column only. */
-static bool find_called(const struct sheet *sheet, struct text name, enum calling by,
-                        struct arena *arena, struct shown *shown)
-{
-    int found = 0;
-    for (size_t i = 0; i < sheet->column_count; i++) {
-        const struct column *column = &sheet->columns[i];
-        struct text bare = name;
-        const struct unit *unit = cut_unit(&bare, column);
-        const struct shown usual = show_usual(column, arena);
-        bool whole = by == BY_NAME && text_same_name(name, text_of(usual.name));
-        if (whole || (!column->is_other && report_is_called(name, column, by))) {
-            *shown = usual;
-            found++;
-        } else if (unit != NULL && report_is_called(bare, column, by)) {
-            *shown = report_show(column, unit, arena);
-            found++;
-        }
-    }
-    return found == 1;
-}
-
 /* "did you mean 'near_m', 'front_m' or 'blur_mm'?": the nearest, then those that contain it. */
 static void suggest_columns(const struct sheet *sheet, struct text name, struct text nearest,
                             struct arena *arena, struct error *error)
@@ -160,11 +138,27 @@ static bool report_column_named(const struct sheet *sheet, struct text name, str
             *other_unit = column;
         }
     }
-    bool found = false;
-    for (enum calling by = BY_NAME; by < CALLINGS && !found; by++) {
-        found = find_called(sheet, name, by, arena, shown);
+    for (enum calling by = BY_NAME; by < CALLINGS; by++) {
+        int found = 0;
+        for (size_t i = 0; i < sheet->column_count; i++) {
+            const struct column *column = &sheet->columns[i];
+            struct text bare = name;
+            const struct unit *unit = cut_unit(&bare, column);
+            const struct shown usual = show_usual(column, arena);
+            bool whole = by == BY_NAME && text_same_name(name, text_of(usual.name));
+            if (whole || (!column->is_other && report_is_called(name, column, by))) {
+                *shown = usual;
+                found++;
+            } else if (unit != NULL && report_is_called(bare, column, by)) {
+                *shown = report_show(column, unit, arena);
+                found++;
+            }
+        }
+        if (found == 1) { /* a name that stands for one column only */
+            return true;
+        }
     }
-    return found;
+    return false;
 }
 
 struct sheet report_own_columns(const struct sheet *sheet)
@@ -202,16 +196,6 @@ bool report_find_column(const struct sheet *sheet, struct text name, struct aren
     return false;
 }
 
-static bool is_shown(const struct report *report, const char *name)
-{
-    for (size_t i = 0; i < report->shown_count; i++) {
-        if (strcmp(report->shown[i].name, name) == 0) {
-            return true;
-        }
-    }
-    return false;
-}
-
 /* People see what makes one row differ from the next, before what --columns names. */
 static void add_varied(struct report *report, const struct selection *selection)
 {
@@ -236,22 +220,6 @@ static void add_varied(struct report *report, const struct selection *selection)
     report->shown_count = count;
 }
 
-/*
- * The word "error": the reasons of rows that fail, and where a column is called so, that column;
- * reasons then stand beside it where there may be some.
- */
-static bool names_error(struct report *report, const struct selection *selection, struct text name)
-{
-    struct shown own;
-    struct error ignored;
-    if (!text_equal(name, "error")) {
-        return false;
-    }
-    const bool is_column = report_find_column(report->sheet, name, report->arena, &own, &ignored);
-    report->has_error_column = !is_column || selection->many;
-    return !is_column;
-}
-
 /* The columns that --columns names, in its order. */
 static bool select_named(struct report *report, const struct selection *selection,
                          struct error *error)
@@ -265,14 +233,22 @@ static bool select_named(struct report *report, const struct selection *selectio
     while (rest.start != NULL) {
         struct text name = text_trim(text_cut(&rest, ','));
         struct shown shown;
-        if (names_error(report, selection, name)) {
-            continue;
-        }
-        if (!report_find_column(report->sheet, name, report->arena, &shown, error)) {
+        const bool is_column =
+            report_find_column(report->sheet, name, report->arena, &shown, error);
+        if (text_equal(name, "error")) {
+            /* the reasons of rows that fail; a column that is called so stands beside them */
+            report->has_error_column = !is_column || selection->many;
+        } else if (!is_column) {
             return error_prefix(error, "{columns}: ");
         }
-        if (is_shown(report, shown.name)) {
-            return fail(error, ERROR_USAGE, "{columns} names '%s' twice", shown.name);
+        if (!is_column) {
+            error->code = ERROR_NONE;
+            continue;
+        }
+        for (size_t i = 0; i < report->shown_count; i++) {
+            if (strcmp(report->shown[i].name, shown.name) == 0) {
+                return fail(error, ERROR_USAGE, "{columns} names '%s' twice", shown.name);
+            }
         }
         report->shown[report->shown_count++] = shown;
     }
@@ -354,38 +330,32 @@ static bool belongs(const struct column *column, const struct selection *selecti
            (!report_is_hidden(column, selection) && is_usual(column, selection));
 }
 
-static void select_assumed(struct report *report, const struct selection *selection)
-{
-    report->assumed = ARENA_ARRAY(report->arena, report->sheet->column_count, struct shown);
-    for (size_t i = 0; i < report->sheet->column_count; i++) {
-        const struct column *column = &report->sheet->columns[i];
-        if (is_assumed(column, selection) && !depends_on_varied(column, selection)) {
-            report->assumed[report->assumed_count++] = show_usual(column, report->arena);
-        }
-    }
-}
-
 bool report_select(struct report *report, const struct selection *selection, struct error *error)
 {
+    const struct sheet *sheet = report->sheet;
     report->shown_count = 0;
     report->assumed_count = 0;
     report->selection = selection;
-    select_assumed(report, selection);
+    report->shown = ARENA_ARRAY(report->arena, sheet->column_count, struct shown);
+    report->assumed = ARENA_ARRAY(report->arena, sheet->column_count, struct shown);
     report->are_named = selection->columns != NULL;
-    if (report->are_named) {
-        const bool found = select_named(report, selection, error);
-        report->has_value = ARENA_ARRAY(report->arena, report->shown_count + 1, bool);
-        return found;
-    }
-    /* Everything a row has, but for extras nobody asked for. */
-    report->shown = ARENA_ARRAY(report->arena, report->sheet->column_count, struct shown);
-    for (size_t i = 0; i < report->sheet->column_count; i++) {
-        const struct column *column = &report->sheet->columns[i];
-        if (belongs(column, selection, depends_on_varied(column, selection))) {
+    for (size_t i = 0; i < sheet->column_count; i++) {
+        const struct column *column = &sheet->columns[i];
+        const bool varies = depends_on_varied(column, selection);
+        if (is_assumed(column, selection) && !varies) {
+            report->assumed[report->assumed_count++] = show_usual(column, report->arena);
+        }
+        /* everything a row has, but for extras nobody asked for */
+        if (!report->are_named && belongs(column, selection, varies)) {
             report->shown[report->shown_count++] = show_usual(column, report->arena);
         }
     }
-    return true;
+    if (!report->are_named) {
+        return true;
+    }
+    const bool found = select_named(report, selection, error);
+    report->has_value = ARENA_ARRAY(report->arena, report->shown_count + 1, bool);
+    return found;
 }
 
 void report_lead(struct report *report, const char *one, const char *many)

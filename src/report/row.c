@@ -6,33 +6,28 @@
 
 #include <math.h>
 
-static const void *row_member(const void *row, const struct column *column)
-{
-    return (const char *)row + column->offset;
-}
-
 double row_number(const void *row, const struct column *column)
 {
     if (column->other != NULL &&
         *(const bool *)((const char *)row + column->turned) != column->is_other) {
         return NAN;
     }
-    return *(const double *)row_member(row, column);
+    return *(const double *)((const char *)row + column->offset);
 }
 
 long row_integer(const void *row, const struct column *column)
 {
-    return *(const long *)row_member(row, column);
+    return *(const long *)((const char *)row + column->offset);
 }
 
 bool row_flag(const void *row, const struct column *column)
 {
-    return *(const bool *)row_member(row, column);
+    return *(const bool *)((const char *)row + column->offset);
 }
 
 const char *row_text(const void *row, const struct column *column)
 {
-    return *(const char *const *)row_member(row, column);
+    return *(const char *const *)((const char *)row + column->offset);
 }
 
 bool row_is_absent(const void *row, const struct column *column)

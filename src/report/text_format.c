@@ -300,34 +300,19 @@ static void text_format_choose_units(struct report *report)
     }
 }
 
-static const char *spaced(struct arena *arena, const char *name)
-{
-    char *copy = arena_string(arena, name, strlen(name));
-    for (char *at = copy; *at != '\0'; at++) {
-        *at = *at == '_' ? ' ' : *at;
-    }
-    return copy;
-}
-
-static bool has_units(const struct report *report)
-{
-    const struct text_state *state = report->state;
-    for (size_t i = 0; i < report->shown_count; i++) {
-        if (readable_unit_label(&report->shown[i], state->units[i])[0] != '\0') {
-            return true;
-        }
-    }
-    return false;
-}
-
 /* Given     rows  so many are to follow the head */
 static struct grid new_grid(struct report *report, size_t rows, struct arena *arena)
 {
     struct text_state *state = report->state;
-    struct grid grid =
-        grid_new(arena, report->passed_count + report->shown_count + state->has_failures,
-                 has_units(report) ? 2 : 1);
-    grid_make_room(&grid, grid.head_rows + rows);
+    const size_t columns = report->passed_count + report->shown_count + state->has_failures;
+    bool has_units = false;
+    for (size_t i = 0; i < report->shown_count; i++) {
+        const char *unit = readable_unit_label(&report->shown[i], state->units[i]);
+        has_units = has_units || unit[0] != '\0';
+    }
+    struct grid grid = grid_new(arena, columns, has_units ? 2 : 1);
+    grid.capacity = grid.head_rows + rows;
+    grid.cells = ARENA_ARRAY(arena, grid.capacity * columns, char *);
     grid_add_row(&grid);
     for (size_t i = 0; i < report->passed_count; i++) {
         grid_set(
@@ -336,8 +321,12 @@ static struct grid new_grid(struct report *report, size_t rows, struct arena *ar
     }
     for (size_t i = 0; i < report->shown_count; i++) {
         const struct column *column = report->shown[i].column;
+        char *name = arena_string(arena, column->name, strlen(column->name));
+        for (char *at = name; *at != '\0'; at++) {
+            *at = *at == '_' ? ' ' : *at;
+        }
         grid_set(&grid, report->passed_count + i,
-                 text_has_head(report, column) ? column->head : spaced(arena, column->name));
+                 text_has_head(report, column) ? column->head : name);
         grid.left[report->passed_count + i] = column->type == COLUMN_TEXT;
     }
     if (state->has_failures) {
@@ -430,17 +419,6 @@ static void write_table(struct report *report)
     report->format->write_grid(&grid, report->output, true);
 }
 
-/* "1/125 s" has its unit where the others have theirs; "2 min 30 s" stays in one piece. */
-static bool cut_second(char *cell)
-{
-    char *blank = strchr(cell, ' ');
-    bool cut = blank != NULL && strcmp(blank, " s") == 0;
-    if (cut) {
-        *blank = '\0';
-    }
-    return cut;
-}
-
 /* A quantity in words, its value, and its unit; of one that is absent when it would have one. */
 static void add_list_row(struct report *report, struct grid *grid, size_t i, size_t *value_width)
 {
@@ -461,7 +439,10 @@ static void add_list_row(struct report *report, struct grid *grid, size_t i, siz
         *value_width = strlen(cell); /* words may go on in another line */
     }
     const char *unit = readable_unit_label(shown, state->units[i]);
-    if (column->dimension == &dimension_time && cut_second(cell)) {
+    /* "1/125 s" has its unit where the others have theirs; "2 min 30 s" stays in one piece */
+    char *blank = strchr(cell, ' ');
+    if (column->dimension == &dimension_time && blank != NULL && strcmp(blank, " s") == 0) {
+        *blank = '\0';
         unit = "s";
     }
     grid_set(grid, 1, cell);
