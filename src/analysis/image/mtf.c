@@ -68,23 +68,6 @@ static bool mtf_rays_add_light(const struct mtf_source *source, const struct wav
     return true;
 }
 
-/* Trace the next level. */
-static bool mtf_rays_add_level(const struct mtf_source *source, struct arena *arena,
-                               struct error *error)
-{
-    const size_t rays = (size_t)FIRST_RAYS << source->rays->count;
-    struct mtf_rays_level *level = &source->rays->levels[source->rays->count];
-    *level = (struct mtf_rays_level){.count = 0};
-    for (size_t g = 0; g < source->pupils.lights.count; g++) {
-        const struct wave_light *light = &source->pupils.lights.list[g];
-        if (light->weight > 0 && !mtf_rays_add_light(source, light, rays, arena, level, error)) {
-            return false;
-        }
-    }
-    source->rays->count++;
-    return true;
-}
-
 /*
  * The mean of exp(-2 pi i frequency x), by energy: rays doubled from 200 to 102400 until twice the
  * last change is below the error that is wanted. Errors as bundle_trace.
@@ -95,10 +78,19 @@ static bool mtf_rays_find(const struct mtf_source *source, double frequency, str
     *sums = (struct mtf_sums){.light = 1};
     mtf->has_converged = false;
     for (size_t l = 0; l < LEVELS && !mtf->has_converged; l++) {
-        if (l == source->rays->count && !mtf_rays_add_level(source, arena, error)) {
-            return false;
+        struct mtf_rays_level *level = &source->rays->levels[l];
+        if (l == source->rays->count) {
+            const size_t rays = (size_t)FIRST_RAYS << l;
+            *level = (struct mtf_rays_level){.count = 0};
+            for (size_t g = 0; g < source->pupils.lights.count; g++) {
+                const struct wave_light *light = &source->pupils.lights.list[g];
+                if (light->weight > 0 &&
+                    !mtf_rays_add_light(source, light, rays, arena, level, error)) {
+                    return false;
+                }
+            }
+            source->rays->count++;
         }
-        const struct mtf_rays_level *level = &source->rays->levels[l];
         double worst = 1e-12;
         for (int k = 0; k < 2; k++) {
             double sum[2] = {0};

@@ -78,27 +78,6 @@ static struct mtf_curve_turns mtf_curve_find_turns(const double (*waves)[LOOKS],
     return turns;
 }
 
-/* W of a line at even places along the pupil, NaN where it is not clear. */
-static void mtf_curve_look_along(const struct curve_pupil_overlap *one,
-                                 const struct exit_line *line, double *waves)
-{
-    double x[LANES] = {0}, here[LANES], amplitudes[LANES];
-    for (size_t j = 0; j < LOOKS; j++) {
-        waves[j] = NAN;
-    }
-    for (size_t k = 0; k < line->spans.count; k++) {
-        const double *edges = line->spans.edges + 2 * k;
-        for (size_t j = 0; j < LOOKS; j++) {
-            const double s = one->middle[0] + one->wide[0] * (((double)j + 0.5) / LOOKS - 0.5);
-            x[j] = (2 * s - edges[0] - edges[1]) / (edges[1] - edges[0]);
-        }
-        KERNEL_FOR(SET_BEST, kernel_exit_values)(&line->series[k], x, here, amplitudes);
-        for (size_t j = 0; j < LOOKS; j++) {
-            waves[j] = fabs(x[j]) < 1 ? here[j] : waves[j];
-        }
-    }
-}
-
 /* Turns for shifts up to the most. */
 static struct mtf_curve_turns mtf_curve_look(const struct curve_pupil_overlap *one, double most)
 {
@@ -115,7 +94,22 @@ static struct mtf_curve_turns mtf_curve_look(const struct curve_pupil_overlap *o
                 exit_front_line(one->front, p, asin(x), &line);
             }
         }
-        mtf_curve_look_along(one, &line, waves[i]);
+        /* W of a line at even places along the pupil, NaN where it is not clear. */
+        double xs[LANES] = {0}, here[LANES], amplitudes[LANES];
+        for (size_t j = 0; j < LOOKS; j++) {
+            waves[i][j] = NAN;
+        }
+        for (size_t k = 0; k < line.spans.count; k++) {
+            const double *edges = line.spans.edges + 2 * k;
+            for (size_t j = 0; j < LOOKS; j++) {
+                const double s = one->middle[0] + one->wide[0] * (((double)j + 0.5) / LOOKS - 0.5);
+                xs[j] = (2 * s - edges[0] - edges[1]) / (edges[1] - edges[0]);
+            }
+            KERNEL_FOR(SET_BEST, kernel_exit_values)(&line.series[k], xs, here, amplitudes);
+            for (size_t j = 0; j < LOOKS; j++) {
+                waves[i][j] = fabs(xs[j]) < 1 ? here[j] : waves[i][j];
+            }
+        }
     }
     const double places = most * LOOKS / one->wide[0];
     const double whole = fmin(fmax(ceil(places), 1), LOOKS - 1);

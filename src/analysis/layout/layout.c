@@ -69,23 +69,6 @@ static void planes_add_pupil(struct layout *layout, double at, double diameter, 
     }
 }
 
-/* Focal points, principal planes and pupils; those far outside are only noted. */
-static void layout_planes(struct layout *layout, bool with_pupils)
-{
-    const struct first_order *first = &layout->light->first;
-    const struct cardinal at = cardinal_points(layout);
-    double half = 1.25 * layout->size;
-    layout_planes_add_plane(layout, at.H, half, "H");
-    layout_planes_add_plane(layout, at.H2, half, "H'");
-    layout_planes_add_point(layout, at.F, "F");
-    layout_planes_add_point(layout, at.F2, "F'");
-    if (with_pupils) {
-        planes_add_pupil(layout, first->entrance_pupil, first->entrance_diameter, "entrance pupil");
-        planes_add_pupil(layout, first->length + first->exit_pupil, first->exit_diameter,
-                         "exit pupil");
-    }
-}
-
 static void layout_planes_add_lines(struct layout *layout, enum layout_kind kind,
                                     const double *from_z, const double *from_y, size_t count)
 {
@@ -257,7 +240,16 @@ static bool add_bundles(struct layout *layout, const struct layout_request *requ
     }
     layout_add_image(layout);
     if (request->planes) {
-        layout_planes(layout, true);
+        const struct first_order *first = &layout->light->first;
+        const struct cardinal at = cardinal_points(layout);
+        double half = 1.25 * layout->size;
+        layout_planes_add_plane(layout, at.H, half, "H");
+        layout_planes_add_plane(layout, at.H2, half, "H'");
+        layout_planes_add_point(layout, at.F, "F");
+        layout_planes_add_point(layout, at.F2, "F'");
+        planes_add_pupil(layout, first->entrance_pupil, first->entrance_diameter, "entrance pupil");
+        planes_add_pupil(layout, first->length + first->exit_pupil, first->exit_diameter,
+                         "exit pupil");
     }
     return true;
 }

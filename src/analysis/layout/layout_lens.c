@@ -157,17 +157,6 @@ static bool is_sensible(const struct layout *layout, size_t i)
            (i == 0 || is_apart(layout, i - 1, r));
 }
 
-/* Less, until there is a sag and, where nobody stated the diameter, room for the surface. */
-static void layout_lens_shrink(struct layout *layout, size_t i, bool is_guess)
-{
-    double *semi = &layout->semi[i];
-    for (int step = 0; step < 400; step++, *semi *= 0.99) {
-        if (isfinite(sag(layout, i, *semi)) && (!is_guess || is_sensible(layout, i))) {
-            return;
-        }
-    }
-}
-
 static bool find_diameters(struct layout *layout, struct error *error)
 {
     const struct lens *lens = layout->setup->lens;
@@ -195,7 +184,13 @@ static bool find_diameters(struct layout *layout, struct error *error)
     }
     for (size_t i = 0; i < lens->surface_count; i++) {
         if (layout->is_drawn[i]) {
-            layout_lens_shrink(layout, i, !isfinite(aperture_reach(&lens->surfaces[i])));
+            /* less, until there is a sag and, where nobody stated the diameter, room for it */
+            const bool is_guess = !isfinite(aperture_reach(&lens->surfaces[i]));
+            for (int step = 0; step < 400 && !(isfinite(sag(layout, i, layout->semi[i])) &&
+                                               (!is_guess || is_sensible(layout, i)));
+                 step++) {
+                layout->semi[i] *= 0.99;
+            }
             layout->size = fmax(layout->size, layout->semi[i]);
         }
     }
@@ -207,18 +202,6 @@ static bool find_diameters(struct layout *layout, struct error *error)
                                  guessed, lens->surface_count));
     }
     return true;
-}
-
-static size_t layout_lens_find_glass(struct layout *layout, struct text written)
-{
-    const char *name = arena_string(layout->arena, written.start, written.length);
-    const struct text kept = {name, written.length};
-    const size_t known = name_table_find(&layout->glass_names, kept);
-    if (known != NAME_NONE) {
-        return known;
-    }
-    layout->glasses[layout->glass_count++] = name;
-    return name_table_add(&layout->glass_names, kept, layout->arena);
 }
 
 static void layout_lens_reach(struct layout *layout, double z)
@@ -260,7 +243,14 @@ static void add_element(struct layout *layout, size_t i)
         }
     }
     part->count = count;
-    part->glass = layout_lens_find_glass(layout, layout->setup->lens->surfaces[i].medium.written);
+    const struct text written = layout->setup->lens->surfaces[i].medium.written;
+    const char *name = arena_string(layout->arena, written.start, written.length);
+    const struct text kept = {name, written.length};
+    part->glass = name_table_find(&layout->glass_names, kept);
+    if (part->glass == NAME_NONE) {
+        layout->glasses[layout->glass_count++] = name;
+        part->glass = name_table_add(&layout->glass_names, kept, layout->arena);
+    }
 }
 
 /* -------- what apertures leave -------- */

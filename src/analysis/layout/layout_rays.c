@@ -21,24 +21,6 @@ struct rays_beams {
     struct field_point edge;   /* of the field, in the section */
 };
 
-/* Surfaces without a diameter have that of the drawing, and a little more: nobody stated it. */
-static const struct lens *with_clear_apertures(const struct layout *layout)
-{
-    const struct lens *lens = layout->setup->lens;
-    struct lens *copy = ARENA_NEW(layout->arena, struct lens);
-    struct surface *surfaces = ARENA_ARRAY(layout->arena, lens->surface_count, struct surface);
-    *copy = *lens;
-    memcpy(surfaces, lens->surfaces, lens->surface_count * sizeof *surfaces);
-    for (size_t i = 0; i < lens->surface_count; i++) {
-        if (layout->is_drawn[i] && !surfaces[i].has_diameter) {
-            surfaces[i].has_diameter = true;
-            surfaces[i].diameter.value = pair_of(2.04 * layout->semi[i]);
-        }
-    }
-    copy->surfaces = surfaces;
-    return copy;
-}
-
 /* From the frame of a surface's axis to the drawing. */
 static void layout_rays_place(const struct layout *layout, size_t surface, double along,
                               double across, double *z, double *y)
@@ -52,22 +34,6 @@ static void layout_rays_place(const struct layout *layout, size_t surface, doubl
 static double lead(const struct layout *layout)
 {
     return 0.3 * (layout->right - layout->left) + 0.5 * layout->size;
-}
-
-/* On to the image plane, or a little way. */
-static void end_ray(const struct layout *layout, const struct ray *last, size_t surface,
-                    int section, double *z, double *y)
-{
-    double way = lead(layout);
-    if (isfinite(layout->image)) {
-        size_t count = layout->setup->lens->surface_count;
-        double plane = layout->image - layout->vertex[count - 1];
-        /* the frame is that of the last surface that is drawn */
-        double gap = layout->vertex[count - 1] - layout->vertex[surface];
-        way = (plane + gap - last->point[2]) / last->cosine[2];
-    }
-    layout_rays_place(layout, surface, last->point[2] + way * last->cosine[2],
-                      last->point[section] + way * last->cosine[section], z, y);
 }
 
 static void layout_rays_add_ray(const struct rays_beams *beams, enum layout_kind kind,
@@ -110,7 +76,19 @@ static void layout_rays_add_ray(const struct rays_beams *beams, enum layout_kind
     z[0] = z[1] - back * start->cosine[2];
     y[0] = y[1] - back * start->cosine[section];
     if (last != LENS_NONE) {
-        end_ray(layout, &meetings[last].ray, last, section, &z[used], &y[used]);
+        /* On to the image plane, or a little way. */
+        double far = lead(layout);
+        if (isfinite(layout->image)) {
+            size_t surfaces = layout->setup->lens->surface_count;
+            double plane = layout->image - layout->vertex[surfaces - 1];
+            /* the frame is that of the last surface that is drawn */
+            double gap = layout->vertex[surfaces - 1] - layout->vertex[last];
+            far = (plane + gap - meetings[last].ray.point[2]) / meetings[last].ray.cosine[2];
+        }
+        layout_rays_place(
+            layout, last, meetings[last].ray.point[2] + far * meetings[last].ray.cosine[2],
+            meetings[last].ray.point[section] + far * meetings[last].ray.cosine[section], &z[used],
+            &y[used]);
         used++;
     }
     part->count = used;
@@ -227,16 +205,6 @@ static double layout_find_edge(struct rays_beams *beams, struct rays_bundle *bun
     return pow(0.97, lit);
 }
 
-static bool has_mirror(const struct lens *lens)
-{
-    for (size_t i = 0; i < lens->surface_count; i++) {
-        if (surface_reflects(&lens->surfaces[i])) {
-            return true;
-        }
-    }
-    return false;
-}
-
 static void add_oblique(struct rays_beams *beams)
 {
     struct layout *layout = beams->layout;
@@ -261,9 +229,13 @@ static void add_oblique(struct rays_beams *beams)
     }
     add_edges(beams, LAYOUT_OBLIQUE, &bundle);
     /* of mirrors about the axis a secondary one would be in its way */
+    bool has_mirror = false;
+    for (size_t i = 0; i < layout->setup->lens->surface_count; i++) {
+        has_mirror = has_mirror || surface_reflects(&layout->setup->lens->surfaces[i]);
+    }
     struct aim aim;
     struct error ignored;
-    if (beams->has_stop && !(layout->is_centred && has_mirror(layout->setup->lens)) &&
+    if (beams->has_stop && !(layout->is_centred && has_mirror) &&
         aim_open(beams->open, &bundle.beam, layout->arena, &aim, &ignored)) {
         struct ray chief = aim_chief(&aim);
         layout_rays_add_ray(beams, LAYOUT_CHIEF, &chief);
@@ -288,9 +260,21 @@ bool layout_rays(struct layout *layout, struct error *error)
     beams = (struct rays_beams){.layout = layout,
                                 .open = setup_system(setup, layout->wavelength, SETUP_OPEN, error),
                                 .has_stop = has_stop};
+    /* Surfaces without a diameter have that of the drawing, and a little more: nobody stated it. */
+    const struct lens *lens = layout->setup->lens;
+    struct lens *copy = ARENA_NEW(layout->arena, struct lens);
+    struct surface *surfaces = ARENA_ARRAY(layout->arena, lens->surface_count, struct surface);
+    *copy = *lens;
+    memcpy(surfaces, lens->surfaces, lens->surface_count * sizeof *surfaces);
+    for (size_t j = 0; j < lens->surface_count; j++) {
+        if (layout->is_drawn[j] && !surfaces[j].has_diameter) {
+            surfaces[j].has_diameter = true;
+            surfaces[j].diameter.value = pair_of(2.04 * layout->semi[j]);
+        }
+    }
+    copy->surfaces = surfaces;
     if (!(beams.open != NULL &&
-          setup_compile(setup, with_clear_apertures(layout), layout->wavelength, SETUP_CLIPPED,
-                        &beams.clipped, error))) {
+          setup_compile(setup, copy, layout->wavelength, SETUP_CLIPPED, &beams.clipped, error))) {
         return false;
     }
     add_axial(&beams);

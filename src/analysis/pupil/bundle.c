@@ -159,39 +159,6 @@ void bundle_aim(const struct bundle_source *source, const struct pupil_point *po
     }
 }
 
-static bool bundle_fill(const struct bundle_source *source, size_t rays, struct arena *arena,
-                        struct bundle *bundle, struct error *error)
-{
-    if (source->question->pattern != PATTERN_GAUSS) {
-        /* Points of the whole pupil, whether rays arrive or not. */
-        const struct bundle_question *question = source->question;
-        struct sample sample;
-        if (!sample_make(question->pattern, rays, question->seed, arena, &sample, error)) {
-            return false;
-        }
-        for (size_t i = 0; i < sample.count && question->clip; i++) {
-            sample.points[i].x *= within;
-            sample.points[i].y *= within;
-        }
-        bundle->points = sample.points;
-        bundle->count = sample.count;
-        bundle->rays = rays_new(arena, sample.count);
-        bundle_aim(source, sample.points, sample.count, &bundle->rays);
-        if (question->weight == WEIGHT_BEAM) {
-            quadrature_weigh_beam(&source->pupil, &bundle->rays, sample.points, arena);
-        }
-        return true;
-    }
-    const struct quadrature all = quadrature_fill(source->region, rays, arena);
-    bundle->points = all.sample.points;
-    bundle->count = all.is_empty ? 0 : all.sample.count;
-    bundle->rays = all.rays;
-    bundle->arms = all.arms;
-    bundle->rings = all.rings;
-    bundle->arcs = all.arcs;
-    return true;
-}
-
 bool bundle_fail_dark(const struct bundle_source *source, size_t count, struct arena *arena,
                       struct error *error)
 {
@@ -216,9 +183,32 @@ bool bundle_fail_dark(const struct bundle_source *source, size_t count, struct a
 bool bundle_trace(const struct bundle_source *source, size_t rays, size_t to, struct arena *arena,
                   struct bundle *bundle, struct error *error)
 {
+    const struct bundle_question *question = source->question;
     *bundle = (struct bundle){.count = 0};
-    if (!bundle_fill(source, rays, arena, bundle, error)) {
-        return false;
+    if (question->pattern == PATTERN_GAUSS) {
+        const struct quadrature all = quadrature_fill(source->region, rays, arena);
+        bundle->points = all.sample.points;
+        bundle->count = all.is_empty ? 0 : all.sample.count;
+        bundle->rays = all.rays;
+        bundle->arms = all.arms;
+        bundle->rings = all.rings;
+        bundle->arcs = all.arcs;
+    } else { /* points of the whole pupil, whether rays arrive or not */
+        struct sample sample;
+        if (!sample_make(question->pattern, rays, question->seed, arena, &sample, error)) {
+            return false;
+        }
+        for (size_t i = 0; i < sample.count && question->clip; i++) {
+            sample.points[i].x *= within;
+            sample.points[i].y *= within;
+        }
+        bundle->points = sample.points;
+        bundle->count = sample.count;
+        bundle->rays = rays_new(arena, sample.count);
+        bundle_aim(source, sample.points, sample.count, &bundle->rays);
+        if (question->weight == WEIGHT_BEAM) {
+            quadrature_weigh_beam(&source->pupil, &bundle->rays, sample.points, arena);
+        }
     }
     rays_trace_part(source->through, 0, to, &bundle->rays, NULL);
     for (size_t i = 0; i < bundle->count; i++) {

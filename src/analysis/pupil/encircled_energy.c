@@ -226,23 +226,6 @@ struct energy_sheet {
     size_t count;
 };
 
-/* Where to look outwards: equal steps between rings. */
-static void choose_radii(size_t steps, struct arena *arena, struct energy_sheet *sheet)
-{
-    const struct encircled_energy_sheet *made = sheet->made;
-    double *radii = ARENA_ARRAY(arena, (made->rings + 1) * steps + 1, double), from = 0;
-    sheet->looks = 0;
-    for (size_t gap = 0; gap <= made->rings; gap++) {
-        const double to = gap < made->rings ? sqrt(made->places[gap]) : 1;
-        for (size_t i = 0; i < steps; i++) {
-            radii[sheet->looks++] = from + (to - from) * (double)i / (double)steps;
-        }
-        from = to;
-    }
-    radii[sheet->looks++] = 1;
-    sheet->radii = radii;
-}
-
 static void look_along_arms(const struct encircled_energy_mark *marks, const double *arm_shares,
                             struct arena *arena, struct energy_sheet *sheet)
 {
@@ -327,7 +310,19 @@ static size_t pieces_of_sheet(const struct encircled_energy_mark *marks,
     double *angles = ARENA_ARRAY(arena, made->arms, double),
            *shares = ARENA_ARRAY(arena, made->arms, double);
     struct energy_sheet sheet = {.made = made, .pieces = pieces};
-    choose_radii(looks_outwards(made), arena, &sheet);
+    /* Where to look outwards: equal steps between rings. */
+    const size_t steps = looks_outwards(made);
+    double *radii = ARENA_ARRAY(arena, (made->rings + 1) * steps + 1, double), from = 0;
+    sheet.looks = 0;
+    for (size_t gap = 0; gap <= made->rings; gap++) {
+        const double to = gap < made->rings ? sqrt(made->places[gap]) : 1;
+        for (size_t i = 0; i < steps; i++) {
+            radii[sheet.looks++] = from + (to - from) * (double)i / (double)steps;
+        }
+        from = to;
+    }
+    radii[sheet.looks++] = 1;
+    sheet.radii = radii;
     for (size_t arc = 0, first = 0; arc < arcs; first += arms_of_arc(made, arc), arc++) {
         const size_t count = arms_of_arc(made, arc);
         gauss_rule(count, angles + first, shares + first);

@@ -140,21 +140,11 @@ struct cut_sums {
     double area, along[2];
 };
 
-/* Where ray i crosses the plane; NaN where it does not. */
-static void pupil_cut_cross(const struct cut_sums *summing, size_t i, double point[2])
-{
-    const struct cut_plane *plane = summing->plane;
-    const struct ray_block *block = summing->work.blocks;
-    double t = (plane->z - block->z[i]) / block->r[i];
-    bool meets = block->r[i] * plane->light_direction > 0;
-    point[0] = meets ? block->x[i] + t * block->p[i] : (double)NAN;
-    point[1] = meets ? block->y[i] + t * block->q[i] : (double)NAN;
-}
-
 /* Trace what waits. */
 static void pupil_cut_flush(struct cut_sums *summing)
 {
     const struct cut_plane *plane = summing->plane;
+    const struct ray_block *block = summing->work.blocks;
     beam_fill(plane->beam, (const double(*)[2])summing->at, summing->count * EACH,
               summing->work.blocks);
     if (plane->to > 0) {
@@ -163,7 +153,11 @@ static void pupil_cut_flush(struct cut_sums *summing)
     for (size_t i = 0; i < summing->count; i++) {
         double points[EACH][2], slope = 1 / (2 * summing->step);
         for (size_t k = 0; k < EACH; k++) {
-            pupil_cut_cross(summing, i * EACH + k, points[k]);
+            const size_t ray = i * EACH + k;
+            const double t = (plane->z - block->z[ray]) / block->r[ray];
+            const bool meets = block->r[ray] * plane->light_direction > 0;
+            points[k][0] = meets ? block->x[ray] + t * block->p[ray] : (double)NAN;
+            points[k][1] = meets ? block->y[ray] + t * block->q[ray] : (double)NAN;
         }
         double xa = points[1][0] - points[2][0], ya = points[1][1] - points[2][1];
         double xb = points[3][0] - points[4][0], yb = points[3][1] - points[4][1];

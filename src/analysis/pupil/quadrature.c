@@ -373,18 +373,6 @@ static bool find_any_areas(const struct stop_map *mapping, const double (*from)[
     return known;
 }
 
-/* Up to 128 points by their areas; false: as find_any_areas. */
-static bool quadrature_weigh(const struct stop_map *mapping, const double (*from)[2], size_t count,
-                             struct pupil_point *points)
-{
-    double areas[RAYS_BLOCK];
-    const bool known = find_any_areas(mapping, from, count, areas);
-    for (size_t i = 0; i < count; i++) {
-        points[i].weight *= areas[i];
-    }
-    return known;
-}
-
 /* From u, v to the stop's own coordinates, and to its areas where those are weighed. */
 static void map_to_stop(const struct stop_map *mapping, struct sample *sample)
 {
@@ -398,8 +386,14 @@ static void map_to_stop(const struct stop_map *mapping, struct sample *sample)
             from[i][0] = points[i].x;
             from[i][1] = points[i].y;
         }
-        bool there = margins->beam->weight == WEIGHT_PUPIL &&
-                     quadrature_weigh(mapping, (const double(*)[2])from, here, points);
+        bool there = false;
+        if (margins->beam->weight == WEIGHT_PUPIL) {
+            double areas[RAYS_BLOCK];
+            there = find_any_areas(mapping, (const double(*)[2])from, here, areas);
+            for (size_t i = 0; i < here; i++) {
+                points[i].weight *= areas[i];
+            }
+        }
         if (!there) {
             clearances_go(margins, (const double(*)[2])from, here, mapping->before.places);
         }
@@ -416,15 +410,6 @@ static void map_to_stop(const struct stop_map *mapping, struct sample *sample)
 static size_t arms_for(const struct pupil_boundary *boundary, size_t rings)
 {
     return boundary->is_whole ? 2 * rings + 1 : 3 * rings + 2;
-}
-
-static size_t rings_for(const struct pupil_boundary *boundary, size_t rays)
-{
-    size_t rings = 1;
-    while (rings * (arms_for(boundary, rings) + boundary->corner_count) < rays) {
-        rings++;
-    }
-    return rings;
 }
 
 struct quadrature_region quadrature_open(const struct stop_beam *beam, struct arena *arena)
@@ -516,8 +501,11 @@ struct quadrature quadrature_fill(struct quadrature_region *region, size_t rays,
         return all;
     }
     const struct pupil_boundary *boundary = region->boundary;
-    const size_t rings = rings_for(boundary, rays), wanted = arms_for(boundary, rings);
-    make_arms(region, wanted, arena, &arms);
+    size_t rings = 1;
+    while (rings * (arms_for(boundary, rings) + boundary->corner_count) < rays) {
+        rings++;
+    }
+    make_arms(region, arms_for(boundary, rings), arena, &arms);
     quadrature_put_points(region, &arms, rings, arena, &all);
     all.is_empty = all.sample.count == 0;
     if (region->in_beam) {

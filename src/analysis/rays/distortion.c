@@ -31,39 +31,6 @@ static struct distortion_place distortion_place_of(const struct beam *beam)
     return place;
 }
 
-static bool beam_towards(const struct distortion_map *map, const double towards[2], double amount,
-                         struct beam *beam, struct error *error)
-{
-    const double n = fabs(map->setup.first.index_object);
-    if (!map->setup.object.is_infinite) {
-        const double point[3] = {amount * towards[0], amount * towards[1],
-                                 -map->setup.object.distance.hi};
-        return beam_from_point(point, n, beam, error);
-    }
-    if (!(amount < PI)) {
-        return fail(error, ERROR_DOMAIN, "a field angle of %.6g deg: it must be below 180",
-                    amount * DEGREES_PER_RADIAN);
-    }
-    const double side = sin(amount);
-    const double along[3] = {side * towards[0], side * towards[1], cos(amount)};
-    *beam = beam_along(along, n);
-    return true;
-}
-
-static bool distortion_find_chief(const struct distortion_map *map, const struct beam *beam,
-                                  struct arena *arena, struct ray *chief, struct error *error)
-{
-    struct aim aim;
-    if (map->setup.first.is_telecentric) {
-        return aim_at_entrance(beam, &map->setup.first, 0, 0, chief, error);
-    }
-    if (!aim_open(map->open, beam, arena, &aim, error)) {
-        return false;
-    }
-    *chief = aim_chief(&aim);
-    return true;
-}
-
 static struct ray distortion_take(const struct system *system, const struct ray *from,
                                   struct arena *arena)
 {
@@ -79,9 +46,13 @@ static bool distortion_follow(const struct distortion_map *map, const struct bea
 {
     struct arena *arena = map->setup.arena;
     const struct arena_mark mark = arena_mark(arena);
+    const bool has_stop = !map->setup.first.is_telecentric;
+    struct aim aim;
     struct ray chief;
-    bool found = distortion_find_chief(map, beam, arena, &chief, error);
+    bool found = has_stop ? aim_open(map->open, beam, arena, &aim, error)
+                          : aim_at_entrance(beam, &map->setup.first, 0, 0, &chief, error);
     if (found) {
+        chief = has_stop ? aim_chief(&aim) : chief;
         const struct ray end = distortion_take(map->image, &chief, arena);
         found = end.status == RAY_OK ||
                 fail(error, ERROR_DOMAIN, "the chief ray is lost at surface %zu: %s", end.surface,
@@ -130,8 +101,21 @@ bool distortion_towards(const struct distortion_map *map, const double towards[2
 {
     struct beam beam;
     const struct distortion_place place = {{towards[0], towards[1]}, amount};
-    return beam_towards(map, towards, amount, &beam, error) &&
-           distortion_compare(map, &beam, &place, point, error);
+    const double n = fabs(map->setup.first.index_object);
+    if (!map->setup.object.is_infinite) {
+        const double from[3] = {amount * towards[0], amount * towards[1],
+                                -map->setup.object.distance.hi};
+        if (!beam_from_point(from, n, &beam, error)) {
+            return false;
+        }
+    } else if (amount < PI) {
+        const double side = sin(amount);
+        beam = beam_along((double[3]){side * towards[0], side * towards[1], cos(amount)}, n);
+    } else {
+        return fail(error, ERROR_DOMAIN, "a field angle of %.6g deg: it must be below 180",
+                    amount * DEGREES_PER_RADIAN);
+    }
+    return distortion_compare(map, &beam, &place, point, error);
 }
 
 bool distortion_direction(const struct distortion_map *map, const struct field_point *field,

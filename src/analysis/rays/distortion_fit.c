@@ -198,21 +198,6 @@ static double walk_out(const struct fit_walk *walk, double step)
     return amount;
 }
 
-/* From where a near object is seen: the distance to the entrance pupil. */
-static bool fit_find_reach(const struct distortion_map *map, double *distance, struct error *error)
-{
-    const struct setup *setup = &map->setup;
-    *distance = 1;
-    if (setup->object.is_infinite) {
-        return true;
-    }
-    *distance = setup->object.distance.hi + setup->first.entrance_pupil;
-    return isfinite(*distance) ||
-           fail(error, ERROR_DOMAIN,
-                "the entrance pupil is infinitely far away: no focal length makes heights of the "
-                "object into angles");
-}
-
 /* Fields evenly spaced as far as `edge`. */
 static bool distortion_sample(const struct fit_walk *walk, double edge, double distance,
                               struct distortion_profile *profile, struct error *error)
@@ -254,25 +239,16 @@ static bool distortion_fit_is_open(const struct lens *lens)
     return true;
 }
 
-/* As far as the lens says that it is made for, whatever is asked; 0: it does not say. */
-static double stated_field(const struct distortion_map *map)
-{
-    const struct lens *lens = map->setup.lens;
-    const struct field_point edge = {lens->field_kind, {0, lens_field_extent(lens)}};
-    double towards[2], amount;
-    struct error none;
-    return lens->field_count > 0 && distortion_direction(map, &edge, towards, &amount, &none)
-               ? amount
-               : 0;
-}
-
 bool distortion_trace(const struct distortion_map *map, double radius, struct arena *arena,
                       struct distortion_profile *profile, struct error *error)
 {
     struct fit_walk walk = {
         .map = map, .radius = radius, .sign = map->scale < 0 ? -1 : 1, .error = error};
     const bool far = map->setup.object.is_infinite;
-    double first = radius / fabs(map->scale), distance;
+    /* from where a near object is seen: the distance to the entrance pupil */
+    const double distance =
+        far ? 1 : map->setup.object.distance.hi + map->setup.first.entrance_pupil;
+    const double first = radius / fabs(map->scale);
     *profile = (struct distortion_profile){.ideal = ARENA_ARRAY(arena, FIELDS, double),
                                            .real = ARENA_ARRAY(arena, FIELDS, double),
                                            .weight = ARENA_ARRAY(arena, FIELDS, double)};
@@ -280,10 +256,20 @@ bool distortion_trace(const struct distortion_map *map, double radius, struct ar
         return fail(error, ERROR_DOMAIN,
                     "the lens is not the same all about its axis, as models of distortion are");
     }
-    if (!fit_find_reach(map, &distance, error)) {
-        return false;
+    if (!isfinite(distance)) {
+        return fail(error, ERROR_DOMAIN,
+                    "the entrance pupil is infinitely far away: no focal length makes heights of "
+                    "the object into angles");
     }
-    walk.stated = stated_field(map);
+    /* As far as the lens says that it is made for, whatever is asked; 0: it does not say. */
+    const struct lens *lens = map->setup.lens;
+    const struct field_point largest = {lens->field_kind, {0, lens_field_extent(lens)}};
+    double towards[2], amount;
+    struct error none;
+    walk.stated =
+        lens->field_count > 0 && distortion_direction(map, &largest, towards, &amount, &none)
+            ? amount
+            : 0;
     walk.is_open = distortion_fit_is_open(map->setup.lens);
     const double edge = walk_out(&walk, (far ? atan(first) : first) / STEPS);
     if (!(edge > 1e-6 * first)) {

@@ -99,8 +99,8 @@ static double coddington_place_of(const struct ray *ray, double distance)
     return isinf(distance) ? (double)INFINITY : ray->point[2] + distance * ray->cosine[2];
 }
 
-static bool find_narrow(const struct system *system, const struct beam *beam, const double at[2],
-                        struct arena *arena, struct narrow_beam *narrow)
+bool coddington_foci(const struct system *system, const struct beam *beam, const double at[2],
+                     struct arena *arena, struct narrow_beam *narrow)
 {
     const struct ray start = beam_ray(beam, at[0], at[1]);
     const struct rays rays = rays_new(arena, 2 * (size_t)RAYS_BLOCK);
@@ -145,37 +145,6 @@ static bool find_narrow(const struct system *system, const struct beam *beam, co
     find_foci(&all, narrow);
     narrow->tangential_z = coddington_place_of(&narrow->chief, narrow->tangential);
     narrow->sagittal_z = coddington_place_of(&narrow->chief, narrow->sagittal);
-    return true;
-}
-
-bool coddington_foci(const struct system *system, const struct beam *beam, const double at[2],
-                     struct arena *arena, struct narrow_beam *narrow)
-{
-    const struct arena_mark mark = arena_mark(arena);
-    const bool found = find_narrow(system, beam, at, arena, narrow);
-    arena_reset(arena, mark);
-    return found;
-}
-
-/* The chief ray, in coordinates of the beam. */
-static bool field_curvature_find_chief(const struct setup *setup, const struct system *open,
-                                       const struct beam *beam, double at[2], struct error *error)
-{
-    struct aim aim;
-    struct ray chief;
-    if (setup->first.is_telecentric) {
-        at[0] = at[1] = 0;
-        if (!aim_at_entrance(beam, &setup->first, 0, 0, &chief, error)) {
-            return false;
-        }
-        beam_place(beam, chief.point, at);
-        return true;
-    }
-    if (!aim_open(open, beam, setup->arena, &aim, error)) {
-        return false;
-    }
-    at[0] = aim.chief[0];
-    at[1] = aim.chief[1];
     return true;
 }
 
@@ -226,10 +195,20 @@ static bool field_curvature_look(const struct setup *setup, size_t wavelength,
     const struct system *clipped =
         open != NULL ? setup_system(&own, 0, SETUP_CLIPPED, error) : NULL;
     *curvature = (struct field_curvature){.status = RAY_OK};
+    const bool has_stop = !own.first.is_telecentric;
+    struct aim aim;
+    struct ray start;
     if (clipped == NULL || !setup_light(setup, wavelength, &light, error) ||
         !setup_beam(setup, field, &beam, error) ||
-        !field_curvature_find_chief(&own, open, &beam, at, error)) {
+        !(has_stop ? aim_open(open, &beam, setup->arena, &aim, error)
+                   : aim_at_entrance(&beam, &own.first, 0, 0, &start, error))) {
         return false;
+    }
+    if (has_stop) {
+        at[0] = aim.chief[0];
+        at[1] = aim.chief[1];
+    } else {
+        beam_place(&beam, start.point, at);
     }
     if (!coddington_foci(open, &beam, at, setup->arena, &curvature->beam)) {
         const struct ray *chief = &curvature->beam.chief;
@@ -238,7 +217,7 @@ static bool field_curvature_look(const struct setup *setup, size_t wavelength,
     }
     /* What apertures say to the ray, which goes on all the same. */
     const struct rays rays = rays_new(own.arena, 1);
-    const struct ray start = beam_ray(&beam, at[0], at[1]);
+    start = beam_ray(&beam, at[0], at[1]);
     rays_set(&rays, 0, beam.n, &start);
     rays_trace(clipped, &rays, NULL);
     curvature->status = ray_block_status(rays.blocks, 0);

@@ -203,22 +203,6 @@ static struct check_chief recall_chief(const struct check_problem *problem, doub
     return *kept;
 }
 
-/* The paraxial chief ray of the same object point at the first vertex. */
-static void paraxial_chief(const struct check_problem *problem, const struct beam *beam, double *y,
-                           double *u)
-{
-    size_t axis = problem->section == SECTION_X ? 0 : 1;
-    double z = problem->first->entrance_pupil;
-    if (isinf(beam->distance)) {
-        *u = beam->axis[2] > 1e-9 ? beam->axis[axis] / beam->axis[2] : (double)INFINITY;
-        *y = -z * *u;
-        return;
-    }
-    double height = -beam->axis[axis] * beam->distance, far = -beam->axis[2] * beam->distance;
-    *u = isfinite(z) ? height / (far - z) : 0;
-    *y = isfinite(z) ? -z * *u : height;
-}
-
 static void compare_field(const struct check_problem *problem, enum check_quantity quantity,
                           double fraction, struct arena *arena, struct check_value *value)
 {
@@ -235,7 +219,16 @@ static void compare_field(const struct check_problem *problem, enum check_quanti
     }
     double y, u, y_end, v_end, slope = chief.cosine[axis] / chief.cosine[2];
     struct meridional ray = check_follow(problem, problem->forward, &chief, arena);
-    paraxial_chief(problem, &beam, &y, &u);
+    /* the paraxial chief ray of the same object point at the first vertex */
+    const double z = first->entrance_pupil;
+    if (isinf(beam.distance)) {
+        u = beam.axis[2] > 1e-9 ? beam.axis[axis] / beam.axis[2] : (double)INFINITY;
+        y = -z * u;
+    } else {
+        const double height = -beam.axis[axis] * beam.distance, far = -beam.axis[2] * beam.distance;
+        u = isfinite(z) ? height / (far - z) : 0;
+        y = isfinite(z) ? -z * u : height;
+    }
     paraxial_end(first, y, first->index_object * u, &y_end, &v_end);
     value->scale = place_scale(first);
     switch (quantity) {
@@ -309,17 +302,6 @@ static double line(const double *d, size_t first)
     return sum / 5;
 }
 
-static bool is_straight(const double *d, size_t first)
-{
-    double low = INFINITY, high = -INFINITY;
-    for (size_t i = first; i < first + 3; i++) {
-        double slope = log2(d[i] / d[i + 1]);
-        low = fmin(low, slope);
-        high = fmax(high, slope);
-    }
-    return high - low <= 0.1 && low > 0.5; /* false for NaN */
-}
-
 struct check_order check_order(const struct check_problem *problem, enum check_quantity quantity,
                                struct arena *arena)
 {
@@ -339,7 +321,12 @@ struct check_order check_order(const struct check_problem *problem, enum check_q
     }
     result.is_equal = largest <= 1e-9 * scale && !(d[0] > 1e-13 * scale);
     for (size_t k = 0; k + 3 < SERIES && !result.is_equal; k++) {
-        straight = is_straight(d, k) ? k : straight;
+        double low = INFINITY, high = -INFINITY;
+        for (size_t i = k; i < k + 3; i++) {
+            low = fmin(low, log2(d[i] / d[i + 1]));
+            high = fmax(high, log2(d[i] / d[i + 1]));
+        }
+        straight = high - low <= 0.1 && low > 0.5 ? k : straight; /* false for NaN */
     }
     if (straight == SERIES) {
         return result;

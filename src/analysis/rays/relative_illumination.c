@@ -112,18 +112,6 @@ static struct illumination from_film(const struct relative_illumination *falloff
     return illumination_of_film(&question, falloff->setup.arena);
 }
 
-static struct illumination from_field(const struct relative_illumination *falloff,
-                                      const struct beam *beam, const double chief[2])
-{
-    const struct illumination_question question = {.clipped = falloff->field,
-                                                   .open = falloff->field_open,
-                                                   .beam = beam,
-                                                   .first = &falloff->first,
-                                                   .inside = chief,
-                                                   .error = falloff->error};
-    return illumination_of_field(&question, falloff->setup.arena);
-}
-
 /* One light over another, and what that may be off; NaN where the other is none. */
 static double quotient_of(const struct illumination *light, const struct illumination *whole,
                           double *error)
@@ -158,7 +146,13 @@ static struct relative_illumination_point relative_look(const struct relative_il
         beam_place(&film, behind.point, inside);
         point.angle = atan2(hypot(beam.axis[0], beam.axis[1]), beam.axis[2]);
         point.cos4 = point.angle < PI / 2 ? pow(beam.axis[2], 4) : 0;
-        *field = falloff->no_field ? no_light : from_field(falloff, &beam, chief);
+        const struct illumination_question question = {.clipped = falloff->field,
+                                                       .open = falloff->field_open,
+                                                       .beam = &beam,
+                                                       .first = &falloff->first,
+                                                       .inside = chief,
+                                                       .error = falloff->error};
+        *field = falloff->no_field ? no_light : illumination_of_field(&question, setup->arena);
         found = behind.status == RAY_OK;
     }
     point.light =

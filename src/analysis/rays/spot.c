@@ -97,25 +97,6 @@ static bool open_seeking(const struct spot_question *question, struct arena *are
     return true;
 }
 
-/* For so many more, and as many of the wavelengths that are left. */
-static void spot_make_room(struct marks *marks, size_t more, size_t left, struct arena *arena)
-{
-    if (marks->count + more <= marks->room) {
-        return;
-    }
-    marks->room = marks->count + more * left;
-    struct encircled_energy_mark *list =
-        ARENA_ARRAY(arena, marks->room, struct encircled_energy_mark);
-    double(*at)[2] = arena_array(arena, marks->room, sizeof *at);
-    for (size_t i = 0; i < marks->count; i++) {
-        list[i] = marks->list[i];
-        at[i][0] = marks->at[i][0];
-        at[i][1] = marks->at[i][1];
-    }
-    marks->list = list;
-    marks->at = at;
-}
-
 /* The marks of one wavelength, their weights times `weight`. */
 static bool spot_add_marks(const struct spot_search *seeking, size_t wavelength, size_t rays,
                            double weight, struct arena *arena, struct marks *marks,
@@ -127,8 +108,19 @@ static bool spot_add_marks(const struct spot_search *seeking, size_t wavelength,
         return false;
     }
     double n = system_index_after(source->system, seeking->plane.to - 1);
-    spot_make_room(marks, bundle.count,
-                   seeking->question->bundle.setup->wavelength_count - wavelength, arena);
+    if (marks->count + bundle.count > marks->room) {
+        /* for so many more, and as many of the wavelengths that are left */
+        const size_t left = seeking->question->bundle.setup->wavelength_count - wavelength;
+        const struct marks old = *marks;
+        marks->room = marks->count + bundle.count * left;
+        marks->list = ARENA_ARRAY(arena, marks->room, struct encircled_energy_mark);
+        marks->at = arena_array(arena, marks->room, sizeof *marks->at);
+        for (size_t i = 0; i < marks->count; i++) {
+            marks->list[i] = old.list[i];
+            marks->at[i][0] = old.at[i][0];
+            marks->at[i][1] = old.at[i][1];
+        }
+    }
     marks->has_arms = bundle.arms > 0;
     struct encircled_energy_arms arms = encircled_energy_arms_open(&bundle, marks->sheets, arena);
     for (size_t i = 0; i < bundle.count; i++) {

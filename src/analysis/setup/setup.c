@@ -50,24 +50,21 @@ static bool setup_set_aperture(const struct setup_question *question, struct set
                                 edge.value[setup_axis(setup)], error);
 }
 
-/* The lens with its object elsewhere. */
-static const struct lens *move_object(const struct lens *lens, double distance, struct arena *arena)
-{
-    struct lens *moved = ARENA_NEW(arena, struct lens);
-    *moved = *lens;
-    moved->object_is_infinite = isinf(distance);
-    moved->object.value = pair_of(isinf(distance) ? 0 : distance);
-    moved->objects = NULL;
-    return moved;
-}
-
 bool setup_open(const struct setup_question *question, struct arena *arena, struct setup *setup,
                 struct error *error)
 {
     const struct lens *all = question->lens;
     const struct lens *placed = lens_at_position(all, question->position, arena);
-    const struct lens *lens =
-        question->object == NULL ? placed : move_object(placed, *question->object, arena);
+    const struct lens *lens = placed;
+    if (question->object != NULL) {
+        struct lens *moved = ARENA_NEW(arena, struct lens);
+        const double distance = *question->object;
+        *moved = *placed;
+        moved->object_is_infinite = isinf(distance);
+        moved->object.value = pair_of(isinf(distance) ? 0 : distance);
+        moved->objects = NULL;
+        lens = moved;
+    }
     *setup = (struct setup){
         .lens = lens,
         .position = all->position_count > 0 ? all->positions[question->position] : NULL,
@@ -194,28 +191,6 @@ struct pair setup_paraxial_image(const struct lens *lens, const struct first_ord
                                                              : pair_of(first->image);
 }
 
-static bool find_best(const struct setup *setup, double *z, struct error *error)
-{
-    struct system system;
-    return systems_compile(setup, setup->lens, lens_primary_wavelength(setup->lens), SETUP_OPEN,
-                           &system, error) &&
-           lens_best_focus(&system, &setup->object, &setup->first, setup->arena, z, error);
-}
-
-static bool find_table(struct setup *setup, bool is_asked, struct error *error)
-{
-    const struct surface *last = &setup->lens->surfaces[setup->lens->surface_count - 1];
-    if (last->has_thickness) {
-        setup->image = last->thickness.value.hi;
-        setup->focus = "table";
-    } else {
-        setup->warning =
-            "the lens states no distance behind its last surface: paraxial focus instead";
-    }
-    return last->has_thickness || !is_asked ||
-           fail(error, ERROR_DOMAIN, "the lens states no distance behind its last surface");
-}
-
 bool setup_place_image(struct setup *setup, const struct plane_value *asked, struct error *error)
 {
     static const enum plane_kind kinds[] = {[FOCUS_PARAXIAL] = PLANE_PARAXIAL,
@@ -227,14 +202,25 @@ bool setup_place_image(struct setup *setup, const struct plane_value *asked, str
     double best;
     setup->image = setup->first.image;
     setup->focus = "paraxial";
-    if (kind == PLANE_TABLE && !find_table(setup, is_asked, error)) {
-        return false;
+    const struct surface *last = &setup->lens->surfaces[setup->lens->surface_count - 1];
+    if (kind == PLANE_TABLE && last->has_thickness) {
+        setup->image = last->thickness.value.hi;
+        setup->focus = "table";
+    } else if (kind == PLANE_TABLE && is_asked) {
+        return fail(error, ERROR_DOMAIN, "the lens states no distance behind its last surface");
+    } else if (kind == PLANE_TABLE) {
+        setup->warning =
+            "the lens states no distance behind its last surface: paraxial focus instead";
     }
     if (kind == PLANE_AT) {
         setup->image = asked->distance;
         setup->focus = "given";
     }
-    if (kind == PLANE_BEST && find_best(setup, &best, error)) {
+    struct system system;
+    if (kind == PLANE_BEST &&
+        systems_compile(setup, setup->lens, lens_primary_wavelength(setup->lens), SETUP_OPEN,
+                        &system, error) &&
+        lens_best_focus(&system, &setup->object, &setup->first, setup->arena, &best, error)) {
         setup->image = best;
         setup->focus = "best";
     } else if (kind == PLANE_BEST && is_asked) {

@@ -146,19 +146,6 @@ static bool setup_fields_spread(struct setup *setup, struct error *error)
     return true;
 }
 
-/* All fields of the lens; of a lens without any the axis. */
-static struct setup_field *list_all(const struct setup *setup, size_t *count)
-{
-    const struct lens *lens = setup->lens;
-    *count = lens->field_count > 0 ? lens->field_count : 1;
-    struct setup_field *fields = ARENA_ARRAY(setup->arena, *count, struct setup_field);
-    fields[0] = setup_field_at(setup, FIELD_NONE, 0);
-    for (size_t i = 0; i < lens->field_count; i++) {
-        fields[i] = field_of_lens(setup, i);
-    }
-    return fields;
-}
-
 bool setup_choose_fields(const struct setup_question *question, struct setup *setup,
                          struct error *error)
 {
@@ -172,7 +159,15 @@ bool setup_choose_fields(const struct setup_question *question, struct setup *se
         setup->fields = question->fields;
         setup->field_count = question->field_count;
     } else {
-        setup->fields = list_all(setup, &setup->field_count);
+        /* all fields of the lens; of a lens without any the axis */
+        const size_t count = setup->lens->field_count;
+        struct setup_field *fields = ARENA_ARRAY(setup->arena, count + 1, struct setup_field);
+        fields[0] = setup_field_at(setup, FIELD_NONE, 0);
+        for (size_t i = 0; i < count; i++) {
+            fields[i] = field_of_lens(setup, i);
+        }
+        setup->fields = fields;
+        setup->field_count = count > 0 ? count : 1;
     }
     if (policy == FIELDS_LARGEST || policy == FIELDS_EDGE) {
         /* The largest of those asked for, else of the lens. */
