@@ -37,6 +37,20 @@ static int open_nameless(const char *path, struct arena *arena)
 
 enum { ATTEMPTS = 100 }; /* to find a name that nobody has */
 
+/* Give the nameless file a name beside its path, so that it can be renamed to that. */
+static bool name_nameless(struct output *output)
+{
+    char link[64];
+    bool named = false;
+    snprintf(link, sizeof link, "/proc/self/fd/%d", output->descriptor);
+    errno = EEXIST;
+    for (unsigned i = 0; i < ATTEMPTS && !named && errno == EEXIST; i++) {
+        output->beside = place_beside(output->path, i, output->arena);
+        named = linkat(AT_FDCWD, link, AT_FDCWD, output->beside, AT_SYMLINK_FOLLOW) == 0;
+    }
+    return named;
+}
+
 /* A new file that becomes `path` at the end. What may not be written is not replaced either. */
 static int open_beside(struct output *output, const char *path)
 {
@@ -340,6 +354,29 @@ const char *output_set_aside(struct output *output)
     return output->path;
 }
 
+/* Put the whole file in its place; take one away that is not to be kept. */
+static void output_settle(struct output *output, bool keep)
+{
+    bool whole = keep && output->failure == 0;
+    if (whole && rename(output->beside, output->path) != 0) {
+        output->failure = errno;
+        whole = false;
+    }
+    if (!whole && !output->is_nameless) {
+        unlink(output->beside);
+    }
+}
+
+static bool fail_written(const struct output *output, struct error *error)
+{
+    if (output->path != NULL) {
+        return fail(error, ERROR_IO, "cannot write %s: %s", output->path,
+                    strerror(output->failure));
+    }
+    return fail(error, output->failure == EPIPE ? ERROR_PIPE : ERROR_IO,
+                "cannot write to standard output: %s", strerror(output->failure));
+}
+
 bool output_close(struct output *output, bool keep, struct error *error)
 {
     keep = keep && !output->is_unused;
@@ -355,38 +392,15 @@ bool output_close(struct output *output, bool keep, struct error *error)
         }
     }
     if (whole && output->is_nameless && output->failure == 0) {
-        /* give it a name beside its path, so that it can be renamed to that */
-        char link[64];
-        bool named = false;
-        snprintf(link, sizeof link, "/proc/self/fd/%d", output->descriptor);
-        errno = EEXIST;
-        for (unsigned i = 0; i < ATTEMPTS && !named && errno == EEXIST; i++) {
-            output->beside = place_beside(output->path, i, output->arena);
-            named = linkat(AT_FDCWD, link, AT_FDCWD, output->beside, AT_SYMLINK_FOLLOW) == 0;
-        }
-        output->is_nameless = !named;
+        output->is_nameless = !name_nameless(output);
         output->failure = output->is_nameless ? errno : 0;
     }
     /* close reports what a network file system could not store */
     if (output->path != NULL && close(output->descriptor) != 0 && output->failure == 0) {
         output->failure = errno;
     }
-    /* put the whole file in its place; take one away that is not to be kept */
-    whole = output->is_renamed && keep && output->failure == 0;
-    if (whole && rename(output->beside, output->path) != 0) {
-        output->failure = errno;
-        whole = false;
+    if (output->is_renamed) {
+        output_settle(output, keep);
     }
-    if (output->is_renamed && !whole && !output->is_nameless) {
-        unlink(output->beside);
-    }
-    if (output->failure == 0) {
-        return true;
-    }
-    if (output->path != NULL) {
-        return fail(error, ERROR_IO, "cannot write %s: %s", output->path,
-                    strerror(output->failure));
-    }
-    return fail(error, output->failure == EPIPE ? ERROR_PIPE : ERROR_IO,
-                "cannot write to standard output: %s", strerror(output->failure));
+    return output->failure == 0 || fail_written(output, error);
 }

@@ -41,39 +41,6 @@ static bool is_written_by(const struct report *report,
     return report->format->write_grid == writer;
 }
 
-const char *report_words(const struct report *report, const struct shown *shown, const void *row)
-{
-    char value[CELL];
-    const struct column *column = shown->column;
-    const struct unit *unit = shown->unit;
-    if (column->type == COLUMN_NUMBER) {
-        unit = readable_unit(shown, UNITS_METRIC, row_number(row, column));
-    }
-    readable_value(value, sizeof value, row, shown, unit, DIGITS);
-    return ARENA_JOIN(report->arena, column_label(column), " ", value,
-                      unit != NULL && unit->label[0] != '\0' ? " " : "",
-                      unit != NULL ? unit->label : "");
-}
-
-const char *report_assumptions(const struct report *report, const void *row)
-{
-    const char *line = NULL;
-    for (size_t i = 0; i < report->assumed_count && row != NULL; i++) {
-        const struct shown *shown = &report->assumed[i];
-        if (!row_is_absent(row, shown->column)) {
-            const char *words = report_words(report, shown, row);
-            line = ARENA_JOIN(report->arena, line == NULL ? "assuming " : line,
-                              line == NULL ? "" : ", ", words);
-        }
-    }
-    if (report->nominal != NULL) {
-        line = arena_printf(report->arena, "%s%sstops by their exact values (%s)",
-                            line != NULL ? line : "assuming ", line != NULL ? ", " : "",
-                            report->nominal);
-    }
-    return line;
-}
-
 /* One answer: it is printed as a list, not as a table. */
 static bool text_is_list(const struct report *report)
 {

@@ -1,6 +1,6 @@
 /* tests/unit/test_coddington.c - foci of narrow beams against 50 digits and closed forms. */
 /* SPDX-License-Identifier: MIT */
-#include "analysis/rays/field_curvature.h"
+#include "analysis/rays/coddington.h"
 
 #include "base/constants.h"
 #include "check.h"

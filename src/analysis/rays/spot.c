@@ -227,6 +227,50 @@ static bool spot_measure(const struct spot_search *seeking, size_t rays, struct 
     return true;
 }
 
+/*
+ * By how much the root mean squares are off, by what twice the rays change. The largest of their
+ * changes: one may vanish by chance, and so may all, wherefore the clear share and what the sample
+ * before differed by count a little. A plain pattern is off as one over the root of its rays, by
+ * 3.4 times the change.
+ */
+static double rms_error(const struct spot *before, const struct spot *here,
+                        const struct spot *finer, bool is_plain)
+{
+    const double changes[] = {finer->rms - here->rms,
+                              finer->rms_x - here->rms_x,
+                              finer->rms_y - here->rms_y,
+                              finer->rms_chief - here->rms_chief,
+                              0.1 * here->rms * (finer->clear - here->clear) / finer->clear,
+                              5e-5 * (here->rms - before->rms)};
+    double most = 0;
+    for (size_t i = 0; i < sizeof changes / sizeof changes[0]; i++) {
+        most = fmax(most, fabs(changes[i]));
+    }
+    return (is_plain ? 4 : 3) * most;
+}
+
+/* The farthest ray of the pupil; of other patterns the farthest of their rays. */
+static void find_radius(const struct spot_search *seeking, const struct spot *finer,
+                        struct arena *arena, struct spot *spot)
+{
+    static const double nowhere[2] = {0, 0};
+    const struct spot_question *asked = seeking->question;
+    const double *about = asked->about_chief ? nowhere : spot->centroid;
+    const struct spot_radius_question question = {
+        .sources = seeking->sources,
+        .count = asked->bundle.setup->wavelength_count,
+        .plane = &seeking->plane,
+        .about = {about[0], about[1]},
+    };
+    double change = fabs(finer->radius - spot->radius);
+    if (asked->bundle.pattern == PATTERN_GAUSS) {
+        spot->radius = spot_radius_find(&question, arena, &change);
+    }
+    double moved =
+        hypot(finer->centroid[0] - spot->centroid[0], finer->centroid[1] - spot->centroid[1]);
+    spot->radius_error = 2 * change + (asked->about_chief ? 0 : 3 * moved) + rounding(seeking);
+}
+
 /* Samples, each of twice the rays of the one before, until two agree or no more are wanted. */
 static bool spot_converge(const struct spot_search *seeking, struct arena *arena, struct spot *spot,
                           struct error *error)
@@ -248,23 +292,7 @@ static bool spot_converge(const struct spot_search *seeking, struct arena *arena
             return false;
         }
         *spot = here;
-        /*
-         * By how much the root mean squares are off, by what twice the rays change. The largest of
-         * their changes: one may vanish by chance, and so may all, wherefore the clear share and
-         * what the sample before differed by count a little. A plain pattern is off as one over the
-         * root of its rays, by 3.4 times the change.
-         */
-        const double changes[] = {finer.rms - here.rms,
-                                  finer.rms_x - here.rms_x,
-                                  finer.rms_y - here.rms_y,
-                                  finer.rms_chief - here.rms_chief,
-                                  0.1 * here.rms * (finer.clear - here.clear) / finer.clear,
-                                  5e-5 * (here.rms - before.rms)};
-        double most = 0;
-        for (size_t i = 0; i < sizeof changes / sizeof changes[0]; i++) {
-            most = fmax(most, fabs(changes[i]));
-        }
-        spot->error = fmax((is_plain ? 4 : 3) * most, least);
+        spot->error = fmax(rms_error(&before, &here, &finer, is_plain), least);
         spot->energy_radius = question->rays > 0 ? here.energy_radius : finer.energy_radius;
         const double energy[] = {fabs(finer.energy_radius - here.energy_radius),
                                  fabs(here.energy_radius - before.energy_radius),
@@ -282,24 +310,7 @@ static bool spot_converge(const struct spot_search *seeking, struct arena *arena
         if (done && question->no_radius) {
             spot->radius = spot->radius_error = NAN;
         } else if (done) {
-            /* The farthest ray of the pupil; of other patterns the farthest of their rays. */
-            static const double nowhere[2] = {0, 0};
-            const struct spot_question *asked = seeking->question;
-            const double *about = asked->about_chief ? nowhere : spot->centroid;
-            const struct spot_radius_question sought = {
-                .sources = seeking->sources,
-                .count = asked->bundle.setup->wavelength_count,
-                .plane = &seeking->plane,
-                .about = {about[0], about[1]},
-            };
-            double change = fabs(finer.radius - spot->radius);
-            if (asked->bundle.pattern == PATTERN_GAUSS) {
-                spot->radius = spot_radius_find(&sought, arena, &change);
-            }
-            double moved =
-                hypot(finer.centroid[0] - spot->centroid[0], finer.centroid[1] - spot->centroid[1]);
-            spot->radius_error =
-                2 * change + (asked->about_chief ? 0 : 3 * moved) + rounding(seeking);
+            find_radius(seeking, &finer, arena, spot);
         }
         before = here;
         here = finer;

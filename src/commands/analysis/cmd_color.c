@@ -258,7 +258,7 @@ static bool color_list_fields(const struct analysis_cursor *at, struct error *er
                 *parts[j] *= (double)k / (double)steps;
             }
             if (!color_find_lateral(at->one, &point, &row, error)) {
-                /* A field that no chief ray comes from has a row that says so; the question has failed. */
+                /* it has a row that says so, and the question has failed */
                 at->run->shortfall = *error;
                 error_prefix(&at->run->shortfall, "%s: ", lens_field_words(&point, at->run->arena));
                 row.point.warning = arena_printf(at->run->arena, "%s", at->run->shortfall.message);

@@ -23,7 +23,8 @@ bool mtf_field_open(const struct analysis_cursor *at, const struct analysis_case
     return mtf_open(question, arena, source, error);
 }
 
-double mtf_pixels(const struct mtf_input *input, double frequency)
+/* What the pixels leave of the contrast at a frequency. */
+static double mtf_pixels(const struct mtf_input *input, double frequency)
 {
     const double x = isnan(input->pitch) ? 0 : frequency * input->pitch;
     return x > 0 ? fabs(sin(PI * x) / (PI * x)) : 1; /* of a square */
@@ -98,41 +99,33 @@ static void note_off(struct figure_painter *painter, double off)
     painter->off = isfinite(off) ? fmax(painter->off, off) : painter->off;
 }
 
-/* What find_curve has found: contrasts at 0, highest/(steps - 1) ... */
-struct even_curve {
-    struct mtf_curve at;
-    size_t count, steps;
-    double highest;
-};
-
 /*
  * Contrasts at once, up to where the wave front is not too steep: a first curve says how far the
  * drawing goes, others may end before. Wider steps, which want a coarser grid, would show corners:
  * they come last.
  *
- * Result    false: each has to be found by itself
+ * Given     highest  as far as it may go; receives how far it does
+ * Result    false: each has to be found by itself; else contrasts at 0, highest/(steps - 1) ...
  */
 static bool figure_find_curve(struct figure_painter *painter, const struct mtf_source *source,
-                              struct even_curve *curve)
+                              struct mtf_curve *curve, size_t *count, size_t *steps,
+                              double *highest)
 {
     enum { LEAST = 8, TRIES = 24, STEPS_LEAST = 61 };
     const struct mtf_input *input = painter->input;
     const bool may_cut = painter->count == 0 && isnan(input->frequency);
-    if (input->method != MTF_BY_WAVES || input->question.error < usual_error ||
-        !(curve->highest > 0)) {
+    if (input->method != MTF_BY_WAVES || input->question.error < usual_error || !(*highest > 0)) {
         return false;
     }
-    for (size_t steps = STEPS; steps >= STEPS_LEAST; steps = steps / 2 + 1) {
+    for (*steps = STEPS; *steps >= STEPS_LEAST; *steps = *steps / 2 + 1) {
         double part = 1;
         for (int i = 0; i < TRIES; i++, part *= 0.8) {
-            const double end = curve->highest * (may_cut ? part : 1);
-            const size_t count = may_cut ? steps : (size_t)((double)steps * part);
-            if (count >= LEAST && mtf_curve_find(source, end / (double)(steps - 1), count,
-                                                 painter->arena, &curve->at)) {
+            const double end = *highest * (may_cut ? part : 1);
+            *count = may_cut ? *steps : (size_t)((double)*steps * part);
+            if (*count >= LEAST &&
+                mtf_curve_find(source, end / (double)(*steps - 1), *count, painter->arena, curve)) {
                 painter->is_cut = painter->is_cut || i > 0;
-                curve->count = count;
-                curve->steps = steps;
-                curve->highest = end;
+                *highest = end;
                 return true;
             }
         }
@@ -212,25 +205,26 @@ static bool figure_add_curve(struct figure_painter *painter, const struct mtf_so
 {
     /* Where contrast by waves ends, but no farther than anybody looks: twice what rows have. */
     const double cutoff = fmax(source->cutoff[0], source->cutoff[1]);
-    struct even_curve curve = {
-        .highest = (isnan(painter->highest) ? fmin(cutoff, 160) : painter->highest)};
-    const bool found = figure_find_curve(painter, source, &curve);
-    painter->highest = curve.highest;
+    struct mtf_curve curve;
+    size_t count, steps;
+    double highest = isnan(painter->highest) ? fmin(cutoff, 160) : painter->highest;
+    const bool found = figure_find_curve(painter, source, &curve, &count, &steps, &highest);
+    painter->highest = highest;
     if (!found) {
-        return add_contrasts(painter, source, curve.highest, place, error);
+        return add_contrasts(painter, source, highest, place, error);
     }
     note_off(painter, fmax(source->off[0], source->off[1]));
-    for (size_t i = 0; i < curve.count; i++) {
+    for (size_t i = 0; i < count; i++) {
         struct figure_entry *entry = new_entry(painter, place, error);
         if (entry == NULL) {
             return false;
         }
-        entry->x = curve.highest * (double)i / (double)(curve.steps - 1);
+        entry->x = highest * (double)i / (double)(steps - 1);
         entry->is_between = true;
         const double left = mtf_pixels(painter->input, entry->x);
         for (size_t k = 0; k < MTF_DIRECTIONS; k++) {
-            entry->contrast[k] = left * curve.at.contrast[k][i];
-            entry->limit = fmax(entry->limit, left * curve.at.limit[k][i]);
+            entry->contrast[k] = left * curve.contrast[k][i];
+            entry->limit = fmax(entry->limit, left * curve.limit[k][i]);
         }
     }
     return true;
@@ -575,31 +569,27 @@ bool mtf_figure(const struct artifact_job *job, struct output *sink, struct erro
         struct figure_entry *entry = &painter.list[i];
         entry->label = arena_printf(painter.arena, "%s, %s", entry->label, entry->lens);
     }
-    struct plot plot = {.title =
-                            one ? arena_printf(painter.arena, "Contrast of %s", lens) : "Contrast",
-                        .y_label = "contrast",
-                        .series = series};
     if (!figure_curves_collect(&painter, curves, &count, error)) {
         return false;
     }
-    /* What the drawing says below its title, and of its axis. */
     static const char *const labels[] = {[BY_FREQUENCY] = "spatial frequency (1/mm)",
                                          [BY_FOCUS] = "defocus (mm)",
                                          [BY_FIELD] = "field (mm)"};
-    struct arena *arena = painter.arena;
-    plot.subtitle = painter.subtitle;
+    const bool is_deg = painter.axis == BY_FIELD && painter.is_angle;
+    struct plot plot = {.title = one ? arena_printf(svg.arena, "Contrast of %s", lens) : "Contrast",
+                        .subtitle = painter.subtitle,
+                        .x_label = is_deg ? "field (deg)" : labels[painter.axis],
+                        .y_label = "contrast",
+                        .series = series};
     if (painter.axis == BY_FOCUS) {
-        plot.subtitle = arena_printf(arena, "%s; %.4g/mm", plot.subtitle, painter.input->frequency);
+        plot.subtitle =
+            arena_printf(svg.arena, "%s; %.4g/mm", plot.subtitle, painter.input->frequency);
     } else if (painter.is_cut) {
         plot.subtitle =
-            ARENA_JOIN(arena, plot.subtitle, "; curves end where wave fronts are too steep");
+            ARENA_JOIN(svg.arena, plot.subtitle, "; curves end where wave fronts are too steep");
     }
     if (painter.off > fine) {
-        plot.subtitle = arena_printf(arena, "%s; up to %.1g off", plot.subtitle, painter.off);
-    }
-    plot.x_label = labels[painter.axis];
-    if (painter.axis == BY_FIELD && painter.is_angle) {
-        plot.x_label = "field (deg)";
+        plot.subtitle = arena_printf(svg.arena, "%s; up to %.1g off", plot.subtitle, painter.off);
     }
     plot.series_count = figure_put_series(&painter, curves, count, series);
     return plot_draw(&plot, &svg, error) && drawing_write(job, &svg, sink, error);

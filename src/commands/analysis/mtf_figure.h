@@ -20,9 +20,6 @@ extern const struct analysis_policy mtf_policy;
 bool mtf_field_open(const struct analysis_cursor *at, const struct analysis_case *one, size_t field,
                     void *source, struct error *error);
 
-/* What the pixels leave of the contrast at a frequency. */
-double mtf_pixels(const struct mtf_input *input, double frequency);
-
 /* Contrasts with the pixels' own where there are some. Errors as mtf_find. */
 bool mtf_with_pixels(const struct mtf_source *source, const struct mtf_input *input,
                      double frequency, struct arena *arena, struct mtf *mtf, struct error *error);
