@@ -337,33 +337,6 @@ static bool has_width(const struct report *report)
     return report->format == &format_text && report->output->width > 0;
 }
 
-/*
- * What stays of a table that is wider than the terminal: its first column, what was asked for by
- * name, and why rows failed; then what stands further left. Columns that are only handed through
- * go first.
- */
-static void fit_table(struct report *report, struct grid *grid)
-{
-    struct text_state *state = report->state;
-    size_t *least = ARENA_ARRAY(report->arena, grid->columns, size_t);
-    size_t *rank = ARENA_ARRAY(report->arena, grid->columns, size_t);
-    for (size_t j = 1; j < grid->columns; j++) {
-        bool passed = j < report->passed_count;
-        bool is_error = state->has_failures && j + 1 == grid->columns;
-        bool stays = is_error || (!passed && report->are_named);
-        if (stays) {
-            rank[j] = 0;
-        } else if (passed) {
-            rank[j] = grid->columns + j;
-        } else {
-            rank[j] = j;
-        }
-    }
-    grid_fit(grid, report->output->width, least, rank);
-    state->widths = grid->widths;
-    state->hidden = grid->hidden;
-}
-
 /* Several rows: a table with names and units in its head. */
 static void write_table(struct report *report)
 {
@@ -374,7 +347,28 @@ static void write_table(struct report *report)
         text_format_add_row(report, &grid, kept->row, kept->passed, kept->failure);
     }
     if (has_width(report)) {
-        fit_table(report, &grid);
+        /*
+         * What stays of a table that is wider than the terminal: its first column, what was asked
+         * for by name, and why rows failed; then what stands further left. Columns that are only
+         * handed through go first.
+         */
+        size_t *least = ARENA_ARRAY(report->arena, grid.columns, size_t);
+        size_t *rank = ARENA_ARRAY(report->arena, grid.columns, size_t);
+        for (size_t j = 1; j < grid.columns; j++) {
+            bool passed = j < report->passed_count;
+            bool is_error = state->has_failures && j + 1 == grid.columns;
+            bool stays = is_error || (!passed && report->are_named);
+            if (stays) {
+                rank[j] = 0;
+            } else if (passed) {
+                rank[j] = grid.columns + j;
+            } else {
+                rank[j] = j;
+            }
+        }
+        grid_fit(&grid, report->output->width, least, rank);
+        state->widths = grid.widths;
+        state->hidden = grid.hidden;
     } else {
         state->widths = ARENA_ARRAY(report->arena, grid.columns, size_t);
         grid_make_printable(&grid);

@@ -291,27 +291,18 @@ static size_t looks_between(size_t rays, size_t usual, size_t most)
     return looks > 1 ? looks : 1;
 }
 
-static size_t looks_outwards(const struct encircled_energy_sheet *made)
-{
-    return looks_between(made->rings, LOOKS_OUTWARDS, MOST_OUTWARDS);
-}
-
-static size_t looks_around(const struct encircled_energy_sheet *made)
-{
-    return looks_between(made->arms, LOOKS_AROUND, MOST_AROUND);
-}
-
 /* The pieces of a sheet; their number. */
 static size_t pieces_of_sheet(const struct encircled_energy_mark *marks,
                               const struct encircled_energy_sheet *made, struct arena *arena,
                               struct piece *pieces)
 {
-    const size_t around = looks_around(made), arcs = made->arcs.count > 0 ? made->arcs.count : 1;
+    const size_t around = looks_between(made->arms, LOOKS_AROUND, MOST_AROUND),
+                 arcs = made->arcs.count > 0 ? made->arcs.count : 1;
     double *angles = ARENA_ARRAY(arena, made->arms, double),
            *shares = ARENA_ARRAY(arena, made->arms, double);
     struct energy_sheet sheet = {.made = made, .pieces = pieces};
     /* Where to look outwards: equal steps between rings. */
-    const size_t steps = looks_outwards(made);
+    const size_t steps = looks_between(made->rings, LOOKS_OUTWARDS, MOST_OUTWARDS);
     double *radii = ARENA_ARRAY(arena, (made->rings + 1) * steps + 1, double), from = 0;
     sheet.looks = 0;
     for (size_t gap = 0; gap <= made->rings; gap++) {
@@ -354,7 +345,8 @@ static size_t pieces_of_all(const struct encircled_energy_sample *sample, struct
     size_t room = 2 * sample->count, made = 0;
     for (const struct encircled_energy_sheet *each = sample->sheets; each != NULL;
          each = each->next) {
-        room += (each->rings + 1) * looks_outwards(each) * each->arms * looks_around(each);
+        room += (each->rings + 1) * looks_between(each->rings, LOOKS_OUTWARDS, MOST_OUTWARDS) *
+                each->arms * looks_between(each->arms, LOOKS_AROUND, MOST_AROUND);
     }
     struct piece *pieces = ARENA_ARRAY(arena, room, struct piece);
     bool *is_done = ARENA_ARRAY(arena, sample->count, bool);

@@ -48,14 +48,9 @@ static bool shape_find_chief(const struct pupil_question *question, const struct
 /* -------- the rays that are looked at -------- */
 
 /* The edges, the corners, the arms, last the chief ray. */
-static size_t tips_from(const struct clear_pupil *clear)
-{
-    return clear->edge_count;
-}
-
 static size_t arms_from(const struct clear_pupil *clear)
 {
-    return tips_from(clear) + clear->corner_count;
+    return clear->edge_count + clear->corner_count;
 }
 
 /* Without the chief ray. */
@@ -67,7 +62,7 @@ static size_t ray_count(const struct clear_pupil *clear)
 static const double *pupil_shape_place_of(const struct clear_pupil *clear, const double chief[2],
                                           size_t i)
 {
-    const size_t tips = tips_from(clear);
+    const size_t tips = clear->edge_count;
     if (i < tips) {
         return clear->edges[i].at;
     }
@@ -96,7 +91,7 @@ static const size_t nothing = (size_t)-1;
 static void pupil_shape_bound(const struct clear_pupil *clear, const double (*points)[2],
                               struct pupil_extent *extent, size_t limit[PUPIL_ENDS])
 {
-    const double(*curve)[2] = points + tips_from(clear);
+    const double(*curve)[2] = points + clear->edge_count;
     for (int k = 0; k < 2; k++) {
         extent->high[k] = clear_extreme(clear, curve, k, 1, &limit[k]);
         extent->low[k] = clear_extreme(clear, curve, k, -1, &limit[k + 2]);
@@ -375,7 +370,7 @@ static void fill_stop(const struct pupil_question *question, const struct clear_
     shape->stop = (const double(*)[2])points;
     shape->across = (const double(*)[2])across;
     for (int k = 0; k < 2; k++) {
-        const double(*curve)[2] = shape->stop + tips_from(clear);
+        const double(*curve)[2] = shape->stop + clear->edge_count;
         double high = clear_extreme(clear, curve, k, 1, &which);
         double low = clear_extreme(clear, curve, k, -1, &which);
         shape->vignetting[k] = fabs(1 - high) < 1e-6 ? 0 : 1 - high;

@@ -49,11 +49,6 @@ static void to_stop(const struct outlook *outlook, size_t count, double (*points
     }
 }
 
-static double miss_of(const double point[2])
-{
-    return hypot(point[0], point[1]);
-}
-
 /* The part of the step, halved again and again in the lanes of one block, that comes nearest. */
 static bool take_step(const struct outlook *outlook, struct from_film *ray, double miss,
                       const double step[2])
@@ -67,7 +62,7 @@ static bool take_step(const struct outlook *outlook, struct from_film *ray, doub
     }
     to_stop(outlook, HALVINGS, points);
     for (size_t i = 0; i < HALVINGS; i++) {
-        if (miss_of(points[i]) < miss) {
+        if (hypot(points[i][0], points[i][1]) < miss) {
             ray->at[0] = tried[i][0];
             ray->at[1] = tried[i][1];
             return true;
@@ -88,7 +83,7 @@ static bool film_find_chief(const struct outlook *outlook, struct from_film *ray
         angle_of_view_start(outlook, 2, ray->film, (double[2]){ray->at[0], ray->at[1] + h});
         to_stop(outlook, 3, points);
         const double *here = points[0];
-        miss = miss_of(here);
+        miss = hypot(here[0], here[1]);
         double m[4] = {(points[1][0] - here[0]) / h, (points[2][0] - here[0]) / h,
                        (points[1][1] - here[1]) / h, (points[2][1] - here[1]) / h};
         double det = m[0] * m[3] - m[1] * m[2];

@@ -78,18 +78,6 @@ static bool analysis_cursor_check(const struct analysis_question *question,
     return true;
 }
 
-/* The field that the options name; false: none. */
-static bool field_asked(const struct analysis_question *question, struct setup_field *field)
-{
-    if (analysis_is_given(question->height, question->height_x)) {
-        *field = lens_field(question->real ? FIELD_REAL : FIELD_IMAGE, question->height_x,
-                            question->height, question->section);
-        return true;
-    }
-    *field = lens_field(FIELD_ANGLE, question->field_x, question->field, question->section);
-    return analysis_is_given(question->field, question->field_x);
-}
-
 /* Beyond it squares of distances overflow; the lens has the same limit. */
 static const double farthest_image = 1e100;
 
@@ -136,7 +124,12 @@ static bool analysis_open(const struct analysis_question *question,
 {
     struct setup *setup = ARENA_NEW(arena, struct setup);
     struct setup_field *field = ARENA_NEW(arena, struct setup_field);
-    const bool asked = field_asked(question, field);
+    const bool height = analysis_is_given(question->height, question->height_x);
+    const bool asked = height || analysis_is_given(question->field, question->field_x);
+    *field = height
+                 ? lens_field(question->real ? FIELD_REAL : FIELD_IMAGE, question->height_x,
+                              question->height, question->section)
+                 : lens_field(FIELD_ANGLE, question->field_x, question->field, question->section);
     const struct setup_question of = {
         .lens = question->lens.lens,
         .position = position,

@@ -154,7 +154,7 @@ static struct color_row color_row_of(const struct analysis_cursor *at, double wa
     analysis_begin_row(at, &sheets[((const struct color_input *)at->input)->show], &row);
     analysis_warn(at, &row.point, color_doubt(setup->lens));
     row.point.wavelength = wavelength;
-    row.is_afocal = color_is_afocal(setup);
+    row.is_afocal = isinf(setup->first.image);
     row.is_angular = isnan(setup->image);
     return row;
 }

@@ -210,16 +210,29 @@ static bool distortion_plot(const struct artifact_job *job, struct output *sink,
 
 enum { LINES = 11, PIECES = 4, LINE_POINTS = (LINES - 1) * PIECES + 1 };
 
-static bool view_draw_grid(const struct distortion_input *input, const struct analysis_case *one,
-                           struct svg *svg, struct error *error)
+static bool distortion_grid_check(const struct artifact_job *job, struct error *error)
 {
-    const struct setup *setup = one->setup;
+    const struct distortion_input *input = job->inputs[0];
+    return !lens_positions_several(input->question.lens.lens, input->question.position) ||
+           fail(error, ERROR_USAGE, "{--grid} shows one position: name it with {--position}");
+}
+
+static bool distortion_grid(const struct artifact_job *job, struct output *sink,
+                            struct error *error)
+{
+    struct svg svg = {.arena = job->run->arena};
+    const struct distortion_input *input = job->inputs[0];
+    struct analysis_cursor at = analysis_begin(input, distortion_view_policy_of(input), job->run);
+    if (!analysis_next_case(&at, error)) {
+        return false;
+    }
+    const struct setup *setup = at.one->setup;
     struct arena *arena = setup->arena;
     struct distortion_case ready;
     struct distortion_point corner;
     const size_t count = 2 * (size_t)LINES * LINE_POINTS;
     double *x = ARENA_ARRAY(arena, count, double), *y = ARENA_ARRAY(arena, count, double);
-    if (!distortion_ready(input, one, NULL, &ready, error) ||
+    if (!distortion_ready(input, at.one, NULL, &ready, error) ||
         !distortion_at(&ready.map, &setup->fields[0].point, &corner, error)) {
         return false;
     }
@@ -231,7 +244,7 @@ static bool view_draw_grid(const struct distortion_input *input, const struct an
         .title = arena_printf(arena, "Distortion: %s", panel_words(setup)),
         .subtitle = arena_printf(arena, "a square grid %s", ideal_words(&ready, arena)),
         .note = arena_printf(arena, "%s; corners at a field of %.4g %s, distortion %+.3g %%",
-                             key_words(input, one),
+                             key_words(input, at.one),
                              far ? corner.field * DEGREES_PER_RADIAN : corner.field,
                              far ? "deg" : "mm", corner.percent),
         .ideal_label = "ideal image",
@@ -254,24 +267,7 @@ static bool view_draw_grid(const struct distortion_input *input, const struct an
         x[i] = found ? image[0] : (double)NAN;
         y[i] = found ? image[1] : (double)NAN;
     }
-    return grid_image_draw(&grid, svg, error);
-}
-
-static bool distortion_grid_check(const struct artifact_job *job, struct error *error)
-{
-    const struct distortion_input *input = job->inputs[0];
-    return !lens_positions_several(input->question.lens.lens, input->question.position) ||
-           fail(error, ERROR_USAGE, "{--grid} shows one position: name it with {--position}");
-}
-
-static bool distortion_grid(const struct artifact_job *job, struct output *sink,
-                            struct error *error)
-{
-    struct svg svg = {.arena = job->run->arena};
-    const struct distortion_input *input = job->inputs[0];
-    struct analysis_cursor at = analysis_begin(input, distortion_view_policy_of(input), job->run);
-    return analysis_next_case(&at, error) && view_draw_grid(input, at.one, &svg, error) &&
-           drawing_write(job, &svg, sink, error);
+    return grid_image_draw(&grid, &svg, error) && drawing_write(job, &svg, sink, error);
 }
 
 /* "auto", then those of photo/fov.h. */

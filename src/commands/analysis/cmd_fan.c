@@ -372,51 +372,6 @@ static struct panel *make_panels(const struct fan_figure_painter *painter, const
     return panels;
 }
 
-static bool fan_figure_draw(const struct fan_figure_painter *painter, struct output *sink,
-                            struct error *error)
-{
-    static const char *const heads[FAN_SECTIONS] = {"tangential", "sagittal"};
-    struct arena *arena = painter->arena;
-    double keys[MOST_KEYS], most = 0;
-    size_t key_count = find_keys(painter, keys);
-    const char **words = ARENA_ARRAY(arena, key_count + 1, const char *);
-    for (size_t k = 0; k < key_count; k++) {
-        words[k] = arena_printf(arena, "%.5g nm", 1000 * keys[k]);
-    }
-    const struct fan_input *first = painter->job->inputs[0];
-    bool opd = first->show == FAN_OPD;
-    const struct panel *list = make_panels(painter, keys, key_count, &most);
-    const char *transverse =
-        painter->is_angular ? "transverse aberration (mrad)" : "transverse aberration (µm)";
-    const char *subtitle =
-        painter->reference != NULL
-            ? arena_printf(arena, "%s %s", opd ? "against" : "from", painter->reference)
-            : NULL;
-    const struct panels panels = {
-        .title = arena_printf(arena, "%s of %s", opd ? "Optical path differences" : "Ray fans",
-                              painter->title),
-        .subtitle = subtitle,
-        .x_label = first->question.aim == ANALYSIS_AIM_ENTRANCE
-                       ? "across the entrance pupil, in its radius"
-                       : "across the stop, in its radius",
-        .y_label = opd ? "optical path difference (waves)" : transverse,
-        .column_heads = heads,
-        .row_heads = painter->rows,
-        .keys = words,
-        .key_count = key_count,
-        .light = true,
-        .x_low = -1,
-        .x_high = 1,
-        .y_low = -most,
-        .y_high = most,
-        .columns = FAN_SECTIONS,
-        .panels = list,
-        .count = FAN_SECTIONS * painter->row_count,
-    };
-    struct svg svg = {.arena = arena};
-    return panels_draw(&panels, &svg, error) && drawing_write(painter->job, &svg, sink, error);
-}
-
 static bool fan_figure(const struct artifact_job *job, struct output *sink, struct error *error)
 {
     struct fan_figure_painter painter = {.job = job, .arena = job->run->arena};
@@ -438,7 +393,46 @@ static bool fan_figure(const struct artifact_job *job, struct output *sink, stru
             return false;
         }
     }
-    return fan_figure_draw(&painter, sink, error);
+    static const char *const heads[FAN_SECTIONS] = {"tangential", "sagittal"};
+    struct arena *arena = painter.arena;
+    double keys[MOST_KEYS], most = 0;
+    size_t key_count = find_keys(&painter, keys);
+    const char **words = ARENA_ARRAY(arena, key_count + 1, const char *);
+    for (size_t k = 0; k < key_count; k++) {
+        words[k] = arena_printf(arena, "%.5g nm", 1000 * keys[k]);
+    }
+    const struct fan_input *first = painter.job->inputs[0];
+    bool opd = first->show == FAN_OPD;
+    const struct panel *list = make_panels(&painter, keys, key_count, &most);
+    const char *transverse =
+        painter.is_angular ? "transverse aberration (mrad)" : "transverse aberration (µm)";
+    const char *subtitle =
+        painter.reference != NULL
+            ? arena_printf(arena, "%s %s", opd ? "against" : "from", painter.reference)
+            : NULL;
+    const struct panels panels = {
+        .title = arena_printf(arena, "%s of %s", opd ? "Optical path differences" : "Ray fans",
+                              painter.title),
+        .subtitle = subtitle,
+        .x_label = first->question.aim == ANALYSIS_AIM_ENTRANCE
+                       ? "across the entrance pupil, in its radius"
+                       : "across the stop, in its radius",
+        .y_label = opd ? "optical path difference (waves)" : transverse,
+        .column_heads = heads,
+        .row_heads = painter.rows,
+        .keys = words,
+        .key_count = key_count,
+        .light = true,
+        .x_low = -1,
+        .x_high = 1,
+        .y_low = -most,
+        .y_high = most,
+        .columns = FAN_SECTIONS,
+        .panels = list,
+        .count = FAN_SECTIONS * painter.row_count,
+    };
+    struct svg svg = {.arena = arena};
+    return panels_draw(&panels, &svg, error) && drawing_write(painter.job, &svg, sink, error);
 }
 
 static const struct artifact artifacts[] = {

@@ -312,19 +312,6 @@ static const char *with_stop(const struct illumination_input *input, const char 
                               words != NULL ? ", " : "", input->stop_diameter);
 }
 
-static struct illumination_curve *
-illumination_find_curve(const struct illumination_painter *painter, const char *words,
-                        const char *title)
-{
-    for (size_t i = 0; i < painter->count; i++) {
-        struct illumination_curve *curve = &painter->curves[i];
-        if (strcmp(curve->words, words) == 0 && strcmp(curve->title, title) == 0) {
-            return curve;
-        }
-    }
-    return NULL;
-}
-
 static bool illumination_add_point(struct illumination_painter *painter,
                                    const struct analysis_case *one, size_t field,
                                    struct error *error)
@@ -332,8 +319,13 @@ static bool illumination_add_point(struct illumination_painter *painter,
     struct arena *arena = painter->arena;
     const struct illumination_input *input = painter->input;
     const char *words = with_stop(input, analysis_case_words(one, true, arena), arena);
-    struct illumination_curve *curve =
-        illumination_find_curve(painter, words, one->setup->lens->title);
+    struct illumination_curve *curve = NULL;
+    for (size_t i = 0; i < painter->count; i++) {
+        struct illumination_curve *old = &painter->curves[i];
+        const bool same =
+            strcmp(old->words, words) == 0 && strcmp(old->title, one->setup->lens->title) == 0;
+        curve = same && curve == NULL ? old : curve;
+    }
     struct last_point end;
     if (curve == NULL) {
         painter->curves = arena_grow(arena, painter->curves, painter->count, &painter->room,

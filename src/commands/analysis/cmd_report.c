@@ -457,40 +457,6 @@ static const char *usual_positions(const struct lens *lens, struct arena *arena)
                         lens->positions[count - 1]);
 }
 
-static bool fill_page(struct report_writer *writer, struct page *page, struct error *error)
-{
-    struct arena *arena = writer->run->arena;
-    const struct lens_question *question = &writer->input->question;
-    const struct lens *lens = question->lens.lens;
-    const char *names =
-        question->position != NULL ? question->position : usual_positions(lens, arena);
-    const size_t *positions;
-    size_t count;
-    if (!lens_positions(lens, names, arena, &positions, &count, error)) {
-        return false;
-    }
-    writer->parts = ARENA_ARRAY(arena, count * (SECTIONS + 1), struct page_part);
-    for (size_t i = 0; i < count; i++) {
-        const char *name = lens->position_count > 0 ? lens->positions[positions[i]] : NULL;
-        if (count > 1) {
-            writer->parts[writer->count++] =
-                (struct page_part){.title = arena_printf(arena, "Position %s", name)};
-        }
-        for (size_t k = 0; k < SECTIONS; k++) {
-            if ((i == 0 || sections[k].takes != OF_WHOLE_LENS) &&
-                (writer->input->images || (sections[k].takes & IS_IMAGE) == 0)) {
-                report_add_part(writer, &sections[k], name);
-            }
-            if (!watch_ask(writer->run->watch)) {
-                return fail(error, ERROR_DOMAIN, "interrupted: no report is written");
-            }
-        }
-    }
-    page->parts = writer->parts;
-    page->count = writer->count;
-    return true;
-}
-
 static const struct file_type types[] = {{{"html", "page"}, ".html"}, {{"svg", "drawing"}, ".svg"}};
 
 static const struct file_type *report_types(size_t i)
@@ -524,9 +490,33 @@ static bool report_make(const struct artifact_job *job, struct output *sink, str
         .subtitle = arena_printf(arena, "%s%slenscalc %s", lens->source != NULL ? lens->source : "",
                                  lens->source != NULL ? ". " : "", LENSCALC_VERSION),
     };
-    if (!fill_page(&writer, &page, error)) {
+    const struct lens_question *question = &writer.input->question;
+    const char *names =
+        question->position != NULL ? question->position : usual_positions(lens, arena);
+    const size_t *positions;
+    size_t count;
+    if (!lens_positions(lens, names, arena, &positions, &count, error)) {
         return false;
     }
+    writer.parts = ARENA_ARRAY(arena, count * (SECTIONS + 1), struct page_part);
+    for (size_t i = 0; i < count; i++) {
+        const char *name = lens->position_count > 0 ? lens->positions[positions[i]] : NULL;
+        if (count > 1) {
+            writer.parts[writer.count++] =
+                (struct page_part){.title = arena_printf(arena, "Position %s", name)};
+        }
+        for (size_t k = 0; k < SECTIONS; k++) {
+            if ((i == 0 || sections[k].takes != OF_WHOLE_LENS) &&
+                (writer.input->images || (sections[k].takes & IS_IMAGE) == 0)) {
+                report_add_part(&writer, &sections[k], name);
+            }
+            if (!watch_ask(writer.run->watch)) {
+                return fail(error, ERROR_DOMAIN, "interrupted: no report is written");
+            }
+        }
+    }
+    page.parts = writer.parts;
+    page.count = writer.count;
     if (job->type == &types[0]) {
         page_write_html(&page, sink);
     } else {

@@ -369,28 +369,6 @@ static const char *const names[][SEIDEL_TERMS] = {
 
 static const double THOUSAND = 1000;
 
-/* In thousandths of the unit where all bars are below a tenth of it. */
-static const char *choose_unit(const struct seidel_case *one, int form, double *const *values,
-                               size_t count)
-{
-    double largest = 0;
-    for (size_t g = 0; g < count; g++) {
-        for (size_t k = 0; k < SEIDEL_TERMS; k++) {
-            largest = fmax(largest, fabs(values[g][k]));
-        }
-    }
-    const bool angular = form == FORM_TRANSVERSE && seidel_is_angular(one);
-    if (form == FORM_WAVES || (largest >= 0.1 && !angular)) {
-        return form == FORM_WAVES ? "waves" : "mm";
-    }
-    for (size_t g = 0; g < count; g++) {
-        for (size_t k = 0; k < SEIDEL_TERMS; k++) {
-            values[g][k] *= THOUSAND;
-        }
-    }
-    return angular ? "mrad" : "\xc2\xb5m";
-}
-
 static const char *seidel_view_subtitle_of(const struct seidel_case *one, struct arena *arena)
 {
     const struct setup *setup = one->setup;
@@ -448,7 +426,19 @@ static bool seidel_draw(const struct artifact_job *job, struct output *sink, str
     static const char *const what[] = {[FORM_WELFORD] = "Seidel sums",
                                        [FORM_TRANSVERSE] = "Transverse third-order aberrations",
                                        [FORM_WAVES] = "Third-order wavefront"};
-    const char *unit = choose_unit(&one, input->form, values, count + 1);
+    /* in thousandths of the unit where all bars are below a tenth of it */
+    double largest = 0;
+    for (size_t i = 0; i < (count + 1) * SEIDEL_TERMS; i++) {
+        largest = fmax(largest, fabs(values[i / SEIDEL_TERMS][i % SEIDEL_TERMS]));
+    }
+    const bool waves = input->form == FORM_WAVES;
+    const bool angular = input->form == FORM_TRANSVERSE && seidel_is_angular(&one);
+    const bool small = !waves && (largest < 0.1 || angular);
+    for (size_t i = 0; i < (count + 1) * SEIDEL_TERMS && small; i++) {
+        values[i / SEIDEL_TERMS][i % SEIDEL_TERMS] *= THOUSAND;
+    }
+    const char *length = small ? "\xc2\xb5m" : "mm", *unit = waves ? "waves" : length;
+    unit = angular ? "mrad" : unit;
     const struct bars bars = (struct bars){
         .title = arena_printf(svg.arena, "%s of %s", what[input->form], one.setup->lens->title),
         .subtitle = seidel_view_subtitle_of(&one, svg.arena),

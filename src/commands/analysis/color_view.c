@@ -10,11 +10,6 @@ const struct analysis_policy color_policy = {.wavelengths = WAVELENGTHS_ALL, .fi
 
 /* -------- a case -------- */
 
-bool color_is_afocal(const struct setup *setup)
-{
-    return isinf(setup->first.image);
-}
-
 struct field_point color_field(const struct field_point *edge, long i, long steps)
 {
     struct field_point point = *edge;
@@ -79,12 +74,12 @@ bool color_summarize(const struct analysis_case *one, struct color_summary *summ
     if (primary >= summary->longest) {
         middle = 2;
     }
-    if (color_is_afocal(setup)) {
+    if (isinf(setup->first.image)) {
         summary->vergence = foci[0].vergence - foci[2].vergence;
     } else {
         summary->axial = chromatic_axial(&foci[0], &foci[middle], &foci[2]);
     }
-    summary->words = color_case_words_of(summary, color_is_afocal(setup), setup->arena);
+    summary->words = color_case_words_of(summary, isinf(setup->first.image), setup->arena);
     return true;
 }
 
@@ -142,11 +137,6 @@ static void collect_waves(struct color_painter *painter)
     }
 }
 
-static double *numbers(const struct color_painter *painter, size_t count)
-{
-    return ARENA_ARRAY(painter->arena, count, double);
-}
-
 /* In thousandths of the unit where all of it is small; which of two words says it. */
 static const char *color_view_scale(const struct panel *panel, bool along_x, const char *large,
                                     const char *small)
@@ -164,7 +154,7 @@ static const char *color_view_scale(const struct panel *panel, bool along_x, con
 /* A shift along the axis: mm, or 1/m of an afocal lens. */
 static double axial_of(const struct color_painter *painter, const struct chromatic_focus *focus)
 {
-    return color_is_afocal(painter->one->setup)
+    return isinf(painter->one->setup->first.image)
                ? 1000 * (focus->vergence - painter->primary.vergence)
                : focus->image - painter->primary.image;
 }
@@ -173,7 +163,7 @@ static const char *axial_label(const struct color_painter *painter, const struct
                                bool along_x, const char *words)
 {
     const char *unit = "1/m";
-    if (!color_is_afocal(painter->one->setup)) {
+    if (!isinf(painter->one->setup->first.image)) {
         unit = color_view_scale(panel, along_x, "mm", "\xc2\xb5m");
         for (size_t s = 0; s < panel->count; s++) {
             /* the painter's own numbers */
@@ -197,7 +187,8 @@ static bool draw_shift(struct color_painter *painter, struct error *error)
     struct panel_series *series = ARENA_ARRAY(painter->arena, count, struct panel_series);
     for (size_t s = 0; s < count; s++) {
         const size_t points = s == 0 ? SAMPLES : 1;
-        double *x = numbers(painter, points), *y = numbers(painter, points);
+        double *x = ARENA_ARRAY(painter->arena, points, double),
+               *y = ARENA_ARRAY(painter->arena, points, double);
         for (size_t i = 0; i < points; i++) {
             const double at =
                 s > 0 ? painter->waves[s - 1] : low + (high - low) * (double)i / (SAMPLES - 1);
@@ -230,7 +221,8 @@ static bool draw_zones(struct color_painter *painter, struct error *error)
     *panel = (struct panel){
         .title = "Spherochromatism", .y_label = "zone", .series = series, .x_label = "shift"};
     for (size_t s = 0; s < painter->wave_count; s++) {
-        double *x = numbers(painter, ZONES + 1), *y = numbers(painter, ZONES + 1);
+        double *x = ARENA_ARRAY(painter->arena, ZONES + 1, double),
+               *y = ARENA_ARRAY(painter->arena, ZONES + 1, double);
         for (size_t i = 0; i <= ZONES; i++) {
             struct chromatic_focus focus;
             y[i] = (double)i / ZONES;
@@ -262,8 +254,8 @@ static bool draw_fields(struct color_painter *painter, struct error *error)
                             .y_label = angle ? "field (deg)" : "field height (mm)",
                             .series = series};
     for (size_t s = 0; s < painter->wave_count; s++) {
-        series[s] = (struct panel_series){.x = numbers(painter, FIELDS + 1),
-                                          .y = numbers(painter, FIELDS + 1),
+        series[s] = (struct panel_series){.x = ARENA_ARRAY(painter->arena, FIELDS + 1, double),
+                                          .y = ARENA_ARRAY(painter->arena, FIELDS + 1, double),
                                           .count = FIELDS + 1,
                                           .key = s};
     }

@@ -43,27 +43,22 @@ static struct field_point distortion_asked_edge_of(const struct setup *setup)
     return lens->field_count > 0 && edge.value[1] > 0 ? edge : setup->edge;
 }
 
-/* Is there a field that no plane shows: of those asked for, or of the lens? */
-static bool has_half_space(const struct setup *setup)
-{
-    const struct field_point edge = distortion_asked_edge_of(setup);
-    bool has = edge.kind == FIELD_ANGLE && edge.value[1] >= PI / 2;
-    for (size_t i = 0; i < setup->field_count; i++) {
-        const struct field_point *field = &setup->fields[i].point;
-        has = has || (field->kind == FIELD_ANGLE &&
-                      fmax(fabs(field->value[0]), fabs(field->value[1])) >= PI / 2);
-    }
-    return has;
-}
-
 static enum projection projection_of(const struct distortion_input *input,
                                      const struct setup *setup)
 {
     if (input->projection > 0) {
         return (enum projection)(input->projection - 1);
     }
-    const bool is_wide = input->fit == 0 && has_half_space(setup);
-    return input->fit == 1 + MODEL_FISHEYE || is_wide ? EQUIDISTANT : RECTILINEAR;
+    /* is there a field that no plane shows: of those asked for, or of the lens? */
+    const struct field_point edge = distortion_asked_edge_of(setup);
+    bool is_wide = edge.kind == FIELD_ANGLE && edge.value[1] >= PI / 2;
+    for (size_t i = 0; i < setup->field_count; i++) {
+        const struct field_point *field = &setup->fields[i].point;
+        is_wide = is_wide || (field->kind == FIELD_ANGLE &&
+                              fmax(fabs(field->value[0]), fabs(field->value[1])) >= PI / 2);
+    }
+    return input->fit == 1 + MODEL_FISHEYE || (input->fit == 0 && is_wide) ? EQUIDISTANT
+                                                                           : RECTILINEAR;
 }
 
 static bool asked_is_same(const struct calibrated_case *one, const struct calibrated_case *other)
@@ -91,44 +86,31 @@ static bool recall(struct distortion_memo *memo, const struct calibrated_case *o
 }
 
 static bool find_calibrated(const struct distortion_input *input, const struct setup *setup,
-                            const struct field_point *edge, struct distortion_memo *memo,
-                            struct distortion_case *ready, struct error *error)
+                            struct distortion_memo *memo, struct distortion_case *ready,
+                            struct error *error)
 {
-    const struct calibrated_case one = (struct calibrated_case){
+    const struct field_point edge = distortion_asked_edge_of(setup);
+    const struct calibrated_case one = {
         .lens = input->question.lens.serial,
         .position = setup->position,
         .projection = projection_of(input, setup),
-        .edge_kind = edge->kind,
-        .numbers = {edge->value[0], edge->value[1], setup->wavelengths[0].wavelength, setup->image,
+        .edge_kind = edge.kind,
+        .numbers = {edge.value[0], edge.value[1], setup->wavelengths[0].wavelength, setup->image,
                     setup->object.is_infinite ? INFINITY : setup->object.distance.hi,
                     setup->first.stop_radius, setup->section},
     };
     double *kept = NULL;
-    if (memo != NULL && recall(memo, &one, &kept)) {
-        ready->calibrated = *kept;
-        return true;
-    }
-    if (!distortion_calibrate(&ready->map, edge, &ready->calibrated, error)) {
-        return error_prefix(error, "{--calibrated}: ");
-    }
-    if (memo != NULL) {
-        memo->cases[memo->count++ % KEPT] = one;
-        *kept = ready->calibrated;
-    }
-    return true;
-}
-
-static bool calibrate(const struct distortion_input *input, const struct setup *setup,
-                      struct distortion_memo *memo, struct distortion_case *ready,
-                      struct error *error)
-{
-    const struct field_point edge = distortion_asked_edge_of(setup);
     if (edge.kind == FIELD_NONE) {
         return fail(error, ERROR_DOMAIN,
                     "{--calibrated}: the lens states no field whose distortion could be balanced");
     }
-    if (!find_calibrated(input, setup, &edge, memo, ready, error)) {
-        return false;
+    if (memo != NULL && recall(memo, &one, &kept)) {
+        ready->calibrated = *kept;
+    } else if (!distortion_calibrate(&ready->map, &edge, &ready->calibrated, error)) {
+        return error_prefix(error, "{--calibrated}: ");
+    } else if (memo != NULL) {
+        memo->cases[memo->count++ % KEPT] = one;
+        *kept = ready->calibrated;
     }
     ready->map.scale = ready->calibrated;
     return true;
@@ -152,7 +134,8 @@ bool distortion_ready(const struct distortion_input *input, const struct analysi
     } else {
         ready->magnification = ready->map.scale;
     }
-    return !input->calibrated || input->fit > 0 || calibrate(input, setup, memo, ready, error);
+    return !input->calibrated || input->fit > 0 ||
+           find_calibrated(input, setup, memo, ready, error);
 }
 
 /* -------- rows -------- */
@@ -290,58 +273,6 @@ static bool distortion_find(const struct distortion_input *input, const struct a
                : false;
 }
 
-static const char *distortion_models_warning_of(const struct analysis_case *one,
-                                                const struct distortion_models_found *found)
-{
-    const double corner = sensor_diagonal(&found->picture.size) / 2;
-    struct arena *arena = one->setup->arena;
-    if (found->profile.reached >= corner * (1 - 1e-9)) {
-        return one->warning;
-    }
-    return lens_warnings_join(
-        one->warning,
-        arena_printf(arena,
-                     "the image ends %.4g mm from its middle, the corner of the sensor is at %.4g "
-                     "mm: the coefficients hold as far as the image goes",
-                     found->profile.reached, corner),
-        arena);
-}
-
-static struct models_row distortion_models_row_of(const struct analysis_case *one,
-                                                  const struct distortion_models_found *found,
-                                                  enum distortion_way way)
-{
-    const struct model_facts *facts = &distortion_models[found->fit.model];
-    const struct distortion_polynomial *polynomial = &found->fit.ways[way];
-    const double pitch = found->picture.size.pitch;
-    struct models_row row;
-    row_clear(&distortion_fit_sheet, &row);
-    row.point = analysis_point_of(one, 0);
-    row.point.warning = distortion_models_warning_of(one, found);
-    row.model = facts->word.word;
-    row.direction = way == WAY_DISTORT ? "distort" : "undistort";
-    row.form = way == facts->way ? "published" : "inverse";
-    row.projection = found->ready.projection;
-    row.rms = polynomial->rms;
-    row.max = polynomial->largest;
-    row.rms_pixels = polynomial->rms / pitch;
-    row.max_pixels = polynomial->largest / pitch;
-    row.unit = found->fit.unit;
-    row.focal = found->fit.focal;
-    row.radius = found->profile.reached;
-    row.pitch = pitch;
-    row.resolution =
-        arena_printf(one->setup->arena, "%.0f x %.0f", found->picture.width, found->picture.height);
-    for (size_t j = 0; j < facts->terms; j++) {
-        size_t k = 0;
-        while (strcmp(coefficient_names[k], facts->names[j]) != 0) {
-            k++;
-        }
-        row.coefficients[k] = polynomial->published[j];
-    }
-    return row;
-}
-
 bool distortion_fit_run(const struct distortion_input *input, struct run *run, struct error *error)
 {
     struct analysis_cursor at = analysis_begin(input, &distortion_as_whole, run);
@@ -354,7 +285,44 @@ bool distortion_fit_run(const struct distortion_input *input, struct run *run, s
         const enum distortion_way ways[] = {first,
                                             first == WAY_DISTORT ? WAY_UNDISTORT : WAY_DISTORT};
         for (size_t i = 0; i < sizeof ways / sizeof ways[0]; i++) {
-            struct models_row row = distortion_models_row_of(at.one, &found, ways[i]);
+            const struct model_facts *facts = &distortion_models[found.fit.model];
+            const struct distortion_polynomial *polynomial = &found.fit.ways[ways[i]];
+            const double pitch = found.picture.size.pitch;
+            struct models_row row;
+            row_clear(&distortion_fit_sheet, &row);
+            row.point = analysis_point_of(at.one, 0);
+            const double corner = sensor_diagonal(&found.picture.size) / 2;
+            if (!(found.profile.reached >= corner * (1 - 1e-9))) {
+                row.point.warning = lens_warnings_join(
+                    at.one->warning,
+                    arena_printf(
+                        at.one->setup->arena,
+                        "the image ends %.4g mm from its middle, the corner of the sensor is at "
+                        "%.4g mm: the coefficients hold as far as the image goes",
+                        found.profile.reached, corner),
+                    at.one->setup->arena);
+            }
+            row.model = facts->word.word;
+            row.direction = ways[i] == WAY_DISTORT ? "distort" : "undistort";
+            row.form = ways[i] == facts->way ? "published" : "inverse";
+            row.projection = found.ready.projection;
+            row.rms = polynomial->rms;
+            row.max = polynomial->largest;
+            row.rms_pixels = polynomial->rms / pitch;
+            row.max_pixels = polynomial->largest / pitch;
+            row.unit = found.fit.unit;
+            row.focal = found.fit.focal;
+            row.radius = found.profile.reached;
+            row.pitch = pitch;
+            row.resolution = arena_printf(at.one->setup->arena, "%.0f x %.0f", found.picture.width,
+                                          found.picture.height);
+            for (size_t j = 0; j < facts->terms; j++) {
+                size_t k = 0;
+                while (strcmp(coefficient_names[k], facts->names[j]) != 0) {
+                    k++;
+                }
+                row.coefficients[k] = polynomial->published[j];
+            }
             row.sensor = input->sensor.name;
             if (!run_emit(run, &row)) {
                 return true;
