@@ -188,15 +188,6 @@ struct fit_equations {
     double c[MODEL_TERMS];
 };
 
-static double distortion_power_of(double x, int power)
-{
-    double product = 1;
-    for (int i = 0; i < power; i++) {
-        product *= x;
-    }
-    return product;
-}
-
 /* Is the j-th term below the line? */
 static bool is_below(const struct model_facts *facts, size_t j)
 {
@@ -211,7 +202,7 @@ static double fit_make(const struct fit_equations *equations, double in, double 
     *below = 1;
     for (size_t j = 0; j < facts->terms; j++) {
         *(is_below(facts, j) ? below : &above) +=
-            equations->c[j] * distortion_power_of(in, facts->powers[j]);
+            equations->c[j] * distortion_power(in, facts->powers[j]);
     }
     return above / *below;
 }
@@ -245,7 +236,7 @@ static void distortion_fit_solve_linear(const struct fit_equations *equations, b
         const double root = sqrt(equations->profile->weight[i]), over = root / below;
         for (size_t j = 0; j < terms; j++) {
             const double factor = is_below(facts, j) ? -(is_step ? made : out) : 1;
-            a[i * columns + j] = over * factor * distortion_power_of(in, facts->powers[j]);
+            a[i * columns + j] = over * factor * distortion_power(in, facts->powers[j]);
         }
         if (equations->is_free) {
             a[i * columns + terms] = over * in;
@@ -368,11 +359,11 @@ static bool fit_way(const struct distortion_profile *profile, const struct senso
         /* what was found of a focal length of 1 becomes mm */
         const bool below = is_below(facts, j);
         const double mm = !is_free   ? 1
-                          : distorts ? 1 / distortion_power_of(fit->focal, facts->powers[j])
+                          : distorts ? 1 / distortion_power(fit->focal, facts->powers[j])
                           : below    ? 1
                                      : fit->focal;
-        polynomial->reduced[j] = equations.c[j] * mm *
-                                 distortion_power_of(fit->unit, facts->powers[j] - (below ? 0 : 1));
+        polynomial->reduced[j] =
+            equations.c[j] * mm * distortion_power(fit->unit, facts->powers[j] - (below ? 0 : 1));
     }
     fit_measure(profile, fit, way, polynomial);
     return distortion_publish(fit->model, polynomial->reduced, polynomial->published) ||

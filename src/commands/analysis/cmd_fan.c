@@ -122,13 +122,9 @@ static bool fan_find(const struct analysis_cursor *at, const struct analysis_cas
                      size_t field, void *found, struct error *error)
 {
     const struct fan_input *input = at->input;
-    const struct fan_question question = {
-        .bundle = {.setup = one->setup,
-                   .field = &one->setup->fields[field].point,
-                   .clip = one->clip,
-                   .from_entrance = input->question.aim == ANALYSIS_AIM_ENTRANCE},
-        .about = (enum wave_about)input->reference,
-        .points = (size_t)input->points};
+    const struct fan_question question = {.bundle = analysis_bundle(one, field),
+                                          .about = (enum wave_about)input->reference,
+                                          .points = (size_t)input->points};
     return fan_trace(&question, one->setup->arena, found, error);
 }
 
