@@ -380,36 +380,6 @@ static void write_table(struct report *report)
     report->format->write_grid(&grid, report->output, true);
 }
 
-/* A quantity in words, its value, and its unit; of one that is absent when it would have one. */
-static void add_list_row(struct report *report, struct grid *grid, size_t i, size_t *value_width)
-{
-    const struct text_state *state = report->state;
-    const struct shown *shown = &report->shown[i];
-    const struct column *column = shown->column;
-    char cell[CELL];
-    grid_add_row(grid);
-    grid_set(grid, 0, column_label(column));
-    if (state->is_empty[i]) {
-        grid_set(grid, 1, "-");
-        grid_set(grid, 2, report_absence(report, column));
-        return;
-    }
-    readable_value(cell, sizeof cell, state->kept[0].row, shown, state->units[i],
-                   text_format_digits_of(report, column));
-    if (column->type == COLUMN_NUMBER && strlen(cell) > *value_width) {
-        *value_width = strlen(cell); /* words may go on in another line */
-    }
-    const char *unit = readable_unit_label(shown, state->units[i]);
-    /* "1/125 s" has its unit where the others have theirs; "2 min 30 s" stays in one piece */
-    char *blank = strchr(cell, ' ');
-    if (column->dimension == &dimension_time && blank != NULL && strcmp(blank, " s") == 0) {
-        *blank = '\0';
-        unit = "s";
-    }
-    grid_set(grid, 1, cell);
-    grid_set(grid, 2, strcmp(unit, "ft in") == 0 ? "" : unit);
-}
-
 /* One answer: a line for each quantity, in words. */
 static void write_list(struct report *report)
 {
@@ -425,9 +395,34 @@ static void write_list(struct report *report)
         grid_set(&grid, 2, "unit");
     }
     for (size_t i = 0; i < report->shown_count; i++) {
-        if (!state->is_empty[i] || report->are_named) {
-            add_list_row(report, &grid, i, &least[1]);
+        const struct shown *shown = &report->shown[i];
+        const struct column *column = shown->column;
+        char cell[CELL];
+        if (state->is_empty[i] && !report->are_named) {
+            continue;
         }
+        /* a quantity in words, its value, and its unit; of one that is absent when it has one */
+        grid_add_row(&grid);
+        grid_set(&grid, 0, column_label(column));
+        if (state->is_empty[i]) {
+            grid_set(&grid, 1, "-");
+            grid_set(&grid, 2, report_absence(report, column));
+            continue;
+        }
+        readable_value(cell, sizeof cell, state->kept[0].row, shown, state->units[i],
+                       text_format_digits_of(report, column));
+        if (column->type == COLUMN_NUMBER && strlen(cell) > least[1]) {
+            least[1] = strlen(cell); /* words may go on in another line */
+        }
+        const char *unit = readable_unit_label(shown, state->units[i]);
+        /* "1/125 s" has its unit where the others have theirs; "2 min 30 s" stays in one piece */
+        char *blank = strchr(cell, ' ');
+        if (column->dimension == &dimension_time && blank != NULL && strcmp(blank, " s") == 0) {
+            *blank = '\0';
+            unit = "s";
+        }
+        grid_set(&grid, 1, cell);
+        grid_set(&grid, 2, strcmp(unit, "ft in") == 0 ? "" : unit);
     }
     if (has_width(report)) {
         grid_fit(&grid, report->output->width, least, rank);

@@ -87,21 +87,6 @@ static void shape_cross(const struct ray *ray, double z, double light_direction,
 /* What ends an outline that is not there. */
 static const size_t nothing = (size_t)-1;
 
-/* Bounds of an outline; limits: what clear_edge_at takes. */
-static void pupil_shape_bound(const struct clear_pupil *clear, const double (*points)[2],
-                              struct pupil_extent *extent, size_t limit[PUPIL_ENDS])
-{
-    const double(*curve)[2] = points + clear->edge_count;
-    for (int k = 0; k < 2; k++) {
-        extent->high[k] = clear_extreme(clear, curve, k, 1, &limit[k]);
-        extent->low[k] = clear_extreme(clear, curve, k, -1, &limit[k + 2]);
-        /* what symmetry makes 0 */
-        double small = 1e-12 * (extent->high[k] - extent->low[k]);
-        extent->centre[k] = fabs(extent->centre[k]) < small ? 0 : extent->centre[k];
-    }
-    extent->outline = points;
-}
-
 /* The outline of rays in a plane, with its limits. */
 static void pupil_shape_look_at(const struct clear_pupil *clear, const struct ray *rays, double z,
                                 double light_direction, struct arena *arena,
@@ -121,7 +106,16 @@ static void pupil_shape_look_at(const struct clear_pupil *clear, const struct ra
     if (met) {
         extent->area =
             contour_area(clear, (const double(*)[2])points + arms_from(clear), extent->centre);
-        pupil_shape_bound(clear, (const double(*)[2])points, extent, limit);
+        /* its bounds; limits: what clear_edge_at takes */
+        const double(*curve)[2] = (const double(*)[2])points + clear->edge_count;
+        for (int k = 0; k < 2; k++) {
+            extent->high[k] = clear_extreme(clear, curve, k, 1, &limit[k]);
+            extent->low[k] = clear_extreme(clear, curve, k, -1, &limit[k + 2]);
+            /* what symmetry makes 0 */
+            double small = 1e-12 * (extent->high[k] - extent->low[k]);
+            extent->centre[k] = fabs(extent->centre[k]) < small ? 0 : extent->centre[k];
+        }
+        extent->outline = (const double(*)[2])points;
         return;
     }
     extent->area = extent->low[0] = extent->low[1] = extent->high[0] = extent->high[1] = NAN;
@@ -216,23 +210,6 @@ struct fold {
     struct jacobian_extremes folding;
 };
 
-/* Where a folded bundle covers a plane twice its edges enclose nothing that has a meaning. */
-static void end_fold(const struct fold *fold)
-{
-    struct pupil_extent *extent = fold->extent;
-    extent->folds = caustic_seen(&fold->folding);
-    if (!extent->folds) {
-        return;
-    }
-    extent->area = extent->centre[0] = extent->centre[1] = NAN;
-    for (int k = 0; k < 2; k++) {
-        double slack = 1e-6 * (extent->high[k] - extent->low[k]);
-        /* a fold reaches beyond the edges: where it ends is not known */
-        extent->low[k] = fold->low[k] < extent->low[k] - slack ? (double)NAN : extent->low[k];
-        extent->high[k] = fold->high[k] > extent->high[k] + slack ? (double)NAN : extent->high[k];
-    }
-}
-
 enum { PLANES = 2 };
 
 /* Rays a few at a time: all at once are half a megabyte. */
@@ -291,8 +268,21 @@ static void check_folds(const struct pupil_question *question, const struct clea
     }
     look_for_folds(question, clear, CAUSTIC_FINE, light_direction, arena, folds);
     for (size_t i = 0; i < PLANES; i++) {
-        if (folds[i].extent->outline != NULL) {
-            end_fold(&folds[i]);
+        const struct fold *fold = &folds[i];
+        struct pupil_extent *extent = fold->extent;
+        extent->folds = extent->outline != NULL && caustic_seen(&fold->folding);
+        if (!extent->folds) {
+            continue;
+        }
+        /* what covers a plane twice has edges that enclose nothing which has a meaning */
+        extent->area = extent->centre[0] = extent->centre[1] = NAN;
+        for (int k = 0; k < 2; k++) {
+            const double slack = 1e-6 * (extent->high[k] - extent->low[k]);
+            /* a fold reaches beyond the edges: where it ends is not known */
+            const bool is_lower = fold->low[k] < extent->low[k] - slack;
+            extent->high[k] =
+                fold->high[k] > extent->high[k] + slack ? (double)NAN : extent->high[k];
+            extent->low[k] = is_lower ? (double)NAN : extent->low[k];
         }
     }
 }

@@ -251,23 +251,6 @@ static double angle_of_view_tilt_of(const struct end *end)
     return atan2(hypot(end->cosine[0], end->cosine[1]), -end->cosine[2]);
 }
 
-static struct view_span span_of(const struct end *a, const struct end *b, double subject)
-{
-    double tilts[2] = {angle_of_view_tilt_of(a), angle_of_view_tilt_of(b)}, places[2][2];
-    bool same_side = a->cosine[0] * b->cosine[0] + a->cosine[1] * b->cosine[1] > 0;
-    struct view_span span = {.angle = same_side ? fabs(tilts[0] - tilts[1]) : tilts[0] + tilts[1],
-                             .part = fmin(a->part, b->part)};
-    bool all_meet = a->cosine[2] < 0 && b->cosine[2] < 0;
-    if (isinf(subject)) {
-        span.size = all_meet ? INFINITY : (double)NAN;
-        return span;
-    }
-    angle_of_view_meet(a, subject, places[0]);
-    angle_of_view_meet(b, subject, places[1]);
-    span.size = hypot(places[0][0] - places[1][0], places[0][1] - places[1][1]);
-    return span;
-}
-
 /* Both ends of a dimension; a round lens is the same on both sides. */
 static bool angle_of_view_look_across(const struct outlook *outlook, double x, double y,
                                       struct view_span *span, struct error *error)
@@ -288,7 +271,18 @@ static bool angle_of_view_look_across(const struct outlook *outlook, double x, d
                !unsqueeze(question->squeeze, &b, error)) {
         return false;
     }
-    *span = span_of(&a, &b, question->subject);
+    const double tilts[2] = {angle_of_view_tilt_of(&a), angle_of_view_tilt_of(&b)};
+    const bool same_side = a.cosine[0] * b.cosine[0] + a.cosine[1] * b.cosine[1] > 0;
+    const bool all_meet = a.cosine[2] < 0 && b.cosine[2] < 0;
+    *span = (struct view_span){.angle = same_side ? fabs(tilts[0] - tilts[1]) : tilts[0] + tilts[1],
+                               .size = all_meet ? INFINITY : (double)NAN,
+                               .part = fmin(a.part, b.part)};
+    if (!isinf(question->subject)) {
+        double places[2][2];
+        angle_of_view_meet(&a, question->subject, places[0]);
+        angle_of_view_meet(&b, question->subject, places[1]);
+        span->size = hypot(places[0][0] - places[1][0], places[0][1] - places[1][1]);
+    }
     return true;
 }
 

@@ -118,10 +118,21 @@ const char *analysis_spectrum_words(const struct setup *setup)
     return words;
 }
 
-static bool analysis_open(const struct analysis_question *question,
-                          const struct analysis_policy *policy, size_t position,
-                          struct arena *arena, struct analysis_case *one, struct error *error)
+bool analysis_next_case(struct analysis_cursor *at, struct error *error)
 {
+    const struct analysis_question *question = at->question;
+    const struct analysis_policy *policy = at->policy;
+    struct arena *arena = at->run->arena;
+    error->code = ERROR_NONE;
+    if (at->positions == NULL && !(analysis_cursor_check(question, policy, error) &&
+                                   lens_positions(question->lens.lens, question->position, arena,
+                                                  &at->positions, &at->position_count, error))) {
+        return false;
+    }
+    if (at->next_position == at->position_count) {
+        return false;
+    }
+    struct analysis_case *one = ARENA_NEW(arena, struct analysis_case);
     struct setup *setup = ARENA_NEW(arena, struct setup);
     struct setup_field *field = ARENA_NEW(arena, struct setup_field);
     const bool height = analysis_is_given(question->height, question->height_x);
@@ -132,7 +143,7 @@ static bool analysis_open(const struct analysis_question *question,
                  : lens_field(FIELD_ANGLE, question->field_x, question->field, question->section);
     const struct setup_question of = {
         .lens = question->lens.lens,
-        .position = position,
+        .position = at->positions[at->next_position++],
         .section = (enum lens_section)question->section,
         .object = isnan(question->object) ? NULL : &question->object,
         .wavelength =
@@ -160,27 +171,6 @@ static bool analysis_open(const struct analysis_question *question,
                                   .clip = !question->no_clip,
                                   .warning = lens_warnings_join(both, width, setup->arena),
                                   .spectrum = analysis_spectrum_words(setup)};
-    return true;
-}
-
-bool analysis_next_case(struct analysis_cursor *at, struct error *error)
-{
-    struct arena *arena = at->run->arena;
-    error->code = ERROR_NONE;
-    if (at->positions == NULL &&
-        !(analysis_cursor_check(at->question, at->policy, error) &&
-          lens_positions(at->question->lens.lens, at->question->position, arena, &at->positions,
-                         &at->position_count, error))) {
-        return false;
-    }
-    if (at->next_position == at->position_count) {
-        return false;
-    }
-    struct analysis_case *one = ARENA_NEW(arena, struct analysis_case);
-    if (!analysis_open(at->question, at->policy, at->positions[at->next_position++], arena, one,
-                       error)) {
-        return false;
-    }
     one->threads = at->run->threads;
     at->one = one;
     at->next_field = 0;

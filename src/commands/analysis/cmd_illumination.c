@@ -194,29 +194,6 @@ static void illumination_find_light(const struct analysis_case *one, size_t item
 
 enum { STEPS = 10 };
 
-/* The points of a field; `count` of `found` and how far they go. */
-static bool illumination_find(const struct analysis_cursor *at,
-                              struct relative_illumination_point found[STEPS + 1], size_t *count,
-                              double *share, struct error *error)
-{
-    const struct illumination_input *input = at->input;
-    struct relative_illumination falloff;
-    struct last_point end;
-    if (!open_falloff(at->one, input, at->run, &falloff, error) ||
-        !find_point(at->one, at->field, input, &falloff, &end, error)) {
-        return false;
-    }
-    struct illumination_points points = {
-        &falloff, {end.height[0], end.height[1]}, asks_point(input) ? STEPS : 0, STEPS, found};
-    *count = STEPS + 1 - points.first;
-    *share = end.share;
-    if (*count > 1) {
-        relative_illumination_begin(&falloff, (double[2]){end.height[0] / 2, end.height[1] / 2});
-    }
-    analysis_divide(at->one, *count, illumination_find_light, &points);
-    return true;
-}
-
 /* Without a point the edge of the field, and that is not the axis. */
 static struct analysis_policy illumination_policy_of(const struct illumination_input *input)
 {
@@ -242,11 +219,23 @@ static bool illumination_run(const void *data, struct run *run, struct error *er
     struct analysis_cursor at = analysis_begin(&input, &policy, run);
     while (analysis_next(&at, error)) {
         struct relative_illumination_point found[STEPS + 1];
-        size_t count = 1;
-        double share = 1;
-        const bool is_there = illumination_find(&at, found, &count, &share, error);
+        struct relative_illumination falloff;
+        struct last_point end = {.share = 1};
+        const bool is_there = open_falloff(at.one, &input, run, &falloff, error) &&
+                              find_point(at.one, at.field, &input, &falloff, &end, error);
         if (!is_there && !analysis_keep_lost(&at, error)) {
             return false;
+        }
+        const size_t first = asks_point(&input) ? STEPS : 0;
+        const size_t count = is_there ? STEPS + 1 - first : 1;
+        if (is_there) {
+            struct illumination_points points = {
+                &falloff, {end.height[0], end.height[1]}, first, STEPS, found};
+            if (count > 1) {
+                const double middle[2] = {end.height[0] / 2, end.height[1] / 2};
+                relative_illumination_begin(&falloff, middle);
+            }
+            analysis_divide(at.one, count, illumination_find_light, &points);
         }
         for (size_t i = 0; i < count; i++) {
             struct illumination_row row;
@@ -259,10 +248,11 @@ static bool illumination_run(const void *data, struct run *run, struct error *er
                                           : "the irradiance has not converged: see its error",
                     found[i].is_field_met ? NULL
                                           : "the light by field has not converged: see its error",
-                    share < 1 ? "no chief ray of the largest field comes to the image: the points "
-                                "end where "
-                                "one does"
-                              : NULL,
+                    end.share < 1
+                        ? "no chief ray of the largest field comes to the image: the points "
+                          "end where "
+                          "one does"
+                        : NULL,
                     lens_island_warning(&found[i].islands, at.run->arena)};
                 for (size_t k = 0; k < sizeof warnings / sizeof warnings[0]; k++) {
                     analysis_warn(&at, &row.point, warnings[k]);

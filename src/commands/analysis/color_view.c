@@ -137,20 +137,6 @@ static void collect_waves(struct color_painter *painter)
     }
 }
 
-/* In thousandths of the unit where all of it is small; which of two words says it. */
-static const char *color_view_scale(const struct panel *panel, bool along_x, const char *large,
-                                    const char *small)
-{
-    double most = 0;
-    for (size_t s = 0; s < panel->count; s++) {
-        const double *values = along_x ? panel->series[s].x : panel->series[s].y;
-        for (size_t i = 0; i < panel->series[s].count; i++) {
-            most = isfinite(values[i]) ? fmax(most, fabs(values[i])) : most;
-        }
-    }
-    return most < SMALL ? small : large;
-}
-
 /* A shift along the axis: mm, or 1/m of an afocal lens. */
 static double axial_of(const struct color_painter *painter, const struct chromatic_focus *focus)
 {
@@ -164,12 +150,20 @@ static const char *axial_label(const struct color_painter *painter, const struct
 {
     const char *unit = "1/m";
     if (!isinf(painter->one->setup->first.image)) {
-        unit = color_view_scale(panel, along_x, "mm", "\xc2\xb5m");
+        /* in thousandths of the unit where all of it is small */
+        double most = 0;
         for (size_t s = 0; s < panel->count; s++) {
+            const double *values = along_x ? panel->series[s].x : panel->series[s].y;
+            for (size_t i = 0; i < panel->series[s].count; i++) {
+                most = isfinite(values[i]) ? fmax(most, fabs(values[i])) : most;
+            }
+        }
+        unit = most < SMALL ? "\xc2\xb5m" : "mm";
+        for (size_t s = 0; s < panel->count && most < SMALL; s++) {
             /* the painter's own numbers */
             double *values = (double *)(along_x ? panel->series[s].x : panel->series[s].y);
             for (size_t i = 0; i < panel->series[s].count; i++) {
-                values[i] *= unit[0] == 'm' ? 1 : TO_UM;
+                values[i] *= TO_UM;
             }
         }
     }

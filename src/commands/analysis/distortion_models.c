@@ -61,22 +61,18 @@ static enum projection projection_of(const struct distortion_input *input,
                                                                            : RECTILINEAR;
 }
 
-static bool asked_is_same(const struct calibrated_case *one, const struct calibrated_case *other)
-{
-    bool same = one->lens == other->lens && one->position == other->position &&
-                one->projection == other->projection && one->edge_kind == other->edge_kind;
-    for (size_t i = 0; i < sizeof one->numbers / sizeof one->numbers[0]; i++) {
-        /* NaN, where there is no such number, is the same as no other */
-        same = same && one->numbers[i] == other->numbers[i];
-    }
-    return same;
-}
-
 /* Where a case is kept, or room for it. True: it was there. */
 static bool recall(struct distortion_memo *memo, const struct calibrated_case *one, double **scale)
 {
     for (size_t i = 0; i < KEPT && i < memo->count; i++) {
-        if (asked_is_same(&memo->cases[i], one)) {
+        const struct calibrated_case *other = &memo->cases[i];
+        bool same = one->lens == other->lens && one->position == other->position &&
+                    one->projection == other->projection && one->edge_kind == other->edge_kind;
+        for (size_t k = 0; k < sizeof one->numbers / sizeof one->numbers[0]; k++) {
+            /* NaN, where there is no such number, is the same as no other */
+            same = same && one->numbers[k] == other->numbers[k];
+        }
+        if (same) {
             *scale = &memo->scales[i];
             return true;
         }
