@@ -248,20 +248,13 @@ bool distortion_open(const struct setup *setup, size_t wavelength, enum projecti
 
 /* -------- the calibrated focal length -------- */
 
-/* The scale that a field would have to itself, along one direction. */
-struct own_scale {
-    const struct distortion_map *map;
-    double towards[2];
-    double edge; /* the field goes from the axis to here */
-};
-
 /* The largest (sign 1) or smallest (-1) of the field: the best of 33, then closer about it. */
-static bool find_extreme(const struct own_scale *own, double sign, double *extreme,
-                         struct error *error)
+static bool find_extreme(const struct distortion_map *map, const double towards[2], double edge,
+                         double sign, double *extreme, struct error *error)
 {
     enum { PLACES = 32, ROUNDS = 4 };
-    const double axis = 1e-4 * own->edge; /* near enough: all this is even in the field */
-    double low = axis, high = own->edge;
+    const double axis = 1e-4 * edge; /* near enough: all this is even in the field */
+    double low = axis, high = edge;
     *extreme = -sign * INFINITY;
     for (int round = 0; round < ROUNDS; round++) {
         const double step = (high - low) / PLACES;
@@ -269,17 +262,17 @@ static bool find_extreme(const struct own_scale *own, double sign, double *extre
         for (int i = 0; i <= PLACES; i++) {
             double amount = i < PLACES ? low + i * step : high, scale;
             struct distortion_point point;
-            if (!distortion_towards(own->map, own->towards, amount, &point, error)) {
+            if (!distortion_towards(map, towards, amount, &point, error)) {
                 return false;
             }
-            scale = own->map->scale * (point.height / point.ideal);
+            scale = map->scale * (point.height / point.ideal);
             if (sign * scale > sign * *extreme) {
                 *extreme = scale;
                 best = amount;
             }
         }
         low = fmax(best - step, axis);
-        high = fmin(best + step, own->edge);
+        high = fmin(best + step, edge);
     }
     return true;
 }
@@ -287,16 +280,16 @@ static bool find_extreme(const struct own_scale *own, double sign, double *extre
 bool distortion_calibrate(const struct distortion_map *map, const struct field_point *edge,
                           double *scale, struct error *error)
 {
-    struct own_scale own = {.map = map};
-    double largest, smallest;
-    if (!distortion_direction(map, edge, own.towards, &own.edge, error)) {
+    double towards[2], end, largest, smallest;
+    if (!distortion_direction(map, edge, towards, &end, error)) {
         return false;
     }
-    if (!(own.edge > 0)) {
+    if (!(end > 0)) {
         return fail(error, ERROR_DOMAIN,
                     "a calibrated focal length needs a field off the axis to balance");
     }
-    if (!find_extreme(&own, 1, &largest, error) || !find_extreme(&own, -1, &smallest, error)) {
+    if (!find_extreme(map, towards, end, 1, &largest, error) ||
+        !find_extreme(map, towards, end, -1, &smallest, error)) {
         return false;
     }
     *scale = (largest + smallest) / 2;

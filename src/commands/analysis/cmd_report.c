@@ -354,14 +354,6 @@ enum {
     FIELDS_SHOWN = 100
 };
 
-/* A page in the making. */
-struct report_writer {
-    const struct report_input *input;
-    struct run *run;
-    struct page_part *parts;
-    size_t count;
-};
-
 /* What a lens is called that was read from there. */
 static const char from_pipe[] = "standard input";
 
@@ -395,12 +387,11 @@ static char *number_word(double number, struct arena *arena)
 }
 
 /* Ask one of the commands, and keep what it says or why it cannot. */
-static void report_add_part(struct report_writer *writer, const struct report_section *part,
-                            const char *position)
+static void report_add_part(const struct report_input *input, const struct report_section *part,
+                            const char *position, struct run *run, struct page_part *page)
 {
-    struct arena *arena = writer->run->arena;
-    const struct lens_question *question = &writer->input->question;
-    struct page_part *page = &writer->parts[writer->count++];
+    struct arena *arena = run->arena;
+    const struct lens_question *question = &input->question;
     struct error error = {0};
     char *words[MOST_WORDS];
     size_t count = 0;
@@ -425,9 +416,9 @@ static void report_add_part(struct report_writer *writer, const struct report_se
     }
     *page =
         (struct page_part){.title = part->title, .command = line, .is_drawing = part->is_drawing};
-    if (writer->input->threads != 1 && (part->takes & TAKES_THREADS) != 0) {
+    if (input->threads != 1 && (part->takes & TAKES_THREADS) != 0) {
         words[count++] = report_word("--threads", arena); /* which change nothing that is shown */
-        words[count++] = number_word((double)writer->input->threads, arena);
+        words[count++] = number_word((double)input->threads, arena);
     }
     if (part->takes == OF_WHOLE_LENS && strcmp(question->lens.name, from_pipe) == 0) {
         page->text = lens_write(question->lens.lens, arena); /* a pipe is not read again */
@@ -435,7 +426,7 @@ static void report_add_part(struct report_writer *writer, const struct report_se
     }
     const struct embedded_command embedding = {command_find(text_of(part->command)), words, count,
                                                &question->lens};
-    if (!command_embed(&embedding, writer->run, &page->text, &error)) {
+    if (!command_embed(&embedding, run, &page->text, &error)) {
         page->failure = error.hint[0] == '\0'
                             ? report_word(error.message, arena)
                             : arena_printf(arena, "%s; %s", error.message, error.hint);
@@ -482,15 +473,15 @@ static bool report_check(const struct artifact_job *job, struct error *error)
 
 static bool report_make(const struct artifact_job *job, struct output *sink, struct error *error)
 {
-    struct report_writer writer = {.input = job->inputs[0], .run = job->run};
-    const struct lens *lens = writer.input->question.lens.lens;
+    const struct report_input *input = job->inputs[0];
+    const struct lens_question *question = &input->question;
+    const struct lens *lens = question->lens.lens;
     struct arena *arena = job->run->arena;
     struct page page = {
-        .title = lens->title != NULL ? lens->title : writer.input->question.lens.name,
+        .title = lens->title != NULL ? lens->title : question->lens.name,
         .subtitle = arena_printf(arena, "%s%slenscalc %s", lens->source != NULL ? lens->source : "",
                                  lens->source != NULL ? ". " : "", LENSCALC_VERSION),
     };
-    const struct lens_question *question = &writer.input->question;
     const char *names =
         question->position != NULL ? question->position : usual_positions(lens, arena);
     const size_t *positions;
@@ -498,25 +489,24 @@ static bool report_make(const struct artifact_job *job, struct output *sink, str
     if (!lens_positions(lens, names, arena, &positions, &count, error)) {
         return false;
     }
-    writer.parts = ARENA_ARRAY(arena, count * (SECTIONS + 1), struct page_part);
+    struct page_part *parts = ARENA_ARRAY(arena, count * (SECTIONS + 1), struct page_part);
     for (size_t i = 0; i < count; i++) {
         const char *name = lens->position_count > 0 ? lens->positions[positions[i]] : NULL;
         if (count > 1) {
-            writer.parts[writer.count++] =
+            parts[page.count++] =
                 (struct page_part){.title = arena_printf(arena, "Position %s", name)};
         }
         for (size_t k = 0; k < SECTIONS; k++) {
             if ((i == 0 || sections[k].takes != OF_WHOLE_LENS) &&
-                (writer.input->images || (sections[k].takes & IS_IMAGE) == 0)) {
-                report_add_part(&writer, &sections[k], name);
+                (input->images || (sections[k].takes & IS_IMAGE) == 0)) {
+                report_add_part(input, &sections[k], name, job->run, &parts[page.count++]);
             }
-            if (!watch_ask(writer.run->watch)) {
+            if (!watch_ask(job->run->watch)) {
                 return fail(error, ERROR_DOMAIN, "interrupted: no report is written");
             }
         }
     }
-    page.parts = writer.parts;
-    page.count = writer.count;
+    page.parts = parts;
     if (job->type == &types[0]) {
         page_write_html(&page, sink);
     } else {
