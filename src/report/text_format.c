@@ -358,13 +358,8 @@ static void write_table(struct report *report)
             bool passed = j < report->passed_count;
             bool is_error = state->has_failures && j + 1 == grid.columns;
             bool stays = is_error || (!passed && report->are_named);
-            if (stays) {
-                rank[j] = 0;
-            } else if (passed) {
-                rank[j] = grid.columns + j;
-            } else {
-                rank[j] = j;
-            }
+            const size_t after = passed ? grid.columns + j : j;
+            rank[j] = stays ? 0 : after;
         }
         grid_fit(&grid, report->output->width, least, rank);
         state->widths = grid.widths;

@@ -6,7 +6,6 @@
 #include "analysis/image/psf_radius.h"
 
 #include <math.h>
-#include <string.h>
 
 enum { SLOPES = 33 };
 
@@ -292,8 +291,6 @@ static bool psf_add_waves(const struct psf_question *question, const struct exit
         }
         plane.re = ARENA_ARRAY(arena, count, double);
         plane.im = ARENA_ARRAY(arena, count, double);
-        memset(plane.re, 0, count * sizeof *plane.re);
-        memset(plane.im, 0, count * sizeof *plane.im);
         if (!ways[psf->method](&plane, error)) {
             return false;
         }
@@ -428,7 +425,6 @@ bool psf_find(const struct psf_question *question, struct arena *arena, struct p
         const double room = 2 * roomy * spread / (double)psf->size;
         psf->pitch = fmin(fmax(fine * psf->finest, room), 0.9 * psf->finest);
     }
-    memset(sums.values, 0, count * sizeof *sums.values);
     choose_method(question, pupils, spreads, psf);
     if (!(psf->method == PSF_RAYS
               ? psf_add_rays(question, pupils, psf, &sums, arena, error)

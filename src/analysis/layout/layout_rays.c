@@ -22,8 +22,8 @@ struct rays_beams {
 };
 
 /* From the frame of a surface's axis to the drawing. */
-static void layout_rays_place(const struct layout *layout, size_t surface, double along,
-                              double across, double *z, double *y)
+static void layout_place(const struct layout *layout, size_t surface, double along, double across,
+                         double *z, double *y)
 {
     const struct layout_frame *axis = &layout->axis[surface];
     *z = axis->z + along * cos(axis->angle) - across * sin(axis->angle);
@@ -36,8 +36,8 @@ static double lead(const struct layout *layout)
     return 0.3 * (layout->right - layout->left) + 0.5 * layout->size;
 }
 
-static void layout_rays_add_ray(const struct rays_beams *beams, enum layout_kind kind,
-                                const struct ray *start)
+static void layout_add_ray(const struct rays_beams *beams, enum layout_kind kind,
+                           const struct ray *start)
 {
     struct layout *layout = beams->layout;
     const size_t count = layout->setup->lens->surface_count;
@@ -56,10 +56,10 @@ static void layout_rays_add_ray(const struct rays_beams *beams, enum layout_kind
             double hiatus = layout_hiatus(layout, i);
             if (hiatus != 0) {
                 /* it leaves H' as high as it came to H */
-                layout_rays_place(layout, i, point[2] - hiatus, point[section], &z[used], &y[used]);
+                layout_place(layout, i, point[2] - hiatus, point[section], &z[used], &y[used]);
                 used++;
             }
-            layout_rays_place(layout, i, point[2], point[section], &z[used], &y[used]);
+            layout_place(layout, i, point[2], point[section], &z[used], &y[used]);
             used++;
             last = i;
         }
@@ -85,10 +85,9 @@ static void layout_rays_add_ray(const struct rays_beams *beams, enum layout_kind
             double gap = layout->vertex[surfaces - 1] - layout->vertex[last];
             far = (plane + gap - meetings[last].ray.point[2]) / meetings[last].ray.cosine[2];
         }
-        layout_rays_place(
-            layout, last, meetings[last].ray.point[2] + far * meetings[last].ray.cosine[2],
-            meetings[last].ray.point[section] + far * meetings[last].ray.cosine[section], &z[used],
-            &y[used]);
+        layout_place(layout, last, meetings[last].ray.point[2] + far * meetings[last].ray.cosine[2],
+                     meetings[last].ray.point[section] + far * meetings[last].ray.cosine[section],
+                     &z[used], &y[used]);
         used++;
     }
     part->count = used;
@@ -131,7 +130,7 @@ static void add_edges(const struct rays_beams *beams, enum layout_kind kind,
     for (int side = -1; side <= 1; side += 2) {
         const double *at = layout_edge_of(beams, bundle, side)->at;
         struct ray ray = beam_ray(&bundle->beam, at[0], at[1]);
-        layout_rays_add_ray(beams, kind, &ray);
+        layout_add_ray(beams, kind, &ray);
     }
 }
 
@@ -238,7 +237,7 @@ static void add_oblique(struct rays_beams *beams)
     if (beams->has_stop && !(layout->is_centred && has_mirror) &&
         aim_open(beams->open, &bundle.beam, layout->arena, &aim, &ignored)) {
         struct ray chief = aim_chief(&aim);
-        layout_rays_add_ray(beams, LAYOUT_CHIEF, &chief);
+        layout_add_ray(beams, LAYOUT_CHIEF, &chief);
     }
 }
 

@@ -102,7 +102,7 @@ struct color_painter {
     struct panel panels[PANELS];
 };
 
-static const struct color_input *color_view_input_at(const struct artifact_job *job, size_t i)
+static const struct color_input *view_input_at(const struct artifact_job *job, size_t i)
 {
     return job->inputs[i];
 }
@@ -117,7 +117,7 @@ static void collect_waves(struct color_painter *painter)
     size_t count = 0;
     waves[most - 1] = lens_primary_wavelength(setup->lens);
     for (size_t i = 0; i + 1 < most; i++) {
-        waves[i] = asked ? color_view_input_at(painter->job, i)->question.wavelength.wavelength
+        waves[i] = asked ? view_input_at(painter->job, i)->question.wavelength.wavelength
                          : setup->wavelengths[i].wavelength;
     }
     qsort(waves, most, sizeof *waves, analysis_ascending);
@@ -293,9 +293,9 @@ static bool color_is_alike(const struct analysis_question *a, const struct analy
 
 bool color_view_check(const struct artifact_job *job, struct error *error)
 {
-    const struct analysis_question *first = &color_view_input_at(job, 0)->question;
+    const struct analysis_question *first = &view_input_at(job, 0)->question;
     for (size_t i = 1; i < job->count; i++) {
-        if (!color_is_alike(first, &color_view_input_at(job, i)->question)) {
+        if (!color_is_alike(first, &view_input_at(job, i)->question)) {
             return fail(error, ERROR_USAGE,
                         "{--plot} shows one lens and one field: only {--wavelength} may be a list");
         }
@@ -307,8 +307,7 @@ bool color_view_check(const struct artifact_job *job, struct error *error)
 bool color_view_draw(const struct artifact_job *job, struct output *sink, struct error *error)
 {
     struct svg svg = {.arena = job->run->arena};
-    struct color_painter painter = {
-        .job = job, .input = color_view_input_at(job, 0), .arena = svg.arena};
+    struct color_painter painter = {.job = job, .input = view_input_at(job, 0), .arena = svg.arena};
     struct analysis_cursor at = analysis_begin(painter.input, &color_policy, job->run);
     if (!analysis_next(&at, error)) {
         return false;
