@@ -83,17 +83,6 @@ static const char *ideal_words(const struct distortion_case *ready, struct arena
                               ready->projection, how, ready->map.scale);
 }
 
-/* The same of several lenses or projections, which the curves name themselves. */
-static const char *ideals_words(const struct distortion_input *input,
-                                const struct distortion_case *ready, struct arena *arena)
-{
-    const char *which = isnan(ready->calibrated) ? "paraxial" : "calibrated";
-    return input->projection > 0
-               ? arena_printf(arena, "against ideal images of the %s focal length", which)
-               : arena_printf(arena, "against the %s image of the %s focal length",
-                              ready->projection, which);
-}
-
 /* Of curves of the same place and light the longest one. */
 static struct distortion_view_curve *room_for(struct distortion_view_curves *curves, size_t panel,
                                               size_t key, double edge)
@@ -143,8 +132,17 @@ static bool distortion_view_add_curve(struct distortion_view_curves *curves,
     }
     curve->edge = edge;
     curves->is_far = far;
-    curves->subtitle = curves->count == 1 ? ideal_words(&ready, curves->arena)
-                                          : ideals_words(curves->input, &ready, curves->arena);
+    /* of several lenses or projections the curves name themselves */
+    const char *which = isnan(ready.calibrated) ? "paraxial" : "calibrated";
+    if (curves->count == 1) {
+        curves->subtitle = ideal_words(&ready, curves->arena);
+    } else if (curves->input->projection > 0) {
+        curves->subtitle =
+            arena_printf(curves->arena, "against ideal images of the %s focal length", which);
+    } else {
+        curves->subtitle = arena_printf(
+            curves->arena, "against the %s image of the %s focal length", ready.projection, which);
+    }
     /* Fields whose chief ray is lost are gaps; false with the reason where that are all. */
     bool any = false;
     for (size_t i = 0; i < POINTS; i++) {

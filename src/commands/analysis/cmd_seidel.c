@@ -62,10 +62,9 @@ static const struct option options[] = {
 };
 
 struct seidel_row {
-    const char *surface, *position, *lens, *warning;
-    double wavelength, blue, red; /* um */
-    double field, height;         /* rad; mm at the object or at the image */
-    double field_x, height_x;
+    struct analysis_point point;
+    const char *surface;
+    double blue, red;                /* um */
     double values[SEIDEL_TERMS + 1]; /* last: tangential coma */
     bool is_angular;                 /* they are angles */
     double asphere[SEIDEL_TERMS];
@@ -91,20 +90,20 @@ static const struct column_form angle = {&dimension_angle, "mrad", "of an afocal
           .name = (column_name), .label = (words), .help = (words))
 
 #define CASE_COLUMNS                                                                               \
-    ENTRY(WAVE(wavelength, COLUMN_ECHO), .depends = "wavelength lens position",                    \
+    ENTRY(WAVE(point.wavelength, COLUMN_ECHO), .depends = "wavelength lens position",              \
           .name = "wavelength", .help = "of the rays"),                                            \
-        LENS_POSITION_COLUMN(struct seidel_row, position, COLUMN_BRIEF),                           \
-        ENTRY(COLUMN_OF_ANGLE(struct seidel_row, field, "deg"),                                    \
+        LENS_POSITION_COLUMN(struct seidel_row, point.position, COLUMN_BRIEF),                     \
+        ENTRY(COLUMN_OF_ANGLE(struct seidel_row, point.field, "deg"),                              \
               .flags = COLUMN_EXTRA | COLUMN_ASSUMED | COLUMN_ECHO,                                \
               .depends = "field height lens position", .name = "field",                            \
               .help = "angle of the chief ray in object space; absent for a height"),              \
-        ENTRY(LENGTH(height, COLUMN_EXTRA | COLUMN_ASSUMED | COLUMN_ECHO),                         \
+        ENTRY(LENGTH(point.height, COLUMN_EXTRA | COLUMN_ASSUMED | COLUMN_ECHO),                   \
               .depends = "field height lens position", .name = "height", .label = "field height",  \
               .help = "of the field, at the object or at the image; absent for an angle"),         \
-        ENTRY(COLUMN_OF_ANGLE(struct seidel_row, field_x, "deg"),                                  \
+        ENTRY(COLUMN_OF_ANGLE(struct seidel_row, point.field_x, "deg"),                            \
               .flags = COLUMN_EXTRA | COLUMN_ECHO, .with = "field-x", .name = "field_x",           \
               .label = "field x", .help = "its angle in the x-z plane"),                           \
-        ENTRY(LENGTH(height_x, COLUMN_EXTRA | COLUMN_ECHO), .with = "height-x",                    \
+        ENTRY(LENGTH(point.height_x, COLUMN_EXTRA | COLUMN_ECHO), .with = "height-x",              \
               .name = "height_x", .label = "field height x", .help = "of a height the same in x"), \
         ENTRY(PLAIN(surface, COLUMN_BRIEF), .name = "surface",                                     \
               .help = "from 1, the stop counted; last the sum")
@@ -116,8 +115,8 @@ static const struct column_form angle = {&dimension_angle, "mrad", "of an afocal
               .label = "colour to", .help = "the longer one"),                                     \
         ENTRY(LENGTH(lagrange, COLUMN_EXTRA), .name = "lagrange", .label = "Lagrange invariant",   \
               .symbol = "H", .help = "n (y ubar - ybar u)"),                                       \
-        LENS_TITLE_COLUMN(struct seidel_row, lens),                                                \
-        LENS_WARNING_COLUMN(struct seidel_row, warning)
+        LENS_TITLE_COLUMN(struct seidel_row, point.lens),                                          \
+        LENS_WARNING_COLUMN(struct seidel_row, point.warning)
 
 static const struct column columns[] = {
     CASE_COLUMNS,
@@ -177,26 +176,6 @@ static const struct sheet *seidel_choose_sheet(const void *data, const struct op
 
 /* -------- a case -------- */
 
-/* The two wavelengths of CI and CII. */
-static bool choose_colours(const struct seidel_input *input, const struct lens *lens,
-                           struct seidel_case *one, struct error *error)
-{
-    one->blue = WAVELENGTH_F;
-    one->red = WAVELENGTH_C;
-    if (input->chromatic == CHROMATIC_LINES) {
-        return true;
-    }
-    one->blue = INFINITY;
-    one->red = 0;
-    for (size_t i = 0; i < lens->wavelength_count; i++) {
-        one->blue = fmin(one->blue, lens->wavelengths[i].wavelength);
-        one->red = fmax(one->red, lens->wavelengths[i].wavelength);
-    }
-    return one->blue < one->red ||
-           fail(error, ERROR_DOMAIN,
-                "{--chromatic} lens: the lens states only one wavelength, and so no dispersion");
-}
-
 /* What the sums leave out. */
 static const char *seidel_case_doubts_of(const struct seidel_case *one, struct arena *arena)
 {
@@ -255,8 +234,18 @@ static bool seidel_sum_up(const struct analysis_cursor *at, struct seidel_case *
              "not known");
         return error_hint(error, "give an f-number with -N, or an aperture in the file");
     }
-    if (!choose_colours(input, setup->lens, one, error)) {
-        return false;
+    /* the two wavelengths of CI and CII */
+    const bool of_lens = input->chromatic == CHROMATIC_LENS;
+    one->blue = of_lens ? INFINITY : WAVELENGTH_F;
+    one->red = of_lens ? 0 : WAVELENGTH_C;
+    for (size_t i = 0; i < setup->lens->wavelength_count && of_lens; i++) {
+        one->blue = fmin(one->blue, setup->lens->wavelengths[i].wavelength);
+        one->red = fmax(one->red, setup->lens->wavelengths[i].wavelength);
+    }
+    if (!(one->blue < one->red)) {
+        return fail(error, ERROR_DOMAIN,
+                    "{--chromatic} lens: the lens states only one wavelength, and so no "
+                    "dispersion");
     }
     const struct pair *blue = index_at(one, one->blue, arena, &colours);
     const struct pair *red = blue != NULL ? index_at(one, one->red, arena, &colours) : NULL;
@@ -319,25 +308,18 @@ static bool seidel_run(const void *data, struct run *run, struct error *error)
     const struct seidel_input *input = data;
     struct analysis_cursor at = analysis_begin(input, &policy, run);
     while (analysis_next(&at, error)) {
-        const struct setup *setup = at.one->setup;
-        const bool across = setup->section == SECTION_X;
         struct seidel_case one;
         if (!seidel_sum_up(&at, &one, error)) {
             return false;
         }
         struct seidel_row row = {
-            .position = setup->position,
-            .lens = setup->lens->title,
-            .warning = one.warning,
-            .wavelength = one.light.wavelength,
-            .blue = one.blue,
-            .red = one.red,
-            .field = across ? one.point.field_x : one.point.field,
-            .height = across ? one.point.height_x : one.point.height,
-            .field_x = one.point.field_x,
-            .height_x = one.point.height_x,
-            .lagrange = one.seidel.lagrange,
-        };
+            .point = one.point, .blue = one.blue, .red = one.red, .lagrange = one.seidel.lagrange};
+        row.point.warning = one.warning;
+        row.point.wavelength = one.light.wavelength;
+        if (at.one->setup->section == SECTION_X) {
+            row.point.field = row.point.field_x;
+            row.point.height = row.point.height_x;
+        }
         for (size_t i = 0; i <= one.light.system.count; i++) {
             /* Row i of a case, of its surfaces or behind them the sum. */
             const bool is_sum = i == one.light.system.count;
