@@ -196,26 +196,6 @@ static void layout_add_image(struct layout *layout)
                 "image");
 }
 
-/* From vertex to vertex where the axis is folded, and a little farther at both ends. */
-static void add_folded_axis(struct layout *layout)
-{
-    const struct lens *lens = layout->setup->lens;
-    const size_t count = lens->surface_count;
-    double *z, *y, more = 0.6 * layout->size;
-    layout_add(layout, LAYOUT_AXIS, count + 2, &z, &y);
-    z[0] = -more;
-    y[0] = 0;
-    for (size_t i = 0; i < count; i++) {
-        z[i + 1] = layout->axis[i].z;
-        y[i + 1] = layout->axis[i].y;
-    }
-    const struct surface *last = &lens->surfaces[count - 1];
-    double t = last->has_thickness ? last->thickness.value.hi : more * layout->light_direction;
-    double angle = layout->axis[count - 1].angle;
-    z[count + 1] = z[count] + t * cos(angle);
-    y[count + 1] = y[count] + t * sin(angle);
-}
-
 static bool add_bundles(struct layout *layout, const struct layout_request *request,
                         struct error *error)
 {
@@ -270,7 +250,23 @@ bool layout_make(const struct setup *setup, const struct layout_request *request
         return false;
     }
     if (!layout->is_centred) {
-        add_folded_axis(layout);
+        /* From vertex to vertex where the axis is folded, and a little farther at both ends. */
+        const struct lens *lens = layout->setup->lens;
+        const size_t count = lens->surface_count;
+        double *z, *y, beyond = 0.6 * layout->size;
+        layout_add(layout, LAYOUT_AXIS, count + 2, &z, &y);
+        z[0] = -beyond;
+        y[0] = 0;
+        for (size_t j = 0; j < count; j++) {
+            z[j + 1] = layout->axis[j].z;
+            y[j + 1] = layout->axis[j].y;
+        }
+        const struct surface *last = &lens->surfaces[count - 1];
+        double t =
+            last->has_thickness ? last->thickness.value.hi : beyond * layout->light_direction;
+        double angle = layout->axis[count - 1].angle;
+        z[count + 1] = z[count] + t * cos(angle);
+        y[count + 1] = y[count] + t * sin(angle);
     }
     if (!(request->construction ? layout_construction(layout, error)
                                 : add_bundles(layout, request, error))) {

@@ -36,7 +36,7 @@ struct bundle_part {
     double area; /* of the unit disc of u and v, mm^2 */
 };
 
-/* The place of a point of a quadrature. Result: what it stands for; all add up to the area, mm^2. */
+/* The place of a point of a quadrature; what it stands for, which adds up to the area, mm^2. */
 static double part_point(const struct bundle_part *part, const struct pupil_point *point,
                          double at[2])
 {

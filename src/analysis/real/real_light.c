@@ -9,11 +9,6 @@
 
 #include <math.h>
 
-static double fresnel_square(double x)
-{
-    return x * x;
-}
-
 /* Does light lose some of itself here by reflection? */
 static bool is_face(const struct system *system, size_t place)
 {
@@ -49,10 +44,10 @@ static double fresnel_pass(const struct system *system, const struct ray *start,
         if (is_face(system, i) && behind != before) {
             const double in = cos(meetings[i].angles.incidence);
             const double out = cos(meetings[i].angles.refraction);
-            across *=
-                1 - fresnel_square((before * in - behind * out) / (before * in + behind * out));
-            along *=
-                1 - fresnel_square((behind * in - before * out) / (behind * in + before * out));
+            const double rs = (before * in - behind * out) / (before * in + behind * out);
+            const double rp = (behind * in - before * out) / (behind * in + before * out);
+            across *= 1 - rs * rs;
+            along *= 1 - rp * rp;
         }
         before = behind;
     }
