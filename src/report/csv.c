@@ -98,24 +98,23 @@ static void csv_begin(struct report *report)
     }
 }
 
-/* All columns are numbers, as in most pipes: nothing but numbers and separators to write. */
-static void csv_write_numbers(struct report *report, const void *row, char separator)
-{
-    const struct shown *shown = report->shown, *behind = shown + report->shown_count;
-    char *to = output_reserve(report->output, report->shown_count * (NUMBER_LENGTH + 1));
-    for (; shown < behind; shown++) {
-        to = shown_write_number(to, row, shown, report->digits);
-        *to++ = separator;
-    }
-    to[-1] = '\n';
-    output_advance(report->output, to);
-}
-
-static void write_cells(struct report *report, const void *row, const struct passed_cell *passed,
-                        const struct error *failure)
+static void row(struct report *report, const void *row, const struct passed_cell *passed,
+                const struct error *failure)
 {
     char separator = report->format->separator;
     size_t cells = 0;
+    if (row != NULL && report->state != NULL) {
+        /* all columns are numbers, as in most pipes: nothing else to write */
+        const struct shown *shown = report->shown, *behind = shown + report->shown_count;
+        char *to = output_reserve(report->output, report->shown_count * (NUMBER_LENGTH + 1));
+        for (; shown < behind; shown++) {
+            to = shown_write_number(to, row, shown, report->digits);
+            *to++ = separator;
+        }
+        to[-1] = '\n';
+        output_advance(report->output, to);
+        return;
+    }
     for (size_t i = 0; i < report->passed_count; i++) {
         if (cells++ > 0) {
             output_character(report->output, separator);
@@ -140,16 +139,6 @@ static void write_cells(struct report *report, const void *row, const struct pas
         }
     }
     output_character(report->output, '\n');
-}
-
-static void row(struct report *report, const void *row, const struct passed_cell *passed,
-                const struct error *failure)
-{
-    if (row != NULL && report->state != NULL) {
-        csv_write_numbers(report, row, report->format->separator);
-    } else {
-        write_cells(report, row, passed, failure);
-    }
 }
 
 static void csv_end(struct report *report)

@@ -46,13 +46,6 @@ static void explain_write_value(char *to, size_t room, const struct column *colu
     snprintf(to, room, "%s%s%s", number, has_unit ? " " : "", has_unit ? shown.unit->label : "");
 }
 
-/* Is the blank here a product, as between the factors of "2 {N} {c} (1 + {m})"? */
-static bool is_product(const char *formula, const char *at)
-{
-    return *at == ' ' && at > formula && strchr("}0123456789)", at[-1]) != NULL &&
-           (at[1] == '{' || at[1] == '(');
-}
-
 /* Copy a formula, with each {symbol} as itself or, given a row, as its value. */
 static void render(char *to, const char *formula, const struct sheet *sheet, const void *row)
 {
@@ -61,7 +54,10 @@ static void render(char *to, const char *formula, const struct sheet *sheet, con
     while (*formula != '\0' && used < LINE - VALUE) {
         const char *close = *formula == '{' ? strchr(formula, '}') : NULL;
         if (close == NULL) {
-            if (row != NULL && is_product(start, formula)) {
+            /* Is the blank here a product, as between the factors of "2 {N} {c} (1 + {m})"? */
+            if (row != NULL && *formula == ' ' && formula > start &&
+                strchr("}0123456789)", formula[-1]) != NULL &&
+                (formula[1] == '{' || formula[1] == '(')) {
                 memcpy(to + used, " x", 2);
                 used += 2;
             }
@@ -109,22 +105,6 @@ static bool applies(const struct report *report, struct text only, const void *r
                                 : said != NULL && (word.start == NULL || text_equal(word, said));
 }
 
-static const char *explain_one(const struct report *report, const struct explanation *explanation,
-                               struct text name, const void *row)
-{
-    char symbols[LINE], numbers[LINE], result[VALUE];
-    const struct column *column = explain_by_name(report->sheet, name);
-    render(symbols, explanation->formula, report->sheet, NULL);
-    const char *right = strstr(explanation->formula, " = ");
-    render(numbers, right != NULL ? right + 3 : explanation->formula, report->sheet, row);
-    explain_write_value(result, sizeof result, column, row);
-    const bool has_numbers = strchr(explanation->formula, '{') != NULL; /* else it is there twice */
-    return arena_printf(report->arena, "%s: %s%s%s\n  = %s\n  %s%s%s", column_label(column),
-                        symbols, has_numbers ? "\n  = " : "", has_numbers ? numbers : "", result,
-                        explanation->source, explanation->limits != NULL ? "; " : "",
-                        explanation->limits != NULL ? explanation->limits : "");
-}
-
 const char *explain_row(const struct report *report, const struct explanation *explanations,
                         const void *row)
 {
@@ -133,7 +113,20 @@ const char *explain_row(const struct report *report, const struct explanation *e
         struct text only = text_of(explanations[i].column);
         const struct text name = text_cut(&only, ' ');
         if (explain_is_wanted(report, name, row) && applies(report, only, row)) {
-            const char *one = explain_one(report, &explanations[i], name, row);
+            char symbols[LINE], numbers[LINE], result[VALUE];
+            const struct column *column = explain_by_name(report->sheet, name);
+            render(symbols, explanations[i].formula, report->sheet, NULL);
+            const char *right = strstr(explanations[i].formula, " = ");
+            render(numbers, right != NULL ? right + 3 : explanations[i].formula, report->sheet,
+                   row);
+            explain_write_value(result, sizeof result, column, row);
+            /* else it is there twice */
+            const bool has_numbers = strchr(explanations[i].formula, '{') != NULL;
+            const char *one = arena_printf(
+                report->arena, "%s: %s%s%s\n  = %s\n  %s%s%s", column_label(column), symbols,
+                has_numbers ? "\n  = " : "", has_numbers ? numbers : "", result,
+                explanations[i].source, explanations[i].limits != NULL ? "; " : "",
+                explanations[i].limits != NULL ? explanations[i].limits : "");
             text = text == NULL ? one : arena_printf(report->arena, "%s\n%s", text, one);
         }
     }

@@ -12,12 +12,6 @@ struct grid grid_new(struct arena *arena, size_t columns, size_t head_rows)
     return grid;
 }
 
-void grid_make_room(struct grid *grid, size_t rows)
-{
-    grid->cells = ARENA_ARRAY(grid->arena, rows * grid->columns, char *);
-    grid->capacity = rows;
-}
-
 void grid_add_row(struct grid *grid)
 {
     if (grid->rows == grid->capacity) {
@@ -62,19 +56,6 @@ const char *grid_cell(const struct grid *grid, size_t row, size_t column)
     return string != NULL ? string : "";
 }
 
-/* The head of one column in one cell: its rows joined. */
-static const char *joined_head(const struct grid *grid, size_t column)
-{
-    const char *head = "";
-    for (size_t i = 0; i < grid->head_rows; i++) {
-        const char *part = grid_cell(grid, i, column);
-        if (part[0] != '\0') {
-            head = head[0] == '\0' ? part : arena_printf(grid->arena, "%s (%s)", head, part);
-        }
-    }
-    return head;
-}
-
 const char *grid_markdown_text(struct arena *arena, const char *string)
 {
     char *text = arena_array(arena, 2 * strlen(string) + 1, 1), *to = text;
@@ -92,26 +73,16 @@ static void write_markdown_row(const struct grid *grid, struct output *output, s
     output_character(output, '|');
     for (size_t j = 0; j < grid->columns; j++) {
         output_character(output, ' ');
-        const char *text = row < grid->head_rows ? joined_head(grid, j) : grid_cell(grid, row, j);
+        const char *text = row < grid->head_rows ? "" : grid_cell(grid, row, j);
+        /* the head of one column in one cell: its rows joined */
+        for (size_t i = row; i < grid->head_rows; i++) {
+            const char *part = grid_cell(grid, i, j);
+            if (part[0] != '\0') {
+                text = text[0] == '\0' ? part : arena_printf(grid->arena, "%s (%s)", text, part);
+            }
+        }
         output_string(output, grid_markdown_text(grid->arena, text));
         output_string(output, " |");
-    }
-    output_character(output, '\n');
-}
-
-/* Names, and the line under them that sets the alignment. */
-static void write_markdown_head(const struct grid *grid, struct output *output)
-{
-    if (grid->title != NULL) {
-        output_string(output, "**");
-        output_string(output,
-                      grid_markdown_text(grid->arena, grid_printable(grid->arena, grid->title)));
-        output_string(output, "**\n\n");
-    }
-    write_markdown_row(grid, output, 0);
-    output_character(output, '|');
-    for (size_t j = 0; j < grid->columns; j++) {
-        output_string(output, grid->left[j] ? " :--- |" : " ---: |");
     }
     output_character(output, '\n');
 }
@@ -120,7 +91,19 @@ void grid_write_markdown(const struct grid *grid, struct output *output, bool wi
 {
     grid_make_printable(grid);
     if (with_head) {
-        write_markdown_head(grid, output);
+        /* Names, and the line under them that sets the alignment. */
+        if (grid->title != NULL) {
+            output_string(output, "**");
+            output_string(
+                output, grid_markdown_text(grid->arena, grid_printable(grid->arena, grid->title)));
+            output_string(output, "**\n\n");
+        }
+        write_markdown_row(grid, output, 0);
+        output_character(output, '|');
+        for (size_t j = 0; j < grid->columns; j++) {
+            output_string(output, grid->left[j] ? " :--- |" : " ---: |");
+        }
+        output_character(output, '\n');
     }
     for (size_t i = grid->head_rows; i < grid->rows; i++) {
         write_markdown_row(grid, output, i);
@@ -163,18 +146,6 @@ void grid_html_paragraph(struct output *output, const char *text)
     output_string(output, "</p>\n");
 }
 
-static void write_html_row(const struct grid *grid, struct output *output, size_t row)
-{
-    const char *tag = row < grid->head_rows ? "th" : "td";
-    output_string(output, "<tr>");
-    for (size_t j = 0; j < grid->columns; j++) {
-        output_printf(output, "<%s%s>", tag, grid->left[j] ? " class=\"w\"" : "");
-        output_escaped(output, text_of(grid_cell(grid, row, j)));
-        output_printf(output, "</%s>", tag);
-    }
-    output_string(output, "</tr>\n");
-}
-
 void grid_write_html(const struct grid *grid, struct output *output, bool with_head)
 {
     grid_make_printable(grid);
@@ -194,7 +165,14 @@ void grid_write_html(const struct grid *grid, struct output *output, bool with_h
         if (i == grid->head_rows && has_head) {
             output_string(output, "</thead>\n<tbody>\n");
         }
-        write_html_row(grid, output, i);
+        const char *tag = i < grid->head_rows ? "th" : "td";
+        output_string(output, "<tr>");
+        for (size_t j = 0; j < grid->columns; j++) {
+            output_printf(output, "<%s%s>", tag, grid->left[j] ? " class=\"w\"" : "");
+            output_escaped(output, text_of(grid_cell(grid, i, j)));
+            output_printf(output, "</%s>", tag);
+        }
+        output_string(output, "</tr>\n");
     }
     output_string(output, has_head && grid->rows == grid->head_rows ? "</thead>\n<tbody>\n" : "");
 }
@@ -207,20 +185,6 @@ void grid_html_close(const struct grid *grid, struct output *output)
     }
 }
 
-static void write_quoted(struct output *output, const char *string, char separator)
-{
-    if (strchr(string, separator) == NULL && strchr(string, '"') == NULL) {
-        output_string(output, string);
-        return;
-    }
-    output_character(output, '"');
-    for (; *string != '\0'; string++) {
-        output_string(output, *string == '"' ? "\"" : "");
-        output_character(output, *string);
-    }
-    output_character(output, '"');
-}
-
 void grid_write_separated(const struct grid *grid, struct output *output, char separator)
 {
     for (size_t i = 0; i < grid->rows; i++) {
@@ -228,7 +192,17 @@ void grid_write_separated(const struct grid *grid, struct output *output, char s
             if (j > 0) {
                 output_character(output, separator);
             }
-            write_quoted(output, grid_cell(grid, i, j), separator);
+            const char *string = grid_cell(grid, i, j);
+            if (strchr(string, separator) == NULL && strchr(string, '"') == NULL) {
+                output_string(output, string);
+                continue;
+            }
+            output_character(output, '"');
+            for (; *string != '\0'; string++) {
+                output_string(output, *string == '"' ? "\"" : "");
+                output_character(output, *string);
+            }
+            output_character(output, '"');
         }
         output_character(output, '\n');
     }

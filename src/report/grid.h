@@ -24,9 +24,6 @@ struct grid {
 
 struct grid grid_new(struct arena *arena, size_t columns, size_t head_rows);
 
-/* Room for so many rows in all, of a grid that has none. */
-void grid_make_room(struct grid *grid, size_t rows);
-
 /* Begin a row; its cells are set with grid_set in any order. */
 void grid_add_row(struct grid *grid);
 

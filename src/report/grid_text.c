@@ -72,38 +72,7 @@ static size_t count_lines(struct text cell, size_t width)
     return count;
 }
 
-/* Line `k` of a cell; empty behind its last. */
-static struct text grid_text_line_of(struct text cell, size_t width, size_t k)
-{
-    struct text line = grid_text_next_line(&cell, width);
-    for (; k > 0; k--) {
-        line = cell.length > 0 ? grid_text_next_line(&cell, width) : (struct text){"", 0};
-    }
-    return line;
-}
-
 /* -------- as narrow as the terminal -------- */
-
-/* The longest word of a text: where its lines may break. */
-static size_t longest_word(const char *string)
-{
-    struct text rest = text_of(string);
-    size_t longest = 0;
-    while (rest.start != NULL && rest.length > 0) {
-        longest = larger(longest, width_of(text_cut(&rest, ' ')));
-    }
-    return longest;
-}
-
-/* Of the cells below the head. */
-static size_t body_width(const struct grid *grid, size_t column)
-{
-    size_t width = 0;
-    for (size_t i = grid->head_rows; i < grid->rows; i++) {
-        width = larger(width, width_of(text_of(grid_cell(grid, i, column))));
-    }
-    return width;
-}
 
 /* How narrow a column may be: heads break between words, and so do cells of words. */
 static size_t grid_text_least_of(const struct grid *grid, size_t column, size_t width)
@@ -112,21 +81,18 @@ static size_t grid_text_least_of(const struct grid *grid, size_t column, size_t 
     for (size_t i = 0; i < grid->rows; i++) {
         const char *string = grid_cell(grid, i, column);
         if (i < grid->head_rows) {
-            least = larger(least, longest_word(string));
+            /* The longest word of a text: where its lines may break. */
+            struct text rest = text_of(string);
+            size_t longest = 0;
+            while (rest.start != NULL && rest.length > 0) {
+                longest = larger(longest, width_of(text_cut(&rest, ' ')));
+            }
+            least = larger(least, longest);
         } else if (!grid->left[column] || width <= NARROWEST_WORDS) {
             least = larger(least, width_of(text_of(string)));
         }
     }
     return least < width ? least : width;
-}
-
-static size_t total_width(const struct grid *grid)
-{
-    size_t total = 0;
-    for (size_t j = 0; j < grid->columns; j++) {
-        total += grid->hidden[j] ? 0 : grid->widths[j] + GAP;
-    }
-    return total > 0 ? total - GAP : 0;
 }
 
 /* The widest column that is shown and wider than its bound; the count of columns: there is none. */
@@ -150,7 +116,11 @@ static bool grid_text_narrow(struct grid *grid, size_t width, const size_t *natu
                              const size_t *least, const size_t *bodies)
 {
     memcpy(grid->widths, natural, grid->columns * sizeof *natural);
-    for (size_t total = total_width(grid); total > width; total--) {
+    size_t total = 0;
+    for (size_t j = 0; j < grid->columns; j++) {
+        total += grid->hidden[j] ? 0 : grid->widths[j] + GAP;
+    }
+    for (total = total > 0 ? total - GAP : 0; total > width; total--) {
         size_t widest = widest_above(grid, bodies);
         widest = widest < grid->columns ? widest : widest_above(grid, least);
         if (widest == grid->columns) {
@@ -172,7 +142,10 @@ size_t grid_fit(struct grid *grid, size_t width, const size_t *least, const size
     grid_measure(grid, natural);
     for (size_t j = 0; j < grid->columns; j++) {
         narrowest[j] = least[j] > 0 ? least[j] : grid_text_least_of(grid, j, natural[j]);
-        bodies[j] = larger(narrowest[j], body_width(grid, j));
+        bodies[j] = narrowest[j];
+        for (size_t i = grid->head_rows; i < grid->rows; i++) {
+            bodies[j] = larger(bodies[j], width_of(text_of(grid_cell(grid, i, j))));
+        }
     }
     while (!grid_text_narrow(grid, width, natural, narrowest, bodies)) {
         size_t last = grid->columns;
@@ -193,19 +166,7 @@ size_t grid_fit(struct grid *grid, size_t width, const size_t *least, const size
 
 /* -------- printing -------- */
 
-/* One line of a cell padded to its width, behind a gap; nothing behind the last of a line. */
-static void write_padded(struct output *output, size_t gap, struct text text, size_t width,
-                         bool left, bool last)
-{
-    size_t used = width_of(text), blanks = width > used ? width - used : 0;
-    output_spaces(output, left ? gap : gap + blanks);
-    output_text(output, text.start, text.length);
-    if (left && !last) {
-        output_spaces(output, blanks);
-    }
-}
-
-static bool grid_text_is_hidden(const struct grid *grid, size_t column)
+static bool text_is_hidden(const struct grid *grid, size_t column)
 {
     return grid->hidden != NULL && grid->hidden[column];
 }
@@ -215,8 +176,7 @@ static void write_line(const struct grid *grid, struct output *output, const siz
                        const struct text *pieces, enum style style)
 {
     size_t behind = grid->columns; /* the last that says something */
-    while (behind > 0 &&
-           (pieces[behind - 1].length == 0 || grid_text_is_hidden(grid, behind - 1))) {
+    while (behind > 0 && (pieces[behind - 1].length == 0 || text_is_hidden(grid, behind - 1))) {
         behind--;
     }
     size_t gap = 0;
@@ -224,10 +184,15 @@ static void write_line(const struct grid *grid, struct output *output, const siz
         output_style(output, style);
     }
     for (size_t j = 0; j < behind; j++) {
-        if (grid_text_is_hidden(grid, j)) {
+        if (text_is_hidden(grid, j)) {
             continue;
         }
-        write_padded(output, gap, pieces[j], widths[j], grid->left[j], j + 1 == behind);
+        size_t used = width_of(pieces[j]), blanks = widths[j] > used ? widths[j] - used : 0;
+        output_spaces(output, grid->left[j] ? gap : gap + blanks);
+        output_text(output, pieces[j].start, pieces[j].length);
+        if (grid->left[j] && !(j + 1 == behind)) {
+            output_spaces(output, blanks);
+        }
         gap = GAP;
     }
     if (style != STYLE_PLAIN) {
@@ -239,37 +204,8 @@ static void write_line(const struct grid *grid, struct output *output, const siz
 /* Do the cells of this row in this column go on in further lines? */
 static bool wraps(const struct grid *grid, size_t row, size_t column)
 {
-    return grid->widths != NULL && !grid_text_is_hidden(grid, column) &&
+    return grid->widths != NULL && !text_is_hidden(grid, column) &&
            (row < grid->head_rows || grid->left[column]);
-}
-
-/* What line `k` of `lines` shows of a cell; heads stand on their rows. */
-static struct text piece_of(const struct grid *grid, size_t row, size_t column, size_t k,
-                            size_t lines)
-{
-    struct text cell = text_of(grid_cell(grid, row, column));
-    size_t width = wraps(grid, row, column) ? grid->widths[column] : SIZE_MAX;
-    size_t own = count_lines(cell, width);
-    size_t above = row < grid->head_rows ? lines - own : 0;
-    return k < above ? (struct text){"", 0} : grid_text_line_of(cell, width, k - above);
-}
-
-static void grid_text_write_row(const struct grid *grid, struct output *output,
-                                const size_t *widths, struct text *pieces, size_t row)
-{
-    size_t lines = 1;
-    for (size_t j = 0; j < grid->columns; j++) {
-        pieces[j] = text_of(grid_cell(grid, row, j));
-        if (wraps(grid, row, j)) {
-            lines = larger(lines, count_lines(pieces[j], widths[j]));
-        }
-    }
-    for (size_t k = 0; k < lines; k++) {
-        for (size_t j = 0; j < grid->columns && grid->widths != NULL; j++) {
-            pieces[j] = piece_of(grid, row, j, k, lines);
-        }
-        write_line(grid, output, widths, pieces, row < grid->head_rows ? STYLE_HEAD : STYLE_PLAIN);
-    }
 }
 
 static void write_rows(const struct grid *grid, struct output *output, const size_t *widths,
@@ -277,7 +213,29 @@ static void write_rows(const struct grid *grid, struct output *output, const siz
 {
     struct text *pieces = ARENA_ARRAY(grid->arena, grid->columns + 1, struct text);
     for (size_t i = with_head ? 0 : grid->head_rows; i < grid->rows; i++) {
-        grid_text_write_row(grid, output, widths, pieces, i);
+        size_t lines = 1;
+        for (size_t j = 0; j < grid->columns; j++) {
+            pieces[j] = text_of(grid_cell(grid, i, j));
+            if (wraps(grid, i, j)) {
+                lines = larger(lines, count_lines(pieces[j], widths[j]));
+            }
+        }
+        for (size_t k = 0; k < lines; k++) {
+            for (size_t j = 0; j < grid->columns && grid->widths != NULL; j++) {
+                /* What line `k` of `lines` shows of a cell; heads stand on their rows. */
+                struct text cell = text_of(grid_cell(grid, i, j));
+                size_t width = wraps(grid, i, j) ? grid->widths[j] : SIZE_MAX;
+                size_t own = count_lines(cell, width);
+                size_t above = i < grid->head_rows ? lines - own : 0;
+                pieces[j] = k < above ? (struct text){"", 0} : grid_text_next_line(&cell, width);
+                for (size_t line = above; line < k; line++) {
+                    pieces[j] =
+                        cell.length > 0 ? grid_text_next_line(&cell, width) : (struct text){"", 0};
+                }
+            }
+            write_line(grid, output, widths, pieces,
+                       i < grid->head_rows ? STYLE_HEAD : STYLE_PLAIN);
+        }
     }
 }
 

@@ -58,23 +58,15 @@ static double shown_number(const void *row, const struct shown *shown)
     return shown->unit != NULL ? unit_from_own(shown->unit, value) : value;
 }
 
-static void json_write_number(struct report *report, const void *row, const struct shown *shown)
-{
-    if (!isfinite(shown_number(row, shown))) {
-        output_string(report->output, "null");
-        return;
-    }
-    char *to = output_reserve(report->output, NUMBER_LENGTH);
-    output_advance(report->output, shown_write_number(to, row, shown, report->digits));
-}
-
 static void json_write_value(struct report *report, const void *row, const struct shown *shown)
 {
     const struct column *column = shown->column;
-    if (row == NULL || row_is_absent(row, column)) {
+    if (row == NULL || row_is_absent(row, column) ||
+        (column->type == COLUMN_NUMBER && !isfinite(shown_number(row, shown)))) {
         output_string(report->output, "null");
     } else if (column->type == COLUMN_NUMBER) {
-        json_write_number(report, row, shown);
+        char *to = output_reserve(report->output, NUMBER_LENGTH);
+        output_advance(report->output, shown_write_number(to, row, shown, report->digits));
     } else if (column->type == COLUMN_INTEGER) {
         output_printf(report->output, "%ld", row_integer(row, column));
     } else if (column->type == COLUMN_FLAG) {
@@ -115,17 +107,6 @@ static void write_members(struct report *report, const void *row, const struct s
     }
 }
 
-static void write_passed(struct output *output, const struct passed_cell *cell)
-{
-    if (!cell->is_bare) {
-        json_write_string(output, cell->text.start, cell->text.length);
-    } else if (cell->text.length > 0) {
-        output_text(output, cell->text.start, cell->text.length);
-    } else {
-        output_string(output, "null");
-    }
-}
-
 /* What is handed through of the first keys, then the columns of the row and why it failed. */
 static void write_object(struct report *report, const void *row, const struct passed_cell *passed,
                          size_t passed_count, const struct error *failure)
@@ -143,7 +124,13 @@ static void write_object(struct report *report, const void *row, const struct pa
         comma = true;
         json_write_string(report->output, name.start, name.length);
         output_character(report->output, ':');
-        write_passed(report->output, &passed[i]);
+        if (!passed[i].is_bare) {
+            json_write_string(report->output, passed[i].text.start, passed[i].text.length);
+        } else if (passed[i].text.length > 0) {
+            output_text(report->output, passed[i].text.start, passed[i].text.length);
+        } else {
+            output_string(report->output, "null");
+        }
     }
     write_members(report, row, report->shown, report->shown_count, comma);
     if (failure != NULL) {
@@ -152,19 +139,6 @@ static void write_object(struct report *report, const void *row, const struct pa
         json_write_string(report->output, failure->message, strlen(failure->message));
     }
     output_character(report->output, '}');
-}
-
-/* The head waits for the first good row, which knows the assumptions. */
-static void json_write_head(struct report *report, const void *row)
-{
-    output_printf(report->output, "{\"command\":\"%s\",\"version\":\"%s\",\"assumptions\":{",
-                  report->command, LENSCALC_VERSION);
-    write_members(report, row, report->assumed, report->assumed_count, false);
-    if (report->nominal != NULL) {
-        output_string(report->output, report->assumed_count > 0 ? ",\"stops\":\"nominal\""
-                                                                : "\"stops\":\"nominal\"");
-    }
-    output_string(report->output, "},\"rows\":[");
 }
 
 /* Failed rows that came before the first good one. */
@@ -184,30 +158,19 @@ static void write_start(struct report *report, const void *row)
 {
     struct json_state *state = report->state;
     state->has_head = true;
-    json_write_head(report, row);
+    /* The head waits for the first good row, which knows the assumptions. */
+    output_printf(report->output, "{\"command\":\"%s\",\"version\":\"%s\",\"assumptions\":{",
+                  report->command, LENSCALC_VERSION);
+    write_members(report, row, report->assumed, report->assumed_count, false);
+    if (report->nominal != NULL) {
+        output_string(report->output, report->assumed_count > 0 ? ",\"stops\":\"nominal\""
+                                                                : "\"stops\":\"nominal\"");
+    }
+    output_string(report->output, "},\"rows\":[");
     for (struct pending_row *at = state->first; at != NULL; at = at->next) {
         output_string(report->output, at == state->first ? "\n" : ",\n");
         write_object(report, NULL, at->passed, at->passed_count, &at->failure);
     }
-}
-
-static void json_keep(struct report *report, const struct passed_cell *passed,
-                      const struct error *failure)
-{
-    struct json_state *state = report->state;
-    struct pending_row *pending = ARENA_NEW(report->arena, struct pending_row);
-    pending->failure = *failure;
-    pending->passed_count = report->passed_count;
-    pending->passed = ARENA_ARRAY(report->arena, report->passed_count, struct passed_cell);
-    for (size_t i = 0; i < report->passed_count; i++) {
-        const struct text text = passed[i].text;
-        pending->passed[i].text.start =
-            text.start != NULL ? arena_string(report->arena, text.start, text.length) : NULL;
-        pending->passed[i].text.length = text.length;
-        pending->passed[i].is_bare = passed[i].is_bare;
-    }
-    *state->last = pending;
-    state->last = &pending->next;
 }
 
 /* Enough failures in a row that no good one is to be waited for: memory must not grow. */
@@ -225,7 +188,19 @@ static void json_row(struct report *report, const void *row, const struct passed
 {
     struct json_state *state = report->state;
     if (!state->has_head && row == NULL && report->rows < MOST_PENDING) {
-        json_keep(report, passed, failure);
+        struct pending_row *pending = ARENA_NEW(report->arena, struct pending_row);
+        pending->failure = *failure;
+        pending->passed_count = report->passed_count;
+        pending->passed = ARENA_ARRAY(report->arena, report->passed_count, struct passed_cell);
+        for (size_t i = 0; i < report->passed_count; i++) {
+            const struct text text = passed[i].text;
+            pending->passed[i].text.start =
+                text.start != NULL ? arena_string(report->arena, text.start, text.length) : NULL;
+            pending->passed[i].text.length = text.length;
+            pending->passed[i].is_bare = passed[i].is_bare;
+        }
+        *state->last = pending;
+        state->last = &pending->next;
         return;
     }
     if (!state->has_head) {
@@ -233,24 +208,6 @@ static void json_row(struct report *report, const void *row, const struct passed
     }
     output_string(report->output, report->rows == 0 ? "\n" : ",\n");
     write_object(report, row, passed, report->passed_count, failure);
-}
-
-static void json_write_doubts(struct report *report)
-{
-    const struct warnings *doubts = report->doubts;
-    if (doubts == NULL || doubts->count == 0) {
-        return;
-    }
-    for (size_t i = 0; i < doubts->count; i++) {
-        output_string(report->output, i == 0 ? ",\"warnings\":[" : ",");
-        json_write_string(report->output, doubts->texts[i], strlen(doubts->texts[i]));
-    }
-    const char *more = warnings_left_out(report->doubts);
-    if (more != NULL) {
-        output_string(report->output, ",");
-        json_write_string(report->output, more, strlen(more));
-    }
-    output_string(report->output, "]");
 }
 
 static void json_end(struct report *report)
@@ -264,8 +221,18 @@ static void json_end(struct report *report)
         output_string(report->output, ",\"explain\":");
         json_write_string(report->output, report->explain, strlen(report->explain));
     }
-    json_write_doubts(report);
-    output_string(report->output, "}\n");
+    const struct warnings *doubts = report->doubts;
+    const size_t count = doubts != NULL ? doubts->count : 0;
+    for (size_t i = 0; i < count; i++) {
+        output_string(report->output, i == 0 ? ",\"warnings\":[" : ",");
+        json_write_string(report->output, doubts->texts[i], strlen(doubts->texts[i]));
+    }
+    const char *more = count > 0 ? warnings_left_out(report->doubts) : NULL;
+    if (more != NULL) {
+        output_string(report->output, ",");
+        json_write_string(report->output, more, strlen(more));
+    }
+    output_string(report->output, count > 0 ? "]}\n" : "}\n");
 }
 
 static void jsonl_begin(struct report *report)

@@ -18,31 +18,6 @@
 
 enum { BUFFER_SIZE = 64 * 1024 };
 
-/* Write to a device or pipe directly: there is nothing to rename. */
-static bool is_plain_or_new(const char *path)
-{
-    struct stat status;
-    return stat(path, &status) != 0 || S_ISREG(status.st_mode);
-}
-
-/*
- * Give a new file the permissions that the one of this name has or would get, and its owner where
- * that may be given. What lets a program run as its owner was said of the old content.
- */
-static void resemble(int descriptor, const char *path)
-{
-    struct stat old = {0};
-    const mode_t mask = umask(0);
-    umask(mask);
-    const bool is_there = stat(path, &old) == 0;
-    /* a file system without owners or permissions is no reason to fail */
-    if (is_there && fchown(descriptor, old.st_uid, old.st_gid) != 0) {
-        /* a member of the group may give that alone */
-        (void)!fchown(descriptor, (uid_t)-1, old.st_gid);
-    }
-    (void)!fchmod(descriptor, is_there ? old.st_mode & 0777 : 0666 & ~mask);
-}
-
 /*
  * A file without a name in the folder of `path`: whatever ends the program, nothing of it is left.
  * -1 where the system knows no such files.
@@ -90,7 +65,18 @@ static int open_beside(struct output *output, const char *path)
         descriptor = open(output->beside, O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0600);
     }
     if (descriptor >= 0) {
-        resemble(descriptor, path);
+        /* The permissions that the file of this name has or would get, and its owner where that may
+           be given; what lets a program run as its owner was said of the old content. */
+        struct stat old = {0};
+        const mode_t mask = umask(0);
+        umask(mask);
+        const bool is_there = stat(path, &old) == 0;
+        /* a file system without owners or permissions is no reason to fail */
+        if (is_there && fchown(descriptor, old.st_uid, old.st_gid) != 0) {
+            /* a member of the group may give that alone */
+            (void)!fchown(descriptor, (uid_t)-1, old.st_gid);
+        }
+        (void)!fchmod(descriptor, is_there ? old.st_mode & 0777 : 0666 & ~mask);
     }
     return descriptor;
 }
@@ -124,7 +110,10 @@ bool output_open(struct output *output, const char *path, struct arena *arena, s
     output->path = place != NULL ? place : path;
     output->arena = arena;
     const int descriptor = place_descriptor(output->path, arena);
-    output->is_renamed = place != NULL && descriptor == PLACE_CLOSED && is_plain_or_new(place);
+    /* a device or pipe is written to directly: there is nothing to rename */
+    struct stat status;
+    output->is_renamed = place != NULL && descriptor == PLACE_CLOSED &&
+                         (stat(place, &status) != 0 || S_ISREG(status.st_mode));
     output->descriptor =
         output->is_renamed ? open_beside(output, place) : open_again(output->path, descriptor);
     if (output->descriptor < 0) {
@@ -141,21 +130,6 @@ void output_inside(struct output *output, struct arena *arena)
     output->arena = arena;
 }
 
-static void keep_inside(struct output *output, const char *start, size_t length)
-{
-    if (output->kept_room - output->kept_length < length) {
-        const size_t room = 2 * (output->kept_length + length);
-        char *more = arena_buffer(output->arena, room);
-        if (output->kept_length > 0) {
-            memcpy(more, output->kept, output->kept_length);
-        }
-        output->kept = more;
-        output->kept_room = room;
-    }
-    memcpy(output->kept + output->kept_length, start, length);
-    output->kept_length += length;
-}
-
 struct text output_kept(struct output *output)
 {
     output_flush(output);
@@ -166,7 +140,17 @@ static void write_all(struct output *output, const char *start, size_t length)
 {
     if (output->descriptor == NOWHERE) {
         if (length > 0) {
-            keep_inside(output, start, length);
+            if (output->kept_room - output->kept_length < length) {
+                const size_t room = 2 * (output->kept_length + length);
+                char *more = arena_buffer(output->arena, room);
+                if (output->kept_length > 0) {
+                    memcpy(more, output->kept, output->kept_length);
+                }
+                output->kept = more;
+                output->kept_room = room;
+            }
+            memcpy(output->kept + output->kept_length, start, length);
+            output->kept_length += length;
         }
         return;
     }
@@ -184,20 +168,17 @@ static void write_all(struct output *output, const char *start, size_t length)
     }
 }
 
-/* Length of what begins here and no terminal shall see; lines end as files have them end. */
-static size_t obeyed(const char *start, size_t room)
-{
-    const bool ends_line = *start == '\n' || (*start == '\r' && room > 1 && start[1] == '\n');
-    return ends_line || *start == '\t' ? 0 : text_unprintable(start, room);
-}
-
 static void write_guarded(struct output *output, const char *start, size_t length)
 {
-    size_t good = 0, bad;
+    size_t good = 0;
     while (good < length) {
-        bad = obeyed(start + good, length - good);
+        const char *at = start + good;
+        const size_t room = length - good;
+        /* what begins here and no terminal shall see; lines end as files have them end */
+        const bool ends_line = *at == '\n' || (*at == '\r' && room > 1 && at[1] == '\n');
+        const size_t bad = ends_line || *at == '\t' ? 0 : text_unprintable(at, room);
         if (bad == 0) {
-            const size_t whole = text_utf8_length(start + good, length - good);
+            const size_t whole = text_utf8_length(at, room);
             good += whole > 0 ? whole : 1;
             continue;
         }
@@ -353,12 +334,24 @@ void output_printf(struct output *output, const char *format, ...)
     }
 }
 
-/* What is renamed is on the disk: after a power failure there is the old file or the new one. */
-static void output_store(struct output *output)
+void output_abandon(const struct output *output)
 {
-    if (fsync(output->descriptor) != 0 && errno != EINVAL && errno != ENOSYS) {
-        output->failure = errno; /* neither: a file system that stores nothing by itself */
+    if (output->is_renamed && !output->is_nameless) {
+        unlink(output->beside);
     }
+}
+
+const char *output_set_aside(struct output *output)
+{
+    if (!output->is_renamed) {
+        return NULL;
+    }
+    const char *name = strrchr(output->path, '/'), *ending = strrchr(output->path, '.');
+    name = name != NULL ? name + 1 : output->path;
+    ending = ending != NULL && ending > name ? ending : output->path + strlen(output->path);
+    output->path = arena_printf(output->arena, "%.*s-incomplete%s", (int)(ending - output->path),
+                                output->path, ending);
+    return output->path;
 }
 
 /* Put the whole file in its place; take one away that is not to be kept. */
@@ -384,26 +377,6 @@ static bool fail_written(const struct output *output, struct error *error)
                 "cannot write to standard output: %s", strerror(output->failure));
 }
 
-void output_abandon(const struct output *output)
-{
-    if (output->is_renamed && !output->is_nameless) {
-        unlink(output->beside);
-    }
-}
-
-const char *output_set_aside(struct output *output)
-{
-    if (!output->is_renamed) {
-        return NULL;
-    }
-    const char *name = strrchr(output->path, '/'), *ending = strrchr(output->path, '.');
-    name = name != NULL ? name + 1 : output->path;
-    ending = ending != NULL && ending > name ? ending : output->path + strlen(output->path);
-    output->path = arena_printf(output->arena, "%.*s-incomplete%s", (int)(ending - output->path),
-                                output->path, ending);
-    return output->path;
-}
-
 bool output_close(struct output *output, bool keep, struct error *error)
 {
     keep = keep && !output->is_unused;
@@ -413,7 +386,10 @@ bool output_close(struct output *output, bool keep, struct error *error)
     }
     bool whole = output->is_renamed && keep && output->failure == 0;
     if (whole) {
-        output_store(output);
+        /* it is on the disk: after a power failure there is the old file or the new one */
+        if (fsync(output->descriptor) != 0 && errno != EINVAL && errno != ENOSYS) {
+            output->failure = errno; /* neither: a file system that stores nothing by itself */
+        }
     }
     if (whole && output->is_nameless && output->failure == 0) {
         output->is_nameless = !name_nameless(output);

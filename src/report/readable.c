@@ -65,24 +65,11 @@ static const struct unit *metric_length(const struct unit *usual, double typical
     return length_unit(ladder[i].unit);
 }
 
-/* Feet stand for feet and inches, or inches alone where all is short. */
-static const struct unit *imperial_length(double typical)
-{
-    if (typical < unit_to_own(length_unit("ft"), 1)) {
-        return length_unit("in");
-    }
-    return length_unit(typical < 1e7 || isinf(typical) || isnan(typical) ? "ft" : "mi");
-}
-
-/* Is it a unit that the user named with the column? Then it is kept. */
-static bool is_asked_for(const struct shown *shown)
-{
-    return shown->column->unit != NULL && strcmp(shown->unit->name, shown->column->unit) != 0;
-}
-
 const struct unit *readable_unit(const struct shown *shown, enum unit_system system, double typical)
 {
-    if (shown->unit == NULL || is_asked_for(shown)) {
+    /* Is it a unit that the user named with the column? Then it is kept. */
+    if (shown->unit == NULL ||
+        (shown->column->unit != NULL && strcmp(shown->unit->name, shown->column->unit) != 0)) {
         return shown->unit;
     }
     if (shown->column->dimension == &dimension_time) {
@@ -92,7 +79,10 @@ const struct unit *readable_unit(const struct shown *shown, enum unit_system sys
         return shown->unit;
     }
     if (system == UNITS_IMPERIAL && strcmp(shown->unit->name, "m") == 0) {
-        return imperial_length(fabs(typical));
+        /* feet stand for feet and inches, or inches alone where all is short */
+        const double size = fabs(typical);
+        const char *far = size < 1e7 || isinf(size) || isnan(size) ? "ft" : "mi";
+        return length_unit(size < unit_to_own(length_unit("ft"), 1) ? "in" : far);
     }
     return metric_length(shown->unit, fabs(typical));
 }
@@ -133,12 +123,6 @@ int readable_inch_places(const struct shown *shown, const struct unit *unit, dou
     return -1;
 }
 
-/* Significant digits, without exponent where people would not write one; no -0. */
-static void write_significant(char *to, double value, int digits, bool pad)
-{
-    *number_write_plain(to, value + 0.0, digits, pad) = '\0';
-}
-
 /* The digits that are certain: a relative error of condition x 2^-52 is always possible. */
 static int certain_digits(const void *row, const struct column *column, int digits)
 {
@@ -175,23 +159,6 @@ static void readable_copy(char *to, size_t room, const char *text)
     to[length] = '\0';
 }
 
-/* In several units or as a fraction, where people write such values so. */
-static bool write_spoken(char *to, double value, const struct shown *shown, const struct unit *unit,
-                         int digits)
-{
-    if (is_feet_and_inches(shown, unit)) {
-        spoken_feet(to, value, digits, shown->inch_places - 1);
-    } else if (is_spoken_time(shown, unit)) {
-        bool passes = (shown->column->flags & COLUMN_SPAN) != 0;
-        (passes ? spoken_span : spoken_time)(to, value, digits);
-    } else if ((shown->column->flags & COLUMN_PART) != 0) {
-        spoken_part(to, value, digits);
-    } else {
-        return false;
-    }
-    return true;
-}
-
 static void readable_write_number(char *to, size_t room, const void *row, const struct shown *shown,
                                   const struct unit *unit, int digits)
 {
@@ -206,13 +173,26 @@ static void readable_write_number(char *to, size_t room, const void *row, const 
         certain = 1;
         to[used++] = '~';
     }
-    if (write_spoken(to + used, value, shown, unit, certain)) {
+    /* in several units or as a fraction, where people write such values so */
+    to += used;
+    if (is_feet_and_inches(shown, unit)) {
+        spoken_feet(to, value, certain, shown->inch_places - 1);
+        return;
+    }
+    if (is_spoken_time(shown, unit)) {
+        bool passes = (shown->column->flags & COLUMN_SPAN) != 0;
+        (passes ? spoken_span : spoken_time)(to, value, certain);
+        return;
+    }
+    if ((shown->column->flags & COLUMN_PART) != 0) {
+        spoken_part(to, value, certain);
         return;
     }
     double converted = unit != NULL ? unit_from_own(unit, value) : value;
     bool typed = (shown->column->flags & COLUMN_ECHO) != 0 && is_short(converted);
-    write_significant(to + used, converted,
-                      typed && certain < TYPED_DIGITS ? TYPED_DIGITS : certain, !typed);
+    /* Significant digits, without exponent where people would not write one; no -0. */
+    *number_write_plain(to, converted + 0.0,
+                        typed && certain < TYPED_DIGITS ? TYPED_DIGITS : certain, !typed) = '\0';
 }
 
 void readable_value(char *to, size_t room, const void *row, const struct shown *shown,

@@ -20,20 +20,15 @@ static const struct unit *report_find_unit(const struct column *column, struct t
     return column->dimension != NULL ? unit_find(column->dimension, name) : NULL;
 }
 
-/* Most units are a whole number of own units: then one division converts, exactly rounded. */
-static void set_divisor(struct shown *shown)
-{
-    bool whole = shown->unit->factor == 1 && shown->unit->scale.power >= 0;
-    shown->divisor = whole ? unit_to_own(shown->unit, 1) : 0;
-}
-
 static struct shown report_show(const struct column *column, const struct unit *unit,
                                 struct arena *arena)
 {
     struct shown shown = {.column = column, .unit = unit, .name = column->name, .divisor = 1};
     if (unit != NULL) {
         shown.name = ARENA_JOIN(arena, column->name, "_", unit->name);
-        set_divisor(&shown);
+        /* most are a whole number of own units: then one division converts, exactly rounded */
+        bool whole = shown.unit->factor == 1 && shown.unit->scale.power >= 0;
+        shown.divisor = whole ? unit_to_own(shown.unit, 1) : 0;
     }
     return shown;
 }
@@ -69,15 +64,6 @@ static bool names_column(struct text name, const struct column *column, struct a
     return false;
 }
 
-/* The column is there, the unit behind its name is not. */
-static bool no_such_unit(const struct column *column, struct text name, struct error *error)
-{
-    size_t length = strlen(column->name) + 1;
-    return fail(error, ERROR_USAGE, "column '%s' is a %s: it cannot be printed in '%.*s'",
-                column->name, column->dimension->name, (int)(name.length - length),
-                name.start + length);
-}
-
 /* What people may call a column: its name in any spelling, before its label or symbol. */
 enum calling { BY_NAME, BY_LABEL, CALLINGS };
 
@@ -106,28 +92,6 @@ static const struct unit *cut_unit(struct text *name, const struct column *colum
     }
     *name = text_trim((struct text){name->start, at - 1});
     return unit;
-}
-
-/* A name that stands for one column only. */
-static bool find_called(const struct sheet *sheet, struct text name, enum calling by,
-                        struct arena *arena, struct shown *shown)
-{
-    int found = 0;
-    for (size_t i = 0; i < sheet->column_count; i++) {
-        const struct column *column = &sheet->columns[i];
-        struct text bare = name;
-        const struct unit *unit = cut_unit(&bare, column);
-        const struct shown usual = show_usual(column, arena);
-        bool whole = by == BY_NAME && text_same_name(name, text_of(usual.name));
-        if (whole || (!column->is_other && report_is_called(name, column, by))) {
-            *shown = usual;
-            found++;
-        } else if (unit != NULL && report_is_called(bare, column, by)) {
-            *shown = report_show(column, unit, arena);
-            found++;
-        }
-    }
-    return found == 1;
 }
 
 /* "did you mean 'near_m', 'front_m' or 'blur_mm'?": the nearest, then those that contain it. */
@@ -174,11 +138,27 @@ static bool report_column_named(const struct sheet *sheet, struct text name, str
             *other_unit = column;
         }
     }
-    bool found = false;
-    for (enum calling by = BY_NAME; by < CALLINGS && !found; by++) {
-        found = find_called(sheet, name, by, arena, shown);
+    for (enum calling by = BY_NAME; by < CALLINGS; by++) {
+        int found = 0;
+        for (size_t i = 0; i < sheet->column_count; i++) {
+            const struct column *column = &sheet->columns[i];
+            struct text bare = name;
+            const struct unit *unit = cut_unit(&bare, column);
+            const struct shown usual = show_usual(column, arena);
+            bool whole = by == BY_NAME && text_same_name(name, text_of(usual.name));
+            if (whole || (!column->is_other && report_is_called(name, column, by))) {
+                *shown = usual;
+                found++;
+            } else if (unit != NULL && report_is_called(bare, column, by)) {
+                *shown = report_show(column, unit, arena);
+                found++;
+            }
+        }
+        if (found == 1) { /* a name that stands for one column only */
+            return true;
+        }
     }
-    return found;
+    return false;
 }
 
 struct sheet report_own_columns(const struct sheet *sheet)
@@ -201,7 +181,10 @@ bool report_find_column(const struct sheet *sheet, struct text name, struct aren
         return true;
     }
     if (other_unit != NULL) {
-        return no_such_unit(other_unit, name, error);
+        size_t length = strlen(other_unit->name) + 1;
+        return fail(error, ERROR_USAGE, "column '%s' is a %s: it cannot be printed in '%.*s'",
+                    other_unit->name, other_unit->dimension->name, (int)(name.length - length),
+                    name.start + length);
     }
     struct nearest nearest = {.typed = name};
     for (size_t i = 0; i < sheet->column_count; i++) {
@@ -210,16 +193,6 @@ bool report_find_column(const struct sheet *sheet, struct text name, struct aren
     }
     fail(error, ERROR_USAGE, "there is no column '%.*s'", text_shown(name), name.start);
     suggest_columns(sheet, name, nearest.best, arena, error);
-    return false;
-}
-
-static bool is_shown(const struct report *report, const char *name)
-{
-    for (size_t i = 0; i < report->shown_count; i++) {
-        if (strcmp(report->shown[i].name, name) == 0) {
-            return true;
-        }
-    }
     return false;
 }
 
@@ -247,22 +220,6 @@ static void add_varied(struct report *report, const struct selection *selection)
     report->shown_count = count;
 }
 
-/*
- * The word "error": the reasons of rows that fail, and where a column is called so, that column;
- * reasons then stand beside it where there may be some.
- */
-static bool names_error(struct report *report, const struct selection *selection, struct text name)
-{
-    struct shown own;
-    struct error ignored;
-    if (!text_equal(name, "error")) {
-        return false;
-    }
-    const bool is_column = report_find_column(report->sheet, name, report->arena, &own, &ignored);
-    report->has_error_column = !is_column || selection->many;
-    return !is_column;
-}
-
 /* The columns that --columns names, in its order. */
 static bool select_named(struct report *report, const struct selection *selection,
                          struct error *error)
@@ -276,14 +233,22 @@ static bool select_named(struct report *report, const struct selection *selectio
     while (rest.start != NULL) {
         struct text name = text_trim(text_cut(&rest, ','));
         struct shown shown;
-        if (names_error(report, selection, name)) {
-            continue;
-        }
-        if (!report_find_column(report->sheet, name, report->arena, &shown, error)) {
+        const bool is_column =
+            report_find_column(report->sheet, name, report->arena, &shown, error);
+        if (text_equal(name, "error")) {
+            /* the reasons of rows that fail; a column that is called so stands beside them */
+            report->has_error_column = !is_column || selection->many;
+        } else if (!is_column) {
             return error_prefix(error, "{columns}: ");
         }
-        if (is_shown(report, shown.name)) {
-            return fail(error, ERROR_USAGE, "{columns} names '%s' twice", shown.name);
+        if (!is_column) {
+            error->code = ERROR_NONE;
+            continue;
+        }
+        for (size_t i = 0; i < report->shown_count; i++) {
+            if (strcmp(report->shown[i].name, shown.name) == 0) {
+                return fail(error, ERROR_USAGE, "{columns} names '%s' twice", shown.name);
+            }
         }
         report->shown[report->shown_count++] = shown;
     }
@@ -365,43 +330,32 @@ static bool belongs(const struct column *column, const struct selection *selecti
            (!report_is_hidden(column, selection) && is_usual(column, selection));
 }
 
-/* Everything a row has, but for extras nobody asked for. */
-static void select_usual(struct report *report, const struct selection *selection)
-{
-    report->shown = ARENA_ARRAY(report->arena, report->sheet->column_count, struct shown);
-    for (size_t i = 0; i < report->sheet->column_count; i++) {
-        const struct column *column = &report->sheet->columns[i];
-        if (belongs(column, selection, depends_on_varied(column, selection))) {
-            report->shown[report->shown_count++] = show_usual(column, report->arena);
-        }
-    }
-}
-
-static void select_assumed(struct report *report, const struct selection *selection)
-{
-    report->assumed = ARENA_ARRAY(report->arena, report->sheet->column_count, struct shown);
-    for (size_t i = 0; i < report->sheet->column_count; i++) {
-        const struct column *column = &report->sheet->columns[i];
-        if (is_assumed(column, selection) && !depends_on_varied(column, selection)) {
-            report->assumed[report->assumed_count++] = show_usual(column, report->arena);
-        }
-    }
-}
-
 bool report_select(struct report *report, const struct selection *selection, struct error *error)
 {
+    const struct sheet *sheet = report->sheet;
     report->shown_count = 0;
     report->assumed_count = 0;
     report->selection = selection;
-    select_assumed(report, selection);
+    report->shown = ARENA_ARRAY(report->arena, sheet->column_count, struct shown);
+    report->assumed = ARENA_ARRAY(report->arena, sheet->column_count, struct shown);
     report->are_named = selection->columns != NULL;
-    if (report->are_named) {
-        const bool found = select_named(report, selection, error);
-        report->has_value = ARENA_ARRAY(report->arena, report->shown_count + 1, bool);
-        return found;
+    for (size_t i = 0; i < sheet->column_count; i++) {
+        const struct column *column = &sheet->columns[i];
+        const bool varies = depends_on_varied(column, selection);
+        if (is_assumed(column, selection) && !varies) {
+            report->assumed[report->assumed_count++] = show_usual(column, report->arena);
+        }
+        /* everything a row has, but for extras nobody asked for */
+        if (!report->are_named && belongs(column, selection, varies)) {
+            report->shown[report->shown_count++] = show_usual(column, report->arena);
+        }
     }
-    select_usual(report, selection);
-    return true;
+    if (!report->are_named) {
+        return true;
+    }
+    const bool found = select_named(report, selection, error);
+    report->has_value = ARENA_ARRAY(report->arena, report->shown_count + 1, bool);
+    return found;
 }
 
 void report_lead(struct report *report, const char *one, const char *many)

@@ -6,33 +6,28 @@
 
 #include <math.h>
 
-static const void *row_member(const void *row, const struct column *column)
-{
-    return (const char *)row + column->offset;
-}
-
 double row_number(const void *row, const struct column *column)
 {
     if (column->other != NULL &&
         *(const bool *)((const char *)row + column->turned) != column->is_other) {
         return NAN;
     }
-    return *(const double *)row_member(row, column);
+    return *(const double *)((const char *)row + column->offset);
 }
 
 long row_integer(const void *row, const struct column *column)
 {
-    return *(const long *)row_member(row, column);
+    return *(const long *)((const char *)row + column->offset);
 }
 
 bool row_flag(const void *row, const struct column *column)
 {
-    return *(const bool *)row_member(row, column);
+    return *(const bool *)((const char *)row + column->offset);
 }
 
 const char *row_text(const void *row, const struct column *column)
 {
-    return *(const char *const *)row_member(row, column);
+    return *(const char *const *)((const char *)row + column->offset);
 }
 
 bool row_is_absent(const void *row, const struct column *column)
@@ -48,18 +43,6 @@ bool row_is_absent(const void *row, const struct column *column)
         break;
     }
     return false;
-}
-
-/* The other form of a column. */
-static struct column column_other(const struct column *column, struct arena *arena)
-{
-    struct column other = *column;
-    other.is_other = true;
-    other.dimension = column->other->dimension;
-    other.unit = column->other->unit;
-    other.flags |= COLUMN_SPARSE;
-    other.help = ARENA_JOIN(arena, column->help, "; ", column->other->help);
-    return other;
 }
 
 size_t sheet_forms(const struct sheet *sheet)
@@ -89,7 +72,15 @@ size_t sheet_spread(const struct sheet *sheet, struct column *columns, struct ar
         }
         for (; first <= i; first++) {
             if (sheet->columns[first].other != NULL) {
-                columns[count++] = column_other(&sheet->columns[first], arena);
+                /* The other form of a column. */
+                struct column other = sheet->columns[first];
+                other.is_other = true;
+                other.dimension = sheet->columns[first].other->dimension;
+                other.unit = sheet->columns[first].other->unit;
+                other.flags |= COLUMN_SPARSE;
+                other.help = ARENA_JOIN(arena, sheet->columns[first].help, "; ",
+                                        sheet->columns[first].other->help);
+                columns[count++] = other;
             }
         }
     }

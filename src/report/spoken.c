@@ -35,44 +35,32 @@ static void write_fraction(char *to, double value, int digits)
     snprintf(to, SPOKEN_LENGTH, "1/%s", number);
 }
 
-/* The decimals of seconds behind minutes: `digits` in all, at least three before the point. */
-static int second_places(double seconds, int digits)
-{
-    int before = 3;
-    while (before < 9 && seconds >= pow(10, before)) {
-        before++;
-    }
-    int places = digits - 1 - before;
-    return places > 0 ? places : 0;
-}
-
-/* "1 h 2 min 3 s" without the parts that are nothing. */
-static void write_clock(char *to, double seconds, int digits)
-{
-    int places = second_places(seconds, digits);
-    double step = pow(10, -places), whole = round(seconds / step) * step;
-    double minutes = floor(whole / 60 + 1e-9), rest = whole - 60 * minutes;
-    double hours = floor(minutes / 60);
-    size_t used = 0;
-    minutes -= 60 * hours;
-    if (hours > 0) {
-        used += (size_t)snprintf(to + used, SPOKEN_LENGTH - used, "%.0f h ", hours);
-    }
-    if (minutes > 0) {
-        used += (size_t)snprintf(to + used, SPOKEN_LENGTH - used, "%.0f min ", minutes);
-    }
-    if (rest >= step / 2) {
-        char number[NUMBER_LENGTH + 1];
-        write_plain(number, rest, places + 2);
-        used += (size_t)snprintf(to + used, SPOKEN_LENGTH - used, "%s s ", number);
-    }
-    to[used - 1] = '\0';
-}
-
 void spoken_span(char *to, double seconds, int digits)
 {
     if (seconds >= 59.9995 && seconds < 1e8) {
-        write_clock(to, seconds, digits);
+        /* "1 h 2 min 3 s" without the parts that are nothing. */
+        int before = 3; /* digits before the point, at least */
+        while (before < 9 && seconds >= pow(10, before)) {
+            before++;
+        }
+        const int places = digits - 1 - before > 0 ? digits - 1 - before : 0;
+        double step = pow(10, -places), whole = round(seconds / step) * step;
+        double minutes = floor(whole / 60 + 1e-9), rest = whole - 60 * minutes;
+        double hours = floor(minutes / 60);
+        size_t used = 0;
+        minutes -= 60 * hours;
+        if (hours > 0) {
+            used += (size_t)snprintf(to + used, SPOKEN_LENGTH - used, "%.0f h ", hours);
+        }
+        if (minutes > 0) {
+            used += (size_t)snprintf(to + used, SPOKEN_LENGTH - used, "%.0f min ", minutes);
+        }
+        if (rest >= step / 2) {
+            char number[NUMBER_LENGTH + 1];
+            write_plain(number, rest, places + 2);
+            used += (size_t)snprintf(to + used, SPOKEN_LENGTH - used, "%s s ", number);
+        }
+        to[used - 1] = '\0';
     } else {
         write_plain(to, seconds, digits);
         strcat(to, " s");

@@ -3,7 +3,6 @@
 #include "report/grid.h"
 #include "report/readable.h"
 #include "report/row.h"
-#include "report/text_state.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -13,17 +12,181 @@
  * The units and widths of a table are chosen from its first rows, so these wait until so many have
  * come; later ones are printed as they come, in the same layout, and memory does not grow.
  */
-enum { ROWS_LOOKED_AT = 512, DIGITS = 4, CELL = 256 };
+enum { ROWS_LOOKED_AT = 512, DIGITS = 4, CELL = 256, LINE_WIDTH = 79 };
+
+/* A table while its rows come. */
+struct kept {
+    void *row; /* null: failed */
+    const struct passed_cell *passed;
+    const char *failure;
+};
+
+struct text_state {
+    struct kept *kept;
+    size_t kept_count;
+    bool has_layout;
+    const struct unit **units; /* one a shown column */
+    size_t *widths;
+    bool *hidden;      /* one a column of the grid: no room for it on this terminal */
+    bool *is_empty;    /* columns without a value in the rows looked at */
+    bool has_failures; /* among the rows looked at: then there is a column for the reasons */
+    struct arena scratch;
+};
+
+/* -------- below the table -------- */
+
+static bool is_written_by(const struct report *report,
+                          void (*writer)(const struct grid *, struct output *, bool))
+{
+    return report->format->write_grid == writer;
+}
+
+/* One answer: it is printed as a list, not as a table. */
+static bool text_is_list(const struct report *report)
+{
+    const struct text_state *state = report->state;
+    return !report->many && state->kept_count == 1;
+}
+
+/* Does the column stand under its short head, not under its name? */
+static bool text_has_head(const struct report *report, const struct column *column)
+{
+    return column->head != NULL && !report->are_named;
+}
+
+static const void *first_good_row(const struct text_state *state)
+{
+    for (size_t i = 0; i < state->kept_count; i++) {
+        if (state->kept[i].row != NULL) {
+            return state->kept[i].row;
+        }
+    }
+    return NULL;
+}
+
+/* A line below the table, behind a word that stands out; both may be null. */
+static void write_remark(struct report *report, enum style style, const char *word,
+                         const char *line)
+{
+    struct output *output = report->output;
+    line = grid_printable(report->arena, line);
+    if (line == NULL) {
+        return;
+    }
+    if (!is_written_by(report, grid_write_text) && word != NULL) {
+        line = ARENA_JOIN(report->arena, word, line);
+        word = NULL;
+    }
+    if (is_written_by(report, grid_write_html)) {
+        grid_html_paragraph(output, line);
+        return;
+    }
+    if (is_written_by(report, grid_write_markdown)) {
+        line = grid_markdown_text(report->arena, line);
+    }
+    output_character(output, '\n');
+    if (word != NULL) {
+        output_styled(output, style, word);
+    }
+    output_paragraph(output, line, word != NULL ? strlen(word) : 0, 0,
+                     output->width > 0 ? output->width : LINE_WIDTH);
+}
+
+/* A line of its own below the table; null writes nothing. */
+static void text_write_line(struct report *report, const char *line)
+{
+    write_remark(report, STYLE_PLAIN, NULL, line);
+}
+
+/* Which columns had no room, and what shows them. */
+static void write_left_out(struct report *report)
+{
+    const struct text_state *state = report->state;
+    const char *names = NULL;
+    for (size_t j = 0; state->hidden != NULL && j < report->passed_count + report->shown_count;
+         j++) {
+        if (state->hidden[j]) {
+            struct text name = j < report->passed_count
+                                   ? report->passed_names[j]
+                                   : text_of(report->shown[j - report->passed_count].name);
+            names = arena_printf(report->arena, "%s%s%.*s", names != NULL ? names : "",
+                                 names != NULL ? ", " : "", (int)name.length, name.start);
+        }
+    }
+    if (names != NULL) {
+        text_write_line(report, arena_printf(report->arena,
+                                             "not shown, for want of room in %zu columns: %s; %s",
+                                             report->output->width, names, report->remedy));
+    }
+}
+
+/* What the symbols mean that stand in the head. */
+static void write_legend(struct report *report)
+{
+    const struct text_state *state = report->state;
+    const char *line = NULL;
+    for (size_t i = 0; i < report->shown_count && !text_is_list(report); i++) {
+        const struct column *column = report->shown[i].column;
+        bool is_shown = state->hidden == NULL || !state->hidden[report->passed_count + i];
+        if (is_shown && text_has_head(report, column) && column->symbol != NULL &&
+            strcmp(column->head, column->symbol) == 0) {
+            line = arena_printf(report->arena, "%s%s%s: %s", line != NULL ? line : "",
+                                line != NULL ? "; " : "", column->head, column_label(column));
+        }
+    }
+    text_write_line(report, line);
+}
+
+/* What stands below the table: what was left out, symbols, assumptions, notes, warnings. */
+static void text_write_below(struct report *report)
+{
+    write_left_out(report);
+    write_legend(report);
+    /* When columns that were asked for, and have no value in any row, would have one. */
+    const struct text_state *state = report->state;
+    const bool is_table = report->are_named && state->has_layout && !text_is_list(report);
+    for (size_t i = 0; is_table && first_good_row(state) != NULL && i < report->shown_count; i++) {
+        if (state->is_empty[i]) {
+            text_write_line(report, arena_printf(report->arena, "%s: no value here: %s",
+                                                 report->shown[i].name,
+                                                 report_absence(report, report->shown[i].column)));
+        }
+    }
+    text_write_line(report, report_assumptions(report, first_good_row(report->state)));
+    for (size_t i = 0; i < report->sheet->column_count; i++) {
+        const struct column *column = &report->sheet->columns[i];
+        if ((column->flags & COLUMN_NOTE) != 0 && !report_shows(report, column)) {
+            /* Each text of a column once, in the order of the rows. */
+            for (size_t j = 0; j < state->kept_count; j++) {
+                const char *note =
+                    state->kept[j].row != NULL ? row_text(state->kept[j].row, column) : NULL;
+                bool is_new = note != NULL;
+                for (size_t k = 0; k < j && is_new; k++) {
+                    const void *row = state->kept[k].row;
+                    is_new = row == NULL || row_text(row, column) == NULL ||
+                             strcmp(row_text(row, column), note) != 0;
+                }
+                if (is_new) {
+                    text_write_line(
+                        report, arena_printf(report->arena, "%s: %s", column_label(column), note));
+                }
+            }
+        }
+    }
+    struct warnings *doubts = report->doubts;
+    for (size_t i = 0; doubts != NULL && i < doubts->count; i++) {
+        write_remark(report, STYLE_WARNING,
+                     "warning:", arena_printf(&doubts->arena, " %s", doubts->texts[i]));
+    }
+    text_write_line(report, doubts != NULL ? warnings_left_out(doubts) : NULL);
+}
+
+/* -------- the table -------- */
 
 static int text_format_digits_of(const struct report *report, const struct column *column)
 {
     int usual = column->digits != 0 ? column->digits : DIGITS;
     return report->digits != 0 ? report->digits : usual;
-}
-
-static struct text copy_text(struct arena *arena, struct text text)
-{
-    return (struct text){arena_string(arena, text.start, text.length), text.length};
 }
 
 /* Rows are kept whole, with copies of their texts. */
@@ -35,7 +198,9 @@ static void text_format_keep(struct report *report, const void *row,
     struct passed_cell *copies =
         ARENA_ARRAY(report->arena, report->passed_count, struct passed_cell);
     for (size_t i = 0; i < report->passed_count; i++) {
-        copies[i].text = copy_text(report->arena, passed[i].text);
+        const struct text text = passed[i].text;
+        copies[i].text.start = arena_string(report->arena, text.start, text.length);
+        copies[i].text.length = text.length;
     }
     *kept = (struct kept){.passed = copies};
     if (failure != NULL) {
@@ -102,56 +267,19 @@ static void text_format_choose_units(struct report *report)
     }
 }
 
-/* Extras and sparse columns that no row has are shown where they are named only. */
-static void leave_out_empty(struct report *report)
-{
-    struct text_state *state = report->state;
-    size_t kept = 0;
-    for (size_t i = 0; i < report->shown_count; i++) {
-        const unsigned flags = report->shown[i].column->flags;
-        if (state->is_empty[i] && !report->are_named &&
-            (flags & (COLUMN_EXTRA | COLUMN_SPARSE)) != 0) {
-            continue;
-        }
-        report->shown[kept] = report->shown[i];
-        state->units[kept] = state->units[i];
-        state->is_empty[kept++] = state->is_empty[i];
-    }
-    report->shown_count = kept;
-}
-
-static size_t cell_count(const struct report *report)
-{
-    const struct text_state *state = report->state;
-    return report->passed_count + report->shown_count + state->has_failures;
-}
-
-static const char *spaced(struct arena *arena, const char *name)
-{
-    char *copy = arena_string(arena, name, strlen(name));
-    for (char *at = copy; *at != '\0'; at++) {
-        *at = *at == '_' ? ' ' : *at;
-    }
-    return copy;
-}
-
-static bool has_units(const struct report *report)
-{
-    const struct text_state *state = report->state;
-    for (size_t i = 0; i < report->shown_count; i++) {
-        if (readable_unit_label(&report->shown[i], state->units[i])[0] != '\0') {
-            return true;
-        }
-    }
-    return false;
-}
-
 /* Given     rows  so many are to follow the head */
 static struct grid new_grid(struct report *report, size_t rows, struct arena *arena)
 {
     struct text_state *state = report->state;
-    struct grid grid = grid_new(arena, cell_count(report), has_units(report) ? 2 : 1);
-    grid_make_room(&grid, grid.head_rows + rows);
+    const size_t columns = report->passed_count + report->shown_count + state->has_failures;
+    bool has_units = false;
+    for (size_t i = 0; i < report->shown_count; i++) {
+        const char *unit = readable_unit_label(&report->shown[i], state->units[i]);
+        has_units = has_units || unit[0] != '\0';
+    }
+    struct grid grid = grid_new(arena, columns, has_units ? 2 : 1);
+    grid.capacity = grid.head_rows + rows;
+    grid.cells = ARENA_ARRAY(arena, grid.capacity * columns, char *);
     grid_add_row(&grid);
     for (size_t i = 0; i < report->passed_count; i++) {
         grid_set(
@@ -160,8 +288,12 @@ static struct grid new_grid(struct report *report, size_t rows, struct arena *ar
     }
     for (size_t i = 0; i < report->shown_count; i++) {
         const struct column *column = report->shown[i].column;
+        char *name = arena_string(arena, column->name, strlen(column->name));
+        for (char *at = name; *at != '\0'; at++) {
+            *at = *at == '_' ? ' ' : *at;
+        }
         grid_set(&grid, report->passed_count + i,
-                 text_has_head(report, column) ? column->head : spaced(arena, column->name));
+                 text_has_head(report, column) ? column->head : name);
         grid.left[report->passed_count + i] = column->type == COLUMN_TEXT;
     }
     if (state->has_failures) {
@@ -205,33 +337,6 @@ static bool has_width(const struct report *report)
     return report->format == &format_text && report->output->width > 0;
 }
 
-/*
- * What stays of a table that is wider than the terminal: its first column, what was asked for by
- * name, and why rows failed; then what stands further left. Columns that are only handed through
- * go first.
- */
-static void fit_table(struct report *report, struct grid *grid)
-{
-    struct text_state *state = report->state;
-    size_t *least = ARENA_ARRAY(report->arena, grid->columns, size_t);
-    size_t *rank = ARENA_ARRAY(report->arena, grid->columns, size_t);
-    for (size_t j = 1; j < grid->columns; j++) {
-        bool passed = j < report->passed_count;
-        bool is_error = state->has_failures && j + 1 == grid->columns;
-        bool stays = is_error || (!passed && report->are_named);
-        if (stays) {
-            rank[j] = 0;
-        } else if (passed) {
-            rank[j] = grid->columns + j;
-        } else {
-            rank[j] = j;
-        }
-    }
-    grid_fit(grid, report->output->width, least, rank);
-    state->widths = grid->widths;
-    state->hidden = grid->hidden;
-}
-
 /* Several rows: a table with names and units in its head. */
 static void write_table(struct report *report)
 {
@@ -242,7 +347,23 @@ static void write_table(struct report *report)
         text_format_add_row(report, &grid, kept->row, kept->passed, kept->failure);
     }
     if (has_width(report)) {
-        fit_table(report, &grid);
+        /*
+         * What stays of a table that is wider than the terminal: its first column, what was asked
+         * for by name, and why rows failed; then what stands further left. Columns that are only
+         * handed through go first.
+         */
+        size_t *least = ARENA_ARRAY(report->arena, grid.columns, size_t);
+        size_t *rank = ARENA_ARRAY(report->arena, grid.columns, size_t);
+        for (size_t j = 1; j < grid.columns; j++) {
+            bool passed = j < report->passed_count;
+            bool is_error = state->has_failures && j + 1 == grid.columns;
+            bool stays = is_error || (!passed && report->are_named);
+            const size_t after = passed ? grid.columns + j : j;
+            rank[j] = stays ? 0 : after;
+        }
+        grid_fit(&grid, report->output->width, least, rank);
+        state->widths = grid.widths;
+        state->hidden = grid.hidden;
     } else {
         state->widths = ARENA_ARRAY(report->arena, grid.columns, size_t);
         grid_make_printable(&grid);
@@ -252,44 +373,6 @@ static void write_table(struct report *report)
     }
     grid.title = report->title;
     report->format->write_grid(&grid, report->output, true);
-}
-
-/* "1/125 s" has its unit where the others have theirs; "2 min 30 s" stays in one piece. */
-static bool cut_second(char *cell)
-{
-    char *blank = strchr(cell, ' ');
-    bool cut = blank != NULL && strcmp(blank, " s") == 0;
-    if (cut) {
-        *blank = '\0';
-    }
-    return cut;
-}
-
-/* A quantity in words, its value, and its unit; of one that is absent when it would have one. */
-static void add_list_row(struct report *report, struct grid *grid, size_t i, size_t *value_width)
-{
-    const struct text_state *state = report->state;
-    const struct shown *shown = &report->shown[i];
-    const struct column *column = shown->column;
-    char cell[CELL];
-    grid_add_row(grid);
-    grid_set(grid, 0, column_label(column));
-    if (state->is_empty[i]) {
-        grid_set(grid, 1, "-");
-        grid_set(grid, 2, report_absence(report, column));
-        return;
-    }
-    readable_value(cell, sizeof cell, state->kept[0].row, shown, state->units[i],
-                   text_format_digits_of(report, column));
-    if (column->type == COLUMN_NUMBER && strlen(cell) > *value_width) {
-        *value_width = strlen(cell); /* words may go on in another line */
-    }
-    const char *unit = readable_unit_label(shown, state->units[i]);
-    if (column->dimension == &dimension_time && cut_second(cell)) {
-        unit = "s";
-    }
-    grid_set(grid, 1, cell);
-    grid_set(grid, 2, strcmp(unit, "ft in") == 0 ? "" : unit);
 }
 
 /* One answer: a line for each quantity, in words. */
@@ -307,9 +390,34 @@ static void write_list(struct report *report)
         grid_set(&grid, 2, "unit");
     }
     for (size_t i = 0; i < report->shown_count; i++) {
-        if (!state->is_empty[i] || report->are_named) {
-            add_list_row(report, &grid, i, &least[1]);
+        const struct shown *shown = &report->shown[i];
+        const struct column *column = shown->column;
+        char cell[CELL];
+        if (state->is_empty[i] && !report->are_named) {
+            continue;
         }
+        /* a quantity in words, its value, and its unit; of one that is absent when it has one */
+        grid_add_row(&grid);
+        grid_set(&grid, 0, column_label(column));
+        if (state->is_empty[i]) {
+            grid_set(&grid, 1, "-");
+            grid_set(&grid, 2, report_absence(report, column));
+            continue;
+        }
+        readable_value(cell, sizeof cell, state->kept[0].row, shown, state->units[i],
+                       text_format_digits_of(report, column));
+        if (column->type == COLUMN_NUMBER && strlen(cell) > least[1]) {
+            least[1] = strlen(cell); /* words may go on in another line */
+        }
+        const char *unit = readable_unit_label(shown, state->units[i]);
+        /* "1/125 s" has its unit where the others have theirs; "2 min 30 s" stays in one piece */
+        char *blank = strchr(cell, ' ');
+        if (column->dimension == &dimension_time && blank != NULL && strcmp(blank, " s") == 0) {
+            *blank = '\0';
+            unit = "s";
+        }
+        grid_set(&grid, 1, cell);
+        grid_set(&grid, 2, strcmp(unit, "ft in") == 0 ? "" : unit);
     }
     if (has_width(report)) {
         grid_fit(&grid, report->output->width, least, rank);
@@ -322,34 +430,25 @@ static void write_kept(struct report *report)
 {
     struct text_state *state = report->state;
     text_format_choose_units(report);
-    leave_out_empty(report);
+    /* Extras and sparse columns that no row has are shown where they are named only. */
+    size_t kept = 0;
+    for (size_t i = 0; i < report->shown_count; i++) {
+        const unsigned flags = report->shown[i].column->flags;
+        if (state->is_empty[i] && !report->are_named &&
+            (flags & (COLUMN_EXTRA | COLUMN_SPARSE)) != 0) {
+            continue;
+        }
+        report->shown[kept] = report->shown[i];
+        state->units[kept] = state->units[i];
+        state->is_empty[kept++] = state->is_empty[i];
+    }
+    report->shown_count = kept;
     if (text_is_list(report)) {
         write_list(report);
     } else {
         write_table(report);
     }
     state->has_layout = true;
-}
-
-static void write_later_row(struct report *report, const void *row,
-                            const struct passed_cell *passed, const struct error *failure)
-{
-    struct text_state *state = report->state;
-    struct arena_mark mark = arena_mark(&state->scratch);
-    struct grid grid = new_grid(report, 1, &state->scratch);
-    if (has_width(report)) {
-        grid.widths = state->widths;
-        grid.hidden = state->hidden;
-    } else {
-        memcpy(grid.least_width, state->widths, grid.columns * sizeof grid.least_width[0]);
-    }
-    text_format_add_row(report, &grid, row, passed, failure != NULL ? failure->message : NULL);
-    report->format->write_grid(&grid, report->output, false);
-    if (failure != NULL && !state->has_failures) {
-        output_styled(report->output, STYLE_ERROR, "error:"); /* there is no column for it */
-        output_printf(report->output, " %s\n", failure->message);
-    }
-    arena_reset(&state->scratch, mark);
 }
 
 static void text_begin(struct report *report)
@@ -369,7 +468,21 @@ static void text_row(struct report *report, const void *row, const struct passed
 {
     struct text_state *state = report->state;
     if (state->has_layout) {
-        write_later_row(report, row, passed, failure);
+        struct arena_mark mark = arena_mark(&state->scratch);
+        struct grid grid = new_grid(report, 1, &state->scratch);
+        if (has_width(report)) {
+            grid.widths = state->widths;
+            grid.hidden = state->hidden;
+        } else {
+            memcpy(grid.least_width, state->widths, grid.columns * sizeof grid.least_width[0]);
+        }
+        text_format_add_row(report, &grid, row, passed, failure != NULL ? failure->message : NULL);
+        report->format->write_grid(&grid, report->output, false);
+        if (failure != NULL && !state->has_failures) {
+            output_styled(report->output, STYLE_ERROR, "error:"); /* there is no column for it */
+            output_printf(report->output, " %s\n", failure->message);
+        }
+        arena_reset(&state->scratch, mark);
         return;
     }
     text_format_keep(report, row, passed, failure);

@@ -68,23 +68,6 @@ static bool mtf_rays_add_light(const struct mtf_source *source, const struct wav
     return true;
 }
 
-/* Trace the next level. */
-static bool mtf_rays_add_level(const struct mtf_source *source, struct arena *arena,
-                               struct error *error)
-{
-    const size_t rays = (size_t)FIRST_RAYS << source->rays->count;
-    struct mtf_rays_level *level = &source->rays->levels[source->rays->count];
-    *level = (struct mtf_rays_level){.count = 0};
-    for (size_t g = 0; g < source->pupils.lights.count; g++) {
-        const struct wave_light *light = &source->pupils.lights.list[g];
-        if (light->weight > 0 && !mtf_rays_add_light(source, light, rays, arena, level, error)) {
-            return false;
-        }
-    }
-    source->rays->count++;
-    return true;
-}
-
 /*
  * The mean of exp(-2 pi i frequency x), by energy: rays doubled from 200 to 102400 until twice the
  * last change is below the error that is wanted. Errors as bundle_trace.
@@ -95,10 +78,19 @@ static bool mtf_rays_find(const struct mtf_source *source, double frequency, str
     *sums = (struct mtf_sums){.light = 1};
     mtf->has_converged = false;
     for (size_t l = 0; l < LEVELS && !mtf->has_converged; l++) {
-        if (l == source->rays->count && !mtf_rays_add_level(source, arena, error)) {
-            return false;
+        struct mtf_rays_level *level = &source->rays->levels[l];
+        if (l == source->rays->count) {
+            const size_t rays = (size_t)FIRST_RAYS << l;
+            *level = (struct mtf_rays_level){.count = 0};
+            for (size_t g = 0; g < source->pupils.lights.count; g++) {
+                const struct wave_light *light = &source->pupils.lights.list[g];
+                if (light->weight > 0 &&
+                    !mtf_rays_add_light(source, light, rays, arena, level, error)) {
+                    return false;
+                }
+            }
+            source->rays->count++;
         }
-        const struct mtf_rays_level *level = &source->rays->levels[l];
         double worst = 1e-12;
         for (int k = 0; k < 2; k++) {
             double sum[2] = {0};
@@ -116,24 +108,6 @@ static bool mtf_rays_find(const struct mtf_source *source, double frequency, str
 }
 
 /* -------- by waves -------- */
-
-/* The pupils; by rays it does without where there are no optical paths. */
-static bool mtf_open_pupils(struct mtf_source *source, struct arena *arena, struct error *error)
-{
-    const struct mtf_question *question = source->question;
-    struct exit_pupils *pupils = &source->pupils;
-    if (!exit_pupils_open(&question->bundle, arena, pupils, error)) {
-        if (!question->by_rays || pupils->reference.no_opd == NULL) {
-            return false;
-        }
-        error->code = ERROR_NONE;
-        pupils->list = NULL;
-        pupils->islands = bundle_islands(&pupils->lights.list[0].source, arena);
-    }
-    return !pupils->reference.is_angular ||
-           fail(error, ERROR_DOMAIN,
-                "the image lies infinitely far away: its lines have no frequency in mm");
-}
 
 static void find_fronts(struct mtf_source *source, struct arena *arena)
 {
@@ -164,23 +138,30 @@ static void find_fronts(struct mtf_source *source, struct arena *arena)
     }
 }
 
-/* Is the image of a field the same in all directions? */
-static bool is_alike_about(const struct lens *lens, const struct field_point *field)
-{
-    return lens_is_round(lens) &&
-           (field->kind == FIELD_NONE || !(hypot(field->value[0], field->value[1]) > 0));
-}
-
 bool mtf_open(const struct mtf_question *question, struct arena *arena, struct mtf_source *source,
               struct error *error)
 {
     *source = (struct mtf_source){.question = question};
-    if (!mtf_open_pupils(source, arena, error)) {
-        return false;
+    /* The pupils; by rays it does without where there are no optical paths. */
+    struct exit_pupils *pupils = &source->pupils;
+    if (!exit_pupils_open(&question->bundle, arena, pupils, error)) {
+        if (!question->by_rays || pupils->reference.no_opd == NULL) {
+            return false;
+        }
+        error->code = ERROR_NONE;
+        pupils->list = NULL;
+        pupils->islands = bundle_islands(&pupils->lights.list[0].source, arena);
     }
-    source->directions = is_alike_about(question->bundle.setup->lens, question->bundle.field)
-                             ? MTF_TANGENTIAL + 1
-                             : MTF_DIRECTIONS;
+    if (pupils->reference.is_angular) {
+        return fail(error, ERROR_DOMAIN,
+                    "the image lies infinitely far away: its lines have no frequency in mm");
+    }
+    const struct field_point *field = question->bundle.field;
+    const bool on_axis =
+        field->kind == FIELD_NONE || !(hypot(field->value[0], field->value[1]) > 0);
+    /* the image of a field on the axis of a round lens is the same in all directions */
+    source->directions = lens_is_round(question->bundle.setup->lens) && on_axis ? MTF_TANGENTIAL + 1
+                                                                                : MTF_DIRECTIONS;
     wave_section(question->bundle.field, source->along[MTF_TANGENTIAL]);
     source->along[MTF_SAGITTAL][0] = source->along[MTF_TANGENTIAL][1];
     source->along[MTF_SAGITTAL][1] = 0.0 - source->along[MTF_TANGENTIAL][0];

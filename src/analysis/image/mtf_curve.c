@@ -30,13 +30,6 @@ static const double steep = 0.15, steepest = 0.4;
    those kinks are the worse the more it turns. */
 static const double a_turn = 2.2;
 
-/* How far series of n terms hold beyond their ends: T_n grows by exp(5) up to there. */
-static double mtf_curve_beyond(const struct exit_series *series)
-{
-    const double n = fmax((double)series->wave_count, (double)series->amplitude_count);
-    return 1 + 12.5 / (n * n);
-}
-
 /*
  * Turns that W1 - W2 makes: the most from place to place along lines, and of all of them across if
  * they were as steep as the steepest, to Gauss's points of the angle and to even ones.
@@ -47,7 +40,7 @@ struct mtf_curve_turns {
 
 /* The overlap of one pupil in one direction, or of the same pupil with a perfect wave front, which
    wants fewer cells and lines. */
-struct mtf_curve_pupil_overlap {
+struct curve_pupil_overlap {
     const struct exit_front *front;
     bool is_perfect;
     double middle[2], wide[2]; /* along and across */
@@ -85,29 +78,8 @@ static struct mtf_curve_turns mtf_curve_find_turns(const double (*waves)[LOOKS],
     return turns;
 }
 
-/* W of a line at even places along the pupil, NaN where it is not clear. */
-static void mtf_curve_look_along(const struct mtf_curve_pupil_overlap *one,
-                                 const struct exit_line *line, double *waves)
-{
-    double x[LANES] = {0}, here[LANES], amplitudes[LANES];
-    for (size_t j = 0; j < LOOKS; j++) {
-        waves[j] = NAN;
-    }
-    for (size_t k = 0; k < line->spans.count; k++) {
-        const double *edges = line->spans.edges + 2 * k;
-        for (size_t j = 0; j < LOOKS; j++) {
-            const double s = one->middle[0] + one->wide[0] * (((double)j + 0.5) / LOOKS - 0.5);
-            x[j] = (2 * s - edges[0] - edges[1]) / (edges[1] - edges[0]);
-        }
-        KERNEL_FOR(SET_BEST, kernel_exit_values)(&line->series[k], x, here, amplitudes);
-        for (size_t j = 0; j < LOOKS; j++) {
-            waves[j] = fabs(x[j]) < 1 ? here[j] : waves[j];
-        }
-    }
-}
-
 /* Turns for shifts up to the most. */
-static struct mtf_curve_turns mtf_curve_look(const struct mtf_curve_pupil_overlap *one, double most)
+static struct mtf_curve_turns mtf_curve_look(const struct curve_pupil_overlap *one, double most)
 {
     const struct exit_lines *lines = one->front->lines;
     double waves[LOOKS][LOOKS];
@@ -122,7 +94,22 @@ static struct mtf_curve_turns mtf_curve_look(const struct mtf_curve_pupil_overla
                 exit_front_line(one->front, p, asin(x), &line);
             }
         }
-        mtf_curve_look_along(one, &line, waves[i]);
+        /* W of a line at even places along the pupil, NaN where it is not clear. */
+        double xs[LANES] = {0}, here[LANES], amplitudes[LANES];
+        for (size_t j = 0; j < LOOKS; j++) {
+            waves[i][j] = NAN;
+        }
+        for (size_t k = 0; k < line.spans.count; k++) {
+            const double *edges = line.spans.edges + 2 * k;
+            for (size_t j = 0; j < LOOKS; j++) {
+                const double s = one->middle[0] + one->wide[0] * (((double)j + 0.5) / LOOKS - 0.5);
+                xs[j] = (2 * s - edges[0] - edges[1]) / (edges[1] - edges[0]);
+            }
+            KERNEL_FOR(SET_BEST, kernel_exit_values)(&line.series[k], xs, here, amplitudes);
+            for (size_t j = 0; j < LOOKS; j++) {
+                waves[i][j] = fabs(xs[j]) < 1 ? here[j] : waves[i][j];
+            }
+        }
     }
     const double places = most * LOOKS / one->wide[0];
     const double whole = fmin(fmax(ceil(places), 1), LOOKS - 1);
@@ -140,7 +127,7 @@ static double lines_for(const struct mtf_curve_turns *turns, double share)
 }
 
 /* Cells and lines for a step of the shift; false: too many. */
-static bool mtf_curve_set_grid(struct mtf_curve_pupil_overlap *one, double shift, size_t count)
+static bool mtf_curve_set_grid(struct curve_pupil_overlap *one, double shift, size_t count)
 {
     one->turns = one->is_perfect ? (struct mtf_curve_turns){0, 0, 0}
                                  : mtf_curve_look(one, shift * (double)count);
@@ -155,8 +142,8 @@ static bool mtf_curve_set_grid(struct mtf_curve_pupil_overlap *one, double shift
 }
 
 /* A line's cells from the first that is clear: complex, or real of a perfect wave front. */
-static void mtf_curve_put_line(const struct mtf_curve_pupil_overlap *one,
-                               const struct exit_line *line, double weight, double *re, double *im)
+static void mtf_curve_put_line(const struct curve_pupil_overlap *one, const struct exit_line *line,
+                               double weight, double *re, double *im)
 {
     kernel_exit_values *find = KERNEL_FOR(SET_BEST, kernel_exit_values);
     const double first = line->spans.edges[0], cells = (double)one->cells;
@@ -169,7 +156,10 @@ static void mtf_curve_put_line(const struct mtf_curve_pupil_overlap *one,
     }
     for (size_t k = 0; k < line->spans.count; k++) {
         const double *edges = line->spans.edges + 2 * k, wide = edges[1] - edges[0];
-        const double end_x = mtf_curve_beyond(&line->series[k]);
+        /* How far series of n terms hold beyond their ends: T_n grows by exp(5) up to there. */
+        const double n =
+            fmax((double)line->series[k].wave_count, (double)line->series[k].amplitude_count);
+        const double end_x = 1 + 12.5 / (n * n);
         /* edges that were found between few nodes may cross: no cell lies before the first */
         const size_t from = (size_t)fmin(fmax((edges[0] - first) / one->step, 0), cells);
         const size_t end = (size_t)fmin(fmax(ceil((edges[1] - first) / one->step), 0), cells);
@@ -198,19 +188,6 @@ static void mtf_curve_put_line(const struct mtf_curve_pupil_overlap *one,
     }
 }
 
-/* Add the power of lines that were transformed. */
-static void mtf_curve_add_power(const struct mtf_curve_pupil_overlap *one, const double *re,
-                                const double *im)
-{
-    const size_t length = one->fft.length;
-    for (size_t k = 0; k < FFT_LANES; k++) {
-        const double *x = re + k * length, *y = im + k * length;
-        for (size_t j = 0; j < length; j++) {
-            one->power[j] += x[j] * x[j] + y[j] * y[j];
-        }
-    }
-}
-
 /*
  * Lines of one piece. Two of a perfect wave front are a complex line, in whose power what they have
  * in common is odd, so that it does not come back in the real part.
@@ -218,8 +195,7 @@ static void mtf_curve_add_power(const struct mtf_curve_pupil_overlap *one, const
  * Given     times  that the piece counts: for its mirror image too
  *           halves  of a piece that is its own mirror image half the lines do
  */
-static void add_piece(const struct mtf_curve_pupil_overlap *one, size_t p, double times,
-                      bool halves)
+static void add_piece(const struct curve_pupil_overlap *one, size_t p, double times, bool halves)
 {
     const struct arena_mark mark = arena_mark(one->arena);
     const struct exit_piece *piece = &one->front->lines->pieces[p];
@@ -245,21 +221,15 @@ static void add_piece(const struct mtf_curve_pupil_overlap *one, size_t p, doubl
         }
         const struct fft_lines lines = {re, im, FFT_LANES, length, 1};
         fft_transform(&one->fft, false, &lines, SET_BEST, one->arena);
-        mtf_curve_add_power(one, re, im);
+        /* Add the power of lines that were transformed. */
+        for (size_t k = 0; k < FFT_LANES; k++) {
+            const double *a = re + k * length, *b = im + k * length;
+            for (size_t j = 0; j < length; j++) {
+                one->power[j] += a[j] * a[j] + b[j] * b[j];
+            }
+        }
     }
     arena_reset(one->arena, mark);
-}
-
-/* Of pieces that are mirror images of each other the first counts twice. */
-static void add_pieces(const struct mtf_curve_pupil_overlap *one)
-{
-    const struct exit_lines *lines = one->front->lines;
-    const size_t count = lines->count;
-    for (size_t i = 0; i < (lines->is_mirrored_across ? (count + 1) / 2 : count); i++) {
-        const bool is_middle = 2 * i + 1 == count;
-        add_piece(one, i, lines->is_mirrored_across && !is_middle ? 2 : 1,
-                  lines->is_mirrored_across && is_middle);
-    }
 }
 
 /* What a direction has at the frequencies, of all wavelengths. */
@@ -267,7 +237,7 @@ struct mtf_curve_sums {
     double *re, *im, *perfect, light;
 };
 
-static void add_overlaps(const struct mtf_curve_pupil_overlap *one, size_t count, double weight,
+static void add_overlaps(const struct curve_pupil_overlap *one, size_t count, double weight,
                          struct mtf_curve_sums *sums)
 {
     const size_t length = one->fft.length;
@@ -286,47 +256,26 @@ static void add_overlaps(const struct mtf_curve_pupil_overlap *one, size_t count
     }
 }
 
-/* Plan the overlap of one front; false: it cannot be drawn. */
-static bool plan(const struct exit_front *front, bool is_perfect, double step, size_t count,
-                 struct mtf_curve_pupil_overlap *one)
-{
-    const struct exit_pupil *pupil = front->pupil;
-    *one = (struct mtf_curve_pupil_overlap){.front = front, .is_perfect = is_perfect};
-    for (int k = 0; k < 2; k++) {
-        double range[2];
-        exit_pupil_range(pupil, k == 0 ? front->lines->along : front->lines->across, range);
-        one->middle[k] = (range[0] + range[1]) / 2;
-        one->wide[k] = range[1] - range[0];
-    }
-    return overlap_is_known(front->off) &&
-           mtf_curve_set_grid(one, step / (pupil->waves * pupil->n), count);
-}
-
-static void mtf_curve_add_pupil(struct mtf_curve_pupil_overlap *one, size_t count,
-                                struct arena *arena, struct mtf_curve_sums *sums)
-{
-    const struct arena_mark mark = arena_mark(arena);
-    one->arena = arena;
-    /* empty cells behind a line, so that it does not meet its other end up to the last shift */
-    const size_t last = (count - 1) * one->lag;
-    one->fft =
-        fft_open(fft_length_from(one->cells + (last < one->cells ? last : one->cells)), arena);
-    one->power = ARENA_ARRAY(arena, one->fft.length, double);
-    add_pieces(one);
-    add_overlaps(one, count, exit_pupil_weight(one->front->pupil), sums);
-    arena_reset(arena, mark);
-}
-
 bool mtf_curve_find(const struct mtf_source *source, double step, size_t count, struct arena *arena,
                     struct mtf_curve *curve)
 {
     enum { BOTH = 2 }; /* with the wave front, and with a perfect one */
     const size_t lights = source->pupils.lights.count, each = lights * BOTH;
-    struct mtf_curve_pupil_overlap *plans =
-        arena_array(arena, source->directions * each, sizeof(struct mtf_curve_pupil_overlap));
+    struct curve_pupil_overlap *plans =
+        arena_array(arena, source->directions * each, sizeof(struct curve_pupil_overlap));
     for (size_t i = 0; i < source->directions * each; i++) {
-        const size_t front = i % each / BOTH * MTF_DIRECTIONS + i / each;
-        if (!plan(&source->fronts[front], i % BOTH == 1, step, count, &plans[i])) {
+        const struct exit_front *front =
+            &source->fronts[i % each / BOTH * MTF_DIRECTIONS + i / each];
+        const struct exit_pupil *pupil = front->pupil;
+        plans[i] = (struct curve_pupil_overlap){.front = front, .is_perfect = i % BOTH == 1};
+        for (int m = 0; m < 2; m++) {
+            double range[2];
+            exit_pupil_range(pupil, m == 0 ? front->lines->along : front->lines->across, range);
+            plans[i].middle[m] = (range[0] + range[1]) / 2;
+            plans[i].wide[m] = range[1] - range[0];
+        }
+        if (!overlap_is_known(front->off) ||
+            !mtf_curve_set_grid(&plans[i], step / (pupil->waves * pupil->n), count)) {
             return false;
         }
     }
@@ -337,7 +286,26 @@ bool mtf_curve_find(const struct mtf_source *source, double step, size_t count, 
         for (size_t i = 0; i < each; i++) {
             const struct wave_light *light = &source->pupils.lights.list[i / BOTH];
             if (light->weight > 0) {
-                mtf_curve_add_pupil(&plans[k * each + i], count, arena, &sums);
+                const struct arena_mark mark = arena_mark(arena);
+                struct curve_pupil_overlap *one = &plans[k * each + i];
+                one->arena = arena;
+                /* empty cells behind a line, so that it does not meet its other end up to the last
+                   shift */
+                const size_t last = (count - 1) * one->lag;
+                const size_t length = one->cells + (last < one->cells ? last : one->cells);
+                one->fft = fft_open(fft_length_from(length), arena);
+                one->power = ARENA_ARRAY(arena, one->fft.length, double);
+                /* Of pieces that are mirror images of each other the first counts twice. */
+                const struct exit_lines *lines = one->front->lines;
+                const size_t pieces = lines->count;
+                for (size_t j = 0; j < (lines->is_mirrored_across ? (pieces + 1) / 2 : pieces);
+                     j++) {
+                    const bool is_middle = 2 * j + 1 == pieces;
+                    add_piece(one, j, lines->is_mirrored_across && !is_middle ? 2 : 1,
+                              lines->is_mirrored_across && is_middle);
+                }
+                add_overlaps(one, count, exit_pupil_weight(one->front->pupil), &sums);
+                arena_reset(arena, mark);
             }
         }
         for (size_t g = 0; g < lights; g++) {

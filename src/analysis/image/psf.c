@@ -3,11 +3,9 @@
 #include "analysis/image/psf.h"
 
 #include "analysis/image/psf_light.h"
-#include "analysis/image/psf_points.h"
 #include "analysis/image/psf_radius.h"
 
 #include <math.h>
-#include <string.h>
 
 enum { SLOPES = 33 };
 
@@ -93,38 +91,7 @@ static double find_spread(const struct exit_pupil *pupil, struct arena *arena, d
     return 1.15 * farthest; /* steeper at the edge itself */
 }
 
-/* A pixel below which the waves of all wavelengths are told apart, mm. */
-static double find_finest(const struct exit_pupils *pupils)
-{
-    double finest = INFINITY;
-    for (size_t g = 0; g < pupils->lights.count; g++) {
-        const struct exit_pupil *pupil = &pupils->list[g];
-        const double wide = 2 * fmax(pupil->half[0], pupil->half[1]);
-        finest = fmin(finest, 1 / (pupil->n * pupil->waves * wide));
-    }
-    return finest;
-}
-
-/* One that does, in an image that has room for the rays. */
-static double choose_pitch(double finest, const double *spreads, size_t count, size_t size)
-{
-    double spread = 0;
-    for (size_t g = 0; g < count; g++) {
-        spread = fmax(spread, spreads[g]);
-    }
-    const double room = 2 * roomy * spread / (double)size;
-    return fmin(fmax(fine * finest, room), 0.9 * finest);
-}
-
 /* -------- what the pixels say -------- */
-
-/* The top of a parabola through three values, from -1/2 to 1/2, and how high it is. */
-static double top_of(const double y[3], double *at)
-{
-    const double bend = y[0] - 2 * y[1] + y[2], slope = (y[2] - y[0]) / 2;
-    *at = bend < 0 ? fmax(-0.5, fmin(0.5, -slope / bend)) : 0;
-    return y[1] + *at * slope + *at * *at * bend / 2;
-}
 
 /* Pixels from the top to half its height, at most so many steps away; NaN: not within them. */
 static double half_way(const struct psf *psf, size_t top, size_t steps, size_t step)
@@ -154,7 +121,10 @@ static void find_peak(struct psf *psf)
         if (place > 0 && place + 1 < size) {
             const double y[3] = {psf->values[top - step], psf->values[top],
                                  psf->values[top + step]};
-            psf->peak += top_of(y, &off) - y[1];
+            /* The top of a parabola through three values, from -1/2 to 1/2, and how high it is. */
+            const double bend = y[0] - 2 * y[1] + y[2], slope = (y[2] - y[0]) / 2;
+            off = bend < 0 ? fmax(-0.5, fmin(0.5, -slope / bend)) : 0;
+            psf->peak += (y[1] + off * slope + off * off * bend / 2) - y[1];
             off = fabs(off) > noise ? off : 0;
         }
         psf->peak_at[k] = ((double)place + off - (double)(size / 2)) * psf->pitch;
@@ -277,39 +247,6 @@ static bool psf_rays_trace(const struct exit_pupil *pupil, struct arena *arena,
     return true;
 }
 
-/* Add them to the pixels they meet: a ray is as large as a pixel, four have shares of it. */
-static void psf_rays_add(const struct psf_rays *rays, const struct psf_plane *plane, double energy,
-                         double *values)
-{
-    const double size = (double)plane->size, middle = (double)(plane->size / 2);
-    const double density = energy / (plane->pitch * plane->pitch);
-    for (size_t i = 0; i < rays->count; i++) {
-        const double x = rays->at[i][0] / plane->pitch + middle;
-        const double y = rays->at[i][1] / plane->pitch + middle;
-        const double left = floor(x), low = floor(y);
-        for (int k = 0; k < 4; k++) {
-            const double column = left + k % 2, row = low + (double)(k / 2);
-            if (column >= 0 && column < size && row >= 0 && row < size) {
-                values[(size_t)row * plane->size + (size_t)column] +=
-                    rays->weights[i] * density * (1 - fabs(x - column)) * (1 - fabs(y - row));
-            }
-        }
-    }
-}
-
-/* The amplitude of W = 0 at the reference. */
-static bool psf_rays_perfect(const struct psf_plane *plane, double *perfect, struct error *error)
-{
-    struct psf_plane still = *plane; /* W = 0 at the reference: no phase turns */
-    struct psf_points points;
-    still.pitch = still.spread = 0;
-    if (!psf_points_put(&still, &points, error)) {
-        return false;
-    }
-    *perfect = points.total;
-    return true;
-}
-
 /* -------- the whole -------- */
 
 /* Sums over wavelengths. */
@@ -354,8 +291,6 @@ static bool psf_add_waves(const struct psf_question *question, const struct exit
         }
         plane.re = ARENA_ARRAY(arena, count, double);
         plane.im = ARENA_ARRAY(arena, count, double);
-        memset(plane.re, 0, count * sizeof *plane.re);
-        memset(plane.im, 0, count * sizeof *plane.im);
         if (!ways[psf->method](&plane, error)) {
             return false;
         }
@@ -399,10 +334,28 @@ static bool psf_add_rays(const struct psf_question *question, const struct exit_
         if (psf_is_dark(pupils, g)) {
             continue;
         }
-        if (!psf_rays_perfect(&plane, &perfect, error)) {
+        struct psf_plane still = plane; /* W = 0 at the reference: no phase turns */
+        struct psf_points points;
+        still.pitch = still.spread = 0;
+        if (!psf_points_put(&still, &points, error)) {
             return false;
         }
-        psf_rays_add(&rays[g], &plane, weight * pupil->energy, sums->values);
+        perfect = points.total;
+        /* a ray is as large as a pixel, and four have shares of it */
+        const double size = (double)plane.size, middle = (double)(plane.size / 2);
+        const double density = (weight * pupil->energy) / (plane.pitch * plane.pitch);
+        for (size_t i = 0; i < rays[g].count; i++) {
+            const double x = rays[g].at[i][0] / plane.pitch + middle;
+            const double y = rays[g].at[i][1] / plane.pitch + middle;
+            const double left = floor(x), low = floor(y);
+            for (int k = 0; k < 4; k++) {
+                const double column = left + k % 2, row = low + (double)(k / 2);
+                if (column >= 0 && column < size && row >= 0 && row < size) {
+                    sums->values[(size_t)row * plane.size + (size_t)column] +=
+                        rays[g].weights[i] * density * (1 - fabs(x - column)) * (1 - fabs(y - row));
+                }
+            }
+        }
         sums->perfect += weight * waves * waves * perfect * perfect;
         sums->total += weight * pupil->energy;
     }
@@ -450,16 +403,28 @@ bool psf_find(const struct psf_question *question, struct arena *arena, struct p
     rays[0] /= light;
     rays[1] /= light;
     struct psf_sums sums = {.values = ARENA_ARRAY(arena, count, double)};
+    /* A pixel below which the waves of all wavelengths are told apart, mm. */
+    double finest = INFINITY;
+    for (size_t k = 0; k < pupils->lights.count; k++) {
+        const struct exit_pupil *each = &pupils->list[k];
+        const double wide = 2 * fmax(each->half[0], each->half[1]);
+        finest = fmin(finest, 1 / (each->n * each->waves * wide));
+    }
     *psf = (struct psf){.size = question->size,
                         .pitch = question->pitch,
-                        .finest = find_finest(pupils),
+                        .finest = finest,
                         .is_angular = pupils->reference.is_angular,
                         .values = sums.values,
                         .islands = pupils->islands};
     if (isnan(psf->pitch)) {
-        psf->pitch = choose_pitch(psf->finest, spreads, pupils->lights.count, psf->size);
+        /* One that does, in an image that has room for the rays. */
+        double spread = 0;
+        for (size_t j = 0; j < pupils->lights.count; j++) {
+            spread = fmax(spread, spreads[j]);
+        }
+        const double room = 2 * roomy * spread / (double)psf->size;
+        psf->pitch = fmin(fmax(fine * psf->finest, room), 0.9 * psf->finest);
     }
-    memset(sums.values, 0, count * sizeof *sums.values);
     choose_method(question, pupils, spreads, psf);
     if (!(psf->method == PSF_RAYS
               ? psf_add_rays(question, pupils, psf, &sums, arena, error)

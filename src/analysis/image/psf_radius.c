@@ -32,19 +32,10 @@ static double field_square(const struct field *field, size_t column, size_t row)
 }
 
 /* The values that the rim may cut. */
-struct psf_radius_rim {
+struct psf_rim {
     double *distances, *values, inner; /* steps; inner: sum of the values within */
     size_t count;
 };
-
-static double rim_light(const struct psf_radius_rim *rim, double radius)
-{
-    double sum = rim->inner;
-    for (size_t i = 0; i < rim->count; i++) {
-        sum += rim->values[i] * fmax(fmin(radius - rim->distances[i] + 0.5, 1), 0);
-    }
-    return sum;
-}
 
 /* The ring, a step wide, that the light sought ends in. */
 static size_t field_ring(const struct field *field, struct arena *arena)
@@ -72,8 +63,7 @@ static double field_radius(const struct field *field, struct arena *arena)
     const double within = pow(low - 0.5, 2), beyond = pow(high + 0.5, 2);
     /* no more lie in a ring of 4 steps' width than its area and its edges have room for */
     const size_t room = (size_t)fmin((double)(side * side), 32 * PI * (high + 2));
-    struct psf_radius_rim rim = {ARENA_ARRAY(arena, room, double), ARENA_ARRAY(arena, room, double),
-                                 0, 0};
+    struct psf_rim rim = {ARENA_ARRAY(arena, room, double), ARENA_ARRAY(arena, room, double), 0, 0};
     for (size_t y = 0; y < side; y++) {
         for (size_t x = 0; x < side; x++) {
             const double square = field_square(field, x, y), value = field->values[y * side + x];
@@ -87,7 +77,11 @@ static double field_radius(const struct field *field, struct arena *arena)
     }
     for (int i = 0; i < HALVINGS; i++) {
         const double middle = (low + high) / 2;
-        const bool is_less = rim_light(&rim, middle) < field->light;
+        double sum = rim.inner;
+        for (size_t j = 0; j < rim.count; j++) {
+            sum += rim.values[j] * fmax(fmin(middle - rim.distances[j] + 0.5, 1), 0);
+        }
+        const bool is_less = sum < field->light;
         low = is_less ? middle : low;
         high = is_less ? high : middle;
     }
@@ -147,17 +141,6 @@ static struct field field_between(const struct field *pixels, size_t steps, doub
         values, side, {(double)reach, (double)reach}, pixels->light * (double)(steps * steps)};
 }
 
-/* From the middle to the nearest side of the image, pixels. */
-static double psf_radius_room_of(const struct field *pixels)
-{
-    double room = INFINITY;
-    for (int k = 0; k < 2; k++) {
-        const double before = pixels->middle[k] + 0.5;
-        room = fmin(room, fmin(before, (double)pixels->side - before));
-    }
-    return room;
-}
-
 /* How the radius changes where the circle is about another point, which may be the centroid of all
    light: steps; 0: the point lies as good as there. */
 static double change_about(const struct psf *psf, const struct field *pixels, double radius,
@@ -186,7 +169,13 @@ void psf_radius_find(struct psf *psf, double light, struct arena *arena)
         psf->size,
         {half + psf->centroid[0] / psf->pitch, half + psf->centroid[1] / psf->pitch},
         light};
-    const double room = psf_radius_room_of(&pixels), by_pixels = field_radius(&pixels, arena);
+    /* From the middle to the nearest side of the image, pixels. */
+    double nearest = INFINITY;
+    for (int k = 0; k < 2; k++) {
+        const double before = pixels.middle[k] + 0.5;
+        nearest = fmin(nearest, fmin(before, (double)pixels.side - before));
+    }
+    const double room = nearest, by_pixels = field_radius(&pixels, arena);
     double radius = by_pixels, error = 2 / sqrt(2 * PI * radius);
     if (!(radius <= room)) {
         arena_reset(arena, mark);

@@ -1,6 +1,6 @@
 /* analysis/image/psf_transform.c - the light of one wavelength by a fast Fourier transform. */
 /* SPDX-License-Identifier: MIT */
-#include "analysis/image/psf_points.h"
+#include "analysis/image/psf_light.h"
 #include "analysis/waves/exit_lines.h"
 
 #include "base/constants.h"
@@ -133,47 +133,25 @@ static void psf_transform_put_point(const struct psf_transform_grid *grid, doubl
     cells->cells[cells->count++] = (size_t)x;
 }
 
-/* Parts of a line through cells that are not clear as a whole, two points of Gauss each. */
-static void put_parts(const struct psf_transform_grid *grid, const struct cut *cut,
-                      struct psf_transform_cells *cells)
-{
-    for (size_t i = 0; i < cut->count; i++) {
-        for (size_t x = (size_t)cut->parts[i][0]; (double)x < cut->parts[i][1]; x++) {
-            const double low = fmax(cut->parts[i][0], (double)x);
-            const double high = fmin(cut->parts[i][1], (double)x + 1);
-            for (int k = -1; k <= 1 && cells->clear[x] < whole && high > low; k += 2) {
-                psf_transform_put_point(grid, (low + high) / 2 + k * (high - low) / 2 * gauss,
-                                        cut->t, (high - low) / 2 * cut->share, cells);
-            }
-        }
-    }
-}
-
-/* How much of each cell of a row is clear. */
-static void psf_transform_find_clear(const struct psf_transform_grid *grid, const struct cut *cuts,
-                                     size_t count, double *clear)
-{
-    for (size_t x = 0; x < grid->length; x++) {
-        clear[x] = 0;
-    }
-    for (const struct cut *cut = cuts; cut < cuts + count; cut++) {
-        for (size_t i = 0; i < cut->count; i++) {
-            const double *part = cut->parts[i];
-            for (size_t x = (size_t)part[0]; (double)x < part[1]; x++) {
-                const double length = fmin(part[1], (double)x + 1) - fmax(part[0], (double)x);
-                clear[x] += fmax(length, 0) * cut->share;
-            }
-        }
-    }
-}
-
 /* All points of a row of cells: of whole cells two by two, of others line by line. */
 static void put_cells(const struct exit_lines *lines, const struct psf_transform_grid *grid,
                       double middle, struct psf_transform_cells *cells)
 {
     struct cut cuts[EXIT_PIECES * ROWS];
     const size_t count = cut_row(lines, grid, middle, cuts);
-    psf_transform_find_clear(grid, cuts, count, cells->clear);
+    /* How much of each cell of a row is clear. */
+    for (size_t x = 0; x < grid->length; x++) {
+        cells->clear[x] = 0;
+    }
+    for (const struct cut *cut = cuts; cut < cuts + count; cut++) {
+        for (size_t i = 0; i < cut->count; i++) {
+            const double *part = cut->parts[i];
+            for (size_t x = (size_t)part[0]; (double)x < part[1]; x++) {
+                const double length = fmin(part[1], (double)x + 1) - fmax(part[0], (double)x);
+                cells->clear[x] += fmax(length, 0) * cut->share;
+            }
+        }
+    }
     cells->count = 0;
     for (size_t x = 0; x < grid->length; x++) {
         for (int k = 0; k < 4 && cells->clear[x] >= whole; k++) {
@@ -184,7 +162,17 @@ static void put_cells(const struct exit_lines *lines, const struct psf_transform
     }
     cells->whole = cells->count;
     for (size_t k = 0; k < count; k++) {
-        put_parts(grid, &cuts[k], cells);
+        /* Parts of a line through cells that are not clear as a whole, two points of Gauss each. */
+        for (size_t i = 0; i < cuts[k].count; i++) {
+            for (size_t j = (size_t)cuts[k].parts[i][0]; (double)j < cuts[k].parts[i][1]; j++) {
+                const double low = fmax(cuts[k].parts[i][0], (double)j);
+                const double high = fmin(cuts[k].parts[i][1], (double)j + 1);
+                for (int m = -1; m <= 1 && cells->clear[j] < whole && high > low; m += 2) {
+                    psf_transform_put_point(grid, (low + high) / 2 + m * (high - low) / 2 * gauss,
+                                            cuts[k].t, (high - low) / 2 * cuts[k].share, cells);
+                }
+            }
+        }
     }
 }
 
@@ -196,14 +184,6 @@ static double more_than(double low, double high)
 {
     const double x = 2 * PI * (high - low) / (2 * gauss), x2 = x * x;
     return 1 + x2 * x2 / 270 * (1 + x2 * 8 / 63);
-}
-
-/* That of a point: they lie two by two along x, and those of whole cells along y. */
-static double more_at(const struct psf_transform_cells *cells, size_t i, const double *waves)
-{
-    const double along = more_than(waves[i - i % 2], waves[i - i % 2 + 1]);
-    const size_t below = i - i % 4 + i % 2;
-    return i < cells->whole ? along * more_than(waves[below], waves[below + 2]) : along;
 }
 
 /* The means of the amplitude over the cells. */
@@ -233,7 +213,12 @@ static void fill_grid(struct psf_plane *plane, const struct psf_transform_grid *
         find(plane->pupil, (const double(*)[2])cells.at, cells.count, waves, amplitudes);
         for (size_t i = 0; i < cells.count; i++) {
             const double amplitude = amplitudes[i] * cells.weights[i] * grid->step * grid->step;
-            const double corrected = amplitude * more_at(&cells, i, waves);
+            /* That of a point: they lie two by two along x, and those of whole cells along y. */
+            const double along = more_than(waves[i - i % 2], waves[i - i % 2 + 1]);
+            const size_t below = i - i % 4 + i % 2;
+            const double corrected =
+                amplitude *
+                (i < cells.whole ? along * more_than(waves[below], waves[below + 2]) : along);
             double c, s;
             turns_of(waves[i], &c, &s);
             grid->re[y * length + cells.cells[i]] += corrected * c;

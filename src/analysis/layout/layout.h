@@ -149,16 +149,4 @@ bool layout_lens(struct layout *layout, struct error *error);
  */
 bool layout_rays(struct layout *layout, struct error *error);
 
-/* -------- analysis/layout/layout_planes.c -------- */
-
-/* Focal points, principal planes and pupils; those far outside are only noted. */
-void layout_planes(struct layout *layout, bool with_pupils);
-
-/*
- * The three Gauss rays of the equivalent lens: parallel to the axis, through F, through N and N'.
- *
- * Errors    ERROR_DOMAIN: an afocal lens; an odd number of mirrors
- */
-bool layout_construction(struct layout *layout, struct error *error);
-
 #endif

@@ -64,7 +64,7 @@ static bool has_element(const struct layout *layout, size_t surface)
 }
 
 /* The surface's own edge in z; what lies beyond its clear diameter is a flat. */
-static double layout_lens_edge(const struct layout *layout, size_t surface)
+static double lens_edge(const struct layout *layout, size_t surface)
 {
     return layout->vertex[surface] + sag(layout, surface, layout->semi[surface]);
 }
@@ -74,22 +74,6 @@ static double thickness(const struct layout *layout, size_t i, double r)
 {
     return (layout->vertex[i + 1] + sag(layout, i + 1, r) - layout->vertex[i] - sag(layout, i, r)) *
            layout->direction[i + 1];
-}
-
-static void layout_lens_find_places(struct layout *layout)
-{
-    const struct lens *lens = layout->setup->lens;
-    double z = 0, direction = 1;
-    for (size_t i = 0; i < lens->surface_count; i++) {
-        const struct surface *surface = &lens->surfaces[i];
-        layout->vertex[i] = z;
-        layout->direction[i] = direction;
-        z += surface_advance(surface).hi;
-        direction = surface_reflects(surface) ? -direction : direction;
-        layout->is_drawn[i] = surface_traits(surface)->is_drawn || is_glass(layout, i) ||
-                              (i > 0 && is_glass(layout, i - 1));
-    }
-    layout->light_direction = direction;
 }
 
 /* Shift, then turn, as far as both lie in the plane of the drawing; returns what does not. */
@@ -173,17 +157,6 @@ static bool is_sensible(const struct layout *layout, size_t i)
            (i == 0 || is_apart(layout, i - 1, r));
 }
 
-/* Less, until there is a sag and, where nobody stated the diameter, room for the surface. */
-static void layout_lens_shrink(struct layout *layout, size_t i, bool is_guess)
-{
-    double *semi = &layout->semi[i];
-    for (int step = 0; step < 400; step++, *semi *= 0.99) {
-        if (isfinite(sag(layout, i, *semi)) && (!is_guess || is_sensible(layout, i))) {
-            return;
-        }
-    }
-}
-
 static bool find_diameters(struct layout *layout, struct error *error)
 {
     const struct lens *lens = layout->setup->lens;
@@ -211,7 +184,13 @@ static bool find_diameters(struct layout *layout, struct error *error)
     }
     for (size_t i = 0; i < lens->surface_count; i++) {
         if (layout->is_drawn[i]) {
-            layout_lens_shrink(layout, i, !isfinite(aperture_reach(&lens->surfaces[i])));
+            /* less, until there is a sag and, where nobody stated the diameter, room for it */
+            const bool is_guess = !isfinite(aperture_reach(&lens->surfaces[i]));
+            for (int step = 0; step < 400 && !(isfinite(sag(layout, i, layout->semi[i])) &&
+                                               (!is_guess || is_sensible(layout, i)));
+                 step++) {
+                layout->semi[i] *= 0.99;
+            }
             layout->size = fmax(layout->size, layout->semi[i]);
         }
     }
@@ -223,32 +202,6 @@ static bool find_diameters(struct layout *layout, struct error *error)
                                  guessed, lens->surface_count));
     }
     return true;
-}
-
-/* A cemented surface reaches to the smaller of the two outer rims, where it can. */
-static void widen_cemented(struct layout *layout)
-{
-    for (size_t i = 1; i + 1 < layout->setup->lens->surface_count; i++) {
-        if (!has_element(layout, i) || !has_element(layout, i - 1)) {
-            continue;
-        }
-        double r = fmin(layout->semi[i - 1], layout->semi[i + 1]);
-        if (r > layout->semi[i] && thickness(layout, i, r) > 0 && thickness(layout, i - 1, r) > 0) {
-            layout->semi[i] = r;
-        }
-    }
-}
-
-static size_t layout_lens_find_glass(struct layout *layout, struct text written)
-{
-    const char *name = arena_string(layout->arena, written.start, written.length);
-    const struct text kept = {name, written.length};
-    const size_t known = name_table_find(&layout->glass_names, kept);
-    if (known != NAME_NONE) {
-        return known;
-    }
-    layout->glasses[layout->glass_count++] = name;
-    return name_table_add(&layout->glass_names, kept, layout->arena);
 }
 
 static void layout_lens_reach(struct layout *layout, double z)
@@ -264,15 +217,13 @@ static void add_element(struct layout *layout, size_t i)
     size_t count = 0;
     struct layout_part *part = layout_add(layout, LAYOUT_ELEMENT, 2 * (SAMPLES + 1) + 4, &z, &y);
     double r = fmax(layout->semi[i], layout->semi[i + 1]);
-    bool stepped =
-        (layout_lens_edge(layout, i + 1) - layout_lens_edge(layout, i)) * layout->direction[i + 1] >
-        0;
+    bool stepped = (lens_edge(layout, i + 1) - lens_edge(layout, i)) * layout->direction[i + 1] > 0;
     for (size_t side = 0; side < 2; side++) {
         size_t surface = i + side;
         double semi = layout->semi[surface], up = side == 0 ? 1 : -1;
         bool flat = stepped && semi < r;
         if (flat) {
-            z[count] = layout_lens_edge(layout, surface);
+            z[count] = lens_edge(layout, surface);
             y[count] = -up * r;
             layout_lens_put(layout, surface, &z[count], &y[count]);
             count++;
@@ -285,20 +236,27 @@ static void add_element(struct layout *layout, size_t i)
             layout_lens_reach(layout, z[count++]);
         }
         if (flat) {
-            z[count] = layout_lens_edge(layout, surface);
+            z[count] = lens_edge(layout, surface);
             y[count] = up * r;
             layout_lens_put(layout, surface, &z[count], &y[count]);
             count++;
         }
     }
     part->count = count;
-    part->glass = layout_lens_find_glass(layout, layout->setup->lens->surfaces[i].medium.written);
+    const struct text written = layout->setup->lens->surfaces[i].medium.written;
+    const char *name = arena_string(layout->arena, written.start, written.length);
+    const struct text kept = {name, written.length};
+    part->glass = name_table_find(&layout->glass_names, kept);
+    if (part->glass == NAME_NONE) {
+        layout->glasses[layout->glass_count++] = name;
+        part->glass = name_table_add(&layout->glass_names, kept, layout->arena);
+    }
 }
 
 /* -------- what apertures leave -------- */
 
 /* Between two heights of a surface, in the plane of the drawing. */
-struct layout_lens_stretch {
+struct lens_stretch {
     double low, high;
 };
 enum { STRETCHES = 16, STRETCH_STEPS = 600 };
@@ -317,8 +275,7 @@ static bool passes_at(const struct layout *layout, const struct aperture_form *f
 
 /* The stretches from one height up to another where the apertures pass, or where they do not. */
 static size_t find_stretches(const struct layout *layout, size_t surface, bool passing,
-                             struct layout_lens_stretch whole,
-                             struct layout_lens_stretch *stretches)
+                             struct lens_stretch whole, struct lens_stretch *stretches)
 {
     const struct surface *one = &layout->setup->lens->surfaces[surface];
     const size_t count = one->aperture_count;
@@ -356,13 +313,12 @@ static size_t find_stretches(const struct layout *layout, size_t surface, bool p
 static void add_blocks(struct layout *layout, size_t i)
 {
     const struct surface *surface = &layout->setup->lens->surfaces[i];
-    struct layout_lens_stretch stretches[STRETCHES];
+    struct lens_stretch stretches[STRETCHES];
     double semi = layout->is_drawn[i] || surface->has_diameter ? layout->semi[i] : layout->size;
     if (surface->aperture_count == 0 || surface_reflects(surface)) {
         return;
     }
-    size_t count =
-        find_stretches(layout, i, false, (struct layout_lens_stretch){-semi, semi}, stretches);
+    size_t count = find_stretches(layout, i, false, (struct lens_stretch){-semi, semi}, stretches);
     for (size_t k = 0; k < count; k++) {
         double *z, *y, low = stretches[k].low, high = stretches[k].high;
         layout_add(layout, LAYOUT_BLOCK, SAMPLES + 1, &z, &y);
@@ -373,27 +329,6 @@ static void add_blocks(struct layout *layout, size_t i)
             layout_lens_reach(layout, z[j]);
         }
     }
-}
-
-/* The beam that comes back through a mirror's middle needs a hole there. */
-static double layout_lens_find_hole(const struct layout *layout, size_t mirror)
-{
-    const size_t count = layout->setup->lens->surface_count;
-    double z = layout->vertex[mirror], hole = 0;
-    for (size_t i = mirror + 1; i < count; i++) {
-        double start = layout->vertex[i];
-        double end = i + 1 < count ? layout->vertex[i + 1]
-                                   : layout_rear(layout) + layout->light->first.image;
-        double n = layout->light->system.index[i + 1].hi;
-        if (!((z - start) * (z - end) < -1e-9)) {
-            continue;
-        }
-        const struct paraxial_ray *y = &layout->marginal[i], *bar = &layout->chief[i];
-        double height = fabs(y->y + (z - start) * y->after / n);
-        double more = fabs(bar->y + (z - start) * bar->after / n);
-        hole = fmax(hole, 1.3 * (height + (isfinite(more) ? more : 0)));
-    }
-    return layout->is_centred && hole < 0.7 * layout->semi[mirror] ? hole : 0;
 }
 
 /* One piece of a mirror, with strokes behind it. */
@@ -424,15 +359,31 @@ static void add_mirror_piece(struct layout *layout, size_t i, double from, doubl
 
 static void add_mirror(struct layout *layout, size_t i)
 {
-    double semi = layout->semi[i], hole = layout_lens_find_hole(layout, i);
-    struct layout_lens_stretch stretches[STRETCHES];
+    /* The beam that comes back through a mirror's middle needs a hole there. */
+    const size_t surfaces = layout->setup->lens->surface_count;
+    double z = layout->vertex[i], largest = 0;
+    for (size_t k = i + 1; k < surfaces; k++) {
+        double start = layout->vertex[k];
+        double end = k + 1 < surfaces ? layout->vertex[k + 1]
+                                      : layout_rear(layout) + layout->light->first.image;
+        double n = layout->light->system.index[k + 1].hi;
+        if (!((z - start) * (z - end) < -1e-9)) {
+            continue;
+        }
+        const struct paraxial_ray *y = &layout->marginal[k], *bar = &layout->chief[k];
+        double height = fabs(y->y + (z - start) * y->after / n);
+        double more = fabs(bar->y + (z - start) * bar->after / n);
+        largest = fmax(largest, 1.3 * (height + (isfinite(more) ? more : 0)));
+    }
+    double semi = layout->semi[i],
+           hole = layout->is_centred && largest < 0.7 * layout->semi[i] ? largest : 0;
+    struct lens_stretch stretches[STRETCHES];
     if (layout->setup->lens->surfaces[i].aperture_count == 0) {
         add_mirror_piece(layout, i, -hole, -semi);
         add_mirror_piece(layout, i, hole, semi);
         return;
     }
-    size_t count =
-        find_stretches(layout, i, true, (struct layout_lens_stretch){-semi, semi}, stretches);
+    size_t count = find_stretches(layout, i, true, (struct lens_stretch){-semi, semi}, stretches);
     for (size_t k = 0; k < count; k++) {
         add_mirror_piece(layout, i, stretches[k].low, stretches[k].high);
     }
@@ -444,16 +395,6 @@ static void add_stroke(struct layout *layout, size_t stop, double z1, double y1,
     layout_lens_put(layout, stop, &z1, &y1);
     layout_lens_put(layout, stop, &z2, &y2);
     layout_line(layout, LAYOUT_STOP, (struct layout_ends){z1, y1, z2, y2}, NULL);
-}
-
-/* Its two principal planes. */
-static void layout_lens_add_thick(struct layout *layout, size_t i)
-{
-    double at = layout->vertex[i], r = layout->semi[i], behind = at + layout_hiatus(layout, i);
-    layout_line(layout, LAYOUT_PLANE, (struct layout_ends){at, -r, at, r}, "thick lens");
-    layout_line(layout, LAYOUT_PLANE, (struct layout_ends){behind, -r, behind, r}, NULL);
-    layout_lens_reach(layout, at);
-    layout_lens_reach(layout, behind);
 }
 
 static void layout_lens_add_stop(struct layout *layout)
@@ -490,12 +431,31 @@ bool layout_lens(struct layout *layout, struct error *error)
     layout->axis = ARENA_ARRAY(layout->arena, count, struct layout_frame);
     layout->direction = ARENA_ARRAY(layout->arena, count, double);
     layout->is_drawn = ARENA_ARRAY(layout->arena, count, bool);
-    layout_lens_find_places(layout);
+    double z = 0, direction = 1;
+    for (size_t i = 0; i < lens->surface_count; i++) {
+        const struct surface *surface = &lens->surfaces[i];
+        layout->vertex[i] = z;
+        layout->direction[i] = direction;
+        z += surface_advance(surface).hi;
+        direction = surface_reflects(surface) ? -direction : direction;
+        layout->is_drawn[i] = surface_traits(surface)->is_drawn || is_glass(layout, i) ||
+                              (i > 0 && is_glass(layout, i - 1));
+    }
+    layout->light_direction = direction;
     find_frames(layout);
     if (!find_diameters(layout, error)) {
         return false;
     }
-    widen_cemented(layout);
+    /* A cemented surface reaches to the smaller of the two outer rims, where it can. */
+    for (size_t i = 1; i + 1 < layout->setup->lens->surface_count; i++) {
+        if (!has_element(layout, i) || !has_element(layout, i - 1)) {
+            continue;
+        }
+        double r = fmin(layout->semi[i - 1], layout->semi[i + 1]);
+        if (r > layout->semi[i] && thickness(layout, i, r) > 0 && thickness(layout, i - 1, r) > 0) {
+            layout->semi[i] = r;
+        }
+    }
     for (size_t i = 0; i < count; i++) {
         if (has_element(layout, i)) {
             add_element(layout, i);
@@ -504,7 +464,15 @@ bool layout_lens(struct layout *layout, struct error *error)
             add_mirror(layout, i);
         }
         if (surface_has(&lens->surfaces[i], SURFACE_HAS_FOCAL)) {
-            layout_lens_add_thick(layout, i);
+            /* Its two principal planes. */
+            double at = layout->vertex[i], semi = layout->semi[i],
+                   behind = at + layout_hiatus(layout, i);
+            layout_line(layout, LAYOUT_PLANE, (struct layout_ends){at, -semi, at, semi},
+                        "thick lens");
+            layout_line(layout, LAYOUT_PLANE, (struct layout_ends){behind, -semi, behind, semi},
+                        NULL);
+            layout_lens_reach(layout, at);
+            layout_lens_reach(layout, behind);
         }
         add_blocks(layout, i);
     }

@@ -13,7 +13,7 @@
 enum { LEAST_FIELDS = 60 };
 
 /* What the rays need: the lens with a clear aperture at every surface that is drawn. */
-struct layout_rays_beams {
+struct rays_beams {
     struct layout *layout;
     const struct system *open; /* without clear apertures */
     struct system clipped;     /* and with those of the drawing */
@@ -21,41 +21,9 @@ struct layout_rays_beams {
     struct field_point edge;   /* of the field, in the section */
 };
 
-/* Surfaces without a diameter have that of the drawing, and a little more: nobody stated it. */
-static const struct lens *with_clear_apertures(const struct layout *layout)
-{
-    const struct lens *lens = layout->setup->lens;
-    struct lens *copy = ARENA_NEW(layout->arena, struct lens);
-    struct surface *surfaces = ARENA_ARRAY(layout->arena, lens->surface_count, struct surface);
-    *copy = *lens;
-    memcpy(surfaces, lens->surfaces, lens->surface_count * sizeof *surfaces);
-    for (size_t i = 0; i < lens->surface_count; i++) {
-        if (layout->is_drawn[i] && !surfaces[i].has_diameter) {
-            surfaces[i].has_diameter = true;
-            surfaces[i].diameter.value = pair_of(2.04 * layout->semi[i]);
-        }
-    }
-    copy->surfaces = surfaces;
-    return copy;
-}
-
-static bool layout_rays_open_beams(struct layout *layout, struct layout_rays_beams *beams,
-                                   struct error *error)
-{
-    const struct setup *setup = layout->setup;
-    bool has_stop = setup->lens->stop != LENS_NONE && isfinite(setup->first.stop_radius);
-    *beams = (struct layout_rays_beams){
-        .layout = layout,
-        .open = setup_system(setup, layout->wavelength, SETUP_OPEN, error),
-        .has_stop = has_stop};
-    return beams->open != NULL &&
-           setup_compile(setup, with_clear_apertures(layout), layout->wavelength, SETUP_CLIPPED,
-                         &beams->clipped, error);
-}
-
 /* From the frame of a surface's axis to the drawing. */
-static void layout_rays_place(const struct layout *layout, size_t surface, double along,
-                              double across, double *z, double *y)
+static void layout_place(const struct layout *layout, size_t surface, double along, double across,
+                         double *z, double *y)
 {
     const struct layout_frame *axis = &layout->axis[surface];
     *z = axis->z + along * cos(axis->angle) - across * sin(axis->angle);
@@ -68,40 +36,8 @@ static double lead(const struct layout *layout)
     return 0.3 * (layout->right - layout->left) + 0.5 * layout->size;
 }
 
-/* Back from the first surface to the left of everything, or to the object. */
-static void begin_ray(const struct layout *layout, const double cosine[3], int section, double *z,
-                      double *y)
-{
-    const struct lens *lens = layout->setup->lens;
-    double back = lead(layout);
-    if (cosine[2] > 0.2) {
-        back += fmax(z[1] - layout->left, 0) / cosine[2];
-    }
-    if (!lens->object_is_infinite && cosine[2] > 0) {
-        back = fmin(back, fmax(z[1] + lens->object.value.hi, 0) / cosine[2]);
-    }
-    z[0] = z[1] - back * cosine[2];
-    y[0] = y[1] - back * cosine[section];
-}
-
-/* On to the image plane, or a little way. */
-static void end_ray(const struct layout *layout, const struct ray *last, size_t surface,
-                    int section, double *z, double *y)
-{
-    double way = lead(layout);
-    if (isfinite(layout->image)) {
-        size_t count = layout->setup->lens->surface_count;
-        double plane = layout->image - layout->vertex[count - 1];
-        /* the frame is that of the last surface that is drawn */
-        double gap = layout->vertex[count - 1] - layout->vertex[surface];
-        way = (plane + gap - last->point[2]) / last->cosine[2];
-    }
-    layout_rays_place(layout, surface, last->point[2] + way * last->cosine[2],
-                      last->point[section] + way * last->cosine[section], z, y);
-}
-
-static void layout_rays_add_ray(const struct layout_rays_beams *beams, enum layout_kind kind,
-                                const struct ray *start)
+static void layout_add_ray(const struct rays_beams *beams, enum layout_kind kind,
+                           const struct ray *start)
 {
     struct layout *layout = beams->layout;
     const size_t count = layout->setup->lens->surface_count;
@@ -120,30 +56,51 @@ static void layout_rays_add_ray(const struct layout_rays_beams *beams, enum layo
             double hiatus = layout_hiatus(layout, i);
             if (hiatus != 0) {
                 /* it leaves H' as high as it came to H */
-                layout_rays_place(layout, i, point[2] - hiatus, point[section], &z[used], &y[used]);
+                layout_place(layout, i, point[2] - hiatus, point[section], &z[used], &y[used]);
                 used++;
             }
-            layout_rays_place(layout, i, point[2], point[section], &z[used], &y[used]);
+            layout_place(layout, i, point[2], point[section], &z[used], &y[used]);
             used++;
             last = i;
         }
     }
-    begin_ray(layout, start->cosine, section, z, y);
+    /* Back from the first surface to the left of everything, or to the object. */
+    const struct lens *lens = layout->setup->lens;
+    double back = lead(layout);
+    if (start->cosine[2] > 0.2) {
+        back += fmax(z[1] - layout->left, 0) / start->cosine[2];
+    }
+    if (!lens->object_is_infinite && start->cosine[2] > 0) {
+        back = fmin(back, fmax(z[1] + lens->object.value.hi, 0) / start->cosine[2]);
+    }
+    z[0] = z[1] - back * start->cosine[2];
+    y[0] = y[1] - back * start->cosine[section];
     if (last != LENS_NONE) {
-        end_ray(layout, &meetings[last].ray, last, section, &z[used], &y[used]);
+        /* On to the image plane, or a little way. */
+        double far = lead(layout);
+        if (isfinite(layout->image)) {
+            size_t surfaces = layout->setup->lens->surface_count;
+            double plane = layout->image - layout->vertex[surfaces - 1];
+            /* the frame is that of the last surface that is drawn */
+            double gap = layout->vertex[surfaces - 1] - layout->vertex[last];
+            far = (plane + gap - meetings[last].ray.point[2]) / meetings[last].ray.cosine[2];
+        }
+        layout_place(layout, last, meetings[last].ray.point[2] + far * meetings[last].ray.cosine[2],
+                     meetings[last].ray.point[section] + far * meetings[last].ray.cosine[section],
+                     &z[used], &y[used]);
         used++;
     }
     part->count = used;
 }
 
 /* One bundle: the edges that the clear apertures leave of it in the plane of the drawing. */
-struct layout_rays_bundle {
+struct rays_bundle {
     struct beam beam;
     struct clear_cross clear;
 };
 
-static bool find_bundle(struct layout_rays_beams *beams, const struct field_point *field,
-                        struct layout_rays_bundle *bundle)
+static bool find_bundle(struct rays_beams *beams, const struct field_point *field,
+                        struct rays_bundle *bundle)
 {
     struct layout *layout = beams->layout;
     const struct setup *setup = layout->setup;
@@ -160,31 +117,29 @@ static bool find_bundle(struct layout_rays_beams *beams, const struct field_poin
     return !bundle->clear.is_empty;
 }
 
-static const struct clear_edge *layout_rays_edge_of(const struct layout_rays_beams *beams,
-                                                    const struct layout_rays_bundle *bundle,
-                                                    int side)
+static const struct clear_edge *layout_edge_of(const struct rays_beams *beams,
+                                               const struct rays_bundle *bundle, int side)
 {
     size_t axis = beams->layout->setup->section == SECTION_Y ? 1 : 0;
     return &bundle->clear.ends[side > 0 ? axis : axis + 2];
 }
 
-static void add_edges(const struct layout_rays_beams *beams, enum layout_kind kind,
-                      const struct layout_rays_bundle *bundle)
+static void add_edges(const struct rays_beams *beams, enum layout_kind kind,
+                      const struct rays_bundle *bundle)
 {
     for (int side = -1; side <= 1; side += 2) {
-        const double *at = layout_rays_edge_of(beams, bundle, side)->at;
+        const double *at = layout_edge_of(beams, bundle, side)->at;
         struct ray ray = beam_ray(&bundle->beam, at[0], at[1]);
-        layout_rays_add_ray(beams, kind, &ray);
+        layout_add_ray(beams, kind, &ray);
     }
 }
 
 /* The surface whose clear aperture cuts the bundle before the stop does; LENS_NONE: none. */
-static size_t cutting(const struct layout_rays_beams *beams,
-                      const struct layout_rays_bundle *bundle)
+static size_t cutting(const struct rays_beams *beams, const struct rays_bundle *bundle)
 {
     const struct lens *lens = beams->layout->setup->lens;
     for (int side = -1; side <= 1; side += 2) {
-        const struct clear_edge *edge = layout_rays_edge_of(beams, bundle, side);
+        const struct clear_edge *edge = layout_edge_of(beams, bundle, side);
         size_t i = edge->surface - 1;
         if (edge->status == RAY_CLIPPED && i < lens->surface_count && i != lens->stop &&
             isfinite(aperture_reach(&lens->surfaces[i]))) {
@@ -194,11 +149,11 @@ static size_t cutting(const struct layout_rays_beams *beams,
     return LENS_NONE;
 }
 
-static void add_axial(struct layout_rays_beams *beams)
+static void add_axial(struct rays_beams *beams)
 {
     struct layout *layout = beams->layout;
     const struct field_point axis = {.kind = FIELD_NONE};
-    struct layout_rays_bundle bundle;
+    struct rays_bundle bundle;
     if (!find_bundle(beams, &axis, &bundle)) {
         layout_note(layout, "no ray of the point on the axis passes the clear apertures");
         return;
@@ -215,8 +170,7 @@ static void add_axial(struct layout_rays_beams *beams)
     add_edges(beams, LAYOUT_AXIAL, &bundle);
 }
 
-static bool layout_rays_find_at(struct layout_rays_beams *beams, double share,
-                                struct layout_rays_bundle *bundle)
+static bool layout_rays_find_at(struct rays_beams *beams, double share, struct rays_bundle *bundle)
 {
     const struct field_point *edge = &beams->edge;
     const struct field_point field = {edge->kind, {share * edge->value[0], share * edge->value[1]}};
@@ -228,10 +182,9 @@ static bool layout_rays_find_at(struct layout_rays_beams *beams, double share,
  * between the edge and where the last of these steps leads to. If none pass there, none are drawn:
  * to find that nothing passes takes far longer than to find what does.
  */
-static double layout_rays_find_edge(struct layout_rays_beams *beams,
-                                    struct layout_rays_bundle *bundle)
+static double layout_find_edge(struct rays_beams *beams, struct rays_bundle *bundle)
 {
-    struct layout_rays_bundle nearer;
+    struct rays_bundle nearer;
     int dark = 0, lit = LEAST_FIELDS; /* steps from the edge */
     if (layout_rays_find_at(beams, 1, bundle)) {
         return 1;
@@ -251,51 +204,40 @@ static double layout_rays_find_edge(struct layout_rays_beams *beams,
     return pow(0.97, lit);
 }
 
-static void note_share(const struct layout_rays_beams *beams, double share)
+static void add_oblique(struct rays_beams *beams)
 {
     struct layout *layout = beams->layout;
-    bool angle = beams->edge.kind == FIELD_ANGLE;
-    double field = beams->edge.value[setup_axis(layout->setup)];
-    layout_note(layout,
-                arena_printf(layout->arena,
-                             "the oblique bundle is drawn at %.3g%s, not %.3g%s: no ray from "
-                             "there passes the clear apertures",
-                             share * field * (angle ? DEGREES_PER_RADIAN : 1), angle ? "°" : " mm",
-                             field * (angle ? DEGREES_PER_RADIAN : 1), angle ? "°" : " mm"));
-}
-
-static bool has_mirror(const struct lens *lens)
-{
-    for (size_t i = 0; i < lens->surface_count; i++) {
-        if (surface_reflects(&lens->surfaces[i])) {
-            return true;
-        }
-    }
-    return false;
-}
-
-static void add_oblique(struct layout_rays_beams *beams)
-{
-    struct layout *layout = beams->layout;
-    struct layout_rays_bundle bundle;
-    double share = layout_rays_find_edge(beams, &bundle);
+    struct rays_bundle bundle;
+    double share = layout_find_edge(beams, &bundle);
     if (!(share > 0)) {
         layout_note(layout, "no ray from the edge of the field passes the clear apertures");
         return;
     }
     if (share < 1) {
-        note_share(beams, share);
+        bool angle = beams->edge.kind == FIELD_ANGLE;
+        double field = beams->edge.value[setup_axis(layout->setup)];
+        layout_note(layout,
+                    arena_printf(layout->arena,
+                                 "the oblique bundle is drawn at %.3g%s, not %.3g%s: no ray from "
+                                 "there passes the clear apertures",
+                                 share * field * (angle ? DEGREES_PER_RADIAN : 1),
+                                 angle ? "°" : " mm", field * (angle ? DEGREES_PER_RADIAN : 1),
+                                 angle ? "°" : " mm"));
     } else if (cutting(beams, &bundle) != LENS_NONE) {
         layout_note(layout, "the oblique bundle is cut by the clear apertures of the elements");
     }
     add_edges(beams, LAYOUT_OBLIQUE, &bundle);
     /* of mirrors about the axis a secondary one would be in its way */
+    bool has_mirror = false;
+    for (size_t i = 0; i < layout->setup->lens->surface_count; i++) {
+        has_mirror = has_mirror || surface_reflects(&layout->setup->lens->surfaces[i]);
+    }
     struct aim aim;
     struct error ignored;
-    if (beams->has_stop && !(layout->is_centred && has_mirror(layout->setup->lens)) &&
+    if (beams->has_stop && !(layout->is_centred && has_mirror) &&
         aim_open(beams->open, &bundle.beam, layout->arena, &aim, &ignored)) {
         struct ray chief = aim_chief(&aim);
-        layout_rays_add_ray(beams, LAYOUT_CHIEF, &chief);
+        layout_add_ray(beams, LAYOUT_CHIEF, &chief);
     }
 }
 
@@ -303,7 +245,7 @@ bool layout_rays(struct layout *layout, struct error *error)
 {
     const struct setup *setup = layout->setup;
     const struct first_order *first = &setup->first;
-    struct layout_rays_beams beams;
+    struct rays_beams beams;
     bool has_clear_aperture = isfinite(first->stop_radius) || isfinite(first->entrance_diameter);
     for (size_t i = 0; i < setup->lens->surface_count; i++) {
         has_clear_aperture =
@@ -313,7 +255,25 @@ bool layout_rays(struct layout *layout, struct error *error)
         layout_note(layout, "no rays: the lens states no aperture (give -N)");
         return true;
     }
-    if (!layout_rays_open_beams(layout, &beams, error)) {
+    bool has_stop = setup->lens->stop != LENS_NONE && isfinite(setup->first.stop_radius);
+    beams = (struct rays_beams){.layout = layout,
+                                .open = setup_system(setup, layout->wavelength, SETUP_OPEN, error),
+                                .has_stop = has_stop};
+    /* Surfaces without a diameter have that of the drawing, and a little more: nobody stated it. */
+    const struct lens *lens = layout->setup->lens;
+    struct lens *copy = ARENA_NEW(layout->arena, struct lens);
+    struct surface *surfaces = ARENA_ARRAY(layout->arena, lens->surface_count, struct surface);
+    *copy = *lens;
+    memcpy(surfaces, lens->surfaces, lens->surface_count * sizeof *surfaces);
+    for (size_t j = 0; j < lens->surface_count; j++) {
+        if (layout->is_drawn[j] && !surfaces[j].has_diameter) {
+            surfaces[j].has_diameter = true;
+            surfaces[j].diameter.value = pair_of(2.04 * layout->semi[j]);
+        }
+    }
+    copy->surfaces = surfaces;
+    if (!(beams.open != NULL &&
+          setup_compile(setup, copy, layout->wavelength, SETUP_CLIPPED, &beams.clipped, error))) {
         return false;
     }
     add_axial(&beams);

@@ -25,31 +25,6 @@ bool bundle_prepare(const struct bundle_question *question, struct error *error)
            system_of(question, false, error) != NULL;
 }
 
-static bool bundle_open_systems(struct bundle_source *source, struct error *error)
-{
-    const struct bundle_question *question = source->question;
-    source->system = system_of(question, question->clip, error);
-    source->through = source->system;
-    source->open = source->system != NULL ? system_of(question, false, error) : NULL;
-    return source->open != NULL;
-}
-
-/* Without a chief ray others may pass: those about where the paraxial pupil is seen. */
-static void open_without_chief(struct bundle_source *source)
-{
-    const struct bundle_question *question = source->question;
-    const struct clear_guess guess =
-        clear_guess_of(source->system, &source->beam, &question->setup->first);
-    source->pupil = (struct stop_beam){
-        .system = source->system,
-        .beam = &source->beam,
-        .origin = {guess.centre[0], guess.centre[1]},
-        .axes = {guess.radius, 0, 0, guess.radius},
-        .radius = fabs(source->open->stop_radius),
-        .weight = question->weight,
-    };
-}
-
 /* The ray through the centre of the stop. */
 static bool open_chief(struct bundle_source *source, struct arena *arena, struct error *error)
 {
@@ -71,7 +46,18 @@ static bool open_stop(struct bundle_source *source, struct arena *arena, struct 
     if (source->question->pattern != PATTERN_GAUSS || !(source->open->stop_radius > 0)) {
         return false;
     }
-    open_without_chief(source);
+    /* Without a chief ray others may pass: those about where the paraxial pupil is seen. */
+    const struct bundle_question *question = source->question;
+    const struct clear_guess guess =
+        clear_guess_of(source->system, &source->beam, &question->setup->first);
+    source->pupil = (struct stop_beam){
+        .system = source->system,
+        .beam = &source->beam,
+        .origin = {guess.centre[0], guess.centre[1]},
+        .axes = {guess.radius, 0, 0, guess.radius},
+        .radius = fabs(source->open->stop_radius),
+        .weight = question->weight,
+    };
     error->code = ERROR_NONE;
     return true;
 }
@@ -121,8 +107,10 @@ bool bundle_open(const struct bundle_question *question, struct arena *arena,
 {
     const struct setup *setup = question->setup;
     *source = (struct bundle_source){.question = question};
-    if (!bundle_open_systems(source, error) ||
-        !setup_beam(setup, question->field, &source->beam, error)) {
+    source->system = system_of(question, question->clip, error);
+    source->through = source->system;
+    source->open = source->system != NULL ? system_of(question, false, error) : NULL;
+    if (source->open == NULL || !setup_beam(setup, question->field, &source->beam, error)) {
         return false;
     }
     bool has_stop = source->open->stop != LENS_NONE && source->open->stop_radius > 0;
@@ -171,45 +159,6 @@ void bundle_aim(const struct bundle_source *source, const struct pupil_point *po
     }
 }
 
-/* Points of the whole pupil, whether rays arrive or not. */
-static bool fill_pattern(const struct bundle_source *source, size_t rays, struct arena *arena,
-                         struct bundle *bundle, struct error *error)
-{
-    const struct bundle_question *question = source->question;
-    struct sample sample;
-    if (!sample_make(question->pattern, rays, question->seed, arena, &sample, error)) {
-        return false;
-    }
-    for (size_t i = 0; i < sample.count && question->clip; i++) {
-        sample.points[i].x *= within;
-        sample.points[i].y *= within;
-    }
-    bundle->points = sample.points;
-    bundle->count = sample.count;
-    bundle->rays = rays_new(arena, sample.count);
-    bundle_aim(source, sample.points, sample.count, &bundle->rays);
-    if (question->weight == WEIGHT_BEAM) {
-        quadrature_weigh_beam(&source->pupil, &bundle->rays, sample.points, arena);
-    }
-    return true;
-}
-
-static bool bundle_fill(const struct bundle_source *source, size_t rays, struct arena *arena,
-                        struct bundle *bundle, struct error *error)
-{
-    if (source->question->pattern != PATTERN_GAUSS) {
-        return fill_pattern(source, rays, arena, bundle, error);
-    }
-    const struct quadrature all = quadrature_fill(source->region, rays, arena);
-    bundle->points = all.sample.points;
-    bundle->count = all.is_empty ? 0 : all.sample.count;
-    bundle->rays = all.rays;
-    bundle->arms = all.arms;
-    bundle->rings = all.rings;
-    bundle->arcs = all.arcs;
-    return true;
-}
-
 bool bundle_fail_dark(const struct bundle_source *source, size_t count, struct arena *arena,
                       struct error *error)
 {
@@ -234,9 +183,32 @@ bool bundle_fail_dark(const struct bundle_source *source, size_t count, struct a
 bool bundle_trace(const struct bundle_source *source, size_t rays, size_t to, struct arena *arena,
                   struct bundle *bundle, struct error *error)
 {
+    const struct bundle_question *question = source->question;
     *bundle = (struct bundle){.count = 0};
-    if (!bundle_fill(source, rays, arena, bundle, error)) {
-        return false;
+    if (question->pattern == PATTERN_GAUSS) {
+        const struct quadrature all = quadrature_fill(source->region, rays, arena);
+        bundle->points = all.sample.points;
+        bundle->count = all.is_empty ? 0 : all.sample.count;
+        bundle->rays = all.rays;
+        bundle->arms = all.arms;
+        bundle->rings = all.rings;
+        bundle->arcs = all.arcs;
+    } else { /* points of the whole pupil, whether rays arrive or not */
+        struct sample sample;
+        if (!sample_make(question->pattern, rays, question->seed, arena, &sample, error)) {
+            return false;
+        }
+        for (size_t i = 0; i < sample.count && question->clip; i++) {
+            sample.points[i].x *= within;
+            sample.points[i].y *= within;
+        }
+        bundle->points = sample.points;
+        bundle->count = sample.count;
+        bundle->rays = rays_new(arena, sample.count);
+        bundle_aim(source, sample.points, sample.count, &bundle->rays);
+        if (question->weight == WEIGHT_BEAM) {
+            quadrature_weigh_beam(&source->pupil, &bundle->rays, sample.points, arena);
+        }
     }
     rays_trace_part(source->through, 0, to, &bundle->rays, NULL);
     for (size_t i = 0; i < bundle->count; i++) {

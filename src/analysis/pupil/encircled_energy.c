@@ -27,21 +27,6 @@ struct encircled_energy_arms encircled_energy_arms_open(const struct bundle *bun
     return all;
 }
 
-/* The last ray of a sheet has come. */
-static void close_sheet(struct encircled_energy_arms *arms, size_t last)
-{
-    const size_t count = arms->arms * arms->rings;
-    if (arms->arrived == count) {
-        struct encircled_energy_sheet *sheet =
-            ARENA_NEW(arms->arena, struct encircled_energy_sheet);
-        *sheet = (struct encircled_energy_sheet){arms->sheets, last + 1 - count, arms->arms,
-                                                 arms->rings,  arms->arcs,       arms->places,
-                                                 arms->shares};
-        arms->sheets = sheet;
-    }
-    arms->arrived = 0;
-}
-
 void encircled_energy_arms_add(struct encircled_energy_arms *arms, size_t ray,
                                struct encircled_energy_mark *marks, size_t mark)
 {
@@ -64,20 +49,30 @@ void encircled_energy_arms_add(struct encircled_energy_arms *arms, size_t ray,
     }
     *last = mark;
     if (ring == arms->rings - 1 && arm == arms->arms - 1) {
-        close_sheet(arms, mark);
+        /* The last ray of a sheet has come. */
+        const size_t count = arms->arms * arms->rings;
+        if (arms->arrived == count) {
+            struct encircled_energy_sheet *sheet =
+                ARENA_NEW(arms->arena, struct encircled_energy_sheet);
+            *sheet = (struct encircled_energy_sheet){arms->sheets, mark + 1 - count, arms->arms,
+                                                     arms->rings,  arms->arcs,       arms->places,
+                                                     arms->shares};
+            arms->sheets = sheet;
+        }
+        arms->arrived = 0;
     }
 }
 
 /* -------- of rays by themselves -------- */
 
-struct encircled_energy_point {
+struct energy_point {
     double distance, weight;
 };
 
 static int by_distance(const void *first, const void *second)
 {
-    double a = ((const struct encircled_energy_point *)first)->distance,
-           b = ((const struct encircled_energy_point *)second)->distance;
+    double a = ((const struct energy_point *)first)->distance,
+           b = ((const struct energy_point *)second)->distance;
     return (a > b) - (a < b);
 }
 
@@ -85,18 +80,16 @@ static int by_distance(const void *first, const void *second)
 static double of_points(const struct encircled_energy_mark *marks, size_t count, double share,
                         struct arena *arena)
 {
-    struct encircled_energy_point *points =
-        ARENA_ARRAY(arena, count, struct encircled_energy_point);
+    struct energy_point *points = ARENA_ARRAY(arena, count, struct energy_point);
     double total = 0, before = 0;
     for (size_t i = 0; i < count; i++) {
-        points[i] =
-            (struct encircled_energy_point){hypot(marks[i].at[0], marks[i].at[1]), marks[i].weight};
+        points[i] = (struct energy_point){hypot(marks[i].at[0], marks[i].at[1]), marks[i].weight};
         total += points[i].weight;
     }
     qsort(points, count, sizeof *points, by_distance);
-    const struct encircled_energy_point *last = NULL;
+    const struct energy_point *last = NULL;
     for (size_t i = 0; i < count; i++) {
-        const struct encircled_energy_point *point = &points[i];
+        const struct energy_point *point = &points[i];
         double middle = before + point->weight / 2;
         if (middle >= share * total) {
             double from = last != NULL ? before - last->weight / 2 : 0;
@@ -185,7 +178,7 @@ struct stencil {
 };
 
 /* Lagrange's factors: of the nodes nearest by, or those at the end. */
-static struct stencil encircled_energy_stencil_at(const double *nodes, size_t count, double at)
+static struct stencil encircled_stencil_at(const double *nodes, size_t count, double at)
 {
     struct stencil stencil = {0, count < STENCIL ? count : STENCIL, {0}};
     while (stencil.first + stencil.count < count &&
@@ -210,7 +203,7 @@ static struct stencil stencil_around(size_t steps, size_t gap, double beyond)
     for (size_t j = 0; j < count; j++) {
         nodes[j] = (double)j;
     }
-    struct stencil stencil = encircled_energy_stencil_at(nodes, count, (double)back + beyond);
+    struct stencil stencil = encircled_stencil_at(nodes, count, (double)back + beyond);
     stencil.first = gap + steps - back;
     return stencil;
 }
@@ -219,7 +212,7 @@ static struct stencil stencil_around(size_t steps, size_t gap, double beyond)
  * What there is at looks along an arm. Distances are the same in any axes: of a whole circle each
  * arm has its own, which turn with it, so that nothing changes around a disc.
  */
-struct encircled_energy_value {
+struct encircled_value {
     double at[2], density;
 };
 
@@ -228,43 +221,24 @@ struct energy_sheet {
     const struct encircled_energy_sheet *made;
     const double *radii; /* of looks outwards, from 0 to 1 */
     size_t looks;
-    struct encircled_energy_value *arms; /* `looks` of each */
+    struct encircled_value *arms; /* `looks` of each */
     struct piece *pieces;
     size_t count;
 };
-
-/* Where to look outwards: equal steps between rings. */
-static void choose_radii(size_t steps, struct arena *arena, struct energy_sheet *sheet)
-{
-    const struct encircled_energy_sheet *made = sheet->made;
-    double *radii = ARENA_ARRAY(arena, (made->rings + 1) * steps + 1, double), from = 0;
-    sheet->looks = 0;
-    for (size_t gap = 0; gap <= made->rings; gap++) {
-        const double to = gap < made->rings ? sqrt(made->places[gap]) : 1;
-        for (size_t i = 0; i < steps; i++) {
-            radii[sheet->looks++] = from + (to - from) * (double)i / (double)steps;
-        }
-        from = to;
-    }
-    radii[sheet->looks++] = 1;
-    sheet->radii = radii;
-}
 
 static void look_along_arms(const struct encircled_energy_mark *marks, const double *arm_shares,
                             struct arena *arena, struct energy_sheet *sheet)
 {
     const struct encircled_energy_sheet *made = sheet->made;
     double *rings = ARENA_ARRAY(arena, made->rings, double);
-    sheet->arms = ARENA_ARRAY(arena, sheet->looks * made->arms, struct encircled_energy_value);
+    sheet->arms = ARENA_ARRAY(arena, sheet->looks * made->arms, struct encircled_value);
     for (size_t ring = 0; ring < made->rings; ring++) {
         rings[ring] = sqrt(made->places[ring]);
     }
     for (size_t i = 0; i < sheet->looks; i++) {
-        const struct stencil stencil =
-            encircled_energy_stencil_at(rings, made->rings, sheet->radii[i]);
+        const struct stencil stencil = encircled_stencil_at(rings, made->rings, sheet->radii[i]);
         for (size_t arm = 0; arm < made->arms; arm++) {
-            struct encircled_energy_value *value = &sheet->arms[arm * sheet->looks + i],
-                                          sum = {{0, 0}, 0};
+            struct encircled_value *value = &sheet->arms[arm * sheet->looks + i], sum = {{0, 0}, 0};
             for (size_t j = 0; j < stencil.count; j++) {
                 const size_t ring = stencil.first + j;
                 const struct encircled_energy_mark *mark =
@@ -291,7 +265,7 @@ static void pieces_between(struct energy_sheet *sheet, size_t first, size_t coun
         double x = 0, y = 0, density = 0;
         for (size_t j = 0; j < stencil->count; j++) {
             const size_t arm = first + (stencil->first + j) % count;
-            const struct encircled_energy_value *value = &sheet->arms[arm * sheet->looks + i];
+            const struct encircled_value *value = &sheet->arms[arm * sheet->looks + i];
             x += stencil->factor[j] * value->at[0];
             y += stencil->factor[j] * value->at[1];
             density += stencil->factor[j] * value->density;
@@ -317,31 +291,29 @@ static size_t looks_between(size_t rays, size_t usual, size_t most)
     return looks > 1 ? looks : 1;
 }
 
-static size_t looks_outwards(const struct encircled_energy_sheet *made)
-{
-    return looks_between(made->rings, LOOKS_OUTWARDS, MOST_OUTWARDS);
-}
-
-static size_t looks_around(const struct encircled_energy_sheet *made)
-{
-    return looks_between(made->arms, LOOKS_AROUND, MOST_AROUND);
-}
-
-static size_t most_pieces(const struct encircled_energy_sheet *made)
-{
-    return (made->rings + 1) * looks_outwards(made) * made->arms * looks_around(made);
-}
-
 /* The pieces of a sheet; their number. */
 static size_t pieces_of_sheet(const struct encircled_energy_mark *marks,
                               const struct encircled_energy_sheet *made, struct arena *arena,
                               struct piece *pieces)
 {
-    const size_t around = looks_around(made), arcs = made->arcs.count > 0 ? made->arcs.count : 1;
+    const size_t around = looks_between(made->arms, LOOKS_AROUND, MOST_AROUND),
+                 arcs = made->arcs.count > 0 ? made->arcs.count : 1;
     double *angles = ARENA_ARRAY(arena, made->arms, double),
            *shares = ARENA_ARRAY(arena, made->arms, double);
     struct energy_sheet sheet = {.made = made, .pieces = pieces};
-    choose_radii(looks_outwards(made), arena, &sheet);
+    /* Where to look outwards: equal steps between rings. */
+    const size_t steps = looks_between(made->rings, LOOKS_OUTWARDS, MOST_OUTWARDS);
+    double *radii = ARENA_ARRAY(arena, (made->rings + 1) * steps + 1, double), from = 0;
+    sheet.looks = 0;
+    for (size_t gap = 0; gap <= made->rings; gap++) {
+        const double to = gap < made->rings ? sqrt(made->places[gap]) : 1;
+        for (size_t i = 0; i < steps; i++) {
+            radii[sheet.looks++] = from + (to - from) * (double)i / (double)steps;
+        }
+        from = to;
+    }
+    radii[sheet.looks++] = 1;
+    sheet.radii = radii;
     for (size_t arc = 0, first = 0; arc < arcs; first += arms_of_arc(made, arc), arc++) {
         const size_t count = arms_of_arc(made, arc);
         gauss_rule(count, angles + first, shares + first);
@@ -355,10 +327,9 @@ static size_t pieces_of_sheet(const struct encircled_energy_mark *marks,
         for (size_t i = 0; i < cells; i++) {
             const double within = ((double)(i % around) + 0.5) / (double)around;
             const struct stencil stencil =
-                made->arcs.count == 0
-                    ? stencil_around(count, i / around, within)
-                    : encircled_energy_stencil_at(angles + first, count,
-                                                  ((double)i + 0.5) / (double)cells);
+                made->arcs.count == 0 ? stencil_around(count, i / around, within)
+                                      : encircled_stencil_at(angles + first, count,
+                                                             ((double)i + 0.5) / (double)cells);
             pieces_between(&sheet, first, count, &stencil, 1 / (double)cells);
         }
     }
@@ -374,7 +345,8 @@ static size_t pieces_of_all(const struct encircled_energy_sample *sample, struct
     size_t room = 2 * sample->count, made = 0;
     for (const struct encircled_energy_sheet *each = sample->sheets; each != NULL;
          each = each->next) {
-        room += most_pieces(each);
+        room += (each->rings + 1) * looks_between(each->rings, LOOKS_OUTWARDS, MOST_OUTWARDS) *
+                each->arms * looks_between(each->arms, LOOKS_AROUND, MOST_AROUND);
     }
     struct piece *pieces = ARENA_ARRAY(arena, room, struct piece);
     bool *is_done = ARENA_ARRAY(arena, sample->count, bool);
@@ -428,21 +400,6 @@ static double excess_within(double distance, const void *context)
     return sum - search->wanted;
 }
 
-/* Give up the pieces that no distance of a bracket cuts. */
-static void encircled_energy_narrow(struct encircled_energy_search *search, double low, double high)
-{
-    size_t kept = 0;
-    for (size_t i = 0; i < search->count; i++) {
-        const struct piece *piece = &search->pieces[i];
-        if (!(piece->high > low)) {
-            search->wanted -= piece->weight;
-        } else if (piece->low < high) {
-            search->pieces[kept++] = *piece;
-        }
-    }
-    search->count = kept;
-}
-
 /* The same where rays lie on arms. */
 static double of_arms(const struct encircled_energy_sample *sample, double share,
                       struct arena *arena)
@@ -462,7 +419,17 @@ static double of_arms(const struct encircled_energy_sample *sample, double share
         const bool is_beyond = excess_within(middle, &search) < 0;
         low = is_beyond ? middle : low;
         high = is_beyond ? high : middle;
-        encircled_energy_narrow(&search, low, high);
+        /* Give up the pieces that no distance of a bracket cuts. */
+        size_t kept = 0;
+        for (size_t j = 0; j < search.count; j++) {
+            const struct piece *piece = &search.pieces[j];
+            if (!(piece->high > low)) {
+                search.wanted -= piece->weight;
+            } else if (piece->low < high) {
+                search.pieces[kept++] = *piece;
+            }
+        }
+        search.count = kept;
     }
     /* a share that ends where light does may have no sign to change */
     return root_find(excess_within, &search, low, high, &found, &error) ? found : (low + high) / 2;

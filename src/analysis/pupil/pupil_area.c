@@ -11,20 +11,6 @@
 
 /* -------- by the edge: Green's theorem -------- */
 
-/* d/dt on a circle: central differences of eighth order. */
-static void slope_on_circle(const double (*points)[2], size_t count, size_t i, double slope[2])
-{
-    static const double weights[] = {4.0 / 5, -1.0 / 5, 4.0 / 105, -1.0 / 280};
-    const double step = 2 * PI / (double)count;
-    slope[0] = slope[1] = 0;
-    for (size_t k = 1; k <= 4; k++) {
-        const double *after = points[(i + k) % count], *before = points[(i + count - k) % count];
-        for (int axis = 0; axis < 2; axis++) {
-            slope[axis] += weights[k - 1] * (after[axis] - before[axis]) / step;
-        }
-    }
-}
-
 /*
  * Gauss's points on 0..1 with their barycentric weights, and what values there count in slopes:
  * slope[i][k] at the i-th of them.
@@ -33,39 +19,6 @@ struct nodes {
     const double *x, *gauss;
     double weight[CLEAR_ARC], slope[CLEAR_ARC][CLEAR_ARC];
 };
-
-static void set_nodes(const struct clear_pupil *clear, struct nodes *nodes)
-{
-    nodes->x = clear->nodes;
-    nodes->gauss = clear->gauss;
-    for (size_t i = 0; i < CLEAR_ARC; i++) {
-        double x = nodes->x[i];
-        nodes->weight[i] = (i % 2 == 0 ? 1 : -1) * sqrt(x * (1 - x) * nodes->gauss[i]);
-    }
-    for (size_t i = 0; i < CLEAR_ARC; i++) {
-        nodes->slope[i][i] = 0;
-        for (size_t k = 0; k < i; k++) {
-            const double a = nodes->weight[i], b = nodes->weight[k];
-            const double over = 1 / (a * b * (nodes->x[i] - nodes->x[k]));
-            nodes->slope[i][k] = b * b * over;
-            nodes->slope[k][i] = -a * a * over;
-        }
-    }
-}
-
-/* d/dt of the polynomial through one piece at its i-th point. */
-static void slope_on_arc(const struct nodes *nodes, const double (*points)[2], size_t i,
-                         double width, double slope[2])
-{
-    const double *counts = nodes->slope[i], x = points[i][0], y = points[i][1];
-    double along[2] = {0, 0};
-    for (size_t k = 0; k < CLEAR_ARC; k++) {
-        along[0] += counts[k] * (points[k][0] - x);
-        along[1] += counts[k] * (points[k][1] - y);
-    }
-    slope[0] = along[0] / width;
-    slope[1] = along[1] / width;
-}
 
 /* The polynomial through one piece at its beginning (0) or its end (1). */
 static void end_of_arc(const struct nodes *nodes, const double (*points)[2], double end,
@@ -99,29 +52,41 @@ static void contour_add(struct contour_sums *sums, const double at[2], const dou
     sums->moment[1] += y * cross;
 }
 
-static void contour_add_circle(const double (*points)[2], size_t count, struct contour_sums *sums)
-{
-    const double dt = 2 * PI / (double)count;
-    for (size_t i = 0; i < count; i++) {
-        double slope[2];
-        slope_on_circle(points, count, i, slope);
-        contour_add(sums, points[i], (double[2]){slope[0] * dt, slope[1] * dt});
-    }
-}
-
 /* Corners are known to some 1e-8: straight to the next piece, so that the curve is closed. */
 static void add_arcs(const struct clear_pupil *clear, const double (*points)[2],
                      struct contour_sums *sums)
 {
     struct nodes nodes;
-    set_nodes(clear, &nodes);
+    nodes.x = clear->nodes;
+    nodes.gauss = clear->gauss;
+    for (size_t i = 0; i < CLEAR_ARC; i++) {
+        double places = nodes.x[i];
+        nodes.weight[i] = (i % 2 == 0 ? 1 : -1) * sqrt(places * (1 - places) * nodes.gauss[i]);
+    }
+    for (size_t i = 0; i < CLEAR_ARC; i++) {
+        nodes.slope[i][i] = 0;
+        for (size_t k = 0; k < i; k++) {
+            const double a = nodes.weight[i], b = nodes.weight[k];
+            const double over = 1 / (a * b * (nodes.x[i] - nodes.x[k]));
+            nodes.slope[i][k] = b * b * over;
+            nodes.slope[k][i] = -a * a * over;
+        }
+    }
     for (size_t arc = 0; arc < clear->arcs; arc++) {
         const double(*here)[2] = points + arc * CLEAR_ARC;
         const double(*next)[2] = points + (arc + 1) % clear->arcs * CLEAR_ARC;
         double slope[2], from[2], to[2], width = clear->arc_angles[arc];
         for (size_t k = 0; k < CLEAR_ARC; k++) {
             double dt = nodes.gauss[k] * width;
-            slope_on_arc(&nodes, here, k, width, slope);
+            /* d/dt of the polynomial through one piece at its i-th point. */
+            const double *counts = nodes.slope[k], x = here[k][0], y = here[k][1];
+            double along[2] = {0, 0};
+            for (size_t j = 0; j < CLEAR_ARC; j++) {
+                along[0] += counts[j] * (here[j][0] - x);
+                along[1] += counts[j] * (here[j][1] - y);
+            }
+            slope[0] = along[0] / width;
+            slope[1] = along[1] / width;
             contour_add(sums, here[k], (double[2]){slope[0] * dt, slope[1] * dt});
         }
         end_of_arc(&nodes, here, 1, from);
@@ -135,7 +100,22 @@ double contour_area(const struct clear_pupil *clear, const double (*points)[2], 
 {
     struct contour_sums sums = {.about = points[0]};
     if (clear->arcs == 0) {
-        contour_add_circle(points, clear->arm_count, &sums);
+        const double dt = 2 * PI / (double)clear->arm_count;
+        for (size_t i = 0; i < clear->arm_count; i++) {
+            double slope[2];
+            /* d/dt on a circle: central differences of eighth order. */
+            static const double weights[] = {4.0 / 5, -1.0 / 5, 4.0 / 105, -1.0 / 280};
+            const double step = 2 * PI / (double)clear->arm_count;
+            slope[0] = slope[1] = 0;
+            for (size_t j = 1; j <= 4; j++) {
+                const double *after = points[(i + j) % clear->arm_count],
+                             *before = points[(i + clear->arm_count - j) % clear->arm_count];
+                for (int axis = 0; axis < 2; axis++) {
+                    slope[axis] += weights[j - 1] * (after[axis] - before[axis]) / step;
+                }
+            }
+            contour_add(&sums, points[i], (double[2]){slope[0] * dt, slope[1] * dt});
+        }
     } else {
         add_arcs(clear, points, &sums);
     }
@@ -160,21 +140,11 @@ struct cut_sums {
     double area, along[2];
 };
 
-/* Where ray i crosses the plane; NaN where it does not. */
-static void pupil_cut_cross(const struct cut_sums *summing, size_t i, double point[2])
-{
-    const struct cut_plane *plane = summing->plane;
-    const struct ray_block *block = summing->work.blocks;
-    double t = (plane->z - block->z[i]) / block->r[i];
-    bool meets = block->r[i] * plane->light_direction > 0;
-    point[0] = meets ? block->x[i] + t * block->p[i] : (double)NAN;
-    point[1] = meets ? block->y[i] + t * block->q[i] : (double)NAN;
-}
-
 /* Trace what waits. */
 static void pupil_cut_flush(struct cut_sums *summing)
 {
     const struct cut_plane *plane = summing->plane;
+    const struct ray_block *block = summing->work.blocks;
     beam_fill(plane->beam, (const double(*)[2])summing->at, summing->count * EACH,
               summing->work.blocks);
     if (plane->to > 0) {
@@ -183,7 +153,11 @@ static void pupil_cut_flush(struct cut_sums *summing)
     for (size_t i = 0; i < summing->count; i++) {
         double points[EACH][2], slope = 1 / (2 * summing->step);
         for (size_t k = 0; k < EACH; k++) {
-            pupil_cut_cross(summing, i * EACH + k, points[k]);
+            const size_t ray = i * EACH + k;
+            const double t = (plane->z - block->z[ray]) / block->r[ray];
+            const bool meets = block->r[ray] * plane->light_direction > 0;
+            points[k][0] = meets ? block->x[ray] + t * block->p[ray] : (double)NAN;
+            points[k][1] = meets ? block->y[ray] + t * block->q[ray] : (double)NAN;
         }
         double xa = points[1][0] - points[2][0], ya = points[1][1] - points[2][1];
         double xb = points[3][0] - points[4][0], yb = points[3][1] - points[4][1];
@@ -193,20 +167,6 @@ static void pupil_cut_flush(struct cut_sums *summing)
         summing->along[1] += area * points[0][1];
     }
     summing->count = 0;
-}
-
-static void pupil_cut_add(struct cut_sums *summing, double a, double b, double weight)
-{
-    static const double steps[EACH][2] = {{0, 0}, {1, 0}, {-1, 0}, {0, 1}, {0, -1}};
-    for (size_t k = 0; k < EACH; k++) {
-        double *at = summing->at[summing->count * EACH + k];
-        at[0] = a + summing->step * steps[k][0];
-        at[1] = b + summing->step * steps[k][1];
-    }
-    summing->weights[summing->count++] = weight;
-    if (summing->count == AT_ONCE) {
-        pupil_cut_flush(summing);
-    }
 }
 
 struct cut_extent pupil_cut(const struct cut_plane *plane, const struct clear_pupil *clear,
@@ -224,9 +184,18 @@ struct cut_extent pupil_cut(const struct cut_plane *plane, const struct clear_pu
         for (size_t k = 0; k < POINTS * intervals->count; k++) {
             double low = intervals->low[k / POINTS], width = intervals->high[k / POINTS] - low;
             double t = low + width * x[k % POINTS];
-            pupil_cut_add(summing, clear->centre[0] + t * (arm->edge.at[0] - clear->centre[0]),
-                          clear->centre[1] + t * (arm->edge.at[1] - clear->centre[1]),
-                          2 * arm->area * t * width * w[k % POINTS]);
+            static const double steps[EACH][2] = {{0, 0}, {1, 0}, {-1, 0}, {0, 1}, {0, -1}};
+            for (size_t j = 0; j < EACH; j++) {
+                double *at = summing->at[summing->count * EACH + j];
+                at[0] = (clear->centre[0] + t * (arm->edge.at[0] - clear->centre[0])) +
+                        summing->step * steps[j][0];
+                at[1] = (clear->centre[1] + t * (arm->edge.at[1] - clear->centre[1])) +
+                        summing->step * steps[j][1];
+            }
+            summing->weights[summing->count++] = 2 * arm->area * t * width * w[k % POINTS];
+            if (summing->count == AT_ONCE) {
+                pupil_cut_flush(summing);
+            }
         }
     }
     pupil_cut_flush(summing);

@@ -18,9 +18,8 @@ static const double ALONG = 1.7e-3;
 
 /* -------- the chief ray -------- */
 
-static bool pupil_shape_find_chief(const struct pupil_question *question,
-                                   const struct clear_guess *guess, struct arena *arena,
-                                   double at[2])
+static bool shape_find_chief(const struct pupil_question *question, const struct clear_guess *guess,
+                             struct arena *arena, double at[2])
 {
     struct aim aim;
     struct error ignored;
@@ -49,14 +48,9 @@ static bool pupil_shape_find_chief(const struct pupil_question *question,
 /* -------- the rays that are looked at -------- */
 
 /* The edges, the corners, the arms, last the chief ray. */
-static size_t tips_from(const struct clear_pupil *clear)
-{
-    return clear->edge_count;
-}
-
 static size_t arms_from(const struct clear_pupil *clear)
 {
-    return tips_from(clear) + clear->corner_count;
+    return clear->edge_count + clear->corner_count;
 }
 
 /* Without the chief ray. */
@@ -68,7 +62,7 @@ static size_t ray_count(const struct clear_pupil *clear)
 static const double *pupil_shape_place_of(const struct clear_pupil *clear, const double chief[2],
                                           size_t i)
 {
-    const size_t tips = tips_from(clear);
+    const size_t tips = clear->edge_count;
     if (i < tips) {
         return clear->edges[i].at;
     }
@@ -81,8 +75,7 @@ static const double *pupil_shape_place_of(const struct clear_pupil *clear, const
 /* -------- outlines -------- */
 
 /* Where a line crosses z = const; NaN where it runs along it, or the other way. */
-static void pupil_shape_cross(const struct ray *ray, double z, double light_direction,
-                              double point[2])
+static void shape_cross(const struct ray *ray, double z, double light_direction, double point[2])
 {
     double t = (z - ray->point[2]) / ray->cosine[2];
     bool meets = ray->cosine[2] * light_direction > ALONG;
@@ -94,21 +87,6 @@ static void pupil_shape_cross(const struct ray *ray, double z, double light_dire
 /* What ends an outline that is not there. */
 static const size_t nothing = (size_t)-1;
 
-/* Bounds of an outline; limits: what clear_edge_at takes. */
-static void pupil_shape_bound(const struct clear_pupil *clear, const double (*points)[2],
-                              struct pupil_extent *extent, size_t limit[PUPIL_ENDS])
-{
-    const double(*curve)[2] = points + tips_from(clear);
-    for (int k = 0; k < 2; k++) {
-        extent->high[k] = clear_extreme(clear, curve, k, 1, &limit[k]);
-        extent->low[k] = clear_extreme(clear, curve, k, -1, &limit[k + 2]);
-        /* what symmetry makes 0 */
-        double small = 1e-12 * (extent->high[k] - extent->low[k]);
-        extent->centre[k] = fabs(extent->centre[k]) < small ? 0 : extent->centre[k];
-    }
-    extent->outline = points;
-}
-
 /* The outline of rays in a plane, with its limits. */
 static void pupil_shape_look_at(const struct clear_pupil *clear, const struct ray *rays, double z,
                                 double light_direction, struct arena *arena,
@@ -119,7 +97,7 @@ static void pupil_shape_look_at(const struct clear_pupil *clear, const struct ra
     bool met = isfinite(z);
     *extent = (struct pupil_extent){.z = z};
     for (size_t i = 0; i < count; i++) {
-        pupil_shape_cross(&rays[i], met ? z : 0, light_direction, points[i]);
+        shape_cross(&rays[i], met ? z : 0, light_direction, points[i]);
         met = met && isfinite(points[i][0]) && isfinite(points[i][1]);
     }
     for (size_t i = 0; i < PUPIL_ENDS; i++) {
@@ -128,7 +106,16 @@ static void pupil_shape_look_at(const struct clear_pupil *clear, const struct ra
     if (met) {
         extent->area =
             contour_area(clear, (const double(*)[2])points + arms_from(clear), extent->centre);
-        pupil_shape_bound(clear, (const double(*)[2])points, extent, limit);
+        /* its bounds; limits: what clear_edge_at takes */
+        const double(*curve)[2] = (const double(*)[2])points + clear->edge_count;
+        for (int k = 0; k < 2; k++) {
+            extent->high[k] = clear_extreme(clear, curve, k, 1, &limit[k]);
+            extent->low[k] = clear_extreme(clear, curve, k, -1, &limit[k + 2]);
+            /* what symmetry makes 0 */
+            double small = 1e-12 * (extent->high[k] - extent->low[k]);
+            extent->centre[k] = fabs(extent->centre[k]) < small ? 0 : extent->centre[k];
+        }
+        extent->outline = (const double(*)[2])points;
         return;
     }
     extent->area = extent->low[0] = extent->low[1] = extent->high[0] = extent->high[1] = NAN;
@@ -141,8 +128,7 @@ static void pupil_shape_look_at(const struct clear_pupil *clear, const struct ra
 enum measure { IN_PLANE, COSINES };
 
 /* What a bit of the beam's plane counts; see the header. */
-static double pupil_shape_weight(const struct beam *beam, const double at[2], enum measure what,
-                                 double z)
+static double shape_weight(const struct beam *beam, const double at[2], enum measure what, double z)
 {
     struct ray ray = beam_ray(beam, at[0], at[1]);
     double cosine = fabs(ray.cosine[2]), d = fabs(beam->distance);
@@ -161,8 +147,7 @@ static double integrate(const struct beam *beam, const struct clear_pupil *clear
     enum { POINTS = 8 };
     double x[POINTS], w[POINTS], sum = 0;
     if (isinf(beam->distance)) {
-        return pupil_shape_weight(beam, clear->centre, what, z) *
-               clear->area; /* alike everywhere */
+        return shape_weight(beam, clear->centre, what, z) * clear->area; /* alike everywhere */
     }
     gauss_rule(POINTS, x, w);
     for (size_t i = 0; i < clear->arm_count; i++) {
@@ -173,7 +158,7 @@ static double integrate(const struct beam *beam, const struct clear_pupil *clear
             double low = intervals->low[k / POINTS], width = intervals->high[k / POINTS] - low;
             double t = low + width * x[k % POINTS];
             const double at[2] = {c[0] + t * arm[0], c[1] + t * arm[1]};
-            along += width * w[k % POINTS] * t * pupil_shape_weight(beam, at, what, z);
+            along += width * w[k % POINTS] * t * shape_weight(beam, at, what, z);
         }
         sum += 2 * along * clear->arms[i].area;
     }
@@ -183,9 +168,8 @@ static double integrate(const struct beam *beam, const struct clear_pupil *clear
 /* -------- both sides -------- */
 
 /* Rays of the beam, taken through to the place `to`. */
-static struct ray *pupil_shape_trace_places(const struct pupil_question *question,
-                                            const double (*at)[2], size_t count, size_t to,
-                                            struct arena *arena)
+static struct ray *shape_trace_places(const struct pupil_question *question, const double (*at)[2],
+                                      size_t count, size_t to, struct arena *arena)
 {
     const struct system *system = question->open;
     struct rays rays = rays_new(arena, count);
@@ -216,7 +200,7 @@ static struct ray *trace_edges(const struct pupil_question *question,
         at[i][0] = place[0];
         at[i][1] = place[1];
     }
-    return pupil_shape_trace_places(question, (const double(*)[2])at, count, to, arena);
+    return shape_trace_places(question, (const double(*)[2])at, count, to, arena);
 }
 
 /* A plane that a bundle may fold in, and how far its rays reach there. */
@@ -225,40 +209,6 @@ struct fold {
     double low[2], high[2];
     struct jacobian_extremes folding;
 };
-
-/* Three rays at a time: one within the edge, and two beside it. */
-static void add_folds(struct fold *fold, const struct ray *rays, size_t count,
-                      double light_direction)
-{
-    for (size_t i = 0; i + 2 < count; i += 3) {
-        double points[3][2];
-        for (size_t k = 0; k < 3; k++) {
-            pupil_shape_cross(&rays[i + k], fold->extent->z, light_direction, points[k]);
-        }
-        caustic_add(&fold->folding, (const double(*)[2])points, 3);
-        for (int k = 0; k < 2; k++) {
-            fold->low[k] = fmin(fold->low[k], points[0][k]);
-            fold->high[k] = fmax(fold->high[k], points[0][k]);
-        }
-    }
-}
-
-/* Where a folded bundle covers a plane twice its edges enclose nothing that has a meaning. */
-static void end_fold(const struct fold *fold)
-{
-    struct pupil_extent *extent = fold->extent;
-    extent->folds = caustic_seen(&fold->folding);
-    if (!extent->folds) {
-        return;
-    }
-    extent->area = extent->centre[0] = extent->centre[1] = NAN;
-    for (int k = 0; k < 2; k++) {
-        double slack = 1e-6 * (extent->high[k] - extent->low[k]);
-        /* a fold reaches beyond the edges: where it ends is not known */
-        extent->low[k] = fold->low[k] < extent->low[k] - slack ? (double)NAN : extent->low[k];
-        extent->high[k] = fold->high[k] > extent->high[k] + slack ? (double)NAN : extent->high[k];
-    }
-}
 
 enum { PLANES = 2 };
 
@@ -281,10 +231,21 @@ static void look_for_folds(const struct pupil_question *question, const struct c
         const struct arena_mark mark = arena_mark(arena);
         const size_t here = count - done < AT_ONCE ? count - done : AT_ONCE;
         const struct ray *rays =
-            pupil_shape_trace_places(question, at + done, here, question->open->places, arena);
+            shape_trace_places(question, at + done, here, question->open->places, arena);
         for (size_t i = 0; i < PLANES; i++) {
             if (folds[i].extent->outline != NULL) {
-                add_folds(&folds[i], rays, here, light_direction);
+                /* Three rays at a time: one within the edge, and two beside it. */
+                for (size_t m = 0; m + 2 < here; m += 3) {
+                    double points[3][2];
+                    for (size_t j = 0; j < 3; j++) {
+                        shape_cross(&rays[m + j], folds[i].extent->z, light_direction, points[j]);
+                    }
+                    caustic_add(&folds[i].folding, (const double(*)[2])points, 3);
+                    for (int j = 0; j < 2; j++) {
+                        folds[i].low[j] = fmin(folds[i].low[j], points[0][j]);
+                        folds[i].high[j] = fmax(folds[i].high[j], points[0][j]);
+                    }
+                }
             }
         }
         arena_reset(arena, mark);
@@ -307,8 +268,21 @@ static void check_folds(const struct pupil_question *question, const struct clea
     }
     look_for_folds(question, clear, CAUSTIC_FINE, light_direction, arena, folds);
     for (size_t i = 0; i < PLANES; i++) {
-        if (folds[i].extent->outline != NULL) {
-            end_fold(&folds[i]);
+        const struct fold *fold = &folds[i];
+        struct pupil_extent *extent = fold->extent;
+        extent->folds = extent->outline != NULL && caustic_seen(&fold->folding);
+        if (!extent->folds) {
+            continue;
+        }
+        /* what covers a plane twice has edges that enclose nothing which has a meaning */
+        extent->area = extent->centre[0] = extent->centre[1] = NAN;
+        for (int k = 0; k < 2; k++) {
+            const double slack = 1e-6 * (extent->high[k] - extent->low[k]);
+            /* a fold reaches beyond the edges: where it ends is not known */
+            const bool is_lower = fold->low[k] < extent->low[k] - slack;
+            extent->high[k] =
+                fold->high[k] > extent->high[k] + slack ? (double)NAN : extent->high[k];
+            extent->low[k] = is_lower ? (double)NAN : extent->low[k];
         }
     }
 }
@@ -330,7 +304,7 @@ static void fill_side(const struct clear_pupil *clear, const struct ray *rays, b
     if (!has_chief || side->chief.status == RAY_MISS) {
         side->chief = (struct ray){.point = {NAN, NAN, NAN}, .cosine = {NAN, NAN, NAN}};
     } else if (side->chief.cosine[2] * light_direction > ALONG) {
-        pupil_shape_cross(chief, 0, light_direction, side->chief.point);
+        shape_cross(chief, 0, light_direction, side->chief.point);
         side->chief.point[2] = 0;
     }
 }
@@ -386,24 +360,12 @@ static void fill_stop(const struct pupil_question *question, const struct clear_
     shape->stop = (const double(*)[2])points;
     shape->across = (const double(*)[2])across;
     for (int k = 0; k < 2; k++) {
-        const double(*curve)[2] = shape->stop + tips_from(clear);
+        const double(*curve)[2] = shape->stop + clear->edge_count;
         double high = clear_extreme(clear, curve, k, 1, &which);
         double low = clear_extreme(clear, curve, k, -1, &which);
         shape->vignetting[k] = fabs(1 - high) < 1e-6 ? 0 : 1 - high;
         shape->vignetting[k + 2] = fabs(1 + low) < 1e-6 ? 0 : 1 + low;
     }
-}
-
-/* What stops the chief ray, or the middle of the beam where there is no chief ray. */
-static void explain_loss(const struct pupil_question *question, const double at[2],
-                         struct arena *arena, struct pupil_shape *shape)
-{
-    struct rays work = rays_new(arena, 1);
-    struct ray ray = beam_ray(question->beam, at[0], at[1]);
-    rays_set(&work, 0, question->beam->n, &ray);
-    rays_trace(question->clipped, &work, NULL);
-    shape->status = ray_block_status(work.blocks, 0);
-    shape->surface = ray_block_surface(work.blocks, 0);
 }
 
 /* Areas by integrals over the beam: on its own side, on both where something is cut out. */
@@ -449,8 +411,14 @@ static bool pupil_shape_look(const struct pupil_question *question, struct arena
     }
     struct clear_guess guess = clear_guess_of(question->clipped, beam, question->first);
     *shape = (struct pupil_shape){.count = question->directions};
-    shape->has_chief = pupil_shape_find_chief(question, &guess, arena, chief);
-    explain_loss(question, chief, arena, shape);
+    shape->has_chief = shape_find_chief(question, &guess, arena, chief);
+    /* What stops the chief ray, or the middle of the beam where there is no chief ray. */
+    struct rays work = rays_new(arena, 1);
+    struct ray ray = beam_ray(question->beam, chief[0], chief[1]);
+    rays_set(&work, 0, question->beam->n, &ray);
+    rays_trace(question->clipped, &work, NULL);
+    shape->status = ray_block_status(work.blocks, 0);
+    shape->surface = ray_block_surface(work.blocks, 0);
     guess.centre[0] = chief[0];
     guess.centre[1] = chief[1];
     clear_find(question->clipped, beam, &guess, question->directions, arena, &clear);

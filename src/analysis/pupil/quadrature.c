@@ -74,20 +74,6 @@ static void quadrature_spread(const struct pupil_boundary *boundary, size_t want
     }
 }
 
-/* Of arms that mirror each other about u = 0 one counts twice. */
-static void keep_half(struct arms *arms)
-{
-    size_t kept = 0;
-    for (size_t i = 0; i < arms->count; i++) {
-        const double side = sin(arms->angles[i]);
-        if (side > -on_axis) {
-            arms->angles[kept] = arms->angles[i];
-            arms->shares[kept++] = arms->shares[i] * (side > on_axis ? 2 : 1);
-        }
-    }
-    arms->count = kept;
-}
-
 /* Arms that show corners which the boundary has missed are made anew. */
 static void make_arms(const struct quadrature_region *region, size_t wanted, struct arena *arena,
                       struct arms *arms)
@@ -99,7 +85,16 @@ static void make_arms(const struct quadrature_region *region, size_t wanted, str
     for (int lesson = 0; lesson <= LESSONS && learns; lesson++) {
         quadrature_spread(boundary, wanted, arena, arms);
         if (region->in_half && margins->is_mirrored && boundary->frame.centre[0] == 0) {
-            keep_half(arms);
+            /* Of arms that mirror each other about u = 0 one counts twice. */
+            size_t kept = 0;
+            for (size_t j = 0; j < arms->count; j++) {
+                const double side = sin(arms->angles[j]);
+                if (side > -on_axis) {
+                    arms->angles[kept] = arms->angles[j];
+                    arms->shares[kept++] = arms->shares[j] * (side > on_axis ? 2 : 1);
+                }
+            }
+            arms->count = kept;
         }
         arms->edges = ARENA_ARRAY(arena, arms->count, struct edge);
         pupil_boundary_edges(margins, boundary, arms->angles, arms->count, arena, arms->edges);
@@ -205,22 +200,18 @@ static bool whole_aim_half(const struct aim *aim, size_t arms, struct arena *are
     return true;
 }
 
-/* Which way around in the beam's plane a disc goes: +1 as in u and v. */
-static double whole_turn_of(const struct stop_beam *beam)
-{
-    double at[3][2];
-    stop_beam_place(beam, 0, 0, at[0]);
-    stop_beam_place(beam, 1, 0, at[1]);
-    stop_beam_place(beam, 0, 1, at[2]);
-    return (at[1][0] - at[0][0]) * (at[2][1] - at[0][1]) -
-           (at[1][1] - at[0][1]) * (at[2][0] - at[0][0]);
-}
-
 /* Does the outermost ring go around once, the way the points do, and arrive? */
 static bool whole_is_sound(const struct clearances *margins, const struct rays *all, size_t first)
 {
     const struct stop_beam *beam = margins->beam;
-    const double turn = whole_turn_of(beam), n = margins->system->index_first;
+    /* Which way around in the beam's plane a disc goes: +1 as in u and v. */
+    double at[3][2];
+    stop_beam_place(beam, 0, 0, at[0]);
+    stop_beam_place(beam, 1, 0, at[1]);
+    stop_beam_place(beam, 0, 1, at[2]);
+    const double turn = (at[1][0] - at[0][0]) * (at[2][1] - at[0][1]) -
+                        (at[1][1] - at[0][1]) * (at[2][0] - at[0][0]),
+                 n = margins->system->index_first;
     const size_t count = all->count - first;
     double centre[2];
     bool sound = true;
@@ -307,43 +298,6 @@ static struct stop_map mapping_open(const struct clearances *margins, bool weigh
     return mapping;
 }
 
-/* |d(x, y in the stop)/d(u, v)| of up to 128 points; where they cross it stands in the block. */
-static void find_areas(const struct stop_map *mapping, const double (*points)[2], size_t count,
-                       double *areas)
-{
-    const struct clearances *margins = mapping->margins;
-    const struct system *system = margins->system;
-    struct ray_block *block = margins->work.blocks;
-    const double unit = margins->beam->radius;
-    const int lanes = kernel_lanes(count);
-    clearances_go(margins, points, count, 0);
-    for (int k = 0; k < 2; k++) {
-        const double *axes = margins->beam->axes + k;
-        beam_tangents(margins->beam->beam, (double[2]){axes[0], axes[2]}, block, (size_t)lanes,
-                      &mapping->tangents[k]);
-    }
-    ray_block_copy(&mapping->rays[0], block, (size_t)lanes);
-    tangent_follow(&mapping->before, lanes, 2, mapping->rays, mapping->tangents);
-    ray_block_copy(block, &mapping->rays[0], (size_t)lanes);
-    for (size_t i = 0; i < count; i++) {
-        double from[3], along[2][3];
-        clearances_cross(margins, system->stop, i, from);
-        for (int k = 0; k < 2; k++) {
-            const struct ray_block *tangent = &mapping->tangents[k];
-            double *to = along[k];
-            to[0] = block->x[i] + tangent->x[i];
-            to[1] = block->y[i] + tangent->y[i];
-            to[2] = block->z[i] + tangent->z[i];
-            if (system->lens->surfaces[system->stop].decentre != NULL) {
-                system_to_own(system, system->stop, to);
-            }
-        }
-        areas[i] = fabs((along[0][0] - from[0]) * (along[1][1] - from[1]) -
-                        (along[0][1] - from[1]) * (along[1][0] - from[0])) /
-                   (unit * unit);
-    }
-}
-
 /* The same by the four rays about each point: an ideal thick lens has no tangents. */
 static void find_areas_beside(const struct stop_map *mapping, const double (*points)[2],
                               size_t count, double *areas)
@@ -378,24 +332,43 @@ static bool find_any_areas(const struct stop_map *mapping, const double (*from)[
                            double *areas)
 {
     bool known = true;
-    find_areas(mapping, from, count, areas);
+    /* |d(x, y in the stop)/d(u, v)| of up to 128 points; where they cross stands in the block */
+    const struct clearances *margins = mapping->margins;
+    const struct system *system = margins->system;
+    struct ray_block *block = margins->work.blocks;
+    const double unit = margins->beam->radius;
+    const int lanes = kernel_lanes(count);
+    clearances_go(margins, from, count, 0);
+    for (int k = 0; k < 2; k++) {
+        const double *axes = margins->beam->axes + k;
+        beam_tangents(margins->beam->beam, (double[2]){axes[0], axes[2]}, block, (size_t)lanes,
+                      &mapping->tangents[k]);
+    }
+    ray_block_copy(&mapping->rays[0], block, (size_t)lanes);
+    tangent_follow(&mapping->before, lanes, 2, mapping->rays, mapping->tangents);
+    ray_block_copy(block, &mapping->rays[0], (size_t)lanes);
+    for (size_t i = 0; i < count; i++) {
+        double base[3], along[2][3];
+        clearances_cross(margins, system->stop, i, base);
+        for (int k = 0; k < 2; k++) {
+            const struct ray_block *tangent = &mapping->tangents[k];
+            double *to = along[k];
+            to[0] = block->x[i] + tangent->x[i];
+            to[1] = block->y[i] + tangent->y[i];
+            to[2] = block->z[i] + tangent->z[i];
+            if (system->lens->surfaces[system->stop].decentre != NULL) {
+                system_to_own(system, system->stop, to);
+            }
+        }
+        areas[i] = fabs((along[0][0] - base[0]) * (along[1][1] - base[1]) -
+                        (along[0][1] - base[1]) * (along[1][0] - base[0])) /
+                   (unit * unit);
+    }
     for (size_t i = 0; i < count; i++) {
         known = known && isfinite(areas[i]);
     }
     if (!known) {
         find_areas_beside(mapping, from, count, areas);
-    }
-    return known;
-}
-
-/* Up to 128 points by their areas; false: as find_any_areas. */
-static bool quadrature_weigh(const struct stop_map *mapping, const double (*from)[2], size_t count,
-                             struct pupil_point *points)
-{
-    double areas[RAYS_BLOCK];
-    const bool known = find_any_areas(mapping, from, count, areas);
-    for (size_t i = 0; i < count; i++) {
-        points[i].weight *= areas[i];
     }
     return known;
 }
@@ -413,8 +386,14 @@ static void map_to_stop(const struct stop_map *mapping, struct sample *sample)
             from[i][0] = points[i].x;
             from[i][1] = points[i].y;
         }
-        bool there = margins->beam->weight == WEIGHT_PUPIL &&
-                     quadrature_weigh(mapping, (const double(*)[2])from, here, points);
+        bool there = false;
+        if (margins->beam->weight == WEIGHT_PUPIL) {
+            double areas[RAYS_BLOCK];
+            there = find_any_areas(mapping, (const double(*)[2])from, here, areas);
+            for (size_t i = 0; i < here; i++) {
+                points[i].weight *= areas[i];
+            }
+        }
         if (!there) {
             clearances_go(margins, (const double(*)[2])from, here, mapping->before.places);
         }
@@ -431,15 +410,6 @@ static void map_to_stop(const struct stop_map *mapping, struct sample *sample)
 static size_t arms_for(const struct pupil_boundary *boundary, size_t rings)
 {
     return boundary->is_whole ? 2 * rings + 1 : 3 * rings + 2;
-}
-
-static size_t rings_for(const struct pupil_boundary *boundary, size_t rays)
-{
-    size_t rings = 1;
-    while (rings * (arms_for(boundary, rings) + boundary->corner_count) < rays) {
-        rings++;
-    }
-    return rings;
 }
 
 struct quadrature_region quadrature_open(const struct stop_beam *beam, struct arena *arena)
@@ -531,8 +501,11 @@ struct quadrature quadrature_fill(struct quadrature_region *region, size_t rays,
         return all;
     }
     const struct pupil_boundary *boundary = region->boundary;
-    const size_t rings = rings_for(boundary, rays), wanted = arms_for(boundary, rings);
-    make_arms(region, wanted, arena, &arms);
+    size_t rings = 1;
+    while (rings * (arms_for(boundary, rings) + boundary->corner_count) < rays) {
+        rings++;
+    }
+    make_arms(region, arms_for(boundary, rings), arena, &arms);
     quadrature_put_points(region, &arms, rings, arena, &all);
     all.is_empty = all.sample.count == 0;
     if (region->in_beam) {
@@ -544,21 +517,6 @@ struct quadrature quadrature_fill(struct quadrature_region *region, size_t rays,
         map_to_stop(&mapping, &all.sample);
     }
     return all;
-}
-
-/* u and v of the rays of a block, where they start. */
-static void name_rays(const struct stop_beam *all, const struct rays *rays, size_t first,
-                      size_t count, double (*from)[2])
-{
-    const double *m = all->axes, det = m[0] * m[3] - m[1] * m[2];
-    for (size_t i = 0; i < count; i++) {
-        const struct ray ray = rays_get(rays, first + i, all->system->index_first);
-        double at[2];
-        beam_place(all->beam, ray.point, at);
-        const double a = at[0] - all->origin[0], b = at[1] - all->origin[1];
-        from[i][0] = (m[3] * a - m[1] * b) / det;
-        from[i][1] = (m[0] * b - m[2] * a) / det;
-    }
 }
 
 void quadrature_weigh_beam(const struct stop_beam *beam, const struct rays *rays,
@@ -575,7 +533,16 @@ void quadrature_weigh_beam(const struct stop_beam *beam, const struct rays *rays
     for (size_t done = 0; done < rays->count; done += RAYS_BLOCK) {
         const size_t here = rays->count - done < RAYS_BLOCK ? rays->count - done : RAYS_BLOCK;
         double from[RAYS_BLOCK][2], areas[RAYS_BLOCK];
-        name_rays(beam, rays, done, here, from);
+        /* u and v of the rays of a block, where they start. */
+        const double *m = beam->axes, det = m[0] * m[3] - m[1] * m[2];
+        for (size_t j = 0; j < here; j++) {
+            const struct ray ray = rays_get(rays, done + j, beam->system->index_first);
+            double at[2];
+            beam_place(beam->beam, ray.point, at);
+            const double a = at[0] - beam->origin[0], b = at[1] - beam->origin[1];
+            from[j][0] = (m[3] * a - m[1] * b) / det;
+            from[j][1] = (m[0] * b - m[2] * a) / det;
+        }
         find_any_areas(&mapping, (const double(*)[2])from, here, areas);
         for (size_t i = 0; i < here; i++) {
             /* one that has none is lost on its way to the stop */

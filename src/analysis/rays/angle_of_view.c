@@ -49,30 +49,6 @@ static void to_stop(const struct outlook *outlook, size_t count, double (*points
     }
 }
 
-static double miss_of(const double point[2])
-{
-    return hypot(point[0], point[1]);
-}
-
-/* Newton's step towards the centre of the stop, the slopes by differences; false: rays are lost. */
-static bool angle_of_view_newton_step(const struct outlook *outlook, const struct from_film *ray,
-                                      double *miss, double step[2])
-{
-    double h = 1e-6 * outlook->question->film, points[3][2];
-    angle_of_view_start(outlook, 0, ray->film, ray->at);
-    angle_of_view_start(outlook, 1, ray->film, (double[2]){ray->at[0] + h, ray->at[1]});
-    angle_of_view_start(outlook, 2, ray->film, (double[2]){ray->at[0], ray->at[1] + h});
-    to_stop(outlook, 3, points);
-    const double *here = points[0];
-    *miss = miss_of(here);
-    double m[4] = {(points[1][0] - here[0]) / h, (points[2][0] - here[0]) / h,
-                   (points[1][1] - here[1]) / h, (points[2][1] - here[1]) / h};
-    double det = m[0] * m[3] - m[1] * m[2];
-    step[0] = (m[1] * here[1] - m[3] * here[0]) / det;
-    step[1] = (m[2] * here[0] - m[0] * here[1]) / det;
-    return isfinite(step[0]) && isfinite(step[1]);
-}
-
 /* The part of the step, halved again and again in the lanes of one block, that comes nearest. */
 static bool take_step(const struct outlook *outlook, struct from_film *ray, double miss,
                       const double step[2])
@@ -86,7 +62,7 @@ static bool take_step(const struct outlook *outlook, struct from_film *ray, doub
     }
     to_stop(outlook, HALVINGS, points);
     for (size_t i = 0; i < HALVINGS; i++) {
-        if (miss_of(points[i]) < miss) {
+        if (hypot(points[i][0], points[i][1]) < miss) {
             ray->at[0] = tried[i][0];
             ray->at[1] = tried[i][1];
             return true;
@@ -96,11 +72,24 @@ static bool take_step(const struct outlook *outlook, struct from_film *ray, doub
 }
 
 /* From a guess to the chief ray. It ends when no step brings it closer, which is at rounding. */
-static bool angle_of_view_find_chief(const struct outlook *outlook, struct from_film *ray)
+static bool film_find_chief(const struct outlook *outlook, struct from_film *ray)
 {
     double miss = INFINITY, step[2];
     for (int turn = 0; turn < 60; turn++) {
-        if (!angle_of_view_newton_step(outlook, ray, &miss, step)) {
+        /* Newton's step towards the centre of the stop, the slopes by differences */
+        double h = 1e-6 * outlook->question->film, points[3][2];
+        angle_of_view_start(outlook, 0, ray->film, ray->at);
+        angle_of_view_start(outlook, 1, ray->film, (double[2]){ray->at[0] + h, ray->at[1]});
+        angle_of_view_start(outlook, 2, ray->film, (double[2]){ray->at[0], ray->at[1] + h});
+        to_stop(outlook, 3, points);
+        const double *here = points[0];
+        miss = hypot(here[0], here[1]);
+        double m[4] = {(points[1][0] - here[0]) / h, (points[2][0] - here[0]) / h,
+                       (points[1][1] - here[1]) / h, (points[2][1] - here[1]) / h};
+        double det = m[0] * m[3] - m[1] * m[2];
+        step[0] = (m[1] * here[1] - m[3] * here[0]) / det;
+        step[1] = (m[2] * here[0] - m[0] * here[1]) / det;
+        if (!(isfinite(step[0]) && isfinite(step[1]))) {
             return false;
         }
         if (!take_step(outlook, ray, miss, step)) {
@@ -210,8 +199,7 @@ static bool angle_of_view_find_end(const struct outlook *outlook, const double c
     double film[2] = {0, 0}, step = 0.25;
     struct from_film ray = {.film = film};
     end->part = 0;
-    if (!angle_of_view_find_chief(outlook, &ray) ||
-        !angle_of_view_leave(outlook, &ray, reach, end)) {
+    if (!film_find_chief(outlook, &ray) || !angle_of_view_leave(outlook, &ray, reach, end)) {
         return fail(error, ERROR_DOMAIN, "the chief ray of the sensor's centre is lost");
     }
     offset[0] = ray.at[0];
@@ -222,8 +210,7 @@ static bool angle_of_view_find_end(const struct outlook *outlook, const double c
             film[i] = part * corner[i];
             ray.at[i] = lean * film[i] + offset[i];
         }
-        if (!angle_of_view_find_chief(outlook, &ray) ||
-            !angle_of_view_leave(outlook, &ray, reach, end)) {
+        if (!film_find_chief(outlook, &ray) || !angle_of_view_leave(outlook, &ray, reach, end)) {
             step /= 2;
             continue;
         }
@@ -264,23 +251,6 @@ static double angle_of_view_tilt_of(const struct end *end)
     return atan2(hypot(end->cosine[0], end->cosine[1]), -end->cosine[2]);
 }
 
-static struct view_span span_of(const struct end *a, const struct end *b, double subject)
-{
-    double tilts[2] = {angle_of_view_tilt_of(a), angle_of_view_tilt_of(b)}, places[2][2];
-    bool same_side = a->cosine[0] * b->cosine[0] + a->cosine[1] * b->cosine[1] > 0;
-    struct view_span span = {.angle = same_side ? fabs(tilts[0] - tilts[1]) : tilts[0] + tilts[1],
-                             .part = fmin(a->part, b->part)};
-    bool all_meet = a->cosine[2] < 0 && b->cosine[2] < 0;
-    if (isinf(subject)) {
-        span.size = all_meet ? INFINITY : (double)NAN;
-        return span;
-    }
-    angle_of_view_meet(a, subject, places[0]);
-    angle_of_view_meet(b, subject, places[1]);
-    span.size = hypot(places[0][0] - places[1][0], places[0][1] - places[1][1]);
-    return span;
-}
-
 /* Both ends of a dimension; a round lens is the same on both sides. */
 static bool angle_of_view_look_across(const struct outlook *outlook, double x, double y,
                                       struct view_span *span, struct error *error)
@@ -301,7 +271,18 @@ static bool angle_of_view_look_across(const struct outlook *outlook, double x, d
                !unsqueeze(question->squeeze, &b, error)) {
         return false;
     }
-    *span = span_of(&a, &b, question->subject);
+    const double tilts[2] = {angle_of_view_tilt_of(&a), angle_of_view_tilt_of(&b)};
+    const bool same_side = a.cosine[0] * b.cosine[0] + a.cosine[1] * b.cosine[1] > 0;
+    const bool all_meet = a.cosine[2] < 0 && b.cosine[2] < 0;
+    *span = (struct view_span){.angle = same_side ? fabs(tilts[0] - tilts[1]) : tilts[0] + tilts[1],
+                               .size = all_meet ? INFINITY : (double)NAN,
+                               .part = fmin(a.part, b.part)};
+    if (!isinf(question->subject)) {
+        double places[2][2];
+        angle_of_view_meet(&a, question->subject, places[0]);
+        angle_of_view_meet(&b, question->subject, places[1]);
+        span->size = hypot(places[0][0] - places[1][0], places[0][1] - places[1][1]);
+    }
     return true;
 }
 
@@ -331,28 +312,24 @@ static bool open_outlook(const struct view_question *question, struct arena *are
     return true;
 }
 
-/* Where on the diagonal clear apertures begin to stop chief rays; the end itself if nowhere. */
-static bool find_dark(const struct outlook *outlook, double x, double y, struct view *view,
-                      struct error *error)
-{
-    struct end end;
-    double diagonal = 2 * hypot(x, y);
-    if (!angle_of_view_find_end(outlook, (double[2]){x, y}, REACH_CHIEF, &end, error)) {
-        return false;
-    }
-    view->circle = view->diagonal.part < 1 ? view->diagonal.part * diagonal : (double)NAN;
-    view->clear = end.part < view->diagonal.part ? end.part * diagonal : (double)NAN;
-    return true;
-}
-
 bool view_of_lens(const struct view_question *question, struct arena *arena, struct view *view,
                   struct error *error)
 {
     struct outlook outlook;
     double x = question->sensor.width / 2, y = question->sensor.height / 2;
-    return open_outlook(question, arena, &outlook, error) &&
-           angle_of_view_look_across(&outlook, x, 0, &view->horizontal, error) &&
-           angle_of_view_look_across(&outlook, 0, y, &view->vertical, error) &&
-           angle_of_view_look_across(&outlook, x, y, &view->diagonal, error) &&
-           find_dark(&outlook, x, y, view, error);
+    if (!open_outlook(question, arena, &outlook, error) ||
+        !angle_of_view_look_across(&outlook, x, 0, &view->horizontal, error) ||
+        !angle_of_view_look_across(&outlook, 0, y, &view->vertical, error) ||
+        !angle_of_view_look_across(&outlook, x, y, &view->diagonal, error)) {
+        return false;
+    }
+    /* Where on the diagonal clear apertures begin to stop chief rays; the end itself if nowhere. */
+    struct end end;
+    double diagonal = 2 * hypot(x, y);
+    if (!angle_of_view_find_end(&outlook, (double[2]){x, y}, REACH_CHIEF, &end, error)) {
+        return false;
+    }
+    view->circle = view->diagonal.part < 1 ? view->diagonal.part * diagonal : (double)NAN;
+    view->clear = end.part < view->diagonal.part ? end.part * diagonal : (double)NAN;
+    return true;
 }

@@ -29,49 +29,10 @@ static void seed(const struct beam *beam, const double at[2], int k, struct ray_
     tangent->r[0] = direction[2];
 }
 
-/* Unit vectors across the ray: in the plane of ray and axis, and at right angles to it. */
-static void coddington_set_frame(const struct ray *ray, double tangential[3], double sagittal[3])
-{
-    const double *d = ray->cosine, *x = ray->point;
-    double side = hypot(d[0], d[1]), up[2] = {d[0], d[1]}, away = hypot(x[0], x[1]);
-    if (!(side > PARALLEL)) {
-        up[0] = away > 0 ? x[0] : 0;
-        up[1] = away > 0 ? x[1] : 1;
-    }
-    double length = hypot(up[0], up[1]), sign = up[1] < 0 ? -1 : 1;
-    up[0] *= sign / length;
-    up[1] *= sign / length;
-    sagittal[0] = up[1];
-    sagittal[1] = -up[0];
-    sagittal[2] = 0;
-    /* d x sagittal, of unit length but for a ray that is parallel only nearly */
-    tangential[0] = up[0] * d[2];
-    tangential[1] = up[1] * d[2];
-    tangential[2] = -(up[0] * d[0] + up[1] * d[1]);
-}
-
 /* Derivatives across the ray, by rows: tangential, sagittal; by columns: those of the start. */
 struct beam_spread {
     double A[2][2], B[2][2];
 };
-
-static struct beam_spread spreading_of(const struct ray *ray, double n,
-                                       const struct ray_block *tangents)
-{
-    double across[2][3];
-    struct beam_spread all;
-    coddington_set_frame(ray, across[0], across[1]);
-    for (int k = 0; k < 2; k++) {
-        const struct ray_block *of = &tangents[k];
-        const double point[3] = {of->x[0], of->y[0], of->z[0]};
-        const double direction[3] = {of->p[0] / n, of->q[0] / n, of->r[0] / n};
-        for (int i = 0; i < 2; i++) {
-            all.A[i][1 - k] = coddington_dot(across[i], point);
-            all.B[i][1 - k] = coddington_dot(across[i], direction);
-        }
-    }
-    return all;
-}
 
 static double coddington_size_of(const double m[2][2])
 {
@@ -136,8 +97,8 @@ static double coddington_place_of(const struct ray *ray, double distance)
     return isinf(distance) ? (double)INFINITY : ray->point[2] + distance * ray->cosine[2];
 }
 
-static bool find_narrow(const struct system *system, const struct beam *beam, const double at[2],
-                        struct arena *arena, struct narrow_beam *narrow)
+bool coddington_foci(const struct system *system, const struct beam *beam, const double at[2],
+                     struct arena *arena, struct narrow_beam *narrow)
 {
     const struct ray start = beam_ray(beam, at[0], at[1]);
     const struct rays rays = rays_new(arena, 2 * (size_t)RAYS_BLOCK);
@@ -150,18 +111,37 @@ static bool find_narrow(const struct system *system, const struct beam *beam, co
     if (narrow->chief.status != RAY_OK) {
         return false;
     }
-    const struct beam_spread all = spreading_of(&narrow->chief, system->index_last, tangents);
+    double across[2][3];
+    struct beam_spread all;
+    /* Unit vectors across the ray: in the plane of ray and axis, and at right angles to it. */
+    const double *d = narrow->chief.cosine, *x = narrow->chief.point;
+    double side = hypot(d[0], d[1]), up[2] = {d[0], d[1]}, away = hypot(x[0], x[1]);
+    if (!(side > PARALLEL)) {
+        up[0] = away > 0 ? x[0] : 0;
+        up[1] = away > 0 ? x[1] : 1;
+    }
+    double length = hypot(up[0], up[1]), sign = up[1] < 0 ? -1 : 1;
+    up[0] *= sign / length;
+    up[1] *= sign / length;
+    across[1][0] = up[1];
+    across[1][1] = -up[0];
+    across[1][2] = 0;
+    /* d x sagittal, of unit length but for a ray that is parallel only nearly */
+    across[0][0] = up[0] * d[2];
+    across[0][1] = up[1] * d[2];
+    across[0][2] = -(up[0] * d[0] + up[1] * d[1]);
+    for (int k = 0; k < 2; k++) {
+        const struct ray_block *of = &tangents[k];
+        const double point[3] = {of->x[0], of->y[0], of->z[0]};
+        const double direction[3] = {of->p[0] / system->index_last, of->q[0] / system->index_last,
+                                     of->r[0] / system->index_last};
+        for (int i = 0; i < 2; i++) {
+            all.A[i][1 - k] = coddington_dot(across[i], point);
+            all.B[i][1 - k] = coddington_dot(across[i], direction);
+        }
+    }
     find_foci(&all, narrow);
     narrow->tangential_z = coddington_place_of(&narrow->chief, narrow->tangential);
     narrow->sagittal_z = coddington_place_of(&narrow->chief, narrow->sagittal);
     return true;
-}
-
-bool coddington_foci(const struct system *system, const struct beam *beam, const double at[2],
-                     struct arena *arena, struct narrow_beam *narrow)
-{
-    const struct arena_mark mark = arena_mark(arena);
-    const bool found = find_narrow(system, beam, at, arena, narrow);
-    arena_reset(arena, mark);
-    return found;
 }

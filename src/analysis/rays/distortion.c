@@ -31,39 +31,6 @@ static struct distortion_place distortion_place_of(const struct beam *beam)
     return place;
 }
 
-static bool beam_towards(const struct distortion_map *map, const double towards[2], double amount,
-                         struct beam *beam, struct error *error)
-{
-    const double n = fabs(map->setup.first.index_object);
-    if (!map->setup.object.is_infinite) {
-        const double point[3] = {amount * towards[0], amount * towards[1],
-                                 -map->setup.object.distance.hi};
-        return beam_from_point(point, n, beam, error);
-    }
-    if (!(amount < PI)) {
-        return fail(error, ERROR_DOMAIN, "a field angle of %.6g deg: it must be below 180",
-                    amount * DEGREES_PER_RADIAN);
-    }
-    const double side = sin(amount);
-    const double along[3] = {side * towards[0], side * towards[1], cos(amount)};
-    *beam = beam_along(along, n);
-    return true;
-}
-
-static bool distortion_find_chief(const struct distortion_map *map, const struct beam *beam,
-                                  struct arena *arena, struct ray *chief, struct error *error)
-{
-    struct aim aim;
-    if (map->setup.first.is_telecentric) {
-        return aim_at_entrance(beam, &map->setup.first, 0, 0, chief, error);
-    }
-    if (!aim_open(map->open, beam, arena, &aim, error)) {
-        return false;
-    }
-    *chief = aim_chief(&aim);
-    return true;
-}
-
 static struct ray distortion_take(const struct system *system, const struct ray *from,
                                   struct arena *arena)
 {
@@ -79,9 +46,13 @@ static bool distortion_follow(const struct distortion_map *map, const struct bea
 {
     struct arena *arena = map->setup.arena;
     const struct arena_mark mark = arena_mark(arena);
+    const bool has_stop = !map->setup.first.is_telecentric;
+    struct aim aim;
     struct ray chief;
-    bool found = distortion_find_chief(map, beam, arena, &chief, error);
+    bool found = has_stop ? aim_open(map->open, beam, arena, &aim, error)
+                          : aim_at_entrance(beam, &map->setup.first, 0, 0, &chief, error);
     if (found) {
+        chief = has_stop ? aim_chief(&aim) : chief;
         const struct ray end = distortion_take(map->image, &chief, arena);
         found = end.status == RAY_OK ||
                 fail(error, ERROR_DOMAIN, "the chief ray is lost at surface %zu: %s", end.surface,
@@ -96,14 +67,6 @@ static bool distortion_follow(const struct distortion_map *map, const struct bea
 
 /* -------- against the projection -------- */
 
-/* The height of the projection over its scale. */
-static bool project(const struct distortion_map *map, double amount, double *height,
-                    struct error *error)
-{
-    *height = amount;
-    return !map->setup.object.is_infinite || fov_height(map->projection, amount, height, error);
-}
-
 /* Heights count along the direction of the field, turned so that it points up, or along +x. */
 static double along_field(const double towards[2], const double at[2])
 {
@@ -116,8 +79,9 @@ static bool distortion_compare(const struct distortion_map *map, const struct be
                                const struct distortion_place *place, struct distortion_point *point,
                                struct error *error)
 {
-    double ideal;
-    if (!project(map, place->amount, &ideal, error) ||
+    double ideal = place->amount; /* the height of the projection over its scale */
+    if ((map->setup.object.is_infinite &&
+         !fov_height(map->projection, place->amount, &ideal, error)) ||
         !distortion_follow(map, beam, point, error)) {
         return false;
     }
@@ -137,8 +101,21 @@ bool distortion_towards(const struct distortion_map *map, const double towards[2
 {
     struct beam beam;
     const struct distortion_place place = {{towards[0], towards[1]}, amount};
-    return beam_towards(map, towards, amount, &beam, error) &&
-           distortion_compare(map, &beam, &place, point, error);
+    const double n = fabs(map->setup.first.index_object);
+    if (!map->setup.object.is_infinite) {
+        const double from[3] = {amount * towards[0], amount * towards[1],
+                                -map->setup.object.distance.hi};
+        if (!beam_from_point(from, n, &beam, error)) {
+            return false;
+        }
+    } else if (amount < PI) {
+        const double side = sin(amount);
+        beam = beam_along((double[3]){side * towards[0], side * towards[1], cos(amount)}, n);
+    } else {
+        return fail(error, ERROR_DOMAIN, "a field angle of %.6g deg: it must be below 180",
+                    amount * DEGREES_PER_RADIAN);
+    }
+    return distortion_compare(map, &beam, &place, point, error);
 }
 
 bool distortion_direction(const struct distortion_map *map, const struct field_point *field,
@@ -271,46 +248,31 @@ bool distortion_open(const struct setup *setup, size_t wavelength, enum projecti
 
 /* -------- the calibrated focal length -------- */
 
-/* The scale that a field would have to itself, along one direction. */
-struct own_scale {
-    const struct distortion_map *map;
-    double towards[2];
-    double edge; /* the field goes from the axis to here */
-};
-
-static bool scale_at(const struct own_scale *own, double amount, double *scale, struct error *error)
-{
-    struct distortion_point point;
-    if (!distortion_towards(own->map, own->towards, amount, &point, error)) {
-        return false;
-    }
-    *scale = own->map->scale * (point.height / point.ideal);
-    return true;
-}
-
 /* The largest (sign 1) or smallest (-1) of the field: the best of 33, then closer about it. */
-static bool find_extreme(const struct own_scale *own, double sign, double *extreme,
-                         struct error *error)
+static bool find_extreme(const struct distortion_map *map, const double towards[2], double edge,
+                         double sign, double *extreme, struct error *error)
 {
     enum { PLACES = 32, ROUNDS = 4 };
-    const double axis = 1e-4 * own->edge; /* near enough: all this is even in the field */
-    double low = axis, high = own->edge;
+    const double axis = 1e-4 * edge; /* near enough: all this is even in the field */
+    double low = axis, high = edge;
     *extreme = -sign * INFINITY;
     for (int round = 0; round < ROUNDS; round++) {
         const double step = (high - low) / PLACES;
         double best = low;
         for (int i = 0; i <= PLACES; i++) {
             double amount = i < PLACES ? low + i * step : high, scale;
-            if (!scale_at(own, amount, &scale, error)) {
+            struct distortion_point point;
+            if (!distortion_towards(map, towards, amount, &point, error)) {
                 return false;
             }
+            scale = map->scale * (point.height / point.ideal);
             if (sign * scale > sign * *extreme) {
                 *extreme = scale;
                 best = amount;
             }
         }
         low = fmax(best - step, axis);
-        high = fmin(best + step, own->edge);
+        high = fmin(best + step, edge);
     }
     return true;
 }
@@ -318,16 +280,16 @@ static bool find_extreme(const struct own_scale *own, double sign, double *extre
 bool distortion_calibrate(const struct distortion_map *map, const struct field_point *edge,
                           double *scale, struct error *error)
 {
-    struct own_scale own = {.map = map};
-    double largest, smallest;
-    if (!distortion_direction(map, edge, own.towards, &own.edge, error)) {
+    double towards[2], end, largest, smallest;
+    if (!distortion_direction(map, edge, towards, &end, error)) {
         return false;
     }
-    if (!(own.edge > 0)) {
+    if (!(end > 0)) {
         return fail(error, ERROR_DOMAIN,
                     "a calibrated focal length needs a field off the axis to balance");
     }
-    if (!find_extreme(&own, 1, &largest, error) || !find_extreme(&own, -1, &smallest, error)) {
+    if (!find_extreme(map, towards, end, 1, &largest, error) ||
+        !find_extreme(map, towards, end, -1, &smallest, error)) {
         return false;
     }
     *scale = (largest + smallest) / 2;

@@ -15,7 +15,7 @@ enum { FIELDS = 128, STEPS = 24, HALVINGS = 40 };
 static const double UP[2] = {0, 1};
 
 /* A walk along the radius of the image. */
-struct distortion_fit_walk {
+struct fit_walk {
     const struct distortion_map *map;
     double radius; /* goal, mm */
     double stated; /* as far as the lens says that it is made for */
@@ -24,8 +24,7 @@ struct distortion_fit_walk {
     struct error *error;
 };
 
-static bool distortion_fit_look(const struct distortion_fit_walk *walk, double amount,
-                                struct distortion_point *point)
+static bool fit_look(const struct fit_walk *walk, double amount, struct distortion_point *point)
 {
     if (!distortion_towards(walk->map, UP, amount, point, walk->error)) {
         return false;
@@ -39,22 +38,20 @@ static bool distortion_fit_look(const struct distortion_fit_walk *walk, double a
             fail(walk->error, ERROR_DOMAIN, "it is beyond the field of the lens"));
 }
 
-static double distortion_fit_beyond(double amount, const void *context)
+static double fit_beyond(double amount, const void *context)
 {
-    const struct distortion_fit_walk *walk = context;
+    const struct fit_walk *walk = context;
     struct distortion_point point;
-    return distortion_fit_look(walk, amount, &point) ? walk->sign * point.height - walk->radius
-                                                     : (double)NAN;
+    return fit_look(walk, amount, &point) ? walk->sign * point.height - walk->radius : (double)NAN;
 }
 
 /* The last field between one that is seen and one that is not. */
-static double last_between(const struct distortion_fit_walk *walk, double seen, double lost,
-                           double height)
+static double last_between(const struct fit_walk *walk, double seen, double lost, double height)
 {
     for (int i = 0; i < HALVINGS; i++) {
         const double middle = (seen + lost) / 2;
         struct distortion_point point;
-        bool good = distortion_fit_look(walk, middle, &point) && walk->sign * point.height > height;
+        bool good = fit_look(walk, middle, &point) && walk->sign * point.height > height;
         if (good) {
             seen = middle;
             height = walk->sign * point.height;
@@ -66,61 +63,32 @@ static double last_between(const struct distortion_fit_walk *walk, double seen, 
 }
 
 /* The field at the goal, or the last before it. 0: there is none. */
-static double walk_out(const struct distortion_fit_walk *walk, double step)
+static double walk_out(const struct fit_walk *walk, double step)
 {
     double amount = 0, height = 0, edge;
     bool ended = false;
     while (!ended) {
         struct distortion_point point;
         double next = amount + step;
-        ended = !distortion_fit_look(walk, next, &point) || !(walk->sign * point.height > height);
+        ended = !fit_look(walk, next, &point) || !(walk->sign * point.height > height);
         if (ended) {
             next = last_between(walk, amount, next, height);
         }
-        if (!distortion_fit_look(walk, next, &point)) {
+        if (!fit_look(walk, next, &point)) {
             return amount;
         }
         height = walk->sign * point.height;
         if (height >= walk->radius) {
-            return root_find(distortion_fit_beyond, walk, amount, next, &edge, walk->error)
-                       ? edge
-                       : amount;
+            return root_find(fit_beyond, walk, amount, next, &edge, walk->error) ? edge : amount;
         }
         amount = next;
     }
     return amount;
 }
 
-/* From where a near object is seen: the distance to the entrance pupil. */
-static bool distortion_fit_find_reach(const struct distortion_map *map, double *distance,
-                                      struct error *error)
-{
-    const struct setup *setup = &map->setup;
-    *distance = 1;
-    if (setup->object.is_infinite) {
-        return true;
-    }
-    *distance = setup->object.distance.hi + setup->first.entrance_pupil;
-    return isfinite(*distance) ||
-           fail(error, ERROR_DOMAIN,
-                "the entrance pupil is infinitely far away: no focal length makes heights of the "
-                "object into angles");
-}
-
-static void distortion_fit_weigh(struct distortion_profile *profile)
-{
-    const double *r = profile->real;
-    const size_t last = profile->count - 1;
-    for (size_t i = 0; i <= last; i++) {
-        const double before = i > 0 ? r[i - 1] : 0;
-        profile->weight[i] = (r[i < last ? i + 1 : last] - before) / 2;
-    }
-}
-
 /* Fields evenly spaced as far as `edge`. */
-static bool distortion_fit_sample(const struct distortion_fit_walk *walk, double edge,
-                                  double distance, struct distortion_profile *profile,
-                                  struct error *error)
+static bool distortion_sample(const struct fit_walk *walk, double edge, double distance,
+                              struct distortion_profile *profile, struct error *error)
 {
     struct distortion_point point;
     if (!distortion_towards(walk->map, UP, 1e-4 * edge, &point, error)) {
@@ -138,21 +106,13 @@ static bool distortion_fit_sample(const struct distortion_fit_walk *walk, double
     }
     profile->count = FIELDS;
     profile->reached = profile->real[FIELDS - 1];
-    distortion_fit_weigh(profile);
+    const double *r = profile->real;
+    const size_t last = profile->count - 1;
+    for (size_t i = 0; i <= last; i++) {
+        const double before = i > 0 ? r[i - 1] : 0;
+        profile->weight[i] = (r[i < last ? i + 1 : last] - before) / 2;
+    }
     return true;
-}
-
-/* Towards 90 degrees the rectilinear image grows beyond all bounds. */
-static bool check_width(const struct distortion_map *map, const struct distortion_profile *profile,
-                        double edge, struct error *error)
-{
-    const double ideal = profile->focal * profile->ideal[profile->count - 1];
-    return ideal <= 8 * profile->reached ||
-           fail(error, ERROR_DOMAIN,
-                "the picture shows fields of %.4g deg, which the %s projection images %.3g times "
-                "as far out: that is beyond polynomials, use another {projection}",
-                edge * DEGREES_PER_RADIAN, projections[map->projection].word,
-                ideal / profile->reached);
 }
 
 /* Has no surface but the stop a clear aperture? */
@@ -167,25 +127,16 @@ static bool distortion_fit_is_open(const struct lens *lens)
     return true;
 }
 
-/* As far as the lens says that it is made for, whatever is asked; 0: it does not say. */
-static double stated_field(const struct distortion_map *map)
-{
-    const struct lens *lens = map->setup.lens;
-    const struct field_point edge = {lens->field_kind, {0, lens_field_extent(lens)}};
-    double towards[2], amount;
-    struct error none;
-    return lens->field_count > 0 && distortion_direction(map, &edge, towards, &amount, &none)
-               ? amount
-               : 0;
-}
-
 bool distortion_trace(const struct distortion_map *map, double radius, struct arena *arena,
                       struct distortion_profile *profile, struct error *error)
 {
-    struct distortion_fit_walk walk = {
+    struct fit_walk walk = {
         .map = map, .radius = radius, .sign = map->scale < 0 ? -1 : 1, .error = error};
     const bool far = map->setup.object.is_infinite;
-    double first = radius / fabs(map->scale), distance;
+    /* from where a near object is seen: the distance to the entrance pupil */
+    const double distance =
+        far ? 1 : map->setup.object.distance.hi + map->setup.first.entrance_pupil;
+    const double first = radius / fabs(map->scale);
     *profile = (struct distortion_profile){.ideal = ARENA_ARRAY(arena, FIELDS, double),
                                            .real = ARENA_ARRAY(arena, FIELDS, double),
                                            .weight = ARENA_ARRAY(arena, FIELDS, double)};
@@ -193,23 +144,42 @@ bool distortion_trace(const struct distortion_map *map, double radius, struct ar
         return fail(error, ERROR_DOMAIN,
                     "the lens is not the same all about its axis, as models of distortion are");
     }
-    if (!distortion_fit_find_reach(map, &distance, error)) {
-        return false;
+    if (!isfinite(distance)) {
+        return fail(error, ERROR_DOMAIN,
+                    "the entrance pupil is infinitely far away: no focal length makes heights of "
+                    "the object into angles");
     }
-    walk.stated = stated_field(map);
+    /* As far as the lens says that it is made for, whatever is asked; 0: it does not say. */
+    const struct lens *lens = map->setup.lens;
+    const struct field_point largest = {lens->field_kind, {0, lens_field_extent(lens)}};
+    double towards[2], amount;
+    struct error none;
+    walk.stated =
+        lens->field_count > 0 && distortion_direction(map, &largest, towards, &amount, &none)
+            ? amount
+            : 0;
     walk.is_open = distortion_fit_is_open(map->setup.lens);
     const double edge = walk_out(&walk, (far ? atan(first) : first) / STEPS);
     if (!(edge > 1e-6 * first)) {
         return error_prefix(error, "no field off the axis is imaged: ");
     }
-    return distortion_fit_sample(&walk, edge, distance, profile, error) &&
-           check_width(map, profile, edge, error);
+    if (!distortion_sample(&walk, edge, distance, profile, error)) {
+        return false;
+    }
+    /* Towards 90 degrees the rectilinear image grows beyond all bounds. */
+    const double ideal = profile->focal * profile->ideal[profile->count - 1];
+    return ideal <= 8 * profile->reached ||
+           fail(error, ERROR_DOMAIN,
+                "the picture shows fields of %.4g deg, which the %s projection images %.3g times "
+                "as far out: that is beyond polynomials, use another {projection}",
+                edge * DEGREES_PER_RADIAN, projections[map->projection].word,
+                ideal / profile->reached);
 }
 
 /* -------- the fit -------- */
 
 /* One way: out = (slope in + sum c_j in^p_j)/(1 + sum c_j in^p_j), the last terms below. */
-struct distortion_fit_equations {
+struct fit_equations {
     const struct distortion_profile *profile;
     const struct model_facts *facts;
     const double *in, *out;
@@ -218,15 +188,6 @@ struct distortion_fit_equations {
     double c[MODEL_TERMS];
 };
 
-static double distortion_fit_power_of(double x, int power)
-{
-    double product = 1;
-    for (int i = 0; i < power; i++) {
-        product *= x;
-    }
-    return product;
-}
-
 /* Is the j-th term below the line? */
 static bool is_below(const struct model_facts *facts, size_t j)
 {
@@ -234,26 +195,24 @@ static bool is_below(const struct model_facts *facts, size_t j)
 }
 
 /* What the coefficients make of a height, and what of it stands below the line. */
-static double distortion_fit_make(const struct distortion_fit_equations *equations, double in,
-                                  double *below)
+static double fit_make(const struct fit_equations *equations, double in, double *below)
 {
     const struct model_facts *facts = equations->facts;
     double above = equations->slope * in;
     *below = 1;
     for (size_t j = 0; j < facts->terms; j++) {
         *(is_below(facts, j) ? below : &above) +=
-            equations->c[j] * distortion_fit_power_of(in, facts->powers[j]);
+            equations->c[j] * distortion_power(in, facts->powers[j]);
     }
     return above / *below;
 }
 
 /* The square of what is left; infinite with a pole among the heights. */
-static double distortion_fit_left_over(const struct distortion_fit_equations *equations)
+static double distortion_fit_left_over(const struct fit_equations *equations)
 {
     double sum = 0, below;
     for (size_t i = 0; i < equations->profile->count; i++) {
-        const double off =
-            equations->out[i] - distortion_fit_make(equations, equations->in[i], &below);
+        const double off = equations->out[i] - fit_make(equations, equations->in[i], &below);
         sum += below > 0 ? equations->profile->weight[i] * off * off : (double)INFINITY;
     }
     return sum;
@@ -263,8 +222,8 @@ static double distortion_fit_left_over(const struct distortion_fit_equations *eq
  * Least squares of the equations times what stands below the line, with that of the coefficients
  * before; is_step: of their differences.
  */
-static void distortion_fit_solve_linear(const struct distortion_fit_equations *equations,
-                                        bool is_step, struct arena *arena, double *x)
+static void distortion_fit_solve_linear(const struct fit_equations *equations, bool is_step,
+                                        struct arena *arena, double *x)
 {
     const struct arena_mark mark = arena_mark(arena);
     const struct model_facts *facts = equations->facts;
@@ -273,11 +232,11 @@ static void distortion_fit_solve_linear(const struct distortion_fit_equations *e
     double *a = ARENA_ARRAY(arena, rows * columns, double), *b = ARENA_ARRAY(arena, rows, double);
     for (size_t i = 0; i < rows; i++) {
         const double in = equations->in[i], out = equations->out[i];
-        double below, made = distortion_fit_make(equations, in, &below);
+        double below, made = fit_make(equations, in, &below);
         const double root = sqrt(equations->profile->weight[i]), over = root / below;
         for (size_t j = 0; j < terms; j++) {
             const double factor = is_below(facts, j) ? -(is_step ? made : out) : 1;
-            a[i * columns + j] = over * factor * distortion_fit_power_of(in, facts->powers[j]);
+            a[i * columns + j] = over * factor * distortion_power(in, facts->powers[j]);
         }
         if (equations->is_free) {
             a[i * columns + terms] = over * in;
@@ -291,25 +250,10 @@ static void distortion_fit_solve_linear(const struct distortion_fit_equations *e
     arena_reset(arena, mark);
 }
 
-/* Coefficients and slope by so much of a step more. */
-static struct distortion_fit_equations
-distortion_fit_moved(const struct distortion_fit_equations *equations, const double *step,
-                     double share)
-{
-    struct distortion_fit_equations next = *equations;
-    const size_t terms = equations->facts->terms;
-    for (size_t j = 0; j < terms; j++) {
-        next.c[j] += share * step[j];
-    }
-    next.slope += equations->is_free ? share * step[terms] : 0;
-    return next;
-}
-
 /* Solved as linear ones, with what stood below the line before. */
-static struct distortion_fit_equations solved(const struct distortion_fit_equations *equations,
-                                              struct arena *arena)
+static struct fit_equations solved(const struct fit_equations *equations, struct arena *arena)
 {
-    struct distortion_fit_equations next = *equations;
+    struct fit_equations next = *equations;
     double x[MODEL_TERMS + 1];
     distortion_fit_solve_linear(equations, false, arena, x);
     for (size_t j = 0; j < equations->facts->terms; j++) {
@@ -320,13 +264,19 @@ static struct distortion_fit_equations solved(const struct distortion_fit_equati
 }
 
 /* A step of Gauss and Newton, halved until it leaves less; false: none does. */
-static bool distortion_fit_improve(struct distortion_fit_equations *equations, struct arena *arena)
+static bool distortion_fit_improve(struct fit_equations *equations, struct arena *arena)
 {
     const double before = distortion_fit_left_over(equations);
     double step[MODEL_TERMS + 1];
     distortion_fit_solve_linear(equations, true, arena, step);
     for (double share = 1; share > 1e-4; share /= 2) {
-        const struct distortion_fit_equations next = distortion_fit_moved(equations, step, share);
+        /* Coefficients and slope by so much of a step more. */
+        struct fit_equations next = *equations;
+        const size_t terms = equations->facts->terms;
+        for (size_t j = 0; j < terms; j++) {
+            next.c[j] += share * step[j];
+        }
+        next.slope += equations->is_free ? share * step[terms] : 0;
         const double after = distortion_fit_left_over(&next);
         if (after < before) {
             *equations = next;
@@ -337,14 +287,14 @@ static bool distortion_fit_improve(struct distortion_fit_equations *equations, s
 }
 
 /* Polynomials at once; quotients from there, and from linear equations made from them. */
-static void distortion_fit_solve(struct distortion_fit_equations *equations, struct arena *arena)
+static void distortion_fit_solve(struct fit_equations *equations, struct arena *arena)
 {
     enum { ROUNDS = 8, MOST = 200 };
     if (equations->facts->below == 0) {
         *equations = solved(equations, arena);
         return;
     }
-    struct distortion_fit_equations next = *equations;
+    struct fit_equations next = *equations;
     for (int round = 0; round < ROUNDS; round++) {
         next = solved(&next, arena);
         if (distortion_fit_left_over(&next) < distortion_fit_left_over(equations)) {
@@ -355,20 +305,9 @@ static void distortion_fit_solve(struct distortion_fit_equations *equations, str
     }
 }
 
-static const double *distortion_fit_scaled(const double *x, size_t count, double factor,
-                                           struct arena *arena)
-{
-    double *product = ARENA_ARRAY(arena, count, double);
-    for (size_t i = 0; i < count; i++) {
-        product[i] = factor * x[i];
-    }
-    return product;
-}
-
 /* What the polynomial leaves of the heights it makes. */
-static void distortion_fit_measure(const struct distortion_profile *profile,
-                                   const struct distortion_fit *fit, enum distortion_way way,
-                                   struct distortion_polynomial *polynomial)
+static void fit_measure(const struct distortion_profile *profile, const struct distortion_fit *fit,
+                        enum distortion_way way, struct distortion_polynomial *polynomial)
 {
     double sum = 0, weight = 0;
     polynomial->largest = 0;
@@ -385,15 +324,6 @@ static void distortion_fit_measure(const struct distortion_profile *profile,
     polynomial->rms = sqrt(sum / weight);
 }
 
-/* The length of r = 1, mm. */
-static double distortion_fit_unit_of(const struct distortion_fit *fit, const struct sensor *sensor)
-{
-    const double units[] = {[UNIT_MILLIMETRE] = 1,
-                            [UNIT_FOCAL] = fit->focal,
-                            [UNIT_HALF_SIDE] = fmin(sensor->width, sensor->height) / 2};
-    return units[distortion_models[fit->model].unit];
-}
-
 /* A free focal length is found by the first way, and is then that of the other. */
 static bool fit_way(const struct distortion_profile *profile, const struct sensor *sensor,
                     enum distortion_way way, struct arena *arena, struct distortion_fit *fit,
@@ -401,14 +331,17 @@ static bool fit_way(const struct distortion_profile *profile, const struct senso
 {
     const struct model_facts *facts = &distortion_models[fit->model];
     const bool is_free = isnan(fit->focal), distorts = way == WAY_DISTORT;
-    const double *ideal =
-        distortion_fit_scaled(profile->ideal, profile->count, is_free ? 1 : fit->focal, arena);
-    struct distortion_fit_equations equations = {.profile = profile,
-                                                 .facts = facts,
-                                                 .in = distorts ? ideal : profile->real,
-                                                 .out = distorts ? profile->real : ideal,
-                                                 .is_free = is_free,
-                                                 .slope = 1};
+    double *product = ARENA_ARRAY(arena, profile->count, double);
+    for (size_t i = 0; i < profile->count; i++) {
+        product[i] = (is_free ? 1 : fit->focal) * profile->ideal[i];
+    }
+    const double *ideal = product;
+    struct fit_equations equations = {.profile = profile,
+                                      .facts = facts,
+                                      .in = distorts ? ideal : profile->real,
+                                      .out = distorts ? profile->real : ideal,
+                                      .is_free = is_free,
+                                      .slope = 1};
     if (is_free) {
         equations.slope = equations.out[0] / equations.in[0];
     }
@@ -417,19 +350,22 @@ static bool fit_way(const struct distortion_profile *profile, const struct senso
     if (is_free) {
         fit->focal = distorts ? equations.slope : 1 / equations.slope;
     }
-    fit->unit = distortion_fit_unit_of(fit, sensor);
+    /* The length of r = 1, mm. */
+    const double units[] = {[UNIT_MILLIMETRE] = 1,
+                            [UNIT_FOCAL] = fit->focal,
+                            [UNIT_HALF_SIDE] = fmin(sensor->width, sensor->height) / 2};
+    fit->unit = units[distortion_models[fit->model].unit];
     for (size_t j = 0; j < facts->terms; j++) {
         /* what was found of a focal length of 1 becomes mm */
         const bool below = is_below(facts, j);
         const double mm = !is_free   ? 1
-                          : distorts ? 1 / distortion_fit_power_of(fit->focal, facts->powers[j])
+                          : distorts ? 1 / distortion_power(fit->focal, facts->powers[j])
                           : below    ? 1
                                      : fit->focal;
         polynomial->reduced[j] =
-            equations.c[j] * mm *
-            distortion_fit_power_of(fit->unit, facts->powers[j] - (below ? 0 : 1));
+            equations.c[j] * mm * distortion_power(fit->unit, facts->powers[j] - (below ? 0 : 1));
     }
-    distortion_fit_measure(profile, fit, way, polynomial);
+    fit_measure(profile, fit, way, polynomial);
     return distortion_publish(fit->model, polynomial->reduced, polynomial->published) ||
            fail(error, ERROR_DOMAIN,
                 "the distortion is too strong for {the fit} %s, which keeps the middle of the "

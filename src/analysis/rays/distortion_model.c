@@ -62,7 +62,7 @@ const struct model_facts distortion_models[DISTORTION_MODELS] = {
                       .keeps_unit = true},
 };
 
-static double distortion_model_power_of(double x, int power)
+double distortion_power(double x, int power)
 {
     double product = 1;
     for (int i = 0; i < power; i++) {
@@ -76,7 +76,7 @@ double distortion_apply(enum distortion_model model, const double *reduced, doub
     const struct model_facts *facts = &distortion_models[model];
     double out = in, below = 1;
     for (size_t j = 0; j < facts->terms; j++) {
-        const double term = reduced[j] * distortion_model_power_of(in, facts->powers[j]);
+        const double term = reduced[j] * distortion_power(in, facts->powers[j]);
         out += j + facts->below < facts->terms ? term : 0;
         below += j + facts->below < facts->terms ? 0 : term;
     }
@@ -91,8 +91,8 @@ static double distortion_model_find_scale(const struct model_facts *facts, const
         double value = d - 1, slope = 1;
         for (size_t j = 0; j < facts->terms; j++) {
             const int p = facts->powers[j];
-            value += reduced[j] * distortion_model_power_of(d, p);
-            slope += reduced[j] * p * distortion_model_power_of(d, p - 1);
+            value += reduced[j] * distortion_power(d, p);
+            slope += reduced[j] * p * distortion_power(d, p - 1);
         }
         const double next = d - value / slope;
         if (!(slope > 0 && next > 0)) {
@@ -111,8 +111,7 @@ bool distortion_publish(enum distortion_model model, const double *reduced, doub
     const struct model_facts *facts = &distortion_models[model];
     const double d = facts->keeps_unit ? distortion_model_find_scale(facts, reduced) : 1;
     for (size_t j = 0; j < facts->terms; j++) {
-        published[j] =
-            reduced[j] * distortion_model_power_of(d, facts->keeps_unit ? facts->powers[j] : 0);
+        published[j] = reduced[j] * distortion_power(d, facts->keeps_unit ? facts->powers[j] : 0);
     }
     return !isnan(d);
 }

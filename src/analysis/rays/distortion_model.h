@@ -71,4 +71,7 @@ bool distortion_publish(enum distortion_model model, const double *reduced, doub
 /* out = (in + sum K_j in^p_j)/(1 + sum L_j in^q_j); NaN: beyond a pole */
 double distortion_apply(enum distortion_model model, const double *reduced, double in);
 
+/* A whole power of 0 and more: a product. */
+double distortion_power(double x, int power);
+
 #endif

@@ -8,43 +8,8 @@
 #include <float.h>
 #include <math.h>
 
-/* The chief ray, in coordinates of the beam. */
-static bool field_curvature_find_chief(const struct setup *setup, const struct system *open,
-                                       const struct beam *beam, double at[2], struct error *error)
-{
-    struct aim aim;
-    struct ray chief;
-    if (setup->first.is_telecentric) {
-        at[0] = at[1] = 0;
-        if (!aim_at_entrance(beam, &setup->first, 0, 0, &chief, error)) {
-            return false;
-        }
-        beam_place(beam, chief.point, at);
-        return true;
-    }
-    if (!aim_open(open, beam, setup->arena, &aim, error)) {
-        return false;
-    }
-    at[0] = aim.chief[0];
-    at[1] = aim.chief[1];
-    return true;
-}
-
-/* What apertures say to the ray, which goes on all the same. */
-static void look_at_apertures(const struct setup *setup, const struct system *clipped,
-                              const struct beam *beam, const double at[2],
-                              struct field_curvature *curvature)
-{
-    const struct rays rays = rays_new(setup->arena, 1);
-    const struct ray start = beam_ray(beam, at[0], at[1]);
-    rays_set(&rays, 0, beam->n, &start);
-    rays_trace(clipped, &rays, NULL);
-    curvature->status = ray_block_status(rays.blocks, 0);
-    curvature->surface = ray_block_surface(rays.blocks, 0);
-}
-
 /* What is nothing but rounding in a lens of that size is 0. */
-static double field_curvature_rounded(double value, double size)
+static double field_rounded(double value, double size)
 {
     return fabs(value) <= 16 * DBL_EPSILON * size ? 0 : value;
 }
@@ -58,12 +23,11 @@ static void field_curvature_measure(const struct setup *setup, const struct setu
     const double size = fabs(image) + fabs(light->first.length);
     double sum = 0;
     for (int i = 0; i < 2; i++) {
-        curvature->height[i] =
-            field_curvature_rounded(chief->point[i] + to_image * chief->cosine[i], size);
+        curvature->height[i] = field_rounded(chief->point[i] + to_image * chief->cosine[i], size);
         sum += curvature->height[i] * curvature->height[i];
     }
-    curvature->tangential = field_curvature_rounded(beam->tangential_z - image, size);
-    curvature->sagittal = field_curvature_rounded(beam->sagittal_z - image, size);
+    curvature->tangential = field_rounded(beam->tangential_z - image, size);
+    curvature->sagittal = field_rounded(beam->sagittal_z - image, size);
     const bool both = isfinite(curvature->tangential) && isfinite(curvature->sagittal);
     curvature->medial = both ? (curvature->tangential + curvature->sagittal) / 2 : (double)NAN;
     curvature->astigmatism = both ? curvature->tangential - curvature->sagittal : (double)NAN;
@@ -91,17 +55,33 @@ static bool field_curvature_look(const struct setup *setup, size_t wavelength,
     const struct system *clipped =
         open != NULL ? setup_system(&own, 0, SETUP_CLIPPED, error) : NULL;
     *curvature = (struct field_curvature){.status = RAY_OK};
+    const bool has_stop = !own.first.is_telecentric;
+    struct aim aim;
+    struct ray start;
     if (clipped == NULL || !setup_light(setup, wavelength, &light, error) ||
         !setup_beam(setup, field, &beam, error) ||
-        !field_curvature_find_chief(&own, open, &beam, at, error)) {
+        !(has_stop ? aim_open(open, &beam, setup->arena, &aim, error)
+                   : aim_at_entrance(&beam, &own.first, 0, 0, &start, error))) {
         return false;
+    }
+    if (has_stop) {
+        at[0] = aim.chief[0];
+        at[1] = aim.chief[1];
+    } else {
+        beam_place(&beam, start.point, at);
     }
     if (!coddington_foci(open, &beam, at, setup->arena, &curvature->beam)) {
         const struct ray *chief = &curvature->beam.chief;
         return fail(error, ERROR_DOMAIN, "the chief ray is lost at surface %zu: %s", chief->surface,
                     ray_status_name(chief->status));
     }
-    look_at_apertures(&own, clipped, &beam, at, curvature);
+    /* What apertures say to the ray, which goes on all the same. */
+    const struct rays rays = rays_new(own.arena, 1);
+    start = beam_ray(&beam, at[0], at[1]);
+    rays_set(&rays, 0, beam.n, &start);
+    rays_trace(clipped, &rays, NULL);
+    curvature->status = ray_block_status(rays.blocks, 0);
+    curvature->surface = ray_block_surface(rays.blocks, 0);
     field_curvature_measure(setup, &light, open->index_last, curvature);
     return true;
 }

@@ -29,9 +29,6 @@ static const double slowest = 0.9;
 /* What sums of this many terms may be off by rounding. */
 static const double least = 5e-14;
 
-/* A point of the beam and what it stands for. */
-typedef void visit_point(void *context, const double at[2], double weight);
-
 /* What of the beam passes, ready to be filled with rays. */
 struct bundle_part {
     struct stop_beam beam;
@@ -39,128 +36,76 @@ struct bundle_part {
     double area; /* of the unit disc of u and v, mm^2 */
 };
 
-/* The part about a point. It points into itself. */
-static void open_part(const struct illumination_question *question, struct arena *arena,
-                      struct bundle_part *part)
+/* The place of a point of a quadrature; what it stands for, which adds up to the area, mm^2. */
+static double part_point(const struct bundle_part *part, const struct pupil_point *point,
+                         double at[2])
 {
-    const struct clear_guess guess =
-        clear_guess_of(question->clipped, question->beam, question->first);
-    const double *inside = question->inside != NULL ? question->inside : guess.centre;
-    part->beam = (struct stop_beam){.system = question->clipped,
-                                    .beam = question->beam,
-                                    .origin = {inside[0], inside[1]},
-                                    .axes = {guess.radius, 0, 0, guess.radius},
-                                    .radius = question->clipped->stop_radius,
-                                    .weight = WEIGHT_BEAM};
-    part->area = PI * guess.radius * guess.radius;
-    part->region = quadrature_open(&part->beam, arena);
-    part->region.in_r = true;
-    part->region.in_beam = true;
-    part->region.in_half = true;
-}
-
-/* All points of a quadrature of so many rays; weights add up to the area, mm^2. */
-static void each_point(struct bundle_part *part, size_t rays, struct arena *arena,
-                       visit_point *visit, void *context)
-{
-    const struct quadrature all = quadrature_fill(&part->region, rays, arena);
-    for (size_t i = 0; i < all.sample.count && !all.is_empty; i++) {
-        const struct pupil_point *point = &all.sample.points[i];
-        double at[2];
-        stop_beam_place(&part->beam, point->x, point->y, at);
-        visit(context, at, point->weight * part->area);
-    }
+    stop_beam_place(&part->beam, point->x, point->y, at);
+    return point->weight * part->area;
 }
 
 /* -------- rays of a point of the film: its own side -------- */
 
-struct film_sum {
-    const struct illumination_question *question;
-    struct arena *arena;
-    double sum;
-};
-
-static void add_film(void *context, const double at[2], double weight)
-{
-    struct film_sum *film = context;
-    const struct illumination_question *question = film->question;
-    const struct beam *beam = question->beam;
-    const double d = fabs(beam->distance), rho2 = d * d + at[0] * at[0] + at[1] * at[1];
-    const double side = beam->distance > 0 ? 1 : -1;
-    const double along =
-        d * beam->axis[2] + side * (at[0] * beam->across[0][2] + at[1] * beam->across[1][2]);
-    double share = 1;
-    if (question->pass != NULL) {
-        const struct ray ray = beam_ray(beam, at[0], at[1]);
-        share = question->pass(question->open, &ray, film->arena);
-    }
-    /* d/rho^3 times the cosine to the axis, along/rho */
-    film->sum += weight * d / (rho2 * rho2) * fabs(along) * share;
-}
-
 static double sum_film(const struct illumination_question *question, struct bundle_part *part,
                        size_t rays, struct arena *arena)
 {
-    struct film_sum film = {.question = question, .arena = arena};
+    const struct quadrature all = quadrature_fill(&part->region, rays, arena);
+    const struct beam *beam = question->beam;
     const double n = question->open->index_first / question->open->index_last;
-    each_point(part, rays, arena, add_film, &film);
-    return n * n * film.sum;
+    const double d = fabs(beam->distance), side = beam->distance > 0 ? 1 : -1;
+    double sum = 0;
+    for (size_t i = 0; i < all.sample.count && !all.is_empty; i++) {
+        double at[2], share = 1;
+        const double weight = part_point(part, &all.sample.points[i], at);
+        const double rho2 = d * d + at[0] * at[0] + at[1] * at[1];
+        const double along =
+            d * beam->axis[2] + side * (at[0] * beam->across[0][2] + at[1] * beam->across[1][2]);
+        if (question->pass != NULL) {
+            const struct ray ray = beam_ray(beam, at[0], at[1]);
+            share = question->pass(question->open, &ray, arena);
+        }
+        /* d/rho^3 times the cosine to the axis, along/rho */
+        sum += weight * d / (rho2 * rho2) * fabs(along) * share;
+    }
+    return n * n * sum;
 }
 
 /* -------- rays of a point of the object: behind the lens -------- */
 
-struct field_sum {
-    const struct illumination_question *question;
-    struct ray_block *rays, *tangents; /* two each */
-    double a[RAYS_BLOCK], b[RAYS_BLOCK], weights[RAYS_BLOCK];
-    size_t count;
-    double sum;
-};
-
-/* Trace what waits, with its derivatives. */
-static void illumination_flush(struct field_sum *field)
-{
-    const struct system *system = field->question->open;
-    const struct beam *beam = field->question->beam;
-    struct ray_block *tangents = field->tangents;
-    const int lanes = kernel_lanes(field->count);
-    beam_start(beam, field->a, field->b, field->count, field->rays);
-    beam_tangents(beam, (double[2]){1, 0}, field->rays, (size_t)lanes, &tangents[0]);
-    beam_tangents(beam, (double[2]){0, 1}, field->rays, (size_t)lanes, &tangents[1]);
-    tangent_follow(system, lanes, 2, field->rays, tangents);
-    const double over = 1 / (system->index_first * system->index_first);
-    const struct ray_block *a = &tangents[0], *b = &tangents[1];
-    for (size_t i = 0; i < field->count; i++) {
-        double area = fabs(a->p[i] * b->q[i] - b->p[i] * a->q[i]);
-        /* a ray on the edge may be lost by rounding */
-        field->sum += isfinite(area) ? field->weights[i] * over * area : 0;
-    }
-    field->count = 0;
-}
-
-static void illumination_add_field(void *context, const double at[2], double weight)
-{
-    struct field_sum *field = context;
-    field->a[field->count] = at[0];
-    field->b[field->count] = at[1];
-    field->weights[field->count++] = weight;
-    if (field->count == RAYS_BLOCK) {
-        illumination_flush(field);
-    }
-}
-
 static double sum_field(const struct illumination_question *question, struct bundle_part *part,
                         size_t rays, struct arena *arena)
 {
-    struct field_sum *field = ARENA_NEW(arena, struct field_sum);
-    field->question = question;
-    field->rays = rays_new(arena, 2 * (size_t)RAYS_BLOCK).blocks;
-    field->tangents = rays_room(arena, 2 * (size_t)RAYS_BLOCK).blocks;
-    each_point(part, rays, arena, illumination_add_field, field);
-    if (field->count > 0) {
-        illumination_flush(field);
+    const struct quadrature all = quadrature_fill(&part->region, rays, arena);
+    const struct system *system = question->open;
+    const struct beam *beam = question->beam;
+    struct ray_block *block = rays_new(arena, 2 * (size_t)RAYS_BLOCK).blocks;
+    struct ray_block *tangents = rays_room(arena, 2 * (size_t)RAYS_BLOCK).blocks;
+    const struct ray_block *u = &tangents[0], *v = &tangents[1];
+    const double over = 1 / (system->index_first * system->index_first);
+    double a[RAYS_BLOCK] = {0}, b[RAYS_BLOCK] = {0}, weights[RAYS_BLOCK], sum = 0;
+    const size_t count = all.is_empty ? 0 : all.sample.count;
+    for (size_t i = 0, used = 0; i < count; i++) {
+        double at[2];
+        weights[used] = part_point(part, &all.sample.points[i], at);
+        a[used] = at[0];
+        b[used++] = at[1];
+        if (used < RAYS_BLOCK && i + 1 < count) {
+            continue;
+        }
+        /* trace what waits, with its derivatives */
+        const int lanes = kernel_lanes(used);
+        beam_start(beam, a, b, used, block);
+        beam_tangents(beam, (double[2]){1, 0}, block, (size_t)lanes, &tangents[0]);
+        beam_tangents(beam, (double[2]){0, 1}, block, (size_t)lanes, &tangents[1]);
+        tangent_follow(system, lanes, 2, block, tangents);
+        for (size_t k = 0; k < used; k++) {
+            double area = fabs(u->p[k] * v->q[k] - v->p[k] * u->q[k]);
+            /* a ray on the edge may be lost by rounding */
+            sum += isfinite(area) ? weights[k] * over * area : 0;
+        }
+        used = 0;
     }
-    return field->sum;
+    return sum;
 }
 
 /* -------- until it stands -------- */
@@ -203,7 +148,21 @@ static struct illumination illumination_converge(const struct illumination_quest
                                                  struct arena *arena)
 {
     struct bundle_part *part = ARENA_NEW(arena, struct bundle_part);
-    open_part(question, arena, part);
+    /* The part about a point. It points into itself. */
+    const struct clear_guess guess =
+        clear_guess_of(question->clipped, question->beam, question->first);
+    const double *inside = question->inside != NULL ? question->inside : guess.centre;
+    part->beam = (struct stop_beam){.system = question->clipped,
+                                    .beam = question->beam,
+                                    .origin = {inside[0], inside[1]},
+                                    .axes = {guess.radius, 0, 0, guess.radius},
+                                    .radius = question->clipped->stop_radius,
+                                    .weight = WEIGHT_BEAM};
+    part->area = PI * guess.radius * guess.radius;
+    part->region = quadrature_open(&part->beam, arena);
+    part->region.in_r = true;
+    part->region.in_beam = true;
+    part->region.in_half = true;
     size_t rays = RAYS_FIRST;
     double values[4] = {NAN, NAN, sum(question, part, rays / 2, arena),
                         sum_once(question, sum, part, rays, arena)};
@@ -234,20 +193,6 @@ struct illumination illumination_of_field(const struct illumination_question *qu
     return illumination_converge(question, sum_field, doubted_field, arena);
 }
 
-/* The shapes of the stop that pass light, without what blocks. */
-static void keep_passes(struct surface *stop, struct arena *arena)
-{
-    struct aperture *kept = ARENA_ARRAY(arena, stop->aperture_count + 1, struct aperture);
-    size_t count = 0;
-    for (size_t i = 0; i < stop->aperture_count; i++) {
-        if (!stop->apertures[i].blocks) {
-            kept[count++] = stop->apertures[i];
-        }
-    }
-    stop->apertures = count > 0 ? kept : NULL;
-    stop->aperture_count = count;
-}
-
 const struct lens *illumination_stop_only(const struct lens *lens, struct arena *arena)
 {
     struct lens *bare = ARENA_NEW(arena, struct lens);
@@ -256,7 +201,17 @@ const struct lens *illumination_stop_only(const struct lens *lens, struct arena 
     for (size_t i = 0; i < lens->surface_count; i++) {
         surfaces[i] = lens->surfaces[i];
         if (i == lens->stop) {
-            keep_passes(&surfaces[i], arena);
+            /* The shapes of the stop that pass light, without what blocks. */
+            struct aperture *kept =
+                ARENA_ARRAY(arena, surfaces[i].aperture_count + 1, struct aperture);
+            size_t count = 0;
+            for (size_t j = 0; j < surfaces[i].aperture_count; j++) {
+                if (!surfaces[i].apertures[j].blocks) {
+                    kept[count++] = surfaces[i].apertures[j];
+                }
+            }
+            surfaces[i].apertures = count > 0 ? kept : NULL;
+            surfaces[i].aperture_count = count;
         } else {
             surfaces[i].has_diameter = false;
             surfaces[i].apertures = NULL;

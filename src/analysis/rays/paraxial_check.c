@@ -54,9 +54,9 @@ struct meridional {
 };
 
 /* Through the whole system; the result in the frame of the last surface met. */
-static struct meridional paraxial_check_follow(const struct check_problem *problem,
-                                               const struct system *system, const struct ray *start,
-                                               struct arena *arena)
+static struct meridional check_follow(const struct check_problem *problem,
+                                      const struct system *system, const struct ray *start,
+                                      struct arena *arena)
 {
     size_t axis = problem->section == SECTION_X ? 0 : 1;
     struct arena_mark mark = arena_mark(arena);
@@ -117,27 +117,6 @@ static double place_scale(const struct first_order *first)
 
 /* -------- by aperture -------- */
 
-/* Parallel light from behind, in the direction against that of the image space. */
-static struct meridional follow_back(const struct check_problem *problem, double h,
-                                     struct arena *arena)
-{
-    double light_direction = problem->first->index_image < 0 ? 1 : -1;
-    struct ray ray = start_at(problem, h, 0, light_direction);
-    return paraxial_check_follow(problem, problem->backward, &ray, arena);
-}
-
-static void compare_back(const struct check_problem *problem, enum check_quantity quantity,
-                         struct arena *arena, struct check_value *value)
-{
-    const struct first_order *first = problem->first;
-    struct meridional ray = follow_back(problem, value->height, arena);
-    bool focus = quantity == CHECK_FFL;
-    value->paraxial = focus ? first->ffl : first->front_principal;
-    value->exact = focus ? crossing(&ray) : (value->height - ray.y) / ray.slope;
-    value->scale = place_scale(first);
-    paraxial_check_lose(&ray, value);
-}
-
 static void compare_aperture(const struct check_problem *problem, enum check_quantity quantity,
                              double fraction, struct arena *arena, struct check_value *value)
 {
@@ -145,7 +124,7 @@ static void compare_aperture(const struct check_problem *problem, enum check_qua
     double n = first->index_object, y = fraction * first->marginal_y;
     double u = fraction * first->marginal_v / n, y_end, v_end;
     struct ray start = start_at(problem, y, u, 1);
-    struct meridional ray = paraxial_check_follow(problem, problem->forward, &start, arena);
+    struct meridional ray = check_follow(problem, problem->forward, &start, arena);
     double sine = fabs(n) * u / sqrt(1 + u * u);
     paraxial_end(first, y, n * u, &y_end, &v_end);
     value->scale = place_scale(first);
@@ -224,22 +203,6 @@ static struct check_chief recall_chief(const struct check_problem *problem, doub
     return *kept;
 }
 
-/* The paraxial chief ray of the same object point at the first vertex. */
-static void paraxial_chief(const struct check_problem *problem, const struct beam *beam, double *y,
-                           double *u)
-{
-    size_t axis = problem->section == SECTION_X ? 0 : 1;
-    double z = problem->first->entrance_pupil;
-    if (isinf(beam->distance)) {
-        *u = beam->axis[2] > 1e-9 ? beam->axis[axis] / beam->axis[2] : (double)INFINITY;
-        *y = -z * *u;
-        return;
-    }
-    double height = -beam->axis[axis] * beam->distance, far = -beam->axis[2] * beam->distance;
-    *u = isfinite(z) ? height / (far - z) : 0;
-    *y = isfinite(z) ? -z * *u : height;
-}
-
 static void compare_field(const struct check_problem *problem, enum check_quantity quantity,
                           double fraction, struct arena *arena, struct check_value *value)
 {
@@ -255,8 +218,17 @@ static void compare_field(const struct check_problem *problem, enum check_quanti
         return;
     }
     double y, u, y_end, v_end, slope = chief.cosine[axis] / chief.cosine[2];
-    struct meridional ray = paraxial_check_follow(problem, problem->forward, &chief, arena);
-    paraxial_chief(problem, &beam, &y, &u);
+    struct meridional ray = check_follow(problem, problem->forward, &chief, arena);
+    /* the paraxial chief ray of the same object point at the first vertex */
+    const double z = first->entrance_pupil;
+    if (isinf(beam.distance)) {
+        u = beam.axis[2] > 1e-9 ? beam.axis[axis] / beam.axis[2] : (double)INFINITY;
+        y = -z * u;
+    } else {
+        const double height = -beam.axis[axis] * beam.distance, far = -beam.axis[2] * beam.distance;
+        u = isfinite(z) ? height / (far - z) : 0;
+        y = isfinite(z) ? -z * u : height;
+    }
     paraxial_end(first, y, first->index_object * u, &y_end, &v_end);
     value->scale = place_scale(first);
     switch (quantity) {
@@ -296,7 +268,15 @@ struct check_value check_at(const struct check_problem *problem, enum check_quan
         value.height = fraction * first->entrance_diameter / 2;
         value.fnumber = (near ? first->working_fnumber : first->fnumber) / fraction;
         if (quantity == CHECK_FFL || quantity == CHECK_FRONT_PRINCIPAL) {
-            compare_back(problem, quantity, arena, &value);
+            /* Parallel light from behind, in the direction against that of the image space. */
+            double light_direction = problem->first->index_image < 0 ? 1 : -1;
+            struct ray start = start_at(problem, value.height, 0, light_direction);
+            struct meridional ray = check_follow(problem, problem->backward, &start, arena);
+            bool focus = quantity == CHECK_FFL;
+            value.paraxial = focus ? first->ffl : first->front_principal;
+            value.exact = focus ? crossing(&ray) : (value.height - ray.y) / ray.slope;
+            value.scale = place_scale(first);
+            paraxial_check_lose(&ray, &value);
         } else {
             compare_aperture(problem, quantity, fraction, arena, &value);
         }
@@ -322,17 +302,6 @@ static double line(const double *d, size_t first)
     return sum / 5;
 }
 
-static bool is_straight(const double *d, size_t first)
-{
-    double low = INFINITY, high = -INFINITY;
-    for (size_t i = first; i < first + 3; i++) {
-        double slope = log2(d[i] / d[i + 1]);
-        low = fmin(low, slope);
-        high = fmax(high, slope);
-    }
-    return high - low <= 0.1 && low > 0.5; /* false for NaN */
-}
-
 struct check_order check_order(const struct check_problem *problem, enum check_quantity quantity,
                                struct arena *arena)
 {
@@ -352,7 +321,12 @@ struct check_order check_order(const struct check_problem *problem, enum check_q
     }
     result.is_equal = largest <= 1e-9 * scale && !(d[0] > 1e-13 * scale);
     for (size_t k = 0; k + 3 < SERIES && !result.is_equal; k++) {
-        straight = is_straight(d, k) ? k : straight;
+        double low = INFINITY, high = -INFINITY;
+        for (size_t i = k; i < k + 3; i++) {
+            low = fmin(low, log2(d[i] / d[i + 1]));
+            high = fmax(high, log2(d[i] / d[i + 1]));
+        }
+        straight = high - low <= 0.1 && low > 0.5 ? k : straight; /* false for NaN */
     }
     if (straight == SERIES) {
         return result;
@@ -365,9 +339,8 @@ struct check_order check_order(const struct check_problem *problem, enum check_q
     return result;
 }
 
-static bool paraxial_check_is_within(const struct check_problem *problem,
-                                     enum check_quantity quantity, double fraction,
-                                     double tolerance, struct arena *arena)
+static bool paraxial_is_within(const struct check_problem *problem, enum check_quantity quantity,
+                               double fraction, double tolerance, struct arena *arena)
 {
     struct check_value value = check_at(problem, quantity, fraction, arena);
     return fabs(value.exact - value.paraxial) <= tolerance * value.scale;
@@ -383,13 +356,13 @@ double check_trusted(const struct check_problem *problem, enum check_quantity qu
     }
     for (int i = 1; i <= SAMPLES && isnan(bad); i++) {
         double fraction = (double)i / SAMPLES;
-        bool within = paraxial_check_is_within(problem, quantity, fraction, tolerance, arena);
+        bool within = paraxial_is_within(problem, quantity, fraction, tolerance, arena);
         good = within ? fraction : good;
         bad = within ? bad : fraction;
     }
     for (int i = 0; i < HALVINGS && !isnan(bad); i++) {
         double middle = (good + bad) / 2;
-        bool within = paraxial_check_is_within(problem, quantity, middle, tolerance, arena);
+        bool within = paraxial_is_within(problem, quantity, middle, tolerance, arena);
         good = within ? middle : good;
         bad = within ? bad : middle;
     }

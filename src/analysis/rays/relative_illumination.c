@@ -40,8 +40,7 @@ static bool relative_illumination_check(const struct relative_illumination_quest
     return true;
 }
 
-static bool relative_illumination_open_systems(struct relative_illumination *falloff,
-                                               struct error *error)
+static bool illumination_open_systems(struct relative_illumination *falloff, struct error *error)
 {
     const struct setup *setup = &falloff->setup;
     const struct lens *bare = illumination_stop_only(setup->lens, setup->arena);
@@ -113,18 +112,6 @@ static struct illumination from_film(const struct relative_illumination *falloff
     return illumination_of_film(&question, falloff->setup.arena);
 }
 
-static struct illumination from_field(const struct relative_illumination *falloff,
-                                      const struct beam *beam, const double chief[2])
-{
-    const struct illumination_question question = {.clipped = falloff->field,
-                                                   .open = falloff->field_open,
-                                                   .beam = beam,
-                                                   .first = &falloff->first,
-                                                   .inside = chief,
-                                                   .error = falloff->error};
-    return illumination_of_field(&question, falloff->setup.arena);
-}
-
 /* One light over another, and what that may be off; NaN where the other is none. */
 static double quotient_of(const struct illumination *light, const struct illumination *whole,
                           double *error)
@@ -135,18 +122,10 @@ static double quotient_of(const struct illumination *light, const struct illumin
     return quotient;
 }
 
-/* 1 - E/E of the stop alone; what is less than the errors of the two is 0. */
-static double vignetted_of(const struct illumination *light, const struct illumination *stop,
-                           double *error)
-{
-    const double taken = 1 - quotient_of(light, stop, error);
-    return fabs(taken) <= *error ? 0 : taken;
-}
-
 /* Without ratios to the axis; is_row: with islands, and what is vignetted. */
-static struct relative_illumination_point
-relative_illumination_look(const struct relative_illumination *falloff, const double height[2],
-                           bool is_row, struct illumination *field)
+static struct relative_illumination_point relative_look(const struct relative_illumination *falloff,
+                                                        const double height[2], bool is_row,
+                                                        struct illumination *field)
 {
     static const struct illumination no_light = {NAN, NAN, true};
     const struct setup *setup = &falloff->setup;
@@ -167,7 +146,13 @@ relative_illumination_look(const struct relative_illumination *falloff, const do
         beam_place(&film, behind.point, inside);
         point.angle = atan2(hypot(beam.axis[0], beam.axis[1]), beam.axis[2]);
         point.cos4 = point.angle < PI / 2 ? pow(beam.axis[2], 4) : 0;
-        *field = falloff->no_field ? no_light : from_field(falloff, &beam, chief);
+        const struct illumination_question question = {.clipped = falloff->field,
+                                                       .open = falloff->field_open,
+                                                       .beam = &beam,
+                                                       .first = &falloff->first,
+                                                       .inside = chief,
+                                                       .error = falloff->error};
+        *field = falloff->no_field ? no_light : illumination_of_field(&question, setup->arena);
         found = behind.status == RAY_OK;
     }
     point.light =
@@ -177,7 +162,9 @@ relative_illumination_look(const struct relative_illumination *falloff, const do
     if (falloff->clip && is_row && !falloff->no_vignetting) {
         const struct illumination stop =
             from_film(falloff, falloff->film_stop, &film, found ? inside : NULL, NULL);
-        point.vignetted = vignetted_of(&point.light, &stop, &point.vignetted_error);
+        /* 1 - E/E of the stop alone; what is less than the errors of the two is 0. */
+        const double taken = 1 - quotient_of(&point.light, &stop, &point.vignetted_error);
+        point.vignetted = fabs(taken) <= point.vignetted_error ? 0 : taken;
     }
     return point;
 }
@@ -243,8 +230,7 @@ relative_illumination_at(const struct relative_illumination *falloff, const doub
 {
     const struct arena_mark mark = arena_mark(falloff->setup.arena);
     struct illumination field;
-    struct relative_illumination_point point =
-        relative_illumination_look(falloff, height, true, &field);
+    struct relative_illumination_point point = relative_look(falloff, height, true, &field);
     arena_reset(falloff->setup.arena, mark);
     point.relative_point = quotient_of(&point.light, &falloff->axis, &point.point_error);
     point.relative_field = quotient_of(&field, &falloff->axis_field, &point.field_error);
@@ -306,11 +292,10 @@ bool relative_illumination_open(const struct relative_illumination_question *que
         return false;
     }
     falloff->first = light.first;
-    if (!relative_illumination_open_systems(falloff, error)) {
+    if (!illumination_open_systems(falloff, error)) {
         return false;
     }
-    falloff->axis =
-        relative_illumination_look(falloff, (double[2]){0, 0}, false, &falloff->axis_field).light;
+    falloff->axis = relative_look(falloff, (double[2]){0, 0}, false, &falloff->axis_field).light;
     const double behind = copysign(own->image, own->image * falloff->first.index_image);
     if (!(falloff->axis.value > 0) && behind < 0) {
         fail(error, ERROR_DOMAIN,

@@ -53,10 +53,12 @@ void spot_axes(const double direction[3], double across[2][3])
     }
 }
 
-/* Sources point into themselves: they stay where they are. */
-static bool open_sources(struct spot_search *seeking, struct arena *arena, struct error *error)
+static bool open_seeking(const struct spot_question *question, struct arena *arena,
+                         struct spot_search *seeking, struct error *error)
 {
-    const struct setup *setup = seeking->question->bundle.setup;
+    const struct setup *setup = question->bundle.setup;
+    *seeking = (struct spot_search){.question = question};
+    /* Sources point into themselves: they stay where they are. */
     seeking->sources = ARENA_ARRAY(arena, setup->wavelength_count, struct bundle_source);
     seeking->questions = ARENA_ARRAY(arena, setup->wavelength_count, struct bundle_question);
     struct aim_near *near = ARENA_NEW(arena, struct aim_near);
@@ -70,12 +72,9 @@ static bool open_sources(struct spot_search *seeking, struct arena *arena, struc
             return false;
         }
     }
-    return true;
-}
-
-/* Where the chief ray meets the plane; without one, where the first ray that arrives does. */
-static bool set_origin(struct spot_search *seeking, struct arena *arena, struct error *error)
-{
+    seeking->plane.is_angular = question->to == 0 && isnan(setup->image);
+    seeking->plane.to = question->to > 0 ? question->to : seeking->sources[0].system->places;
+    /* Where the chief ray meets the plane; without one, where the first ray that arrives does. */
     const struct bundle_source *first = &seeking->sources[0];
     struct ray ray = {.status = RAY_MISS};
     struct bundle bundle;
@@ -98,38 +97,6 @@ static bool set_origin(struct spot_search *seeking, struct arena *arena, struct 
     return true;
 }
 
-static bool open_seeking(const struct spot_question *question, struct arena *arena,
-                         struct spot_search *seeking, struct error *error)
-{
-    const struct setup *setup = question->bundle.setup;
-    *seeking = (struct spot_search){.question = question};
-    if (!open_sources(seeking, arena, error)) {
-        return false;
-    }
-    seeking->plane.is_angular = question->to == 0 && isnan(setup->image);
-    seeking->plane.to = question->to > 0 ? question->to : seeking->sources[0].system->places;
-    return set_origin(seeking, arena, error);
-}
-
-/* For so many more, and as many of the wavelengths that are left. */
-static void spot_make_room(struct marks *marks, size_t more, size_t left, struct arena *arena)
-{
-    if (marks->count + more <= marks->room) {
-        return;
-    }
-    marks->room = marks->count + more * left;
-    struct encircled_energy_mark *list =
-        ARENA_ARRAY(arena, marks->room, struct encircled_energy_mark);
-    double(*at)[2] = arena_array(arena, marks->room, sizeof *at);
-    for (size_t i = 0; i < marks->count; i++) {
-        list[i] = marks->list[i];
-        at[i][0] = marks->at[i][0];
-        at[i][1] = marks->at[i][1];
-    }
-    marks->list = list;
-    marks->at = at;
-}
-
 /* The marks of one wavelength, their weights times `weight`. */
 static bool spot_add_marks(const struct spot_search *seeking, size_t wavelength, size_t rays,
                            double weight, struct arena *arena, struct marks *marks,
@@ -141,8 +108,19 @@ static bool spot_add_marks(const struct spot_search *seeking, size_t wavelength,
         return false;
     }
     double n = system_index_after(source->system, seeking->plane.to - 1);
-    spot_make_room(marks, bundle.count,
-                   seeking->question->bundle.setup->wavelength_count - wavelength, arena);
+    if (marks->count + bundle.count > marks->room) {
+        /* for so many more, and as many of the wavelengths that are left */
+        const size_t left = seeking->question->bundle.setup->wavelength_count - wavelength;
+        const struct marks old = *marks;
+        marks->room = marks->count + bundle.count * left;
+        marks->list = ARENA_ARRAY(arena, marks->room, struct encircled_energy_mark);
+        marks->at = arena_array(arena, marks->room, sizeof *marks->at);
+        for (size_t i = 0; i < marks->count; i++) {
+            marks->list[i] = old.list[i];
+            marks->at[i][0] = old.at[i][0];
+            marks->at[i][1] = old.at[i][1];
+        }
+    }
     marks->has_arms = bundle.arms > 0;
     struct encircled_energy_arms arms = encircled_energy_arms_open(&bundle, marks->sheets, arena);
     for (size_t i = 0; i < bundle.count; i++) {
@@ -168,27 +146,6 @@ static double spot_unit_of(const struct bundle_source *source)
     return pupil->weight == WEIGHT_PUPIL || pupil->has_disc
                ? 1
                : fabs(pupil->axes[0] * pupil->axes[3] - pupil->axes[1] * pupil->axes[2]);
-}
-
-static bool find_marks(const struct spot_search *seeking, size_t rays, struct arena *arena,
-                       struct marks *marks, struct error *error)
-{
-    const struct setup *setup = seeking->question->bundle.setup;
-    double sum = 0, lit = 0;
-    *marks = (struct marks){.count = 0};
-    for (size_t g = 0; g < setup->wavelength_count; g++) {
-        sum += setup->wavelengths[g].weight;
-    }
-    for (size_t g = 0; g < setup->wavelength_count; g++) {
-        double unit = spot_unit_of(&seeking->sources[g]) / spot_unit_of(&seeking->sources[0]);
-        double weight = setup->wavelengths[g].weight / sum * unit;
-        if (weight > 0 && !spot_add_marks(seeking, g, rays, weight, arena, marks, error)) {
-            return false;
-        }
-        lit += weight;
-    }
-    marks->clear /= lit;
-    return true;
 }
 
 /* -------- what they say -------- */
@@ -246,10 +203,21 @@ static bool spot_measure(const struct spot_search *seeking, size_t rays, struct 
                          struct spot *spot, struct error *error)
 {
     const struct arena_mark mark = arena_mark(arena);
-    struct marks marks;
-    if (!find_marks(seeking, rays, arena, &marks, error)) {
-        return false;
+    struct marks marks = {.count = 0};
+    const struct setup *setup = seeking->question->bundle.setup;
+    double sum = 0, lit = 0;
+    for (size_t g = 0; g < setup->wavelength_count; g++) {
+        sum += setup->wavelengths[g].weight;
     }
+    for (size_t g = 0; g < setup->wavelength_count; g++) {
+        double unit = spot_unit_of(&seeking->sources[g]) / spot_unit_of(&seeking->sources[0]);
+        double weight = setup->wavelengths[g].weight / sum * unit;
+        if (weight > 0 && !spot_add_marks(seeking, g, rays, weight, arena, &marks, error)) {
+            return false;
+        }
+        lit += weight;
+    }
+    marks.clear /= lit;
     spot_sum_up(&marks, seeking->question->about_chief, spot);
     const struct encircled_energy_sample sample = {marks.list, marks.count, marks.has_arms,
                                                    marks.sheets};

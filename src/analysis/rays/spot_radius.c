@@ -76,12 +76,6 @@ static double angle_before(const struct spot_radius_rim *rim, size_t i)
     return angle - 2 * PI;
 }
 
-static double angle_after(const struct spot_radius_rim *rim, size_t i)
-{
-    const double angle = rim->angles[next_of(rim, i)];
-    return i + 1 < rim->count ? angle : 2 * PI + (rim->is_half ? -angle : angle);
-}
-
 static const double *ring_of(const struct spot_radius_rim *rim, size_t ring)
 {
     return rim->distances + ring * rim->count;
@@ -206,9 +200,22 @@ static void spot_radius_measure(const struct spot_radius_question *question,
     }
 }
 
-static void set_angles(const struct pupil_boundary *boundary, struct spot_radius_rim *rim)
+static void spot_radius_look_around(const struct spot_radius_question *question,
+                                    struct arena *arena, struct spot_radius_rim *rim)
 {
+    const struct bundle_question *asked = rim->source->question;
+    const bool counts = asked->setup->wavelengths[asked->wavelength].weight > 0;
+    const struct pupil_boundary *boundary =
+        counts ? quadrature_boundary(rim->source->region, arena) : NULL;
     rim->count = 0;
+    if (boundary == NULL) {
+        return;
+    }
+    /* Does the image mirror itself as the pupil does? */
+    const struct spot_plane *plane = question->plane;
+    rim->is_half = rim->source->region->margins.is_mirrored && boundary->frame.centre[0] == 0 &&
+                   plane->origin[0] == 0 && question->about[0] == 0 && plane->across[0][1] == 0 &&
+                   plane->across[0][2] == 0 && plane->across[1][0] == 0;
     for (size_t i = 0; i < (rim->is_half ? AROUND / 2 : AROUND); i++) {
         const double angle = 2 * PI * (double)i / AROUND, next = angle + 2 * PI / AROUND;
         rim->angles[rim->count++] = angle;
@@ -222,32 +229,6 @@ static void set_angles(const struct pupil_boundary *boundary, struct spot_radius
     if (rim->is_half) {
         rim->angles[rim->count++] = PI;
     }
-}
-
-/* Does the image mirror itself as the pupil does? */
-static bool spot_radius_is_mirrored(const struct spot_radius_question *question,
-                                    const struct bundle_source *source,
-                                    const struct pupil_boundary *boundary)
-{
-    const struct spot_plane *plane = question->plane;
-    return source->region->margins.is_mirrored && boundary->frame.centre[0] == 0 &&
-           plane->origin[0] == 0 && question->about[0] == 0 && plane->across[0][1] == 0 &&
-           plane->across[0][2] == 0 && plane->across[1][0] == 0;
-}
-
-static void spot_radius_look_around(const struct spot_radius_question *question,
-                                    struct arena *arena, struct spot_radius_rim *rim)
-{
-    const struct bundle_question *asked = rim->source->question;
-    const bool counts = asked->setup->wavelengths[asked->wavelength].weight > 0;
-    const struct pupil_boundary *boundary =
-        counts ? quadrature_boundary(rim->source->region, arena) : NULL;
-    rim->count = 0;
-    if (boundary == NULL) {
-        return;
-    }
-    rim->is_half = spot_radius_is_mirrored(question, rim->source, boundary);
-    set_angles(boundary, rim);
     const struct quadrature_rim edge =
         quadrature_edge(rim->source->region, rim->angles, rim->count, NULL, 0, arena);
     double shares[RINGS];
@@ -281,25 +262,6 @@ static bool is_peak(const struct spot_radius_rim *rim, size_t ring, size_t i)
     return peak;
 }
 
-static struct peak peak_of(const struct spot_radius_rim *rim, size_t ring, size_t i)
-{
-    const size_t last = previous_of(rim, i), next = next_of(rim, i);
-    const double *row = ring_of(rim, ring), here = row[i];
-    const bool at_edge = ring + 1 == RINGS;
-    const size_t middle = at_edge ? ring - 1 : ring;
-    double along = 0;
-    if (ring > 0) {
-        /* of the outermost three: beyond the middle one it rises to the edge, or to before it */
-        const double low = ring_of(rim, middle - 1)[i], mid = ring_of(rim, middle)[i];
-        along = mid + rise_of(low, mid, ring_of(rim, middle + 1)[i], 1) - here;
-    }
-    return (struct peak){.source = rim->source,
-                         .low = {angle_before(rim, i), (double)ring / RINGS},
-                         .high = {angle_after(rim, i), fmin((double)(ring + 2) / RINGS, 1)},
-                         .distance = here,
-                         .height = here + fmax(along, 0) + rise_of(row[last], here, row[next], 1)};
-}
-
 /* Enter a peak among the highest, which descend. */
 static void spot_radius_offer(const struct peak *peak, struct peak *peaks, size_t *count)
 {
@@ -325,7 +287,25 @@ static size_t find_peaks(const struct spot_radius_rim *rims, size_t count, struc
         const size_t ring = k % RINGS;
         for (size_t i = 0; i < rim->count; i++) {
             if (is_peak(rim, ring, i)) {
-                const struct peak peak = peak_of(rim, ring, i);
+                const size_t last = previous_of(rim, i), next = next_of(rim, i);
+                const double *row = ring_of(rim, ring), here = row[i];
+                const bool at_edge = ring + 1 == RINGS;
+                const size_t middle = at_edge ? ring - 1 : ring;
+                double along = 0;
+                if (ring > 0) {
+                    /* of the outermost three: beyond the middle one it rises to the edge, or to
+                       before it */
+                    const double low = ring_of(rim, middle - 1)[i], mid = ring_of(rim, middle)[i];
+                    along = mid + rise_of(low, mid, ring_of(rim, middle + 1)[i], 1) - here;
+                }
+                const double angle = rim->angles[next_of(rim, i)];
+                const struct peak peak = (struct peak){
+                    .source = rim->source,
+                    .low = {angle_before(rim, i), (double)ring / RINGS},
+                    .high = {i + 1 < rim->count ? angle : 2 * PI + (rim->is_half ? -angle : angle),
+                             fmin((double)(ring + 2) / RINGS, 1)},
+                    .distance = here,
+                    .height = here + fmax(along, 0) + rise_of(row[last], here, row[next], 1)};
                 spot_radius_offer(&peak, peaks, &found);
             }
         }
@@ -344,49 +324,6 @@ struct spot_radius_grid {
     bool is_known;  /* has it been filled before? */
 };
 
-static void add_line(struct spot_radius_grid *grid, double angle)
-{
-    size_t at = grid->wide++;
-    for (; at > 0 && grid->angles[at - 1] > angle; at--) {
-        grid->angles[at] = grid->angles[at - 1];
-    }
-    grid->angles[at] = angle;
-}
-
-/* Equal steps, and the first corners within, where peaks may be sharp. */
-static void set_lines(const struct pupil_boundary *boundary, const struct peak *peak,
-                      struct spot_radius_grid *grid)
-{
-    grid->wide = 0;
-    for (size_t i = 0; i < FINE; i++) {
-        const double part = (double)i / (FINE - 1);
-        grid->angles[grid->wide++] = peak->low[0] + part * (peak->high[0] - peak->low[0]);
-        grid->shares[i] =
-            i + 1 < FINE ? peak->low[1] + part * (peak->high[1] - peak->low[1]) : peak->high[1];
-    }
-    for (size_t k = 0; k < boundary->corner_count && grid->wide < WIDE; k++) {
-        const double turns = ceil((peak->low[0] - boundary->corners[k]) / (2 * PI));
-        const double corner = boundary->corners[k] + 2 * PI * turns;
-        if (corner < peak->high[0]) {
-            add_line(grid, corner);
-        }
-    }
-}
-
-/* Radii of the edge by those of the lines of before, between which it is as good as straight. */
-static void spot_radius_guess_radii(const struct spot_radius_grid *before,
-                                    const struct spot_radius_grid *grid, double *near)
-{
-    for (size_t i = 0, k = 1; i < grid->wide; i++) {
-        while (k + 1 < before->wide && before->angles[k] < grid->angles[i]) {
-            k++;
-        }
-        const double low = before->angles[k - 1], width = before->angles[k] - low;
-        const double share = width > 0 ? (grid->angles[i] - low) / width : 0;
-        near[i] = before->radii[k - 1] + share * (before->radii[k] - before->radii[k - 1]);
-    }
-}
-
 /* The distances on a grid; the farthest of them. */
 static void spot_radius_fill_grid(const struct spot_radius_question *question,
                                   const struct peak *peak, const struct spot_radius_grid *before,
@@ -395,7 +332,15 @@ static void spot_radius_fill_grid(const struct spot_radius_question *question,
     double near[WIDE], slack = 0;
     if (before->is_known) {
         const double step = (before->angles[before->wide - 1] - before->angles[0]) / (FINE - 1);
-        spot_radius_guess_radii(before, grid, near);
+        /* the edge is as good as straight between the lines of before */
+        for (size_t j = 0, k = 1; j < grid->wide; j++) {
+            while (k + 1 < before->wide && before->angles[k] < grid->angles[j]) {
+                k++;
+            }
+            const double low = before->angles[k - 1], width = before->angles[k] - low;
+            const double share = width > 0 ? (grid->angles[j] - low) / width : 0;
+            near[j] = before->radii[k - 1] + share * (before->radii[k] - before->radii[k - 1]);
+        }
         /* a chord lies off an arc by an eighth of its square */
         slack = fmin(0.03, fmax(step * step, 1e-6));
     }
@@ -415,17 +360,6 @@ static void spot_radius_fill_grid(const struct spot_radius_question *question,
             grid->best[1] = i / grid->wide;
         }
     }
-}
-
-/* Where a parabola through three values peaks, and by how much above the middle one. */
-static double vertex_of(const double at[3], const double f[3], double *rise)
-{
-    const double left = (f[1] - f[0]) / (at[1] - at[0]), right = (f[2] - f[1]) / (at[2] - at[1]);
-    const double bend = (right - left) / (at[2] - at[0]);
-    const double slope = left + bend * (at[1] - at[0]), x = at[1] - slope / (2 * bend);
-    const bool peaks = f[0] >= 0 && f[2] >= 0 && bend < 0 && x > at[0] && x < at[2];
-    *rise = peaks ? -slope * slope / (4 * bend) : 0;
-    return peaks ? x : at[1];
 }
 
 /* Is the farthest ray on the last line of directions (k = 0) or rings, and pupil beyond it? */
@@ -454,7 +388,14 @@ static double spot_radius_narrow(const struct spot_radius_grid *grid, int k, dou
     if (low < best && high > best) {
         const double at[3] = {lines[low], lines[best], lines[high]};
         const double f[3] = {*(here - stride), *here, *(here + stride)};
-        middle = vertex_of(at, f, &rise);
+        /* Where a parabola through three values peaks, and by how much above the middle one. */
+        const double left = (f[1] - f[0]) / (at[1] - at[0]),
+                     right = (f[2] - f[1]) / (at[2] - at[1]);
+        const double bend = (right - left) / (at[2] - at[0]);
+        const double slope = left + bend * (at[1] - at[0]), x = at[1] - slope / (2 * bend);
+        const bool peaks = f[0] >= 0 && f[2] >= 0 && bend < 0 && x > at[0] && x < at[2];
+        rise = peaks ? -slope * slope / (4 * bend) : 0;
+        middle = peaks ? x : at[1];
         half = share * fmax(at[2] - at[1], at[1] - at[0]);
     }
     if (wide) {
@@ -483,7 +424,25 @@ static double climb(const struct spot_radius_question *question, double farthest
         const struct arena_mark mark = arena_mark(arena);
         const double share = shares[turn < 2 ? turn : 2];
         struct spot_radius_grid *grid = &grids[turn % 2];
-        set_lines(boundary, peak, grid);
+        /* Equal steps, and the first corners within, where peaks may be sharp. */
+        grid->wide = 0;
+        for (size_t i = 0; i < FINE; i++) {
+            const double part = (double)i / (FINE - 1);
+            grid->angles[grid->wide++] = peak->low[0] + part * (peak->high[0] - peak->low[0]);
+            grid->shares[i] =
+                i + 1 < FINE ? peak->low[1] + part * (peak->high[1] - peak->low[1]) : peak->high[1];
+        }
+        for (size_t k = 0; k < boundary->corner_count && grid->wide < WIDE; k++) {
+            const double turns = ceil((peak->low[0] - boundary->corners[k]) / (2 * PI));
+            const double corner = boundary->corners[k] + 2 * PI * turns;
+            if (corner < peak->high[0]) {
+                size_t at = grid->wide++;
+                for (; at > 0 && grid->angles[at - 1] > corner; at--) {
+                    grid->angles[at] = grid->angles[at - 1];
+                }
+                grid->angles[at] = corner;
+            }
+        }
         spot_radius_fill_grid(question, peak, &grids[1 - turn % 2], arena, grid);
         const double here = grid->distances[grid->best[1] * grid->wide + grid->best[0]];
         const bool wide = is_at_end(grid, 0) || is_at_end(grid, 1);

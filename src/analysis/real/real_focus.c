@@ -42,11 +42,14 @@ struct focus_rays {
     const struct encircled_energy_sheet *sheets;
 };
 
-static void real_focus_make_room(struct focus_rays *all, size_t more)
+/* Lines behind the last vertex, by where they cross its plane. */
+static void real_focus_gather(struct focus_rays *all, const struct bundle *bundle, double weight)
 {
+    struct encircled_energy_arms arms =
+        encircled_energy_arms_open(bundle, all->sheets, all->focus->arena);
     struct arena *arena = all->focus->arena;
     const struct focus_rays old = *all;
-    all->room += more;
+    all->room += bundle->count;
     all->at = arena_array(arena, all->room, sizeof *all->at);
     all->slope = arena_array(arena, all->room, sizeof *all->slope);
     all->marks = ARENA_ARRAY(arena, all->room, struct encircled_energy_mark);
@@ -57,14 +60,6 @@ static void real_focus_make_room(struct focus_rays *all, size_t more)
         }
         all->marks[i] = old.marks[i];
     }
-}
-
-/* Lines behind the last vertex, by where they cross its plane. */
-static void real_focus_gather(struct focus_rays *all, const struct bundle *bundle, double weight)
-{
-    struct encircled_energy_arms arms =
-        encircled_energy_arms_open(bundle, all->sheets, all->focus->arena);
-    real_focus_make_room(all, bundle->count);
     all->has_arms = bundle->arms > 0;
     for (size_t i = 0; i < bundle->count; i++) {
         const struct ray_block *block = &bundle->rays.blocks[i / RAYS_BLOCK];
@@ -116,26 +111,6 @@ static bool trace_all(struct focus_rays *all, double object, struct error *error
 }
 
 /* -------- where they lie closest -------- */
-
-/* Coordinates about their means, which are those of the middle of the blur on every film. */
-static void centre(struct focus_rays *all)
-{
-    double sum = 0, mean[4] = {0, 0, 0, 0};
-    for (size_t i = 0; i < all->count; i++) {
-        sum += all->marks[i].weight;
-        for (int k = 0; k < 2; k++) {
-            mean[k] += all->marks[i].weight * all->at[i][k];
-            mean[2 + k] += all->marks[i].weight * all->slope[i][k];
-        }
-    }
-    for (size_t i = 0; i < all->count; i++) {
-        all->marks[i].weight /= sum;
-        for (int k = 0; k < 2; k++) {
-            all->at[i][k] -= mean[k] / sum;
-            all->slope[i][k] -= mean[2 + k] / sum;
-        }
-    }
-}
 
 static bool real_focus_settle(struct focus_rays *all, struct real_point *point, struct error *error)
 {
@@ -299,7 +274,22 @@ bool real_focus_point(const struct real_focus *focus, double object, struct real
     if (!trace_all(&all, object, error)) {
         return false;
     }
-    centre(&all);
+    /* Coordinates about their means, which are those of the middle of the blur on every film. */
+    double sum = 0, mean[4] = {0, 0, 0, 0};
+    for (size_t i = 0; i < all.count; i++) {
+        sum += all.marks[i].weight;
+        for (int k = 0; k < 2; k++) {
+            mean[k] += all.marks[i].weight * all.at[i][k];
+            mean[2 + k] += all.marks[i].weight * all.slope[i][k];
+        }
+    }
+    for (size_t i = 0; i < all.count; i++) {
+        all.marks[i].weight /= sum;
+        for (int k = 0; k < 2; k++) {
+            all.at[i][k] -= mean[k] / sum;
+            all.slope[i][k] -= mean[2 + k] / sum;
+        }
+    }
     if (!real_focus_settle(&all, point, error)) {
         return false;
     }

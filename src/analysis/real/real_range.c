@@ -17,12 +17,6 @@ struct equation {
 /* Its value at x; NaN with the error set: it has none. */
 typedef double excess(struct equation *equation, double x);
 
-/* How far an object lies before the first vertex, by its vergence from the principal plane. */
-static double object_of(const struct equation *equation, double vergence)
-{
-    return vergence > 0 ? 1 / vergence - equation->front : INFINITY;
-}
-
 /* What an object says on a film, and where it is sharpest itself. */
 static bool real_range_look(struct equation *equation, double vergence, double *blur,
                             double *sharpest)
@@ -30,8 +24,9 @@ static bool real_range_look(struct equation *equation, double vergence, double *
     struct arena *arena = equation->focus->arena;
     const struct arena_mark mark = arena_mark(arena);
     struct real_point point;
-    const bool found =
-        real_focus_point(equation->focus, object_of(equation, vergence), &point, equation->error);
+    /* the object lies so far before the first vertex, by its vergence from the principal plane */
+    const double object = vergence > 0 ? 1 / vergence - equation->front : INFINITY;
+    const bool found = real_focus_point(equation->focus, object, &point, equation->error);
     *sharpest = found ? point.sharpest : (double)NAN;
     *blur = found ? real_focus_blur(equation->focus, &point, equation->film) : (double)NAN;
     arena_reset(arena, mark);
@@ -140,13 +135,6 @@ static double vergence_step(struct equation *equation, double distance, double s
     return fabs(shift * more / (there - here));
 }
 
-/* An object may come as near as the first vertex. */
-static double nearest_vergence(const struct equation *equation)
-{
-    const double inside = 1 - 1e-9;
-    return equation->front > 0 ? inside / equation->front : INFINITY;
-}
-
 /* Of the far limit; 0: infinity is sharp; NaN: it is not found. */
 static double far_vergence(struct equation *equation, double v, double step, double at_infinity)
 {
@@ -167,7 +155,10 @@ static bool find_objects(struct equation *equation, double distance, double step
     if (!real_range_look(equation, 0, &range->blur_at_infinity, &range->film_far)) {
         return false;
     }
-    near = root_beyond(excess_of_object, equation, v, step, nearest_vergence(equation));
+    /* An object may come as near as the first vertex. */
+    const double inside = 1 - 1e-9;
+    near = root_beyond(excess_of_object, equation, v, step,
+                       equation->front > 0 ? inside / equation->front : INFINITY);
     if (v > 0) {
         far = far_vergence(equation, v, step, range->blur_at_infinity);
     }

@@ -48,24 +48,21 @@ static bool setup_set_aperture(const struct setup_question *question, struct set
                                 edge.value[setup_axis(setup)], error);
 }
 
-/* The lens with its object elsewhere. */
-static const struct lens *move_object(const struct lens *lens, double distance, struct arena *arena)
-{
-    struct lens *moved = ARENA_NEW(arena, struct lens);
-    *moved = *lens;
-    moved->object_is_infinite = isinf(distance);
-    moved->object.value = pair_of(isinf(distance) ? 0 : distance);
-    moved->objects = NULL;
-    return moved;
-}
-
 bool setup_open(const struct setup_question *question, struct arena *arena, struct setup *setup,
                 struct error *error)
 {
     const struct lens *all = question->lens;
     const struct lens *placed = lens_at_position(all, question->position, arena);
-    const struct lens *lens =
-        question->object == NULL ? placed : move_object(placed, *question->object, arena);
+    const struct lens *lens = placed;
+    if (question->object != NULL) {
+        struct lens *moved = ARENA_NEW(arena, struct lens);
+        const double distance = *question->object;
+        *moved = *placed;
+        moved->object_is_infinite = isinf(distance);
+        moved->object.value = pair_of(isinf(distance) ? 0 : distance);
+        moved->objects = NULL;
+        lens = moved;
+    }
     *setup = (struct setup){
         .lens = lens,
         .position = all->position_count > 0 ? all->positions[question->position] : NULL,

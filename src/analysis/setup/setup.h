@@ -128,8 +128,6 @@ bool setup_compile(const struct setup *setup, const struct lens *lens, size_t wa
  */
 struct pair setup_paraxial_image(const struct lens *lens, const struct first_order *first);
 
-/* -------- analysis/setup/setup_width.c -------- */
-
 /* A tenth of a stop, as f-numbers: so much lies between labels and what lenses are. */
 #define SETUP_WIDTH_SLACK 0.966
 

@@ -176,8 +176,7 @@ static bool setup_beam_begin(struct setup_beam_search *search)
     return false;
 }
 
-static bool setup_beam_refuse(const struct setup_beam_search *search, bool begun,
-                              struct error *error)
+static bool setup_refuse(const struct setup_beam_search *search, bool begun, struct error *error)
 {
     const bool far = search->setup->object.is_infinite;
     const double field = hypot(search->at[0], search->at[1]) * (far ? DEGREES_PER_RADIAN : 1);
@@ -195,8 +194,8 @@ static bool setup_beam_refuse(const struct setup_beam_search *search, bool begun
                 far ? "deg" : "mm");
 }
 
-static bool setup_beam_solve(struct setup_beam_search *search, const struct setup_near *near,
-                             struct error *error)
+static bool setup_solve(struct setup_beam_search *search, const struct setup_near *near,
+                        struct error *error)
 {
     enum { STEPS = 60 };
     const double rounding = 2e-16 * search->size, enough = 1e-10 * search->size;
@@ -209,7 +208,7 @@ static bool setup_beam_solve(struct setup_beam_search *search, const struct setu
         }
     }
     return (begun && setup_beam_left_over(search, search->miss) <= enough) ||
-           setup_beam_refuse(search, begun, error);
+           setup_refuse(search, begun, error);
 }
 
 /* At the primary wavelength, and with an image plane: that of the setup, else of the lens. */
@@ -261,8 +260,7 @@ static bool setup_beam_find_object(const struct setup *setup, const double goal[
         search.goal[0] = 0;
         search.goal[1] = height;
     }
-    if (!setup_beam_open_search(&primary, &search, error) ||
-        !setup_beam_solve(&search, near, error)) {
+    if (!setup_beam_open_search(&primary, &search, error) || !setup_solve(&search, near, error)) {
         return false;
     }
     if (near != NULL) {

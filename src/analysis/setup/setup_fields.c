@@ -10,8 +10,8 @@ static const double FIVE_DEGREES = 5 * RADIANS_PER_DEGREE;
 static const double HALF_DIAGONAL = 21.633; /* of 35 mm film, mm */
 static const double STEEPEST = 1.732;       /* tan 60 deg: lenses beyond it distort */
 
-static struct setup_field setup_fields_field_at(const struct setup *setup, enum field_kind kind,
-                                                double value)
+static struct setup_field setup_field_at(const struct setup *setup, enum field_kind kind,
+                                         double value)
 {
     struct setup_field field = {.point = {.kind = kind}, .weight = 1};
     field.point.value[setup_axis(setup)] = value;
@@ -22,8 +22,7 @@ static struct setup_field setup_fields_field_at(const struct setup *setup, enum 
 static struct setup_field field_of_lens(const struct setup *setup, size_t i)
 {
     const struct lens_field *from = &setup->lens->fields[i];
-    struct setup_field field =
-        setup_fields_field_at(setup, setup->lens->field_kind, from->at[1].value.hi);
+    struct setup_field field = setup_field_at(setup, setup->lens->field_kind, from->at[1].value.hi);
     if (lens_has_fields_beside(setup->lens)) {
         field.point.value[0] = from->at[0].value.hi;
         field.point.value[1] = from->at[1].value.hi;
@@ -103,7 +102,7 @@ static bool take_in_object(const struct setup_question *question, struct setup *
             !in_object(setup, &asked->point, &value, error)) {
             return false;
         }
-        fields[i] = setup_fields_field_at(setup, kind_in_object(setup), value);
+        fields[i] = setup_field_at(setup, kind_in_object(setup), value);
         fields[i].weight = asked->weight;
     }
     setup->fields = fields;
@@ -137,8 +136,7 @@ static bool setup_fields_spread(struct setup *setup, struct error *error)
     }
     struct setup_field *fields = ARENA_ARRAY(setup->arena, COUNT, struct setup_field);
     for (size_t i = 0; i < COUNT; i++) {
-        fields[i] =
-            setup_fields_field_at(setup, kind_in_object(setup), largest * (double)i / (COUNT - 1));
+        fields[i] = setup_field_at(setup, kind_in_object(setup), largest * (double)i / (COUNT - 1));
     }
     setup->fields = fields;
     setup->field_count = COUNT;
@@ -146,34 +144,6 @@ static bool setup_fields_spread(struct setup *setup, struct error *error)
                              ? "from 0 by eighths to the largest of the lens"
                              : "to the half diagonal of 35 mm film, as the lens states none";
     return true;
-}
-
-/* All fields of the lens; of a lens without any the axis. */
-static struct setup_field *list_all(const struct setup *setup, size_t *count)
-{
-    const struct lens *lens = setup->lens;
-    *count = lens->field_count > 0 ? lens->field_count : 1;
-    struct setup_field *fields = ARENA_ARRAY(setup->arena, *count, struct setup_field);
-    fields[0] = setup_fields_field_at(setup, FIELD_NONE, 0);
-    for (size_t i = 0; i < lens->field_count; i++) {
-        fields[i] = field_of_lens(setup, i);
-    }
-    return fields;
-}
-
-/* The largest of those asked for, else of the lens. */
-static void take_largest(const struct setup_question *question, struct setup *setup)
-{
-    struct setup_field *one = ARENA_NEW(setup->arena, struct setup_field);
-    bool five = question->field_policy == FIELDS_EDGE;
-    one->point = setup_fields_farthest(setup->fields, setup->field_count);
-    one->weight = 1;
-    if (five && one->point.value[0] == 0 && one->point.value[1] == 0) {
-        *one = setup_fields_field_at(setup, FIELD_ANGLE, FIVE_DEGREES);
-        setup->fields_from = "the lens states none";
-    }
-    setup->fields = one;
-    setup->field_count = one->point.kind != FIELD_NONE;
 }
 
 bool setup_choose_fields(const struct setup_question *question, struct setup *setup,
@@ -189,10 +159,28 @@ bool setup_choose_fields(const struct setup_question *question, struct setup *se
         setup->fields = question->fields;
         setup->field_count = question->field_count;
     } else {
-        setup->fields = list_all(setup, &setup->field_count);
+        /* all fields of the lens; of a lens without any the axis */
+        const size_t count = setup->lens->field_count;
+        struct setup_field *fields = ARENA_ARRAY(setup->arena, count + 1, struct setup_field);
+        fields[0] = setup_field_at(setup, FIELD_NONE, 0);
+        for (size_t i = 0; i < count; i++) {
+            fields[i] = field_of_lens(setup, i);
+        }
+        setup->fields = fields;
+        setup->field_count = count > 0 ? count : 1;
     }
     if (policy == FIELDS_LARGEST || policy == FIELDS_EDGE) {
-        take_largest(question, setup);
+        /* The largest of those asked for, else of the lens. */
+        struct setup_field *one = ARENA_NEW(setup->arena, struct setup_field);
+        bool five = question->field_policy == FIELDS_EDGE;
+        one->point = setup_fields_farthest(setup->fields, setup->field_count);
+        one->weight = 1;
+        if (five && one->point.value[0] == 0 && one->point.value[1] == 0) {
+            *one = setup_field_at(setup, FIELD_ANGLE, FIVE_DEGREES);
+            setup->fields_from = "the lens states none";
+        }
+        setup->fields = one;
+        setup->field_count = one->point.kind != FIELD_NONE;
     }
     setup->edge = setup_fields_farthest(setup->fields, setup->field_count);
     return true;

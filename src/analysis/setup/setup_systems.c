@@ -1,6 +1,9 @@
 /* analysis/setup/setup_systems.c - a setup's systems for exact rays, and its image plane. */
 /* SPDX-License-Identifier: MIT */
 #include "analysis/setup/setup.h"
+
+#include "optics/aperture.h"
+#include "optics/wavelength.h"
 #include "trace/pupil/focus.h"
 
 #include <math.h>
@@ -27,9 +30,8 @@ struct setup setup_at_wavelength(const struct setup *setup, double wavelength, s
 /* -------- exact rays -------- */
 
 /* Every system of lenscalc's commands: the stop is as wide as at the primary wavelength. */
-static bool setup_systems_compile(const struct setup *setup, const struct lens *lens,
-                                  double wavelength, unsigned which, struct system *system,
-                                  struct error *error)
+static bool systems_compile(const struct setup *setup, const struct lens *lens, double wavelength,
+                            unsigned which, struct system *system, struct error *error)
 {
     struct system_options options = system_options_default();
     options.clip = (which & SETUP_CLIPPED) != 0;
@@ -44,8 +46,8 @@ static bool setup_systems_compile(const struct setup *setup, const struct lens *
 bool setup_compile(const struct setup *setup, const struct lens *lens, size_t wavelength,
                    unsigned which, struct system *system, struct error *error)
 {
-    return setup_systems_compile(setup, lens, setup->wavelengths[wavelength].wavelength, which,
-                                 system, error);
+    return systems_compile(setup, lens, setup->wavelengths[wavelength].wavelength, which, system,
+                           error);
 }
 
 const struct system *setup_system(const struct setup *setup, size_t wavelength, unsigned which,
@@ -71,28 +73,6 @@ struct pair setup_paraxial_image(const struct lens *lens, const struct first_ord
                                                              : pair_of(first->image);
 }
 
-static bool find_best(const struct setup *setup, double *z, struct error *error)
-{
-    struct system system;
-    return setup_systems_compile(setup, setup->lens, lens_primary_wavelength(setup->lens),
-                                 SETUP_OPEN, &system, error) &&
-           lens_best_focus(&system, &setup->object, &setup->first, setup->arena, z, error);
-}
-
-static bool find_table(struct setup *setup, bool is_asked, struct error *error)
-{
-    const struct surface *last = &setup->lens->surfaces[setup->lens->surface_count - 1];
-    if (last->has_thickness) {
-        setup->image = last->thickness.value.hi;
-        setup->focus = "table";
-    } else {
-        setup->warning =
-            "the lens states no distance behind its last surface: paraxial focus instead";
-    }
-    return last->has_thickness || !is_asked ||
-           fail(error, ERROR_DOMAIN, "the lens states no distance behind its last surface");
-}
-
 bool setup_place_image(struct setup *setup, const struct plane_value *asked, struct error *error)
 {
     static const enum plane_kind kinds[] = {[FOCUS_PARAXIAL] = PLANE_PARAXIAL,
@@ -104,14 +84,25 @@ bool setup_place_image(struct setup *setup, const struct plane_value *asked, str
     double best;
     setup->image = setup->first.image;
     setup->focus = "paraxial";
-    if (kind == PLANE_TABLE && !find_table(setup, is_asked, error)) {
-        return false;
+    const struct surface *last = &setup->lens->surfaces[setup->lens->surface_count - 1];
+    if (kind == PLANE_TABLE && last->has_thickness) {
+        setup->image = last->thickness.value.hi;
+        setup->focus = "table";
+    } else if (kind == PLANE_TABLE && is_asked) {
+        return fail(error, ERROR_DOMAIN, "the lens states no distance behind its last surface");
+    } else if (kind == PLANE_TABLE) {
+        setup->warning =
+            "the lens states no distance behind its last surface: paraxial focus instead";
     }
     if (kind == PLANE_AT) {
         setup->image = asked->distance;
         setup->focus = "given";
     }
-    if (kind == PLANE_BEST && find_best(setup, &best, error)) {
+    struct system system;
+    if (kind == PLANE_BEST &&
+        systems_compile(setup, setup->lens, lens_primary_wavelength(setup->lens), SETUP_OPEN,
+                        &system, error) &&
+        lens_best_focus(&system, &setup->object, &setup->first, setup->arena, &best, error)) {
         setup->image = best;
         setup->focus = "best";
     } else if (kind == PLANE_BEST && is_asked) {
@@ -126,4 +117,61 @@ bool setup_place_image(struct setup *setup, const struct plane_value *asked, str
     setup->focus = NULL;
     return !is_asked || fail(error, ERROR_DOMAIN,
                              "the image is infinitely far away: its distance must be given");
+}
+
+/* How far the marginal ray goes beyond the clear apertures: the largest of height over reach. */
+static double excess(const struct setup *setup, struct arena *arena)
+{
+    const struct lens *lens = setup->lens;
+    const struct first_order *first = &setup->first;
+    struct paraxial_system system;
+    struct error ignored;
+    double most = 0;
+    if (isnan(first->marginal_y) || !paraxial_compile(lens, lens_primary_wavelength(lens),
+                                                      setup->section, arena, &system, &ignored)) {
+        return 0;
+    }
+    struct paraxial_ray *rays = ARENA_ARRAY(arena, system.count + 1, struct paraxial_ray);
+    paraxial_follow(&system, pair_of(first->marginal_y), pair_of(first->marginal_v), rays);
+    for (size_t i = 0; i < system.count; i++) {
+        /* the stop is as wide as the beam has it */
+        if (i != system.stop) {
+            most = fmax(most, fabs(rays[i].y) / aperture_reach(&lens->surfaces[i]));
+        }
+    }
+    return most;
+}
+
+struct setup_width setup_width(const struct setup *setup, double fnumber, struct arena *arena)
+{
+    /* The f-number of the beam that the lens states; NaN where it states none. */
+    const struct aperture_setting own = lens_aperture(setup->lens);
+    struct first_order first = setup->first;
+    struct error ignored;
+    const double passing = fnumber * excess(setup, arena),
+                 stated =
+                     first_order_aperture(&first, &setup->object, &own, FIELD_NONE, NAN, &ignored)
+                         ? first.fnumber
+                         : (double)NAN;
+    return (struct setup_width){isfinite(stated) ? stated : passing, passing};
+}
+
+const char *setup_width_text(const struct setup_width *width, double fnumber, struct arena *arena)
+{
+    const bool is_wider =
+        fnumber < SETUP_WIDTH_SLACK * width->own && fnumber < SETUP_WIDTH_SLACK * width->passing;
+    return is_wider ? arena_printf(arena,
+                                   "the lens is f/%.4g wide open: rays of f/%.4g pass only where "
+                                   "its clear apertures let them",
+                                   width->own, fnumber)
+                    : NULL;
+}
+
+const char *setup_width_warning(const struct setup *setup, double fnumber, struct arena *arena)
+{
+    if (!(fnumber > 0)) {
+        return NULL;
+    }
+    const struct setup_width width = setup_width(setup, fnumber, arena);
+    return setup_width_text(&width, fnumber, arena);
 }

@@ -78,24 +78,12 @@ static bool analysis_cursor_check(const struct analysis_question *question,
     return true;
 }
 
-/* The field that the options name; false: none. */
-static bool field_asked(const struct analysis_question *question, struct setup_field *field)
-{
-    if (analysis_is_given(question->height, question->height_x)) {
-        *field = lens_field(question->real ? FIELD_REAL : FIELD_IMAGE, question->height_x,
-                            question->height, question->section);
-        return true;
-    }
-    *field = lens_field(FIELD_ANGLE, question->field_x, question->field, question->section);
-    return analysis_is_given(question->field, question->field_x);
-}
-
 /* Beyond it squares of distances overflow; the lens has the same limit. */
 static const double farthest_image = 1e100;
 
-static bool analysis_cursor_place(const struct analysis_question *question,
-                                  const struct analysis_policy *policy, struct setup *setup,
-                                  struct error *error)
+static bool analysis_place(const struct analysis_question *question,
+                           const struct analysis_policy *policy, struct setup *setup,
+                           struct error *error)
 {
     if (policy->no_image) {
         return true;
@@ -119,17 +107,6 @@ static bool analysis_cursor_place(const struct analysis_question *question,
     return true;
 }
 
-static const char *analysis_cursor_warning(const struct analysis_question *question,
-                                           const struct setup *setup)
-{
-    const char *both = lens_warnings_join(
-        question->lens.warning, first_order_warning(setup->lens, setup->arena), setup->arena);
-    const char *width =
-        question->no_clip ? NULL : setup_width_warning(setup, question->fnumber, setup->arena);
-    both = lens_warnings_join(both, setup->warning, setup->arena);
-    return lens_warnings_join(both, width, setup->arena);
-}
-
 const char *analysis_spectrum_words(const struct setup *setup)
 {
     const char *words = NULL;
@@ -141,17 +118,32 @@ const char *analysis_spectrum_words(const struct setup *setup)
     return words;
 }
 
-static bool analysis_cursor_open(const struct analysis_question *question,
-                                 const struct analysis_policy *policy, size_t position,
-                                 struct arena *arena, struct analysis_case *one,
-                                 struct error *error)
+bool analysis_next_case(struct analysis_cursor *at, struct error *error)
 {
+    const struct analysis_question *question = at->question;
+    const struct analysis_policy *policy = at->policy;
+    struct arena *arena = at->run->arena;
+    error->code = ERROR_NONE;
+    if (at->positions == NULL && !(analysis_cursor_check(question, policy, error) &&
+                                   lens_positions(question->lens.lens, question->position, arena,
+                                                  &at->positions, &at->position_count, error))) {
+        return false;
+    }
+    if (at->next_position == at->position_count) {
+        return false;
+    }
+    struct analysis_case *one = ARENA_NEW(arena, struct analysis_case);
     struct setup *setup = ARENA_NEW(arena, struct setup);
     struct setup_field *field = ARENA_NEW(arena, struct setup_field);
-    const bool asked = field_asked(question, field);
+    const bool height = analysis_is_given(question->height, question->height_x);
+    const bool asked = height || analysis_is_given(question->field, question->field_x);
+    *field = height
+                 ? lens_field(question->real ? FIELD_REAL : FIELD_IMAGE, question->height_x,
+                              question->height, question->section)
+                 : lens_field(FIELD_ANGLE, question->field_x, question->field, question->section);
     const struct setup_question of = {
         .lens = question->lens.lens,
-        .position = position,
+        .position = at->positions[at->next_position++],
         .section = (enum lens_section)question->section,
         .object = isnan(question->object) ? NULL : &question->object,
         .wavelength =
@@ -166,36 +158,19 @@ static bool analysis_cursor_open(const struct analysis_question *question,
         .field_policy = asked && policy->fields == FIELDS_EDGE ? FIELDS_LARGEST : policy->fields,
         .takes_telecentric = true,
     };
-    if (!setup_open(&of, arena, setup, error) ||
-        !analysis_cursor_place(question, policy, setup, error)) {
+    if (!setup_open(&of, arena, setup, error) || !analysis_place(question, policy, setup, error)) {
         return false;
     }
+    const char *both = lens_warnings_join(
+        question->lens.warning, first_order_warning(setup->lens, setup->arena), setup->arena);
+    const char *width =
+        question->no_clip ? NULL : setup_width_warning(setup, question->fnumber, setup->arena);
+    both = lens_warnings_join(both, setup->warning, setup->arena);
     *one = (struct analysis_case){.question = question,
                                   .setup = setup,
                                   .clip = !question->no_clip,
-                                  .warning = analysis_cursor_warning(question, setup),
+                                  .warning = lens_warnings_join(both, width, setup->arena),
                                   .spectrum = analysis_spectrum_words(setup)};
-    return true;
-}
-
-bool analysis_next_case(struct analysis_cursor *at, struct error *error)
-{
-    struct arena *arena = at->run->arena;
-    error->code = ERROR_NONE;
-    if (at->positions == NULL &&
-        !(analysis_cursor_check(at->question, at->policy, error) &&
-          lens_positions(at->question->lens.lens, at->question->position, arena, &at->positions,
-                         &at->position_count, error))) {
-        return false;
-    }
-    if (at->next_position == at->position_count) {
-        return false;
-    }
-    struct analysis_case *one = ARENA_NEW(arena, struct analysis_case);
-    if (!analysis_cursor_open(at->question, at->policy, at->positions[at->next_position++], arena,
-                              one, error)) {
-        return false;
-    }
     one->threads = at->run->threads;
     at->one = one;
     at->next_field = 0;
@@ -207,10 +182,19 @@ bool analysis_next_case(struct analysis_cursor *at, struct error *error)
 struct analysis_cursor analysis_begin(const void *input, const struct analysis_policy *policy,
                                       struct run *run)
 {
+    return analysis_begin_finding(input, policy, run, NULL, 0);
+}
+
+struct analysis_cursor analysis_begin_finding(const void *input,
+                                              const struct analysis_policy *policy, struct run *run,
+                                              analysis_find *find, size_t found_size)
+{
     return (struct analysis_cursor){.input = input,
                                     .question = input,
                                     .policy = policy,
                                     .run = run,
+                                    .find = find,
+                                    .found_size = found_size,
                                     .keeps_lost = analysis_makes_many(input, policy->fields)};
 }
 
@@ -282,10 +266,10 @@ bool analysis_next(struct analysis_cursor *at, struct error *error)
 
 /* -------- rows -------- */
 
-static struct analysis_point analysis_point_of_lens(const struct analysis_case *one)
+struct analysis_point analysis_point_of(const struct analysis_case *one, size_t field)
 {
     const struct setup *setup = one->setup;
-    return (struct analysis_point){
+    struct analysis_point point = (struct analysis_point){
         .position = setup->position,
         .spectrum = one->spectrum,
         .focus = setup->focus,
@@ -299,11 +283,6 @@ static struct analysis_point analysis_point_of_lens(const struct analysis_case *
         .image = setup->image,
         .defocus = one->question->defocus,
     };
-}
-
-struct analysis_point analysis_point_of(const struct analysis_case *one, size_t field)
-{
-    struct analysis_point point = analysis_point_of_lens(one);
     const struct field_point *at = &one->setup->fields[field].point;
     const bool angle = at->kind == FIELD_ANGLE || at->kind == FIELD_NONE;
     point.field = angle ? at->value[1] : (double)NAN;

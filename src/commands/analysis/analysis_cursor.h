@@ -54,7 +54,14 @@ struct analysis_cursor {
     struct error *errors;
 };
 
-/* Before the first case. Where rows of several fields are asked for, it keeps those that fail. */
+/*
+ * Before the first case. Where rows of several fields are asked for, it keeps those that fail.
+ *
+ * Given     find, found_size  what is found of each field, and how large that is; null: nothing
+ */
+struct analysis_cursor analysis_begin_finding(const void *input,
+                                              const struct analysis_policy *policy, struct run *run,
+                                              analysis_find *find, size_t found_size);
 struct analysis_cursor analysis_begin(const void *input, const struct analysis_policy *policy,
                                       struct run *run);
 
@@ -91,15 +98,6 @@ void analysis_divide(const struct analysis_case *one, size_t count, analysis_wor
                      void *context);
 
 /* -------- rows and rays -------- */
-
-/* What a row says of its place. */
-struct analysis_point {
-    const char *position, *spectrum, *focus, *lens, *warning;
-    double wavelength;       /* um; NaN: several at once */
-    double field, field_x;   /* rad; NaN: a height */
-    double height, height_x; /* mm; NaN: an angle */
-    double image, defocus;   /* mm; NaN: no image plane, no defocus */
-};
 
 struct analysis_point analysis_point_of(const struct analysis_case *one, size_t field);
 

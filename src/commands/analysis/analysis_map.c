@@ -15,8 +15,8 @@ const struct file_type *map_types(size_t i)
     return types[i];
 }
 
-static bool analysis_map_write_numbers(const struct raster_map *map, struct arena *arena,
-                                       struct text *file, struct error *error)
+static bool map_numbers(const struct raster_map *map, struct arena *arena, struct text *file,
+                        struct error *error)
 {
     struct image image = {.width = map->size, .height = map->size, .channels = 1};
     if (!image_new(&image, arena, error)) {
@@ -32,77 +32,54 @@ static bool analysis_map_write_numbers(const struct raster_map *map, struct aren
     return pfm_write(&image, arena, file, error);
 }
 
-bool map_page_write(const struct map_page *page, struct output *sink, struct error *error)
+bool map_page_add(struct map_page *page, const struct analysis_case *one,
+                  const struct raster_map *map, const char *subtitle, struct error *error)
 {
-    const struct rasters *rasters = &page->rasters;
-    struct arena *arena = page->job->run->arena;
+    struct rasters *rasters = &page->rasters;
+    if (rasters->count == RASTER_MAPS_MOST) {
+        return fail(error, ERROR_USAGE, "a page has room for %d maps, not for more",
+                    RASTER_MAPS_MOST);
+    }
+    const char *before = rasters->subtitle;
+    rasters->subtitle = before == NULL || strcmp(before, subtitle) == 0 ? subtitle : "";
+    page->lenses[rasters->count] = one->setup->lens->title;
+    page->maps[rasters->count++] = *map;
+    return true;
+}
+
+bool map_page_make(struct map_page *page, const char *what, struct output *sink,
+                   struct error *error)
+{
+    const struct artifact_job *job = page->job;
+    struct rasters *rasters = &page->rasters;
+    struct arena *arena = job->run->arena;
+    bool one = true;
+    if (rasters->count == 0) {
+        return fail(error, ERROR_DOMAIN, "there is nothing to draw");
+    }
+    rasters->maps = page->maps;
+    for (size_t i = 1; i < rasters->count; i++) {
+        one = one && strcmp(page->lenses[i], page->lenses[0]) == 0;
+    }
+    rasters->title = one ? arena_printf(arena, "%s of %s", what, page->lenses[0]) : what;
+    for (size_t i = 0; i < rasters->count && !one; i++) {
+        page->maps[i].note = arena_printf(arena, "%s; %s", page->lenses[i], page->maps[i].note);
+        rasters->subtitle = "";
+    }
+    if (job->type != &png_type && job->type != &pfm_type) {
+        struct svg svg = {.arena = arena};
+        return rasters_draw(rasters, &svg, error) && drawing_write(job, &svg, sink, error);
+    }
     struct text file;
     if (rasters->count != 1) {
         return fail(error, ERROR_USAGE,
                     "{--map} has room for one map, and this makes %zu: name one {--field}",
                     rasters->count);
     }
-    const bool made = page->job->type == &pfm_type
-                          ? analysis_map_write_numbers(&rasters->maps[0], arena, &file, error)
-                          : raster_png(rasters, 0, arena, &file, error);
-    if (!made) {
+    if (!(job->type == &pfm_type ? map_numbers(&rasters->maps[0], arena, &file, error)
+                                 : raster_png(rasters, 0, arena, &file, error))) {
         return false;
     }
     output_text(sink, file.start, file.length);
-    return true;
-}
-
-bool map_page_draw(const struct map_page *page, struct output *sink, struct error *error)
-{
-    struct svg svg = {.arena = page->job->run->arena};
-    return rasters_draw(&page->rasters, &svg, error) && drawing_write(page->job, &svg, sink, error);
-}
-
-void map_page_begin(struct map_page *page, const struct artifact_job *job)
-{
-    page->job = job;
-    page->rasters = (struct rasters){.maps = page->maps};
-}
-
-bool map_page_add(struct map_page *page, const struct analysis_case *one,
-                  const struct raster_map *map, struct error *error)
-{
-    if (page->rasters.count == RASTER_MAPS_MOST) {
-        return fail(error, ERROR_USAGE, "a page has room for %d maps, not for more",
-                    RASTER_MAPS_MOST);
-    }
-    page->lenses[page->rasters.count] = one->setup->lens->title;
-    page->maps[page->rasters.count++] = *map;
-    return true;
-}
-
-void map_page_subtitle(struct map_page *page, const char *words)
-{
-    const char *before = page->rasters.subtitle;
-    page->rasters.subtitle = before == NULL || strcmp(before, words) == 0 ? words : "";
-}
-
-/* The title; several lenses stand below their maps. */
-static void set_heads(struct map_page *page, const char *what)
-{
-    struct arena *arena = page->job->run->arena;
-    bool one = true;
-    for (size_t i = 1; i < page->rasters.count; i++) {
-        one = one && strcmp(page->lenses[i], page->lenses[0]) == 0;
-    }
-    page->rasters.title = one ? arena_printf(arena, "%s of %s", what, page->lenses[0]) : what;
-    for (size_t i = 0; i < page->rasters.count && !one; i++) {
-        const char *note = page->maps[i].note;
-        page->maps[i].note = arena_printf(arena, "%s; %s", page->lenses[i], note);
-        page->rasters.subtitle = "";
-    }
-}
-
-bool map_page_end(struct map_page *page, const char *what, struct error *error)
-{
-    if (page->rasters.count == 0) {
-        return fail(error, ERROR_DOMAIN, "there is nothing to draw");
-    }
-    set_heads(page, what);
     return true;
 }

@@ -29,6 +29,20 @@ struct analysis_question {
     bool clip, no_clip;
 };
 
+/* What a row says of its place. */
+struct analysis_point {
+    const char *position, *spectrum, *focus, *lens, *warning;
+    double wavelength;       /* um; NaN: several at once */
+    double field, field_x;   /* rad; NaN: a height */
+    double height, height_x; /* mm; NaN: an angle */
+    double image, defocus;   /* mm; NaN: no image plane, no defocus */
+};
+
+/* Inputs of analyses begin with their question, and their rows with their point. */
+struct analysis_input {
+    struct analysis_question question;
+};
+
 /* What a command takes of a lens where the options ask for nothing else. */
 struct analysis_policy {
     enum wavelength_policy wavelengths;
@@ -45,26 +59,25 @@ extern const struct word analysis_aims[], analysis_weights[];
 #define ANALYSIS_LENGTH(S, member)                                                                 \
     OPTION(S, member), .dimension = &dimension_length, .unit = "mm", .value = "LENGTH"
 
-#define ANALYSIS_OBJECT_OPTION(S, member)                                                          \
-    ENTRY(ANALYSIS_LENGTH(S, member.object), .name = "object", .column = "object",                 \
+#define ANALYSIS_OBJECT_OPTION                                                                     \
+    ENTRY(ANALYSIS_LENGTH(struct analysis_question, object), .name = "object", .column = "object", \
           .flags = OPTION_ABOVE_LOWEST, .lowest = 0, .highest = INFINITY,                          \
           .help = "distance of the object before the first "                                       \
                   "vertex, in place of the lens's")
 
 /* `wavelengths`: which a command takes without -w; `parts`: ", or ..." that threads share */
-#define ANALYSIS_OPTIONS(S, member, wavelengths, parts)                                            \
-    ANALYSIS_OPTIONS_FOR(S, member, wavelengths, parts, NULL)
+#define ANALYSIS_OPTIONS(wavelengths, parts) ANALYSIS_OPTIONS_FOR(wavelengths, parts, NULL)
 /* `plane_use`: what the image plane needs, as `wants` of an option has it */
-#define ANALYSIS_OPTIONS_FOR(S, member, wavelengths, parts, plane_use)                             \
-    ANALYSIS_LENS_OPTIONS(S, member, wavelengths, plane_use),                                      \
-        ENTRY(OPTION(S, member.threads), .name = "threads", .lowest = 0, .highest = PARALLEL_MOST, \
-              .value = "N", .fallback = "1", .flags = OPTION_ASIDE,                                \
+#define ANALYSIS_OPTIONS_FOR(wavelengths, parts, plane_use)                                        \
+    LENS_OPTION(struct analysis_input, question),                                                  \
+        LENS_WAVELENGTH_OPTION(struct analysis_input, question, wavelengths),                      \
+        LENS_FNUMBER_OPTION(struct analysis_input, question),                                      \
+        LENS_POSITION_OPTION(struct analysis_input, question),                                     \
+        ANALYSIS_PLANE_OPTIONS_FOR(struct analysis_input, question, plane_use),                    \
+        ANALYSIS_OBJECT_OPTION,                                                                    \
+        ENTRY(OPTION(struct analysis_question, threads), .name = "threads", .lowest = 0,           \
+              .highest = PARALLEL_MOST, .value = "N", .fallback = "1", .flags = OPTION_ASIDE,      \
               .help = "threads that share the combinations of a sweep" parts "; 0 = one per core")
-
-#define ANALYSIS_LENS_OPTIONS(S, member, wavelengths, plane_use)                                   \
-    LENS_OPTION(S, member), LENS_WAVELENGTH_OPTION(S, member, wavelengths),                        \
-        LENS_FNUMBER_OPTION(S, member), LENS_POSITION_OPTION(S, member),                           \
-        ANALYSIS_PLANE_OPTIONS_FOR(S, member, plane_use), ANALYSIS_OBJECT_OPTION(S, member)
 
 /* Where the image is caught. */
 #define ANALYSIS_PLANE_OPTIONS(S, member) ANALYSIS_PLANE_OPTIONS_FOR(S, member, NULL)
@@ -79,24 +92,25 @@ extern const struct word analysis_aims[], analysis_weights[];
                       "through focus")
 
 /* Of commands that ask field by field; and of those that ask for the edge of the field alone. */
-#define ANALYSIS_FIELD_OPTIONS(S, member)                                                          \
-    ANALYSIS_FIELDS_BY(S, member, "default all fields of the lens", NULL), ANALYSIS_REAL(S, member)
-#define ANALYSIS_EDGE_OPTIONS(S, member, use)                                                      \
-    ANALYSIS_FIELDS_BY(S, member, "default the largest of the lens; without one 5 deg", use)
-#define ANALYSIS_FIELDS_BY(S, member, without, use)                                                \
-    ENTRY(OPTION(S, member.field), .name = "field", .wants = (use), .column = "field",             \
-          .dimension = &dimension_angle, .unit = "deg", .lowest = -PI, .highest = PI,              \
-          .flags = OPTION_FIELD | OPTION_ABOVE_LOWEST | OPTION_BELOW_HIGHEST, .value = "ANGLE",    \
-          .help = "field angle in object space, a list is swept; " without),                       \
-        LENS_FIELD_X_OPTION_FOR(S, member.field_x, use),                                           \
-        ENTRY(ANALYSIS_LENGTH(S, member.height), .name = "height", .column = "height",             \
-              .wants = (use), .flags = OPTION_NO_INFINITY,                                         \
+#define ANALYSIS_FIELD_OPTIONS                                                                     \
+    ANALYSIS_FIELDS_BY("default all fields of the lens", NULL), ANALYSIS_REAL
+#define ANALYSIS_EDGE_OPTIONS(use)                                                                 \
+    ANALYSIS_FIELDS_BY("default the largest of the lens; without one 5 deg", use)
+#define ANALYSIS_FIELDS_BY(without, use)                                                           \
+    ENTRY(OPTION(struct analysis_question, field), .name = "field", .wants = (use),                \
+          .column = "field", .dimension = &dimension_angle, .unit = "deg", .lowest = -PI,          \
+          .highest = PI, .flags = OPTION_FIELD | OPTION_ABOVE_LOWEST | OPTION_BELOW_HIGHEST,       \
+          .value = "ANGLE", .help = "field angle in object space, a list is swept; " without),     \
+        LENS_FIELD_X_OPTION_FOR(struct analysis_question, field_x, use),                           \
+        ENTRY(ANALYSIS_LENGTH(struct analysis_question, height), .name = "height",                 \
+              .column = "height", .wants = (use), .flags = OPTION_NO_INFINITY,                     \
               .help = "field by the height of its paraxial image"),                                \
-        ENTRY(ANALYSIS_LENGTH(S, member.height_x), .name = "height-x", .column = "height_x",       \
-              .wants = (use), .flags = OPTION_NO_INFINITY, .help = "offset from the axis in x")
+        ENTRY(ANALYSIS_LENGTH(struct analysis_question, height_x), .name = "height-x",             \
+              .column = "height_x", .wants = (use), .flags = OPTION_NO_INFINITY,                   \
+              .help = "offset from the axis in x")
 /* Of heights in the image of real rays. */
-#define ANALYSIS_REAL(S, member)                                                                   \
-    ENTRY(OPTION(S, member.real), .name = "real", .wants = "height|height-x",                      \
+#define ANALYSIS_REAL                                                                              \
+    ENTRY(OPTION(struct analysis_question, real), .name = "real", .wants = "height|height-x",      \
           .help = "the height is that of the real image: where the chief "                         \
                   "ray meets the image plane")
 
@@ -108,78 +122,86 @@ extern const struct word analysis_aims[], analysis_weights[];
                   "d:1,F:0.5; or photopic: 450 to 650 nm as the eye "                              \
                   "sees them")
 
+/* Which pupil: `use` is what it needs, `what` its help. */
+#define ANALYSIS_AIM_OPTION(use, what)                                                             \
+    ENTRY(OPTION(struct analysis_question, aim), .name = "aim", .words = analysis_aims,            \
+          .fallback = "stop", .value = "WHERE", .wants = (use), .help = what)
+
 /* How the pupil is filled with rays. */
-#define ANALYSIS_PUPIL_OPTIONS(S, member)                                                          \
-    ENTRY(OPTION(S, member.aim), .name = "aim", .words = analysis_aims, .fallback = "stop",        \
-          .value = "WHERE", .help = "pupil that the ray points lie in"),                           \
-        ENTRY(OPTION(S, member.weight), .name = "weight", .words = analysis_weights,               \
-              .fallback = "pupil", .value = "WHAT",                                                \
+#define ANALYSIS_PUPIL_OPTIONS                                                                     \
+    ANALYSIS_AIM_OPTION(NULL, "pupil that the ray points lie in"),                                 \
+        ENTRY(OPTION(struct analysis_question, weight), .name = "weight",                          \
+              .words = analysis_weights, .fallback = "pupil", .value = "WHAT",                     \
               .help = "where equal weights mean equal areas"),                                     \
-        ENTRY(OPTION(S, member.pattern), .name = "pattern", .words = patterns,                     \
+        ENTRY(OPTION(struct analysis_question, pattern), .name = "pattern", .words = patterns,     \
               .fallback = "gauss", .value = "PATTERN", .help = "points of the pupil"),             \
-        ENTRY(OPTION(S, member.rays), .name = "rays", .column = "rays_wanted", .lowest = 1,        \
-              .highest = 1e7, .value = "COUNT",                                                    \
+        ENTRY(OPTION(struct analysis_question, rays), .name = "rays", .column = "rays_wanted",     \
+              .lowest = 1, .highest = 1e7, .value = "COUNT",                                       \
               .help =                                                                              \
                   "approximate number of rays per wavelength; default: as many as --error needs"), \
-        ENTRY(OPTION(S, member.seed), .name = "seed", .lowest = 0, .highest = 1e9,                 \
+        ENTRY(OPTION(struct analysis_question, seed), .name = "seed", .lowest = 0, .highest = 1e9, \
               .fallback = "0", .value = "NUMBER", .wants = "pattern=sobol",                        \
               .help = "of the pattern sobol"),                                                     \
-        ENTRY(OPTION(S, member.error), .name = "error", .column = "error_wanted",                  \
+        ENTRY(OPTION(struct analysis_question, error), .name = "error", .column = "error_wanted",  \
               .dimension = &dimension_number, .lowest = 1e-13, .highest = 1, .fallback = "1e-4",   \
               .value = "NUMBER", .excludes = "rays",                                               \
               .help = "rays are doubled until the relative error is below this"),                  \
-        ANALYSIS_CLIP_OPTIONS(S, member)
+        ANALYSIS_CLIP_OPTIONS
 
-#define ANALYSIS_CLIP_OPTIONS(S, member)                                                           \
-    ENTRY(OPTION(S, member.clip), .name = "clip",                                                  \
+#define ANALYSIS_CLIP_OPTIONS                                                                      \
+    ENTRY(OPTION(struct analysis_question, clip), .name = "clip",                                  \
           .help = "clip rays at apertures and stop (default)"),                                    \
-        ENTRY(OPTION(S, member.no_clip), .name = "no-clip", .excludes = "clip",                    \
+        ENTRY(OPTION(struct analysis_question, no_clip), .name = "no-clip", .excludes = "clip",    \
               .help = "do not clip rays at clear apertures")
 
 /* What rows begin with: position and field. */
-#define ANALYSIS_POINT_COLUMNS(S, member)                                                          \
-    LENS_POSITION_COLUMN(S, member.position, COLUMN_BRIEF),                                        \
-        ENTRY(COLUMN_OF_ANGLE(S, member.field, "deg"), .name = "field",                            \
+#define ANALYSIS_POINT_COLUMNS                                                                     \
+    LENS_POSITION_COLUMN(struct analysis_point, position, COLUMN_BRIEF),                           \
+        ENTRY(COLUMN_OF_ANGLE(struct analysis_point, field, "deg"), .name = "field",               \
               .flags = COLUMN_ECHO | COLUMN_BRIEF | COLUMN_SPARSE, .with = "field",                \
               .help = "field angle; absent for a height"),                                         \
-        ENTRY(COLUMN_OF_LENGTH(S, member.height, "mm"), .name = "height",                          \
+        ENTRY(COLUMN_OF_LENGTH(struct analysis_point, height, "mm"), .name = "height",             \
               .flags = COLUMN_ECHO | COLUMN_BRIEF | COLUMN_SPARSE, .with = "height",               \
               .label = "field height",                                                             \
               .help = "height of the field, at the object or at the image as the lens has it"),    \
-        ENTRY(COLUMN_OF_ANGLE(S, member.field_x, "deg"), .name = "field_x",                        \
+        ENTRY(COLUMN_OF_ANGLE(struct analysis_point, field_x, "deg"), .name = "field_x",           \
               .flags = COLUMN_ECHO | COLUMN_BRIEF | COLUMN_EXTRA, .with = "field-x",               \
               .label = "field x",                                                                  \
               .help = "its angle in the x-z plane; on request, and where some is not 0"),          \
-        ENTRY(COLUMN_OF_LENGTH(S, member.height_x, "mm"), .name = "height_x",                      \
+        ENTRY(COLUMN_OF_LENGTH(struct analysis_point, height_x, "mm"), .name = "height_x",         \
               .flags = COLUMN_ECHO | COLUMN_BRIEF | COLUMN_EXTRA, .with = "height-x",              \
               .label = "field height x", .help = "of a height the same in x")
 
 /* Then, where several are possible. */
-#define ANALYSIS_WAVELENGTH_COLUMN(S, member)                                                      \
-    ENTRY(COLUMN_OF_WAVELENGTH(S, member.wavelength), .name = "wavelength",                        \
+#define ANALYSIS_WAVELENGTH_COLUMN                                                                 \
+    ENTRY(COLUMN_OF_WAVELENGTH(struct analysis_point, wavelength), .name = "wavelength",           \
           .flags = COLUMN_ECHO | COLUMN_BRIEF | COLUMN_SPARSE, .with = "wavelength",               \
           .help = "wavelength; absent where several count at once")
 
-#define ANALYSIS_DEFOCUS_COLUMN(S, member)                                                         \
-    ENTRY(COLUMN_OF_LENGTH(S, member.defocus, "mm"), .name = "defocus",                            \
+#define ANALYSIS_DEFOCUS_COLUMN                                                                    \
+    ENTRY(COLUMN_OF_LENGTH(struct analysis_point, defocus, "mm"), .name = "defocus",               \
           .flags = COLUMN_ECHO | COLUMN_BRIEF | COLUMN_EXTRA, .with = "defocus",                   \
           .help = "of the image plane, away from the lens")
 
+#define ANALYSIS_ROW_COLUMNS                                                                       \
+    ANALYSIS_POINT_COLUMNS, ANALYSIS_DEFOCUS_COLUMN, ANALYSIS_WAVELENGTH_COLUMN
+
 /* And end with: what is assumed, and what is doubtful. */
-#define ANALYSIS_SPECTRUM_COLUMN(S, member)                                                        \
-    ENTRY(COLUMN(S, member.spectrum), .name = "spectrum",                                          \
+#define ANALYSIS_SPECTRUM_COLUMN                                                                   \
+    ENTRY(COLUMN(struct analysis_point, spectrum), .name = "spectrum",                             \
           .when = "where several wavelengths count", .flags = COLUMN_ASSUMED | COLUMN_SPARSE,      \
           .depends = "lens spectrum", .label = "wavelengths",                                      \
           .help = "those that count, nm, each with its weight")
 
-#define ANALYSIS_TAIL_COLUMNS(S, member)                                                           \
-    ENTRY(COLUMN(S, member.focus), .name = "focus", .flags = COLUMN_ASSUMED,                       \
+#define ANALYSIS_TAIL_COLUMNS                                                                      \
+    ENTRY(COLUMN(struct analysis_point, focus), .name = "focus", .flags = COLUMN_ASSUMED,          \
           .depends = "focus lens", .help = "how the image plane was found"),                       \
-        ENTRY(COLUMN_OF_LENGTH(S, member.image, "mm"), .name = "image",                            \
+        ENTRY(COLUMN_OF_LENGTH(struct analysis_point, image, "mm"), .name = "image",               \
               .flags = COLUMN_EXTRA | COLUMN_ASSUMED,                                              \
               .depends = "focus lens position defocus object aperture", .label = "image plane at", \
               .help = "from the last vertex"),                                                     \
-        LENS_TITLE_COLUMN(S, member.lens), LENS_WARNING_COLUMN(S, member.warning)
+        LENS_TITLE_COLUMN(struct analysis_point, lens),                                            \
+        LENS_WARNING_COLUMN(struct analysis_point, warning)
 
 /* Is a field or a height given, in either coordinate? NaN = not given. */
 bool analysis_is_given(double first, double second);

@@ -13,18 +13,16 @@ static const struct word shows[] = {
 #define FOR_FIELDS "show!=zone|plot"
 
 static const struct option options[] = {
-    ANALYSIS_OPTIONS_FOR(struct color_input, question, "all of the lens", "", FOR_FIELDS),
-    ANALYSIS_EDGE_OPTIONS(struct color_input, question, FOR_FIELDS),
-    ANALYSIS_REAL(struct color_input, question),
+    ANALYSIS_OPTIONS_FOR("all of the lens", "", FOR_FIELDS),
+    ANALYSIS_EDGE_OPTIONS(FOR_FIELDS),
+    ANALYSIS_REAL,
     ANALYSIS_SPECTRUM_OPTION(struct color_input, question),
     {OPTION(struct color_input, show), .name = "show", .words = shows, .fallback = "wavelength",
      .value = "WHAT", .help = "what each row stands for"},
     {OPTION(struct color_input, steps), .name = "steps", .lowest = 1, .highest = 1000,
      .fallback = "10", .value = "COUNT", .wants = "show=zone|show=field",
      .help = "number of steps of zones or fields"},
-    {OPTION(struct color_input, question.aim), .name = "aim", .words = analysis_aims,
-     .fallback = "stop", .value = "WHERE", .wants = "show=zone",
-     .help = "pupil that the zones lie in"},
+    ANALYSIS_AIM_OPTION("show=zone", "pupil that the zones lie in"),
 };
 
 struct color_row {
@@ -68,9 +66,7 @@ static const struct column_form angle = {&dimension_angle, "mrad",
                   "not_converged")
 
 static const struct column columns[] = {
-    ANALYSIS_POINT_COLUMNS(struct color_row, point),
-    ANALYSIS_DEFOCUS_COLUMN(struct color_row, point),
-    ANALYSIS_WAVELENGTH_COLUMN(struct color_row, point),
+    ANALYSIS_ROW_COLUMNS,
     AXIAL_COLUMN,
     LATERAL_COLUMNS,
     STATUS_COLUMN,
@@ -80,12 +76,12 @@ static const struct column columns[] = {
      .help = "their mean less the focus of the primary wavelength, where that lies between"},
     {COLUMN(struct color_row, summary), .name = "summary", .flags = COLUMN_NOTE,
      .help = "both in words"},
-    ANALYSIS_TAIL_COLUMNS(struct color_row, point),
+    ANALYSIS_TAIL_COLUMNS,
 };
 
 static const struct column zone_columns[] = {
     LENS_POSITION_COLUMN(struct color_row, point.position, COLUMN_BRIEF),
-    ANALYSIS_WAVELENGTH_COLUMN(struct color_row, point),
+    ANALYSIS_WAVELENGTH_COLUMN,
     {COLUMN(struct color_row, zone), .name = "zone", .flags = COLUMN_BRIEF | COLUMN_ECHO,
      .help = "height in the pupil over its radius; 0: paraxial"},
     AXIAL_COLUMN,
@@ -95,12 +91,10 @@ static const struct column zone_columns[] = {
 };
 
 static const struct column field_columns[] = {
-    ANALYSIS_POINT_COLUMNS(struct color_row, point),
-    ANALYSIS_DEFOCUS_COLUMN(struct color_row, point),
-    ANALYSIS_WAVELENGTH_COLUMN(struct color_row, point),
+    ANALYSIS_ROW_COLUMNS,
     LATERAL_COLUMNS,
     STATUS_COLUMN,
-    ANALYSIS_TAIL_COLUMNS(struct color_row, point),
+    ANALYSIS_TAIL_COLUMNS,
 };
 
 static const struct sheet sheets[] = {
@@ -160,7 +154,7 @@ static struct color_row color_row_of(const struct analysis_cursor *at, double wa
     analysis_begin_row(at, &sheets[((const struct color_input *)at->input)->show], &row);
     analysis_warn(at, &row.point, color_doubt(setup->lens));
     row.point.wavelength = wavelength;
-    row.is_afocal = color_is_afocal(setup);
+    row.is_afocal = isinf(setup->first.image);
     row.is_angular = isnan(setup->image);
     return row;
 }
@@ -250,16 +244,6 @@ static bool color_list_zones(const struct analysis_cursor *at, struct error *err
     return true;
 }
 
-/* A field that no chief ray comes from has a row that says so; the question has failed. */
-static void color_keep_place(const struct field_point *at, struct run *run, struct error *error,
-                             struct color_row *row)
-{
-    run->shortfall = *error;
-    error_prefix(&run->shortfall, "%s: ", lens_field_words(at, run->arena));
-    row->point.warning = arena_printf(run->arena, "%s", run->shortfall.message);
-    error->code = ERROR_NONE;
-}
-
 static bool color_list_fields(const struct analysis_cursor *at, struct error *error)
 {
     const struct setup *setup = at->one->setup;
@@ -274,7 +258,11 @@ static bool color_list_fields(const struct analysis_cursor *at, struct error *er
                 *parts[j] *= (double)k / (double)steps;
             }
             if (!color_find_lateral(at->one, &point, &row, error)) {
-                color_keep_place(&point, at->run, error, &row);
+                /* it has a row that says so, and the question has failed */
+                at->run->shortfall = *error;
+                error_prefix(&at->run->shortfall, "%s: ", lens_field_words(&point, at->run->arena));
+                row.point.warning = arena_printf(at->run->arena, "%s", at->run->shortfall.message);
+                error->code = ERROR_NONE;
             }
             if (!run_emit(at->run, &row)) {
                 return false;

@@ -31,9 +31,8 @@ static const struct word references[] = {
 };
 
 static const struct option options[] = {
-    ANALYSIS_OPTIONS(struct fan_input, question, "all of the lens, each by itself",
-                     ", or the fields of one question"),
-    ANALYSIS_FIELD_OPTIONS(struct fan_input, question),
+    ANALYSIS_OPTIONS("all of the lens, each by itself", ", or the fields of one question"),
+    ANALYSIS_FIELD_OPTIONS,
     ANALYSIS_SPECTRUM_OPTION(struct fan_input, question),
     {OPTION(struct fan_input, show), .name = "show", .words = shows, .fallback = "transverse",
      .value = "WHAT", .help = "what text and --plot show"},
@@ -42,9 +41,8 @@ static const struct option options[] = {
     {OPTION(struct fan_input, points), .name = "points", .lowest = 3, .highest = 100001,
      .fallback = "21", .value = "COUNT",
      .help = "rays in each section, an odd number: one lies in the middle"},
-    {OPTION(struct fan_input, question.aim), .name = "aim", .words = analysis_aims,
-     .fallback = "stop", .value = "WHERE", .help = "pupil that the ray points lie in"},
-    ANALYSIS_CLIP_OPTIONS(struct fan_input, question),
+    ANALYSIS_AIM_OPTION(NULL, "pupil that the ray points lie in"),
+    ANALYSIS_CLIP_OPTIONS,
 };
 
 struct fan_row {
@@ -72,8 +70,7 @@ static const struct column_form sines = {&dimension_angle, "mrad",
 
 /* With what people read of the transverse aberrations, and of the path differences. */
 #define FAN_COLUMNS(off, path)                                                                     \
-    ANALYSIS_POINT_COLUMNS(struct fan_row, point), ANALYSIS_DEFOCUS_COLUMN(struct fan_row, point), \
-        ANALYSIS_WAVELENGTH_COLUMN(struct fan_row, point),                                         \
+    ANALYSIS_ROW_COLUMNS,                                                                          \
         ENTRY(PLAIN(section, COLUMN_BRIEF), .name = "section",                                     \
               .help = "tangential: through the axis and the field point; or sagittal, across it"), \
         ENTRY(PLAIN(pupil_x, COLUMN_BRIEF), .name = "pupil_x", .label = "pupil x",                 \
@@ -106,8 +103,7 @@ static const struct column_form sines = {&dimension_angle, "mrad",
         ENTRY(PLAIN(reference, COLUMN_ASSUMED), .name = "reference",                               \
               .depends = "reference lens wavelength spectrum",                                     \
               .help = "reference point of the aberrations"),                                       \
-        ANALYSIS_SPECTRUM_COLUMN(struct fan_row, point),                                           \
-        ANALYSIS_TAIL_COLUMNS(struct fan_row, point)
+        ANALYSIS_SPECTRUM_COLUMN, ANALYSIS_TAIL_COLUMNS
 
 static const struct column transverse_columns[] = {FAN_COLUMNS(COLUMN_BRIEF, COLUMN_HIDDEN)};
 static const struct column opd_columns[] = {FAN_COLUMNS(COLUMN_HIDDEN, COLUMN_BRIEF)};
@@ -126,28 +122,18 @@ static bool fan_find(const struct analysis_cursor *at, const struct analysis_cas
                      size_t field, void *found, struct error *error)
 {
     const struct fan_input *input = at->input;
-    const struct fan_question question = {
-        .bundle = {.setup = one->setup,
-                   .field = &one->setup->fields[field].point,
-                   .clip = one->clip,
-                   .from_entrance = input->question.aim == ANALYSIS_AIM_ENTRANCE},
-        .about = (enum wave_about)input->reference,
-        .points = (size_t)input->points};
+    const struct fan_question question = {.bundle = analysis_bundle(one, field),
+                                          .about = (enum wave_about)input->reference,
+                                          .points = (size_t)input->points};
     return fan_trace(&question, one->setup->arena, found, error);
 }
 
-static struct analysis_cursor fan_begin(const struct fan_input *input, struct run *run)
+/* The rows of a field; false: no more are wanted. */
+static bool fan_emit(const struct analysis_cursor *at, struct fan_row *row)
 {
-    struct analysis_cursor at = analysis_begin(input, &policy, run);
-    at.find = fan_find;
-    at.found_size = sizeof(struct fan);
-    return at;
-}
-
-/* What the rows of a field have in common. */
-static void fan_row_begin(const struct analysis_cursor *at, const struct fan *fan,
-                          struct fan_row *row)
-{
+    static const char *const names[FAN_SECTIONS] = {"tangential", "sagittal"};
+    const struct fan *fan = at->found;
+    struct fan_ray *rays = ARENA_ARRAY(at->run->arena, fan->points + FAN_ENDS, struct fan_ray);
     const struct fan_input *input = at->input;
     struct arena *arena = at->run->arena;
     if (input->reference == WAVE_CHIEF) {
@@ -163,15 +149,6 @@ static void fan_row_begin(const struct analysis_cursor *at, const struct fan *fa
         row->at_z = fan->reference[2];
     }
     row->radius = fan->no_opd != NULL ? (double)NAN : fan->radius;
-}
-
-/* The rows of a field; false: no more are wanted. */
-static bool fan_emit(const struct analysis_cursor *at, struct fan_row *row)
-{
-    static const char *const names[FAN_SECTIONS] = {"tangential", "sagittal"};
-    const struct fan *fan = at->found;
-    struct fan_ray *rays = ARENA_ARRAY(at->run->arena, fan->points + FAN_ENDS, struct fan_ray);
-    fan_row_begin(at, fan, row);
     for (size_t g = 0; g < at->one->setup->wavelength_count; g++) {
         row->point.wavelength = at->one->setup->wavelengths[g].wavelength;
         for (size_t s = 0; s < FAN_SECTIONS; s++) {
@@ -198,7 +175,8 @@ static bool fan_emit(const struct analysis_cursor *at, struct fan_row *row)
 static bool fan_run(const void *data, struct run *run, struct error *error)
 {
     const struct fan_input *input = data;
-    struct analysis_cursor at = fan_begin(input, run);
+    struct analysis_cursor at =
+        analysis_begin_finding(input, &policy, run, fan_find, sizeof(struct fan));
     if (input->points % 2 != 1) {
         return fail(error, ERROR_USAGE,
                     "{--points} %ld: an odd number, so that one ray lies in the middle",
@@ -219,7 +197,7 @@ static bool fan_run(const void *data, struct run *run, struct error *error)
 enum { FINE = 201, MOST_KEYS = 64 };
 
 /* One wavelength of one field. */
-struct fan_figure_curve {
+struct fan_curve {
     const char *label; /* of the field */
     double wavelength; /* um */
     size_t row;
@@ -232,7 +210,7 @@ struct fan_figure_painter {
     const struct artifact_job *job;
     struct fan_input input; /* the one being answered, with `points` */
     struct arena *arena;
-    struct fan_figure_curve *curves;
+    struct fan_curve *curves;
     size_t count, room;
     const char **rows; /* what stands beside them */
     size_t row_count, row_room;
@@ -241,8 +219,8 @@ struct fan_figure_painter {
 };
 
 /* What tells a field from the others: only what differs or is asked for. */
-static const char *fan_figure_label_of(const struct fan_figure_painter *painter,
-                                       const struct field_point *field, const char *position)
+static const char *figure_label_of(const struct fan_figure_painter *painter,
+                                   const struct field_point *field, const char *position)
 {
     const struct analysis_question *question = &painter->input.question;
     struct arena *arena = painter->arena;
@@ -264,13 +242,12 @@ static const char *fan_figure_label_of(const struct fan_figure_painter *painter,
 }
 
 /* The row of a field: that of another wavelength of it, or a new one. */
-static size_t fan_figure_row_of(struct fan_figure_painter *painter, const char *label,
-                                double wavelength)
+static size_t fan_row_of(struct fan_figure_painter *painter, const char *label, double wavelength)
 {
     for (size_t i = painter->row_count; i-- > 0;) {
         bool taken = strcmp(painter->rows[i], label) != 0;
         for (size_t k = 0; k < painter->count && !taken; k++) {
-            const struct fan_figure_curve *curve = &painter->curves[k];
+            const struct fan_curve *curve = &painter->curves[k];
             taken = curve->row == i && !(fabs(curve->wavelength - wavelength) > 0);
         }
         if (!taken) {
@@ -283,55 +260,17 @@ static size_t fan_figure_row_of(struct fan_figure_painter *painter, const char *
     return painter->row_count++;
 }
 
-/* The component along the section, um or mrad; or the path difference in waves. */
-static double fan_figure_value_of(const struct fan_figure_painter *painter, const struct fan *fan,
-                                  const struct fan_ray *ray, size_t section, double wavelength)
-{
-    const double *along = fan->along;
-    if (painter->input.show == FAN_OPD) {
-        return 1000 * ray->opd / wavelength;
-    }
-    double off = section == FAN_TANGENTIAL ? ray->off[0] * along[0] + ray->off[1] * along[1]
-                                           : ray->off[0] * along[1] - ray->off[1] * along[0];
-    return 1000 * off;
-}
-
-static void fan_figure_add_curve(struct fan_figure_painter *painter, const struct fan *fan,
-                                 size_t g, double wavelength, const char *label)
-{
-    struct arena *arena = painter->arena;
-    struct fan_figure_curve curve = {
-        label, wavelength, fan_figure_row_of(painter, label, wavelength), {0}, {0}, {0}};
-    const size_t room = fan->points + FAN_ENDS;
-    struct fan_ray *rays = ARENA_ARRAY(arena, room, struct fan_ray);
-    for (size_t s = 0; s < FAN_SECTIONS; s++) {
-        curve.x[s] = ARENA_ARRAY(arena, room, double);
-        curve.y[s] = ARENA_ARRAY(arena, room, double);
-        curve.counts[s] = fan_line(fan, g, (enum fan_section)s, rays);
-        for (size_t i = 0; i < curve.counts[s]; i++) {
-            const double *pupil = rays[i].pupil, *along = fan->along;
-            curve.x[s][i] = s == FAN_TANGENTIAL ? pupil[0] * along[0] + pupil[1] * along[1]
-                                                : pupil[0] * along[1] - pupil[1] * along[0];
-            curve.y[s][i] = fan_figure_value_of(painter, fan, &rays[i], s, wavelength);
-        }
-    }
-    painter->curves =
-        arena_grow(arena, painter->curves, painter->count, &painter->room, sizeof *painter->curves);
-    painter->curves[painter->count++] = curve;
-}
-
 /* The fans of a field; one without light has its row all the same. */
 static void fan_figure_add(struct fan_figure_painter *painter, const struct analysis_cursor *at)
 {
     const struct setup *setup = at->one->setup;
     const struct fan *fan = at->found;
-    const char *label =
-        fan_figure_label_of(painter, &setup->fields[at->field].point, setup->position);
+    const char *label = figure_label_of(painter, &setup->fields[at->field].point, setup->position);
     if (at->lost == NULL || painter->title == NULL) {
         painter->title = setup->lens->title;
     }
     if (at->lost != NULL) {
-        fan_figure_row_of(painter, label, NAN);
+        fan_row_of(painter, label, NAN);
         return;
     }
     const char *reference =
@@ -340,7 +279,35 @@ static void fan_figure_add(struct fan_figure_painter *painter, const struct anal
     painter->reference = differs ? "the chief ray of each wavelength" : reference;
     painter->is_angular = fan->is_angular;
     for (size_t g = 0; g < setup->wavelength_count; g++) {
-        fan_figure_add_curve(painter, fan, g, setup->wavelengths[g].wavelength, label);
+        struct arena *arena = painter->arena;
+        struct fan_curve curve = {label,
+                                  setup->wavelengths[g].wavelength,
+                                  fan_row_of(painter, label, setup->wavelengths[g].wavelength),
+                                  {0},
+                                  {0},
+                                  {0}};
+        const size_t room = fan->points + FAN_ENDS;
+        struct fan_ray *rays = ARENA_ARRAY(arena, room, struct fan_ray);
+        for (size_t s = 0; s < FAN_SECTIONS; s++) {
+            curve.x[s] = ARENA_ARRAY(arena, room, double);
+            curve.y[s] = ARENA_ARRAY(arena, room, double);
+            curve.counts[s] = fan_line(fan, g, (enum fan_section)s, rays);
+            for (size_t i = 0; i < curve.counts[s]; i++) {
+                const double *pupil = rays[i].pupil, *along = fan->along;
+                curve.x[s][i] = s == FAN_TANGENTIAL ? pupil[0] * along[0] + pupil[1] * along[1]
+                                                    : pupil[0] * along[1] - pupil[1] * along[0];
+                const double *off = rays[i].off;
+                const double aside = s == FAN_TANGENTIAL ? off[0] * along[0] + off[1] * along[1]
+                                                         : off[0] * along[1] - off[1] * along[0];
+                /* waves; or the component along the section, um or mrad */
+                curve.y[s][i] = painter->input.show == FAN_OPD
+                                    ? 1000 * rays[i].opd / setup->wavelengths[g].wavelength
+                                    : 1000 * aside;
+            }
+        }
+        painter->curves = arena_grow(arena, painter->curves, painter->count, &painter->room,
+                                     sizeof *painter->curves);
+        painter->curves[painter->count++] = curve;
     }
 }
 
@@ -366,26 +333,6 @@ static size_t find_keys(const struct fan_figure_painter *painter, double *keys)
     return count;
 }
 
-static size_t fan_figure_key_of(const double *keys, size_t count, double wavelength)
-{
-    size_t at = 0;
-    while (at + 1 < count && keys[at] < wavelength) {
-        at++;
-    }
-    return at;
-}
-
-/* The greatest value; false: there is none. */
-static bool find_most(const double *y, size_t count, double *most)
-{
-    bool any = false;
-    for (size_t i = 0; i < count; i++) {
-        any = any || isfinite(y[i]);
-        *most = isfinite(y[i]) ? fmax(*most, fabs(y[i])) : *most;
-    }
-    return any;
-}
-
 /* Panels two a row, with the greatest value in `most`. */
 static struct panel *make_panels(const struct fan_figure_painter *painter, const double *keys,
                                  size_t key_count, double *most)
@@ -397,66 +344,28 @@ static struct panel *make_panels(const struct fan_figure_painter *painter, const
         size_t count = 0, section = i % FAN_SECTIONS;
         bool any = false;
         for (size_t k = 0; k < painter->count; k++) {
-            const struct fan_figure_curve *curve = &painter->curves[k];
+            const struct fan_curve *curve = &painter->curves[k];
             if (curve->row != i / FAN_SECTIONS) {
                 continue;
             }
-            series[count++] =
-                (struct panel_series){.x = curve->x[section],
-                                      .y = curve->y[section],
-                                      .count = curve->counts[section],
-                                      .key = fan_figure_key_of(keys, key_count, curve->wavelength)};
-            any = find_most(curve->y[section], curve->counts[section], most) || any;
+            size_t key = 0;
+            while (key + 1 < key_count && keys[key] < curve->wavelength) {
+                key++;
+            }
+            series[count++] = (struct panel_series){.x = curve->x[section],
+                                                    .y = curve->y[section],
+                                                    .count = curve->counts[section],
+                                                    .key = key};
+            for (size_t j = 0; j < curve->counts[section]; j++) {
+                const double y = fabs(curve->y[section][j]);
+                any = any || isfinite(y);
+                *most = isfinite(y) ? fmax(*most, y) : *most;
+            }
         }
         panels[i] =
             (struct panel){.series = series, .count = count, .note = any ? NULL : "no ray arrives"};
     }
     return panels;
-}
-
-static bool fan_figure_draw(const struct fan_figure_painter *painter, struct output *sink,
-                            struct error *error)
-{
-    static const char *const heads[FAN_SECTIONS] = {"tangential", "sagittal"};
-    struct arena *arena = painter->arena;
-    double keys[MOST_KEYS], most = 0;
-    size_t key_count = find_keys(painter, keys);
-    const char **words = ARENA_ARRAY(arena, key_count + 1, const char *);
-    for (size_t k = 0; k < key_count; k++) {
-        words[k] = arena_printf(arena, "%.5g nm", 1000 * keys[k]);
-    }
-    const struct fan_input *first = painter->job->inputs[0];
-    bool opd = first->show == FAN_OPD;
-    const struct panel *list = make_panels(painter, keys, key_count, &most);
-    const char *transverse =
-        painter->is_angular ? "transverse aberration (mrad)" : "transverse aberration (µm)";
-    const char *subtitle =
-        painter->reference != NULL
-            ? arena_printf(arena, "%s %s", opd ? "against" : "from", painter->reference)
-            : NULL;
-    const struct panels panels = {
-        .title = arena_printf(arena, "%s of %s", opd ? "Optical path differences" : "Ray fans",
-                              painter->title),
-        .subtitle = subtitle,
-        .x_label = first->question.aim == ANALYSIS_AIM_ENTRANCE
-                       ? "across the entrance pupil, in its radius"
-                       : "across the stop, in its radius",
-        .y_label = opd ? "optical path difference (waves)" : transverse,
-        .column_heads = heads,
-        .row_heads = painter->rows,
-        .keys = words,
-        .key_count = key_count,
-        .light = true,
-        .x_low = -1,
-        .x_high = 1,
-        .y_low = -most,
-        .y_high = most,
-        .columns = FAN_SECTIONS,
-        .panels = list,
-        .count = FAN_SECTIONS * painter->row_count,
-    };
-    struct svg svg = {.arena = arena};
-    return panels_draw(&panels, &svg, error) && drawing_write(painter->job, &svg, sink, error);
 }
 
 static bool fan_figure(const struct artifact_job *job, struct output *sink, struct error *error)
@@ -470,7 +379,8 @@ static bool fan_figure(const struct artifact_job *job, struct output *sink, stru
     for (size_t i = 0; i < job->count; i++) {
         painter.input = *(const struct fan_input *)job->inputs[i];
         painter.input.points = points;
-        struct analysis_cursor at = fan_begin(&painter.input, job->run);
+        struct analysis_cursor at =
+            analysis_begin_finding(&painter.input, &policy, job->run, fan_find, sizeof(struct fan));
         at.keeps_lost = true;
         while (analysis_next(&at, error)) {
             fan_figure_add(&painter, &at);
@@ -479,7 +389,46 @@ static bool fan_figure(const struct artifact_job *job, struct output *sink, stru
             return false;
         }
     }
-    return fan_figure_draw(&painter, sink, error);
+    static const char *const heads[FAN_SECTIONS] = {"tangential", "sagittal"};
+    struct arena *arena = painter.arena;
+    double keys[MOST_KEYS], most = 0;
+    size_t key_count = find_keys(&painter, keys);
+    const char **words = ARENA_ARRAY(arena, key_count + 1, const char *);
+    for (size_t k = 0; k < key_count; k++) {
+        words[k] = arena_printf(arena, "%.5g nm", 1000 * keys[k]);
+    }
+    const struct fan_input *first = painter.job->inputs[0];
+    bool opd = first->show == FAN_OPD;
+    const struct panel *list = make_panels(&painter, keys, key_count, &most);
+    const char *transverse =
+        painter.is_angular ? "transverse aberration (mrad)" : "transverse aberration (µm)";
+    const char *subtitle =
+        painter.reference != NULL
+            ? arena_printf(arena, "%s %s", opd ? "against" : "from", painter.reference)
+            : NULL;
+    const struct panels panels = {
+        .title = arena_printf(arena, "%s of %s", opd ? "Optical path differences" : "Ray fans",
+                              painter.title),
+        .subtitle = subtitle,
+        .x_label = first->question.aim == ANALYSIS_AIM_ENTRANCE
+                       ? "across the entrance pupil, in its radius"
+                       : "across the stop, in its radius",
+        .y_label = opd ? "optical path difference (waves)" : transverse,
+        .column_heads = heads,
+        .row_heads = painter.rows,
+        .keys = words,
+        .key_count = key_count,
+        .light = true,
+        .x_low = -1,
+        .x_high = 1,
+        .y_low = -most,
+        .y_high = most,
+        .columns = FAN_SECTIONS,
+        .panels = list,
+        .count = FAN_SECTIONS * painter.row_count,
+    };
+    struct svg svg = {.arena = arena};
+    return panels_draw(&panels, &svg, error) && drawing_write(painter.job, &svg, sink, error);
 }
 
 static const struct artifact artifacts[] = {

@@ -14,8 +14,8 @@ static const struct analysis_policy policy = {
     .wavelengths = WAVELENGTHS_PRIMARY, .fields = FIELDS_ALL, .one_wavelength = true};
 
 static const struct option options[] = {
-    ANALYSIS_OPTIONS(struct field_input, question, LENS_PRIMARY_WAVELENGTH, ""),
-    ANALYSIS_FIELD_OPTIONS(struct field_input, question),
+    ANALYSIS_OPTIONS(LENS_PRIMARY_WAVELENGTH, ""),
+    ANALYSIS_FIELD_OPTIONS,
 };
 
 struct field_row {
@@ -30,9 +30,7 @@ struct field_row {
 #define PLAIN(member_name, more) COLUMN(struct field_row, member_name), .flags = (more)
 
 static const struct column columns[] = {
-    ANALYSIS_POINT_COLUMNS(struct field_row, point),
-    ANALYSIS_DEFOCUS_COLUMN(struct field_row, point),
-    ANALYSIS_WAVELENGTH_COLUMN(struct field_row, point),
+    ANALYSIS_ROW_COLUMNS,
     {LENGTH(at.height[1], COLUMN_BRIEF | COLUMN_SPARSE), .name = "image_height", .symbol = "h",
      .label = "image height", .help = "where the chief ray meets the image plane"},
     {LENGTH(at.height[0], COLUMN_EXTRA | COLUMN_BRIEF), .name = "image_height_x",
@@ -65,19 +63,8 @@ static const struct column columns[] = {
      .help = "of the chief ray, which is traced on in any case: ok, or clipped by an aperture"},
     {PLAIN(lost, COLUMN_SPARSE | COLUMN_BRIEF), .name = "surface", .label = "clipped at surface",
      .help = "surface that clips the chief ray"},
-    ANALYSIS_TAIL_COLUMNS(struct field_row, point),
+    ANALYSIS_TAIL_COLUMNS,
 };
-
-static void field_row_fill(const struct setup *setup, const struct field_curvature *found,
-                           struct field_row *row)
-{
-    row->at = *found;
-    if (!isnan(setup->image)) {
-        row->at.tangential_power = row->at.sagittal_power = NAN;
-    }
-    row->status = ray_status_name(found->status);
-    row->lost = found->surface > 0 ? (long)found->surface : NO_INTEGER;
-}
 
 static const struct sheet sheet = SHEET(columns, struct field_row);
 
@@ -96,7 +83,12 @@ static bool field_run(const void *data, struct run *run, struct error *error)
         }
         analysis_begin_row(&at, &sheet, &row);
         if (is_there) {
-            field_row_fill(setup, &found, &row);
+            row.at = found;
+            if (!isnan(setup->image)) {
+                row.at.tangential_power = row.at.sagittal_power = NAN;
+            }
+            row.status = ray_status_name(found.status);
+            row.lost = found.surface > 0 ? (long)found.surface : NO_INTEGER;
         }
         if (!run_emit(run, &row)) {
             return true;
@@ -253,24 +245,18 @@ static bool field_paint(struct field_painter *painter, struct svg *svg, struct e
     return panels_draw(&page, svg, error);
 }
 
-/* A curve wants a field: of a lens that states none but the axis another one is taken. */
-static struct analysis_policy policy_of_plot(const struct field_input *input)
-{
-    const struct lens *lens = input->question.lens.lens;
-    struct analysis_policy wide = policy;
-    if (lens != NULL && !(lens_field_extent(lens) > 0)) {
-        wide.fields = FIELDS_EDGE;
-    }
-    return wide;
-}
-
 static bool field_draw(const struct artifact_job *job, struct output *sink, struct error *error)
 {
     struct svg svg = {.arena = job->run->arena};
     struct field_painter painter = {.run = job->run};
     for (size_t i = 0; i < job->count; i++) {
         const struct field_input *input = job->inputs[i];
-        const struct analysis_policy wide = policy_of_plot(input);
+        /* A curve wants a field: of a lens that states none but the axis another one is taken. */
+        const struct lens *lens = input->question.lens.lens;
+        struct analysis_policy wide = policy;
+        if (lens != NULL && !(lens_field_extent(lens) > 0)) {
+            wide.fields = FIELDS_EDGE;
+        }
         struct analysis_cursor at = analysis_begin(input, &wide, job->run);
         while (analysis_next(&at, error)) {
             field_add_field(&painter, at.one, at.field);

@@ -12,8 +12,7 @@ struct illumination_input {
 };
 
 static const struct option options[] = {
-    ANALYSIS_OPTIONS(struct illumination_input, question, LENS_PRIMARY_WAVELENGTH,
-                     ", or the heights of one question"),
+    ANALYSIS_OPTIONS(LENS_PRIMARY_WAVELENGTH, ", or the heights of one question"),
     {ANALYSIS_LENGTH(struct illumination_input, question.height), .name = "height",
      .column = "height", .flags = OPTION_NO_INFINITY,
      .help = "a point in the image at this distance from the axis; a list is swept; default: from "
@@ -33,7 +32,7 @@ static const struct option options[] = {
      .dimension = &dimension_number, .lowest = 1e-13, .highest = 1, .fallback = "1e-4",
      .value = "NUMBER",
      .help = "rays are doubled until the relative error of the irradiance is below this"},
-    ANALYSIS_CLIP_OPTIONS(struct illumination_input, question),
+    ANALYSIS_CLIP_OPTIONS,
 };
 
 struct illumination_row {
@@ -56,8 +55,8 @@ static const struct column columns[] = {
      .flags = COLUMN_BRIEF | COLUMN_SPARSE,
      .help = "angle from the axis, before the lens, of the light whose chief ray comes there; "
              "absent where none does"},
-    ANALYSIS_WAVELENGTH_COLUMN(struct illumination_row, point),
-    ANALYSIS_DEFOCUS_COLUMN(struct illumination_row, point),
+    ANALYSIS_WAVELENGTH_COLUMN,
+    ANALYSIS_DEFOCUS_COLUMN,
     {LENGTH(stop_diameter, COLUMN_ECHO | COLUMN_BRIEF | COLUMN_EXTRA), .name = "stop_diameter",
      .with = "stop-diameter", .label = "stop", .help = "diameter of the stop"},
     {PLAIN(at.light.value, COLUMN_BRIEF), .name = "irradiance_per_radiance", .symbol = "E",
@@ -84,7 +83,7 @@ static const struct column columns[] = {
      .help = "what that may be off: a share that is less than its error is 0"},
     {PLAIN(at.cos4, 0), .name = "cos4", .label = "cos^4",
      .help = "fourth power of the cosine of the field angle, for comparison"},
-    ANALYSIS_TAIL_COLUMNS(struct illumination_row, point),
+    ANALYSIS_TAIL_COLUMNS,
 };
 
 /* -------- points of the image -------- */
@@ -175,23 +174,6 @@ static bool find_point(const struct analysis_case *one, size_t field,
     return true;
 }
 
-static void illumination_row_fill(const struct analysis_cursor *at, double share,
-                                  const struct relative_illumination_point *found,
-                                  struct illumination_row *row)
-{
-    row->at = *found;
-    const char *const warnings[] = {
-        found->light.is_met ? NULL : "the irradiance has not converged: see its error",
-        found->is_field_met ? NULL : "the light by field has not converged: see its error",
-        share < 1 ? "no chief ray of the largest field comes to the image: the points end where "
-                    "one does"
-                  : NULL,
-        lens_island_warning(&found->islands, at->run->arena)};
-    for (size_t i = 0; i < sizeof warnings / sizeof warnings[0]; i++) {
-        analysis_warn(at, &row->point, warnings[i]);
-    }
-}
-
 /* Points of the image: first .. last of those that part the way from the axis to the end. */
 struct illumination_points {
     const struct relative_illumination *falloff;
@@ -211,29 +193,6 @@ static void illumination_find_light(const struct analysis_case *one, size_t item
 }
 
 enum { STEPS = 10 };
-
-/* The points of a field; `count` of `found` and how far they go. */
-static bool illumination_find(const struct analysis_cursor *at,
-                              struct relative_illumination_point found[STEPS + 1], size_t *count,
-                              double *share, struct error *error)
-{
-    const struct illumination_input *input = at->input;
-    struct relative_illumination falloff;
-    struct last_point end;
-    if (!open_falloff(at->one, input, at->run, &falloff, error) ||
-        !find_point(at->one, at->field, input, &falloff, &end, error)) {
-        return false;
-    }
-    struct illumination_points points = {
-        &falloff, {end.height[0], end.height[1]}, asks_point(input) ? STEPS : 0, STEPS, found};
-    *count = STEPS + 1 - points.first;
-    *share = end.share;
-    if (*count > 1) {
-        relative_illumination_begin(&falloff, (double[2]){end.height[0] / 2, end.height[1] / 2});
-    }
-    analysis_divide(at->one, *count, illumination_find_light, &points);
-    return true;
-}
 
 /* Without a point the edge of the field, and that is not the axis. */
 static struct analysis_policy illumination_policy_of(const struct illumination_input *input)
@@ -260,18 +219,44 @@ static bool illumination_run(const void *data, struct run *run, struct error *er
     struct analysis_cursor at = analysis_begin(&input, &policy, run);
     while (analysis_next(&at, error)) {
         struct relative_illumination_point found[STEPS + 1];
-        size_t count = 1;
-        double share = 1;
-        const bool is_there = illumination_find(&at, found, &count, &share, error);
+        struct relative_illumination falloff;
+        struct last_point end = {.share = 1};
+        const bool is_there = open_falloff(at.one, &input, run, &falloff, error) &&
+                              find_point(at.one, at.field, &input, &falloff, &end, error);
         if (!is_there && !analysis_keep_lost(&at, error)) {
             return false;
+        }
+        const size_t first = asks_point(&input) ? STEPS : 0;
+        const size_t count = is_there ? STEPS + 1 - first : 1;
+        if (is_there) {
+            struct illumination_points points = {
+                &falloff, {end.height[0], end.height[1]}, first, STEPS, found};
+            if (count > 1) {
+                const double middle[2] = {end.height[0] / 2, end.height[1] / 2};
+                relative_illumination_begin(&falloff, middle);
+            }
+            analysis_divide(at.one, count, illumination_find_light, &points);
         }
         for (size_t i = 0; i < count; i++) {
             struct illumination_row row;
             analysis_begin_row(&at, &sheet, &row);
             row.stop_diameter = input.stop_diameter;
             if (is_there) {
-                illumination_row_fill(&at, share, &found[i], &row);
+                row.at = found[i];
+                const char *const warnings[] = {
+                    found[i].light.is_met ? NULL
+                                          : "the irradiance has not converged: see its error",
+                    found[i].is_field_met ? NULL
+                                          : "the light by field has not converged: see its error",
+                    end.share < 1
+                        ? "no chief ray of the largest field comes to the image: the points "
+                          "end where "
+                          "one does"
+                        : NULL,
+                    lens_island_warning(&found[i].islands, at.run->arena)};
+                for (size_t k = 0; k < sizeof warnings / sizeof warnings[0]; k++) {
+                    analysis_warn(&at, &row.point, warnings[k]);
+                }
             }
             if (!run_emit(run, &row)) {
                 return true;
@@ -317,19 +302,6 @@ static const char *with_stop(const struct illumination_input *input, const char 
                               words != NULL ? ", " : "", input->stop_diameter);
 }
 
-static struct illumination_curve *
-illumination_find_curve(const struct illumination_painter *painter, const char *words,
-                        const char *title)
-{
-    for (size_t i = 0; i < painter->count; i++) {
-        struct illumination_curve *curve = &painter->curves[i];
-        if (strcmp(curve->words, words) == 0 && strcmp(curve->title, title) == 0) {
-            return curve;
-        }
-    }
-    return NULL;
-}
-
 static bool illumination_add_point(struct illumination_painter *painter,
                                    const struct analysis_case *one, size_t field,
                                    struct error *error)
@@ -337,8 +309,13 @@ static bool illumination_add_point(struct illumination_painter *painter,
     struct arena *arena = painter->arena;
     const struct illumination_input *input = painter->input;
     const char *words = with_stop(input, analysis_case_words(one, true, arena), arena);
-    struct illumination_curve *curve =
-        illumination_find_curve(painter, words, one->setup->lens->title);
+    struct illumination_curve *curve = NULL;
+    for (size_t i = 0; i < painter->count; i++) {
+        struct illumination_curve *old = &painter->curves[i];
+        const bool same =
+            strcmp(old->words, words) == 0 && strcmp(old->title, one->setup->lens->title) == 0;
+        curve = same && curve == NULL ? old : curve;
+    }
     struct last_point end;
     if (curve == NULL) {
         painter->curves = arena_grow(arena, painter->curves, painter->count, &painter->room,

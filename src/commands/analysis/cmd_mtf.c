@@ -1,6 +1,6 @@
 /* commands/analysis/cmd_mtf.c - lenscalc mtf: contrast of the image, by frequency. */
 /* SPDX-License-Identifier: MIT */
-#include "commands/analysis/mtf_input.h"
+#include "commands/analysis/mtf_figure.h"
 
 #include <string.h>
 
@@ -11,9 +11,9 @@ static const struct word methods[] = {
 };
 
 static const struct option options[] = {
-    ANALYSIS_OPTIONS(struct mtf_input, question, "all of the lens by their weights, together",
+    ANALYSIS_OPTIONS("all of the lens by their weights, together",
                      ", or the fields of one question"),
-    ANALYSIS_FIELD_OPTIONS(struct mtf_input, question),
+    ANALYSIS_FIELD_OPTIONS,
     ANALYSIS_SPECTRUM_OPTION(struct mtf_input, question),
     {OPTION(struct mtf_input, frequency), .name = "frequency", .quantity = "spatial frequency",
      .column = "frequency", .dimension = &dimension_frequency, .unit = "per_mm", .lowest = 0,
@@ -24,12 +24,11 @@ static const struct option options[] = {
     {OPTION(struct mtf_input, pitch), .name = "pitch", .dimension = &dimension_length, .unit = "um",
      .lowest = 0, .highest = 1, .flags = OPTION_ABOVE_LOWEST, .value = "LENGTH",
      .help = "pitch of square pixels, whose own blur is counted in"},
-    {OPTION(struct mtf_input, question.aim), .name = "aim", .words = analysis_aims,
-     .fallback = "stop", .value = "WHERE", .help = "pupil that limits the beam"},
+    ANALYSIS_AIM_OPTION(NULL, "pupil that limits the beam"),
     {OPTION(struct mtf_input, question.error), .name = "error", .column = "error_wanted",
      .dimension = &dimension_number, .lowest = 1e-8, .highest = 0.1, .fallback = "1e-4",
      .value = "NUMBER", .help = "points are added until contrasts are right to this"},
-    ANALYSIS_CLIP_OPTIONS(struct mtf_input, question),
+    ANALYSIS_CLIP_OPTIONS,
 };
 
 struct mtf_row {
@@ -48,9 +47,7 @@ struct mtf_row {
                                          .flags = (more)
 
 static const struct column columns[] = {
-    ANALYSIS_POINT_COLUMNS(struct mtf_row, point),
-    ANALYSIS_DEFOCUS_COLUMN(struct mtf_row, point),
-    ANALYSIS_WAVELENGTH_COLUMN(struct mtf_row, point),
+    ANALYSIS_ROW_COLUMNS,
     {FREQUENCY(frequency, COLUMN_BRIEF | COLUMN_ECHO), .name = "frequency", .symbol = "f",
      .help = "in the image plane"},
     {PLAIN(mtf.contrast[MTF_TANGENTIAL], COLUMN_BRIEF), .name = "tangential", .symbol = "T",
@@ -76,8 +73,8 @@ static const struct column columns[] = {
      .help = "what the contrasts may be off"},
     {PLAIN(method, COLUMN_ASSUMED), .name = "method", .depends = "method",
      .help = "by waves or by rays"},
-    ANALYSIS_SPECTRUM_COLUMN(struct mtf_row, point),
-    ANALYSIS_TAIL_COLUMNS(struct mtf_row, point),
+    ANALYSIS_SPECTRUM_COLUMN,
+    ANALYSIS_TAIL_COLUMNS,
 };
 
 /* What is found of a field. */
@@ -106,21 +103,6 @@ static bool mtf_row_find(const struct analysis_cursor *at, const struct analysis
     return done;
 }
 
-static void mtf_row_warn(const struct analysis_cursor *at, const struct mtf_source *source,
-                         const struct mtf *mtf, struct mtf_row *row)
-{
-    analysis_warn(at, &row->point, lens_island_warning(&source->pupils.islands, at->run->arena));
-    if (source->pupils.list == NULL) {
-        analysis_warn(at, &row->point, "an ideal thick lens has no optical path, no limits");
-    }
-    if (!mtf->has_converged) {
-        analysis_warn(at, &row->point,
-                      isnan(mtf->contrast[0]) || isnan(mtf->contrast[1])
-                          ? "the wave front is too steep or too rough for contrasts by waves"
-                          : "the contrast has not converged: see contrast_error");
-    }
-}
-
 static const struct sheet sheet = SHEET(columns, struct mtf_row);
 
 static bool mtf_run(const void *data, struct run *run, struct error *error)
@@ -130,9 +112,8 @@ static bool mtf_run(const void *data, struct run *run, struct error *error)
                          "the image space, phase on the reference sphere",
         [MTF_BY_RAYS] = "geometric; limits by waves"};
     const struct mtf_input *input = data;
-    struct analysis_cursor at = analysis_begin(input, &mtf_policy, run);
-    at.find = mtf_row_find;
-    at.found_size = sizeof(struct mtf_found);
+    struct analysis_cursor at =
+        analysis_begin_finding(input, &mtf_policy, run, mtf_row_find, sizeof(struct mtf_found));
     while (analysis_next(&at, error)) {
         const struct mtf_found *found = at.found;
         const size_t count = at.lost == NULL ? found->count : 1;
@@ -146,7 +127,20 @@ static bool mtf_run(const void *data, struct run *run, struct error *error)
                 row.mtf = found->contrasts[i];
                 row.limit = fmax(row.mtf.limit[0], row.mtf.limit[1]);
                 memcpy(row.cutoff, found->source.cutoff, sizeof row.cutoff);
-                mtf_row_warn(&at, &found->source, &found->contrasts[i], &row);
+                analysis_warn(&at, &row.point,
+                              lens_island_warning(&found->source.pupils.islands, at.run->arena));
+                if (found->source.pupils.list == NULL) {
+                    analysis_warn(&at, &row.point,
+                                  "an ideal thick lens has no optical path, no limits");
+                }
+                if (!found->contrasts[i].has_converged) {
+                    analysis_warn(
+                        &at, &row.point,
+                        isnan(found->contrasts[i].contrast[0]) ||
+                                isnan(found->contrasts[i].contrast[1])
+                            ? "the wave front is too steep or too rough for contrasts by waves"
+                            : "the contrast has not converged: see contrast_error");
+                }
             }
             if (!run_emit(run, &row)) {
                 return true;

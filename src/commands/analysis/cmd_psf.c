@@ -26,9 +26,9 @@ static const struct word methods[] = {
 };
 
 static const struct option options[] = {
-    ANALYSIS_OPTIONS(struct psf_input, question, "all of the lens by their weights, together",
+    ANALYSIS_OPTIONS("all of the lens by their weights, together",
                      ", or the fields of one question and the pixels of wavelets"),
-    ANALYSIS_FIELD_OPTIONS(struct psf_input, question),
+    ANALYSIS_FIELD_OPTIONS,
     ANALYSIS_SPECTRUM_OPTION(struct psf_input, question),
     {OPTION(struct psf_input, method), .name = "method", .words = methods, .fallback = "auto",
      .value = "METHOD", .help = "how the waves are added up"},
@@ -45,9 +45,8 @@ static const struct option options[] = {
      .help = "the same of an image infinitely far away"},
     {OPTION(struct psf_input, log), .name = "log", .wants = "plot|map",
      .help = "colours by the logarithm, over five decades"},
-    {OPTION(struct psf_input, question.aim), .name = "aim", .words = analysis_aims,
-     .fallback = "stop", .value = "WHERE", .help = "pupil that limits the beam"},
-    ANALYSIS_CLIP_OPTIONS(struct psf_input, question),
+    ANALYSIS_AIM_OPTION(NULL, "pupil that limits the beam"),
+    ANALYSIS_CLIP_OPTIONS,
 };
 
 struct psf_row {
@@ -65,9 +64,7 @@ static const struct column_form sines = {
         .dimension = &dimension_length, .unit = "um", .flags = (more) | COLUMN_SPARSE
 
 static const struct column columns[] = {
-    ANALYSIS_POINT_COLUMNS(struct psf_row, point),
-    ANALYSIS_DEFOCUS_COLUMN(struct psf_row, point),
-    ANALYSIS_WAVELENGTH_COLUMN(struct psf_row, point),
+    ANALYSIS_ROW_COLUMNS,
     {COLUMN(struct psf_row, psf.peak), .flags = COLUMN_BRIEF, .name = "peak", .symbol = "S",
      .help = "over that of a perfect image through the same pupil: the Strehl ratio"},
     {SMALL(peak_at[0], 0), .name = "peak_x", .label = "peak x",
@@ -92,8 +89,8 @@ static const struct column columns[] = {
     {SMALL(pitch, COLUMN_BRIEF), .name = "pitch", .help = "side of a pixel"},
     {COLUMN(struct psf_row, method), .flags = COLUMN_ASSUMED, .name = "method", .depends = "method",
      .help = "how the waves are added up"},
-    ANALYSIS_SPECTRUM_COLUMN(struct psf_row, point),
-    ANALYSIS_TAIL_COLUMNS(struct psf_row, point),
+    ANALYSIS_SPECTRUM_COLUMN,
+    ANALYSIS_TAIL_COLUMNS,
 };
 
 /* A pitch as a length of an image infinitely far away, or an angle of another? */
@@ -122,14 +119,6 @@ static bool psf_field_find(const struct analysis_cursor *at, const struct analys
                                           .pitch =
                                               is_angular ? sin(input->pitch_angle) : input->pitch};
     return psf_find(&question, one->setup->arena, found, error);
-}
-
-static struct analysis_cursor psf_begin(const struct psf_input *input, struct run *run)
-{
-    struct analysis_cursor at = analysis_begin(input, &policy, run);
-    at.find = psf_field_find;
-    at.found_size = sizeof(struct psf);
-    return at;
 }
 
 /* As analysis_next; errors as psf_check too. */
@@ -170,33 +159,12 @@ static const char *psf_row_method(const struct psf_input *input, const struct ps
     return psf != NULL && psf->is_angular ? angular_words[psf->method] : words[input->method];
 }
 
-static void psf_row_warn(const struct analysis_cursor *at, const struct psf *psf,
-                         struct psf_row *row)
-{
-    struct arena *arena = at->run->arena;
-    if (psf->turns > 0) {
-        analysis_warn(at, &row->point,
-                      arena_printf(arena,
-                                   "the phase turns %.0f times across the pupil, and sums of waves "
-                                   "take %d: by rays, without diffraction",
-                                   psf->turns, PSF_TURNS_MOST));
-    }
-    if (!(psf->pitch < psf->finest)) {
-        analysis_warn(
-            at, &row->point,
-            arena_printf(
-                arena,
-                "pixels of %.4g %s miss light between them: shares of it want less than %.4g",
-                1000 * psf->pitch, psf->is_angular ? "mrad" : "um", 1000 * psf->finest));
-    }
-    analysis_warn(at, &row->point, lens_island_warning(&psf->islands, arena));
-}
-
 static const struct sheet sheet = SHEET(columns, struct psf_row);
 
 static bool psf_run(const void *data, struct run *run, struct error *error)
 {
-    struct analysis_cursor at = psf_begin(data, run);
+    struct analysis_cursor at =
+        analysis_begin_finding(data, &policy, run, psf_field_find, sizeof(struct psf));
     while (psf_next(&at, error)) {
         const struct psf *psf = at.lost == NULL ? at.found : NULL;
         struct psf_row row;
@@ -204,7 +172,24 @@ static bool psf_run(const void *data, struct run *run, struct error *error)
         row.method = psf_row_method(data, psf);
         if (psf != NULL) {
             row.psf = *psf;
-            psf_row_warn(&at, psf, &row);
+            struct arena *arena = at.run->arena;
+            if (psf->turns > 0) {
+                analysis_warn(
+                    &at, &row.point,
+                    arena_printf(arena,
+                                 "the phase turns %.0f times across the pupil, and sums of waves "
+                                 "take %d: by rays, without diffraction",
+                                 psf->turns, PSF_TURNS_MOST));
+            }
+            if (!(psf->pitch < psf->finest)) {
+                analysis_warn(&at, &row.point,
+                              arena_printf(arena,
+                                           "pixels of %.4g %s miss light between them: shares of "
+                                           "it want less than %.4g",
+                                           1000 * psf->pitch, psf->is_angular ? "mrad" : "um",
+                                           1000 * psf->finest));
+            }
+            analysis_warn(&at, &row.point, lens_island_warning(&psf->islands, arena));
         }
         if (!run_emit(run, &row)) {
             return true;
@@ -215,52 +200,52 @@ static bool psf_run(const void *data, struct run *run, struct error *error)
 
 /* -------- maps -------- */
 
-static bool psf_map_add(struct map_page *page, const struct analysis_cursor *at,
-                        struct error *error)
-{
-    struct arena *arena = page->job->run->arena;
-    const struct analysis_case *one = at->one;
-    const struct psf *psf = at->found;
-    const char *x_label = psf->is_angular ? "x (mrad)" : "x (\xc2\xb5m)";
-    if (page->rasters.count > 0 && strcmp(page->rasters.x_label, x_label) != 0) {
-        return fail(error, ERROR_USAGE,
-                    "a page has no room for images in \xc2\xb5m and others infinitely far away");
-    }
-    page->rasters.x_label = x_label;
-    page->rasters.y_label = psf->is_angular ? "y (mrad)" : "y (\xc2\xb5m)";
-    const struct raster_map map = {
-        .title = analysis_field_words(one, at->field, arena),
-        .note = isnan(psf->inside) ? arena_printf(arena, "peak %.3g", psf->peak)
-                                   : arena_printf(arena, "peak %.3g, %.3g %% of the light",
-                                                  psf->peak, 100 * psf->inside),
-        .size = psf->size,
-        .values = psf->values,
-        .half = 1000 * psf->pitch * (double)psf->size / 2};
-    const char *light = one->spectrum;
-    if (light == NULL) {
-        light = arena_printf(arena, "%.6g nm", 1000 * one->setup->wavelengths[0].wavelength);
-    }
-    map_page_subtitle(page, psf->is_angular
-                                ? ARENA_JOIN(arena, "angles of an afocal image; ", light)
-                                : ARENA_JOIN(arena, "focus ", one->setup->focus, "; ", light));
-    return map_page_add(page, one, &map, error);
-}
-
 /* The maps of all inputs of a job. */
-static bool psf_maps(const struct artifact_job *job, struct map_page *page, struct error *error)
+static bool psf_maps(const struct artifact_job *job, struct output *sink, struct error *error)
 {
     const struct psf_input *first = job->inputs[0];
-    map_page_begin(page, job);
-    page->rasters.scale_label = "share of the peak of the map";
-    page->rasters.colours = first->log ? RASTER_LOG : RASTER_LIGHT;
-    page->rasters.decades = 5;
-    page->rasters.own_scale = true;
-    page->rasters.columns = 3;
+    struct map_page page = {.job = job,
+                            .rasters = {.scale_label = "share of the peak of the map",
+                                        .colours = first->log ? RASTER_LOG : RASTER_LIGHT,
+                                        .decades = 5,
+                                        .own_scale = true,
+                                        .columns = 3}};
     for (size_t i = 0; i < job->count; i++) {
-        struct analysis_cursor at = psf_begin(job->inputs[i], job->run);
+        struct analysis_cursor at = analysis_begin_finding(job->inputs[i], &policy, job->run,
+                                                           psf_field_find, sizeof(struct psf));
         at.keeps_lost = true;
         while (psf_next(&at, error)) {
-            if (at.lost == NULL && !psf_map_add(page, &at, error)) {
+            if (at.lost != NULL) {
+                continue;
+            }
+            struct arena *arena = page.job->run->arena;
+            const struct analysis_case *one = at.one;
+            const struct psf *psf = at.found;
+            const char *x_label = psf->is_angular ? "x (mrad)" : "x (\xc2\xb5m)";
+            if (page.rasters.count > 0 && strcmp(page.rasters.x_label, x_label) != 0) {
+                return fail(
+                    error, ERROR_USAGE,
+                    "a page has no room for images in \xc2\xb5m and others infinitely far away");
+            }
+            page.rasters.x_label = x_label;
+            page.rasters.y_label = psf->is_angular ? "y (mrad)" : "y (\xc2\xb5m)";
+            const struct raster_map map = {
+                .title = analysis_field_words(one, at.field, arena),
+                .note = isnan(psf->inside) ? arena_printf(arena, "peak %.3g", psf->peak)
+                                           : arena_printf(arena, "peak %.3g, %.3g %% of the light",
+                                                          psf->peak, 100 * psf->inside),
+                .size = psf->size,
+                .values = psf->values,
+                .half = 1000 * psf->pitch * (double)psf->size / 2};
+            const char *light = one->spectrum;
+            if (light == NULL) {
+                light =
+                    arena_printf(arena, "%.6g nm", 1000 * one->setup->wavelengths[0].wavelength);
+            }
+            const char *subtitle =
+                psf->is_angular ? ARENA_JOIN(arena, "angles of an afocal image; ", light)
+                                : ARENA_JOIN(arena, "focus ", one->setup->focus, "; ", light);
+            if (!map_page_add(&page, one, &map, subtitle, error)) {
                 return false;
             }
         }
@@ -268,19 +253,7 @@ static bool psf_maps(const struct artifact_job *job, struct map_page *page, stru
             return false;
         }
     }
-    return map_page_end(page, "Images of points", error);
-}
-
-static bool psf_page(const struct artifact_job *job, struct output *sink, struct error *error)
-{
-    struct map_page page;
-    return psf_maps(job, &page, error) && map_page_draw(&page, sink, error);
-}
-
-static bool psf_file(const struct artifact_job *job, struct output *sink, struct error *error)
-{
-    struct map_page page;
-    return psf_maps(job, &page, error) && map_page_write(&page, sink, error);
+    return map_page_make(&page, "Images of points", sink, error);
 }
 
 static bool psf_check_map(const struct artifact_job *job, struct error *error)
@@ -293,10 +266,10 @@ static bool psf_check_map(const struct artifact_job *job, struct error *error)
 
 static const struct artifact artifacts[] = {
     {ARTIFACT_OPTION("plot", drawing_types, "draw the images, by field and through focus"),
-     .scope = ARTIFACT_OF_SWEEP, .needs_no_rows = true, .make = psf_page},
+     .scope = ARTIFACT_OF_SWEEP, .needs_no_rows = true, .make = psf_maps},
     {ARTIFACT_OPTION("map", map_types,
                      "write the image of one field: colours, or numbers, 1 = a perfect peak"),
-     .scope = ARTIFACT_OF_ANSWER, .is_binary = true, .check = psf_check_map, .make = psf_file},
+     .scope = ARTIFACT_OF_ANSWER, .is_binary = true, .check = psf_check_map, .make = psf_maps},
 };
 
 static const struct explanation explanations[] = {

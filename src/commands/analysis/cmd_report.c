@@ -58,7 +58,7 @@ static const double whole_width = 2 * COLUMN_WIDTH + MARGIN; /* of both columns 
 static const double character = 0.602 * FONT;                /* of a monospaced font */
 
 /* Does the text go on with these words? */
-static bool report_page_goes_on(struct text text, size_t at, const char *words)
+static bool report_goes_on(struct text text, size_t at, const char *words)
 {
     const size_t length = strlen(words);
     return text.length - at >= length && memcmp(text.start + at, words, length) == 0;
@@ -68,7 +68,7 @@ static bool report_page_goes_on(struct text text, size_t at, const char *words)
 static struct text element_of(struct text svg)
 {
     size_t at = 0;
-    while (at < svg.length && !report_page_goes_on(svg, at, "<svg")) {
+    while (at < svg.length && !report_goes_on(svg, at, "<svg")) {
         at++;
     }
     return (struct text){svg.start + at, svg.length - at};
@@ -78,7 +78,7 @@ static struct text element_of(struct text svg)
 static double attribute(struct text svg, const char *name)
 {
     for (size_t at = 0; at < svg.length && svg.start[at] != '>'; at++) {
-        if (report_page_goes_on(svg, at, name)) {
+        if (report_goes_on(svg, at, name)) {
             double value;
             const char *end = svg.start + svg.length;
             const char *from = svg.start + at + strlen(name);
@@ -96,7 +96,7 @@ static bool is_wide(const struct page_part *part)
 }
 
 /* The names in the tags of a drawing are its own: each has the number of the part before it. */
-static void report_page_write_names(struct text svg, size_t part, struct output *output)
+static void report_write_names(struct text svg, size_t part, struct output *output)
 {
     static const char *const before[] = {"id=\"", "url(#", "href=\"#"};
     size_t from = 0, at = 0;
@@ -105,7 +105,7 @@ static void report_page_write_names(struct text svg, size_t part, struct output 
         size_t step = 1;
         is_tag = svg.start[at] == '<' || (is_tag && svg.start[at] != '>');
         for (size_t k = 0; is_tag && k < sizeof before / sizeof before[0]; k++) {
-            if (report_page_goes_on(svg, at, before[k])) {
+            if (report_goes_on(svg, at, before[k])) {
                 step = strlen(before[k]);
                 output_text(output, svg.start + from, at + step - from);
                 output_printf(output, "p%zu-", part);
@@ -151,7 +151,7 @@ static void write_figure(const struct page_part *part, size_t number, struct out
         output_escaped(output, text_of(part->failure));
         output_string(output, "</p>\n");
     } else if (part->is_drawing) {
-        report_page_write_names(element_of(part->text), number, output);
+        report_write_names(element_of(part->text), number, output);
     } else {
         output_string(output, "<pre>");
         output_escaped(output, part->text);
@@ -182,7 +182,7 @@ static void page_write_html(const struct page *page, struct output *output)
 /* -------- one drawing -------- */
 
 /* How tall a part is in a column, and at which scale it is drawn. */
-static double report_page_height_of(const struct page_part *part, double *scale)
+static double report_height_of(const struct page_part *part, double *scale)
 {
     *scale = 1;
     if (part->failure != NULL) {
@@ -205,16 +205,16 @@ static double report_page_height_of(const struct page_part *part, double *scale)
     return *scale * LINE * (double)lines;
 }
 
-static void report_page_write_label(struct output *output, double x, double y, const char *look,
-                                    struct text words)
+static void report_write_label(struct output *output, double x, double y, const char *look,
+                               struct text words)
 {
     output_printf(output, "<text x=\"%.6g\" y=\"%.6g\" fill=\"#000\" %s>", x, y, look);
     output_escaped(output, words);
     output_string(output, "</text>\n");
 }
 
-static void report_page_write_lines(const struct page_part *part, double x, double y, double scale,
-                                    struct output *output)
+static void report_write_lines(const struct page_part *part, double x, double y, double scale,
+                               struct output *output)
 {
     struct text rest = part->text;
     output_printf(output,
@@ -224,25 +224,25 @@ static void report_page_write_lines(const struct page_part *part, double x, doub
     for (int i = 1; rest.length > 0; i++) {
         const struct text line = text_cut(&rest, '\n');
         if (line.length > 0) {
-            report_page_write_label(output, 0, i * LINE, "", line);
+            report_write_label(output, 0, i * LINE, "", line);
         }
     }
     output_string(output, "</g>\n");
 }
 
-static void report_page_write_part(const struct page_part *part, size_t number, const double at[2],
-                                   struct output *output)
+static void report_write_part(const struct page_part *part, size_t number, const double at[2],
+                              struct output *output)
 {
     double scale, x = at[0], y = at[1] + HEAD;
-    const double height = report_page_height_of(part, &scale);
-    report_page_write_label(output, x, at[1] + 18, "font-size=\"15\" font-weight=\"bold\"",
-                            text_of(part->title));
-    report_page_write_label(output, x, at[1] + 36, "font-size=\"11\" font-family=\"monospace\"",
-                            text_of(part->command));
+    const double height = report_height_of(part, &scale);
+    report_write_label(output, x, at[1] + 18, "font-size=\"15\" font-weight=\"bold\"",
+                       text_of(part->title));
+    report_write_label(output, x, at[1] + 36, "font-size=\"11\" font-family=\"monospace\"",
+                       text_of(part->command));
     if (part->failure != NULL) {
-        report_page_write_label(output, x, y + FONT, "font-size=\"12\"", text_of(part->failure));
+        report_write_label(output, x, y + FONT, "font-size=\"12\"", text_of(part->failure));
     } else if (!part->is_drawing) {
-        report_page_write_lines(part, x, y, scale, output);
+        report_write_lines(part, x, y, scale, output);
     } else {
         const struct text svg = element_of(part->text);
         const double width = attribute(svg, " width=\"");
@@ -250,7 +250,7 @@ static void report_page_write_part(const struct page_part *part, size_t number, 
                       "<svg x=\"%.6g\" y=\"%.6g\" width=\"%.6g\" height=\"%.6g\" "
                       "viewBox=\"0 0 %.6g %.6g\">\n",
                       x, y, scale * width, height, width, height / scale);
-        report_page_write_names(svg, number, output);
+        report_write_names(svg, number, output);
         output_string(output, "</svg>\n");
     }
 }
@@ -271,13 +271,13 @@ static double place_parts(const struct page *page, double (*places)[2])
         if (is_wide(part)) {
             places[i][0] = MARGIN;
             places[i][1] = fmax(ends[0], ends[1]);
-            ends[0] = ends[1] = places[i][1] + HEAD + report_page_height_of(part, &scale) + MARGIN;
+            ends[0] = ends[1] = places[i][1] + HEAD + report_height_of(part, &scale) + MARGIN;
             continue;
         }
         const int column = ends[1] < ends[0];
         places[i][0] = MARGIN + column * (COLUMN_WIDTH + MARGIN);
         places[i][1] = ends[column];
-        ends[column] += HEAD + report_page_height_of(part, &scale) + MARGIN;
+        ends[column] += HEAD + report_height_of(part, &scale) + MARGIN;
     }
     return fmax(ends[0], ends[1]) + MARGIN;
 }
@@ -297,17 +297,16 @@ static void page_write_svg(const struct page *page, struct arena *arena, struct 
     output_escaped(output, text_of(page->title));
     output_printf(output, "</title>\n<rect width=\"%d\" height=\"%.6g\" fill=\"#fff\"/>\n", width,
                   height);
-    report_page_write_label(output, MARGIN, MARGIN + 24, "font-size=\"26\" font-weight=\"bold\"",
-                            text_of(page->title));
-    report_page_write_label(output, MARGIN, MARGIN + 48, "font-size=\"14\"",
-                            text_of(page->subtitle));
+    report_write_label(output, MARGIN, MARGIN + 24, "font-size=\"26\" font-weight=\"bold\"",
+                       text_of(page->title));
+    report_write_label(output, MARGIN, MARGIN + 48, "font-size=\"14\"", text_of(page->subtitle));
     for (size_t i = 0; i < page->count; i++) {
         const struct page_part *part = &page->parts[i];
         if (part->section == NULL) {
-            report_page_write_label(output, places[i][0], places[i][1] + 24,
-                                    "font-size=\"20\" font-weight=\"bold\"", text_of(part->title));
+            report_write_label(output, places[i][0], places[i][1] + 24,
+                               "font-size=\"20\" font-weight=\"bold\"", text_of(part->title));
         } else {
-            report_page_write_part(part, i, places[i], output);
+            report_write_part(part, i, places[i], output);
         }
     }
     output_string(output, "</svg>\n");

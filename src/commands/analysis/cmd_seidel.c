@@ -51,10 +51,10 @@ static const struct option options[] = {
     LENS_OPTION(struct seidel_input, question),
     LENS_WAVELENGTH_OPTION(struct seidel_input, question, LENS_PRIMARY_WAVELENGTH),
     LENS_FNUMBER_OPTION(struct seidel_input, question),
-    ANALYSIS_EDGE_OPTIONS(struct seidel_input, question, NULL),
+    ANALYSIS_EDGE_OPTIONS(NULL),
     LENS_POSITION_OPTION(struct seidel_input, question),
     LENS_SECTION_OPTION(struct seidel_input, question),
-    ANALYSIS_OBJECT_OPTION(struct seidel_input, question),
+    ANALYSIS_OBJECT_OPTION,
     {OPTION(struct seidel_input, form), .name = "form", .words = forms, .fallback = "welford",
      .value = "FORM", .help = "how the aberrations are expressed"},
     {OPTION(struct seidel_input, chromatic), .name = "chromatic", .words = pairs,
@@ -62,10 +62,9 @@ static const struct option options[] = {
 };
 
 struct seidel_row {
-    const char *surface, *position, *lens, *warning;
-    double wavelength, blue, red; /* um */
-    double field, height;         /* rad; mm at the object or at the image */
-    double field_x, height_x;
+    struct analysis_point point;
+    const char *surface;
+    double blue, red;                /* um */
     double values[SEIDEL_TERMS + 1]; /* last: tangential coma */
     bool is_angular;                 /* they are angles */
     double asphere[SEIDEL_TERMS];
@@ -91,20 +90,20 @@ static const struct column_form angle = {&dimension_angle, "mrad", "of an afocal
           .name = (column_name), .label = (words), .help = (words))
 
 #define CASE_COLUMNS                                                                               \
-    ENTRY(WAVE(wavelength, COLUMN_ECHO), .depends = "wavelength lens position",                    \
+    ENTRY(WAVE(point.wavelength, COLUMN_ECHO), .depends = "wavelength lens position",              \
           .name = "wavelength", .help = "of the rays"),                                            \
-        LENS_POSITION_COLUMN(struct seidel_row, position, COLUMN_BRIEF),                           \
-        ENTRY(COLUMN_OF_ANGLE(struct seidel_row, field, "deg"),                                    \
+        LENS_POSITION_COLUMN(struct seidel_row, point.position, COLUMN_BRIEF),                     \
+        ENTRY(COLUMN_OF_ANGLE(struct seidel_row, point.field, "deg"),                              \
               .flags = COLUMN_EXTRA | COLUMN_ASSUMED | COLUMN_ECHO,                                \
               .depends = "field height lens position", .name = "field",                            \
               .help = "angle of the chief ray in object space; absent for a height"),              \
-        ENTRY(LENGTH(height, COLUMN_EXTRA | COLUMN_ASSUMED | COLUMN_ECHO),                         \
+        ENTRY(LENGTH(point.height, COLUMN_EXTRA | COLUMN_ASSUMED | COLUMN_ECHO),                   \
               .depends = "field height lens position", .name = "height", .label = "field height",  \
               .help = "of the field, at the object or at the image; absent for an angle"),         \
-        ENTRY(COLUMN_OF_ANGLE(struct seidel_row, field_x, "deg"),                                  \
+        ENTRY(COLUMN_OF_ANGLE(struct seidel_row, point.field_x, "deg"),                            \
               .flags = COLUMN_EXTRA | COLUMN_ECHO, .with = "field-x", .name = "field_x",           \
               .label = "field x", .help = "its angle in the x-z plane"),                           \
-        ENTRY(LENGTH(height_x, COLUMN_EXTRA | COLUMN_ECHO), .with = "height-x",                    \
+        ENTRY(LENGTH(point.height_x, COLUMN_EXTRA | COLUMN_ECHO), .with = "height-x",              \
               .name = "height_x", .label = "field height x", .help = "of a height the same in x"), \
         ENTRY(PLAIN(surface, COLUMN_BRIEF), .name = "surface",                                     \
               .help = "from 1, the stop counted; last the sum")
@@ -116,8 +115,8 @@ static const struct column_form angle = {&dimension_angle, "mrad", "of an afocal
               .label = "colour to", .help = "the longer one"),                                     \
         ENTRY(LENGTH(lagrange, COLUMN_EXTRA), .name = "lagrange", .label = "Lagrange invariant",   \
               .symbol = "H", .help = "n (y ubar - ybar u)"),                                       \
-        LENS_TITLE_COLUMN(struct seidel_row, lens),                                                \
-        LENS_WARNING_COLUMN(struct seidel_row, warning)
+        LENS_TITLE_COLUMN(struct seidel_row, point.lens),                                          \
+        LENS_WARNING_COLUMN(struct seidel_row, point.warning)
 
 static const struct column columns[] = {
     CASE_COLUMNS,
@@ -177,26 +176,6 @@ static const struct sheet *seidel_choose_sheet(const void *data, const struct op
 
 /* -------- a case -------- */
 
-/* The two wavelengths of CI and CII. */
-static bool choose_colours(const struct seidel_input *input, const struct lens *lens,
-                           struct seidel_case *one, struct error *error)
-{
-    one->blue = WAVELENGTH_F;
-    one->red = WAVELENGTH_C;
-    if (input->chromatic == CHROMATIC_LINES) {
-        return true;
-    }
-    one->blue = INFINITY;
-    one->red = 0;
-    for (size_t i = 0; i < lens->wavelength_count; i++) {
-        one->blue = fmin(one->blue, lens->wavelengths[i].wavelength);
-        one->red = fmax(one->red, lens->wavelengths[i].wavelength);
-    }
-    return one->blue < one->red ||
-           fail(error, ERROR_DOMAIN,
-                "{--chromatic} lens: the lens states only one wavelength, and so no dispersion");
-}
-
 /* What the sums leave out. */
 static const char *seidel_case_doubts_of(const struct seidel_case *one, struct arena *arena)
 {
@@ -255,8 +234,18 @@ static bool seidel_sum_up(const struct analysis_cursor *at, struct seidel_case *
              "not known");
         return error_hint(error, "give an f-number with -N, or an aperture in the file");
     }
-    if (!choose_colours(input, setup->lens, one, error)) {
-        return false;
+    /* the two wavelengths of CI and CII */
+    const bool of_lens = input->chromatic == CHROMATIC_LENS;
+    one->blue = of_lens ? INFINITY : WAVELENGTH_F;
+    one->red = of_lens ? 0 : WAVELENGTH_C;
+    for (size_t i = 0; i < setup->lens->wavelength_count && of_lens; i++) {
+        one->blue = fmin(one->blue, setup->lens->wavelengths[i].wavelength);
+        one->red = fmax(one->red, setup->lens->wavelengths[i].wavelength);
+    }
+    if (!(one->blue < one->red)) {
+        return fail(error, ERROR_DOMAIN,
+                    "{--chromatic} lens: the lens states only one wavelength, and so no "
+                    "dispersion");
     }
     const struct pair *blue = index_at(one, one->blue, arena, &colours);
     const struct pair *red = blue != NULL ? index_at(one, one->red, arena, &colours) : NULL;
@@ -314,45 +303,32 @@ static void seidel_in_form(const struct seidel_case *one, const struct seidel_pa
 
 /* -------- rows -------- */
 
-/* Row i of a case, of its surfaces or behind them the sum. */
-static void seidel_row_fill(const struct seidel_case *one, size_t i, int form, struct arena *arena,
-                            struct seidel_row *row)
-{
-    const bool is_sum = i == one->light.system.count;
-    const struct seidel_part *part = is_sum ? &one->seidel.total : &one->seidel.parts[i];
-    row->surface = is_sum ? "sum" : arena_printf(arena, "%zu", i + 1);
-    row->is_angular = form == FORM_TRANSVERSE && seidel_is_angular(one);
-    seidel_in_form(one, part, form, row->values);
-    row->values[SEIDEL_TERMS] = 3 * row->values[SEIDEL_COMA];
-    memcpy(row->asphere, part->asphere, sizeof row->asphere);
-}
-
 static bool seidel_run(const void *data, struct run *run, struct error *error)
 {
     const struct seidel_input *input = data;
     struct analysis_cursor at = analysis_begin(input, &policy, run);
     while (analysis_next(&at, error)) {
-        const struct setup *setup = at.one->setup;
-        const bool across = setup->section == SECTION_X;
         struct seidel_case one;
         if (!seidel_sum_up(&at, &one, error)) {
             return false;
         }
         struct seidel_row row = {
-            .position = setup->position,
-            .lens = setup->lens->title,
-            .warning = one.warning,
-            .wavelength = one.light.wavelength,
-            .blue = one.blue,
-            .red = one.red,
-            .field = across ? one.point.field_x : one.point.field,
-            .height = across ? one.point.height_x : one.point.height,
-            .field_x = one.point.field_x,
-            .height_x = one.point.height_x,
-            .lagrange = one.seidel.lagrange,
-        };
+            .point = one.point, .blue = one.blue, .red = one.red, .lagrange = one.seidel.lagrange};
+        row.point.warning = one.warning;
+        row.point.wavelength = one.light.wavelength;
+        if (at.one->setup->section == SECTION_X) {
+            row.point.field = row.point.field_x;
+            row.point.height = row.point.height_x;
+        }
         for (size_t i = 0; i <= one.light.system.count; i++) {
-            seidel_row_fill(&one, i, input->form, run->arena, &row);
+            /* Row i of a case, of its surfaces or behind them the sum. */
+            const bool is_sum = i == one.light.system.count;
+            const struct seidel_part *part = is_sum ? &one.seidel.total : &one.seidel.parts[i];
+            row.surface = is_sum ? "sum" : arena_printf(run->arena, "%zu", i + 1);
+            row.is_angular = input->form == FORM_TRANSVERSE && seidel_is_angular(&one);
+            seidel_in_form(&one, part, input->form, row.values);
+            row.values[SEIDEL_TERMS] = 3 * row.values[SEIDEL_COMA];
+            memcpy(row.asphere, part->asphere, sizeof row.asphere);
             if (!run_emit(run, &row)) {
                 break;
             }
@@ -374,28 +350,6 @@ static const char *const names[][SEIDEL_TERMS] = {
 };
 
 static const double THOUSAND = 1000;
-
-/* In thousandths of the unit where all bars are below a tenth of it. */
-static const char *choose_unit(const struct seidel_case *one, int form, double *const *values,
-                               size_t count)
-{
-    double largest = 0;
-    for (size_t g = 0; g < count; g++) {
-        for (size_t k = 0; k < SEIDEL_TERMS; k++) {
-            largest = fmax(largest, fabs(values[g][k]));
-        }
-    }
-    const bool angular = form == FORM_TRANSVERSE && seidel_is_angular(one);
-    if (form == FORM_WAVES || (largest >= 0.1 && !angular)) {
-        return form == FORM_WAVES ? "waves" : "mm";
-    }
-    for (size_t g = 0; g < count; g++) {
-        for (size_t k = 0; k < SEIDEL_TERMS; k++) {
-            values[g][k] *= THOUSAND;
-        }
-    }
-    return angular ? "mrad" : "\xc2\xb5m";
-}
 
 static const char *seidel_view_subtitle_of(const struct seidel_case *one, struct arena *arena)
 {
@@ -423,36 +377,6 @@ static const char *seidel_view_subtitle_of(const struct seidel_case *one, struct
                         THOUSAND * one->light.wavelength, colours);
 }
 
-static struct bars seidel_bars(const struct seidel_case *one, int form, struct arena *arena)
-{
-    const size_t count = one->light.system.count;
-    struct bar_group *groups = ARENA_ARRAY(arena, count + 1, struct bar_group);
-    double **values = ARENA_ARRAY(arena, count + 1, double *);
-    for (size_t i = 0; i <= count; i++) {
-        values[i] = ARENA_ARRAY(arena, SEIDEL_TERMS, double);
-        seidel_in_form(one, i < count ? &one->seidel.parts[i] : &one->seidel.total, form,
-                       values[i]);
-        groups[i] =
-            (struct bar_group){.label = i < count ? arena_printf(arena, "%zu", i + 1) : "sum",
-                               .values = values[i],
-                               .apart = i == count};
-    }
-    static const char *const what[] = {[FORM_WELFORD] = "Seidel sums",
-                                       [FORM_TRANSVERSE] = "Transverse third-order aberrations",
-                                       [FORM_WAVES] = "Third-order wavefront"};
-    const char *unit = choose_unit(one, form, values, count + 1);
-    return (struct bars){
-        .title = arena_printf(arena, "%s of %s", what[form], one->setup->lens->title),
-        .subtitle = seidel_view_subtitle_of(one, arena),
-        .x_label = "surface",
-        .y_label = arena_printf(arena, "contribution (%s)", unit),
-        .kinds = names[form],
-        .kind_count = SEIDEL_TERMS,
-        .groups = groups,
-        .group_count = count + 1,
-    };
-}
-
 static bool seidel_view_check(const struct artifact_job *job, struct error *error)
 {
     const struct seidel_input *input = job->inputs[0];
@@ -460,8 +384,7 @@ static bool seidel_view_check(const struct artifact_job *job, struct error *erro
            fail(error, ERROR_USAGE, "{--plot} shows one position: name it with {--position}");
 }
 
-static bool seidel_view_draw(const struct artifact_job *job, struct output *sink,
-                             struct error *error)
+static bool seidel_draw(const struct artifact_job *job, struct output *sink, struct error *error)
 {
     const struct seidel_input *input = job->inputs[0];
     struct svg svg = {.arena = job->run->arena};
@@ -470,13 +393,50 @@ static bool seidel_view_draw(const struct artifact_job *job, struct output *sink
     if (!analysis_next(&at, error) || !seidel_sum_up(&at, &one, error)) {
         return false;
     }
-    const struct bars bars = seidel_bars(&one, input->form, svg.arena);
+    const size_t count = one.light.system.count;
+    struct bar_group *groups = ARENA_ARRAY(svg.arena, count + 1, struct bar_group);
+    double **values = ARENA_ARRAY(svg.arena, count + 1, double *);
+    for (size_t i = 0; i <= count; i++) {
+        values[i] = ARENA_ARRAY(svg.arena, SEIDEL_TERMS, double);
+        seidel_in_form(&one, i < count ? &one.seidel.parts[i] : &one.seidel.total, input->form,
+                       values[i]);
+        groups[i] =
+            (struct bar_group){.label = i < count ? arena_printf(svg.arena, "%zu", i + 1) : "sum",
+                               .values = values[i],
+                               .apart = i == count};
+    }
+    static const char *const what[] = {[FORM_WELFORD] = "Seidel sums",
+                                       [FORM_TRANSVERSE] = "Transverse third-order aberrations",
+                                       [FORM_WAVES] = "Third-order wavefront"};
+    /* in thousandths of the unit where all bars are below a tenth of it */
+    double largest = 0;
+    for (size_t i = 0; i < (count + 1) * SEIDEL_TERMS; i++) {
+        largest = fmax(largest, fabs(values[i / SEIDEL_TERMS][i % SEIDEL_TERMS]));
+    }
+    const bool waves = input->form == FORM_WAVES;
+    const bool angular = input->form == FORM_TRANSVERSE && seidel_is_angular(&one);
+    const bool small = !waves && (largest < 0.1 || angular);
+    for (size_t i = 0; i < (count + 1) * SEIDEL_TERMS && small; i++) {
+        values[i / SEIDEL_TERMS][i % SEIDEL_TERMS] *= THOUSAND;
+    }
+    const char *length = small ? "\xc2\xb5m" : "mm", *unit = waves ? "waves" : length;
+    unit = angular ? "mrad" : unit;
+    const struct bars bars = (struct bars){
+        .title = arena_printf(svg.arena, "%s of %s", what[input->form], one.setup->lens->title),
+        .subtitle = seidel_view_subtitle_of(&one, svg.arena),
+        .x_label = "surface",
+        .y_label = arena_printf(svg.arena, "contribution (%s)", unit),
+        .kinds = names[input->form],
+        .kind_count = SEIDEL_TERMS,
+        .groups = groups,
+        .group_count = count + 1,
+    };
     return bars_draw(&bars, &svg, error) && drawing_write(job, &svg, sink, error);
 }
 
 static const struct artifact artifacts[] = {
     {ARTIFACT_OPTION("plot", drawing_types, "draw the sums as bars, surface by surface"),
-     .scope = ARTIFACT_OF_ANSWER, .check = seidel_view_check, .make = seidel_view_draw},
+     .scope = ARTIFACT_OF_ANSWER, .check = seidel_view_check, .make = seidel_draw},
 };
 
 static const struct explanation explanations[] = {

@@ -26,9 +26,9 @@ static const struct word references[] = {
 };
 
 static const struct option options[] = {
-    ANALYSIS_OPTIONS(struct spot_input, question, "all of the lens by their weights, as one spot",
+    ANALYSIS_OPTIONS("all of the lens by their weights, as one spot",
                      ", or the fields of one question"),
-    ANALYSIS_FIELD_OPTIONS(struct spot_input, question),
+    ANALYSIS_FIELD_OPTIONS,
     ANALYSIS_SPECTRUM_OPTION(struct spot_input, question),
     {OPTION(struct spot_input, reference), .name = "reference", .words = references,
      .fallback = "centroid", .value = "POINT",
@@ -40,7 +40,7 @@ static const struct option options[] = {
     {OPTION(struct spot_input, to), .name = "to", .lowest = 1, .highest = 1e6, .value = "SURFACE",
      .excludes = "focus defocus",
      .help = "the footprint on this surface, in place of the image; counted from 1, stop included"},
-    ANALYSIS_PUPIL_OPTIONS(struct spot_input, question),
+    ANALYSIS_PUPIL_OPTIONS,
 };
 
 struct spot_row {
@@ -62,9 +62,7 @@ static const struct column_form sines = {&dimension_angle, "mrad",
     COLUMN_OF_LENGTH(struct spot_row, member_name, "mm"), .flags = (more)
 
 static const struct column columns[] = {
-    ANALYSIS_POINT_COLUMNS(struct spot_row, point),
-    ANALYSIS_DEFOCUS_COLUMN(struct spot_row, point),
-    ANALYSIS_WAVELENGTH_COLUMN(struct spot_row, point),
+    ANALYSIS_ROW_COLUMNS,
     {SMALL(rms, COLUMN_BRIEF | COLUMN_SPARSE), .name = "rms", .label = "RMS radius",
      .help = "root mean square distance from the centroid"},
     {SMALL(rms_x, COLUMN_BRIEF | COLUMN_SPARSE), .name = "rms_x", .label = "RMS in x",
@@ -100,29 +98,17 @@ static const struct column columns[] = {
      .help = "of the area of the pupil that is not vignetted"},
     {COLUMN(struct spot_row, rays), .name = "rays", .flags = COLUMN_HIDDEN,
      .help = "of one wavelength"},
-    ANALYSIS_SPECTRUM_COLUMN(struct spot_row, point),
+    ANALYSIS_SPECTRUM_COLUMN,
     {COLUMN(struct spot_row, weight), .name = "weights", .flags = COLUMN_ASSUMED,
      .depends = "weight aim pattern clip no-clip", .label = "rays weighted by",
      .help = "where equal weights mean equal areas"},
-    ANALYSIS_TAIL_COLUMNS(struct spot_row, point),
+    ANALYSIS_TAIL_COLUMNS,
 };
 
 /* What aiming leaves of a place on the axis is none. */
 static double spot_row_place(double coordinate, double rms)
 {
     return fabs(coordinate) < 1e-15 * rms ? 0 : coordinate;
-}
-
-static void spot_row_fill(const struct spot *spot, struct spot_row *row)
-{
-    row->spot = *spot;
-    row->rays = (long)spot->rays;
-    for (int k = 0; k < 2; k++) {
-        row->spot.centroid[k] =
-            spot->is_angular ? (double)NAN : spot_row_place(spot->centroid[k], spot->rms);
-        row->spot.chief[k] =
-            spot->is_angular ? (double)NAN : spot_row_place(spot->chief[k], spot->rms);
-    }
 }
 
 /* What is asked of one field of a case. */
@@ -161,9 +147,8 @@ static const struct sheet sheet = SHEET(columns, struct spot_row);
 static bool spot_run(const void *data, struct run *run, struct error *error)
 {
     const struct spot_input *input = data;
-    struct analysis_cursor at = analysis_begin(input, &policy, run);
-    at.find = spot_row_find;
-    at.found_size = sizeof(struct spot);
+    struct analysis_cursor at =
+        analysis_begin_finding(input, &policy, run, spot_row_find, sizeof(struct spot));
     while (analysis_next(&at, error)) {
         const struct spot *spot = at.found;
         struct spot_row row;
@@ -171,7 +156,14 @@ static bool spot_run(const void *data, struct run *run, struct error *error)
         row.energy = input->energy;
         row.weight = analysis_weight_words(&input->question);
         if (at.lost == NULL) {
-            spot_row_fill(spot, &row);
+            row.spot = *spot;
+            row.rays = (long)spot->rays;
+            for (int k = 0; k < 2; k++) {
+                row.spot.centroid[k] =
+                    spot->is_angular ? (double)NAN : spot_row_place(spot->centroid[k], spot->rms);
+                row.spot.chief[k] =
+                    spot->is_angular ? (double)NAN : spot_row_place(spot->chief[k], spot->rms);
+            }
             analysis_warn(&at, &row.point, lens_island_warning(&spot->islands, run->arena));
             if (!(input->question.rays > 0) && !spot->has_converged) {
                 analysis_warn(&at, &row.point, "the spot has not converged: see its error");
@@ -219,7 +211,7 @@ static const struct unit *spot_diagram_unit(const struct spot_drawing *drawing)
     return unit_find(&dimension_length, text_of(drawing->is_footprint ? "mm" : "um"));
 }
 
-static const char *spot_diagram_unit_words(const struct spot_drawing *drawing)
+static const char *diagram_unit_words(const struct spot_drawing *drawing)
 {
     if (drawing->is_angular) {
         return "mrad";
@@ -254,27 +246,6 @@ static struct drawn spot_diagram_place(const struct analysis_case *one, size_t f
     return drawn;
 }
 
-/* Keys in the order of the light, violet first. */
-static void spot_diagram_list_wavelengths(struct spot_drawing *drawing, const struct setup *setup)
-{
-    double *list = ARENA_ARRAY(drawing->arena, setup->wavelength_count, double);
-    for (size_t i = 0; i < setup->wavelength_count; i++) {
-        list[i] = setup->wavelengths[i].wavelength;
-    }
-    qsort(list, setup->wavelength_count, sizeof *list, analysis_ascending);
-    drawing->wavelengths = list;
-    drawing->wavelength_count = setup->wavelength_count;
-}
-
-static size_t spot_diagram_key_of(const struct spot_drawing *drawing, double wavelength)
-{
-    size_t key = 0;
-    while (key + 1 < drawing->wavelength_count && drawing->wavelengths[key] < wavelength) {
-        key++;
-    }
-    return key;
-}
-
 /* The points of one field, a series a wavelength. */
 static void spot_diagram_add_points(struct spot_drawing *drawing, const struct analysis_case *one,
                                     const struct spot_question *question, struct drawn *drawn)
@@ -303,23 +274,17 @@ static void spot_diagram_add_points(struct spot_drawing *drawing, const struct a
             x[i] = unit_from_own(unit, points.at[i][0]);
             y[i] = unit_from_own(unit, points.at[i][1]);
         }
-        size_t key = spot_diagram_key_of(drawing, one->setup->wavelengths[g].wavelength);
+        size_t key = 0;
+        while (key + 1 < drawing->wavelength_count &&
+               drawing->wavelengths[key] < one->setup->wavelengths[g].wavelength) {
+            key++;
+        }
         series[drawn->panel.count++] =
             (struct panel_series){.x = x, .y = y, .count = points.count, .key = key, .spots = true};
     }
 }
 
-/* The Airy disc of the working f-number on the axis, at the primary wavelength. */
-static double airy_radius(const struct setup *setup, bool is_angular)
-{
-    const struct first_order *first = &setup->first;
-    double wavelength = setup->wavelengths[0].wavelength / 1000; /* mm */
-    return is_angular ? 1.21967 * wavelength / fabs(first->exit_diameter)
-                      : 1.21967 * wavelength * fabs(first->working_fnumber);
-}
-
-static bool spot_diagram_add(struct spot_drawing *drawing, struct analysis_cursor *at,
-                             struct error *error)
+static bool spot_add(struct spot_drawing *drawing, struct analysis_cursor *at, struct error *error)
 {
     const struct analysis_case *one = at->one;
     const struct setup *setup = one->setup;
@@ -342,13 +307,24 @@ static bool spot_diagram_add(struct spot_drawing *drawing, struct analysis_curso
     }
     drawing->is_angular = spot.is_angular;
     drawing->is_footprint = question.to > 0;
-    drawing->airy = question.to > 0 ? (double)NAN : airy_radius(setup, spot.is_angular);
+    if (question.to == 0) { /* the Airy disc on the axis, at the primary wavelength */
+        const double disc = 1.21967 * (setup->wavelengths[0].wavelength / 1000);
+        drawing->airy = spot.is_angular ? disc / fabs(setup->first.exit_diameter)
+                                        : disc * fabs(setup->first.working_fnumber);
+    }
     drawn->rms = unit_from_own(spot_diagram_unit(drawing), spot.rms);
     drawn->panel.note =
         ARENA_JOIN(drawing->arena, "RMS ", analysis_number(drawn->rms, drawing->arena), " ",
-                   spot_diagram_unit_words(drawing));
+                   diagram_unit_words(drawing));
     if (drawing->with_points) {
-        spot_diagram_list_wavelengths(drawing, setup);
+        /* Keys in the order of the light, violet first. */
+        double *list = ARENA_ARRAY(drawing->arena, setup->wavelength_count, double);
+        for (size_t i = 0; i < setup->wavelength_count; i++) {
+            list[i] = setup->wavelengths[i].wavelength;
+        }
+        qsort(list, setup->wavelength_count, sizeof *list, analysis_ascending);
+        drawing->wavelengths = list;
+        drawing->wavelength_count = setup->wavelength_count;
         spot_diagram_add_points(drawing, one, &question, drawn);
     }
     return true;
@@ -377,18 +353,6 @@ static size_t spot_diagram_line(const struct spot_drawing *drawing, size_t spot,
     }
     list[(*count)++] = spot;
     return i;
-}
-
-static struct spot_diagram_grid spot_diagram_grid_of(const struct spot_drawing *drawing)
-{
-    size_t count = drawing->count, *room = ARENA_ARRAY(drawing->arena, 4 * count, size_t);
-    struct spot_diagram_grid grid = {
-        .rows = room, .columns = room + count, .row = room + 2 * count, .column = room + 3 * count};
-    for (size_t i = 0; i < count; i++) {
-        grid.row[i] = spot_diagram_line(drawing, i, true, grid.rows, &grid.row_count);
-        grid.column[i] = spot_diagram_line(drawing, i, false, grid.columns, &grid.column_count);
-    }
-    return grid;
 }
 
 static const char *spot_diagram_subtitle_of(const struct spot_drawing *drawing)
@@ -436,7 +400,7 @@ static bool spot_diagram_draw_spots(const struct spot_drawing *drawing,
                               drawing->input->to > 0 ? "Footprints" : "Spots", drawing->title,
                               focus ? " through focus" : ""),
         .subtitle = spot_diagram_subtitle_of(drawing),
-        .unit = spot_diagram_unit_words(drawing),
+        .unit = diagram_unit_words(drawing),
         .column_heads = focus ? heads : NULL,
         .row_heads = focus ? fields : NULL,
         .keys = keys,
@@ -479,8 +443,7 @@ static bool spot_diagram_draw_curves(const struct spot_drawing *drawing,
         .title = arena_printf(arena, "Spots of %s", drawing->title),
         .subtitle = spot_diagram_subtitle_of(drawing),
         .x_label = focus ? "defocus (mm)" : field_label,
-        .y_label =
-            arena_printf(drawing->arena, "RMS radius (%s)", spot_diagram_unit_words(drawing)),
+        .y_label = arena_printf(drawing->arena, "RMS radius (%s)", diagram_unit_words(drawing)),
         .x = x,
         .count = count,
         .series = series,
@@ -489,18 +452,19 @@ static bool spot_diagram_draw_curves(const struct spot_drawing *drawing,
     return plot_draw(&plot, svg, error);
 }
 
-/* Every spot of the sweep. */
-static bool spot_diagram_collect(const struct artifact_job *job, bool with_points,
-                                 struct spot_drawing *drawing, struct error *error)
+static bool spot_diagram(const struct artifact_job *job, struct output *sink, struct error *error)
 {
-    drawing->with_points = with_points;
-    drawing->count = 0;
+    struct svg svg = {.arena = job->run->arena};
+    struct spot_drawing drawing = {.run = job->run, .arena = svg.arena, .airy = NAN};
+    /* Every spot of the sweep. */
+    drawing.with_points = job->count <= MOST_ROWS * MOST_COLUMNS;
+    drawing.count = 0;
     for (size_t i = 0; i < job->count; i++) {
-        drawing->input = job->inputs[i];
-        struct analysis_cursor at = analysis_begin(drawing->input, &policy, job->run);
+        drawing.input = job->inputs[i];
+        struct analysis_cursor at = analysis_begin(drawing.input, &policy, job->run);
         at.keeps_lost = true;
         while (analysis_next(&at, error)) {
-            if (!spot_diagram_add(drawing, &at, error)) {
+            if (!spot_add(&drawing, &at, error)) {
                 return false;
             }
         }
@@ -508,17 +472,16 @@ static bool spot_diagram_collect(const struct artifact_job *job, bool with_point
             return false;
         }
     }
-    return drawing->count > 0 || fail(error, ERROR_DOMAIN, "there is no spot to draw");
-}
-
-static bool spot_diagram(const struct artifact_job *job, struct output *sink, struct error *error)
-{
-    struct svg svg = {.arena = job->run->arena};
-    struct spot_drawing drawing = {.run = job->run, .arena = svg.arena, .airy = NAN};
-    if (!spot_diagram_collect(job, job->count <= MOST_ROWS * MOST_COLUMNS, &drawing, error)) {
-        return false;
+    if (!(drawing.count > 0)) {
+        return fail(error, ERROR_DOMAIN, "there is no spot to draw");
     }
-    const struct spot_diagram_grid grid = spot_diagram_grid_of(&drawing);
+    size_t count = drawing.count, *room = ARENA_ARRAY(drawing.arena, 4 * count, size_t);
+    struct spot_diagram_grid grid = {
+        .rows = room, .columns = room + count, .row = room + 2 * count, .column = room + 3 * count};
+    for (size_t i = 0; i < count; i++) {
+        grid.row[i] = spot_diagram_line(&drawing, i, true, grid.rows, &grid.row_count);
+        grid.column[i] = spot_diagram_line(&drawing, i, false, grid.columns, &grid.column_count);
+    }
     bool drawn = grid.row_count <= MOST_ROWS && grid.column_count <= MOST_COLUMNS
                      ? spot_diagram_draw_spots(&drawing, &grid, &svg, error)
                      : spot_diagram_draw_curves(&drawing, &grid, &svg, error);

@@ -29,9 +29,8 @@ static const struct word orders[] = {
 };
 
 static const struct option options[] = {
-    ANALYSIS_OPTIONS(struct wavefront_input, question, "the primary one",
-                     ", or the fields of one question"),
-    ANALYSIS_FIELD_OPTIONS(struct wavefront_input, question),
+    ANALYSIS_OPTIONS("the primary one", ", or the fields of one question"),
+    ANALYSIS_FIELD_OPTIONS,
     {OPTION(struct wavefront_input, reference), .name = "reference", .words = references,
      .fallback = "chief", .value = "WHAT", .help = "centre of the reference sphere"},
     {OPTION(struct wavefront_input, zernike), .name = "zernike", .words = orders,
@@ -41,7 +40,7 @@ static const struct option options[] = {
      .fallback = "36", .value = "COUNT", .wants = "zernike!=none", .help = "how many of them"},
     {OPTION(struct wavefront_input, size), .name = "size", .lowest = 8, .highest = 2048,
      .fallback = "128", .value = "COUNT", .wants = "plot|map", .help = "points across a map"},
-    ANALYSIS_PUPIL_OPTIONS(struct wavefront_input, question),
+    ANALYSIS_PUPIL_OPTIONS,
 };
 
 struct wavefront_row {
@@ -53,10 +52,6 @@ struct wavefront_row {
 };
 
 #define PLAIN(member_name, more) COLUMN(struct wavefront_row, member_name), .flags = (more)
-#define SHARED_COLUMNS                                                                             \
-    ANALYSIS_POINT_COLUMNS(struct wavefront_row, point),                                           \
-        ANALYSIS_DEFOCUS_COLUMN(struct wavefront_row, point),                                      \
-        ANALYSIS_WAVELENGTH_COLUMN(struct wavefront_row, point)
 #define RADIUS_COLUMN                                                                              \
     ENTRY(PLAIN(radius, COLUMN_HIDDEN | COLUMN_INFINITE), .name = "sphere",                        \
           .dimension = &dimension_length, .unit = "mm", .help = "radius of the reference sphere")
@@ -66,10 +61,10 @@ struct wavefront_row {
         ENTRY(PLAIN(weight, COLUMN_ASSUMED), .name = "weights",                                    \
               .depends = "weight aim pattern clip no-clip", .label = "rays weighted by",           \
               .help = "where equal weights mean equal areas"),                                     \
-        ANALYSIS_TAIL_COLUMNS(struct wavefront_row, point)
+        ANALYSIS_TAIL_COLUMNS
 
 static const struct column figure_columns[] = {
-    SHARED_COLUMNS,
+    ANALYSIS_ROW_COLUMNS,
     {PLAIN(figures.rms, COLUMN_BRIEF), .name = "rms_waves", .label = "RMS, waves", .symbol = "rms",
      .help = "root mean square of the optical path differences about their mean, in wavelengths"},
     {PLAIN(figures.pv, COLUMN_BRIEF), .name = "pv_waves", .label = "PV, waves",
@@ -94,7 +89,7 @@ static const struct column figure_columns[] = {
 };
 
 static const struct column coefficient_columns[] = {
-    SHARED_COLUMNS,
+    ANALYSIS_ROW_COLUMNS,
     {PLAIN(index, COLUMN_BRIEF), .name = "index",
      .help = "number of the polynomial, as its order counts"},
     {PLAIN(n, COLUMN_BRIEF), .name = "n", .help = "radial order"},
@@ -161,18 +156,6 @@ static bool wavefront_row_find(const struct analysis_cursor *at, const struct an
                          (size_t)input->terms, arena, &found->fit, error);
 }
 
-static void wavefront_row_fill(const struct analysis_cursor *at,
-                               const struct wavefront_found *found, struct wavefront_row *row)
-{
-    const struct wavefront *figures = &found->figures;
-    row->figures = *figures;
-    row->rays = (long)figures->rays;
-    analysis_warn(at, &row->point, lens_island_warning(&figures->islands, at->run->arena));
-    if (found->source.question->rays == 0 && !figures->has_converged) {
-        analysis_warn(at, &row->point, "the wave front has not converged: see its errors");
-    }
-}
-
 /* A row a coefficient; false: no more are wanted. */
 static bool wavefront_emit_coefficients(const struct analysis_cursor *at,
                                         const struct wavefront_found *found,
@@ -203,9 +186,8 @@ static bool wavefront_emit_coefficients(const struct analysis_cursor *at,
 static bool wavefront_run(const void *data, struct run *run, struct error *error)
 {
     const struct wavefront_input *input = data;
-    struct analysis_cursor at = analysis_begin(input, &policy, run);
-    at.find = wavefront_row_find;
-    at.found_size = sizeof(struct wavefront_found);
+    struct analysis_cursor at = analysis_begin_finding(input, &policy, run, wavefront_row_find,
+                                                       sizeof(struct wavefront_found));
     while (analysis_next(&at, error)) {
         const struct wavefront_found *found = at.found;
         struct wavefront_row row;
@@ -218,7 +200,13 @@ static bool wavefront_run(const void *data, struct run *run, struct error *error
             row.radius = sphere->is_plane ? INFINITY : sphere->radius;
         }
         if (at.lost == NULL && input->zernike == NO_ZERNIKE) {
-            wavefront_row_fill(&at, found, &row);
+            const struct wavefront *figures = &found->figures;
+            row.figures = *figures;
+            row.rays = (long)figures->rays;
+            analysis_warn(&at, &row.point, lens_island_warning(&figures->islands, at.run->arena));
+            if (found->source.question->rays == 0 && !figures->has_converged) {
+                analysis_warn(&at, &row.point, "the wave front has not converged: see its errors");
+            }
         }
         const bool goes_on = at.lost == NULL && input->zernike != NO_ZERNIKE
                                  ? wavefront_emit_coefficients(&at, found, &row)
@@ -232,37 +220,7 @@ static bool wavefront_run(const void *data, struct run *run, struct error *error
 
 /* -------- maps -------- */
 
-static const char *wavefront_map_note_of(const double *values, size_t count, struct arena *arena)
-{
-    double low = INFINITY, high = -INFINITY;
-    for (size_t i = 0; i < count; i++) {
-        low = fmin(low, values[i]);
-        high = fmax(high, values[i]);
-    }
-    return high >= low
-               ? ARENA_JOIN(arena, "peak to valley ", analysis_number(high - low, arena), " waves")
-               : "no ray arrives";
-}
-
-/* Without the piston: about the mean of the map. */
-static const double *level(const double *values, size_t count, struct arena *arena)
-{
-    double sum = 0, some = 0, *levelled = ARENA_ARRAY(arena, count, double);
-    for (size_t i = 0; i < count; i++) {
-        sum += isnan(values[i]) ? 0 : values[i];
-        some += isnan(values[i]) ? 0 : 1;
-    }
-    for (size_t i = 0; i < count; i++) {
-        levelled[i] = values[i] - sum / some;
-    }
-    return levelled;
-}
-
-/* Room for the values of a map. */
-struct wavefront_map_found {
-    const double *values;
-};
-
+/* The values of a map. */
 static bool wavefront_map_find(const struct analysis_cursor *at, const struct analysis_case *one,
                                size_t field, void *found, struct error *error)
 {
@@ -272,48 +230,64 @@ static bool wavefront_map_find(const struct analysis_cursor *at, const struct an
     if (!wavefront_field_open(at, one, field, &source, error)) {
         return false;
     }
-    ((struct wavefront_map_found *)found)->values =
-        level(wavefront_map(&source, size, arena), size * size, arena);
+    /* Without the piston: about the mean of the map. */
+    const double *values = wavefront_map(&source, size, arena);
+    const size_t count = size * size;
+    double sum = 0, some = 0, *levelled = ARENA_ARRAY(arena, count, double);
+    for (size_t i = 0; i < count; i++) {
+        sum += isnan(values[i]) ? 0 : values[i];
+        some += isnan(values[i]) ? 0 : 1;
+    }
+    for (size_t i = 0; i < count; i++) {
+        levelled[i] = values[i] - sum / some;
+    }
+    *(const double **)found = levelled;
     return true;
 }
 
-static bool wavefront_map_add(struct map_page *page, const struct analysis_cursor *at,
-                              struct error *error)
-{
-    const struct wavefront_input *input = at->input;
-    struct arena *arena = page->job->run->arena;
-    const size_t size = (size_t)input->size;
-    const double *values = ((const struct wavefront_map_found *)at->found)->values;
-    const struct raster_map map = {.title = analysis_field_words(at->one, at->field, arena),
-                                   .note = wavefront_map_note_of(values, size * size, arena),
-                                   .size = size,
-                                   .values = values,
-                                   .half = 1};
-    const char *reference = wave_reference_words(at->one, (enum wave_about)input->reference, arena);
-    map_page_subtitle(page, arena_printf(arena, "against %s; %s", reference,
-                                         analysis_case_words(at->one, true, arena)));
-    return map_page_add(page, at->one, &map, error);
-}
-
 /* The maps of all inputs of a job. */
-static bool wavefront_maps(const struct artifact_job *job, struct map_page *page,
-                           struct error *error)
+static bool wavefront_maps(const struct artifact_job *job, struct output *sink, struct error *error)
 {
     const struct wavefront_input *first = job->inputs[0];
     const bool entrance = first->question.aim == ANALYSIS_AIM_ENTRANCE;
-    map_page_begin(page, job);
-    page->rasters.x_label = entrance ? "x in the entrance pupil" : "x in the stop";
-    page->rasters.y_label = entrance ? "y in the entrance pupil" : "y in the stop";
-    page->rasters.scale_label = "W - mean (waves)";
-    page->rasters.colours = RASTER_SIGNED;
-    page->rasters.columns = 3;
+    struct map_page page = {
+        .job = job,
+        .rasters = {.x_label = entrance ? "x in the entrance pupil" : "x in the stop",
+                    .y_label = entrance ? "y in the entrance pupil" : "y in the stop",
+                    .scale_label = "W - mean (waves)",
+                    .colours = RASTER_SIGNED,
+                    .columns = 3}};
     for (size_t i = 0; i < job->count; i++) {
-        struct analysis_cursor at = analysis_begin(job->inputs[i], &policy, job->run);
-        at.find = wavefront_map_find;
-        at.found_size = sizeof(struct wavefront_map_found);
+        struct analysis_cursor at = analysis_begin_finding(
+            job->inputs[i], &policy, job->run, wavefront_map_find, sizeof(const double *));
         at.keeps_lost = true;
         while (analysis_next(&at, error)) {
-            if (at.lost == NULL && !wavefront_map_add(page, &at, error)) {
+            if (at.lost != NULL) {
+                continue;
+            }
+            const struct wavefront_input *input = at.input;
+            struct arena *arena = page.job->run->arena;
+            const size_t size = (size_t)input->size;
+            const double *values = *(const double *const *)at.found;
+            double low = INFINITY, high = -INFINITY;
+            for (size_t k = 0; k < size * size; k++) {
+                low = fmin(low, values[k]);
+                high = fmax(high, values[k]);
+            }
+            const char *note = high >= low
+                                   ? ARENA_JOIN(arena, "peak to valley ",
+                                                analysis_number(high - low, arena), " waves")
+                                   : "no ray arrives";
+            const struct raster_map map = {.title = analysis_field_words(at.one, at.field, arena),
+                                           .note = note,
+                                           .size = size,
+                                           .values = values,
+                                           .half = 1};
+            const char *reference =
+                wave_reference_words(at.one, (enum wave_about)input->reference, arena);
+            const char *words = analysis_case_words(at.one, true, arena);
+            if (!map_page_add(&page, at.one, &map,
+                              ARENA_JOIN(arena, "against ", reference, "; ", words), error)) {
                 return false;
             }
         }
@@ -321,19 +295,7 @@ static bool wavefront_maps(const struct artifact_job *job, struct map_page *page
             return false;
         }
     }
-    return map_page_end(page, "Wave fronts", error);
-}
-
-static bool wavefront_page(const struct artifact_job *job, struct output *sink, struct error *error)
-{
-    struct map_page page;
-    return wavefront_maps(job, &page, error) && map_page_draw(&page, sink, error);
-}
-
-static bool wavefront_file(const struct artifact_job *job, struct output *sink, struct error *error)
-{
-    struct map_page page;
-    return wavefront_maps(job, &page, error) && map_page_write(&page, sink, error);
+    return map_page_make(&page, "Wave fronts", sink, error);
 }
 
 static bool wavefront_makes_many(const void *data)
@@ -344,10 +306,10 @@ static bool wavefront_makes_many(const void *data)
 
 static const struct artifact artifacts[] = {
     {ARTIFACT_OPTION("plot", drawing_types, "draw the wave fronts over the pupil, by field"),
-     .scope = ARTIFACT_OF_SWEEP, .needs_no_rows = true, .make = wavefront_page},
+     .scope = ARTIFACT_OF_SWEEP, .needs_no_rows = true, .make = wavefront_maps},
     {ARTIFACT_OPTION("map", map_types,
                      "write the map of one field: colours, or numbers in wavelengths"),
-     .scope = ARTIFACT_OF_ANSWER, .is_binary = true, .make = wavefront_file},
+     .scope = ARTIFACT_OF_ANSWER, .is_binary = true, .make = wavefront_maps},
 };
 
 static const struct explanation explanations[] = {

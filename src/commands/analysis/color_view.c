@@ -10,11 +10,6 @@ const struct analysis_policy color_policy = {.wavelengths = WAVELENGTHS_ALL, .fi
 
 /* -------- a case -------- */
 
-bool color_is_afocal(const struct setup *setup)
-{
-    return isinf(setup->first.image);
-}
-
 struct field_point color_field(const struct field_point *edge, long i, long steps)
 {
     struct field_point point = *edge;
@@ -30,24 +25,6 @@ void color_direction(const struct setup *setup, const struct field_point *field,
     const double sign = y < 0 || (y == 0 && x < 0) ? -1 : 1;
     along[0] = length > 0 ? sign * x / length : (double)(setup_axis(setup) == 0);
     along[1] = length > 0 ? sign * y / length : (double)(setup_axis(setup) == 1);
-}
-
-/* The shortest and the longest: of those asked for at once, else of the lens. */
-static void color_case_find_ends(const struct analysis_case *one, struct color_summary *summary)
-{
-    const struct setup *setup = one->setup;
-    const struct lens *lens = setup->lens;
-    const bool asked = setup->wavelength_count > 1;
-    const size_t count = asked ? setup->wavelength_count : lens->wavelength_count;
-    double shortest = INFINITY, longest = 0;
-    for (size_t i = 0; i < count; i++) {
-        const double at =
-            asked ? setup->wavelengths[i].wavelength : lens->wavelengths[i].wavelength;
-        shortest = fmin(shortest, at);
-        longest = fmax(longest, at);
-    }
-    summary->shortest = shortest < longest ? shortest : (double)NAN;
-    summary->longest = shortest < longest ? longest : (double)NAN;
 }
 
 static const char *color_case_words_of(const struct color_summary *summary, bool afocal,
@@ -72,7 +49,19 @@ bool color_summarize(const struct analysis_case *one, struct color_summary *summ
     const double primary = lens_primary_wavelength(setup->lens);
     struct chromatic_focus foci[3];
     *summary = (struct color_summary){.axial = {NAN, NAN}, .vergence = NAN};
-    color_case_find_ends(one, summary);
+    /* the ends are those of the wavelengths asked for at once, else of the lens */
+    const struct lens *lens = setup->lens;
+    const bool asked = setup->wavelength_count > 1;
+    const size_t count = asked ? setup->wavelength_count : lens->wavelength_count;
+    double shortest = INFINITY, longest = 0;
+    for (size_t i = 0; i < count; i++) {
+        const double at =
+            asked ? setup->wavelengths[i].wavelength : lens->wavelengths[i].wavelength;
+        shortest = fmin(shortest, at);
+        longest = fmax(longest, at);
+    }
+    summary->shortest = shortest < longest ? shortest : (double)NAN;
+    summary->longest = shortest < longest ? longest : (double)NAN;
     if (isnan(summary->shortest)) {
         return true;
     }
@@ -85,12 +74,12 @@ bool color_summarize(const struct analysis_case *one, struct color_summary *summ
     if (primary >= summary->longest) {
         middle = 2;
     }
-    if (color_is_afocal(setup)) {
+    if (isinf(setup->first.image)) {
         summary->vergence = foci[0].vergence - foci[2].vergence;
     } else {
         summary->axial = chromatic_axial(&foci[0], &foci[middle], &foci[2]);
     }
-    summary->words = color_case_words_of(summary, color_is_afocal(setup), setup->arena);
+    summary->words = color_case_words_of(summary, isinf(setup->first.image), setup->arena);
     return true;
 }
 
@@ -101,7 +90,7 @@ enum { MOST_COLOURS = 5, SAMPLES = 121, ZONES = 40, FIELDS = 32, PANELS = 3 };
 static const double TO_NM = 1000, TO_UM = 1000, TO_MRAD = 1000, SMALL = 0.2;
 
 /* The page in the making. */
-struct color_view_painter {
+struct color_painter {
     const struct artifact_job *job;
     const struct color_input *input;
     struct arena *arena;
@@ -111,16 +100,15 @@ struct color_view_painter {
     size_t wave_count;
     struct chromatic_focus primary;
     struct panel panels[PANELS];
-    struct panels page;
 };
 
-static const struct color_input *color_view_input_at(const struct artifact_job *job, size_t i)
+static const struct color_input *view_input_at(const struct artifact_job *job, size_t i)
 {
     return job->inputs[i];
 }
 
 /* All that the sweep asks for, and the primary one; each once. */
-static void collect_waves(struct color_view_painter *painter)
+static void collect_waves(struct color_painter *painter)
 {
     const struct setup *setup = painter->one->setup;
     const bool asked = painter->input->question.wavelength.name != NULL;
@@ -129,7 +117,7 @@ static void collect_waves(struct color_view_painter *painter)
     size_t count = 0;
     waves[most - 1] = lens_primary_wavelength(setup->lens);
     for (size_t i = 0; i + 1 < most; i++) {
-        waves[i] = asked ? color_view_input_at(painter->job, i)->question.wavelength.wavelength
+        waves[i] = asked ? view_input_at(painter->job, i)->question.wavelength.wavelength
                          : setup->wavelengths[i].wavelength;
     }
     qsort(waves, most, sizeof *waves, analysis_ascending);
@@ -140,67 +128,44 @@ static void collect_waves(struct color_view_painter *painter)
     }
     painter->waves = waves;
     painter->wave_count = count;
-}
-
-/* So many that each can be told apart: both ends, and what lies between in even steps. */
-static void thin_waves(struct color_view_painter *painter)
-{
-    const size_t count = painter->wave_count;
-    if (count <= MOST_COLOURS) {
-        return;
-    }
-    for (size_t i = 0; i < MOST_COLOURS; i++) {
-        painter->waves[i] = painter->waves[i * (count - 1) / (MOST_COLOURS - 1)];
-    }
-    painter->wave_count = MOST_COLOURS;
-}
-
-static double *numbers(const struct color_view_painter *painter, size_t count)
-{
-    return ARENA_ARRAY(painter->arena, count, double);
-}
-
-/* In thousandths of the unit where all of it is small; which of two words says it. */
-static const char *color_view_scale(const struct panel *panel, bool along_x, const char *large,
-                                    const char *small)
-{
-    double most = 0;
-    for (size_t s = 0; s < panel->count; s++) {
-        const double *values = along_x ? panel->series[s].x : panel->series[s].y;
-        for (size_t i = 0; i < panel->series[s].count; i++) {
-            most = isfinite(values[i]) ? fmax(most, fabs(values[i])) : most;
+    /* so many that each can be told apart: both ends, and what lies between in even steps */
+    if (count > MOST_COLOURS) {
+        for (size_t i = 0; i < MOST_COLOURS; i++) {
+            waves[i] = waves[i * (count - 1) / (MOST_COLOURS - 1)];
         }
-    }
-    return most < SMALL ? small : large;
-}
-
-static void color_view_multiply(const struct panel *panel, bool along_x, double factor)
-{
-    for (size_t s = 0; s < panel->count; s++) {
-        /* the painter's own numbers */
-        double *values = (double *)(along_x ? panel->series[s].x : panel->series[s].y);
-        for (size_t i = 0; i < panel->series[s].count; i++) {
-            values[i] *= factor;
-        }
+        painter->wave_count = MOST_COLOURS;
     }
 }
 
 /* A shift along the axis: mm, or 1/m of an afocal lens. */
-static double axial_of(const struct color_view_painter *painter,
-                       const struct chromatic_focus *focus)
+static double axial_of(const struct color_painter *painter, const struct chromatic_focus *focus)
 {
-    return color_is_afocal(painter->one->setup)
+    return isinf(painter->one->setup->first.image)
                ? 1000 * (focus->vergence - painter->primary.vergence)
                : focus->image - painter->primary.image;
 }
 
-static const char *axial_label(const struct color_view_painter *painter, const struct panel *panel,
+static const char *axial_label(const struct color_painter *painter, const struct panel *panel,
                                bool along_x, const char *words)
 {
     const char *unit = "1/m";
-    if (!color_is_afocal(painter->one->setup)) {
-        unit = color_view_scale(panel, along_x, "mm", "\xc2\xb5m");
-        color_view_multiply(panel, along_x, unit[0] == 'm' ? 1 : TO_UM);
+    if (!isinf(painter->one->setup->first.image)) {
+        /* in thousandths of the unit where all of it is small */
+        double most = 0;
+        for (size_t s = 0; s < panel->count; s++) {
+            const double *values = along_x ? panel->series[s].x : panel->series[s].y;
+            for (size_t i = 0; i < panel->series[s].count; i++) {
+                most = isfinite(values[i]) ? fmax(most, fabs(values[i])) : most;
+            }
+        }
+        unit = most < SMALL ? "\xc2\xb5m" : "mm";
+        for (size_t s = 0; s < panel->count && most < SMALL; s++) {
+            /* the painter's own numbers */
+            double *values = (double *)(along_x ? panel->series[s].x : panel->series[s].y);
+            for (size_t i = 0; i < panel->series[s].count; i++) {
+                values[i] *= TO_UM;
+            }
+        }
     }
     return arena_printf(painter->arena, "%s (%s)", words, unit);
 }
@@ -208,7 +173,7 @@ static const char *axial_label(const struct color_view_painter *painter, const s
 /* -------- the panels -------- */
 
 /* The curve, then a dot a wavelength. */
-static bool draw_shift(struct color_view_painter *painter, struct error *error)
+static bool draw_shift(struct color_painter *painter, struct error *error)
 {
     const struct setup *setup = painter->one->setup;
     const size_t count = painter->wave_count + 1;
@@ -216,7 +181,8 @@ static bool draw_shift(struct color_view_painter *painter, struct error *error)
     struct panel_series *series = ARENA_ARRAY(painter->arena, count, struct panel_series);
     for (size_t s = 0; s < count; s++) {
         const size_t points = s == 0 ? SAMPLES : 1;
-        double *x = numbers(painter, points), *y = numbers(painter, points);
+        double *x = ARENA_ARRAY(painter->arena, points, double),
+               *y = ARENA_ARRAY(painter->arena, points, double);
         for (size_t i = 0; i < points; i++) {
             const double at =
                 s > 0 ? painter->waves[s - 1] : low + (high - low) * (double)i / (SAMPLES - 1);
@@ -239,7 +205,7 @@ static bool draw_shift(struct color_view_painter *painter, struct error *error)
     return true;
 }
 
-static bool draw_zones(struct color_view_painter *painter, struct error *error)
+static bool draw_zones(struct color_painter *painter, struct error *error)
 {
     const struct setup *setup = painter->one->setup;
     const bool entrance = painter->input->question.aim == ANALYSIS_AIM_ENTRANCE;
@@ -249,7 +215,8 @@ static bool draw_zones(struct color_view_painter *painter, struct error *error)
     *panel = (struct panel){
         .title = "Spherochromatism", .y_label = "zone", .series = series, .x_label = "shift"};
     for (size_t s = 0; s < painter->wave_count; s++) {
-        double *x = numbers(painter, ZONES + 1), *y = numbers(painter, ZONES + 1);
+        double *x = ARENA_ARRAY(painter->arena, ZONES + 1, double),
+               *y = ARENA_ARRAY(painter->arena, ZONES + 1, double);
         for (size_t i = 0; i <= ZONES; i++) {
             struct chromatic_focus focus;
             y[i] = (double)i / ZONES;
@@ -266,14 +233,7 @@ static bool draw_zones(struct color_view_painter *painter, struct error *error)
     return true;
 }
 
-/* Of a field, so far from the axis as it is drawn: deg, or mm. */
-static double field_number(const struct field_point *field)
-{
-    const bool angle = field->kind == FIELD_ANGLE || field->kind == FIELD_NONE;
-    return field_extent(field->kind, field->value) * (angle ? DEGREES_PER_RADIAN : 1);
-}
-
-static bool draw_fields(struct color_view_painter *painter, struct error *error)
+static bool draw_fields(struct color_painter *painter, struct error *error)
 {
     const struct setup *setup = painter->one->setup;
     const struct field_point *edge = &setup->fields[painter->field].point;
@@ -288,14 +248,16 @@ static bool draw_fields(struct color_view_painter *painter, struct error *error)
                             .y_label = angle ? "field (deg)" : "field height (mm)",
                             .series = series};
     for (size_t s = 0; s < painter->wave_count; s++) {
-        series[s] = (struct panel_series){.x = numbers(painter, FIELDS + 1),
-                                          .y = numbers(painter, FIELDS + 1),
+        series[s] = (struct panel_series){.x = ARENA_ARRAY(painter->arena, FIELDS + 1, double),
+                                          .y = ARENA_ARRAY(painter->arena, FIELDS + 1, double),
                                           .count = FIELDS + 1,
                                           .key = s};
     }
     color_direction(setup, edge, along);
     for (long i = 0; i <= FIELDS; i++) {
         const struct field_point at = color_field(edge, i, FIELDS);
+        const bool degrees = angle || at.kind == FIELD_NONE;
+        const double far = field_extent(at.kind, at.value) * (degrees ? DEGREES_PER_RADIAN : 1);
         struct chromatic_chief primary, chief;
         bool found = chromatic_chief(setup, &at, middle, &primary, error);
         for (size_t s = 0; s < painter->wave_count; s++) {
@@ -304,7 +266,7 @@ static bool draw_fields(struct color_view_painter *painter, struct error *error)
                 found ? chromatic_lateral(&primary, &chief, along)
                       : (struct chromatic_lateral){NAN, NAN};
             ((double *)series[s].x)[i] = angular ? TO_MRAD * lateral.angle : TO_UM * lateral.height;
-            ((double *)series[s].y)[i] = field_number(&at);
+            ((double *)series[s].y)[i] = far;
         }
         panel->note = found ? panel->note : "no chief ray where a curve ends";
     }
@@ -314,54 +276,8 @@ static bool draw_fields(struct color_view_painter *painter, struct error *error)
 
 /* -------- the page -------- */
 
-static const char *color_view_subtitle_of(const struct color_view_painter *painter,
-                                          const char *summary)
-{
-    const struct setup *setup = painter->one->setup;
-    struct arena *arena = painter->arena;
-    const char *aperture =
-        isfinite(setup->first.fnumber) ? arena_printf(arena, "f/%.4g, ", setup->first.fnumber) : "";
-    return arena_printf(
-        arena, "%s%s%srelative to %.5g nm%s%s", setup->position != NULL ? setup->position : "",
-        setup->position != NULL ? ", " : "", aperture, TO_NM * lens_primary_wavelength(setup->lens),
-        summary != NULL ? "; " : "", summary != NULL ? summary : "");
-}
-
-static bool color_view_paint(struct color_view_painter *painter, struct error *error)
-{
-    const struct analysis_case *one = painter->one;
-    const struct setup *setup = one->setup;
-    struct color_summary summary;
-    collect_waves(painter);
-    thin_waves(painter);
-    if (!color_summarize(one, &summary, error) ||
-        !chromatic_focus(setup, lens_primary_wavelength(setup->lens), &painter->primary, error) ||
-        !draw_shift(painter, error) || !draw_zones(painter, error) ||
-        !draw_fields(painter, error)) {
-        return false;
-    }
-    const char **keys = ARENA_ARRAY(painter->arena, painter->wave_count, const char *);
-    for (size_t i = 0; i < painter->wave_count; i++) {
-        keys[i] = arena_printf(painter->arena, "%.5g nm", TO_NM * painter->waves[i]);
-    }
-    painter->page = (struct panels){
-        .title = arena_printf(painter->arena, "Colour of %s", setup->lens->title),
-        .subtitle = color_view_subtitle_of(painter, summary.words),
-        .keys = keys,
-        .key_count = painter->wave_count,
-        .light = true,
-        .own_x = true,
-        .own_y = true,
-        .columns = PANELS,
-        .panels = painter->panels,
-        .count = PANELS,
-    };
-    return true;
-}
-
 /* Is it the same question at another wavelength? */
-static bool color_view_is_alike(const struct analysis_question *a,
-                                const struct analysis_question *b)
+static bool color_is_alike(const struct analysis_question *a, const struct analysis_question *b)
 {
     const double pairs[][2] = {{a->fnumber, b->fnumber},   {a->field, b->field},
                                {a->field_x, b->field_x},   {a->height, b->height},
@@ -377,9 +293,9 @@ static bool color_view_is_alike(const struct analysis_question *a,
 
 bool color_view_check(const struct artifact_job *job, struct error *error)
 {
-    const struct analysis_question *first = &color_view_input_at(job, 0)->question;
+    const struct analysis_question *first = &view_input_at(job, 0)->question;
     for (size_t i = 1; i < job->count; i++) {
-        if (!color_view_is_alike(first, &color_view_input_at(job, i)->question)) {
+        if (!color_is_alike(first, &view_input_at(job, i)->question)) {
             return fail(error, ERROR_USAGE,
                         "{--plot} shows one lens and one field: only {--wavelength} may be a list");
         }
@@ -391,14 +307,44 @@ bool color_view_check(const struct artifact_job *job, struct error *error)
 bool color_view_draw(const struct artifact_job *job, struct output *sink, struct error *error)
 {
     struct svg svg = {.arena = job->run->arena};
-    struct color_view_painter painter = {
-        .job = job, .input = color_view_input_at(job, 0), .arena = svg.arena};
+    struct color_painter painter = {.job = job, .input = view_input_at(job, 0), .arena = svg.arena};
     struct analysis_cursor at = analysis_begin(painter.input, &color_policy, job->run);
     if (!analysis_next(&at, error)) {
         return false;
     }
     painter.one = at.one;
     painter.field = at.field;
-    return color_view_paint(&painter, error) && panels_draw(&painter.page, &svg, error) &&
-           drawing_write(job, &svg, sink, error);
+    const struct setup *setup = at.one->setup;
+    const double primary = lens_primary_wavelength(setup->lens);
+    struct color_summary summary;
+    collect_waves(&painter);
+    if (!color_summarize(at.one, &summary, error) ||
+        !chromatic_focus(setup, primary, &painter.primary, error) || !draw_shift(&painter, error) ||
+        !draw_zones(&painter, error) || !draw_fields(&painter, error)) {
+        return false;
+    }
+    const char **keys = ARENA_ARRAY(painter.arena, painter.wave_count, const char *);
+    for (size_t i = 0; i < painter.wave_count; i++) {
+        keys[i] = arena_printf(painter.arena, "%.5g nm", TO_NM * painter.waves[i]);
+    }
+    const char *position = setup->position, *said = summary.words;
+    const char *aperture = isfinite(setup->first.fnumber)
+                               ? arena_printf(svg.arena, "f/%.4g, ", setup->first.fnumber)
+                               : "";
+    const struct panels page = {
+        .title = arena_printf(painter.arena, "Colour of %s", setup->lens->title),
+        .subtitle =
+            arena_printf(svg.arena, "%s%s%srelative to %.5g nm%s%s",
+                         position != NULL ? position : "", position != NULL ? ", " : "", aperture,
+                         TO_NM * primary, said != NULL ? "; " : "", said != NULL ? said : ""),
+        .keys = keys,
+        .key_count = painter.wave_count,
+        .light = true,
+        .own_x = true,
+        .own_y = true,
+        .columns = PANELS,
+        .panels = painter.panels,
+        .count = PANELS,
+    };
+    return panels_draw(&page, &svg, error) && drawing_write(job, &svg, sink, error);
 }

@@ -17,9 +17,6 @@ struct color_input {
 
 extern const struct analysis_policy color_policy;
 
-/* Is the image infinitely far away, so that differences are those of vergences and angles? */
-bool color_is_afocal(const struct setup *setup);
-
 /* Step i of the field from the axis (0) to the edge (steps). */
 struct field_point color_field(const struct field_point *edge, long i, long steps);
 

@@ -1,6 +1,6 @@
 /* commands/analysis/distortion_models.c - distortion --fit: coefficients, and files of them. */
 /* SPDX-License-Identifier: MIT */
-#include "commands/analysis/distortion_asked.h"
+#include "commands/analysis/distortion_models.h"
 
 #include "report/row.h"
 
@@ -43,60 +43,36 @@ static struct field_point distortion_asked_edge_of(const struct setup *setup)
     return lens->field_count > 0 && edge.value[1] > 0 ? edge : setup->edge;
 }
 
-/* Is there a field that no plane shows: of those asked for, or of the lens? */
-static bool has_half_space(const struct setup *setup)
-{
-    const struct field_point edge = distortion_asked_edge_of(setup);
-    bool has = edge.kind == FIELD_ANGLE && edge.value[1] >= PI / 2;
-    for (size_t i = 0; i < setup->field_count; i++) {
-        const struct field_point *field = &setup->fields[i].point;
-        has = has || (field->kind == FIELD_ANGLE &&
-                      fmax(fabs(field->value[0]), fabs(field->value[1])) >= PI / 2);
-    }
-    return has;
-}
-
 static enum projection projection_of(const struct distortion_input *input,
                                      const struct setup *setup)
 {
     if (input->projection > 0) {
         return (enum projection)(input->projection - 1);
     }
-    const bool is_wide = input->fit == 0 && has_half_space(setup);
-    return input->fit == 1 + MODEL_FISHEYE || is_wide ? EQUIDISTANT : RECTILINEAR;
-}
-
-static struct calibrated_case case_of(const struct distortion_input *input,
-                                      const struct setup *setup, const struct field_point *edge)
-{
-    return (struct calibrated_case){
-        .lens = input->question.lens.serial,
-        .position = setup->position,
-        .projection = projection_of(input, setup),
-        .edge_kind = edge->kind,
-        .numbers = {edge->value[0], edge->value[1], setup->wavelengths[0].wavelength, setup->image,
-                    setup->object.is_infinite ? INFINITY : setup->object.distance.hi,
-                    setup->first.stop_radius, setup->section},
-    };
-}
-
-static bool distortion_asked_is_same(const struct calibrated_case *one,
-                                     const struct calibrated_case *other)
-{
-    bool same = one->lens == other->lens && one->position == other->position &&
-                one->projection == other->projection && one->edge_kind == other->edge_kind;
-    for (size_t i = 0; i < sizeof one->numbers / sizeof one->numbers[0]; i++) {
-        /* NaN, where there is no such number, is the same as no other */
-        same = same && one->numbers[i] == other->numbers[i];
+    /* is there a field that no plane shows: of those asked for, or of the lens? */
+    const struct field_point edge = distortion_asked_edge_of(setup);
+    bool is_wide = edge.kind == FIELD_ANGLE && edge.value[1] >= PI / 2;
+    for (size_t i = 0; i < setup->field_count; i++) {
+        const struct field_point *field = &setup->fields[i].point;
+        is_wide = is_wide || (field->kind == FIELD_ANGLE &&
+                              fmax(fabs(field->value[0]), fabs(field->value[1])) >= PI / 2);
     }
-    return same;
+    return input->fit == 1 + MODEL_FISHEYE || (input->fit == 0 && is_wide) ? EQUIDISTANT
+                                                                           : RECTILINEAR;
 }
 
 /* Where a case is kept, or room for it. True: it was there. */
 static bool recall(struct distortion_memo *memo, const struct calibrated_case *one, double **scale)
 {
     for (size_t i = 0; i < KEPT && i < memo->count; i++) {
-        if (distortion_asked_is_same(&memo->cases[i], one)) {
+        const struct calibrated_case *other = &memo->cases[i];
+        bool same = one->lens == other->lens && one->position == other->position &&
+                    one->projection == other->projection && one->edge_kind == other->edge_kind;
+        for (size_t k = 0; k < sizeof one->numbers / sizeof one->numbers[0]; k++) {
+            /* NaN, where there is no such number, is the same as no other */
+            same = same && one->numbers[k] == other->numbers[k];
+        }
+        if (same) {
             *scale = &memo->scales[i];
             return true;
         }
@@ -106,36 +82,31 @@ static bool recall(struct distortion_memo *memo, const struct calibrated_case *o
 }
 
 static bool find_calibrated(const struct distortion_input *input, const struct setup *setup,
-                            const struct field_point *edge, struct distortion_memo *memo,
-                            struct distortion_case *ready, struct error *error)
-{
-    const struct calibrated_case one = case_of(input, setup, edge);
-    double *kept = NULL;
-    if (memo != NULL && recall(memo, &one, &kept)) {
-        ready->calibrated = *kept;
-        return true;
-    }
-    if (!distortion_calibrate(&ready->map, edge, &ready->calibrated, error)) {
-        return error_prefix(error, "{--calibrated}: ");
-    }
-    if (memo != NULL) {
-        memo->cases[memo->count++ % KEPT] = one;
-        *kept = ready->calibrated;
-    }
-    return true;
-}
-
-static bool calibrate(const struct distortion_input *input, const struct setup *setup,
-                      struct distortion_memo *memo, struct distortion_case *ready,
-                      struct error *error)
+                            struct distortion_memo *memo, struct distortion_case *ready,
+                            struct error *error)
 {
     const struct field_point edge = distortion_asked_edge_of(setup);
+    const struct calibrated_case one = {
+        .lens = input->question.lens.serial,
+        .position = setup->position,
+        .projection = projection_of(input, setup),
+        .edge_kind = edge.kind,
+        .numbers = {edge.value[0], edge.value[1], setup->wavelengths[0].wavelength, setup->image,
+                    setup->object.is_infinite ? INFINITY : setup->object.distance.hi,
+                    setup->first.stop_radius, setup->section},
+    };
+    double *kept = NULL;
     if (edge.kind == FIELD_NONE) {
         return fail(error, ERROR_DOMAIN,
                     "{--calibrated}: the lens states no field whose distortion could be balanced");
     }
-    if (!find_calibrated(input, setup, &edge, memo, ready, error)) {
-        return false;
+    if (memo != NULL && recall(memo, &one, &kept)) {
+        ready->calibrated = *kept;
+    } else if (!distortion_calibrate(&ready->map, &edge, &ready->calibrated, error)) {
+        return error_prefix(error, "{--calibrated}: ");
+    } else if (memo != NULL) {
+        memo->cases[memo->count++ % KEPT] = one;
+        *kept = ready->calibrated;
     }
     ready->map.scale = ready->calibrated;
     return true;
@@ -159,12 +130,13 @@ bool distortion_ready(const struct distortion_input *input, const struct analysi
     } else {
         ready->magnification = ready->map.scale;
     }
-    return !input->calibrated || input->fit > 0 || calibrate(input, setup, memo, ready, error);
+    return !input->calibrated || input->fit > 0 ||
+           find_calibrated(input, setup, memo, ready, error);
 }
 
 /* -------- rows -------- */
 
-struct distortion_models_row {
+struct models_row {
     struct analysis_point point;
     const char *model, *direction, *form, *projection, *sensor, *resolution;
     double coefficients[9];
@@ -176,21 +148,21 @@ struct distortion_models_row {
 static const char *const coefficient_names[] = {"k1", "k2", "k3", "k4", "k5", "k6", "a", "b", "c"};
 
 #define COEFFICIENT(i, called)                                                                     \
-    ENTRY(COLUMN(struct distortion_models_row, coefficients[i]), .name = (called),                 \
+    ENTRY(COLUMN(struct models_row, coefficients[i]), .name = (called),                            \
           .flags = COLUMN_BRIEF | COLUMN_SPARSE, .label = (called), .help = "coefficient",         \
           .digits = 7)
 #define LENGTH(member_name, in_unit, more)                                                         \
-    COLUMN_OF_LENGTH(struct distortion_models_row, member_name, in_unit), .flags = (more)
+    COLUMN_OF_LENGTH(struct models_row, member_name, in_unit), .flags = (more)
 
 static const struct column columns[] = {
-    LENS_POSITION_COLUMN(struct distortion_models_row, point.position, COLUMN_BRIEF),
-    ANALYSIS_DEFOCUS_COLUMN(struct distortion_models_row, point),
-    ANALYSIS_WAVELENGTH_COLUMN(struct distortion_models_row, point),
-    {COLUMN(struct distortion_models_row, model), .name = "model", .flags = COLUMN_BRIEF,
-     .repeats = "fit", .help = "whose coefficients they are"},
-    {COLUMN(struct distortion_models_row, direction), .name = "direction", .flags = COLUMN_BRIEF,
+    LENS_POSITION_COLUMN(struct models_row, point.position, COLUMN_BRIEF),
+    ANALYSIS_DEFOCUS_COLUMN,
+    ANALYSIS_WAVELENGTH_COLUMN,
+    {COLUMN(struct models_row, model), .name = "model", .flags = COLUMN_BRIEF, .repeats = "fit",
+     .help = "whose coefficients they are"},
+    {COLUMN(struct models_row, direction), .name = "direction", .flags = COLUMN_BRIEF,
      .help = "distort: from the ideal image to the real one; undistort: back"},
-    {COLUMN(struct distortion_models_row, form), .name = "form", .flags = COLUMN_BRIEF,
+    {COLUMN(struct models_row, form), .name = "form", .flags = COLUMN_BRIEF,
      .help = "published: as the model is defined; inverse: a polynomial of the same kind for the "
              "other direction"},
     COEFFICIENT(0, "k1"),
@@ -202,9 +174,9 @@ static const struct column columns[] = {
     COEFFICIENT(6, "a"),
     COEFFICIENT(7, "b"),
     COEFFICIENT(8, "c"),
-    {COLUMN(struct distortion_models_row, rms_pixels), .name = "rms_pixels", .flags = COLUMN_BRIEF,
+    {COLUMN(struct models_row, rms_pixels), .name = "rms_pixels", .flags = COLUMN_BRIEF,
      .label = "RMS residual in pixels", .help = "what is left, over the radius of the picture"},
-    {COLUMN(struct distortion_models_row, max_pixels), .name = "max_pixels", .flags = COLUMN_BRIEF,
+    {COLUMN(struct models_row, max_pixels), .name = "max_pixels", .flags = COLUMN_BRIEF,
      .label = "largest residual in pixels", .help = "the most that is left"},
     {LENGTH(rms, "um", 0), .name = "rms", .label = "RMS residual", .help = "the same in um"},
     {LENGTH(max, "um", 0), .name = "max", .label = "largest residual", .help = "the same in um"},
@@ -215,19 +187,18 @@ static const struct column columns[] = {
              "that fits best"},
     {LENGTH(radius, "mm", 0), .name = "radius", .label = "fitted radius",
      .help = "as far from the middle as the fit goes"},
-    {COLUMN(struct distortion_models_row, projection), .name = "projection",
-     .flags = COLUMN_ASSUMED, .depends = "projection fit", .help = "of the ideal image"},
-    {COLUMN(struct distortion_models_row, sensor), .name = "sensor", .flags = COLUMN_ASSUMED,
+    {COLUMN(struct models_row, projection), .name = "projection", .flags = COLUMN_ASSUMED,
+     .depends = "projection fit", .help = "of the ideal image"},
+    {COLUMN(struct models_row, sensor), .name = "sensor", .flags = COLUMN_ASSUMED,
      .depends = "sensor", .help = "format or camera"},
     {LENGTH(pitch, "um", COLUMN_ASSUMED), .name = "pitch", .depends = "pitch sensor",
      .label = "pixel pitch", .help = "spacing of the pixels"},
-    {COLUMN(struct distortion_models_row, resolution), .name = "resolution",
-     .flags = COLUMN_ASSUMED, .depends = "pitch sensor", .label = "pixels",
-     .help = "of the picture"},
-    ANALYSIS_TAIL_COLUMNS(struct distortion_models_row, point),
+    {COLUMN(struct models_row, resolution), .name = "resolution", .flags = COLUMN_ASSUMED,
+     .depends = "pitch sensor", .label = "pixels", .help = "of the picture"},
+    ANALYSIS_TAIL_COLUMNS,
 };
 
-const struct sheet distortion_fit_sheet = SHEET(columns, struct distortion_models_row);
+const struct sheet distortion_fit_sheet = SHEET(columns, struct models_row);
 
 /* -------- one lens in one position -------- */
 
@@ -257,16 +228,6 @@ static bool find_picture(const struct distortion_input *input, struct picture *p
                 picture->size.pitch, size->width, size->height);
 }
 
-/* What a model cannot be of. */
-static bool check_model(const struct distortion_input *input, struct error *error)
-{
-    const struct model_facts *facts = &distortion_models[input->fit - 1];
-    const int wanted = input->projection - 1;
-    return wanted < 0 || facts->projection == PROJECTIONS || wanted == (int)facts->projection ||
-           fail(error, ERROR_USAGE, "{--fit} %s is of %s images, not {--projection} %s",
-                facts->word.word, projections[facts->projection].word, projections[wanted].word);
-}
-
 struct distortion_models_found {
     struct picture picture;
     struct distortion_case ready;
@@ -274,12 +235,18 @@ struct distortion_models_found {
     struct distortion_fit fit;
 };
 
-static bool distortion_models_find(const struct distortion_input *input,
-                                   const struct analysis_case *one,
-                                   struct distortion_models_found *found, struct error *error)
+static bool distortion_find(const struct distortion_input *input, const struct analysis_case *one,
+                            struct distortion_models_found *found, struct error *error)
 {
     struct arena *arena = one->setup->arena;
-    if (!check_model(input, error) || !find_picture(input, &found->picture, error) ||
+    const struct model_facts *facts = &distortion_models[input->fit - 1];
+    const int wanted = input->projection - 1;
+    if (wanted >= 0 && facts->projection != PROJECTIONS && wanted != (int)facts->projection) {
+        return fail(error, ERROR_USAGE, "{--fit} %s is of %s images, not {--projection} %s",
+                    facts->word.word, projections[facts->projection].word,
+                    projections[wanted].word);
+    }
+    if (!find_picture(input, &found->picture, error) ||
         !distortion_ready(input, one, NULL, &found->ready, error)) {
         return false;
     }
@@ -302,71 +269,56 @@ static bool distortion_models_find(const struct distortion_input *input,
                : false;
 }
 
-static const char *distortion_models_warning_of(const struct analysis_case *one,
-                                                const struct distortion_models_found *found)
-{
-    const double corner = sensor_diagonal(&found->picture.size) / 2;
-    struct arena *arena = one->setup->arena;
-    if (found->profile.reached >= corner * (1 - 1e-9)) {
-        return one->warning;
-    }
-    return lens_warnings_join(
-        one->warning,
-        arena_printf(arena,
-                     "the image ends %.4g mm from its middle, the corner of the sensor is at %.4g "
-                     "mm: the coefficients hold as far as the image goes",
-                     found->profile.reached, corner),
-        arena);
-}
-
-static struct distortion_models_row
-distortion_models_row_of(const struct analysis_case *one,
-                         const struct distortion_models_found *found, enum distortion_way way)
-{
-    const struct model_facts *facts = &distortion_models[found->fit.model];
-    const struct distortion_polynomial *polynomial = &found->fit.ways[way];
-    const double pitch = found->picture.size.pitch;
-    struct distortion_models_row row;
-    row_clear(&distortion_fit_sheet, &row);
-    row.point = analysis_point_of(one, 0);
-    row.point.warning = distortion_models_warning_of(one, found);
-    row.model = facts->word.word;
-    row.direction = way == WAY_DISTORT ? "distort" : "undistort";
-    row.form = way == facts->way ? "published" : "inverse";
-    row.projection = found->ready.projection;
-    row.rms = polynomial->rms;
-    row.max = polynomial->largest;
-    row.rms_pixels = polynomial->rms / pitch;
-    row.max_pixels = polynomial->largest / pitch;
-    row.unit = found->fit.unit;
-    row.focal = found->fit.focal;
-    row.radius = found->profile.reached;
-    row.pitch = pitch;
-    row.resolution =
-        arena_printf(one->setup->arena, "%.0f x %.0f", found->picture.width, found->picture.height);
-    for (size_t j = 0; j < facts->terms; j++) {
-        size_t k = 0;
-        while (strcmp(coefficient_names[k], facts->names[j]) != 0) {
-            k++;
-        }
-        row.coefficients[k] = polynomial->published[j];
-    }
-    return row;
-}
-
 bool distortion_fit_run(const struct distortion_input *input, struct run *run, struct error *error)
 {
     struct analysis_cursor at = analysis_begin(input, &distortion_as_whole, run);
     while (analysis_next_case(&at, error)) {
         struct distortion_models_found found;
-        if (!distortion_models_find(input, at.one, &found, error)) {
+        if (!distortion_find(input, at.one, &found, error)) {
             return false;
         }
         const enum distortion_way first = distortion_models[found.fit.model].way;
         const enum distortion_way ways[] = {first,
                                             first == WAY_DISTORT ? WAY_UNDISTORT : WAY_DISTORT};
         for (size_t i = 0; i < sizeof ways / sizeof ways[0]; i++) {
-            struct distortion_models_row row = distortion_models_row_of(at.one, &found, ways[i]);
+            const struct model_facts *facts = &distortion_models[found.fit.model];
+            const struct distortion_polynomial *polynomial = &found.fit.ways[ways[i]];
+            const double pitch = found.picture.size.pitch;
+            struct models_row row;
+            row_clear(&distortion_fit_sheet, &row);
+            row.point = analysis_point_of(at.one, 0);
+            const double corner = sensor_diagonal(&found.picture.size) / 2;
+            if (!(found.profile.reached >= corner * (1 - 1e-9))) {
+                row.point.warning = lens_warnings_join(
+                    at.one->warning,
+                    arena_printf(
+                        at.one->setup->arena,
+                        "the image ends %.4g mm from its middle, the corner of the sensor is at "
+                        "%.4g mm: the coefficients hold as far as the image goes",
+                        found.profile.reached, corner),
+                    at.one->setup->arena);
+            }
+            row.model = facts->word.word;
+            row.direction = ways[i] == WAY_DISTORT ? "distort" : "undistort";
+            row.form = ways[i] == facts->way ? "published" : "inverse";
+            row.projection = found.ready.projection;
+            row.rms = polynomial->rms;
+            row.max = polynomial->largest;
+            row.rms_pixels = polynomial->rms / pitch;
+            row.max_pixels = polynomial->largest / pitch;
+            row.unit = found.fit.unit;
+            row.focal = found.fit.focal;
+            row.radius = found.profile.reached;
+            row.pitch = pitch;
+            row.resolution = arena_printf(at.one->setup->arena, "%.0f x %.0f", found.picture.width,
+                                          found.picture.height);
+            for (size_t j = 0; j < facts->terms; j++) {
+                size_t k = 0;
+                while (strcmp(coefficient_names[k], facts->names[j]) != 0) {
+                    k++;
+                }
+                row.coefficients[k] = polynomial->published[j];
+            }
             row.sensor = input->sensor.name;
             if (!run_emit(run, &row)) {
                 return true;
@@ -507,7 +459,7 @@ bool distortion_fit_save(const struct artifact_job *job, struct output *sink, st
     struct analysis_cursor at = analysis_begin(input, &distortion_as_whole, job->run);
     for (bool first = true; analysis_next_case(&at, error); first = false) {
         struct distortion_models_found found;
-        if (!distortion_models_find(input, at.one, &found, error)) {
+        if (!distortion_find(input, at.one, &found, error)) {
             return false;
         }
         if (!lensfun) {

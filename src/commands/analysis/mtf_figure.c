@@ -1,6 +1,6 @@
 /* commands/analysis/mtf_figure.c - contrast drawn against frequency, focus or field. */
 /* SPDX-License-Identifier: MIT */
-#include "commands/analysis/mtf_input.h"
+#include "commands/analysis/mtf_figure.h"
 
 #include "analysis/image/mtf_curve.h"
 #include "draw/plot.h"
@@ -8,6 +8,43 @@
 
 #include <stdlib.h>
 #include <string.h>
+
+const struct analysis_policy mtf_policy = {.wavelengths = WAVELENGTHS_ALL, .fields = FIELDS_ALL};
+
+bool mtf_field_open(const struct analysis_cursor *at, const struct analysis_case *one, size_t field,
+                    void *source, struct error *error)
+{
+    const struct mtf_input *input = at->input;
+    struct arena *arena = one->setup->arena;
+    struct mtf_question *question = ARENA_NEW(arena, struct mtf_question);
+    *question = (struct mtf_question){.bundle = analysis_bundle(one, field),
+                                      .by_rays = input->method == MTF_BY_RAYS,
+                                      .error = input->question.error};
+    return mtf_open(question, arena, source, error);
+}
+
+/* What the pixels leave of the contrast at a frequency. */
+static double mtf_pixels(const struct mtf_input *input, double frequency)
+{
+    const double x = isnan(input->pitch) ? 0 : frequency * input->pitch;
+    return x > 0 ? fabs(sin(PI * x) / (PI * x)) : 1; /* of a square */
+}
+
+bool mtf_with_pixels(const struct mtf_source *source, const struct mtf_input *input,
+                     double frequency, struct arena *arena, struct mtf *mtf, struct error *error)
+{
+    if (!mtf_find(source, frequency, arena, mtf, error)) {
+        return false;
+    }
+    const double left = mtf_pixels(input, frequency);
+    for (size_t k = 0; k < MTF_DIRECTIONS; k++) {
+        mtf->contrast[k] *= left;
+        mtf->limit[k] *= left;
+    }
+    return true;
+}
+
+/* -------- the drawing -------- */
 
 /* COLOURS: of curves before they come again; DOTTED: the dashes of the limit. */
 enum { COLOURS = 7, DOTTED = 3 };
@@ -62,48 +99,33 @@ static void note_off(struct figure_painter *painter, double off)
     painter->off = isfinite(off) ? fmax(painter->off, off) : painter->off;
 }
 
-/* Where contrast by waves ends, but no farther than anybody looks: twice what rows have. */
-static double highest_of(const struct figure_painter *painter, const struct mtf_source *source)
-{
-    const double cutoff = fmax(source->cutoff[0], source->cutoff[1]);
-    return isnan(painter->highest) ? fmin(cutoff, 160) : painter->highest;
-}
-
-/* What find_curve has found: contrasts at 0, highest/(steps - 1) ... */
-struct even_curve {
-    struct mtf_curve at;
-    size_t count, steps;
-    double highest;
-};
-
 /*
  * Contrasts at once, up to where the wave front is not too steep: a first curve says how far the
  * drawing goes, others may end before. Wider steps, which want a coarser grid, would show corners:
  * they come last.
  *
- * Result    false: each has to be found by itself
+ * Given     highest  as far as it may go; receives how far it does
+ * Result    false: each has to be found by itself; else contrasts at 0, highest/(steps - 1) ...
  */
 static bool figure_find_curve(struct figure_painter *painter, const struct mtf_source *source,
-                              struct even_curve *curve)
+                              struct mtf_curve *curve, size_t *count, size_t *steps,
+                              double *highest)
 {
     enum { LEAST = 8, TRIES = 24, STEPS_LEAST = 61 };
     const struct mtf_input *input = painter->input;
     const bool may_cut = painter->count == 0 && isnan(input->frequency);
-    if (input->method != MTF_BY_WAVES || input->question.error < usual_error ||
-        !(curve->highest > 0)) {
+    if (input->method != MTF_BY_WAVES || input->question.error < usual_error || !(*highest > 0)) {
         return false;
     }
-    for (size_t steps = STEPS; steps >= STEPS_LEAST; steps = steps / 2 + 1) {
+    for (*steps = STEPS; *steps >= STEPS_LEAST; *steps = *steps / 2 + 1) {
         double part = 1;
         for (int i = 0; i < TRIES; i++, part *= 0.8) {
-            const double end = curve->highest * (may_cut ? part : 1);
-            const size_t count = may_cut ? steps : (size_t)((double)steps * part);
-            if (count >= LEAST && mtf_curve_find(source, end / (double)(steps - 1), count,
-                                                 painter->arena, &curve->at)) {
+            const double end = *highest * (may_cut ? part : 1);
+            *count = may_cut ? *steps : (size_t)((double)*steps * part);
+            if (*count >= LEAST &&
+                mtf_curve_find(source, end / (double)(*steps - 1), *count, painter->arena, curve)) {
                 painter->is_cut = painter->is_cut || i > 0;
-                curve->count = count;
-                curve->steps = steps;
-                curve->highest = end;
+                *highest = end;
                 return true;
             }
         }
@@ -132,21 +154,6 @@ static bool contrasts_at(void *context, double frequency, double *y)
     memcpy(y, mtf.contrast, sizeof mtf.contrast);
     y[MTF_DIRECTIONS] = fmax(mtf.limit[0], mtf.limit[1]);
     note_off(painter, mtf.error);
-    return true;
-}
-
-/* One point, found by itself. */
-static bool add_entry(struct figure_painter *painter, const struct mtf_source *source,
-                      double frequency, const struct figure_entry *place, struct error *error)
-{
-    struct contrasts contrasts = {painter, source, error, false};
-    struct figure_entry *entry = new_entry(painter, place, error);
-    double y[MTF_DIRECTIONS + 1];
-    if (entry == NULL || !contrasts_at(&contrasts, frequency, y)) {
-        return false;
-    }
-    memcpy(entry->contrast, y, sizeof entry->contrast);
-    entry->limit = y[MTF_DIRECTIONS];
     return true;
 }
 
@@ -196,24 +203,28 @@ static bool add_contrasts(struct figure_painter *painter, const struct mtf_sourc
 static bool figure_add_curve(struct figure_painter *painter, const struct mtf_source *source,
                              const struct figure_entry *place, struct error *error)
 {
-    struct even_curve curve = {.highest = highest_of(painter, source)};
-    const bool found = figure_find_curve(painter, source, &curve);
-    painter->highest = curve.highest;
+    /* Where contrast by waves ends, but no farther than anybody looks: twice what rows have. */
+    const double cutoff = fmax(source->cutoff[0], source->cutoff[1]);
+    struct mtf_curve curve;
+    size_t count, steps;
+    double highest = isnan(painter->highest) ? fmin(cutoff, 160) : painter->highest;
+    const bool found = figure_find_curve(painter, source, &curve, &count, &steps, &highest);
+    painter->highest = highest;
     if (!found) {
-        return add_contrasts(painter, source, curve.highest, place, error);
+        return add_contrasts(painter, source, highest, place, error);
     }
     note_off(painter, fmax(source->off[0], source->off[1]));
-    for (size_t i = 0; i < curve.count; i++) {
+    for (size_t i = 0; i < count; i++) {
         struct figure_entry *entry = new_entry(painter, place, error);
         if (entry == NULL) {
             return false;
         }
-        entry->x = curve.highest * (double)i / (double)(curve.steps - 1);
+        entry->x = highest * (double)i / (double)(steps - 1);
         entry->is_between = true;
         const double left = mtf_pixels(painter->input, entry->x);
         for (size_t k = 0; k < MTF_DIRECTIONS; k++) {
-            entry->contrast[k] = left * curve.at.contrast[k][i];
-            entry->limit = fmax(entry->limit, left * curve.at.limit[k][i]);
+            entry->contrast[k] = left * curve.contrast[k][i];
+            entry->limit = fmax(entry->limit, left * curve.limit[k][i]);
         }
     }
     return true;
@@ -247,16 +258,24 @@ static bool figure_add(struct figure_painter *painter, const struct analysis_cur
         place.x = painter->is_angle ? degrees_from_radians(point.field) : point.height;
         place.label = arena_printf(arena, "%.4g/mm", frequency);
     }
-    return add_entry(painter, source, frequency, &place, error);
+    /* One point, found by itself. */
+    struct contrasts contrasts = {painter, source, error, false};
+    struct figure_entry *entry = new_entry(painter, &place, error);
+    double y[MTF_DIRECTIONS + 1];
+    if (entry == NULL || !contrasts_at(&contrasts, frequency, y)) {
+        return false;
+    }
+    memcpy(entry->contrast, y, sizeof entry->contrast);
+    entry->limit = y[MTF_DIRECTIONS];
+    return true;
 }
 
 /* The points of one input. */
 static bool figure_add_input(struct figure_painter *painter, const struct mtf_input *input,
                              struct error *error)
 {
-    struct analysis_cursor at = analysis_begin(input, &mtf_policy, painter->job->run);
-    at.find = mtf_field_open;
-    at.found_size = sizeof(struct mtf_source);
+    struct analysis_cursor at = analysis_begin_finding(input, &mtf_policy, painter->job->run,
+                                                       mtf_field_open, sizeof(struct mtf_source));
     at.keeps_lost = true;
     painter->input = input;
     while (analysis_next(&at, error)) {
@@ -428,21 +447,6 @@ static bool figure_collect(struct figure_painter *painter, struct error *error)
                            : "wave fronts are too steep or too rough for contrasts by waves");
 }
 
-/* The title; curves of several lenses are called by them too. */
-static const char *name_curves(const struct figure_painter *painter)
-{
-    const char *lens = painter->list[0].lens;
-    bool one = true;
-    for (size_t i = 0; i < painter->count; i++) {
-        one = one && strcmp(painter->list[i].lens, lens) == 0;
-    }
-    for (size_t i = 0; i < painter->count && !one; i++) {
-        struct figure_entry *entry = &painter->list[i];
-        entry->label = arena_printf(painter->arena, "%s, %s", entry->label, entry->lens);
-    }
-    return one ? arena_printf(painter->arena, "Contrast of %s", lens) : "Contrast";
-}
-
 /* The points of one label in their order. */
 struct figure_curve {
     const char *label;
@@ -503,17 +507,6 @@ static bool figure_curves_collect(struct figure_painter *painter, struct figure_
     return true;
 }
 
-/* On the axis of a lens both directions are one curve. */
-static bool curve_is_one(const struct figure_curve *curve)
-{
-    const double *t = curve->contrast[MTF_TANGENTIAL], *s = curve->contrast[MTF_SAGITTAL];
-    double off = 0;
-    for (size_t i = 0; i < curve->count; i++) {
-        off = fmax(off, fabs(t[i] - s[i]));
-    }
-    return off < fine;
-}
-
 /* Series of curves: of a colour for each label, sagittal ones dashed. */
 static size_t figure_put_series(const struct figure_painter *painter,
                                 const struct figure_curve *curves, size_t count,
@@ -523,7 +516,13 @@ static size_t figure_put_series(const struct figure_painter *painter,
     for (size_t k = 0; k < count; k++) {
         const struct figure_curve *curve = &curves[k];
         const size_t again = 2 * (k / COLOURS);
-        const bool one = curve_is_one(curve);
+        /* On the axis of a lens both directions are one curve. */
+        const double *t = curve->contrast[MTF_TANGENTIAL], *s = curve->contrast[MTF_SAGITTAL];
+        double off = 0;
+        for (size_t i = 0; i < curve->count; i++) {
+            off = fmax(off, fabs(t[i] - s[i]));
+        }
+        const bool one = off < fine;
         const struct plot_series common = {
             .x = curve->x, .count = curve->count, .places = curve->places, .style = k};
         series[put] = common;
@@ -549,30 +548,6 @@ static size_t figure_put_series(const struct figure_painter *painter,
     return put;
 }
 
-/* What the drawing says below its title, and of its axis. */
-static void figure_say(const struct figure_painter *painter, struct plot *plot)
-{
-    static const char *const labels[] = {[BY_FREQUENCY] = "spatial frequency (1/mm)",
-                                         [BY_FOCUS] = "defocus (mm)",
-                                         [BY_FIELD] = "field (mm)"};
-    struct arena *arena = painter->arena;
-    plot->subtitle = painter->subtitle;
-    if (painter->axis == BY_FOCUS) {
-        plot->subtitle =
-            arena_printf(arena, "%s; %.4g/mm", plot->subtitle, painter->input->frequency);
-    } else if (painter->is_cut) {
-        plot->subtitle =
-            ARENA_JOIN(arena, plot->subtitle, "; curves end where wave fronts are too steep");
-    }
-    if (painter->off > fine) {
-        plot->subtitle = arena_printf(arena, "%s; up to %.1g off", plot->subtitle, painter->off);
-    }
-    plot->x_label = labels[painter->axis];
-    if (painter->axis == BY_FIELD && painter->is_angle) {
-        plot->x_label = "field (deg)";
-    }
-}
-
 bool mtf_figure(const struct artifact_job *job, struct output *sink, struct error *error)
 {
     struct svg svg = {.arena = job->run->arena};
@@ -584,11 +559,38 @@ bool mtf_figure(const struct artifact_job *job, struct output *sink, struct erro
     if (!choose_axis(&painter, error) || !figure_collect(&painter, error)) {
         return false;
     }
-    struct plot plot = {.title = name_curves(&painter), .y_label = "contrast", .series = series};
+    /* The title; curves of several lenses are called by them too. */
+    const char *lens = painter.list[0].lens;
+    bool one = true;
+    for (size_t i = 0; i < painter.count; i++) {
+        one = one && strcmp(painter.list[i].lens, lens) == 0;
+    }
+    for (size_t i = 0; i < painter.count && !one; i++) {
+        struct figure_entry *entry = &painter.list[i];
+        entry->label = arena_printf(painter.arena, "%s, %s", entry->label, entry->lens);
+    }
     if (!figure_curves_collect(&painter, curves, &count, error)) {
         return false;
     }
-    figure_say(&painter, &plot);
+    static const char *const labels[] = {[BY_FREQUENCY] = "spatial frequency (1/mm)",
+                                         [BY_FOCUS] = "defocus (mm)",
+                                         [BY_FIELD] = "field (mm)"};
+    const bool is_deg = painter.axis == BY_FIELD && painter.is_angle;
+    struct plot plot = {.title = one ? arena_printf(svg.arena, "Contrast of %s", lens) : "Contrast",
+                        .subtitle = painter.subtitle,
+                        .x_label = is_deg ? "field (deg)" : labels[painter.axis],
+                        .y_label = "contrast",
+                        .series = series};
+    if (painter.axis == BY_FOCUS) {
+        plot.subtitle =
+            arena_printf(svg.arena, "%s; %.4g/mm", plot.subtitle, painter.input->frequency);
+    } else if (painter.is_cut) {
+        plot.subtitle =
+            ARENA_JOIN(svg.arena, plot.subtitle, "; curves end where wave fronts are too steep");
+    }
+    if (painter.off > fine) {
+        plot.subtitle = arena_printf(svg.arena, "%s; up to %.1g off", plot.subtitle, painter.off);
+    }
     plot.series_count = figure_put_series(&painter, curves, count, series);
     return plot_draw(&plot, &svg, error) && drawing_write(job, &svg, sink, error);
 }

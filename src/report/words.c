@@ -1,6 +1,42 @@
-/* report/absence.c - columns that were asked for and have no value: when they would have one. */
+/* report/words.c - what reports say in words: values, assumptions, and why there is no value. */
 /* SPDX-License-Identifier: MIT */
-#include "report/report.h"
+#include "report/readable.h"
+
+const char *report_words(const struct report *report, const struct shown *shown, const void *row)
+{
+    enum { DIGITS = 4, LONGEST_VALUE = 256 };
+    char value[LONGEST_VALUE];
+    const struct column *column = shown->column;
+    const struct unit *unit = shown->unit;
+    if (column->type == COLUMN_NUMBER) {
+        unit = readable_unit(shown, UNITS_METRIC, row_number(row, column));
+    }
+    readable_value(value, sizeof value, row, shown, unit, DIGITS);
+    return ARENA_JOIN(report->arena, column_label(column), " ", value,
+                      unit != NULL && unit->label[0] != '\0' ? " " : "",
+                      unit != NULL ? unit->label : "");
+}
+
+const char *report_assumptions(const struct report *report, const void *row)
+{
+    const char *line = NULL;
+    for (size_t i = 0; i < report->assumed_count && row != NULL; i++) {
+        const struct shown *shown = &report->assumed[i];
+        if (!row_is_absent(row, shown->column)) {
+            const char *words = report_words(report, shown, row);
+            line = ARENA_JOIN(report->arena, line == NULL ? "assuming " : line,
+                              line == NULL ? "" : ", ", words);
+        }
+    }
+    if (report->nominal != NULL) {
+        line = arena_printf(report->arena, "%s%sstops by their exact values (%s)",
+                            line != NULL ? line : "assuming ", line != NULL ? ", " : "",
+                            report->nominal);
+    }
+    return line;
+}
+
+/* -------- columns without a value -------- */
 
 bool report_note_values(struct report *report, const void *row)
 {

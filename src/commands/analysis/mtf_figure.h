@@ -1,7 +1,7 @@
-/* commands/analysis/mtf_input.h - what lenscalc mtf is asked, and its drawing. */
+/* commands/analysis/mtf_figure.h - what lenscalc mtf is asked, and its drawing. */
 /* SPDX-License-Identifier: MIT */
-#ifndef LENSCALC_COMMANDS_ANALYSIS_MTF_INPUT_H
-#define LENSCALC_COMMANDS_ANALYSIS_MTF_INPUT_H
+#ifndef LENSCALC_COMMANDS_ANALYSIS_MTF_FIGURE_H
+#define LENSCALC_COMMANDS_ANALYSIS_MTF_FIGURE_H
 
 #include "analysis/image/mtf.h"
 #include "commands/analysis/analysis_cursor.h"
@@ -19,9 +19,6 @@ extern const struct analysis_policy mtf_policy;
 /* For the cursor: a field made ready, a struct mtf_source. Errors as mtf_open. */
 bool mtf_field_open(const struct analysis_cursor *at, const struct analysis_case *one, size_t field,
                     void *source, struct error *error);
-
-/* What the pixels leave of the contrast at a frequency. */
-double mtf_pixels(const struct mtf_input *input, double frequency);
 
 /* Contrasts with the pixels' own where there are some. Errors as mtf_find. */
 bool mtf_with_pixels(const struct mtf_source *source, const struct mtf_input *input,

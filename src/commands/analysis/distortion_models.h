@@ -1,7 +1,7 @@
-/* commands/analysis/distortion_asked.h - what is asked of a lens's distortion. */
+/* commands/analysis/distortion_models.h - what is asked of a lens's distortion. */
 /* SPDX-License-Identifier: MIT */
-#ifndef LENSCALC_COMMANDS_ANALYSIS_DISTORTION_ASKED_H
-#define LENSCALC_COMMANDS_ANALYSIS_DISTORTION_ASKED_H
+#ifndef LENSCALC_COMMANDS_ANALYSIS_DISTORTION_MODELS_H
+#define LENSCALC_COMMANDS_ANALYSIS_DISTORTION_MODELS_H
 
 #include "analysis/rays/distortion.h"
 #include "analysis/rays/distortion_fit.h"
@@ -49,11 +49,5 @@ bool distortion_fit_run(const struct distortion_input *input, struct run *run, s
 file_types distortion_file_types;
 bool distortion_fit_check(const struct artifact_job *job, struct error *error);
 bool distortion_fit_save(const struct artifact_job *job, struct output *sink, struct error *error);
-
-/* -------- commands/analysis/distortion_view.c -------- */
-
-bool distortion_plot(const struct artifact_job *job, struct output *sink, struct error *error);
-bool distortion_grid_check(const struct artifact_job *job, struct error *error);
-bool distortion_grid(const struct artifact_job *job, struct output *sink, struct error *error);
 
 #endif
