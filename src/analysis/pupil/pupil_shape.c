@@ -47,16 +47,10 @@ static bool shape_find_chief(const struct pupil_question *question, const struct
 
 /* -------- the rays that are looked at -------- */
 
-/* The edges, the corners, the arms, last the chief ray. */
-static size_t arms_from(const struct clear_pupil *clear)
-{
-    return clear->edge_count + clear->corner_count;
-}
-
-/* Without the chief ray. */
+/* The edges, the corners, the arms; the chief ray comes last and is not counted. */
 static size_t ray_count(const struct clear_pupil *clear)
 {
-    return arms_from(clear) + clear->arm_count;
+    return clear->edge_count + clear->corner_count + clear->arm_count;
 }
 
 static const double *pupil_shape_place_of(const struct clear_pupil *clear, const double chief[2],
@@ -104,8 +98,9 @@ static void pupil_shape_look_at(const struct clear_pupil *clear, const struct ra
         limit[i] = nothing;
     }
     if (met) {
-        extent->area =
-            contour_area(clear, (const double(*)[2])points + arms_from(clear), extent->centre);
+        extent->area = contour_area(
+            clear, (const double(*)[2])points + clear->edge_count + clear->corner_count,
+            extent->centre);
         /* its bounds; limits: what clear_edge_at takes */
         const double(*curve)[2] = (const double(*)[2])points + clear->edge_count;
         for (int k = 0; k < 2; k++) {

@@ -202,17 +202,6 @@ static const char *seidel_case_doubts_of(const struct seidel_case *one, struct a
     return words;
 }
 
-/* The indices at the two wavelengths; without them CI and CII are absent. */
-static const struct pair *index_at(const struct seidel_case *one, double wavelength,
-                                   struct arena *arena, struct error *error)
-{
-    const struct setup *setup = one->setup;
-    struct paraxial_system system;
-    return paraxial_compile(setup->lens, wavelength, setup->section, arena, &system, error)
-               ? system.index
-               : NULL;
-}
-
 /* The sums of the case of a cursor. */
 static bool seidel_sum_up(const struct analysis_cursor *at, struct seidel_case *one,
                           struct error *error)
@@ -247,10 +236,12 @@ static bool seidel_sum_up(const struct analysis_cursor *at, struct seidel_case *
                     "{--chromatic} lens: the lens states only one wavelength, and so no "
                     "dispersion");
     }
-    const struct pair *blue = index_at(one, one->blue, arena, &colours);
-    const struct pair *red = blue != NULL ? index_at(one, one->red, arena, &colours) : NULL;
-    if (red == NULL) {
-        blue = NULL;
+    /* the indices there; without them CI and CII are absent */
+    struct paraxial_system blue, red;
+    const bool has_colours =
+        paraxial_compile(setup->lens, one->blue, setup->section, arena, &blue, &colours) &&
+        paraxial_compile(setup->lens, one->red, setup->section, arena, &red, &colours);
+    if (!has_colours) {
         const bool others =
             input->chromatic == CHROMATIC_LINES && setup->lens->wavelength_count > 1;
         const char *hint = others ? "; --chromatic lens takes the lens's own wavelengths" : "";
@@ -262,8 +253,8 @@ static bool seidel_sum_up(const struct analysis_cursor *at, struct seidel_case *
     const struct seidel_question question = {
         .lens = setup->lens,
         .system = &one->light.system,
-        .blue_n = blue,
-        .red_n = red,
+        .blue_n = has_colours ? blue.index : NULL,
+        .red_n = has_colours ? red.index : NULL,
         .section = setup->section,
         .object = &setup->object,
         .first = &one->light.first,
