@@ -200,7 +200,7 @@ static bool pbrt_lose_header(struct foreign_job *job, const struct lens *lens, s
                   (lens->wavelength_count == 1 &&
                    !(fabs(lens->wavelengths[0].wavelength - WAVELENGTH_D) > 0));
     if (!medium_is_air(&lens->object_medium)) {
-        return foreign_fail(job, error, "a .dat file has air before the lens");
+        return foreign_fail(job, error, "a .dat file has air in front of the lens");
     }
     if (!only_d) {
         foreign_lose(

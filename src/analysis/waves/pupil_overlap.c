@@ -166,7 +166,7 @@ static bool find_corners(struct pupil_overlap *overlap, struct error *error)
     struct pupil_edge right, left;
     edge_find(overlap->wave, middle, &right);
     if (!find_left(overlap, &right, middle + 0.5, &left)) {
-        return fail(error, ERROR_DOMAIN, "the pupil is too distorted for contrast by waves");
+        return fail(error, ERROR_DOMAIN, "the pupil is too distorted for the diffraction MTF");
     }
     const double way[2] = {right.at[0] - left.at[0], right.at[1] - left.at[1]};
     const double chord = pupil_overlap_dot(way, shift) / size;
@@ -180,7 +180,7 @@ static bool find_corners(struct pupil_overlap *overlap, struct error *error)
     for (int side = 0; side < 2; side++) {
         const double beta = side == 0 ? -angle : angle;
         if (!find_corner(overlap, middle + beta, middle + 0.5 - beta, overlap->corners[side])) {
-            return fail(error, ERROR_DOMAIN, "the pupil is too distorted for contrast by waves");
+            return fail(error, ERROR_DOMAIN, "the pupil is too distorted for the diffraction MTF");
         }
     }
     return true;
@@ -214,7 +214,7 @@ bool pupil_overlap_find(struct pupil_overlap *overlap, bool derives, struct erro
         double along[2];
         edge_find(overlap->wave, from + range * overlap->angles[i], right);
         if (!find_left(overlap, right, other + back * overlap->angles[i], left)) {
-            return fail(error, ERROR_DOMAIN, "the pupil is too distorted for contrast by waves");
+            return fail(error, ERROR_DOMAIN, "the pupil is too distorted for the diffraction MTF");
         }
         pupil_overlap_line_of(overlap, i, along);
         const double area =

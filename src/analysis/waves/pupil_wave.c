@@ -243,10 +243,10 @@ bool pupil_wave_find(struct pupil_wave *wave, struct error *error)
     }
     if (!is_one) {
         return fail(error, ERROR_DOMAIN,
-                    "the beam is folded behind the lens: there is no contrast by waves");
+                    "the beam folds over itself behind the lens: there is no diffraction MTF");
     }
     if (!pupil_fit_open(&fit)) {
-        return fail(error, ERROR_DOMAIN, "the pupil is too distorted for contrast by waves");
+        return fail(error, ERROR_DOMAIN, "the pupil is too distorted for the diffraction MTF");
     }
     pupil_fit_find(&fit, values, wave->work, wave->c);
     pupil_look(&rule->form, (const double *const *)wave->c, &look);

@@ -62,8 +62,8 @@ extern const struct word analysis_aims[], analysis_weights[];
 #define ANALYSIS_OBJECT_OPTION                                                                     \
     ENTRY(ANALYSIS_LENGTH(struct analysis_question, object), .name = "object", .column = "object", \
           .flags = OPTION_ABOVE_LOWEST, .lowest = 0, .highest = INFINITY,                          \
-          .help = "distance of the object before the first "                                       \
-                  "vertex, in place of the lens's")
+          .help =                                                                                  \
+              "distance of the object in front of the first vertex, in place of the lens's own")
 
 /* `wavelengths`: which a command takes without -w; `parts`: ", or ..." that threads share */
 #define ANALYSIS_OPTIONS(wavelengths, parts) ANALYSIS_OPTIONS_FOR(wavelengths, parts, NULL)
@@ -88,8 +88,7 @@ extern const struct word analysis_aims[], analysis_weights[];
                   "that of the lens"),                                                             \
         ENTRY(ANALYSIS_LENGTH(S, member.defocus), .name = "defocus", .column = "defocus",          \
               .wants = (use), .flags = OPTION_NO_INFINITY,                                         \
-              .help = "defocus behind that plane; a list goes "                                    \
-                      "through focus")
+              .help = "defocus behind that plane; a list steps through focus")
 
 /* Of commands that ask field by field; and of those that ask for the edge of the field alone. */
 #define ANALYSIS_FIELD_OPTIONS                                                                     \
@@ -134,14 +133,14 @@ extern const struct word analysis_aims[], analysis_weights[];
               .words = analysis_weights, .fallback = "pupil", .value = "WHAT",                     \
               .help = "where equal weights mean equal areas"),                                     \
         ENTRY(OPTION(struct analysis_question, pattern), .name = "pattern", .words = patterns,     \
-              .fallback = "gauss", .value = "PATTERN", .help = "points of the pupil"),             \
+              .fallback = "gauss", .value = "PATTERN", .help = "sampling pattern of the pupil"),   \
         ENTRY(OPTION(struct analysis_question, rays), .name = "rays", .column = "rays_wanted",     \
               .lowest = 1, .highest = 1e7, .value = "COUNT",                                       \
               .help =                                                                              \
                   "approximate number of rays per wavelength; default: as many as --error needs"), \
         ENTRY(OPTION(struct analysis_question, seed), .name = "seed", .lowest = 0, .highest = 1e9, \
               .fallback = "0", .value = "NUMBER", .wants = "pattern=sobol",                        \
-              .help = "of the pattern sobol"),                                                     \
+              .help = "seed of the sobol pattern"),                                                \
         ENTRY(OPTION(struct analysis_question, error), .name = "error", .column = "error_wanted",  \
               .dimension = &dimension_number, .lowest = 1e-13, .highest = 1, .fallback = "1e-4",   \
               .value = "NUMBER", .excludes = "rays",                                               \
@@ -181,7 +180,7 @@ extern const struct word analysis_aims[], analysis_weights[];
 #define ANALYSIS_DEFOCUS_COLUMN                                                                    \
     ENTRY(COLUMN_OF_LENGTH(struct analysis_point, defocus, "mm"), .name = "defocus",               \
           .flags = COLUMN_ECHO | COLUMN_BRIEF | COLUMN_EXTRA, .with = "defocus",                   \
-          .help = "of the image plane, away from the lens")
+          .help = "defocus: shift of the image plane away from the lens")
 
 #define ANALYSIS_ROW_COLUMNS                                                                       \
     ANALYSIS_POINT_COLUMNS, ANALYSIS_DEFOCUS_COLUMN, ANALYSIS_WAVELENGTH_COLUMN
@@ -191,7 +190,7 @@ extern const struct word analysis_aims[], analysis_weights[];
     ENTRY(COLUMN(struct analysis_point, spectrum), .name = "spectrum",                             \
           .when = "where several wavelengths count", .flags = COLUMN_ASSUMED | COLUMN_SPARSE,      \
           .depends = "lens spectrum", .label = "wavelengths",                                      \
-          .help = "those that count, nm, each with its weight")
+          .help = "wavelengths that count, nm, each with its weight")
 
 #define ANALYSIS_TAIL_COLUMNS                                                                      \
     ENTRY(COLUMN(struct analysis_point, focus), .name = "focus", .flags = COLUMN_ASSUMED,          \

@@ -48,8 +48,8 @@ static const struct column_form angle = {&dimension_angle, "mrad",
     ENTRY(COLUMN_OR(struct color_row, axial, is_afocal, &vergence), .name = "axial",               \
           .dimension = &dimension_length, .unit = "mm", .flags = COLUMN_BRIEF | COLUMN_SPARSE,     \
           .label = "axial shift",                                                                  \
-          .help = "of the focus from the paraxial one of the primary wavelength, with the "        \
-                  "light")
+          .help = "shift of the focus from the paraxial one of the primary wavelength, positive "  \
+                  "with the light")
 #define LATERAL_COLUMNS                                                                            \
     ENTRY(COLUMN_OR(struct color_row, lateral, is_angular, &angle), .name = "lateral",             \
           .dimension = &dimension_length, .unit = "um", .flags = COLUMN_BRIEF | COLUMN_SPARSE,     \

@@ -20,14 +20,15 @@ static const struct option options[] = {
      .highest = 1e6, .value = "FREQUENCY",
      .help = "frequency in the image plane; default 10, 20, 40 and 80 per mm"},
     {OPTION(struct mtf_input, method), .name = "method", .words = methods,
-     .fallback = "diffraction", .value = "METHOD", .help = "by waves or by rays"},
+     .fallback = "diffraction", .value = "METHOD", .help = "diffraction or geometric MTF"},
     {OPTION(struct mtf_input, pitch), .name = "pitch", .dimension = &dimension_length, .unit = "um",
      .lowest = 0, .highest = 1, .flags = OPTION_ABOVE_LOWEST, .value = "LENGTH",
-     .help = "pitch of square pixels, whose own blur is counted in"},
+     .help = "pitch of square pixels, whose own blur is included"},
     ANALYSIS_AIM_OPTION(NULL, "pupil that limits the beam"),
     {OPTION(struct mtf_input, question.error), .name = "error", .column = "error_wanted",
      .dimension = &dimension_number, .lowest = 1e-8, .highest = 0.1, .fallback = "1e-4",
-     .value = "NUMBER", .help = "points are added until contrasts are right to this"},
+     .value = "NUMBER",
+     .help = "sampling is refined until the error of the contrasts is below this"},
     ANALYSIS_CLIP_OPTIONS,
 };
 
@@ -51,28 +52,29 @@ static const struct column columns[] = {
     {FREQUENCY(frequency, COLUMN_BRIEF | COLUMN_ECHO), .name = "frequency", .symbol = "f",
      .help = "in the image plane"},
     {PLAIN(mtf.contrast[MTF_TANGENTIAL], COLUMN_BRIEF), .name = "tangential", .symbol = "T",
-     .help = "contrast of lines across the plane of the axis and the field point"},
+     .help = "contrast of lines perpendicular to the plane of the axis and the field point"},
     {PLAIN(mtf.contrast[MTF_SAGITTAL], COLUMN_BRIEF), .name = "sagittal",
-     .help = "contrast of lines along it"},
+     .help = "contrast of lines parallel to that plane"},
     {PLAIN(limit, COLUMN_BRIEF), .name = "limit",
-     .help = "of the same pupil with a perfect wave front, the higher of both directions"},
+     .help = "diffraction limit: the same pupil with a perfect wave front, the higher of the two "
+             "directions"},
     {PLAIN(mtf.limit[MTF_TANGENTIAL], COLUMN_HIDDEN), .name = "limit_tangential",
-     .label = "tangential limit", .help = "of lines across"},
+     .label = "tangential limit", .help = "diffraction limit of tangential contrast"},
     {PLAIN(mtf.limit[MTF_SAGITTAL], COLUMN_HIDDEN), .name = "limit_sagittal",
-     .label = "sagittal limit", .help = "of lines along"},
+     .label = "sagittal limit", .help = "diffraction limit of sagittal contrast"},
     {ANGLE(mtf.phase[MTF_TANGENTIAL]), .name = "phase_tangential", .label = "tangential phase",
-     .help = "of the transfer function about the chief ray: where lines lie, below 0 outwards"},
+     .help = "phase of the transfer function about the chief ray: shift of the lines, negative "
+             "outwards"},
     {ANGLE(mtf.phase[MTF_SAGITTAL]), .name = "phase_sagittal", .label = "sagittal phase",
-     .help = "the same of lines along"},
+     .help = "the same for sagittal contrast"},
     {FREQUENCY(cutoff[MTF_TANGENTIAL], 0), .name = "cutoff_tangential",
-     .label = "tangential cut-off",
-     .help = "frequency from which on there is no contrast by waves"},
+     .label = "tangential cut-off", .help = "cutoff frequency: no diffraction contrast beyond it"},
     {FREQUENCY(cutoff[MTF_SAGITTAL], 0), .name = "cutoff_sagittal", .label = "sagittal cut-off",
-     .help = "the same of lines along"},
+     .help = "the same for sagittal contrast"},
     {PLAIN(mtf.error, COLUMN_HIDDEN), .name = "contrast_error", .label = "error of the contrast",
-     .help = "what the contrasts may be off"},
+     .help = "estimated error of the contrasts"},
     {PLAIN(method, COLUMN_ASSUMED), .name = "method", .depends = "method",
-     .help = "by waves or by rays"},
+     .help = "diffraction or geometric MTF"},
     ANALYSIS_SPECTRUM_COLUMN,
     ANALYSIS_TAIL_COLUMNS,
 };
@@ -110,7 +112,7 @@ static bool mtf_run(const void *data, struct run *run, struct error *error)
     static const char *const words[] = {
         [MTF_BY_WAVES] = "diffraction, amplitude squared = energy per area of direction cosines in "
                          "the image space, phase on the reference sphere",
-        [MTF_BY_RAYS] = "geometric; limits by waves"};
+        [MTF_BY_RAYS] = "geometric; limits by diffraction"};
     const struct mtf_input *input = data;
     struct analysis_cursor at =
         analysis_begin_finding(input, &mtf_policy, run, mtf_row_find, sizeof(struct mtf_found));
@@ -138,7 +140,7 @@ static bool mtf_run(const void *data, struct run *run, struct error *error)
                         &at, &row.point,
                         isnan(found->contrasts[i].contrast[0]) ||
                                 isnan(found->contrasts[i].contrast[1])
-                            ? "the wave front is too steep or too rough for contrasts by waves"
+                            ? "the wave front is too steep or too rough for the diffraction MTF"
                             : "the contrast has not converged: see contrast_error");
                 }
             }
@@ -178,7 +180,7 @@ static const struct example examples[] = {
     {"mtf double-gauss -N 2.8,5.6,11 --field 0 --frequency 40", "stopped down"},
     {"mtf double-gauss -N 5.6 --field 0,14 --frequency 30 --defocus -0.2..0.2#21 --plot focus.svg",
      "through focus, drawn"},
-    {"mtf double-gauss --method geometric --frequency 10 --pitch 6um", "by rays, with pixels"},
+    {"mtf double-gauss --method geometric --frequency 10 --pitch 6um", "geometric, with pixels"},
     {NULL, NULL},
 };
 

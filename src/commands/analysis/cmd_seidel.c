@@ -58,7 +58,7 @@ static const struct option options[] = {
     {OPTION(struct seidel_input, form), .name = "form", .words = forms, .fallback = "welford",
      .value = "FORM", .help = "how the aberrations are expressed"},
     {OPTION(struct seidel_input, chromatic), .name = "chromatic", .words = pairs,
-     .fallback = "lines", .value = "PAIR", .help = "which dispersion the chromatic sums are of"},
+     .fallback = "lines", .value = "PAIR", .help = "wavelength pair of the chromatic sums"},
 };
 
 struct seidel_row {
@@ -91,7 +91,7 @@ static const struct column_form angle = {&dimension_angle, "mrad", "of an afocal
 
 #define CASE_COLUMNS                                                                               \
     ENTRY(WAVE(point.wavelength, COLUMN_ECHO), .depends = "wavelength lens position",              \
-          .name = "wavelength", .help = "of the rays"),                                            \
+          .name = "wavelength", .help = "wavelength of the rays"),                                 \
         LENS_POSITION_COLUMN(struct seidel_row, point.position, COLUMN_BRIEF),                     \
         ENTRY(COLUMN_OF_ANGLE(struct seidel_row, point.field, "deg"),                              \
               .flags = COLUMN_EXTRA | COLUMN_ASSUMED | COLUMN_ECHO,                                \
@@ -106,7 +106,7 @@ static const struct column_form angle = {&dimension_angle, "mrad", "of an afocal
         ENTRY(LENGTH(point.height_x, COLUMN_EXTRA | COLUMN_ECHO), .with = "height-x",              \
               .name = "height_x", .label = "field height x", .help = "of a height the same in x"), \
         ENTRY(PLAIN(surface, COLUMN_BRIEF), .name = "surface",                                     \
-              .help = "from 1, the stop counted; last the sum")
+              .help = "number of the surface, from 1, the stop included; the last row is the sum")
 
 #define TAIL_COLUMNS                                                                               \
     ENTRY(WAVE(blue, COLUMN_ECHO), .depends = "chromatic lens", .name = "blue",                    \
@@ -114,7 +114,7 @@ static const struct column_form angle = {&dimension_angle, "mrad", "of an afocal
         ENTRY(WAVE(red, COLUMN_ECHO), .depends = "chromatic lens", .name = "red",                  \
               .label = "colour to", .help = "the longer one"),                                     \
         ENTRY(LENGTH(lagrange, COLUMN_EXTRA), .name = "lagrange", .label = "Lagrange invariant",   \
-              .symbol = "H", .help = "n (y ubar - ybar u)"),                                       \
+              .symbol = "H", .help = "Lagrange invariant n (y ubar - ybar u)"),                    \
         LENS_TITLE_COLUMN(struct seidel_row, point.lens),                                          \
         LENS_WARNING_COLUMN(struct seidel_row, point.warning)
 

@@ -444,7 +444,7 @@ static bool figure_collect(struct figure_painter *painter, struct error *error)
     return any || fail(error, ERROR_DOMAIN,
                        painter->count == 0
                            ? "there is no contrast to draw"
-                           : "wave fronts are too steep or too rough for contrasts by waves");
+                           : "wave fronts are too steep or too rough for the diffraction MTF");
 }
 
 /* The points of one label in their order. */

@@ -12,7 +12,7 @@ static const struct analysis_policy policy = {.wavelengths = WAVELENGTHS_ALL,
                                               .fields = FIELDS_LARGEST};
 
 const struct word render_focus_ats[] = {
-    [FOCUS_AT_THICK] = {"thick", "the image of the thick lens, by rays near the axis"},
+    [FOCUS_AT_THICK] = {"thick", "the image of the thick lens, by paraxial rays"},
     [FOCUS_AT_SHARPEST] = {"sharpest", "the sharpest real image on the axis"},
     {NULL, NULL},
 };

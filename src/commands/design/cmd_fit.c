@@ -52,7 +52,7 @@ static const struct option options[] = {
      .column = "rays_wanted", .value = "COUNT",
      .help = "approximate number of rays per field: the pattern takes the next possible number"},
     {OPTION(struct fit_input, seed), .name = "seed", .lowest = 0, .highest = 1e9, .fallback = "0",
-     .value = "NUMBER", .wants = "pattern=sobol", .help = "of the pattern sobol"},
+     .value = "NUMBER", .wants = "pattern=sobol", .help = "seed of the sobol pattern"},
     {OPTION(struct fit_input, clip), .name = "clip", .excludes = "no-clip",
      .help = "clip rays at apertures and stop (default)"},
     {OPTION(struct fit_input, no_clip), .name = "no-clip",
@@ -63,8 +63,8 @@ static const struct option options[] = {
              "length, height@10deg=8.8; the standard deviation stands behind a colon, otherwise "
              "0.01 mm"},
     {OPTION(struct fit_input, vary), .name = "vary", .value = "PARTS", .wants = "prescription",
-     .help = "what may change: R1,t3[2,10],n2 (radius, gap, index, with bounds); otherwise the "
-             "marks R~ and t~ in the lens"},
+     .help = "variables: R1,t3[2,10],n2 (radius, gap, index, with bounds); otherwise the marks R~ "
+             "and t~ in the lens"},
     {OPTION(struct fit_input, glass), .name = "glass", .value = "FILE", .flags = OPTION_FILE,
      .excludes = "lens " OF_RAYS " aperture object wavelength position section",
      .help = "fit a dispersion formula to the measured indices of FILE (csv or tsv: wavelength_nm "

@@ -25,11 +25,11 @@ static const struct word solvers[] = {
 static const struct option options[] = {
     LENS_OPTION(struct optimize_input, question),
     {OPTION(struct optimize_input, vary), .name = "vary", .value = "PARTS",
-     .help = "what may change: R1,c2[-0.04,0.04],t3[2,10],k4,A4_4,glass6 (radius, curvature, "
-             "thickness, conic, coefficient, glass, each with bounds), R1..R11, all-R, all-t; "
-             "otherwise the marks R~ and t~ in the lens"},
+     .help = "variables: R1,c2[-0.04,0.04],t3[2,10],k4,A4_4,glass6 (radius, curvature, thickness, "
+             "conic, coefficient, glass, each with bounds), R1..R11, all-R, all-t; otherwise the "
+             "marks R~ and t~ in the lens"},
     {OPTION(struct optimize_input, hold), .name = "hold", .value = "PARTS",
-     .help = "what of it stays: R3,t5"},
+     .help = "variables that are held: R3,t5"},
     {OPTION(struct optimize_input, goals), .name = "goals", .value = "GOALS",
      .help = "what is wanted: spot, poly, efl=100, 'bfl@F>38:0.02', 'edge 1..11 > 1', mtf@40/mm=1; "
              "== for what "
@@ -55,21 +55,21 @@ static const struct option options[] = {
     {OPTION(struct optimize_input, aim), .name = "aim", .words = analysis_aims, .fallback = "stop",
      .value = "WHERE", .help = "pupil that the ray points lie in"},
     {OPTION(struct optimize_input, pattern), .name = "pattern", .words = patterns,
-     .fallback = "gauss", .value = "PATTERN", .help = "points of the pupil"},
+     .fallback = "gauss", .value = "PATTERN", .help = "sampling pattern of the pupil"},
     {OPTION(struct optimize_input, rays), .name = "rays", .lowest = 1, .highest = 1e5,
      .fallback = "36", .value = "COUNT",
      .help = "approximate number of rays per field and wavelength"},
     {OPTION(struct optimize_input, seed), .name = "seed", .lowest = 0, .highest = 1e9,
      .fallback = "0", .value = "NUMBER", .wants = "global|pattern=sobol",
-     .help = "of the starts of --global, of the pattern sobol"},
+     .help = "seed of the starts of --global and of the sobol pattern"},
     {OPTION(struct optimize_input, clip), .name = "clip", .excludes = "no-clip",
      .help = "clip rays at apertures and stop"},
     {OPTION(struct optimize_input, no_clip), .name = "no-clip",
      .help = "do not clip rays at clear apertures (default)"},
     {OPTION(struct optimize_input, solver), .name = "solver", .words = solvers, .fallback = "dls",
-     .value = "SOLVER", .help = "what makes the steps"},
+     .value = "SOLVER", .help = "solver that makes the steps"},
     {OPTION(struct optimize_input, iterations), .name = "iterations", .lowest = 1, .highest = 1e6,
-     .column = "iterations_wanted", .value = "COUNT", .help = "at most so many; default 200"},
+     .column = "iterations_wanted", .value = "COUNT", .help = "limit of iterations; default 200"},
     {OPTION(struct optimize_input, seconds), .name = "seconds", .dimension = &dimension_time,
      .unit = "s", .lowest = 0, .highest = INFINITY, .flags = OPTION_ABOVE_LOWEST, .value = "TIME",
      .help = "the best of so long, which depends on the machine"},
@@ -86,7 +86,7 @@ static const struct option options[] = {
      .help = "the best different lenses that are kept: NEW-1.lens, NEW-2.lens, ..."},
     {OPTION(struct optimize_input, escapes), .name = "escapes", .lowest = 0, .highest = 1000,
      .fallback = "2", .value = "COUNT", .wants = "global",
-     .help = "ways out of what was found that are tried from each start"},
+     .help = "escapes from each minimum that are tried per start"},
     {OPTION(struct optimize_input, spread), .name = "spread", .dimension = &dimension_number,
      .lowest = 0, .highest = 1000, .fallback = "1", .flags = OPTION_ABOVE_LOWEST, .value = "NUMBER",
      .wants = "global",

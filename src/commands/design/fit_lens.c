@@ -215,7 +215,7 @@ static const struct column columns[] = {
      .help = "standard error of H'"},
     {LENGTH(sampling.efl, "mm", 0), .name = "efl_sampling", .digits = 1,
      .label = "sampling error of f",
-     .help = "by how much twice as many rays a field change the focal length"},
+     .help = "change of the focal length when the rays per field are doubled"},
     {LENGTH(sampling.front, "mm", 0), .name = "front_principal_sampling", .digits = 1,
      .label = "sampling error of H", .help = "the same for H"},
     {LENGTH(sampling.rear, "mm", 0), .name = "rear_principal_sampling", .digits = 1,

@@ -79,7 +79,8 @@ struct optimize_about {
 
 #define OPTIMIZE_SWEPT_COLUMNS(S)                                                                  \
     LENS_FNUMBER_COLUMN(S, about.fnumber),                                                         \
-        LENS_SEED_COLUMN(S, about.seed, "of the starts of --global, of the pattern sobol"),        \
+        LENS_SEED_COLUMN(S, about.seed,                                                            \
+                         "seed of the starts of --global and of the sobol pattern"),               \
     {                                                                                              \
         COLUMN(S, about.rank), .flags = COLUMN_EXTRA, .name = "rank", .with = "global",            \
                                .label = "rank", .help = "of the lenses that are kept, 1 the best"  \

@@ -42,7 +42,7 @@ static const struct lens_policy policy = {.wavelengths = WAVELENGTHS_PRIMARY,
 static const struct option options[] = {
     LENS_OPTION(INPUT, question),
     {MEASURE(object, length, "mm", "LENGTH"), .name = "object",
-     .help = "distance of the object before the lens; negative: a virtual object behind it"},
+     .help = "distance of the object in front of the lens; negative: a virtual object behind it"},
     {MEASURE(image, length, "mm", "LENGTH"), .name = "image",
      .help = "distance of the image behind the lens; negative: a virtual image"},
     {MEASURE(magnification, ratio, NULL, "RATIO"), .name = "magnification", .letter = 'm',
@@ -55,7 +55,7 @@ static const struct option options[] = {
     {ASKED(gap), .name = "gap", .value = "GAPS",
      .help = "focus by these gaps: variables or surface numbers, each with a weight: d5,10:-1"},
     {ASKED(object_medium), .name = "object-medium", .value = "MEDIUM",
-     .help = "medium before the lens: a glass, nd/Vd or an index"},
+     .help = "medium in front of the lens: a glass, nd/Vd or an index"},
     {ASKED(image_medium), .name = "image-medium", .value = "MEDIUM",
      .help = "medium behind the lens"},
     LENS_WAVELENGTH_OPTION(INPUT, question, LENS_PRIMARY_WAVELENGTH),
@@ -417,7 +417,7 @@ static bool conjugate_makes_many(const void *data)
 
 static const struct explanation explanations[] = {
     {"magnification", "m = -n {f}/{x}", "[Smith05] Newton's form",
-     "paraxial; n, n' are the indices before and behind the lens, 1 in air"},
+     "paraxial; n, n' are the indices in front of and behind the lens, 1 in air"},
     {"image_focal", "x' = n n' {f}^2/{x}", "[Smith05] Newton's form", NULL},
     {"total", "T = {s} + {s'} + HH'", "[Smith05]; HH' from H to H'", NULL},
     {"movement", "e where the ray from the axial object point has the height 0 at the image plane",

@@ -46,7 +46,7 @@ static const struct option options[] = {
      .help = "shape factor (R2 + R1)/(R2 - R1): 0 equiconvex, 1 and -1 with a plane, beyond a "
              "meniscus"},
     {INDEX(n0), .name = "before", .column = "index_before", .fallback = "1",
-     .flags = OPTION_ABOVE_LOWEST | OPTION_NO_INFINITY, .help = "index of the medium before"},
+     .flags = OPTION_ABOVE_LOWEST | OPTION_NO_INFINITY, .help = "index of the medium in front"},
     {INDEX(n1), .name = "after", .column = "index_after", .fallback = "1",
      .flags = OPTION_ABOVE_LOWEST | OPTION_NO_INFINITY, .help = "index of the medium after"},
     {ASKED(ball), .name = "ball", .help = "a ball lens of diameter --thickness"},
@@ -109,7 +109,7 @@ static const struct column columns[] = {
      .help = "how many lenses answer the question: see --solution"},
     {SHOWN(solution), .name = "solution", WITH("solution"), .help = "which of them this is"},
     {SHOWN(lens.n0), .name = "index_before", .symbol = "n0", ASSUMED_BY("before") | COLUMN_ECHO,
-     .label = "index before", .help = "index of the medium before the lens"},
+     .label = "index before", .help = "index of the medium in front of the lens"},
     {SHOWN(lens.n1), .name = "index_after", .symbol = "n1", ASSUMED_BY("after") | COLUMN_ECHO,
      .label = "index after", .help = "index of the medium after the lens"},
 };

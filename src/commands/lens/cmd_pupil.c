@@ -404,7 +404,7 @@ static const struct artifact artifacts[] = {
 
 static const struct explanation explanations[] = {
     {"fraction", "{fraction} = area/area on the axis, in the plane of the paraxial pupil",
-     "exact rays at the corners of the edge and at Gauss's points between them",
+     "exact rays at the corners of the edge and at Gauss points between them",
      "what blocks light within the edge is taken out of areas, not of bounds"},
     {"irradiance_per_radiance", "E/L = integral of cos(theta) dw over the clear exit pupil",
      "[Welford86]", "a uniform scene; no loss in glass"},

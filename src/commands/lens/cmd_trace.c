@@ -16,7 +16,8 @@ static const struct word aims[] = {
 
 static const struct word pattern_words[] = {
     {"few", "the chief ray, both edges of the pupil in the plane of the field, one beside it"},
-    {"gauss", "Gauss's points in r^2, equal arms: a quadrature of the whole pupil, not of a part"},
+    {"gauss",
+     "Gauss points in r^2, equal arms: a quadrature over the whole pupil, not over a part of it"},
     {"hexapolar", "centre and rings of 6, 12, 18 ...: as other programs print"},
     {"square", "a grid"},
     {"fan", "along x and y"},
@@ -59,7 +60,7 @@ static const struct option options[] = {
      .wants = "pattern!=few",
      .help = "approximate number of rays of a pattern: it takes the next possible number"},
     {ASKED(seed), .name = "seed", .lowest = 0, .highest = 1e9, .fallback = "0", .value = "NUMBER",
-     .wants = "pattern=sobol", .help = "of the pattern sobol"},
+     .wants = "pattern=sobol", .help = "seed of the sobol pattern"},
     {ASKED(aim), .name = "aim", .words = aims, .fallback = "stop", .value = "WHERE",
      .excludes = "point direction x y z cos-x cos-y cos-z",
      .help = "pupil that the ray points lie in"},
@@ -83,7 +84,7 @@ static const struct option options[] = {
     {ASKED(paraxial), .name = "paraxial",
      .help = "heights and slopes of the paraxial ray beside it"},
     {ASKED(verify), .name = "verify",
-     .help = "trace again in 80-bit numbers and print the error of the ray"},
+     .help = "trace again in 80-bit arithmetic and print the error of the ray"},
 };
 
 #define ROW struct trace_row
@@ -140,9 +141,9 @@ static const struct column columns[] = {
      .help = "n times length: from the point where a ray as given starts; else from the wave "
              "front through the first vertex"},
     {DEGREES(incidence, COLUMN_EXTRA | COLUMN_BRIEF), .with = "all", .name = "incidence",
-     .symbol = "I", .help = "angle with the normal before the surface"},
+     .symbol = "I", .help = "angle of incidence, with the surface normal"},
     {DEGREES(refraction, COLUMN_EXTRA | COLUMN_BRIEF), .with = "all", .name = "refraction",
-     .symbol = "I'", .help = "the same behind it"},
+     .symbol = "I'", .help = "angle of refraction"},
     {MM(paraxial[0], COLUMN_EXTRA), .with = "paraxial", .name = "paraxial_x", .label = "paraxial x",
      .help = "where the paraxial ray is there"},
     {MM(paraxial[1], COLUMN_EXTRA | COLUMN_BRIEF), .with = "paraxial", .name = "paraxial_y",
@@ -153,7 +154,7 @@ static const struct column columns[] = {
      .symbol = "u", .label = "paraxial slope y",
      .help = "dy/dz of the paraxial ray behind the surface"},
     {MM(point_error, COLUMN_EXTRA | COLUMN_BRIEF), .with = "verify", .name = "point_error",
-     .label = "point error", .help = "distance from the point that 80-bit numbers give"},
+     .label = "point error", .help = "distance from the point found with 80-bit arithmetic"},
     {PLAIN(cosine_error, COLUMN_EXTRA | COLUMN_BRIEF), .with = "verify", .name = "cosine_error",
      .label = "cosine error", .help = "the largest of the three direction cosines"},
     {MM(path_error, COLUMN_EXTRA | COLUMN_BRIEF), .with = "verify", .name = "path_error",

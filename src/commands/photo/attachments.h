@@ -19,7 +19,7 @@ struct attachments {
     ENTRY(MEASURE(member, vergence, "diopter", "DIOPTRES"), .name = "close-up",                    \
           .quantity = "close-up lens", .column = "close_up", ABOVE_0, .usual = {0, 0.025},         \
           .unusual = "close-up lenses have 0.25 to 25 diopters; Canon's 250D has 4, its 500D 2",   \
-          .help = "close-up lens before the lens; for several, the sum")
+          .help = "close-up lens in front of the lens; for several, the sum")
 
 #define OPTION_TUBE(member)                                                                        \
     ENTRY(MEASURE(member, length, "mm", "LENGTH"), REPEATED("tube"), FROM_0,                       \
@@ -38,7 +38,7 @@ struct attachments {
 
 #define COLUMN_CLOSE_UP(member)                                                                    \
     ENTRY(MEASURED(member, vergence, "diopter"), .name = "close_up", ECHO_WITH("close-up"),        \
-          .label = "close-up lens", .help = "close-up lens before the lens")
+          .label = "close-up lens", .help = "close-up lens in front of the lens")
 
 #define COLUMN_TUBE(member)                                                                        \
     ENTRY(LENGTH(member, "mm"), .name = "tube", ECHO_WITH("tube"), .help = "extension tube")

@@ -402,7 +402,7 @@ static const struct explanation explanations[] = {
     {"working_fnumber", "Nw = {N} (1 + {m}/{P})", "[Ray02]", NULL},
     {"working_t_stop", "Tw = {T} {Nw}/N", "[IsoAperture08], with N as marked",
      "light only: what is sharp goes by the f-number"},
-    {"horizontal_focal", "fh = {f}/{q}", "cylinders before the lens",
+    {"horizontal_focal", "fh = {f}/{q}", "cylinders in front of the lens",
      "sharpness is that of f: a blur is narrower than high"},
     {"field_width", "W = {q} w/{m}", "similar triangles; w is the width of the sensor", NULL},
     {"blur_width", "bw = {b}/{q}", "the entrance pupil is narrower than high by q",

@@ -187,7 +187,7 @@ static const struct column columns[] = {
      ASSUMED_WITH("lens", "pupil lens position section wavelength") | COLUMN_ECHO, .symbol = "P",
      .label = "pupil magnification", .help = "diameter of the exit over the entrance pupil"},
     {SHOWN(traced), .name = "t_stop_by", ASSUMED_WITH("exact", "exact fresnel"),
-     .label = "T-stop by", .help = "what the T-stop by rays counts"},
+     .label = "T-stop by", .help = "what the ray-traced T-stop takes into account"},
     {SHOWN(spectrum), .name = "spectrum", ASSUMED_WITH("exact", "lens wavelength"),
      .label = "wavelengths", .help = "of the rays, each with its weight"},
     {SHOWN(speed), .name = "speed", ASSUMED_BY("iso film"),

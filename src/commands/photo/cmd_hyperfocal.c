@@ -216,7 +216,7 @@ static const struct explanation explanations[] = {
      "H = distance whose sharpest image lies on the film where infinity blurs c", "exact rays",
      "its blur is measured as blur_rule says"},
     {"near blur_rule", "n = distance where the blur on that film grows to c", "exact rays", NULL},
-    {"horizontal_focal", "fh = {f}/{q}", "cylinders before the lens",
+    {"horizontal_focal", "fh = {f}/{q}", "cylinders in front of the lens",
      "sharpness is that of f: a blur is narrower than high"},
     {NULL, NULL, NULL, NULL},
 };

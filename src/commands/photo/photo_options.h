@@ -165,7 +165,7 @@ bool coc_is_print(const struct coc_value *coc);
 /* Where none is assumed. */
 #define COLUMN_SQUEEZE(member)                                                                     \
     ENTRY(SHOWN(member), .name = "squeeze", ASSUMED_WITH("squeeze", "squeeze") | COLUMN_ECHO,      \
-          .symbol = "q", .help = "anamorphic squeeze, of cylinders before the lens")
+          .symbol = "q", .help = "anamorphic squeeze of cylinders in front of the lens")
 
 #define COLUMN_FROM(member)                                                                        \
     ENTRY(SHOWN(member), .name = "distance_from",                                                  \

@@ -38,7 +38,7 @@ static const struct operand_type types[OPERAND_KINDS] = {
                         W | F | OPERAND_NEEDS_FIELD | TARGET},
     [OPERAND_DISTORTION] = {"distortion", "of the chief ray, percent", NUMBER, W | F},
     [OPERAND_LATERAL] = {"lateral", "lateral colour in the image", LENGTH, ALL_W | F},
-    [OPERAND_TELECENTRIC] = {"telecentric", "angle of the chief ray behind the lens", ANGLE, W | F},
+    [OPERAND_TELECENTRIC] = {"telecentric", "angle of the chief ray in image space", ANGLE, W | F},
     [OPERAND_INCIDENCE] = {"incidence", "largest angle of incidence", ANGLE,
                            W | F | SURFACES | TARGET},
     [OPERAND_EDGE] = {"edge", "thickness of glass at its edge", LENGTH, SURFACES | TARGET},
@@ -52,8 +52,8 @@ static const struct operand_type types[OPERAND_KINDS] = {
     [OPERAND_OPD] = {"opd", "optical path differences, wavelengths", NUMBER, RAYS},
     [OPERAND_GRAZING] = {"grazing", "largest angle of a ray at a surface, near loss", ANGLE,
                          TARGET},
-    [OPERAND_MTF] = {"mtf", "contrast at a spatial frequency, by waves", NUMBER, CONTRAST},
-    [OPERAND_GMTF] = {"gmtf", "the same by rays", NUMBER, CONTRAST},
+    [OPERAND_MTF] = {"mtf", "contrast at a spatial frequency, with diffraction", NUMBER, CONTRAST},
+    [OPERAND_GMTF] = {"gmtf", "the same, geometric", NUMBER, CONTRAST},
 };
 /* clang-format on */
 
