@@ -1,8 +1,8 @@
 /* tests/unit/test_image.c - pictures in memory: limits, notes, sRGB, halves, checksums. */
 /* SPDX-License-Identifier: MIT */
 #include "base/image/bytes.h"
+#include "base/image/exif.h"
 #include "base/image/image.h"
-#include "base/image/jpeg.h"
 #include "base/image/srgb.h"
 #include "base/image/stb.h"
 #include "check.h"

@@ -18,14 +18,4 @@ bool jpeg_is(struct text file);
 bool jpeg_read(struct text file, const struct image_wish *wish, struct arena *arena,
                struct image *image, struct error *error);
 
-/*
- * Note what Exif tells of the exposure.
- *
- * Given     tiff   the data behind "Exif\0\0": a TIFF of tags; no start: nothing is noted
- *           image  gets "Exposure time" ("0.008 s"), "Aperture" ("f/2.8") and "ISO", as far as they
- *                  are there and above 0; what is damaged is not there
- * Source    [Exif10] 4.5.2 (TIFF), 4.6.5: ExposureTime 33434, FNumber 33437, ISO 34855
- */
-void exif_notes(struct text tiff, struct image *image, struct arena *arena);
-
 #endif

@@ -119,12 +119,6 @@ struct fields_value {
 
 enum { MOST_FIELDS = 64 };
 
-/* Is it a field with a weight, "10:2"? */
-bool field_has_weight(struct text text);
-
-/* Where each field has an answer of its own a weight would be lost without a word. */
-bool field_refuse_weight(const char *option, struct text text, struct error *error);
-
 /* A focal length as the user wrote it, mm. */
 struct focal_value {
     double length;     /* NaN: not given, or an equivalent one that is not settled */
