@@ -84,62 +84,45 @@ static void judge_as_nothing(const struct merit *merit, struct optimize_state *s
     }
 }
 
-/* The lens as it was, that is begun with its own numbers. */
-static void judge_before(const struct merit *merit, struct optimize_answer *answer)
-{
-    const size_t size = merit->residual_count * sizeof(double);
-    if (answer->begun != NULL) {
-        judge_as_nothing(merit, &answer->before);
-        return;
-    }
-    answer->before.merit = answer->after.merit;
-    memcpy(answer->before.residuals, answer->after.residuals, size);
-    memcpy(answer->before.values, answer->after.values, size);
-}
-
-static bool optimize_report_begin(const struct optimize_task *task, struct arena *arena,
-                                  struct optimize_answer *answer, double *jacobian,
-                                  struct error *error)
-{
-    struct merit *merit = task->merit;
-    *answer = (struct optimize_answer){.before = new_state(merit, arena),
-                                       .after = new_state(merit, arena),
-                                       .is_idle = ARENA_ARRAY(arena, merit->variable_count, bool)};
-    variables_get(merit->question.variables, answer->before.numbers);
-    memcpy(answer->after.numbers, task->start != NULL ? task->start : answer->before.numbers,
-           merit->variable_count * sizeof(double));
-    if (task->start != NULL && !optimize_look(merit, &answer->before, NULL)) {
-        judge_as_nothing(merit, &answer->before);
-    }
-    if (!optimize_begin(task, answer->after.numbers, arena, &answer->begun, error)) {
-        return false;
-    }
-    if (!optimize_look(merit, &answer->after, jacobian)) {
-        *error = merit->why;
-        return error_prefix(error, "the lens cannot be judged where it is begun: ");
-    }
-    for (size_t j = 0; j < merit->variable_count; j++) {
-        answer->is_idle[j] = true;
-    }
-    optimize_find_effects(merit, answer->after.residuals, jacobian, answer->is_idle);
-    if (task->start == NULL) {
-        judge_before(merit, answer);
-    }
-    return true;
-}
-
 /* From the start; ends where the lens has a value. */
 static bool optimize_run_once(struct optimize_progress *running, double *jacobian,
                               struct error *error)
 {
     const struct optimize_task *task = running->task;
     struct optimize_answer *answer = running->answer;
+    struct arena *arena = running->arena;
     struct merit *merit = task->merit;
+    const size_t size = merit->residual_count * sizeof(double);
     running->room = 0;
-    if (!optimize_report_begin(task, running->arena, answer, jacobian, error)) {
+    *answer = (struct optimize_answer){.before = new_state(merit, arena),
+                                       .after = new_state(merit, arena),
+                                       .is_idle = ARENA_ARRAY(arena, merit->variable_count, bool)};
+    struct optimize_state *before = &answer->before, *after = &answer->after;
+    variables_get(merit->question.variables, before->numbers);
+    memcpy(after->numbers, task->start != NULL ? task->start : before->numbers,
+           merit->variable_count * sizeof(double));
+    if (task->start != NULL && !optimize_look(merit, before, NULL)) {
+        judge_as_nothing(merit, before);
+    }
+    if (!optimize_begin(task, after->numbers, arena, &answer->begun, error)) {
         return false;
     }
-    optimize_note(running, answer->after.merit);
+    if (!optimize_look(merit, after, jacobian)) {
+        *error = merit->why;
+        return error_prefix(error, "the lens cannot be judged where it is begun: ");
+    }
+    for (size_t j = 0; j < merit->variable_count; j++) {
+        answer->is_idle[j] = true;
+    }
+    optimize_find_effects(merit, after->residuals, jacobian, answer->is_idle);
+    if (task->start == NULL && answer->begun != NULL) {
+        judge_as_nothing(merit, before);
+    } else if (task->start == NULL) { /* the lens as it was, that is begun with its own numbers */
+        before->merit = after->merit;
+        memcpy(before->residuals, after->residuals, size);
+        memcpy(before->values, after->values, size);
+    }
+    optimize_note(running, after->merit);
     const struct solver_problem problem = optimize_problem(merit);
     const struct solver_options options = {.engine = task->engine,
                                            .iterations = task->iterations,
@@ -147,11 +130,10 @@ static bool optimize_run_once(struct optimize_progress *running, double *jacobia
                                            .lean = true,
                                            .progress = progress,
                                            .progress_context = running};
-    if (!solver_run(&problem, &options, answer->after.numbers, running->arena, &answer->summary,
-                    error)) {
+    if (!solver_run(&problem, &options, after->numbers, arena, &answer->summary, error)) {
         return false;
     }
-    if (!optimize_look(merit, &answer->after, jacobian)) {
+    if (!optimize_look(merit, after, jacobian)) {
         *error = merit->why;
         return error_prefix(error, "the lens that was found cannot be judged: ");
     }

@@ -23,11 +23,6 @@ struct eased_merit {
     double *numbers;
 };
 
-static bool has_value(struct merit *merit, const double *numbers, double *residuals)
-{
-    return merit_evaluate(merit, numbers, residuals, NULL);
-}
-
 /* The same question with less of the aperture and the fields. */
 static bool open_eased(struct eased_merit *easing, const struct operand *operands, size_t count,
                        struct error *error)
@@ -59,7 +54,7 @@ static bool open_eased(struct eased_merit *easing, const struct operand *operand
 static bool eased_has_value(struct eased_merit *easing)
 {
     double *residuals = ARENA_ARRAY(easing->arena, easing->eased.residual_count + 1, double);
-    return has_value(&easing->eased, easing->numbers, residuals);
+    return merit_evaluate(&easing->eased, easing->numbers, residuals, NULL);
 }
 
 /* As much as has a value. */
@@ -124,7 +119,7 @@ static bool optimize_start_goes_on(void *context, const struct solver_progress *
 {
     struct eased_merit *easing = context;
     const struct optimize_task *task = easing->task;
-    if (has_value(task->merit, progress->parameters, easing->residuals)) {
+    if (merit_evaluate(task->merit, progress->parameters, easing->residuals, NULL)) {
         memcpy(easing->numbers, progress->parameters, task->merit->variable_count * sizeof(double));
         easing->is_done = true;
         return false;
@@ -154,16 +149,6 @@ static bool run_stage(struct eased_merit *easing, struct error *error)
     return true;
 }
 
-static const char *optimize_start_say(const struct eased_merit *easing)
-{
-    return easing->is_whole
-               ? arena_printf(easing->arena,
-                              "rays were lost at the start: it was begun with %.0f %% of aperture "
-                              "and field",
-                              100 * easing->share)
-               : "not all goals have a value at the start: it was begun with those that have one";
-}
-
 bool optimize_begin(const struct optimize_task *task, double *numbers, struct arena *arena,
                     const char **words, struct error *error)
 {
@@ -175,17 +160,24 @@ bool optimize_begin(const struct optimize_task *task, double *numbers, struct ar
                                      ARENA_ARRAY(arena, merit->residual_count + 1, double)};
     struct error why;
     double last = -1;
-    if (has_value(merit, numbers, easing.residuals)) {
-        *words = NULL;
+    *words = NULL;
+    if (merit_evaluate(merit, numbers, easing.residuals, NULL)) {
         return true;
     }
     why = merit->why;
-    *words = NULL;
     for (int stage = 0; stage < STAGES && !easing.is_done && !easing.is_stopped; stage++) {
         if (!open_most(&easing, error)) {
             break;
         }
-        *words = *words == NULL ? optimize_start_say(&easing) : *words;
+        if (*words == NULL) {
+            *words = easing.is_whole
+                         ? arena_printf(arena,
+                                        "rays were lost at the start: it was begun with %.0f %% of "
+                                        "aperture and field",
+                                        100 * easing.share)
+                         : "not all goals have a value at the start: it was begun with those that "
+                           "have one";
+        }
         const double reached = easing.is_whole ? easing.share : 0;
         if (stage > 0 && !(reached > last)) {
             break; /* no more of it than before */

@@ -107,28 +107,22 @@ static void variable_put_derive(const struct variables *variables, size_t positi
     }
 }
 
-/* Another link, or more of one that is there since `first`. */
-static size_t add_link(struct variable_link *links, size_t first, size_t count,
-                       struct variable_link link)
-{
-    for (size_t i = first; i < count; i++) {
-        if (parameter_is_identical(links[i].basis, link.basis)) {
-            links[i].slope += link.slope;
-            return count;
-        }
-    }
-    links[count] = link;
-    return count + 1;
-}
-
 size_t variable_index_links(const struct lens *lens, struct variable_link link, size_t first,
                             size_t count, struct variable_link *links)
 {
-    size_t i = link.basis.surface;
+    size_t surface = link.basis.surface;
     do {
-        link.basis.surface = i++;
-        count = add_link(links, first, count, link);
-    } while (i < lens->surface_count && surface_reflects(&lens->surfaces[i]));
+        size_t at = first;
+        link.basis.surface = surface++;
+        while (at < count && !parameter_is_identical(links[at].basis, link.basis)) {
+            at++;
+        }
+        if (at == count) {
+            links[count++] = link;
+        } else {
+            links[at].slope += link.slope;
+        }
+    } while (surface < lens->surface_count && surface_reflects(&lens->surfaces[surface]));
     return count;
 }
 

@@ -13,14 +13,9 @@ enum { MOST_PARAMETERS = 8 };
 /* Values of n (or n^2) and derivatives at a wavelength, by all parameters. */
 typedef double curve_function(const double *c, size_t count, double l, double *slope);
 
-/* Terms that a formula may have: resonances of Sellmeier, coefficients of the others. */
-struct dispersion_terms {
-    size_t least, usual, most;
-};
-
 struct dispersion_curve {
     enum glass_formula formula;
-    struct dispersion_terms terms;
+    size_t least, usual, most; /* terms: resonances of Sellmeier, coefficients of the others */
     bool is_square, is_linear;
     curve_function *value;
     const char *names[MOST_PARAMETERS];
@@ -87,31 +82,25 @@ static double dispersion_conrady(const double *c, size_t count, double l, double
 
 static const struct dispersion_curve curves[] = {
     {GLASS_SELLMEIER,
-     {1, 3, 3},
+     1,
+     3,
+     3,
      true,
      false,
      dispersion_sellmeier,
      {"B1", "C1", "B2", "C2", "B3", "C3"}},
-    {GLASS_SCHOTT, {6, 6, 6}, true, true, dispersion_schott, {"a0", "a1", "a2", "a3", "a4", "a5"}},
-    {GLASS_CAUCHY, {1, 3, 6}, false, true, dispersion_cauchy, {"A", "B", "C", "D", "E", "F"}},
+    {GLASS_SCHOTT, 6, 6, 6, true, true, dispersion_schott, {"a0", "a1", "a2", "a3", "a4", "a5"}},
+    {GLASS_CAUCHY, 1, 3, 6, false, true, dispersion_cauchy, {"A", "B", "C", "D", "E", "F"}},
     {GLASS_BUCHDAHL,
-     {2, 4, 7},
+     2,
+     4,
+     7,
      false,
      true,
      dispersion_buchdahl,
      {"n0", "v1", "v2", "v3", "v4", "v5", "v6"}},
-    {GLASS_CONRADY, {3, 3, 3}, false, true, dispersion_conrady, {"n0", "A", "B"}},
+    {GLASS_CONRADY, 3, 3, 3, false, true, dispersion_conrady, {"n0", "A", "B"}},
 };
-
-static const struct dispersion_curve *dispersion_curve_of(enum glass_formula formula)
-{
-    for (size_t i = 0; i < sizeof curves / sizeof curves[0]; i++) {
-        if (curves[i].formula == formula) {
-            return &curves[i];
-        }
-    }
-    return NULL;
-}
 
 static double share(const struct dispersion_data *data, size_t i)
 {
@@ -176,29 +165,24 @@ static const double resonances[][3] = {
     {0.1, 0.4, 5},  {0.5, 0.3, 8}, {0.3, 0.45, 2}, {0.6, 0.8, 5},
 };
 
-/* Bounds of the resonances: not in the range of the data. */
-static void dispersion_bound(const struct dispersion_data *data, double resonance, double *low,
-                             double *high)
-{
-    double first = data->wavelength[0], last = data->wavelength[data->count - 1];
-    bool ultraviolet = resonance < first * first;
-    *low = ultraviolet ? 0 : 1.5 * last * last;
-    *high = ultraviolet ? 0.7 * first * first : 1e6 * last * last;
-}
-
 static bool fit_from(struct dispersion_problem *fitting, double *c, struct arena *arena,
                      struct solver_summary *summary, struct error *error)
 {
+    const struct dispersion_data *data = fitting->data;
+    const double first = data->wavelength[0], last = data->wavelength[data->count - 1];
     double low[MOST_PARAMETERS], high[MOST_PARAMETERS];
     for (size_t j = 0; j < fitting->count; j++) {
         low[j] = -INFINITY;
         high[j] = INFINITY;
         if (!fitting->curve->is_linear && j % 2 == 1) {
-            dispersion_bound(fitting->data, c[j], &low[j], &high[j]);
+            /* of resonances: not in the range of the data */
+            const bool is_ultraviolet = c[j] < first * first;
+            low[j] = is_ultraviolet ? 0 : 1.5 * last * last;
+            high[j] = is_ultraviolet ? 0.7 * first * first : 1e6 * last * last;
         }
     }
     const struct solver_problem problem = {.parameter_count = fitting->count,
-                                           .residual_count = fitting->data->count,
+                                           .residual_count = data->count,
                                            .evaluate = dispersion_evaluate,
                                            .context = fitting,
                                            .low = fitting->curve->is_linear ? NULL : low,
@@ -260,17 +244,6 @@ static bool fit_starts(struct dispersion_problem *fitting, double *best, struct 
     return found;
 }
 
-/* The best of all starts; of long data by some of it, and then once by all. */
-static bool fit_sellmeier(struct dispersion_problem *fitting, double *best, struct arena *arena,
-                          struct solver_summary *summary, struct error *error)
-{
-    const struct dispersion_data few = thinned(fitting->data, arena);
-    struct dispersion_problem starting = *fitting;
-    starting.data = &few;
-    return fit_starts(&starting, best, arena, summary, error) &&
-           (few.count == fitting->data->count || fit_from(fitting, best, arena, summary, error));
-}
-
 static void dispersion_set_glass(const struct dispersion_problem *fitting, const double *c,
                                  struct dispersion_fit *fit)
 {
@@ -299,15 +272,18 @@ static void dispersion_set_glass(const struct dispersion_problem *fitting, const
 bool dispersion_fit(const struct dispersion_data *data, enum glass_formula formula, size_t terms,
                     struct arena *arena, struct dispersion_fit *fit, struct error *error)
 {
-    const struct dispersion_curve *curve = dispersion_curve_of(formula);
+    const struct dispersion_curve *curve = NULL;
+    for (size_t i = 0; i < sizeof curves / sizeof curves[0]; i++) {
+        curve = curves[i].formula == formula ? &curves[i] : curve;
+    }
     if (curve == NULL) {
         return fail(error, ERROR_DOMAIN, "the formula %s cannot be fitted",
                     glass_formula_name(formula));
     }
-    terms = terms > 0 ? terms : curve->terms.usual;
-    if (terms < curve->terms.least || terms > curve->terms.most) {
+    terms = terms > 0 ? terms : curve->usual;
+    if (terms < curve->least || terms > curve->most) {
         return fail(error, ERROR_DOMAIN, "the formula %s has %zu to %zu terms, not %zu",
-                    glass_formula_name(formula), curve->terms.least, curve->terms.most, terms);
+                    glass_formula_name(formula), curve->least, curve->most, terms);
     }
     struct dispersion_problem fitting = {data, curve, curve->is_linear ? terms : 2 * terms};
     if (data->count < fitting.count) {
@@ -337,12 +313,21 @@ bool dispersion_fit(const struct dispersion_data *data, enum glass_formula formu
                         "the deviation of the index at %.10g um is not above 0", l);
         }
     }
+    double *found = fit->parameters;
     if (curve->is_linear) {
-        dispersion_solve_linear(&fitting, fit->parameters, arena);
-    }
-    if (curve->is_linear ? !fit_from(&fitting, fit->parameters, arena, &fit->summary, error)
-                         : !fit_sellmeier(&fitting, fit->parameters, arena, &fit->summary, error)) {
-        return false;
+        dispersion_solve_linear(&fitting, found, arena);
+        if (!fit_from(&fitting, found, arena, &fit->summary, error)) {
+            return false;
+        }
+    } else {
+        /* the best of all starts; of long data by some of it, and then once by all */
+        const struct dispersion_data few = thinned(data, arena);
+        struct dispersion_problem starting = fitting;
+        starting.data = &few;
+        if (!fit_starts(&starting, found, arena, &fit->summary, error) ||
+            (few.count < data->count && !fit_from(&fitting, found, arena, &fit->summary, error))) {
+            return false;
+        }
     }
     dispersion_set_glass(&fitting, fit->parameters, fit);
     return true;
