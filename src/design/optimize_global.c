@@ -3,7 +3,6 @@
 #include "design/optimize_global.h"
 
 #include "base/parallel.h"
-#include "design/optimize_start.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -237,23 +236,6 @@ static bool kept_is_known(const struct solver_problem *problem, const struct glo
     return found;
 }
 
-/* Starts with a minimum there, or where its last descent began. */
-static size_t count_hits(const struct optimize_global *global, const struct solver_problem *problem,
-                         const struct global_kept *kept)
-{
-    size_t hits = 0;
-    for (size_t k = 0; k < global->start_count; k++) {
-        bool hit = false;
-        for (size_t i = 0; i < global->results[k].count; i++) {
-            const double *found = global->results[k].minima[i].parameters;
-            hit = hit || global_is_same(problem, found, kept->answer.after.numbers) ||
-                  global_is_same(problem, found, kept->begun);
-        }
-        hits += hit;
-    }
-    return hits;
-}
-
 size_t optimize_global_keep(const struct optimize_global *global, const struct optimize_task *task,
                             size_t most, struct arena *arena, struct global_kept *kept)
 {
@@ -292,8 +274,17 @@ size_t optimize_global_keep(const struct optimize_global *global, const struct o
                  optimize_run(&fine, arena, &one->answer, &ignored) &&
                  !kept_is_known(&problem, kept, count, one->answer.after.numbers);
     }
+    /* starts with a minimum there, or where its last descent began */
     for (size_t i = 0; i < count; i++) {
-        kept[i].hits = count_hits(global, &problem, &kept[i]);
+        for (size_t k = 0; k < global->start_count; k++) {
+            bool hit = false;
+            for (size_t m = 0; m < global->results[k].count; m++) {
+                const double *found = global->results[k].minima[m].parameters;
+                hit = hit || global_is_same(&problem, found, kept[i].answer.after.numbers) ||
+                      global_is_same(&problem, found, kept[i].begun);
+            }
+            kept[i].hits += hit;
+        }
     }
     qsort(kept, count, sizeof *kept, compare_kept);
     return count;

@@ -205,22 +205,6 @@ static void variable_put_write_number(struct lens *lens, struct parameter what, 
     }
 }
 
-/* A number of a word into its list. */
-static void write_word(struct lens *lens, const struct variable_drive *drive, struct parameter what,
-                       double value, struct arena *arena)
-{
-    const struct figure *cell =
-        parameter_figure(&lens->surfaces[what.surface], what.kind, what.order);
-    struct lens_variable *word = &lens->variables[cell->variable];
-    struct figure *values = ARENA_ARRAY(arena, lens->position_count, struct figure);
-    memcpy(values, word->values, lens->position_count * sizeof values[0]);
-    if (values[drive->position].value.hi != value) {
-        values[drive->position] = variable_put_rounded(
-            value, unit_find(&dimension_length, text_of(lens->unit))->scale, arena);
-    }
-    word->values = values;
-}
-
 struct lens *variables_lens(const struct variables *variables, const double *v, struct arena *arena)
 {
     const struct lens *from = variables->lens;
@@ -236,7 +220,17 @@ struct lens *variables_lens(const struct variables *variables, const double *v, 
         if (drive->position == LENS_NONE) {
             variable_put_write_number(to, number->what, value, arena);
         } else {
-            write_word(to, drive, number->what, value, arena);
+            /* a number of a word into its list */
+            const struct figure *cell = parameter_figure(&to->surfaces[number->what.surface],
+                                                         number->what.kind, number->what.order);
+            struct lens_variable *word = &to->variables[cell->variable];
+            struct figure *values = ARENA_ARRAY(arena, to->position_count, struct figure);
+            memcpy(values, word->values, to->position_count * sizeof values[0]);
+            if (values[drive->position].value.hi != value) {
+                values[drive->position] = variable_put_rounded(
+                    value, unit_find(&dimension_length, text_of(to->unit))->scale, arena);
+            }
+            word->values = values;
         }
     }
     lens_pickups_put(to, lens_at_position(to, 0, arena), arena);

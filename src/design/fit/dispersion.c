@@ -244,6 +244,17 @@ static bool fit_starts(struct dispersion_problem *fitting, double *best, struct 
     return found;
 }
 
+/* The best of all starts; of long data by some of it, and then once by all. */
+static bool fit_sellmeier(struct dispersion_problem *fitting, double *best, struct arena *arena,
+                          struct solver_summary *summary, struct error *error)
+{
+    const struct dispersion_data few = thinned(fitting->data, arena);
+    struct dispersion_problem starting = *fitting;
+    starting.data = &few;
+    return fit_starts(&starting, best, arena, summary, error) &&
+           (few.count == fitting->data->count || fit_from(fitting, best, arena, summary, error));
+}
+
 static void dispersion_set_glass(const struct dispersion_problem *fitting, const double *c,
                                  struct dispersion_fit *fit)
 {
@@ -267,6 +278,28 @@ static void dispersion_set_glass(const struct dispersion_problem *fitting, const
         fit->largest = fmax(fit->largest, fabs(fit->residuals[i]));
     }
     fit->rms = sqrt(sum / (double)data->count);
+}
+
+static bool check_data(const struct dispersion_data *data, struct error *error)
+{
+    for (size_t i = 0; i < data->count; i++) {
+        double l = data->wavelength[i], n = data->index[i];
+        if (!(l > 0 && isfinite(l))) {
+            return fail(error, ERROR_DOMAIN, "the wavelength %.10g um is not above 0", l);
+        }
+        if (!(n > 0 && n < 100)) {
+            return fail(error, ERROR_DOMAIN, "the index %.10g at %.10g um is not between 0 and 100",
+                        n, l);
+        }
+        if (i > 0 && !(l > data->wavelength[i - 1])) {
+            return fail(error, ERROR_DOMAIN, "the wavelength %.10g um is there twice", l);
+        }
+        if (!(share(data, i) > 0 && isfinite(share(data, i)))) {
+            return fail(error, ERROR_DOMAIN,
+                        "the deviation of the index at %.10g um is not above 0", l);
+        }
+    }
+    return true;
 }
 
 bool dispersion_fit(const struct dispersion_data *data, enum glass_formula formula, size_t terms,
@@ -296,38 +329,15 @@ bool dispersion_fit(const struct dispersion_data *data, enum glass_formula formu
     fit->names = ARENA_ARRAY(arena, fitting.count, const char *);
     fit->residuals = ARENA_ARRAY(arena, data->count, double);
     memcpy(fit->names, curve->names, fitting.count * sizeof curve->names[0]);
-    for (size_t i = 0; i < data->count; i++) {
-        double l = data->wavelength[i], n = data->index[i];
-        if (!(l > 0 && isfinite(l))) {
-            return fail(error, ERROR_DOMAIN, "the wavelength %.10g um is not above 0", l);
-        }
-        if (!(n > 0 && n < 100)) {
-            return fail(error, ERROR_DOMAIN, "the index %.10g at %.10g um is not between 0 and 100",
-                        n, l);
-        }
-        if (i > 0 && !(l > data->wavelength[i - 1])) {
-            return fail(error, ERROR_DOMAIN, "the wavelength %.10g um is there twice", l);
-        }
-        if (!(share(data, i) > 0 && isfinite(share(data, i)))) {
-            return fail(error, ERROR_DOMAIN,
-                        "the deviation of the index at %.10g um is not above 0", l);
-        }
+    if (!check_data(data, error)) {
+        return false;
     }
-    double *found = fit->parameters;
     if (curve->is_linear) {
-        dispersion_solve_linear(&fitting, found, arena);
-        if (!fit_from(&fitting, found, arena, &fit->summary, error)) {
-            return false;
-        }
-    } else {
-        /* the best of all starts; of long data by some of it, and then once by all */
-        const struct dispersion_data few = thinned(data, arena);
-        struct dispersion_problem starting = fitting;
-        starting.data = &few;
-        if (!fit_starts(&starting, found, arena, &fit->summary, error) ||
-            (few.count < data->count && !fit_from(&fitting, found, arena, &fit->summary, error))) {
-            return false;
-        }
+        dispersion_solve_linear(&fitting, fit->parameters, arena);
+    }
+    if (curve->is_linear ? !fit_from(&fitting, fit->parameters, arena, &fit->summary, error)
+                         : !fit_sellmeier(&fitting, fit->parameters, arena, &fit->summary, error)) {
+        return false;
     }
     dispersion_set_glass(&fitting, fit->parameters, fit);
     return true;
