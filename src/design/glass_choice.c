@@ -98,30 +98,8 @@ size_t glass_choice_models(const struct variables *variables, size_t *surfaces)
     return list_models(variables->lens, variables->list, variables->count, surfaces);
 }
 
-/* Do the bounds of nd and Vd allow it? */
-static bool is_allowed(const struct glass_node *node, size_t surface,
-                       const struct glass_candidate *glass)
-{
-    bool allowed = true;
-    for (size_t i = 0; i < node->count; i++) {
-        const struct variable *one = &node->list[i];
-        if (one->what.surface == surface && parameter_is_of_medium(one->what.kind)) {
-            const double value = one->what.kind == PARAMETER_INDEX ? glass->nd : glass->Vd;
-            allowed = allowed && one->low <= value && value <= one->high;
-        }
-    }
-    return allowed;
-}
-
-static double glass_choice_distance_of(const struct medium *model,
-                                       const struct glass_candidate *glass)
-{
-    const double nd = (glass->nd - model->index.hi) / 0.1, Vd = (glass->Vd - model->abbe.hi) / 10;
-    const double P = isnan(glass->deviation) ? 0 : glass->deviation / 0.02;
-    return sqrt(nd * nd + Vd * Vd + P * P);
-}
-
-/* The candidates nearest to a model glass, nearest first; how many. */
+/* The candidates nearest to a model glass that the bounds of nd and Vd allow, nearest first; how
+   many. */
 static size_t find_nearest_glasses(const struct glass_search_state *search,
                                    const struct glass_node *node, size_t surface,
                                    struct trial trials[NEAREST])
@@ -131,9 +109,19 @@ static size_t find_nearest_glasses(const struct glass_search_state *search,
     size_t count = 0;
     for (size_t i = 0; i < task->candidate_count; i++) {
         const struct glass_candidate *glass = &task->candidates[i];
-        const double distance = glass_choice_distance_of(model, glass);
-        if (!is_allowed(node, surface, glass) ||
-            (count == NEAREST && !(distance < trials[count - 1].distance))) {
+        const double nd = (glass->nd - model->index.hi) / 0.1;
+        const double Vd = (glass->Vd - model->abbe.hi) / 10;
+        const double P = isnan(glass->deviation) ? 0 : glass->deviation / 0.02;
+        const double distance = sqrt(nd * nd + Vd * Vd + P * P);
+        bool is_allowed = true;
+        for (size_t k = 0; k < node->count; k++) {
+            const struct variable *one = &node->list[k];
+            if (one->what.surface == surface && parameter_is_of_medium(one->what.kind)) {
+                const double value = one->what.kind == PARAMETER_INDEX ? glass->nd : glass->Vd;
+                is_allowed = is_allowed && one->low <= value && value <= one->high;
+            }
+        }
+        if (!is_allowed || (count == NEAREST && !(distance < trials[count - 1].distance))) {
             continue;
         }
         size_t at = count < NEAREST ? count++ : count - 1;
@@ -168,9 +156,12 @@ static size_t choose_surface(const struct glass_search_state *search, const stru
 
 /* -------- lenses -------- */
 
-/* Marks of a glass that does not vary any more. */
-static void drop_marks(struct surface *surface, struct arena *arena)
+/* The lens with a real glass behind a surface, which varies no more, all numbers as they are. */
+static const struct lens *lens_with_medium(const struct lens *from, size_t at,
+                                           const struct medium *medium, struct arena *arena)
 {
+    struct lens *lens = parameter_apply(from, NULL, NULL, 0, arena);
+    struct surface *surface = &lens->surfaces[at];
     struct vary *kept = ARENA_ARRAY(arena, surface->vary_count + 1, struct vary);
     size_t count = 0;
     for (size_t i = 0; i < surface->vary_count; i++) {
@@ -181,15 +172,7 @@ static void drop_marks(struct surface *surface, struct arena *arena)
     }
     surface->varies = kept;
     surface->vary_count = count;
-}
-
-/* The lens with a real glass behind a surface, all numbers as they are. */
-static const struct lens *lens_with_medium(const struct lens *from, size_t surface,
-                                           const struct medium *medium, struct arena *arena)
-{
-    struct lens *lens = parameter_apply(from, NULL, NULL, 0, arena);
-    drop_marks(&lens->surfaces[surface], arena);
-    parameter_put_medium(lens, surface, medium);
+    parameter_put_medium(lens, at, medium);
     lens_pickups_put(lens, lens_at_position(lens, 0, arena), arena);
     return lens;
 }
@@ -239,43 +222,40 @@ struct glass_trials {
     struct trial *trials;
 };
 
-/* From one of the two lenses; the better is kept. */
-static void try_from(const struct glass_trials *trying, bool from_start, struct arena *arena,
-                     struct trial *trial)
-{
-    const struct glass_node child =
-        node_with_glass(trying->node, trying->surface, trial->glass, arena);
-    struct outcome *outcome = ARENA_NEW(arena, struct outcome);
-    const struct optimize_answer *answer = &outcome->answer;
-    if (!glass_choice_optimise(&child, from_start ? child.start : child.lens, trying->search->task,
-                               arena, outcome, &trial->why)) {
-        trial->why.more = NULL; /* it ends with this arena */
-        return;
-    }
-    const struct glass_rank rank = rank_of(answer->after.merit, answer->summary.excess);
-    trial->is_stopped = trial->is_stopped || answer->summary.status == SOLVER_STOPPED;
-    trial->evaluations += answer->summary.evaluations;
-    trial->iterations += answer->summary.iterations;
-    if (is_better(rank, trial->rank)) {
-        trial->rank = rank;
-        trial->from_start = from_start;
-        memcpy(trial->numbers, answer->after.numbers, child.count * sizeof(double));
-    }
-}
-
+/* From both of the lenses where that is worth it; the better is kept. */
 static void try_pieces(void *context, const struct parallel_piece *piece)
 {
     const struct glass_trials *trying = context;
+    const struct glass_choice_task *task = trying->search->task;
+    const bool is_few = trying->search->total <= LAST; /* the start is near still */
+    struct arena *arena = piece->arena;
     for (size_t i = piece->begin; i < piece->end; i++) {
         struct trial *trial = &trying->trials[i];
         trial->rank = (struct glass_rank){INFINITY, INFINITY};
         for (int from_start = 0; from_start < 2; from_start++) {
-            const bool is_few = trying->search->total <= LAST; /* the start is near still */
-            if (from_start == 0 || is_few || isinf(trial->rank.merit)) {
-                const struct arena_mark mark = arena_mark(piece->arena);
-                try_from(trying, from_start == 1, piece->arena, trial);
-                arena_reset(piece->arena, mark);
+            if (from_start == 1 && !is_few && !isinf(trial->rank.merit)) {
+                continue;
             }
+            const struct arena_mark mark = arena_mark(arena);
+            const struct glass_node child =
+                node_with_glass(trying->node, trying->surface, trial->glass, arena);
+            struct outcome *outcome = ARENA_NEW(arena, struct outcome);
+            const struct optimize_answer *answer = &outcome->answer;
+            if (glass_choice_optimise(&child, from_start == 1 ? child.start : child.lens, task,
+                                      arena, outcome, &trial->why)) {
+                const struct glass_rank rank = rank_of(answer->after.merit, answer->summary.excess);
+                trial->is_stopped = trial->is_stopped || answer->summary.status == SOLVER_STOPPED;
+                trial->evaluations += answer->summary.evaluations;
+                trial->iterations += answer->summary.iterations;
+                if (is_better(rank, trial->rank)) {
+                    trial->rank = rank;
+                    trial->from_start = from_start == 1;
+                    memcpy(trial->numbers, answer->after.numbers, child.count * sizeof(double));
+                }
+            } else {
+                trial->why.more = NULL; /* it ends with this arena */
+            }
+            arena_reset(arena, mark);
         }
     }
 }
@@ -317,79 +297,49 @@ static bool try_all(struct glass_search_state *search, const struct glass_node *
 
 /* -------- the search -------- */
 
-/* The lens of a trial, with its numbers. */
-static const struct glass_node *glass_node_enter(struct glass_search_state *search,
-                                                 const struct glass_node *parent, size_t surface,
-                                                 const struct trial *trial)
-{
-    const struct medium *model = &parent->lens->surfaces[surface].medium;
-    struct glass_node *node = ARENA_NEW(search->arena, struct glass_node);
-    struct variables variables;
-    struct error ignored;
-    *node = node_with_glass(parent, surface, trial->glass, search->arena);
-    node->rank = trial->rank;
-    node->from_start = trial->from_start;
-    node->exchange =
-        (struct glass_exchange){surface,         model->index.hi,    model->abbe.hi,   trial->glass,
-                                trial->distance, parent->rank.merit, trial->rank.merit};
-    /* as its trial has opened them */
-    if (variables_open(node->lens, node->list, node->count, search->arena, &variables, &ignored)) {
-        node->lens = variables_lens(&variables, trial->numbers, search->arena);
-    }
-    return node;
-}
-
-/* Is it worth going on from a trial for one of so many glasses? */
-static bool is_promising(const struct glass_search_state *search, size_t models,
-                         const struct trial *trial)
-{
-    const bool is_pair = search->total <= PAIR;
-    if (isinf(trial->rank.merit) || search->best == NULL) {
-        return !isinf(trial->rank.merit); /* any is better than none */
-    }
-    return models <= LAST &&
-           ((is_pair && models > 1) || is_better(trial->rank, search->best->rank));
-}
-
-static void glass_node_descend(struct glass_search_state *search, const struct glass_node *node)
+static void glass_node_descend(struct glass_search_state *search, const struct glass_node *parent)
 {
     struct trial trials[NEAREST];
-    size_t *surfaces = ARENA_ARRAY(search->arena, node->count + 1, size_t), count = 0;
-    const size_t models = list_models(node->lens, node->list, node->count, surfaces);
-    if (search->deepest == NULL || node->depth > search->deepest->depth) {
-        search->deepest = node;
+    struct arena *arena = search->arena;
+    size_t *surfaces = ARENA_ARRAY(arena, parent->count + 1, size_t), count = 0;
+    const size_t models = list_models(parent->lens, parent->list, parent->count, surfaces);
+    if (search->deepest == NULL || parent->depth > search->deepest->depth) {
+        search->deepest = parent;
     }
     if (models == 0) {
-        search->best = node; /* as it was entered, it is better */
+        search->best = parent; /* as it was entered, it is better */
         return;
     }
-    const size_t surface = choose_surface(search, node, trials, &count);
-    if (!try_all(search, node, surface, trials, count)) {
+    const size_t surface = choose_surface(search, parent, trials, &count);
+    const struct medium *model = &parent->lens->surfaces[surface].medium;
+    if (!try_all(search, parent, surface, trials, count)) {
         return;
     }
     for (size_t i = 0; i < count && !search->choice->is_stopped; i++) {
-        if (is_promising(search, models, &trials[i])) {
-            glass_node_descend(search, glass_node_enter(search, node, surface, &trials[i]));
+        const struct trial *trial = &trials[i];
+        /* is it worth going on from there? Any is better than none */
+        if (isinf(trial->rank.merit) ||
+            (search->best != NULL &&
+             (models > LAST || !((search->total <= PAIR && models > 1) ||
+                                 is_better(trial->rank, search->best->rank))))) {
+            continue;
         }
-    }
-}
-
-/* A pick-up of a number has nothing to follow in a real glass. */
-static bool glass_choice_check_pickups(const struct lens *lens, const size_t *surfaces,
-                                       size_t count, struct arena *arena, struct error *error)
-{
-    for (size_t i = 0; i < lens->pickup_count; i++) {
-        const struct lens_pickup *pickup = &lens->pickups[i];
-        for (size_t k = 0; k < count; k++) {
-            if (parameter_is_of_medium(pickup->from.kind) && pickup->from.surface == surfaces[k]) {
-                return fail(error, ERROR_DOMAIN,
-                            "%s follows a number of the glass behind surface %zu by a pick-up, "
-                            "which a real glass cannot: let the glass follow, or hold it",
-                            parameter_mark_write(pickup->what, arena), surfaces[k] + 1);
-            }
+        /* the lens of the trial, with its numbers */
+        struct glass_node *node = ARENA_NEW(arena, struct glass_node);
+        struct variables variables;
+        struct error ignored;
+        *node = node_with_glass(parent, surface, trial->glass, arena);
+        node->rank = trial->rank;
+        node->from_start = trial->from_start;
+        node->exchange = (struct glass_exchange){
+            surface,         model->index.hi,    model->abbe.hi,   trial->glass,
+            trial->distance, parent->rank.merit, trial->rank.merit};
+        /* as its trial has opened them */
+        if (variables_open(node->lens, node->list, node->count, arena, &variables, &ignored)) {
+            node->lens = variables_lens(&variables, trial->numbers, arena);
         }
+        glass_node_descend(search, node);
     }
-    return true;
 }
 
 /* The last step once more, of which all is kept now: to its end, as it was; where the time is over
@@ -444,8 +394,17 @@ bool glass_choose(const struct glass_choice_task *task, struct arena *arena,
     for (size_t i = 0; i < variables->count; i++) {
         root->origin[i] = i;
     }
-    if (!glass_choice_check_pickups(task->lens, surfaces, count, arena, error)) {
-        return false;
+    /* a pick-up of a number has nothing to follow in a real glass */
+    for (size_t i = 0; i < task->lens->pickup_count; i++) {
+        const struct lens_pickup *pickup = &task->lens->pickups[i];
+        for (size_t k = 0; k < count; k++) {
+            if (parameter_is_of_medium(pickup->from.kind) && pickup->from.surface == surfaces[k]) {
+                return fail(error, ERROR_DOMAIN,
+                            "%s follows a number of the glass behind surface %zu by a pick-up, "
+                            "which a real glass cannot: let the glass follow, or hold it",
+                            parameter_mark_write(pickup->what, arena), surfaces[k] + 1);
+            }
+        }
     }
     struct trial trials[NEAREST];
     for (size_t i = 0; i < count; i++) {

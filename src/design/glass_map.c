@@ -30,22 +30,17 @@ struct glass_map_point glass_map_at(double nd, double share)
                                     .by_share = crown.Vd - flint.Vd};
 }
 
-/* Where the crown side has an Abbe number; an end of the map where it has none such. */
-static double crown_index(double Vd)
-{
-    enum { HALVINGS = 60 };
-    double low = GLASS_MAP_LOWEST, high = GLASS_MAP_HIGHEST;
-    for (int i = 0; i < HALVINGS; i++) {
-        const double middle = (low + high) / 2;
-        *(upper(middle).Vd > Vd ? &low : &high) = middle;
-    }
-    return high;
-}
-
 struct glass_map_range glass_map_indices(double low, double high)
 {
+    enum { HALVINGS = 60 };
     const double flint = 1.2688 + 13.07 / (high + 2.4);
-    return (struct glass_map_range){fmax(GLASS_MAP_LOWEST, flint), crown_index(low)};
+    /* where the crown side has the lower Abbe number; an end of the map where it has none such */
+    double from = GLASS_MAP_LOWEST, to = GLASS_MAP_HIGHEST;
+    for (int i = 0; i < HALVINGS; i++) {
+        const double middle = (from + to) / 2;
+        *(upper(middle).Vd > low ? &from : &to) = middle;
+    }
+    return (struct glass_map_range){fmax(GLASS_MAP_LOWEST, flint), to};
 }
 
 struct glass_map_range glass_map_abbes(double low, double high)

@@ -2,10 +2,219 @@
 /* SPDX-License-Identifier: MIT */
 #include "design/optimize.h"
 
-#include "design/optimize_start.h"
-
 #include <math.h>
 #include <string.h>
+
+/* -------- from a lens that cannot be judged to one that can -------- */
+
+enum { STAGES = 24, ITERATIONS = 40 };
+
+/* Of aperture and fields, largest first; below the last there is nothing to see. */
+static const double shares[] = {1, 0.85, 0.7, 0.55, 0.4, 0.28, 0.2, 0.1, 0.05};
+
+/* The merit that takes the place of the real one, and that one. */
+struct eased_merit {
+    const struct optimize_task *task;
+    struct arena *arena;
+    struct merit eased;
+    double *residuals; /* of the real one */
+    double share;
+    bool is_whole, is_done; /* all goals count; the real one has a value */
+    bool is_stopped;        /* by the caller */
+    bool is_refused;        /* a goal cannot be had, now that more of the lens has a value */
+    double *numbers;
+};
+
+/* The same question with less of the aperture and the fields. */
+static bool open_eased(struct eased_merit *easing, const struct operand *operands, size_t count,
+                       struct error *error)
+{
+    const struct merit *merit = easing->task->merit;
+    const struct setup *setup = &merit->places[0].setup;
+    struct merit_question question = merit->question;
+    struct setup_field *fields =
+        ARENA_ARRAY(easing->arena, setup->field_count + 1, struct setup_field);
+    for (size_t i = 0; i < setup->field_count; i++) {
+        fields[i] = setup->fields[i];
+        fields[i].point.value[0] *= easing->share;
+        fields[i].point.value[1] *= easing->share;
+    }
+    question.fields = fields;
+    question.field_count = setup->field_count;
+    question.operands = operands;
+    question.operand_count = count;
+    if (!merit_open(&question, easing->arena, &easing->eased, error)) {
+        return false;
+    }
+    for (size_t i = 0; i < easing->eased.place_count; i++) {
+        struct aperture_setting *aperture = &easing->eased.places[i].aperture;
+        aperture->value *= aperture->kind == APERTURE_FNUMBER ? 1 / easing->share : easing->share;
+    }
+    return true;
+}
+
+static bool eased_has_value(struct eased_merit *easing)
+{
+    double *residuals = ARENA_ARRAY(easing->arena, easing->eased.residual_count + 1, double);
+    return merit_evaluate(&easing->eased, easing->numbers, residuals, NULL);
+}
+
+/* As much as has a value. */
+static bool open_most(struct eased_merit *easing, struct error *error)
+{
+    const struct merit_question *question = &easing->task->merit->question;
+    easing->is_whole = true;
+    for (size_t i = 1; i < sizeof shares / sizeof shares[0]; i++) {
+        easing->share = shares[i];
+        easing->is_refused =
+            !open_eased(easing, question->operands, question->operand_count, error);
+        if (easing->is_refused) {
+            return false;
+        }
+        if (eased_has_value(easing)) {
+            return true;
+        }
+    }
+    /* Goals that have a value by themselves. */
+    struct operand *some = ARENA_ARRAY(easing->arena, question->operand_count, struct operand);
+    size_t count = 0;
+    for (size_t i = 0; i < question->operand_count; i++) {
+        some[count] = question->operands[i];
+        if (some[count].kind == OPERAND_GRAZING) {
+            continue;
+        }
+        /* one of a position that is not optimised is none */
+        count += open_eased(easing, &some[count], 1, error) && eased_has_value(easing);
+    }
+    easing->is_whole = false;
+    /* What keeps rays from loss looks at those of other goals. */
+    bool has_rays = false;
+    for (size_t i = 0; i < count; i++) {
+        has_rays = has_rays || (operand_type(some[i].kind)->is & OPERAND_TRACES) != 0;
+    }
+    for (size_t i = 0; i < question->operand_count && has_rays; i++) {
+        if (question->operands[i].kind == OPERAND_GRAZING) {
+            some[count++] = question->operands[i];
+        }
+    }
+    return (count > 0 || fail(error, ERROR_DOMAIN, "no goal has a value")) &&
+           open_eased(easing, some, count, error) &&
+           (eased_has_value(easing) || fail(error, ERROR_DOMAIN, "no goal has a value"));
+}
+
+struct solver_problem optimize_problem(struct merit *merit)
+{
+    const struct variables *variables = merit->question.variables;
+    return (struct solver_problem){.parameter_count = merit->variable_count,
+                                   .residual_count = merit->residual_count,
+                                   .exact_count = merit->exact_count,
+                                   .evaluate = merit_measure,
+                                   .sides = merit->sides,
+                                   .context = merit,
+                                   .low = variables->low,
+                                   .high = variables->high,
+                                   .scale = variables->scale};
+}
+
+/* Until the real merit has a value. */
+static bool optimize_start_goes_on(void *context, const struct solver_progress *progress)
+{
+    struct eased_merit *easing = context;
+    const struct optimize_task *task = easing->task;
+    if (merit_evaluate(task->merit, progress->parameters, easing->residuals, NULL)) {
+        memcpy(easing->numbers, progress->parameters, task->merit->variable_count * sizeof(double));
+        easing->is_done = true;
+        return false;
+    }
+    easing->is_stopped = task->goes_on != NULL && !task->goes_on(task->context);
+    return !easing->is_stopped;
+}
+
+static bool run_stage(struct eased_merit *easing, struct error *error)
+{
+    struct merit *merit = &easing->eased;
+    const struct solver_problem problem = optimize_problem(merit);
+    const struct solver_options options = {.iterations = ITERATIONS,
+                                           .function = 1e-4,
+                                           .lean = true,
+                                           .progress = optimize_start_goes_on,
+                                           .progress_context = easing};
+    double *numbers = ARENA_ARRAY(easing->arena, merit->variable_count + 1, double);
+    struct solver_summary summary;
+    memcpy(numbers, easing->numbers, merit->variable_count * sizeof(double));
+    if (!solver_run(&problem, &options, numbers, easing->arena, &summary, error)) {
+        return false;
+    }
+    if (!easing->is_done) {
+        memcpy(easing->numbers, numbers, merit->variable_count * sizeof(double));
+    }
+    return true;
+}
+
+bool optimize_begin(const struct optimize_task *task, double *numbers, struct arena *arena,
+                    const char **words, struct error *error)
+{
+    struct merit *merit = task->merit;
+    struct eased_merit easing = {.task = task,
+                                 .arena = arena,
+                                 .numbers = numbers,
+                                 .residuals =
+                                     ARENA_ARRAY(arena, merit->residual_count + 1, double)};
+    struct error why;
+    double last = -1;
+    *words = NULL;
+    if (merit_evaluate(merit, numbers, easing.residuals, NULL)) {
+        return true;
+    }
+    why = merit->why;
+    for (int stage = 0; stage < STAGES && !easing.is_done && !easing.is_stopped; stage++) {
+        if (!open_most(&easing, error)) {
+            break;
+        }
+        if (*words == NULL) {
+            *words = easing.is_whole
+                         ? arena_printf(arena,
+                                        "rays were lost at the start: it was begun with %.0f %% of "
+                                        "aperture and field",
+                                        100 * easing.share)
+                         : "not all goals have a value at the start: it was begun with those that "
+                           "have one";
+        }
+        const double reached = easing.is_whole ? easing.share : 0;
+        if (stage > 0 && !(reached > last)) {
+            break; /* no more of it than before */
+        }
+        last = reached;
+        if (!run_stage(&easing, error)) {
+            return false;
+        }
+    }
+    if (easing.is_done) {
+        return true;
+    }
+    if (easing.is_refused && last < 0) {
+        return error_prefix(error,
+                            "the lens cannot be judged as it is: %s; with %.0f %% of the "
+                            "field: ",
+                            why.message, 100 * easing.share);
+    }
+    *error = why;
+    /* Why it cannot be judged, and what was done. */
+    bool is_untried = last < 0;
+    if (easing.is_stopped) {
+        return error_prefix(error, "stopped before the lens became one that can be judged: ");
+    }
+    if (is_untried || !easing.is_whole) {
+        return error_prefix(error, "the lens cannot be judged as it is: ");
+    }
+    if (error->hint[0] == '\0') {
+        error_hint(error, "begin with a larger f-number, smaller fields or other numbers");
+    }
+    return error_prefix(error, "the lens cannot be judged as it is, nor after it was made better "
+                               "with less aperture and field: ");
+}
+
+/* -------- and on from there -------- */
 
 /* A run, as its progress is told. */
 struct optimize_progress {
@@ -84,62 +293,45 @@ static void judge_as_nothing(const struct merit *merit, struct optimize_state *s
     }
 }
 
-/* The lens as it was, that is begun with its own numbers. */
-static void judge_before(const struct merit *merit, struct optimize_answer *answer)
-{
-    const size_t size = merit->residual_count * sizeof(double);
-    if (answer->begun != NULL) {
-        judge_as_nothing(merit, &answer->before);
-        return;
-    }
-    answer->before.merit = answer->after.merit;
-    memcpy(answer->before.residuals, answer->after.residuals, size);
-    memcpy(answer->before.values, answer->after.values, size);
-}
-
-static bool optimize_report_begin(const struct optimize_task *task, struct arena *arena,
-                                  struct optimize_answer *answer, double *jacobian,
-                                  struct error *error)
-{
-    struct merit *merit = task->merit;
-    *answer = (struct optimize_answer){.before = new_state(merit, arena),
-                                       .after = new_state(merit, arena),
-                                       .is_idle = ARENA_ARRAY(arena, merit->variable_count, bool)};
-    variables_get(merit->question.variables, answer->before.numbers);
-    memcpy(answer->after.numbers, task->start != NULL ? task->start : answer->before.numbers,
-           merit->variable_count * sizeof(double));
-    if (task->start != NULL && !optimize_look(merit, &answer->before, NULL)) {
-        judge_as_nothing(merit, &answer->before);
-    }
-    if (!optimize_begin(task, answer->after.numbers, arena, &answer->begun, error)) {
-        return false;
-    }
-    if (!optimize_look(merit, &answer->after, jacobian)) {
-        *error = merit->why;
-        return error_prefix(error, "the lens cannot be judged where it is begun: ");
-    }
-    for (size_t j = 0; j < merit->variable_count; j++) {
-        answer->is_idle[j] = true;
-    }
-    optimize_find_effects(merit, answer->after.residuals, jacobian, answer->is_idle);
-    if (task->start == NULL) {
-        judge_before(merit, answer);
-    }
-    return true;
-}
-
 /* From the start; ends where the lens has a value. */
 static bool optimize_run_once(struct optimize_progress *running, double *jacobian,
                               struct error *error)
 {
     const struct optimize_task *task = running->task;
     struct optimize_answer *answer = running->answer;
+    struct arena *arena = running->arena;
     struct merit *merit = task->merit;
+    const size_t size = merit->residual_count * sizeof(double);
     running->room = 0;
-    if (!optimize_report_begin(task, running->arena, answer, jacobian, error)) {
+    *answer = (struct optimize_answer){.before = new_state(merit, arena),
+                                       .after = new_state(merit, arena),
+                                       .is_idle = ARENA_ARRAY(arena, merit->variable_count, bool)};
+    struct optimize_state *before = &answer->before, *after = &answer->after;
+    variables_get(merit->question.variables, before->numbers);
+    memcpy(after->numbers, task->start != NULL ? task->start : before->numbers,
+           merit->variable_count * sizeof(double));
+    if (task->start != NULL && !optimize_look(merit, before, NULL)) {
+        judge_as_nothing(merit, before);
+    }
+    if (!optimize_begin(task, after->numbers, arena, &answer->begun, error)) {
         return false;
     }
-    optimize_note(running, answer->after.merit);
+    if (!optimize_look(merit, after, jacobian)) {
+        *error = merit->why;
+        return error_prefix(error, "the lens cannot be judged where it is begun: ");
+    }
+    for (size_t j = 0; j < merit->variable_count; j++) {
+        answer->is_idle[j] = true;
+    }
+    optimize_find_effects(merit, after->residuals, jacobian, answer->is_idle);
+    if (task->start == NULL && answer->begun != NULL) {
+        judge_as_nothing(merit, before);
+    } else if (task->start == NULL) { /* the lens as it was, that is begun with its own numbers */
+        before->merit = after->merit;
+        memcpy(before->residuals, after->residuals, size);
+        memcpy(before->values, after->values, size);
+    }
+    optimize_note(running, after->merit);
     const struct solver_problem problem = optimize_problem(merit);
     const struct solver_options options = {.engine = task->engine,
                                            .iterations = task->iterations,
@@ -147,11 +339,10 @@ static bool optimize_run_once(struct optimize_progress *running, double *jacobia
                                            .lean = true,
                                            .progress = progress,
                                            .progress_context = running};
-    if (!solver_run(&problem, &options, answer->after.numbers, running->arena, &answer->summary,
-                    error)) {
+    if (!solver_run(&problem, &options, after->numbers, arena, &answer->summary, error)) {
         return false;
     }
-    if (!optimize_look(merit, &answer->after, jacobian)) {
+    if (!optimize_look(merit, after, jacobian)) {
         *error = merit->why;
         return error_prefix(error, "the lens that was found cannot be judged: ");
     }

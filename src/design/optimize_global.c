@@ -3,7 +3,6 @@
 #include "design/optimize_global.h"
 
 #include "base/parallel.h"
-#include "design/optimize_start.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -101,31 +100,6 @@ static bool begin_at(const struct global_run *searching, const struct global_sea
     return optimize_begin(&task, numbers, merit->arena, &ignored, &why);
 }
 
-/* Minima in the arena. Result: it came to its end */
-static bool search_from(const struct global_run *searching, size_t start, struct arena *arena,
-                        struct global_chain *chain)
-{
-    const struct optimize_global *global = searching->global;
-    struct arena own = {0}; /* merits keep what they have found in theirs */
-    struct fresh fresh;
-    struct error ignored;
-    bool done = true;
-    *chain = (struct global_chain){0};
-    if (open_fresh(global->merit, &own, &fresh, &ignored)) {
-        const struct solver_problem problem = optimize_problem(&fresh.merit);
-        const struct global_search search = search_of(searching, &problem);
-        double *numbers = ARENA_ARRAY(&own, fresh.variables.count + 1, double);
-        if (begin_at(searching, &search, start, &fresh.merit, numbers)) {
-            global_descend(&search, (uint32_t)start, numbers, arena, chain);
-            done = !chain->is_stopped;
-        } else {
-            done = global->goes_on == NULL || global->goes_on(global->context);
-        }
-    }
-    arena_free(&own);
-    return done;
-}
-
 bool optimize_global_idle(const struct optimize_global *global, struct arena *arena, bool *is_idle)
 {
     const struct global_run searching = global_run_of(global, arena);
@@ -166,11 +140,29 @@ static void optimize_global_work(void *context, const struct parallel_piece *pie
     struct global_run *searching = context;
     const struct optimize_global *global = searching->global;
     for (size_t k = searching->first + piece->begin; k < searching->first + piece->end; k++) {
-        struct global_result *result = &global->results[k];
-        struct global_chain chain;
-        if (!result->is_done && global_run_goes_on(global) &&
-            search_from(searching, k, piece->arena, &chain)) {
-            *result = (struct global_result){true, chain.count, chain.minima, chain.evaluations};
+        struct arena own = {0}; /* merits keep what they have found in theirs */
+        struct global_chain chain = {0};
+        struct fresh fresh;
+        struct error ignored;
+        if (global->results[k].is_done || !global_run_goes_on(global)) {
+            continue;
+        }
+        bool done = true; /* it came to its end */
+        if (open_fresh(global->merit, &own, &fresh, &ignored)) {
+            const struct solver_problem problem = optimize_problem(&fresh.merit);
+            const struct global_search search = search_of(searching, &problem);
+            double *numbers = ARENA_ARRAY(&own, fresh.variables.count + 1, double);
+            if (begin_at(searching, &search, k, &fresh.merit, numbers)) {
+                global_descend(&search, (uint32_t)k, numbers, piece->arena, &chain);
+                done = !chain.is_stopped;
+            } else {
+                done = global->goes_on == NULL || global->goes_on(global->context);
+            }
+        }
+        arena_free(&own);
+        if (done) {
+            global->results[k] =
+                (struct global_result){true, chain.count, chain.minima, chain.evaluations};
             watch_add(global->watch, 1);
         }
     }
@@ -233,24 +225,6 @@ static int compare_kept(const void *one, const void *other)
                                  &(struct candidate){&second, b->start});
 }
 
-static struct candidate *list_candidates(const struct optimize_global *global, size_t *count,
-                                         struct arena *arena)
-{
-    size_t all = 0;
-    for (size_t k = 0; k < global->start_count; k++) {
-        all += global->results[k].count;
-    }
-    struct candidate *list = ARENA_ARRAY(arena, all + 1, struct candidate);
-    *count = 0;
-    for (size_t k = 0; k < global->start_count; k++) {
-        for (size_t i = 0; i < global->results[k].count; i++) {
-            list[(*count)++] = (struct candidate){&global->results[k].minima[i], k};
-        }
-    }
-    qsort(list, *count, sizeof *list, optimize_global_compare);
-    return list;
-}
-
 /* Does a lens that is there already lie there? */
 static bool kept_is_known(const struct solver_problem *problem, const struct global_kept *kept,
                           size_t count, const double *numbers)
@@ -262,61 +236,55 @@ static bool kept_is_known(const struct solver_problem *problem, const struct glo
     return found;
 }
 
-/* Starts with a minimum there, or where its last descent began. */
-static size_t count_hits(const struct optimize_global *global, const struct solver_problem *problem,
-                         const struct global_kept *kept)
-{
-    size_t hits = 0;
-    for (size_t k = 0; k < global->start_count; k++) {
-        bool hit = false;
-        for (size_t i = 0; i < global->results[k].count; i++) {
-            const double *found = global->results[k].minima[i].parameters;
-            hit = hit || global_is_same(problem, found, kept->answer.after.numbers) ||
-                  global_is_same(problem, found, kept->begun);
-        }
-        hits += hit;
-    }
-    return hits;
-}
-
-/* Down to its minimum. */
-static bool candidate_finish(const struct optimize_task *task, const struct candidate *candidate,
-                             struct arena *arena, struct global_kept *kept)
-{
-    struct optimize_task fine = *task;
-    struct fresh *fresh = ARENA_NEW(arena, struct fresh);
-    struct error ignored;
-    fine.merit = &fresh->merit;
-    fine.start = candidate->minimum->parameters;
-    kept->begun = fine.start;
-    kept->start = candidate->start;
-    return open_fresh(task->merit, arena, fresh, &ignored) &&
-           optimize_run(&fine, arena, &kept->answer, &ignored);
-}
-
 size_t optimize_global_keep(const struct optimize_global *global, const struct optimize_task *task,
                             size_t most, struct arena *arena, struct global_kept *kept)
 {
     const struct solver_problem problem = optimize_problem(task->merit);
-    size_t candidates, count = 0, tried = 0;
-    const struct candidate *list = list_candidates(global, &candidates, arena);
+    size_t candidates = 0, count = 0, tried = 0;
+    for (size_t k = 0; k < global->start_count; k++) {
+        candidates += global->results[k].count;
+    }
+    struct candidate *list = ARENA_ARRAY(arena, candidates + 1, struct candidate), *at = list;
+    for (size_t k = 0; k < global->start_count; k++) {
+        for (size_t i = 0; i < global->results[k].count; i++) {
+            *at++ = (struct candidate){&global->results[k].minima[i], k};
+        }
+    }
+    qsort(list, candidates, sizeof *list, optimize_global_compare);
     /* what ends in one minimum may have stopped here and there in its valley */
     const size_t most_tried = 8 * most + 16;
     for (size_t i = 0; i < candidates && count < most && tried < most_tried; i++) {
+        struct global_kept *one = &kept[count];
+        struct optimize_task fine = *task;
+        struct error ignored;
         if (count > 0 && watch_is_ended(global->watch)) {
             break; /* who interrupts gets the best, and does not wait for others */
         }
-        if (kept_is_known(&problem, kept, count, list[i].minimum->parameters)) {
+        fine.start = list[i].minimum->parameters;
+        if (kept_is_known(&problem, kept, count, fine.start)) {
             continue;
         }
         tried++;
-        if (candidate_finish(task, &list[i], arena, &kept[count]) &&
-            !kept_is_known(&problem, kept, count, kept[count].answer.after.numbers)) {
-            count++;
-        }
+        /* down to its minimum */
+        struct fresh *fresh = ARENA_NEW(arena, struct fresh);
+        fine.merit = &fresh->merit;
+        one->begun = fine.start;
+        one->start = list[i].start;
+        count += open_fresh(task->merit, arena, fresh, &ignored) &&
+                 optimize_run(&fine, arena, &one->answer, &ignored) &&
+                 !kept_is_known(&problem, kept, count, one->answer.after.numbers);
     }
+    /* starts with a minimum there, or where its last descent began */
     for (size_t i = 0; i < count; i++) {
-        kept[i].hits = count_hits(global, &problem, &kept[i]);
+        for (size_t k = 0; k < global->start_count; k++) {
+            bool hit = false;
+            for (size_t m = 0; m < global->results[k].count; m++) {
+                const double *found = global->results[k].minima[m].parameters;
+                hit = hit || global_is_same(&problem, found, kept[i].answer.after.numbers) ||
+                      global_is_same(&problem, found, kept[i].begun);
+            }
+            kept[i].hits += hit;
+        }
     }
     qsort(kept, count, sizeof *kept, compare_kept);
     return count;

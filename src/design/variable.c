@@ -31,16 +31,13 @@ static size_t variable_word_of(const struct lens *lens, struct parameter what)
 }
 
 /* Are there derivatives by it, and a place in a file? */
-static bool variable_check_kind(enum parameter_kind kind, struct error *error)
-{
-    bool derived = parameter_type(kind)->basis != PARAMETER_KINDS || kind == PARAMETER_FOCAL;
-    return (derived && kind != PARAMETER_TILT_Z) ||
-           fail(error, ERROR_DOMAIN, "the %s of a surface does not vary",
-                parameter_type(kind)->words);
-}
-
 static bool check_what(const struct lens *lens, const struct variable *one, struct error *error)
 {
+    const struct parameter_type *type = parameter_type(one->what.kind);
+    const bool is_derived = type->basis != PARAMETER_KINDS || one->what.kind == PARAMETER_FOCAL;
+    if (!is_derived || one->what.kind == PARAMETER_TILT_Z) {
+        return fail(error, ERROR_DOMAIN, "the %s of a surface does not vary", type->words);
+    }
     if (one->position == LENS_NONE) {
         return parameter_check(lens, one->what, error);
     }
@@ -114,28 +111,21 @@ static size_t variable_number_of(struct variables *variables, struct parameter w
     return i;
 }
 
-static void add_drive(struct variables *variables, size_t at, struct parameter what)
-{
-    const struct variable_drive drive = {.variable = at,
-                                         .number = variable_number_of(variables, what),
-                                         .position = variables->list[at].position,
-                                         .share = LENS_NONE};
-    variables->drives[variables->drive_count++] = drive;
-}
-
 /* Of a word all cells that it stands in. */
 static void add_drives(struct variables *variables, size_t at)
 {
     const struct lens *lens = variables->lens;
     const struct variable *one = &variables->list[at];
-    if (one->position == LENS_NONE) {
-        add_drive(variables, at, one->what);
-        return;
-    }
-    size_t word = variable_word_of(lens, one->what);
-    for (size_t i = 0; i < lens->surface_count; i++) {
-        if (is_cell(parameter_figure(&lens->surfaces[i], one->what.kind, 0), word)) {
-            add_drive(variables, at, (struct parameter){i, one->what.kind, 0});
+    const bool is_word = one->position != LENS_NONE;
+    const size_t word = variable_word_of(lens, one->what);
+    for (size_t i = 0; i < (is_word ? lens->surface_count : 1); i++) {
+        const struct parameter cell = {i, one->what.kind, 0};
+        if (!is_word || is_cell(parameter_figure(&lens->surfaces[i], cell.kind, 0), word)) {
+            variables->drives[variables->drive_count++] = (struct variable_drive){
+                .variable = at,
+                .number = variable_number_of(variables, is_word ? cell : one->what),
+                .position = one->position,
+                .share = LENS_NONE};
         }
     }
 }
@@ -145,62 +135,29 @@ static bool variable_is_free(const struct variable *one)
     return isinf(one->low) && isinf(one->high);
 }
 
-/* nd and Vd of one medium without bounds: Vd becomes the share of the glass map. */
-static void pair_glasses(struct variables *variables)
-{
-    for (size_t i = 0; i < variables->drive_count; i++) {
-        struct variable_drive *abbe = &variables->drives[i];
-        const struct variable *of = &variables->list[abbe->variable];
-        for (size_t j = 0; j < variables->drive_count && of->what.kind == PARAMETER_ABBE; j++) {
-            const struct variable_drive *index = &variables->drives[j];
-            const struct variable *n = &variables->list[index->variable];
-            if (n->what.kind == PARAMETER_INDEX && n->what.surface == of->what.surface &&
-                variable_is_free(n) && variable_is_free(of)) {
-                abbe->share = abbe->variable;
-                abbe->variable = index->variable;
-                break;
-            }
-        }
-    }
-}
-
-static void add_rule(struct variables *variables, const struct lens_pickup *pickup,
-                     enum parameter_kind what, enum parameter_kind from)
-{
-    struct parameter to = pickup->what, of = pickup->from;
-    to.kind = what;
-    of.kind = from;
-    struct variable_rule *rule = &variables->rules[variables->rule_count++];
-    *rule = (struct variable_rule){
-        .from = variable_number_of(variables, of),
-        .to = variable_number_of(variables, to),
-        .from_inverse = is_inverse(from),
-        .to_inverse = is_inverse(what),
-        .factor = what == pickup->what.kind ? pickup->factor.value.hi : 1,
-        .offset = what == pickup->what.kind ? pickup->offset.value.hi : 0,
-    };
-}
-
-/* Does a variable reach this number, itself or by the pick-ups so far? */
-static bool is_moved(const struct variables *variables, struct parameter what)
-{
-    return variable_find_number(variables, what) < variables->number_count;
-}
-
-/* Those pick-ups that follow a variable; of glasses their numbers. */
+/* Those pick-ups that follow a number which a variable reaches, itself or by pick-ups before; of
+   glasses their numbers. */
 static void add_rules(struct variables *variables)
 {
     static const enum parameter_kind both[] = {PARAMETER_INDEX, PARAMETER_ABBE};
     for (size_t i = 0; i < variables->lens->pickup_count; i++) {
         const struct lens_pickup *pickup = &variables->lens->pickups[i];
-        if (pickup->what.kind != PARAMETER_GLASS && is_moved(variables, pickup->from)) {
-            add_rule(variables, pickup, pickup->what.kind, pickup->from.kind);
-        }
-        for (size_t k = 0; k < 2 && pickup->what.kind == PARAMETER_GLASS; k++) {
-            const struct parameter number = {pickup->from.surface, both[k], 0};
-            if (is_moved(variables, number)) {
-                add_rule(variables, pickup, both[k], both[k]);
+        const bool is_glass = pickup->what.kind == PARAMETER_GLASS;
+        for (size_t k = 0; k < (is_glass ? 2 : 1); k++) {
+            struct parameter to = pickup->what, from = pickup->from;
+            if (is_glass) {
+                to.kind = from.kind = both[k];
             }
+            if (variable_find_number(variables, from) == variables->number_count) {
+                continue;
+            }
+            variables->rules[variables->rule_count++] =
+                (struct variable_rule){.from = variable_number_of(variables, from),
+                                       .to = variable_number_of(variables, to),
+                                       .from_inverse = is_inverse(from.kind),
+                                       .to_inverse = is_inverse(to.kind),
+                                       .factor = is_glass ? 1 : pickup->factor.value.hi,
+                                       .offset = is_glass ? 0 : pickup->offset.value.hi};
         }
     }
 }
@@ -265,26 +222,8 @@ static double variable_scale_of(const struct lens *lens, struct parameter what, 
     return 1;
 }
 
-/* How a number is shown: its value in the unit of messages, and that unit. */
-static const char *variable_unit_of(struct parameter what, double *factor)
-{
-    int length = parameter_length(what.kind, what.order);
-    bool angle = (parameter_type(what.kind)->is & PARAMETER_IS_ANGLE) != 0;
-    *factor = angle ? 1 / RADIANS_PER_DEGREE : 1;
-    if (angle) {
-        return " deg";
-    }
-    if (length == 1) {
-        return " mm";
-    }
-    if (length == -1) {
-        return " /mm";
-    }
-    return "";
-}
-
-/* What was named lies between these bounds: a radius through a plane outside of them. */
-/* A number that was written with fewer digits lies on its bound still. */
+/* What was named lies between these bounds: a radius through a plane outside of them. A number that
+   was written with fewer digits lies on its bound still. */
 static bool variable_is_within(double value, double low, double high)
 {
     const double slack = 1e-12;
@@ -293,10 +232,14 @@ static bool variable_is_within(double value, double low, double high)
     return low <= high ? low <= value && value <= high : value >= low || value <= high;
 }
 
+/* Messages have the unit that the value is shown in. */
 static bool variable_check_bounds(const struct variable *one, double value, struct error *error)
 {
-    double factor;
-    const char *unit = variable_unit_of(one->what, &factor);
+    const int length = parameter_length(one->what.kind, one->what.order);
+    const bool is_angle = (parameter_type(one->what.kind)->is & PARAMETER_IS_ANGLE) != 0;
+    const double factor = is_angle ? 1 / RADIANS_PER_DEGREE : 1;
+    const char *per_mm = length == -1 ? " /mm" : "", *plain = length == 1 ? " mm" : per_mm;
+    const char *unit = is_angle ? " deg" : plain;
     double low = factor * one->low, high = factor * one->high;
     bool inverse = is_inverse(one->what.kind), turned = inverse && one->low > 0 && one->high < 0;
     if (isnan(low) || isnan(high) || (!(low < high) && !turned)) {
@@ -314,36 +257,6 @@ static bool variable_check_bounds(const struct variable *one, double value, stru
         fail(error, ERROR_DOMAIN, "%s is %.10g%s, which is not within its bounds %.10g to %.10g%s",
              one->name, factor * value, unit, low, high, unit);
         return error_hint(error, "start within them, or make them wider");
-    }
-    return true;
-}
-
-/* The bounds of a radius as those of the curvature; an infinite one is that of a plane. */
-static void turn_bounds(const struct variable *one, double *low, double *high)
-{
-    *low = variable_is_free(one) ? -INFINITY : 1 / one->high;
-    *high = variable_is_free(one) ? INFINITY : 1 / one->low;
-    if (isinf(one->high) && !variable_is_free(one)) {
-        *low = 0;
-    }
-    if (isinf(one->low) && !variable_is_free(one)) {
-        *high = 0;
-    }
-}
-
-static bool open_variable(struct variables *variables, size_t at, struct error *error)
-{
-    const struct variable *one = &variables->list[at];
-    size_t position = one->position == LENS_NONE ? 0 : one->position;
-    double value = parameter_get(&variables->lenses[position].lens, one->what);
-    variables->low[at] = one->low;
-    variables->high[at] = one->high;
-    if (!variable_check_bounds(one, value, error)) {
-        return one->place.source != NULL &&
-               error_locate(error, one->place.source, one->place.line, one->place.column);
-    }
-    if (is_inverse(one->what.kind)) {
-        turn_bounds(one, &variables->low[at], &variables->high[at]);
     }
     return true;
 }
@@ -367,34 +280,13 @@ static bool fail_outside(const struct lens *lens, size_t surface, struct error *
                 surface + 1, parameter_get(lens, nd), parameter_get(lens, Vd));
 }
 
-/* The two variables of a glass within the map. */
-static bool open_glass(struct variables *variables, const struct variable_drive *drive,
-                       struct error *error)
+/* One number of a model glass without bounds stays within the map too: where the other stands, or
+   as far as its bounds let it go. */
+static bool open_lone(struct variables *variables, size_t at, struct error *error)
 {
+    const struct variable *one = &variables->list[at], *other = NULL;
     const struct lens *lens = &variables->lenses[0].lens;
-    size_t n = drive->variable, share = drive->share;
-    struct parameter what = variables->list[share].what;
-    double Vd = parameter_get(lens, what);
-    what.kind = PARAMETER_INDEX;
-    double nd = parameter_get(lens, what);
-    if (isnan(variable_share_within(nd, Vd))) {
-        fail_outside(lens, what.surface, error);
-        return error_hint(error, "hold it, or give n%zu and V%zu bounds of their own",
-                          what.surface + 1, what.surface + 1);
-    }
-    variables->low[n] = GLASS_MAP_LOWEST;
-    variables->high[n] = GLASS_MAP_HIGHEST;
-    variables->low[share] = 0;
-    variables->high[share] = 1;
-    variables->scale[share] = variables->list[share].scale > 0 ? variables->list[share].scale : 0.5;
-    return true;
-}
-
-/* Of a model glass its other number, where that varies too; null: it does not. */
-static const struct variable *other_number(const struct variables *variables,
-                                           const struct variable *one)
-{
-    const struct variable *other = NULL;
+    const bool is_index = one->what.kind == PARAMETER_INDEX;
     for (size_t i = 0; i < variables->count && other == NULL; i++) {
         const struct parameter *what = &variables->list[i].what;
         if (parameter_is_of_medium(what->kind) && what->surface == one->what.surface &&
@@ -402,16 +294,6 @@ static const struct variable *other_number(const struct variables *variables,
             other = &variables->list[i];
         }
     }
-    return other;
-}
-
-/* One number of a model glass without bounds stays within the map too: where the other stands, or
-   as far as its bounds let it go. */
-static bool open_lone(struct variables *variables, size_t at, struct error *error)
-{
-    const struct variable *one = &variables->list[at], *other = other_number(variables, one);
-    const struct lens *lens = &variables->lenses[0].lens;
-    const bool is_index = one->what.kind == PARAMETER_INDEX;
     if (!parameter_is_of_medium(one->what.kind) || !variable_is_free(one) ||
         (other != NULL && variable_is_free(other)) || one->what.surface >= lens->surface_count ||
         lens->surfaces[one->what.surface].medium.kind != MEDIUM_MODEL) {
@@ -431,6 +313,42 @@ static bool open_lone(struct variables *variables, size_t at, struct error *erro
     }
     variables->low[at] = range.low;
     variables->high[at] = range.high;
+    return true;
+}
+
+/* nd and Vd of one medium without bounds, within the map: Vd becomes the share of it. */
+static bool pair_glasses(struct variables *variables, struct error *error)
+{
+    const struct lens *lens = &variables->lenses[0].lens;
+    for (size_t i = 0; i < variables->drive_count; i++) {
+        struct variable_drive *abbe = &variables->drives[i];
+        const struct variable *of = &variables->list[abbe->variable];
+        if (of->what.kind != PARAMETER_ABBE || !variable_is_free(of)) {
+            continue;
+        }
+        for (size_t j = 0; j < variables->drive_count; j++) {
+            const size_t n = variables->drives[j].variable, share = abbe->variable;
+            const struct variable *index = &variables->list[n];
+            if (index->what.kind != PARAMETER_INDEX || index->what.surface != of->what.surface ||
+                !variable_is_free(index)) {
+                continue;
+            }
+            if (isnan(variable_share_within(parameter_get(lens, index->what),
+                                            parameter_get(lens, of->what)))) {
+                fail_outside(lens, of->what.surface, error);
+                return error_hint(error, "hold it, or give n%zu and V%zu bounds of their own",
+                                  of->what.surface + 1, of->what.surface + 1);
+            }
+            abbe->share = share;
+            abbe->variable = n;
+            variables->low[n] = GLASS_MAP_LOWEST;
+            variables->high[n] = GLASS_MAP_HIGHEST;
+            variables->low[share] = 0;
+            variables->high[share] = 1;
+            variables->scale[share] = of->scale > 0 ? of->scale : 0.5;
+            break;
+        }
+    }
     return true;
 }
 
@@ -498,25 +416,33 @@ bool variables_open(const struct lens *lens, const struct variable *list, size_t
         variables->scale[i] =
             list[i].scale > 0 ? list[i].scale : variable_scale_of(first, list[i].what, size);
     }
-    for (size_t i = 0; i < variables->count; i++) {
-        if (!variable_check_kind(variables->list[i].what.kind, error) ||
-            !check_what(variables->lens, &variables->list[i], error) ||
-            !check_alone(variables, i, error) || !open_variable(variables, i, error)) {
+    for (size_t i = 0; i < count; i++) {
+        const struct variable *one = &variables->list[i];
+        const size_t position = one->position == LENS_NONE ? 0 : one->position;
+        if (!check_what(lens, one, error) || !check_alone(variables, i, error)) {
             return false;
+        }
+        const double value = parameter_get(&variables->lenses[position].lens, one->what);
+        if (!variable_check_bounds(one, value, error)) {
+            return one->place.source != NULL &&
+                   error_locate(error, one->place.source, one->place.line, one->place.column);
+        }
+        variables->low[i] = one->low;
+        variables->high[i] = one->high;
+        /* the bounds of a radius as those of the curvature; an infinite one is that of a plane */
+        if (is_inverse(one->what.kind) && !variable_is_free(one)) {
+            variables->low[i] = isinf(one->high) ? 0 : 1 / one->high;
+            variables->high[i] = isinf(one->low) ? 0 : 1 / one->low;
         }
         add_drives(variables, i);
     }
-    for (size_t i = 0; i < variables->count; i++) {
+    for (size_t i = 0; i < count; i++) {
         if (!open_lone(variables, i, error)) {
             return false;
         }
     }
-    pair_glasses(variables);
-    for (size_t i = 0; i < variables->drive_count; i++) {
-        const struct variable_drive *drive = &variables->drives[i];
-        if (drive->share != LENS_NONE && !open_glass(variables, drive, error)) {
-            return false;
-        }
+    if (!pair_glasses(variables, error)) {
+        return false;
     }
     add_rules(variables);
     open_values(variables, arena);

@@ -107,28 +107,22 @@ static void variable_put_derive(const struct variables *variables, size_t positi
     }
 }
 
-/* Another link, or more of one that is there since `first`. */
-static size_t add_link(struct variable_link *links, size_t first, size_t count,
-                       struct variable_link link)
-{
-    for (size_t i = first; i < count; i++) {
-        if (parameter_is_identical(links[i].basis, link.basis)) {
-            links[i].slope += link.slope;
-            return count;
-        }
-    }
-    links[count] = link;
-    return count + 1;
-}
-
 size_t variable_index_links(const struct lens *lens, struct variable_link link, size_t first,
                             size_t count, struct variable_link *links)
 {
-    size_t i = link.basis.surface;
+    size_t surface = link.basis.surface;
     do {
-        link.basis.surface = i++;
-        count = add_link(links, first, count, link);
-    } while (i < lens->surface_count && surface_reflects(&lens->surfaces[i]));
+        size_t at = first;
+        link.basis.surface = surface++;
+        while (at < count && !parameter_is_identical(links[at].basis, link.basis)) {
+            at++;
+        }
+        if (at == count) {
+            links[count++] = link;
+        } else {
+            links[at].slope += link.slope;
+        }
+    } while (surface < lens->surface_count && surface_reflects(&lens->surfaces[surface]));
     return count;
 }
 
@@ -211,22 +205,6 @@ static void variable_put_write_number(struct lens *lens, struct parameter what, 
     }
 }
 
-/* A number of a word into its list. */
-static void write_word(struct lens *lens, const struct variable_drive *drive, struct parameter what,
-                       double value, struct arena *arena)
-{
-    const struct figure *cell =
-        parameter_figure(&lens->surfaces[what.surface], what.kind, what.order);
-    struct lens_variable *word = &lens->variables[cell->variable];
-    struct figure *values = ARENA_ARRAY(arena, lens->position_count, struct figure);
-    memcpy(values, word->values, lens->position_count * sizeof values[0]);
-    if (values[drive->position].value.hi != value) {
-        values[drive->position] = variable_put_rounded(
-            value, unit_find(&dimension_length, text_of(lens->unit))->scale, arena);
-    }
-    word->values = values;
-}
-
 struct lens *variables_lens(const struct variables *variables, const double *v, struct arena *arena)
 {
     const struct lens *from = variables->lens;
@@ -242,7 +220,17 @@ struct lens *variables_lens(const struct variables *variables, const double *v, 
         if (drive->position == LENS_NONE) {
             variable_put_write_number(to, number->what, value, arena);
         } else {
-            write_word(to, drive, number->what, value, arena);
+            /* a number of a word into its list */
+            const struct figure *cell = parameter_figure(&to->surfaces[number->what.surface],
+                                                         number->what.kind, number->what.order);
+            struct lens_variable *word = &to->variables[cell->variable];
+            struct figure *values = ARENA_ARRAY(arena, to->position_count, struct figure);
+            memcpy(values, word->values, to->position_count * sizeof values[0]);
+            if (values[drive->position].value.hi != value) {
+                values[drive->position] = variable_put_rounded(
+                    value, unit_find(&dimension_length, text_of(to->unit))->scale, arena);
+            }
+            word->values = values;
         }
     }
     lens_pickups_put(to, lens_at_position(to, 0, arena), arena);

@@ -21,43 +21,30 @@ static const struct option options[] = {
      .flags = OPTION_FILE, .help = "where the whole goes, as of the command that was divided"},
 };
 
-/* -------- the parts -------- */
-
-static bool merge_read_parts(const struct merge_input *input, struct arena *arena,
-                             struct part_file **files, size_t *count, struct error *error)
+static bool again(const void *data, struct run *run, struct again *question, struct error *error)
 {
-    size_t room = 0;
-    *files = NULL;
-    *count = 0;
+    const struct merge_input *input = data;
+    struct arena *arena = run->kept;
+    struct part_file *files = NULL;
+    size_t count = 0, room = 0;
     if (input->files == NULL) {
         fail(error, ERROR_USAGE, "no part is given");
         return error_hint(error, "name all of a run, as in 'lenscalc merge X*.part -o FILE'");
     }
-    for (struct text rest = text_of(input->files); rest.start != NULL;) {
+    for (struct text rest = text_of(input->files); rest.start != NULL; count++) {
         const struct text name = text_cut(&rest, OPTION_MANY_SEPARATOR);
         const char *path = arena_string(arena, name.start, name.length);
-        *files = arena_grow(arena, *files, *count, &room, sizeof **files);
-        if (!division_read(path, arena, &(*files)[*count], error)) {
+        files = arena_grow(arena, files, count, &room, sizeof *files);
+        if (!division_read(path, arena, &files[count], error)) {
             return error->code == ERROR_NONE ? fail(error, ERROR_IO, "there is no file %s", path)
                                              : false;
         }
-        ++*count;
     }
-    return parts_order(*files, *count, !input->incomplete, arena, error);
-}
-
-/* -------- asked again -------- */
-
-static bool again(const void *data, struct run *run, struct again *question, struct error *error)
-{
-    const struct merge_input *input = data;
-    struct part_file *files;
-    size_t count;
-    if (!merge_read_parts(input, run->kept, &files, &count, error)) {
+    if (!parts_order(files, count, !input->incomplete, arena, error)) {
         return false;
     }
     const struct part_head *head = &files[0].head;
-    char **words = part_split(head->words, &question->count, run->kept);
+    char **words = part_split(head->words, &question->count, arena);
     question->command = command_find(head->command);
     if (question->command == NULL || !question->command->is_divided || words == NULL) {
         return fail(error, ERROR_DATA,
@@ -68,13 +55,13 @@ static bool again(const void *data, struct run *run, struct again *question, str
         return fail(error, ERROR_DATA, "%s was made by version %.*s, and this is %s", files[0].path,
                     text_shown(head->version), head->version.start, LENSCALC_VERSION);
     }
-    question->words = ARENA_ARRAY(run->kept, (size_t)question->count + 2, char *);
+    question->words = ARENA_ARRAY(arena, (size_t)question->count + 2, char *);
     int all = 0;
     if (arguments_given(run->arguments, "force")) {
-        question->words[all++] = ARENA_JOIN(run->kept, "--force");
+        question->words[all++] = ARENA_JOIN(arena, "--force");
     }
     if (input->output != NULL) {
-        question->words[all++] = ARENA_JOIN(run->kept, "--output=", input->output);
+        question->words[all++] = ARENA_JOIN(arena, "--output=", input->output);
     }
     for (int i = 0; i < question->count; i++) {
         question->words[all++] = words[i];

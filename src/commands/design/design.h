@@ -7,6 +7,24 @@
 #include "commands/lens/lens_options.h"
 #include "design/merit/merit.h"
 
+/* What is seen of a lens while it changes, and by which rays; `positions`: of --position. */
+#define DESIGN_VIEW_OPTIONS(S, positions)                                                          \
+    ENTRY(OPTION(S, waves), .name = "wavelength", .letter = 'w',                                   \
+          .dimension = &dimension_wavelength_um, .unit = "nm", .value = "WAVES",                   \
+          .help = "the wavelengths that count, each with a weight: d:1,F:0.5; otherwise those of " \
+                  "the lens"),                                                                     \
+        LENS_FIELDS_OPTION(S, question),                                                           \
+        ENTRY(OPTION(S, question.position), .name = "position", .value = "NAMES",                  \
+              .help = positions "; default all"),                                                  \
+        LENS_FNUMBER_OPTION(S, question), LENS_SECTION_OPTION(S, question)
+
+#define DESIGN_RAYS_OPTIONS(S, usual_rays)                                                         \
+    ENTRY(OPTION(S, pattern), .name = "pattern", .words = patterns, .fallback = "gauss",           \
+          .value = "PATTERN", .help = "sampling pattern of the pupil"),                            \
+        ENTRY(OPTION(S, rays), .name = "rays", .lowest = 1, .highest = 1e5,                        \
+              .fallback = usual_rays, .value = "COUNT",                                            \
+              .help = "approximate number of rays per field and wavelength")
+
 /* What a lens that is written says of how it was found; null: nothing. */
 void design_note(struct lens *lens, const char *note, struct arena *arena);
 

@@ -43,11 +43,7 @@ const char *fit_status(const struct solver_summary *summary);
 /* Progress of a solver, whose context is a watch: once an iteration. */
 bool fit_goes_on(void *watch, const struct solver_progress *progress);
 
-/* -------- fit_glass.c, fit_lens.c, fit_prescription.c: run->state is what was found -------- */
-
-extern const struct sheet fit_glass_sheet, fit_index_sheet;
-bool fit_glass(const struct fit_input *input, struct run *run, struct error *error);
-bool fit_save_glass(const struct artifact_job *job, struct output *sink, struct error *error);
+/* -------- fit_lens.c, fit_prescription.c: run->state is what was found -------- */
 
 extern const struct sheet fit_lens_sheet, fit_ray_sheet, fit_model_sheet, fit_matrix_sheet;
 bool fit_lens(const struct fit_input *input, struct run *run, struct error *error);
@@ -58,8 +54,6 @@ extern const struct sheet fit_goal_sheet;
 bool fit_prescription(const struct fit_input *input, struct run *run, struct error *error);
 bool fit_save_prescription(const struct artifact_job *job, struct output *sink,
                            struct error *error);
-
-extern const struct word fit_formulas[];
 
 /* -------- a lens whose rays are traced and fitted, for every view of it -------- */
 

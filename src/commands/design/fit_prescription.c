@@ -21,14 +21,11 @@ struct fit_goal_row {
     double target, deviation, reached, off; /* mm */
 };
 
-#define LENGTH(member_name)                                                                        \
-    COLUMN(struct fit_goal_row, member_name), .dimension = &dimension_length, .unit = "mm",        \
-                                              .flags = COLUMN_BRIEF
-
 static const struct column columns[] = {
     {COLUMN_NAMED(struct fit_goal_row, position, 0), .help = "zoom or focus position"},
     {COLUMN_NAMED(struct fit_goal_row, goal, COLUMN_BRIEF), .help = "what was measured"},
-    {LENGTH(target), .name = "target", .digits = 8, .label = "target", .help = "as measured"},
+    {COLUMN_NAMED(struct fit_goal_row, target, COLUMN_BRIEF), .dimension = &dimension_length,
+     .unit = "mm", .digits = 8, .help = "as measured"},
     {COLUMN_NAMED(struct fit_goal_row, deviation, 0), .dimension = &dimension_length, .unit = "mm",
      .help = "the standard deviation behind the colon, or 0.01 mm: a goal that is missed by more "
              "fails"},

@@ -245,35 +245,6 @@ void fit_show_matrix(struct fit_job *job)
     }
 }
 
-/* The points of all rays; those that came through first. Result: the largest error, mm. */
-static double place_points(struct fit_job *job, struct ray_map *map)
-{
-    const struct ray_data *ray_data = &job->ray_data;
-    const struct ray_part *part;
-    struct ray_map_point *points =
-        ARENA_ARRAY(job->run->arena, ray_data->wanted, struct ray_map_point);
-    double dx[RAY_PART], dy[RAY_PART], largest = 0;
-    size_t count = 0, lost = ray_data->count;
-    while ((part = ray_data_next(&job->ray_data)) != NULL) {
-        const struct thick_rays *rays = &part->rays;
-        thick_errors(rays, job->fit.lenses, job->task.planes[0], dx, dy);
-        for (size_t i = 0; i < rays->count; i++) {
-            points[count++] =
-                (struct ray_map_point){rays->field[i],  rays->group[i], rays->stop_x[i],
-                                       rays->stop_y[i], 1000 * dx[i],   1000 * dy[i]};
-            largest = fmax(largest, hypot(dx[i], dy[i]));
-        }
-        for (size_t i = 0; i < part->lost_count; i++) {
-            const struct ray_data_loss *at = &part->lost[i];
-            points[lost++] =
-                (struct ray_map_point){at->field, at->group, at->stop_x, at->stop_y, NAN, NAN};
-        }
-    }
-    map->points = points;
-    map->count = lost;
-    return largest;
-}
-
 bool fit_draw_map(const struct artifact_job *wanted, struct output *sink, struct error *error)
 {
     struct fit_job *job = wanted->run->state;
@@ -297,7 +268,30 @@ bool fit_draw_map(const struct artifact_job *wanted, struct output *sink, struct
     map.column_count = job->setup->field_count;
     map.rows = rows;
     map.row_count = job->setup->wavelength_count;
-    const double largest = place_points(job, &map);
+    /* the points of all rays; those that came through first */
+    const struct ray_data *ray_data = &job->ray_data;
+    const struct ray_part *part;
+    struct ray_map_point *points =
+        ARENA_ARRAY(job->run->arena, ray_data->wanted, struct ray_map_point);
+    double dx[RAY_PART], dy[RAY_PART], largest = 0;
+    size_t count = 0, lost = ray_data->count;
+    while ((part = ray_data_next(&job->ray_data)) != NULL) {
+        const struct thick_rays *rays = &part->rays;
+        thick_errors(rays, job->fit.lenses, job->task.planes[0], dx, dy);
+        for (size_t i = 0; i < rays->count; i++) {
+            points[count++] =
+                (struct ray_map_point){rays->field[i],  rays->group[i], rays->stop_x[i],
+                                       rays->stop_y[i], 1000 * dx[i],   1000 * dy[i]};
+            largest = fmax(largest, hypot(dx[i], dy[i]));
+        }
+        for (size_t i = 0; i < part->lost_count; i++) {
+            const struct ray_data_loss *at = &part->lost[i];
+            points[lost++] =
+                (struct ray_map_point){at->field, at->group, at->stop_x, at->stop_y, NAN, NAN};
+        }
+    }
+    map.points = points;
+    map.count = lost;
     map.title = arena_printf(arena, "%s%s%s: exact rays against the fitted thick lens", title,
                              job->setup->position != NULL ? ", " : "",
                              job->setup->position != NULL ? job->setup->position : "");

@@ -19,7 +19,7 @@
  */
 enum { COUNT_BYTES = 4, LONG_BYTES = 8 };
 
-static void put_double(struct bytes *body, double value)
+static void body_put_double(struct bytes *body, double value)
 {
     uint64_t bits;
     memcpy(&bits, &value, sizeof bits);
@@ -47,10 +47,10 @@ static void write_starts(const struct optimize_job *job, struct part_head *head,
         bytes_put_little(&body, result->count, COUNT_BYTES);
         bytes_put_little(&body, (uint64_t)result->evaluations, LONG_BYTES);
         for (size_t i = 0; i < result->count; i++) {
-            put_double(&body, result->minima[i].cost);
-            put_double(&body, result->minima[i].excess);
+            body_put_double(&body, result->minima[i].cost);
+            body_put_double(&body, result->minima[i].excess);
             for (size_t j = 0; j < global->merit->variable_count; j++) {
-                put_double(&body, result->minima[i].parameters[j]);
+                body_put_double(&body, result->minima[i].parameters[j]);
             }
         }
     }
@@ -79,7 +79,7 @@ static uint64_t take_bytes(struct text *rest, int count)
     return value;
 }
 
-static double take_double(struct text *rest)
+static double body_take_double(struct text *rest)
 {
     const uint64_t bits = take_bytes(rest, LONG_BYTES);
     double value;
@@ -106,11 +106,11 @@ static bool take_result(const struct optimize_global *global, struct arena *aren
     result->minima = ARENA_ARRAY(arena, result->count + 1, struct global_minimum);
     for (size_t i = 0; i < result->count; i++) {
         struct global_minimum *minimum = &result->minima[i];
-        minimum->cost = take_double(rest);
-        minimum->excess = take_double(rest);
+        minimum->cost = body_take_double(rest);
+        minimum->excess = body_take_double(rest);
         minimum->parameters = ARENA_ARRAY(arena, numbers + 1, double);
         for (size_t j = 0; j < numbers; j++) {
-            minimum->parameters[j] = take_double(rest);
+            minimum->parameters[j] = body_take_double(rest);
         }
     }
     return true;

@@ -38,23 +38,6 @@ static void glass_list_add_wavelength(struct glass_list *list, double wavelength
     list->wavelengths[list->wavelength_count++] = wavelength;
 }
 
-/* Of the merit, and of the lens in all its positions: it is to be usable. */
-static void glass_list_wavelengths(struct glass_list *list)
-{
-    const struct optimize_job *job = list->job;
-    for (size_t p = 0; p == 0 || p < job->lens->position_count; p++) {
-        const struct lens *lens = lens_at_position(job->lens, p, list->arena);
-        for (size_t i = 0; i < lens->wavelength_count; i++) {
-            glass_list_add_wavelength(list, lens->wavelengths[i].wavelength);
-        }
-    }
-    for (size_t p = 0; p < job->merit.place_count; p++) {
-        for (size_t i = 0; i < job->merit.places[p].light_count; i++) {
-            glass_list_add_wavelength(list, job->merit.places[p].lights[i].wavelength);
-        }
-    }
-}
-
 /* The glass as a lens file finds it by its full name; of several that are the same to light, as one
    with higher transmittance is by another name, the first. */
 static bool add_glass(struct glass_list *list, const struct glass *glass, struct error *error)
@@ -188,7 +171,18 @@ bool optimize_glasses_open(struct optimize_job *job, struct error *error)
         fail(error, ERROR_DOMAIN, "{--glasses}: no model glass nd/Vd varies");
         return error_hint(error, "those that do are replaced: {--vary} glass3, or the mark glass~");
     }
-    glass_list_wavelengths(&list);
+    /* of the merit, and of the lens in all its positions: it is to be usable */
+    for (size_t p = 0; p == 0 || p < job->lens->position_count; p++) {
+        const struct lens *lens = lens_at_position(job->lens, p, arena);
+        for (size_t i = 0; i < lens->wavelength_count; i++) {
+            glass_list_add_wavelength(&list, lens->wavelengths[i].wavelength);
+        }
+    }
+    for (size_t p = 0; p < job->merit.place_count; p++) {
+        for (size_t i = 0; i < job->merit.places[p].light_count; i++) {
+            glass_list_add_wavelength(&list, job->merit.places[p].lights[i].wavelength);
+        }
+    }
     if (!glass_list_read(&list, input->glasses, error)) {
         return error_prefix(error, "{--glasses}: ");
     }

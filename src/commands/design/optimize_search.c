@@ -90,28 +90,6 @@ static const char *range_in_words(const struct optimize_job *job)
                               spread == 1 ? "" : "s");
 }
 
-/* How many starts are done; what they cost, and their ends. */
-static size_t count_done(struct optimize_job *job)
-{
-    const struct optimize_global *global = job->global;
-    size_t done = 0;
-    job->ends = ARENA_ARRAY(job->run->arena, global->start_count, double);
-    for (size_t k = 0; k < global->start_count; k++) {
-        const struct global_result *result = &global->results[k];
-        double best = INFINITY;
-        done += result->is_done;
-        job->evaluations += result->evaluations;
-        for (size_t i = 0; i < result->count; i++) {
-            best = fmin(best, 2 * result->minima[i].cost);
-        }
-        if (result->count > 0) {
-            job->ends[job->end_count++] = best;
-        }
-    }
-    qsort(job->ends, job->end_count, sizeof(double), analysis_ascending);
-    return done;
-}
-
 /*
  * The last descents. Where the search ended early they are short, so that what it found is brought
  * near its minima, however many seconds are over; else they end with the time.
@@ -206,7 +184,22 @@ static size_t run_starts(struct optimize_job *job, size_t all)
     if (job->state_path != NULL && watch_is_ended(watch)) {
         optimize_part_save(job);
     }
-    const size_t done = count_done(job);
+    /* how many starts are done; what they cost, and their ends */
+    size_t done = 0;
+    job->ends = ARENA_ARRAY(arena, global->start_count, double);
+    for (size_t k = 0; k < global->start_count; k++) {
+        const struct global_result *result = &global->results[k];
+        double best = INFINITY;
+        done += result->is_done;
+        job->evaluations += result->evaluations;
+        for (size_t i = 0; i < result->count; i++) {
+            best = fmin(best, 2 * result->minima[i].cost);
+        }
+        if (result->count > 0) {
+            job->ends[job->end_count++] = best;
+        }
+    }
+    qsort(job->ends, job->end_count, sizeof(double), analysis_ascending);
     job->search = arena_printf(arena, "%zu start%s %s, with %ld escape%s each, by seed %ld", done,
                                done == 1 ? "" : "s", range_in_words(job), input->escapes,
                                input->escapes == 1 ? "" : "s", input->seed);

@@ -68,15 +68,6 @@ bool tolerance_ask(struct tolerance_job *job, struct error *error);
 extern const struct sheet *const tolerance_sheets[];
 bool tolerance_emit(struct tolerance_job *job, struct error *error);
 
-/* -------- commands/design/tolerance_files.c -------- */
-
-/* --output: lenses of --save, or a part. */
-bool tolerance_check_output(const struct artifact_job *job, struct error *error);
-bool tolerance_write_output(const struct artifact_job *job, struct output *sink,
-                            struct error *error);
-const struct file_type *tolerance_types(size_t i);
-size_t tolerance_count_output(const void *input);
-
 /* -------- what all rows of tolerance say of their run -------- */
 
 /* What every row says of the run. */
@@ -151,14 +142,5 @@ struct tolerance_offender {
 };
 bool tolerance_offenders(struct tolerance_job *job, struct tolerance_offender **offenders,
                          struct error *error);
-
-/* -------- the drawings of lenscalc tolerance -------- */
-
-/*
- * --plot: of a summary or trials a histogram with the nominal figure marked, of yields the yield
- * against the limit, else who makes the figures spread.
- */
-bool tolerance_view_check(const struct artifact_job *job, struct error *error);
-bool tolerance_view_draw(const struct artifact_job *job, struct output *sink, struct error *error);
 
 #endif

@@ -13,14 +13,9 @@ enum { MOST_PARAMETERS = 8 };
 /* Values of n (or n^2) and derivatives at a wavelength, by all parameters. */
 typedef double curve_function(const double *c, size_t count, double l, double *slope);
 
-/* Terms that a formula may have: resonances of Sellmeier, coefficients of the others. */
-struct dispersion_terms {
-    size_t least, usual, most;
-};
-
 struct dispersion_curve {
     enum glass_formula formula;
-    struct dispersion_terms terms;
+    size_t least, usual, most; /* terms: resonances of Sellmeier, coefficients of the others */
     bool is_square, is_linear;
     curve_function *value;
     const char *names[MOST_PARAMETERS];
@@ -87,31 +82,25 @@ static double dispersion_conrady(const double *c, size_t count, double l, double
 
 static const struct dispersion_curve curves[] = {
     {GLASS_SELLMEIER,
-     {1, 3, 3},
+     1,
+     3,
+     3,
      true,
      false,
      dispersion_sellmeier,
      {"B1", "C1", "B2", "C2", "B3", "C3"}},
-    {GLASS_SCHOTT, {6, 6, 6}, true, true, dispersion_schott, {"a0", "a1", "a2", "a3", "a4", "a5"}},
-    {GLASS_CAUCHY, {1, 3, 6}, false, true, dispersion_cauchy, {"A", "B", "C", "D", "E", "F"}},
+    {GLASS_SCHOTT, 6, 6, 6, true, true, dispersion_schott, {"a0", "a1", "a2", "a3", "a4", "a5"}},
+    {GLASS_CAUCHY, 1, 3, 6, false, true, dispersion_cauchy, {"A", "B", "C", "D", "E", "F"}},
     {GLASS_BUCHDAHL,
-     {2, 4, 7},
+     2,
+     4,
+     7,
      false,
      true,
      dispersion_buchdahl,
      {"n0", "v1", "v2", "v3", "v4", "v5", "v6"}},
-    {GLASS_CONRADY, {3, 3, 3}, false, true, dispersion_conrady, {"n0", "A", "B"}},
+    {GLASS_CONRADY, 3, 3, 3, false, true, dispersion_conrady, {"n0", "A", "B"}},
 };
-
-static const struct dispersion_curve *dispersion_curve_of(enum glass_formula formula)
-{
-    for (size_t i = 0; i < sizeof curves / sizeof curves[0]; i++) {
-        if (curves[i].formula == formula) {
-            return &curves[i];
-        }
-    }
-    return NULL;
-}
 
 static double share(const struct dispersion_data *data, size_t i)
 {
@@ -176,29 +165,24 @@ static const double resonances[][3] = {
     {0.1, 0.4, 5},  {0.5, 0.3, 8}, {0.3, 0.45, 2}, {0.6, 0.8, 5},
 };
 
-/* Bounds of the resonances: not in the range of the data. */
-static void dispersion_bound(const struct dispersion_data *data, double resonance, double *low,
-                             double *high)
-{
-    double first = data->wavelength[0], last = data->wavelength[data->count - 1];
-    bool ultraviolet = resonance < first * first;
-    *low = ultraviolet ? 0 : 1.5 * last * last;
-    *high = ultraviolet ? 0.7 * first * first : 1e6 * last * last;
-}
-
 static bool fit_from(struct dispersion_problem *fitting, double *c, struct arena *arena,
                      struct solver_summary *summary, struct error *error)
 {
+    const struct dispersion_data *data = fitting->data;
+    const double first = data->wavelength[0], last = data->wavelength[data->count - 1];
     double low[MOST_PARAMETERS], high[MOST_PARAMETERS];
     for (size_t j = 0; j < fitting->count; j++) {
         low[j] = -INFINITY;
         high[j] = INFINITY;
         if (!fitting->curve->is_linear && j % 2 == 1) {
-            dispersion_bound(fitting->data, c[j], &low[j], &high[j]);
+            /* of resonances: not in the range of the data */
+            const bool is_ultraviolet = c[j] < first * first;
+            low[j] = is_ultraviolet ? 0 : 1.5 * last * last;
+            high[j] = is_ultraviolet ? 0.7 * first * first : 1e6 * last * last;
         }
     }
     const struct solver_problem problem = {.parameter_count = fitting->count,
-                                           .residual_count = fitting->data->count,
+                                           .residual_count = data->count,
                                            .evaluate = dispersion_evaluate,
                                            .context = fitting,
                                            .low = fitting->curve->is_linear ? NULL : low,
@@ -296,30 +280,8 @@ static void dispersion_set_glass(const struct dispersion_problem *fitting, const
     fit->rms = sqrt(sum / (double)data->count);
 }
 
-bool dispersion_fit(const struct dispersion_data *data, enum glass_formula formula, size_t terms,
-                    struct arena *arena, struct dispersion_fit *fit, struct error *error)
+static bool check_data(const struct dispersion_data *data, struct error *error)
 {
-    const struct dispersion_curve *curve = dispersion_curve_of(formula);
-    if (curve == NULL) {
-        return fail(error, ERROR_DOMAIN, "the formula %s cannot be fitted",
-                    glass_formula_name(formula));
-    }
-    terms = terms > 0 ? terms : curve->terms.usual;
-    if (terms < curve->terms.least || terms > curve->terms.most) {
-        return fail(error, ERROR_DOMAIN, "the formula %s has %zu to %zu terms, not %zu",
-                    glass_formula_name(formula), curve->terms.least, curve->terms.most, terms);
-    }
-    struct dispersion_problem fitting = {data, curve, curve->is_linear ? terms : 2 * terms};
-    if (data->count < fitting.count) {
-        return fail(error, ERROR_DOMAIN,
-                    "%zu coefficients need at least as many measured indices: there are %zu",
-                    fitting.count, data->count);
-    }
-    *fit = (struct dispersion_fit){.parameter_count = fitting.count};
-    fit->parameters = ARENA_ARRAY(arena, MOST_PARAMETERS, double);
-    fit->names = ARENA_ARRAY(arena, fitting.count, const char *);
-    fit->residuals = ARENA_ARRAY(arena, data->count, double);
-    memcpy(fit->names, curve->names, fitting.count * sizeof curve->names[0]);
     for (size_t i = 0; i < data->count; i++) {
         double l = data->wavelength[i], n = data->index[i];
         if (!(l > 0 && isfinite(l))) {
@@ -336,6 +298,39 @@ bool dispersion_fit(const struct dispersion_data *data, enum glass_formula formu
             return fail(error, ERROR_DOMAIN,
                         "the deviation of the index at %.10g um is not above 0", l);
         }
+    }
+    return true;
+}
+
+bool dispersion_fit(const struct dispersion_data *data, enum glass_formula formula, size_t terms,
+                    struct arena *arena, struct dispersion_fit *fit, struct error *error)
+{
+    const struct dispersion_curve *curve = NULL;
+    for (size_t i = 0; i < sizeof curves / sizeof curves[0]; i++) {
+        curve = curves[i].formula == formula ? &curves[i] : curve;
+    }
+    if (curve == NULL) {
+        return fail(error, ERROR_DOMAIN, "the formula %s cannot be fitted",
+                    glass_formula_name(formula));
+    }
+    terms = terms > 0 ? terms : curve->usual;
+    if (terms < curve->least || terms > curve->most) {
+        return fail(error, ERROR_DOMAIN, "the formula %s has %zu to %zu terms, not %zu",
+                    glass_formula_name(formula), curve->least, curve->most, terms);
+    }
+    struct dispersion_problem fitting = {data, curve, curve->is_linear ? terms : 2 * terms};
+    if (data->count < fitting.count) {
+        return fail(error, ERROR_DOMAIN,
+                    "%zu coefficients need at least as many measured indices: there are %zu",
+                    fitting.count, data->count);
+    }
+    *fit = (struct dispersion_fit){.parameter_count = fitting.count};
+    fit->parameters = ARENA_ARRAY(arena, MOST_PARAMETERS, double);
+    fit->names = ARENA_ARRAY(arena, fitting.count, const char *);
+    fit->residuals = ARENA_ARRAY(arena, data->count, double);
+    memcpy(fit->names, curve->names, fitting.count * sizeof curve->names[0]);
+    if (!check_data(data, error)) {
+        return false;
     }
     if (curve->is_linear) {
         dispersion_solve_linear(&fitting, fit->parameters, arena);

@@ -133,18 +133,6 @@ static void prescription_add(struct matrix *sum, struct matrix m, double factor)
     sum->d += factor * m.d;
 }
 
-/* By the index of a medium, in one of its spaces: space k lies between surfaces k - 1 and k. */
-static void add_index(const struct prescription_problem *fitting, struct matrix whole, size_t k,
-                      struct matrix *sum)
-{
-    double n = fitting->n[k], sign = n < 0 ? -1 : 1;
-    prescription_add(sum, by_power(fitting, whole, k - 1), sign * fitting->c[k - 1]);
-    prescription_add(sum, by_gap(fitting, whole, k - 1), -sign * fitting->t[k - 1] / (n * n));
-    if (k < fitting->count) {
-        prescription_add(sum, by_power(fitting, whole, k), -sign * fitting->c[k]);
-    }
-}
-
 /* The derivative of the whole by one part. */
 static struct matrix prescription_derive(const struct prescription_problem *fitting,
                                          struct matrix whole, const struct prescription_part *part)
@@ -157,8 +145,15 @@ static struct matrix prescription_derive(const struct prescription_problem *fitt
     } else if (part->what.kind == PARAMETER_THICKNESS) {
         prescription_add(&sum, by_gap(fitting, whole, i), 1 / n);
     } else {
+        /* the index of a medium, in each of its spaces: k lies between surfaces k - 1 and k */
         for (size_t k = i + 1; k <= last_space(fitting, i); k++) {
-            add_index(fitting, whole, k, &sum);
+            const double at = fitting->n[k], sign = at < 0 ? -1 : 1;
+            prescription_add(&sum, by_power(fitting, whole, k - 1), sign * fitting->c[k - 1]);
+            prescription_add(&sum, by_gap(fitting, whole, k - 1),
+                             -sign * fitting->t[k - 1] / (at * at));
+            if (k < fitting->count) {
+                prescription_add(&sum, by_power(fitting, whole, k), -sign * fitting->c[k]);
+            }
         }
     }
     return sum;
@@ -269,24 +264,6 @@ bool prescription_fits(enum parameter_kind kind)
     return kind == PARAMETER_RADIUS || kind == PARAMETER_THICKNESS || kind == PARAMETER_INDEX;
 }
 
-static bool prescription_check_part(const struct lens *lens, struct parameter what,
-                                    struct error *error)
-{
-    size_t number = what.surface + 1, count = lens->surface_count;
-    const char *words = parameter_type(what.kind)->words;
-    bool is_behind = (parameter_type(what.kind)->is & PARAMETER_IS_BEHIND) != 0;
-    if (!prescription_fits(what.kind)) {
-        return fail(error, ERROR_DOMAIN, "no %s is fitted: only radii, thicknesses and indices",
-                    words);
-    }
-    if (is_behind && number == count) {
-        return fail(error, ERROR_DOMAIN,
-                    "there is no %s %zu to vary: the lens has %zu gaps between its surfaces", words,
-                    number, count - 1);
-    }
-    return parameter_check(lens, what, error);
-}
-
 /* Bounds of a radius as those of the curvature. */
 static bool curvature_bounds(const struct prescription_part *part, double *low, double *high,
                              struct error *error)
@@ -309,37 +286,41 @@ static bool curvature_bounds(const struct prescription_part *part, double *low, 
     return true;
 }
 
-static double prescription_start_of(const struct prescription_problem *fitting, size_t part)
-{
-    size_t i = fitting->parts[part].what.surface;
-    const struct surface *surface = &fitting->lens->surfaces[i];
-    if (fitting->parts[part].what.kind == PARAMETER_RADIUS) {
-        return surface_curvature(surface, SECTION_Y).hi;
-    }
-    if (fitting->parts[part].what.kind == PARAMETER_THICKNESS) {
-        return surface->thickness.value.hi;
-    }
-    return fabs(fitting->views[0].n[i + 1]);
-}
-
 static bool prescription_open_parts(struct prescription_problem *fitting, double *low, double *high,
                                     struct error *error)
 {
     for (size_t j = 0; j < fitting->part_count; j++) {
         const struct prescription_part *part = &fitting->parts[j];
-        if (!prescription_check_part(fitting->lens, part->what, error)) {
+        const struct lens *lens = fitting->lens;
+        const struct parameter_type *type = parameter_type(part->what.kind);
+        const size_t number = part->what.surface + 1;
+        const bool is_radius = part->what.kind == PARAMETER_RADIUS;
+        if (!prescription_fits(part->what.kind)) {
+            return fail(error, ERROR_DOMAIN, "no %s is fitted: only radii, thicknesses and indices",
+                        type->words);
+        }
+        if ((type->is & PARAMETER_IS_BEHIND) != 0 && number == lens->surface_count) {
+            return fail(error, ERROR_DOMAIN,
+                        "there is no %s %zu to vary: the lens has %zu gaps between its surfaces",
+                        type->words, number, lens->surface_count - 1);
+        }
+        if (!parameter_check(lens, part->what, error)) {
             return false;
         }
-        fitting->start[j] = prescription_start_of(fitting, j);
+        const struct surface *surface = &lens->surfaces[part->what.surface];
+        fitting->start[j] = part->what.kind == PARAMETER_THICKNESS
+                                ? surface->thickness.value.hi
+                                : fabs(fitting->views[0].n[number]);
         low[j] = part->low;
         high[j] = part->high;
-        if (part->what.kind == PARAMETER_RADIUS &&
-            !curvature_bounds(part, &low[j], &high[j], error)) {
-            return false;
+        if (is_radius) {
+            fitting->start[j] = surface_curvature(surface, SECTION_Y).hi;
+            if (!curvature_bounds(part, &low[j], &high[j], error)) {
+                return false;
+            }
         }
         if (!(low[j] <= fitting->start[j] && fitting->start[j] <= high[j])) {
-            double shown =
-                part->what.kind == PARAMETER_RADIUS ? 1 / fitting->start[j] : fitting->start[j];
+            double shown = is_radius ? 1 / fitting->start[j] : fitting->start[j];
             return fail(error, ERROR_DOMAIN,
                         "the %.10g of surface %zu lies outside its bounds %.10g to %.10g", shown,
                         part->what.surface + 1, part->low, part->high);
@@ -366,22 +347,6 @@ static double first_power(const struct prescription_problem *fitting, size_t g)
     return fabs(power) > 1e-3 / longest ? power : 1 / longest;
 }
 
-/* Weigh by the power that was found. Result: does that change anything? */
-static bool weigh_again(struct prescription_problem *fitting, const double *parameters)
-{
-    bool changes = false;
-    for (size_t g = 0; g < fitting->goal_count; g++) {
-        enum goal_kind kind = fitting->goals[g].kind;
-        set_trial(fitting, g, parameters);
-        double power = -prescription_trace(fitting).c;
-        if ((kind == GOAL_BFL || kind == GOAL_FFL) && fabs(power) > 0) {
-            changes = changes || fabs(power / fitting->views[g].power - 1) > 1e-9;
-            fitting->views[g].power = power;
-        }
-    }
-    return changes;
-}
-
 /* A few rounds: the weights of bfl and ffl follow the power of the lens that is found. */
 static bool prescription_solve(struct prescription_problem *fitting,
                                const struct solver_problem *problem, double *parameters,
@@ -397,7 +362,18 @@ static bool prescription_solve(struct prescription_problem *fitting,
         if (!solver_run(problem, &options, parameters, arena, &fit->summary, error)) {
             return false;
         }
-        if (fit->summary.status == SOLVER_STOPPED || !weigh_again(fitting, parameters)) {
+        /* weigh by the power that was found */
+        bool changes = false;
+        for (size_t g = 0; g < fitting->goal_count; g++) {
+            const enum goal_kind kind = fitting->goals[g].kind;
+            set_trial(fitting, g, parameters);
+            const double power = -prescription_trace(fitting).c;
+            if ((kind == GOAL_BFL || kind == GOAL_FFL) && fabs(power) > 0) {
+                changes = changes || fabs(power / fitting->views[g].power - 1) > 1e-9;
+                fitting->views[g].power = power;
+            }
+        }
+        if (fit->summary.status == SOLVER_STOPPED || !changes) {
             break;
         }
     }
@@ -504,28 +480,21 @@ bool prescription_fit(const struct lens *lens, const struct prescription_task *t
     return true;
 }
 
-/* What a part has in the lens: its index at the primary wavelength is not that at the goal's. */
-static double prescription_number_of(const struct lens *lens, const struct prescription_part *part,
-                                     double value, double before)
-{
-    const struct surface *surface = &lens->surfaces[part->what.surface];
-    if (part->what.kind == PARAMETER_RADIUS) {
-        return 1 / (1 / value - 2 * surface->coefficient[0].value.hi);
-    }
-    return part->what.kind == PARAMETER_INDEX
-               ? pair_add(surface->medium.index, pair_of(value - before)).hi
-               : value;
-}
-
 struct lens prescription_apply(const struct lens *lens, const struct prescription_part *parts,
                                size_t part_count, const struct prescription_fit *fit,
                                struct arena *arena)
 {
     struct lens *all = parameter_apply(lens, NULL, NULL, 0, arena);
     for (size_t j = 0; j < part_count; j++) {
-        parameter_set(all, parts[j].what,
-                      prescription_number_of(all, &parts[j], fit->values[j], fit->before[j]),
-                      arena);
+        const struct surface *surface = &all->surfaces[parts[j].what.surface];
+        double value = fit->values[j];
+        if (parts[j].what.kind == PARAMETER_RADIUS) {
+            value = 1 / (1 / value - 2 * surface->coefficient[0].value.hi);
+        } else if (parts[j].what.kind == PARAMETER_INDEX) {
+            /* that at the primary wavelength is not that at the goal's */
+            value = pair_add(surface->medium.index, pair_of(value - fit->before[j])).hi;
+        }
+        parameter_set(all, parts[j].what, value, arena);
     }
     return *all;
 }

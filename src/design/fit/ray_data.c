@@ -52,99 +52,22 @@ static double ray_data_field_of(const struct setup *setup, size_t i)
     return setup->fields[i].point.value[setup_axis(setup)];
 }
 
-/* The systems of each wavelength, in the light's own order. */
-static bool open_ways(struct ray_tracing *tracing, struct ray_data *ray_data, struct error *error)
-{
-    const struct setup *setup = tracing->request.setup;
-    unsigned which = tracing->request.no_clip ? SETUP_OPEN : SETUP_CLIPPED;
-    tracing->all = ARENA_ARRAY(tracing->arena, setup->wavelength_count, struct ways);
-    ray_data->index_object = ARENA_ARRAY(tracing->arena, setup->wavelength_count, double);
-    ray_data->index_image = ARENA_ARRAY(tracing->arena, setup->wavelength_count, double);
-    for (size_t g = 0; g < setup->wavelength_count; g++) {
-        struct ways *ways = &tracing->all[g];
-        ways->open = setup_system(setup, g, SETUP_OPEN, error);
-        ways->clipped = ways->open != NULL ? setup_system(setup, g, which, error) : NULL;
-        if (ways->clipped == NULL) {
-            return false;
-        }
-        ray_data->index_object[g] = copysign(ways->open->index_first, setup->first.index_object);
-        ray_data->index_image[g] = copysign(ways->open->index_last, setup->first.index_image);
-    }
-    return true;
-}
-
-static bool open_tracing(struct ray_tracing *tracing, struct ray_data *ray_data,
-                         struct error *error)
-{
-    const struct ray_data_request *request = &tracing->request;
-    const struct setup *setup = request->setup;
-    const struct first_order *first = &setup->first;
-    if (!open_ways(tracing, ray_data, error) ||
-        !sample_make(request->pattern, request->ray_count, request->seed, tracing->arena,
-                     &tracing->sample, error)) {
-        return false;
-    }
-    tracing->has_stop = tracing->all->open->stop != LENS_NONE && first->stop_radius > 0;
-    tracing->radius = tracing->has_stop ? first->stop_radius : first->entrance_diameter / 2;
-    if (!(fabs(tracing->radius) > 0 && isfinite(tracing->radius))) {
-        fail(
-            error, ERROR_DOMAIN,
-            "the lens has neither a stop with a diameter nor an aperture: the size of its pupil is "
-            "not known");
-        return error_hint(error, "give an f-number, or a diameter in the file");
-    }
-    for (size_t i = 0; i < setup->field_count; i++) {
-        if (setup->object.is_infinite && !(fabs(ray_data_field_of(setup, i)) < 1.57)) {
-            return fail(error, ERROR_DOMAIN,
-                        "the field of %.6g degrees: the rays of a thick lens stay below 90",
-                        ray_data_field_of(setup, i) * DEGREES_PER_RADIAN);
-        }
-    }
-    return true;
-}
-
-static bool open_beam(const struct ray_tracing *tracing, double field, struct beam *beam,
-                      struct error *error)
-{
-    const struct lens *lens = tracing->request.setup->lens;
-    double n = tracing->ways->open->index_first;
-    if (lens->object_is_infinite) {
-        const double angle[2] = {0, field};
-        *beam = beam_from_infinity(angle, n);
-        return true;
-    }
-    const double point[3] = {0, field, -lens->object.value.hi};
-    return beam_from_point(point, n, beam, error);
-}
-
 /* Each colour by its own rays: what one leaves dark of the stop another may fill. */
 static bool ray_data_open_field(struct ray_tracing *tracing, size_t field, size_t group,
                                 struct error *error)
 {
+    const struct setup *setup = tracing->request.setup;
+    const double at = ray_data_field_of(setup, field);
     tracing->ways = &tracing->all[group];
-    return open_beam(tracing, ray_data_field_of(tracing->request.setup, field), &tracing->beam,
-                     error) &&
-           (!tracing->has_stop ||
-            aim_open(tracing->ways->open, &tracing->beam, &tracing->scratch, &tracing->aim, error));
-}
-
-/* Rays to the points of the sample; those that reach no point of the stop are lost. */
-static void start_rays(const struct ray_tracing *tracing, const struct rays *rays)
-{
-    const struct sample *sample = &tracing->sample;
-    if (tracing->has_stop) {
-        aim_rays(&tracing->aim, sample->points, sample->count, rays);
-        return;
+    const double n = tracing->ways->open->index_first;
+    if (setup->lens->object_is_infinite) {
+        tracing->beam = beam_from_infinity((const double[2]){0, at}, n);
+    } else if (!beam_from_point((const double[3]){0, at, -setup->lens->object.value.hi}, n,
+                                &tracing->beam, error)) {
+        return false;
     }
-    for (size_t i = 0; i < sample->count; i++) {
-        const struct beam *beam = &tracing->beam;
-        const double target[3] = {sample->points[i].x * tracing->radius,
-                                  sample->points[i].y * tracing->radius, 0};
-        double place[2];
-        beam_place(beam, target, place);
-        struct ray ray = beam_ray(beam, place[0], place[1]);
-        rays_set(rays, i, beam->n, &ray);
-    }
+    return !tracing->has_stop ||
+           aim_open(tracing->ways->open, &tracing->beam, &tracing->scratch, &tracing->aim, error);
 }
 
 static struct ray_part part_new(struct arena *arena, size_t most, size_t fields)
@@ -210,25 +133,26 @@ static struct quadrature choose_rays(struct ray_tracing *tracing)
     if (tracing->request.pattern == PATTERN_GAUSS && ray_data_open_pupil(tracing, &pupil)) {
         all = quadrature_make(&pupil, tracing->request.ray_count, &tracing->scratch);
     }
-    if (all.is_empty) {
-        all.sample = tracing->sample;
-        all.rays = rays_new(&tracing->scratch, all.sample.count);
-        start_rays(tracing, &all.rays);
+    if (!all.is_empty) {
+        return all;
+    }
+    /* to the points of the sample; those that reach no point of the stop are lost */
+    const struct sample *sample = &tracing->sample;
+    const struct beam *beam = &tracing->beam;
+    all.sample = *sample;
+    all.rays = rays_new(&tracing->scratch, sample->count);
+    if (tracing->has_stop) {
+        aim_rays(&tracing->aim, sample->points, sample->count, &all.rays);
+    }
+    for (size_t i = 0; i < sample->count && !tracing->has_stop; i++) {
+        const double target[3] = {sample->points[i].x * tracing->radius,
+                                  sample->points[i].y * tracing->radius, 0};
+        double place[2];
+        beam_place(beam, target, place);
+        struct ray ray = beam_ray(beam, place[0], place[1]);
+        rays_set(&all.rays, i, beam->n, &ray);
     }
     return all;
-}
-
-/* The next `count` rays from where they start to where they end, in tracing->rays. */
-static struct rays follow_part(const struct ray_tracing *tracing, size_t count)
-{
-    const struct rays starts = {tracing->pupil.rays.blocks + tracing->place / RAYS_BLOCK, count};
-    const struct rays rays = {tracing->rays.blocks, count};
-    for (size_t b = 0; b < rays_blocks(&rays); b++) {
-        rays.blocks[b] = starts.blocks[b];
-        memset(rays.blocks[b].lost, 0, sizeof rays.blocks[b].lost);
-    }
-    rays_trace(tracing->ways->clipped, &rays, NULL);
-    return starts;
 }
 
 /* The next rays of the present field and wavelength; those that came through are put in. */
@@ -240,7 +164,14 @@ static void trace_part(struct ray_tracing *tracing, size_t count, struct ray_dat
     const size_t field = tracing->bundle / groups, group = tracing->bundle % groups;
     const struct pupil_point *points = tracing->pupil.sample.points + tracing->place;
     const double weight = setup->fields[field].weight * setup->wavelengths[group].weight;
-    const struct rays starts = follow_part(tracing, count);
+    /* from where they start to where they end */
+    const struct rays starts = {tracing->pupil.rays.blocks + tracing->place / RAYS_BLOCK, count};
+    const struct rays rays = {tracing->rays.blocks, count};
+    for (size_t b = 0; b < rays_blocks(&rays); b++) {
+        rays.blocks[b] = starts.blocks[b];
+        memset(rays.blocks[b].lost, 0, sizeof rays.blocks[b].lost);
+    }
+    rays_trace(system, &rays, NULL);
     struct ray_part *part = &tracing->part;
     double *const *to = part->columns;
     size_t unreachable = 0;
@@ -277,22 +208,6 @@ static void trace_part(struct ray_tracing *tracing, size_t count, struct ray_dat
         ray_data->unreachable += unreachable;
         ray_data->clipped += part->lost_count - unreachable;
     }
-}
-
-/* A part that is kept has room of its own. */
-static void keep_part(struct ray_tracing *tracing, size_t count)
-{
-    const size_t fields = tracing->request.setup->field_count;
-    tracing->keeps = tracing->keeps && tracing->kept_rays + count <= MOST_KEPT;
-    if (tracing->keeps) {
-        tracing->part = part_new(tracing->arena, count, fields);
-        tracing->kept_rays += count;
-        return;
-    }
-    if (tracing->shared.columns[0] == NULL) {
-        tracing->shared = part_new(tracing->arena, RAY_PART, fields);
-    }
-    tracing->part = tracing->shared;
 }
 
 void ray_data_rewind(struct ray_data *ray_data)
@@ -340,7 +255,17 @@ const struct ray_part *ray_data_next(struct ray_data *ray_data)
     }
     size_t left = tracing->pupil.sample.count - tracing->place,
            count = left < RAY_PART ? left : RAY_PART;
-    keep_part(tracing, count);
+    const size_t fields = tracing->request.setup->field_count;
+    tracing->keeps = tracing->keeps && tracing->kept_rays + count <= MOST_KEPT;
+    if (tracing->keeps) { /* in room of its own */
+        tracing->part = part_new(tracing->arena, count, fields);
+        tracing->kept_rays += count;
+    } else {
+        if (tracing->shared.columns[0] == NULL) {
+            tracing->shared = part_new(tracing->arena, RAY_PART, fields);
+        }
+        tracing->part = tracing->shared;
+    }
     trace_part(tracing, count, ray_data);
     tracing->place += count;
     if (tracing->keeps) {
@@ -372,16 +297,53 @@ bool ray_data_open(const struct ray_data_request *request, struct arena *arena,
                    struct ray_data *ray_data, struct error *error)
 {
     const struct setup *setup = request->setup;
+    const struct first_order *first = &setup->first;
+    const size_t groups = setup->wavelength_count;
     struct ray_tracing *tracing = ARENA_NEW(arena, struct ray_tracing);
     *tracing = (struct ray_tracing){
         .request = *request, .arena = arena, .pupil = {.is_empty = true}, .keeps = true};
-    *ray_data = (struct ray_data){.tracing = tracing};
     if (setup->field_count == 0) {
         return fail(error, ERROR_DOMAIN, "there is no field: give {field}");
     }
-    tracing->bundles = setup->field_count * setup->wavelength_count;
+    tracing->bundles = setup->field_count * groups;
     tracing->rays = rays_new(arena, RAY_PART);
-    ray_data->clear = ARENA_ARRAY(arena, setup->field_count, double);
-    ray_data->through = ARENA_ARRAY(arena, setup->field_count, size_t);
-    return open_tracing(tracing, ray_data, error);
+    tracing->all = ARENA_ARRAY(arena, groups, struct ways);
+    *ray_data = (struct ray_data){.tracing = tracing,
+                                  .clear = ARENA_ARRAY(arena, setup->field_count, double),
+                                  .through = ARENA_ARRAY(arena, setup->field_count, size_t),
+                                  .index_object = ARENA_ARRAY(arena, groups, double),
+                                  .index_image = ARENA_ARRAY(arena, groups, double)};
+    for (size_t g = 0; g < groups; g++) {
+        struct ways *ways = &tracing->all[g];
+        const unsigned which = request->no_clip ? SETUP_OPEN : SETUP_CLIPPED;
+        ways->open = setup_system(setup, g, SETUP_OPEN, error);
+        ways->clipped = ways->open != NULL ? setup_system(setup, g, which, error) : NULL;
+        if (ways->clipped == NULL) {
+            return false;
+        }
+        ray_data->index_object[g] = copysign(ways->open->index_first, first->index_object);
+        ray_data->index_image[g] = copysign(ways->open->index_last, first->index_image);
+    }
+    if (!sample_make(request->pattern, request->ray_count, request->seed, arena, &tracing->sample,
+                     error)) {
+        return false;
+    }
+    tracing->has_stop = tracing->all->open->stop != LENS_NONE && first->stop_radius > 0;
+    tracing->radius = tracing->has_stop ? first->stop_radius : first->entrance_diameter / 2;
+    if (!(fabs(tracing->radius) > 0 && isfinite(tracing->radius))) {
+        fail(
+            error, ERROR_DOMAIN,
+            "the lens has neither a stop with a diameter nor an aperture: the size of its pupil is "
+            "not known");
+        return error_hint(error, "give an f-number, or a diameter in the file");
+    }
+    for (size_t i = 0; i < setup->field_count; i++) {
+        const double field = ray_data_field_of(setup, i);
+        if (setup->object.is_infinite && !(fabs(field) < 1.57)) {
+            return fail(error, ERROR_DOMAIN,
+                        "the field of %.6g degrees: the rays of a thick lens stay below 90",
+                        field * DEGREES_PER_RADIAN);
+        }
+    }
+    return true;
 }

@@ -39,24 +39,6 @@ void thick_pupil_add(const struct thick_rays *rays, bool exit, struct thick_pupi
     }
 }
 
-/* From the solution of the linear system to a pupil with its errors. */
-static void set_pupil(const double *solution, const double *covariance, double variance,
-                      size_t columns, struct thick_pupil *pupil)
-{
-    double r = solution[1], g = columns > 2 ? solution[2] / r : 0;
-    pupil->place = solution[0];
-    pupil->radius = r;
-    pupil->spherical_aberration = g;
-    pupil->place_error = sqrt(variance * covariance[0]);
-    pupil->radius_error = sqrt(variance * covariance[columns + 1]);
-    pupil->spherical_aberration_error = 0;
-    if (columns > 2) {
-        /* g = b/r: dg = (db - g dr)/r */
-        double spread = covariance[8] - 2 * g * covariance[5] + g * g * covariance[4];
-        pupil->spherical_aberration_error = sqrt(variance * spread) / fabs(r);
-    }
-}
-
 bool thick_fit_pupil(const struct thick_pupil_sums *sums, bool exit, bool spherical_aberration,
                      struct arena *arena, struct thick_pupil *pupil, struct error *error)
 {
@@ -80,9 +62,19 @@ bool thick_fit_pupil(const struct thick_pupil_sums *sums, bool exit, bool spheri
     }
     linear_substitute(&factors, b, solution);
     linear_normal_inverse(&factors, covariance, arena);
-    set_pupil(solution, covariance, rows > columns ? squares / (double)(rows - columns) : NAN,
-              columns, pupil);
-    pupil->rms = sqrt(squares / sums->weight);
+    const double variance = rows > columns ? squares / (double)(rows - columns) : NAN;
+    const double r = solution[1], g = columns > 2 ? solution[2] / r : 0;
+    *pupil = (struct thick_pupil){.place = solution[0],
+                                  .radius = r,
+                                  .spherical_aberration = g,
+                                  .place_error = sqrt(variance * covariance[0]),
+                                  .radius_error = sqrt(variance * covariance[columns + 1]),
+                                  .rms = sqrt(squares / sums->weight)};
+    if (columns > 2) {
+        /* g = b/r: dg = (db - g dr)/r */
+        double spread = covariance[8] - 2 * g * covariance[5] + g * g * covariance[4];
+        pupil->spherical_aberration_error = sqrt(variance * spread) / fabs(r);
+    }
     return true;
 }
 
@@ -115,11 +107,6 @@ static struct thick_lens lens_of(const struct thick_task *task, const double *pa
     return lens;
 }
 
-static size_t thick_bundle_count(const struct thick_sums *sums)
-{
-    return sums->field_count * sums->group_count;
-}
-
 static size_t bundle_rows(const struct thick_bundle *bundle)
 {
     return bundle->count > 1 ? MEANS + 2 * THICK_COLUMNS : bundle->count * MEANS;
@@ -128,7 +115,7 @@ static size_t bundle_rows(const struct thick_bundle *bundle)
 static size_t residual_count(const struct thick_sums *sums)
 {
     size_t count = 0;
-    for (size_t b = 0; b < thick_bundle_count(sums); b++) {
+    for (size_t b = 0; b < thick_sums_bundles(sums); b++) {
         count += bundle_rows(&sums->bundles[b]);
     }
     return count;
@@ -139,17 +126,6 @@ struct plane_factors {
     double value[2][THICK_COLUMNS], slope[2][SLOPES * THICK_COLUMNS];
     size_t base, terms; /* where its parameters stand */
 };
-
-static void thick_set_factors(const struct thick_task *task, const double *parameters, size_t group,
-                              struct plane_factors *factors)
-{
-    const struct thick_lens lens = lens_of(task, parameters, group);
-    factors->base = base_of(task, group);
-    factors->terms = base_count(task);
-    for (size_t k = 0; k < 2; k++) {
-        thick_factors(&lens, task->planes[k], factors->value[k], factors->slope[k]);
-    }
-}
 
 /* Where the next residual and its derivatives go. */
 struct residual_rows {
@@ -174,21 +150,6 @@ static void put_row(const double *row, const struct plane_factors *factors, size
     to->jacobian += to->columns;
 }
 
-static void put_bundle(const struct thick_task *task, const struct thick_bundle *bundle,
-                       const struct plane_factors *factors, double blur, struct residual_rows *to)
-{
-    for (size_t k = 0; k < MEANS && bundle->count > 0; k++) {
-        double weight = sqrt(bundle->weight) * task->plane_weights[k / 2];
-        put_row(bundle->mean[k % 2], factors, k / 2, weight, to);
-    }
-    for (size_t k = 0; k < 2 && bundle->count > 1; k++) {
-        double weight = task->plane_weights[k] * (k == 0 ? blur : 1);
-        for (size_t i = 0; i < THICK_COLUMNS; i++) {
-            put_row(bundle->r + i * THICK_COLUMNS, factors, k, weight, to);
-        }
-    }
-}
-
 bool thick_residuals(void *context, const double *parameters, double *residuals, double *jacobian)
 {
     const struct thick_task *task = context;
@@ -202,10 +163,26 @@ bool thick_residuals(void *context, const double *parameters, double *residuals,
         if (!(fabs(parameters[base_of(task, g)]) > 0)) {
             return false;
         }
-        thick_set_factors(task, parameters, g, &factors[g]);
+        const struct thick_lens lens = lens_of(task, parameters, g);
+        factors[g].base = base_of(task, g);
+        factors[g].terms = base_count(task);
+        for (size_t k = 0; k < 2; k++) {
+            thick_factors(&lens, task->planes[k], factors[g].value[k], factors[g].slope[k]);
+        }
     }
-    for (size_t b = 0; b < thick_bundle_count(sums); b++) {
-        put_bundle(task, &sums->bundles[b], &factors[b % sums->group_count], blur, &to);
+    for (size_t b = 0; b < thick_sums_bundles(sums); b++) {
+        const struct thick_bundle *bundle = &sums->bundles[b];
+        const struct plane_factors *by = &factors[b % sums->group_count];
+        for (size_t k = 0; k < MEANS && bundle->count > 0; k++) {
+            double weight = sqrt(bundle->weight) * task->plane_weights[k / 2];
+            put_row(bundle->mean[k % 2], by, k / 2, weight, &to);
+        }
+        for (size_t k = 0; k < 2 && bundle->count > 1; k++) {
+            double weight = task->plane_weights[k] * (k == 0 ? blur : 1);
+            for (size_t i = 0; i < THICK_COLUMNS; i++) {
+                put_row(bundle->r + i * THICK_COLUMNS, by, k, weight, &to);
+            }
+        }
     }
     return true;
 }
@@ -251,22 +228,6 @@ static bool check_task(const struct thick_task *task, struct error *error)
     return true;
 }
 
-static void name_parameters(const struct thick_task *task, struct arena *arena,
-                            struct thick_fit *fit)
-{
-    static const char *const base[BASE] = {"f", "H", "H'"};
-    for (size_t i = 0; i < fit->parameter_count; i++) {
-        size_t terms = base_count(task);
-        if (i >= terms) {
-            fit->names[i] = arena_printf(arena, "d%zu", i - terms + 1);
-        } else if (i < BASE) {
-            fit->names[i] = base[i];
-        } else {
-            fit->names[i] = arena_printf(arena, "%s %zu", base[i % BASE], i / BASE + 1);
-        }
-    }
-}
-
 static struct slope_ray map_ray(const struct thick_rays *rays, const struct thick_lens *lenses,
                                 size_t i)
 {
@@ -292,13 +253,6 @@ double thick_errors(const struct thick_rays *rays, const struct thick_lens *lens
     return sqrt(sum / weights);
 }
 
-/* The angle between directions of slopes p, q and u, v; sine and cosine with the same factor. */
-static double thick_angle_between(double p, double q, double u, double v)
-{
-    double a = q - v, b = u - p, c = p * v - q * u;
-    return atan2(sqrt(a * a + b * b + c * c), 1 + p * u + q * v);
-}
-
 /* Root mean square of what was so far and of what is new. */
 static void join_rms(double *rms, double weight, double squares, double all)
 {
@@ -319,7 +273,10 @@ void thick_score_add(const struct thick_rays *rays, const struct thick_lens *len
             sums[k] += w * off * off;
             score->largest = k == 0 ? fmax(score->largest, off) : score->largest;
         }
-        double turn = thick_angle_between(out.p, out.q, rays->p_out[i], rays->q_out[i]);
+        /* the angle between their directions; sine and cosine with the same factor */
+        double p = out.p, q = out.q, u = rays->p_out[i], v = rays->q_out[i];
+        double a = q - v, b = u - p, c = p * v - q * u;
+        double turn = atan2(sqrt(a * a + b * b + c * c), 1 + p * u + q * v);
         sums[2] += w * turn * turn;
         score->weight += w;
     }
@@ -335,7 +292,7 @@ static void thick_set_errors(const struct thick_task *task, struct arena *arena,
     const struct thick_sums *sums = task->sums;
     size_t n = fit->parameter_count, rows = residual_count(sums), row = 0;
     size_t *group = ARENA_ARRAY(arena, rows, size_t);
-    for (size_t b = 0; b < thick_bundle_count(sums); b++) {
+    for (size_t b = 0; b < thick_sums_bundles(sums); b++) {
         for (size_t end = row + bundle_rows(&sums->bundles[b]); row < end; row++) {
             group[row] = b / sums->group_count;
         }
@@ -375,7 +332,16 @@ bool thick_fit(const struct thick_task *task, struct arena *arena, struct thick_
         fit->parameters[i + 1] = task->start.front;
         fit->parameters[i + 2] = task->start.rear;
     }
-    name_parameters(task, arena, fit);
+    for (size_t i = 0; i < fit->parameter_count; i++) {
+        static const char *const base[BASE] = {"f", "H", "H'"};
+        if (i >= terms) {
+            fit->names[i] = arena_printf(arena, "d%zu", i - terms + 1);
+        } else if (i < BASE) {
+            fit->names[i] = base[i];
+        } else {
+            fit->names[i] = arena_printf(arena, "%s %zu", base[i % BASE], i / BASE + 1);
+        }
+    }
     const struct solver_problem problem = {.parameter_count = fit->parameter_count,
                                            .residual_count = residual_count(task->sums),
                                            .evaluate = thick_residuals,

@@ -43,21 +43,6 @@ static void fill_columns(const struct thick_rays *rays, size_t i, double object,
     }
 }
 
-/* Take the mean off a column; one that is the same everywhere is exactly 0 then. */
-static double centre_column(double *column, const double *weights, const double *roots,
-                            size_t count, double sum)
-{
-    double first = column[0], mean = 0;
-    for (size_t i = 0; i < count; i++) {
-        mean += weights[i] * (column[i] - first);
-    }
-    mean = first + mean / sum;
-    for (size_t i = 0; i < count; i++) {
-        column[i] = roots[i] * (column[i] - mean);
-    }
-    return mean;
-}
-
 /* Up to BLOCK rays of one bundle, from the first on. */
 static void add_block(const struct thick_rays *rays, size_t first, size_t count, double object,
                       struct thick_bundle *bundle)
@@ -77,10 +62,18 @@ static void add_block(const struct thick_rays *rays, size_t first, size_t count,
     double all = bundle->weight + sum, share = sum / all, root = sqrt(bundle->weight * share);
     for (size_t j = 0; j < THICK_COLUMNS; j++) {
         for (size_t k = 0; k < 2; k++) {
-            double *column = a + j * rows, *mean = &bundle->mean[k][j];
-            double here = centre_column(column + k * count, weights, roots, count, sum);
+            double *column = a + j * rows + k * count, *mean = &bundle->mean[k][j], here = 0;
+            /* take the mean off; a column that is the same everywhere is exactly 0 then */
+            const double origin = column[0];
+            for (size_t i = 0; i < count; i++) {
+                here += weights[i] * (column[i] - origin);
+            }
+            here = origin + here / sum;
+            for (size_t i = 0; i < count; i++) {
+                column[i] = roots[i] * (column[i] - here);
+            }
             double apart = here - *mean;
-            column[2 * count + k] = root * apart;
+            a[j * rows + 2 * count + k] = root * apart;
             *mean = bundle->weight > 0 ? *mean + share * apart : here;
         }
     }
@@ -143,15 +136,10 @@ bool thick_sums_add(struct thick_sums *sums, const struct thick_rays *rays, stru
     return true;
 }
 
-static size_t thick_sums_bundle_count(const struct thick_sums *sums)
-{
-    return sums->field_count * sums->group_count;
-}
-
 double thick_sums_cone(const struct thick_sums *sums)
 {
     double sum = 0;
-    for (size_t b = 0; b < thick_sums_bundle_count(sums); b++) {
+    for (size_t b = 0; b < thick_sums_bundles(sums); b++) {
         for (size_t i = 0; i <= THICK_P_OUT; i++) {
             double part = sums->bundles[b].r[i * THICK_COLUMNS + THICK_P_OUT];
             sum += part * part;
@@ -163,7 +151,7 @@ double thick_sums_cone(const struct thick_sums *sums)
 double thick_sums_rms(const struct thick_sums *sums, const struct thick_lens *lenses, double plane)
 {
     double sum = 0, factors[THICK_COLUMNS];
-    for (size_t b = 0; b < thick_sums_bundle_count(sums); b++) {
+    for (size_t b = 0; b < thick_sums_bundles(sums); b++) {
         const struct thick_bundle *bundle = &sums->bundles[b];
         thick_factors(&lenses[b % sums->group_count], plane, factors, NULL);
         for (size_t i = 0; i < THICK_COLUMNS; i++) {

@@ -63,6 +63,11 @@ struct thick_sums {
     double steepest;              /* largest slope before the lens */
 };
 
+static inline size_t thick_sums_bundles(const struct thick_sums *sums)
+{
+    return sums->field_count * sums->group_count;
+}
+
 /*
  * Make ready; without rays yet.
  *

@@ -115,9 +115,9 @@ static void descent_set_equations(struct descent *descent)
         const double effect = sqrt(descent->normal[i * n + i]);
         descent->scale[i] = effect > 0 ? fmin(descent->scale[i], 1 / effect) : descent->scale[i];
     }
-    solver_sided_set(&descent->sided, descent->jacobian);
     for (size_t i = 0; i < descent->sided.count * n; i++) {
-        descent->sided.slopes[i] *= descent_scale(descent, i % n);
+        const size_t from = descent->sided.at[i / n] * n + i % n;
+        descent->sided.slopes[i] = descent->jacobian[from] * descent_scale(descent, i % n);
     }
     for (size_t i = 0; i < n; i++) {
         descent->rest[i] *= descent_scale(descent, i);

@@ -218,14 +218,6 @@ void solver_sided_open(const struct solver_problem *problem, struct arena *arena
     }
 }
 
-void solver_sided_set(struct solver_sided *sided, const double *jacobian)
-{
-    const size_t n = sided->columns;
-    for (size_t k = 0; k < sided->count; k++) {
-        memcpy(sided->slopes + k * n, jacobian + sided->at[k] * n, n * sizeof *jacobian);
-    }
-}
-
 static double counted(const struct solver_sided *sided, size_t k, double residual)
 {
     return solver_counted(sided->sides, sided->at[k], residual);

@@ -52,19 +52,16 @@ bool solver_step_find(struct solver_step *step);
 struct solver_sided {
     const enum solver_side *sides;
     size_t count, columns;
-    size_t *at;              /* which residuals */
-    double *slopes;          /* count x columns: of them, in the scales of the step */
-    bool *counts;            /* where the step ends */
-    double *h, *g;           /* of the step, with what counts */
-    double *from;            /* the step before */
+    size_t *at;     /* which residuals */
+    double *slopes; /* count x columns: of them, in the scales of the step; the caller sets them */
+    bool *counts;   /* where the step ends */
+    double *h, *g;  /* of the step, with what counts */
+    double *from;   /* the step before */
     double *carried, *along; /* the residuals there, and their changes to the next */
 };
 
 void solver_sided_open(const struct solver_problem *problem, struct arena *arena,
                        struct solver_sided *sided);
-
-/* Derivatives by the parameters into slopes, which the caller scales. */
-void solver_sided_set(struct solver_sided *sided, const double *jacobian);
 
 /* Add what of these residuals counts, times the slopes, to a gradient. */
 void solver_sided_pull(const struct solver_sided *sided, const double *residuals, double *gradient);

@@ -101,18 +101,6 @@ static double sensitivity_cost_of(const struct inverse_search *searching, size_t
     return sqrt(sum);
 }
 
-/* The factor between two whose cost is nearest below the share. */
-static double sensitivity_factor_of(const struct inverse_search *searching, size_t i, double share)
-{
-    enum { HALVES = 40 };
-    double low = searching->question->low[i], high = searching->question->high[i];
-    for (int k = 0; k < HALVES && high > low * (1 + 1e-9); k++) {
-        const double middle = sqrt(low * high);
-        *(sensitivity_cost_of(searching, i, middle) > share ? &high : &low) = middle;
-    }
-    return low;
-}
-
 /* Costs at both limits. */
 struct bounds {
     double tightest, loosest;
@@ -168,7 +156,14 @@ double inverse_find(const struct inverse_question *question, struct arena *arena
             answer->limit = INVERSE_LOOSEST;
             answer->factor = question->high[i];
         } else {
-            answer->factor = sensitivity_factor_of(&searching, i, share);
+            /* the factor between two whose cost is nearest below the share */
+            enum { HALVES = 40 };
+            double low = question->low[i], high = question->high[i];
+            for (int k = 0; k < HALVES && high > low * (1 + 1e-9); k++) {
+                const double middle = sqrt(low * high);
+                *(sensitivity_cost_of(&searching, i, middle) > share ? &high : &low) = middle;
+            }
+            answer->factor = low;
         }
         answer->cost = sensitivity_cost_of(&searching, i, answer->factor);
         sum += answer->cost * answer->cost;

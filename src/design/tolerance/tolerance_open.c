@@ -70,35 +70,6 @@ static bool fix_image(struct tolerance *tolerance, struct arena *arena, struct e
 
 /* -------- what is adjusted -------- */
 
-static size_t variable_of(const struct compensator_part *part, struct variable *list, size_t *count,
-                          const char *name)
-{
-    for (size_t i = 0; i < *count; i++) {
-        if (list[i].position == part->position && parameter_is_same(list[i].what, part->what)) {
-            return i;
-        }
-    }
-    list[*count] = (struct variable){.what = part->what,
-                                     .position = part->position,
-                                     .low = -INFINITY,
-                                     .high = INFINITY,
-                                     .name = name};
-    return (*count)++;
-}
-
-/* The image plane and a gap `last` are one thing: the compensator counts, as it may have bounds. */
-static bool moves_image(const struct tolerance_question *question, const struct lens *lens)
-{
-    for (size_t i = 0; i < question->compensator_count; i++) {
-        const struct compensator *one = &question->compensators[i];
-        if (one->part_count > 0 && one->parts[0].what.surface + 1 == lens->surface_count &&
-            one->parts[0].what.kind == PARAMETER_THICKNESS) {
-            return true;
-        }
-    }
-    return false;
-}
-
 static bool open_movers(struct tolerance *tolerance, struct arena *arena, struct error *error)
 {
     struct tolerance_question *question = &tolerance->question;
@@ -106,8 +77,13 @@ static bool open_movers(struct tolerance *tolerance, struct arena *arena, struct
     const struct parameter last = {lens->surface_count - 1, PARAMETER_THICKNESS, 0};
     size_t parts = question->view.lens->position_count + 1, count = 0, at = 0;
     tolerance->movers = ARENA_ARRAY(arena, question->compensator_count + 1, struct compensator);
-    if (question->refocus == REFOCUS_BEST && moves_image(question, lens)) {
-        question->refocus = REFOCUS_NONE;
+    /* the image plane and a gap `last` are one: the compensator counts, as it may have bounds */
+    for (size_t i = 0; i < question->compensator_count; i++) {
+        const struct compensator *one = &question->compensators[i];
+        if (question->refocus == REFOCUS_BEST && one->part_count > 0 &&
+            one->parts[0].what.surface == last.surface && one->parts[0].what.kind == last.kind) {
+            question->refocus = REFOCUS_NONE;
+        }
     }
     if (question->refocus == REFOCUS_BEST && !tolerance->closed) {
         /* the image plane, in every position */
@@ -129,7 +105,20 @@ static bool open_movers(struct tolerance *tolerance, struct arena *arena, struct
     for (size_t i = 0; i < tolerance->mover_count; i++) {
         const struct compensator *mover = &tolerance->movers[i];
         for (size_t k = 0; k < mover->part_count; k++) {
-            tolerance->of_part[at++] = variable_of(&mover->parts[k], list, &count, mover->name);
+            const struct compensator_part *part = &mover->parts[k];
+            size_t of = 0;
+            while (of < count && (list[of].position != part->position ||
+                                  !parameter_is_same(list[of].what, part->what))) {
+                of++;
+            }
+            if (of == count) {
+                list[count++] = (struct variable){.what = part->what,
+                                                  .position = part->position,
+                                                  .low = -INFINITY,
+                                                  .high = INFINITY,
+                                                  .name = mover->name};
+            }
+            tolerance->of_part[at++] = of;
         }
     }
     tolerance->numbers = ARENA_ARRAY(arena, count + 1, double);
