@@ -91,7 +91,7 @@ static const struct option options[] = {
      .help = "lenses for --output: worst:3, or trial:17"},
     {OPTION(struct tolerance_input, aim), .name = "aim", .words = aims, .fallback = "nominal",
      .value = "WHERE", .help = "pupil sampling of the evaluation"},
-    DESIGN_VIEW_OPTIONS(struct tolerance_input, "the positions that are looked at"),
+    DESIGN_VIEW_OPTIONS(struct tolerance_input, "positions that are evaluated"),
     DESIGN_RAYS_OPTIONS(struct tolerance_input, "21"),
     {OPTION(struct tolerance_input, clip), .name = "clip", .excludes = "no-clip",
      .help = "only rays that pass the nominal lens (default, but not for mtf)"},
