@@ -38,7 +38,11 @@ struct glass_map_range glass_map_indices(double low, double high)
     double from = GLASS_MAP_LOWEST, to = GLASS_MAP_HIGHEST;
     for (int i = 0; i < HALVINGS; i++) {
         const double middle = (from + to) / 2;
-        *(upper(middle).Vd > low ? &from : &to) = middle;
+        if (upper(middle).Vd > low) {
+            from = middle;
+        } else {
+            to = middle;
+        }
     }
     return (struct glass_map_range){fmax(GLASS_MAP_LOWEST, flint), to};
 }

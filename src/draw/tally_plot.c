@@ -122,7 +122,11 @@ bool tally_plot_draw(const struct tally_plot *plot, struct svg *svg, struct erro
         svg_words(svg, LEFT - 9, y + 4, NUMBER_SIZE, SVG_END, NULL,
                   ticks_text(svg->arena, &page.y, i));
     }
-    (plot->is_curve ? draw_curve : draw_bars)(plot, &page, svg);
+    if (plot->is_curve) {
+        draw_curve(plot, &page, svg);
+    } else {
+        draw_bars(plot, &page, svg);
+    }
     svg_group_begin(svg, &(struct svg_style){.stroke = "#333"});
     svg_line(svg, LEFT, page.bottom, WIDTH - RIGHT, page.bottom);
     svg_line(svg, LEFT, TOP, LEFT, page.bottom);

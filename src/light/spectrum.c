@@ -93,7 +93,11 @@ static double table_at(const struct spectrum *table, double wavelength)
     }
     while (high - low > 1) {
         const size_t middle = low + (high - low) / 2;
-        *(rows[middle] <= wavelength ? &low : &high) = middle;
+        if (rows[middle] <= wavelength) {
+            low = middle;
+        } else {
+            high = middle;
+        }
     }
     const double share = (wavelength - rows[low]) / (rows[high] - rows[low]);
     return table->value[low] + share * (table->value[high] - table->value[low]);

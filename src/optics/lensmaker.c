@@ -145,7 +145,11 @@ static bool apply_shape(struct lensmaker *lens, struct error *error)
                     q, first ? "first" : "second", known);
     }
     double other = down == 0 || isinf(known) ? INFINITY : known * (up / down);
-    *(first ? &lens->R2 : &lens->R1) = other;
+    if (first) {
+        lens->R2 = other;
+    } else {
+        lens->R1 = other;
+    }
     return true;
 }
 

@@ -402,7 +402,11 @@ static struct medium medium_with(const struct medium *from, enum parameter_kind 
                                  char written[PARAMETER_WRITTEN])
 {
     struct medium to = *from;
-    *(kind == PARAMETER_INDEX ? &to.index : &to.abbe) = pair_of(value);
+    if (kind == PARAMETER_INDEX) {
+        to.index = pair_of(value);
+    } else {
+        to.abbe = pair_of(value);
+    }
     char *end = number_write_shortest(written, to.index.hi);
     if (to.kind == MEDIUM_MODEL) {
         *end++ = '/';

@@ -126,7 +126,11 @@ const char *lens_pickup_add(struct lens *lens, struct lens_pickup pickup, struct
         for (size_t j = 0; j < last; j++) {
             follows = follows || parameter_is_same(lens->pickups[i].from, behind[j].what);
         }
-        *(follows ? &behind[last++] : &all[first++]) = lens->pickups[i];
+        if (follows) {
+            behind[last++] = lens->pickups[i];
+        } else {
+            all[first++] = lens->pickups[i];
+        }
     }
     all[first] = pickup;
     memcpy(all + first + 1, behind, last * sizeof behind[0]);

@@ -266,7 +266,7 @@ bool refract_place(const struct refract_surface *s, const struct refract_aim *ai
     }
     ray->z = isinf(s->z) ? -INFINITY : s->z;
     bool on_surface = !isnan(aim->height) && !aim->at_vertex;
-    if (!(on_surface ? place_height : place_line)(s, aim, ray, error)) {
+    if (!(on_surface ? place_height(s, aim, ray, error) : place_line(s, aim, ray, error))) {
         return false;
     }
     ray->slope = atan2(ray->sin_u, ray->cos_u);

@@ -47,7 +47,11 @@ static void characteristic_place(struct characteristic *curve, double gradient)
         curve->toe_at = (low + high) / 2;
         curve->shoulder_at = curve->toe_at + (negative->most - negative->base) / gradient;
         const bool dense = density_at(curve, speed_point) > negative->base + SPEED_DENSITY;
-        *(dense ? &low : &high) = curve->toe_at;
+        if (dense) {
+            low = curve->toe_at;
+        } else {
+            high = curve->toe_at;
+        }
     }
 }
 
@@ -75,7 +79,11 @@ bool characteristic_open(const struct negative *negative, struct characteristic 
     for (int i = 0; i < 80; i++) {
         characteristic_place(curve, (low + high) / 2);
         const bool steep = density_at(curve, second) > negative->base + SPEED_DENSITY + SPEED_RISE;
-        *(steep ? &high : &low) = curve->gradient;
+        if (steep) {
+            high = curve->gradient;
+        } else {
+            low = curve->gradient;
+        }
     }
     const double missed = density_at(curve, second) - (negative->base + SPEED_DENSITY + SPEED_RISE);
     return fabs(missed) < 1e-9 ||

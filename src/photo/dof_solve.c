@@ -279,11 +279,19 @@ static bool sink(struct dip *dip, const struct problem *p, root_function *residu
         double value = residual(probe, p);
         bool better = fabs(value) < dip->least, crossed = (value <= 0) != (sign <= 0);
         if (better || crossed) {
-            *(upper ? &dip->low : &dip->high) = dip->middle;
+            if (upper) {
+                dip->low = dip->middle;
+            } else {
+                dip->high = dip->middle;
+            }
             dip->middle = probe;
             dip->least = fabs(value);
         } else {
-            *(upper ? &dip->high : &dip->low) = probe;
+            if (upper) {
+                dip->high = probe;
+            } else {
+                dip->low = probe;
+            }
         }
         if (crossed) {
             return true;

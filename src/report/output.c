@@ -211,7 +211,11 @@ void output_flush(struct output *output)
 {
     const size_t waiting = output->is_guarded ? unfinished(output) : 0;
     const size_t length = output->used - waiting;
-    (output->is_guarded ? write_guarded : write_all)(output, output->buffer, length);
+    if (output->is_guarded) {
+        write_guarded(output, output->buffer, length);
+    } else {
+        write_all(output, output->buffer, length);
+    }
     if (waiting > 0) {
         memmove(output->buffer, output->buffer + length, waiting);
     }

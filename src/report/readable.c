@@ -181,7 +181,11 @@ static void readable_write_number(char *to, size_t room, const void *row, const 
     }
     if (is_spoken_time(shown, unit)) {
         bool passes = (shown->column->flags & COLUMN_SPAN) != 0;
-        (passes ? spoken_span : spoken_time)(to, value, certain);
+        if (passes) {
+            spoken_span(to, value, certain);
+        } else {
+            spoken_time(to, value, certain);
+        }
         return;
     }
     if ((shown->column->flags & COLUMN_PART) != 0) {

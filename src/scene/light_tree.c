@@ -60,7 +60,11 @@ static void partition_at_median(struct emitter_item *items, size_t count, size_t
         if (wanted > j && wanted < i) {
             return;
         }
-        *(wanted <= j ? &high : &low) = wanted <= j ? j : i;
+        if (wanted <= j) {
+            high = wanted <= j ? j : i;
+        } else {
+            low = wanted <= j ? j : i;
+        }
     }
 }
 

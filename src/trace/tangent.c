@@ -72,7 +72,11 @@ static struct tangent_seed seed_of(const struct system *system, const struct par
     } else if (by->kind == PARAMETER_COEFFICIENT && here) {
         int term = surface_term(by->order);
         seed.is_odd = term >= LENS_EVEN;
-        *(seed.is_odd ? &seed.odd[term - LENS_EVEN] : &seed.coefficient[term]) = 1;
+        if (seed.is_odd) {
+            seed.odd[term - LENS_EVEN] = 1;
+        } else {
+            seed.coefficient[term] = 1;
+        }
         seed.series = true;
     }
     return seed;

@@ -293,7 +293,11 @@ static size_t find_stretches(const struct layout *layout, size_t surface, bool p
         for (double high = here; will != is && high - low > 1e-9 * step;) {
             double middle = (low + high) / 2;
             bool still = (passes_at(layout, forms, count, middle) == passing) == is;
-            *(still ? &low : &high) = middle;
+            if (still) {
+                low = middle;
+            } else {
+                high = middle;
+            }
         }
         if (is && !will) {
             stretches[found++].high = low;

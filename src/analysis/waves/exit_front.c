@@ -63,12 +63,15 @@ static void exit_front_sample(struct sheet_builder *making, size_t lines, size_t
             }
         }
     }
-    (making->by_form ? exit_pupil_form : exit_pupil_values)(making->pupil, (const double(*)[2])at,
-                                                            count, waves, amplitudes);
+    const double(*const all)[2] = (const double(*)[2])at;
+    if (making->by_form) {
+        exit_pupil_form(making->pupil, all, count, waves, amplitudes);
+    } else {
+        exit_pupil_values(making->pupil, all, count, waves, amplitudes);
+    }
     for (size_t i = 0; i < count && !making->by_form; i++) {
         if (!isfinite(waves[i]) || !isfinite(amplitudes[i])) {
-            exit_pupil_form(making->pupil, (const double(*)[2])at + i, 1, waves + i,
-                            amplitudes + i);
+            exit_pupil_form(making->pupil, all + i, 1, waves + i, amplitudes + i);
             making->off = exit_front_worst_of(making->pupil);
         }
     }

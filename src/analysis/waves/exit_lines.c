@@ -220,7 +220,11 @@ static size_t find_breaks(const struct line_search *seeking, const struct exit_l
         }
         find_spans(seeking, middle, found, COARSE_ROUNDS);
         for (size_t i = 0; i < found; i++) {
-            *(alike(&middle[i], &low[i]) ? &low[i] : &high[i]) = middle[i];
+            if (alike(&middle[i], &low[i])) {
+                low[i] = middle[i];
+            } else {
+                high[i] = middle[i];
+            }
         }
     }
     for (size_t i = 0; i < found; i++) {

@@ -108,7 +108,11 @@ static size_t hopkins_find_breaks(const struct exit_piece *piece, double shift, 
             double low = before, high = here;
             for (int round = 0; round < ROUNDS; round++) {
                 const double middle = (low + high) / 2;
-                *(kind_at(piece, shift, middle) == kind ? &low : &high) = middle;
+                if (kind_at(piece, shift, middle) == kind) {
+                    low = middle;
+                } else {
+                    high = middle;
+                }
             }
             breaks[++count] = high;
         }

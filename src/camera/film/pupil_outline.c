@@ -272,7 +272,11 @@ static bool follow_hole(const struct outline_rays *sight, const struct spokes *s
         }
         look_at_spokes(sight, spokes, tried, depth);
         for (size_t k = 0; k < spokes->count; k++) {
-            *(depth[k] > 0 ? &dark[k] : &lit[k]) = tried[k];
+            if (depth[k] > 0) {
+                dark[k] = tried[k];
+            } else {
+                lit[k] = tried[k];
+            }
         }
     }
     for (size_t k = 0; k < spokes->count && holds; k++) {

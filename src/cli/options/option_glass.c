@@ -91,8 +91,10 @@ static const char *interval_words(const struct option *option, const void *membe
         *quantity_write(low, interval->near, unit) = '\0';
         return arena_printf(arena, "%s", low);
     }
-    *(isnan(interval->low) ? low : quantity_write(low, interval->low, unit)) = '\0';
-    *(isnan(interval->high) ? high : quantity_write(high, interval->high, unit)) = '\0';
+    char *const low_end = isnan(interval->low) ? low : quantity_write(low, interval->low, unit);
+    char *const high_end =
+        isnan(interval->high) ? high : quantity_write(high, interval->high, unit);
+    *low_end = *high_end = '\0';
     const bool is_given = low[0] != '\0' || high[0] != '\0';
     return is_given ? arena_printf(arena, "%s..%s", low, high) : NULL;
 }

@@ -396,8 +396,16 @@ static bool distortion_run(const void *data, struct run *run, struct error *erro
         analysis_begin_row(&at, &field_sheet, &row);
         if (is_there) {
             const bool far = ready.map.setup.object.is_infinite;
-            *(far ? &row.angle : &row.object) = found.field;
-            *(far ? &row.calibrated_focal : &row.calibrated_magnification) = ready.calibrated;
+            if (far) {
+                row.angle = found.field;
+            } else {
+                row.object = found.field;
+            }
+            if (far) {
+                row.calibrated_focal = ready.calibrated;
+            } else {
+                row.calibrated_magnification = ready.calibrated;
+            }
             row.ideal = found.ideal;
             row.image = found.height;
             row.x = found.image[0] + 0.0;

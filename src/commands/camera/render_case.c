@@ -124,7 +124,11 @@ static bool hint_least(const struct focus_movement *moving, struct error *error)
     near = is_found ? fmax(near, far / 2) : near;
     for (int i = 0; i < HALVINGS && is_found; i++) {
         *distance = (near + far) / 2;
-        *(move_gaps(&tried, 0, &state, &ignored) ? &far : &near) = *distance;
+        if (move_gaps(&tried, 0, &state, &ignored)) {
+            far = *distance;
+        } else {
+            near = *distance;
+        }
     }
     return is_found ? error_hint(error, "the least {--distance} is %.6g mm", far) : false;
 }

@@ -262,7 +262,11 @@ static bool glass_show_found(const struct glass_match *match, void *context)
     if (!glass_fill_row(question, &match->record, &match->summary, wavelength, &row, &no_index)) {
         row.n = row.slope = row.group = row.dn_dT = NAN;
     }
-    *(input->like.record != NULL ? &row.difference : &row.distance) = match->away;
+    if (input->like.record != NULL) {
+        row.difference = match->away;
+    } else {
+        row.distance = match->away;
+    }
     return run_emit(question->run, &row);
 }
 

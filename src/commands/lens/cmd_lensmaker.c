@@ -119,7 +119,8 @@ static bool lensmaker_row_solve(const struct lensmaker_input *input, struct lens
 {
     struct lensmaker_choice choice = {.second = input->solution != 0};
     *lens = input->lens;
-    bool done = (input->ball ? lensmaker_solve_ball : lensmaker_solve)(lens, &choice, error);
+    bool done = input->ball ? lensmaker_solve_ball(lens, &choice, error)
+                            : lensmaker_solve(lens, &choice, error);
     *count = choice.count;
     return done;
 }

@@ -268,7 +268,7 @@ static bool exposure_row_answer(const void *data, const struct photo_lens *lens,
     const struct lamps *lamps = &input->lamps;
     bool blank = !(isnan(lamps->kelvin) && isnan(lamps->balance) && isnan(lamps->mains)) &&
                  !exposure_is_asked(input);
-    if (!(blank ? exposure_blank : exposure_answer)(input, &row, error) ||
+    if (!(blank ? exposure_blank(input, &row, error) : exposure_answer(input, &row, error)) ||
         !lamps_answer(lamps, input->filter.mired, row.x.t, input->frame_rate, run, &row.lamps,
                       error)) {
         return false;

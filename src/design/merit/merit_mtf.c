@@ -410,7 +410,11 @@ static void sweep_block(const struct merit *merit, struct merit_mtf *mtf, size_t
         for (int k = 0; k < 2; k++) {
             by.to[k][i] = from[k][at];
             start[k][i] = from[PUPIL_FROM_X + k][at];
-            *(k == 0 ? &adjoint.x[i] : &adjoint.y[i]) = from[k][at];
+            if (k == 0) {
+                adjoint.x[i] = from[k][at];
+            } else {
+                adjoint.y[i] = from[k][at];
+            }
         }
     }
     if (!mtf->by_rays) {

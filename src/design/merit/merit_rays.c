@@ -116,7 +116,11 @@ static bool trace_block(struct merit *merit, const struct merit_slot *slot, size
             memcpy(rows, k == 0 ? end.x : end.y, RAYS_BLOCK * sizeof *rows);
         }
         for (int i = 0; i < block->aimed.lanes && merit->derives; i++) {
-            *(spheres != NULL ? &by.path[i] : &ones[i]) = 1;
+            if (spheres != NULL) {
+                by.path[i] = 1;
+            } else {
+                ones[i] = 1;
+            }
         }
         if (merit->derives && spheres != NULL) {
             memset(by.to, 0, sizeof by.to);

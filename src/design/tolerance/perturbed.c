@@ -268,7 +268,11 @@ static void put_pose(struct perturbed *perturbed, size_t position, size_t i)
             now.tilt[k].value.hi == pose->tilt[k] ? now.tilt[k].value : pair_of(pose->tilt[k]);
     }
     for (int k = 0; k < 5 && is_moved; k++) { /* no digits were typed of these */
-        *(k < 2 ? &now.decenter[k].typed : &now.tilt[k - 2].typed) = (struct text){NULL, 0};
+        if (k < 2) {
+            now.decenter[k].typed = (struct text){NULL, 0};
+        } else {
+            now.tilt[k - 2].typed = (struct text){NULL, 0};
+        }
     }
     *room = now;
     surface->decentre = is_moved || base != NULL ? room : NULL;

@@ -124,7 +124,11 @@ static double sensitivity_share_of(const struct bounds *bounds, size_t count, do
         for (size_t i = 0; i < count; i++) {
             sum += limited(&bounds[i], middle) * limited(&bounds[i], middle);
         }
-        *(sum > drop * drop ? &high : &low) = middle;
+        if (sum > drop * drop) {
+            high = middle;
+        } else {
+            low = middle;
+        }
     }
     return low;
 }
@@ -161,7 +165,11 @@ double inverse_find(const struct inverse_question *question, struct arena *arena
             double low = question->low[i], high = question->high[i];
             for (int k = 0; k < HALVES && high > low * (1 + 1e-9); k++) {
                 const double middle = sqrt(low * high);
-                *(sensitivity_cost_of(&searching, i, middle) > share ? &high : &low) = middle;
+                if (sensitivity_cost_of(&searching, i, middle) > share) {
+                    high = middle;
+                } else {
+                    low = middle;
+                }
             }
             answer->factor = low;
         }

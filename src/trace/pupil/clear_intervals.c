@@ -157,7 +157,11 @@ void clear_intervals_find(const struct clearances *margins, const double centre[
                 double middle = (change->low + change->high) / 2;
                 bool dark = depth[i] > 0;
                 change->part = dark ? part[i] : change->part;
-                *(dark == change->darkens ? &change->high : &change->low) = middle;
+                if (dark == change->darkens) {
+                    change->high = middle;
+                } else {
+                    change->low = middle;
+                }
             }
         }
         const struct light_change *changes = cutting.changes;
