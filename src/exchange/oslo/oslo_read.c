@@ -376,11 +376,15 @@ static const struct oslo_keyword numbered[] = {{"WV", oslo_entry, 0},
                                                {"AS", oslo_general_term, 0},
                                                {"SNO", oslo_note, 0}};
 
+/* What is quoted is a text, but where a number stands in the word, and of special apertures. */
 static const struct oslo_keyword *keyword_of(const struct command_word *word)
 {
     const struct text name = word->text;
     for (size_t i = 0; i < sizeof keywords / sizeof keywords[0]; i++) {
-        if (!word->is_quoted && text_same(name, keywords[i].name)) {
+        oslo_command *run = keywords[i].run;
+        bool is_special =
+            run == oslo_special_number || run == oslo_special_edge || run == oslo_special_pickup;
+        if ((!word->is_quoted || is_special) && text_same(name, keywords[i].name)) {
             return &keywords[i];
         }
     }
