@@ -56,6 +56,10 @@ void *arena_buffer(struct arena *arena, size_t size);
  */
 void *arena_grow(struct arena *arena, void *array, size_t count, size_t *room, size_t size);
 
+/* One more in such an array, which is counted; its address. */
+#define ARENA_ADD(arena, array, count, room)                                                       \
+    ((array) = arena_grow((arena), (array), (count), &(room), sizeof *(array)), &(array)[(count)++])
+
 /* A copy of `length` characters with a NUL behind. */
 char *arena_string(struct arena *arena, const char *start, size_t length);
 

@@ -389,9 +389,7 @@ static bool agf_leave_out(struct agf_reader *reader, const struct error *error)
     if (reader->damaged_count == MOST_DAMAGED) {
         return false;
     }
-    reader->damaged = arena_grow(reader->arena, reader->damaged, reader->damaged_count,
-                                 &reader->damaged_room, sizeof reader->damaged[0]);
-    reader->damaged[reader->damaged_count++] =
+    *ARENA_ADD(reader->arena, reader->damaged, reader->damaged_count, reader->damaged_room) =
         (struct agf_damage){reader->glass->glass.name, *error};
     reader->glass = NULL;
     reader->count--;

@@ -161,8 +161,7 @@ bool index_table_read(struct lensdb *db, const char *source, struct text content
         return false;
     }
     while (tsv_next(&tsv, error)) {
-        entries = arena_grow(arena, entries, count, &room, sizeof entries[0]);
-        if (!read_index_entry(db, &tsv, &columns, &entries[count++], error)) {
+        if (!read_index_entry(db, &tsv, &columns, ARENA_ADD(arena, entries, count, room), error)) {
             return false;
         }
     }

@@ -35,9 +35,7 @@ bool foreign_loss(struct foreign_job *job, const struct file_words *words, struc
     va_start(arguments, format);
     vsnprintf(message, sizeof message, format, arguments);
     va_end(arguments);
-    job->losses = arena_grow(job->arena, job->losses, job->loss_count, &job->loss_room,
-                             sizeof job->losses[0]);
-    struct foreign_loss *loss = &job->losses[job->loss_count++];
+    struct foreign_loss *loss = ARENA_ADD(job->arena, job->losses, job->loss_count, job->loss_room);
     *loss = (struct foreign_loss){.effect = effect == LOSS_OF_POWER ? LOSS_OF_RAYS : effect,
                                   .message = arena_string(job->arena, message, strlen(message)),
                                   .word = word};

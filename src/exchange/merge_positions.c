@@ -116,9 +116,7 @@ static void merge_cells(struct merge *merge, size_t index)
 
 static void add_setting(struct merge *merge, struct lens_setting setting)
 {
-    merge->settings = arena_grow(merge->arena, merge->settings, merge->setting_count,
-                                 &merge->setting_room, sizeof merge->settings[0]);
-    merge->settings[merge->setting_count++] = setting;
+    *ARENA_ADD(merge->arena, merge->settings, merge->setting_count, merge->setting_room) = setting;
 }
 
 /* The radius, infinite of a plane; or, where a position has a curvature, the curvature. */

@@ -19,9 +19,8 @@ struct figure sequence_diameter(const struct figure *radius, struct arena *arena
 
 struct sequence_surface *sequence_add(struct sequence *sequence, struct command_word at)
 {
-    sequence->surfaces = arena_grow(sequence->job->arena, sequence->surfaces, sequence->count,
-                                    &sequence->room, sizeof sequence->surfaces[0]);
-    struct sequence_surface *surface = &sequence->surfaces[sequence->count++];
+    struct sequence_surface *surface =
+        ARENA_ADD(sequence->job->arena, sequence->surfaces, sequence->count, sequence->room);
     *surface = (struct sequence_surface){.at = at,
                                          .curve = sequence_nothing,
                                          .is_radius = true,

@@ -8,9 +8,8 @@
 
 void sequence_pick_up(struct sequence *sequence, struct sequence_pickup pickup)
 {
-    sequence->pickups = arena_grow(sequence->job->arena, sequence->pickups, sequence->pickup_count,
-                                   &sequence->pickup_room, sizeof sequence->pickups[0]);
-    sequence->pickups[sequence->pickup_count++] = pickup;
+    *ARENA_ADD(sequence->job->arena, sequence->pickups, sequence->pickup_count,
+               sequence->pickup_room) = pickup;
 }
 
 /* scale * figure + offset; digits are kept where nothing but the sign changes. */

@@ -49,9 +49,8 @@ void lens_build_begin(struct lens_build *build, struct lens *lens, struct arena 
 struct surface *lens_build_surface(struct lens_build *build)
 {
     struct lens *lens = build->lens;
-    lens->surfaces = arena_grow(build->arena, lens->surfaces, lens->surface_count,
-                                &build->surface_room, sizeof lens->surfaces[0]);
-    struct surface *surface = &lens->surfaces[lens->surface_count++];
+    struct surface *surface =
+        ARENA_ADD(build->arena, lens->surfaces, lens->surface_count, build->surface_room);
     *surface = (struct surface){.kind = SURFACE_REFRACT,
                                 .is_plane = true,
                                 .has_thickness = true,
@@ -106,18 +105,16 @@ const char *lens_build_string(struct lens_build *build, struct text text)
 void lens_build_note(struct lens_build *build, struct text note)
 {
     struct lens *lens = build->lens;
-    lens->notes = arena_grow(build->arena, lens->notes, lens->note_count, &build->note_room,
-                             sizeof lens->notes[0]);
-    lens->notes[lens->note_count++] = lens_build_string(build, note);
+    *ARENA_ADD(build->arena, lens->notes, lens->note_count, build->note_room) =
+        lens_build_string(build, note);
 }
 
 struct lens_wavelength *lens_build_wavelength(struct lens_build *build, double micrometres,
                                               double weight)
 {
     struct lens *lens = build->lens;
-    lens->wavelengths = arena_grow(build->arena, lens->wavelengths, lens->wavelength_count,
-                                   &build->wavelength_room, sizeof lens->wavelengths[0]);
-    struct lens_wavelength *one = &lens->wavelengths[lens->wavelength_count++];
+    struct lens_wavelength *one =
+        ARENA_ADD(build->arena, lens->wavelengths, lens->wavelength_count, build->wavelength_room);
     *one = (struct lens_wavelength){.wavelength = micrometres, .weight = weight};
     char number[NUMBER_LENGTH];
     char *end = number_write_shortest(number, micrometres);

@@ -57,9 +57,8 @@ static bool lens_file_read_text(struct parser *parser)
 static bool lens_file_read_note(struct parser *parser)
 {
     struct lens *lens = parser->lens;
-    lens->notes = arena_grow(parser->words.arena, lens->notes, lens->note_count, &parser->note_room,
-                             sizeof lens->notes[0]);
-    lens->notes[lens->note_count++] = rest_string(parser);
+    *ARENA_ADD(parser->words.arena, lens->notes, lens->note_count, parser->note_room) =
+        rest_string(parser);
     return true;
 }
 
@@ -85,9 +84,9 @@ static bool read_wavelengths(struct parser *parser)
     size_t room = 0;
     for (struct text word = file_words_next(words); word.length > 0 || lens->wavelength_count == 0;
          word = file_words_next(words)) {
-        lens->wavelengths = arena_grow(words->arena, lens->wavelengths, lens->wavelength_count,
-                                       &room, sizeof lens->wavelengths[0]);
-        if (!lens_words_light(words, word, &lens->wavelengths[lens->wavelength_count++])) {
+        if (!lens_words_light(
+                words, word,
+                ARENA_ADD(words->arena, lens->wavelengths, lens->wavelength_count, room))) {
             return false;
         }
     }
@@ -238,9 +237,7 @@ static bool read_position_names(struct parser *parser)
                                    ? "the positions have no names"
                                    : "a position's name that cannot be used: twice, or 'all'");
         }
-        lens->positions = arena_grow(words->arena, lens->positions, lens->position_count, &room,
-                                     sizeof lens->positions[0]);
-        lens->positions[lens->position_count++] =
+        *ARENA_ADD(words->arena, lens->positions, lens->position_count, room) =
             arena_string(words->arena, word.start, word.length);
     }
     return true;
@@ -316,9 +313,7 @@ static bool read_let(struct parser *parser)
 static bool keep_line(struct parser *parser)
 {
     struct lines *lines = &parser->kept[parser->what];
-    lines->all = arena_grow(parser->words.arena, lines->all, lines->count, &lines->room,
-                            sizeof lines->all[0]);
-    lines->all[lines->count++] = parser->words;
+    *ARENA_ADD(parser->words.arena, lines->all, lines->count, lines->room) = parser->words;
     return true;
 }
 

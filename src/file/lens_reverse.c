@@ -187,8 +187,7 @@ struct turned_tolerances {
 static void add_turned_tolerance(const struct turn *turn, struct turned_tolerances *all,
                                  struct lens_tolerance one)
 {
-    all->list = arena_grow(turn->arena, all->list, all->count, &all->room, sizeof all->list[0]);
-    all->list[all->count++] = one;
+    *ARENA_ADD(turn->arena, all->list, all->count, all->room) = one;
 }
 
 /* One of surfaces that are others now; those that have no place are left out. */

@@ -201,9 +201,8 @@ bool lens_light_read(const struct file_words *words, struct text list, struct le
     *light = (struct lens_light){NULL, 0};
     while (list.start != NULL) {
         const struct text one = text_cut(&list, ',');
-        light->wavelengths = arena_grow(words->arena, light->wavelengths, light->count, &room,
-                                        sizeof light->wavelengths[0]);
-        if (!lens_words_light(words, one, &light->wavelengths[light->count++])) {
+        if (!lens_words_light(words, one,
+                              ARENA_ADD(words->arena, light->wavelengths, light->count, room))) {
             return false;
         }
     }

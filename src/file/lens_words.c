@@ -157,9 +157,8 @@ bool lens_words_points(const struct file_words *words, struct text list, enum fi
     *points = (struct lens_points){NULL, 0};
     while (list.start != NULL) {
         const struct text word = text_cut(&list, ';');
-        points->fields = arena_grow(words->arena, points->fields, points->count, &room,
-                                    sizeof points->fields[0]);
-        if (!read_field_point(words, word, kind, &points->fields[points->count++])) {
+        if (!read_field_point(words, word, kind,
+                              ARENA_ADD(words->arena, points->fields, points->count, room))) {
             return false;
         }
     }

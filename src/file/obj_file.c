@@ -119,9 +119,8 @@ static bool obj_file_read_part(struct obj *obj, enum obj_file_part part)
                                word.start);
     }
     obj->passed->colours = obj->passed->colours || (part == PART_POSITION && count >= 6);
-    obj->all[part] = arena_grow(obj->arena, obj->all[part], obj->count[part], &obj->room[part],
-                                sizeof(struct vector));
-    obj->all[part][obj->count[part]++] = (struct vector){number[0], number[1], number[2]};
+    *ARENA_ADD(obj->arena, obj->all[part], obj->count[part], obj->room[part]) =
+        (struct vector){number[0], number[1], number[2]};
     return true;
 }
 
@@ -195,15 +194,12 @@ static bool read_face(struct obj *obj)
             return file_words_fail(&obj->words, word, "more than %zu triangles",
                                    obj->question->most);
         }
-        obj->triangles = arena_grow(obj->arena, obj->triangles, obj->triangle_count,
-                                    &obj->triangle_room, sizeof obj->triangles[0]);
-        memcpy(obj->triangles[obj->triangle_count++], corner, sizeof corner);
+        memcpy(*ARENA_ADD(obj->arena, obj->triangles, obj->triangle_count, obj->triangle_room),
+               corner, sizeof corner);
         corner[1] = corner[2];
     }
     if (count > 3) {
-        obj->fans =
-            arena_grow(obj->arena, obj->fans, obj->fan_count, &obj->fan_room, sizeof obj->fans[0]);
-        obj->fans[obj->fan_count++] =
+        *ARENA_ADD(obj->arena, obj->fans, obj->fan_count, obj->fan_room) =
             (struct obj_file_fan){obj->triangle_count - (count - 2), count};
     }
     const struct text end = {obj->words.line.start + obj->words.line.length, 0};

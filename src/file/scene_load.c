@@ -62,9 +62,7 @@ static bool read_path_beside(struct scene_reader *reader, const struct scene_loa
 static void take_load_note(struct scene_reader *reader, const char *note)
 {
     struct scene *scene = reader->scene;
-    scene->notes = arena_grow(reader->words.arena, scene->notes, scene->note_count,
-                              &reader->note_room, sizeof scene->notes[0]);
-    scene->notes[scene->note_count++] = note;
+    *ARENA_ADD(reader->words.arena, scene->notes, scene->note_count, reader->note_room) = note;
 }
 
 /* -------- pictures -------- */

@@ -32,9 +32,8 @@ bool codev_private_glass(struct codev *codev)
 {
     struct commands *commands = &codev->commands;
     size_t count = commands->count - 1;
-    codev->privates = arena_grow(commands->job->arena, codev->privates, codev->private_count,
-                                 &codev->private_room, sizeof codev->privates[0]);
-    struct codev_private *one = &codev->privates[codev->private_count++];
+    struct codev_private *one =
+        ARENA_ADD(commands->job->arena, codev->privates, codev->private_count, codev->private_room);
     *one = (struct codev_private){.name = commands->words[0]};
     const struct command_word first = commands_word(commands, 1);
     bool is_formula =

@@ -89,9 +89,8 @@ bool codev_waves(struct codev *codev)
         const bool is_length = what == 'L';
         static const char usual[] = "1";
         while (codev->wavelength_count > codev->weight_count && !is_length) { /* not given: 1 */
-            codev->weights = arena_grow(codev->job->arena, codev->weights, codev->weight_count,
-                                        &codev->weight_room, sizeof codev->weights[0]);
-            codev->weights[codev->weight_count++] = (struct command_word){.text = text_of(usual)};
+            *ARENA_ADD(codev->job->arena, codev->weights, codev->weight_count, codev->weight_room) =
+                (struct command_word){.text = text_of(usual)};
         }
         struct command_word *all = is_length ? codev->wavelengths : codev->weights;
         const size_t known = is_length ? codev->wavelength_count : codev->weight_count;

@@ -20,9 +20,8 @@ static struct oslo_special *special_of(struct oslo *oslo, size_t surface, struct
             return one;
         }
     }
-    oslo->specials = arena_grow(oslo->job->arena, oslo->specials, oslo->special_count,
-                                &oslo->special_room, sizeof oslo->specials[0]);
-    struct oslo_special *one = &oslo->specials[oslo->special_count++];
+    struct oslo_special *one =
+        ARENA_ADD(oslo->job->arena, oslo->specials, oslo->special_count, oslo->special_room);
     *one =
         (struct oslo_special){.surface = surface, .letter = letter, .at = oslo->commands.words[0]};
     for (int i = 0; i < OSLO_EDGES; i++) {
@@ -155,9 +154,7 @@ void oslo_put_apertures(struct oslo *oslo)
                          wrong);
             continue;
         }
-        surface->apertures =
-            arena_grow(oslo->job->arena, surface->apertures, surface->aperture_count,
-                       &surface->aperture_room, sizeof *surface->apertures);
-        surface->apertures[surface->aperture_count++] = to;
+        *ARENA_ADD(oslo->job->arena, surface->apertures, surface->aperture_count,
+                   surface->aperture_room) = to;
     }
 }
