@@ -145,11 +145,10 @@ struct lens_field *lens_build_field(struct lens_build *build)
 size_t lens_build_variable(struct lens_build *build, const char *name, const struct figure *values)
 {
     struct lens *lens = build->lens;
-    lens->variables = arena_grow(build->arena, lens->variables, lens->variable_count,
-                                 &build->variable_room, sizeof lens->variables[0]);
-    lens->variables[lens->variable_count] = (struct lens_variable){
-        .name = text_of(arena_string(build->arena, name, strlen(name))), .values = values};
-    return lens->variable_count++;
+    *ARENA_ADD(build->arena, lens->variables, lens->variable_count, build->variable_room) =
+        (struct lens_variable){.name = text_of(arena_string(build->arena, name, strlen(name))),
+                               .values = values};
+    return lens->variable_count - 1;
 }
 
 static struct figure figure_typed(const char *start, const char *end, struct number_scale unit,

@@ -479,19 +479,9 @@ static bool lens_file_finish(struct parser *parser)
     for (int kind = 0; kind < KEPT_KINDS; kind++) {
         for (size_t i = 0; i < parser->kept[kind].count; i++) {
             struct file_words *line = &parser->kept[kind].all[i];
-            bool read = false;
-            switch (kind) {
-            case KEPT_SETTING:
-                read = lens_setting_read(line, parser->glasses, lens);
-                break;
-            case KEPT_PICKUP:
-                read = lens_pickup_read(line, lens);
-                break;
-            default:
-                read = lens_tolerance_read(line, lens);
-                break;
-            }
-            if (!read) {
+            if ((kind == KEPT_SETTING && !lens_setting_read(line, parser->glasses, lens)) ||
+                (kind == KEPT_PICKUP && !lens_pickup_read(line, lens)) ||
+                (kind == KEPT_TOLERANCE && !lens_tolerance_read(line, lens))) {
                 return false;
             }
         }

@@ -88,11 +88,10 @@ bool lens_words_figures(struct file_words *words, struct number_scale scale, con
     *count = 0;
     for (struct text word = file_words_next(words); word.length > 0 || *count == 0;
          word = file_words_next(words)) {
-        *figures = arena_grow(words->arena, *figures, *count, &room, sizeof **figures);
-        if (!lens_words_figure(words, word, scale, what, &(*figures)[*count])) {
+        if (!lens_words_figure(words, word, scale, what,
+                               ARENA_ADD(words->arena, *figures, *count, room))) {
             return false;
         }
-        ++*count;
     }
     return true;
 }
@@ -141,11 +140,9 @@ bool lens_words_fields(struct file_words *words, enum field_kind kind, struct le
     *count = 0;
     for (struct text word = file_words_next(words); word.length > 0 || *count == 0;
          word = file_words_next(words)) {
-        *fields = arena_grow(words->arena, *fields, *count, &room, sizeof **fields);
-        if (!read_field_point(words, word, kind, &(*fields)[*count])) {
+        if (!read_field_point(words, word, kind, ARENA_ADD(words->arena, *fields, *count, room))) {
             return false;
         }
-        ++*count;
     }
     return true;
 }

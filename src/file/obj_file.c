@@ -66,10 +66,8 @@ static size_t obj_file_slot_of(const struct obj *obj, const struct corner *corne
 
 static size_t append_corner(struct obj *obj, const struct corner *corner)
 {
-    obj->corners =
-        arena_grow(obj->arena, obj->corners, obj->corner_count, &obj->corner_room, sizeof *corner);
-    obj->corners[obj->corner_count] = *corner;
-    return obj->corner_count++;
+    *ARENA_ADD(obj->arena, obj->corners, obj->corner_count, obj->corner_room) = *corner;
+    return obj->corner_count - 1;
 }
 
 /* -------- words -------- */
@@ -361,11 +359,9 @@ static void give_normals(struct obj *obj)
                 const struct vector normal = length > 0 && isfinite(length)
                                                  ? vector_times(1 / length, across)
                                                  : (struct vector){0, 0, 1};
-                obj->all[PART_NORMAL] =
-                    arena_grow(obj->arena, obj->all[PART_NORMAL], obj->count[PART_NORMAL],
-                               &obj->room[PART_NORMAL], sizeof normal);
-                obj->all[PART_NORMAL][obj->count[PART_NORMAL]] = normal;
-                flat.of[PART_NORMAL] = obj->count[PART_NORMAL]++;
+                flat.of[PART_NORMAL] = obj->count[PART_NORMAL];
+                *ARENA_ADD(obj->arena, obj->all[PART_NORMAL], obj->count[PART_NORMAL],
+                           obj->room[PART_NORMAL]) = normal;
             }
             flat.of[PART_POSITION] = obj->corners[triangle[k]].of[PART_POSITION];
             flat.of[PART_PLACE] = obj->corners[triangle[k]].of[PART_PLACE];

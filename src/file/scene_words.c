@@ -6,8 +6,6 @@
 #include "base/quantity.h"
 
 #include <math.h>
-#include <stdarg.h>
-#include <stdio.h>
 #include <string.h>
 
 static const struct unit candelas[] = {
@@ -98,17 +96,6 @@ static const struct unit *bare_scene_unit(const struct scene_units *units,
         return unit_find(dimension, text_of("deg/s"));
     }
     return NULL;
-}
-
-bool scene_line_fail(const struct scene_line *line, enum scene_key key, const char *format, ...)
-{
-    char message[sizeof line->words->error->message];
-    va_list arguments;
-    va_start(arguments, format);
-    vsnprintf(message, sizeof message, format, arguments);
-    va_end(arguments);
-    return file_words_fail(line->words, scene_line_has(line, key) ? line->value[key] : line->head,
-                           "%s", message);
 }
 
 bool scene_word_fail(const struct file_words *words, struct text word, const struct nearest *meant,

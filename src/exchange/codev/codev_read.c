@@ -33,12 +33,6 @@ static bool read_space(struct codev *codev)
     return commands_end(&codev->commands, 2);
 }
 
-static bool codev_read_nothing(struct codev *codev)
-{
-    (void)codev;
-    return true;
-}
-
 /* Nothing stands behind GO; a macro that goes on is refused. */
 static bool read_go(struct codev *codev)
 {
@@ -107,14 +101,14 @@ enum codev_scope {
 /* Commands and what tells relatives apart; the first three letters count. */
 static const struct {
     char key[4];
-    codev_command *run;
+    codev_command *run; /* null: nothing becomes of it */
     int what;
     enum codev_scope scope;
 } keywords[] = {
     {"RDM", codev_radius_mode, 0, CODEV_LENS},
-    {"LEN", codev_read_nothing, 0, CODEV_LENS},
+    {"LEN", NULL, 0, CODEV_LENS},
     {"TIT", codev_title, 0, CODEV_PART},
-    {"DIM", codev_read_nothing, 0, CODEV_LENS}, /* read before all others */
+    {"DIM", NULL, 0, CODEV_LENS}, /* read before all others */
     {"WL", codev_waves, 'L', CODEV_PART},
     {"WTW", codev_waves, 'W', CODEV_PART},
     {"REF", codev_reference, 0, CODEV_LENS},
@@ -139,9 +133,9 @@ static const struct {
     {"GLA", codev_glass, 0, CODEV_EACH},
     {"RMD", codev_glass, 0, CODEV_EACH},
     {"CYL", codev_shape, 0, CODEV_EACH},
-    {"SPH", codev_read_nothing, 0, CODEV_LENS},
-    {"CON", codev_read_nothing, 0, CODEV_LENS},
-    {"ASP", codev_read_nothing, 0, CODEV_LENS},
+    {"SPH", NULL, 0, CODEV_LENS},
+    {"CON", NULL, 0, CODEV_LENS},
+    {"ASP", NULL, 0, CODEV_LENS},
     {"K", codev_constant, 0, CODEV_EACH},
     {"A", codev_constant, 4, CODEV_EACH},
     {"B", codev_constant, 6, CODEV_EACH},
@@ -176,7 +170,7 @@ static const struct {
     {"TEL", read_space, 'T', CODEV_LENS},
     {"AFC", read_space, 'A', CODEV_LENS},
     {"PIK", codev_pickup, 0, CODEV_PICK_UP},
-    {"ZOO", codev_read_nothing, 0, CODEV_LENS}, /* what it has not become */
+    {"ZOO", NULL, 0, CODEV_LENS}, /* what it has not become */
     {"PRV", codev_catalog, 'P', CODEV_LENS},
     {"PWL", codev_catalog, 'W', CODEV_LENS},
     {"END", codev_catalog, 'P', CODEV_LENS},
@@ -188,19 +182,6 @@ static const struct {
     {"VUY", codev_factor, 0, CODEV_PART},
     {"VLY", codev_factor, 0, CODEV_PART},
 };
-
-/* Of a range of surfaces, S3..5, each gets what the command says. */
-static bool run_on_surfaces(struct codev *codev, codev_command *run)
-{
-    const size_t end = codev->here.end;
-    for (size_t i = codev->here.surface; i <= end; i++) {
-        codev->here.surface = i;
-        if (!run(codev)) {
-            return false;
-        }
-    }
-    return true;
-}
 
 static bool is_surface_line(struct text word)
 {
@@ -257,8 +238,17 @@ static bool codev_run(struct codev *codev)
             return false;
         }
         codev->what = keywords[i].what;
-        return scope == CODEV_EACH ? run_on_surfaces(codev, keywords[i].run)
-                                   : keywords[i].run(codev);
+        if (keywords[i].run == NULL || scope != CODEV_EACH) {
+            return keywords[i].run == NULL || keywords[i].run(codev);
+        }
+        /* of a range of surfaces, S3..5, each gets what the command says */
+        for (size_t at = codev->here.surface, end = codev->here.end; at <= end; at++) {
+            codev->here.surface = at;
+            if (!keywords[i].run(codev)) {
+                return false;
+            }
+        }
+        return true;
     }
     return run_group(codev, word->text);
 }

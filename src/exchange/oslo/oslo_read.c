@@ -261,12 +261,6 @@ static bool oslo_end(struct oslo *oslo)
     return true;
 }
 
-static bool oslo_nothing(struct oslo *oslo)
-{
-    (void)oslo;
-    return true;
-}
-
 /* A command that is lost by its group, but where its only number is 0. */
 static bool oslo_lose(struct oslo *oslo, const struct word_group *group)
 {
@@ -287,7 +281,7 @@ static bool oslo_air(struct oslo *oslo)
 
 struct oslo_keyword {
     const char *name;
-    oslo_command *run;
+    oslo_command *run; /* null: nothing becomes of it */
     int what;
 };
 
@@ -300,7 +294,7 @@ static const struct oslo_keyword keywords[] = {
     {"ANG", oslo_field_edge, OSLO_ANGLE},
     {"OBH", oslo_field_edge, OSLO_OBJECT},
     {"GIH", oslo_field_edge, OSLO_IMAGE},
-    {"UNI", oslo_nothing, 0}, /* read before all others */
+    {"UNI", NULL, 0}, /* read before all others */
     {"NXT", next_surface, 0},
     {"SEF", next_surface, 0}, /* of old files */
     {"AIR", oslo_medium, 0},
@@ -342,7 +336,7 @@ static const struct oslo_keyword keywords[] = {
     {"APA", read_other_solve, 0},
     {"EC", read_other_solve, 1},
     {"PK", oslo_pickup, 0},
-    {"APN", oslo_nothing, 0},
+    {"APN", NULL, 0},
     {"ATP", oslo_special_number, OSLO_TYPE},
     {"AAC", oslo_special_number, OSLO_ACTION},
     {"AGN", oslo_special_number, OSLO_GROUP},
@@ -404,7 +398,7 @@ static bool run_keyword(struct oslo *oslo)
     const struct oslo_keyword *keyword = keyword_of(word);
     if (keyword != NULL) {
         oslo->what = keyword->what;
-        return keyword->run(oslo);
+        return keyword->run == NULL || keyword->run(oslo);
     }
     const struct word_group *group = word_group_of(oslo_words, NULL, word->text);
     return group == NULL ? commands_lose(&oslo->commands, LOSS_OF_RAYS, NULL, "an unknown command")

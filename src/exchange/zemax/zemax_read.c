@@ -437,6 +437,7 @@ static bool read_as(struct foreign_job *job, struct text content, bool takes_num
     struct zemax_file file = {
         .job = job, .error = error, .takes_numbers = takes_numbers, .doubts = doubts};
     *doubts = (struct zemax_doubts){0, 0};
+    file.settings_end = &file.settings;
     lens_build_begin(&file.build, lens, job->arena);
     if (!zemax_parse(&file, content)) {
         return false;

@@ -259,11 +259,7 @@ bool zemax_read_setting(struct zemax_file *file, struct text keyword)
         zemax_line_of(file, keyword, is_length ? file->words.scale : NUMBER_UNSCALED);
     struct zemax_setting *setting = ARENA_NEW(file->job->arena, struct zemax_setting);
     *setting = (struct zemax_setting){own, (long)surface, (long)configuration, NULL};
-    if (file->last_setting != NULL) {
-        file->last_setting->next = setting;
-    } else {
-        file->settings = setting;
-    }
-    file->last_setting = setting;
+    *file->settings_end = setting;
+    file->settings_end = &setting->next;
     return true;
 }
