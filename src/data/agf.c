@@ -344,8 +344,8 @@ static bool read_transmittance(struct agf_reader *reader, struct error *error)
         return agf_words_fail_line(&reader->words, error,
                                    "more than 1000 transmittances of one glass");
     }
-    double at_10 = fabs(thickness - 10) > 0 ? pow(tau, 10 / thickness) : tau;
-    const struct glass_point point = {pair_of(wavelength), pair_of(at_10)};
+    const struct glass_point point = {
+        pair_of(wavelength), pair_of(fabs(thickness - 10) > 0 ? pow(tau, 10 / thickness) : tau)};
     /* Keep a point, by rising wavelength; of two at one wavelength the one of nearly 10 mm. */
     struct glass *glass = &reader->glass->glass;
     struct glass_point *points = reader->transmittance;

@@ -76,8 +76,7 @@ static char *put_utf8(char *to, unsigned code)
         return to;
     }
     int rest = 1 + (code >= 0x800) + (code >= 0x10000);
-    unsigned head = 0xf80u >> rest & 0xff;
-    *to++ = (char)(head | code >> 6 * rest);
+    *to++ = (char)((0xf80u >> rest & 0xff) | code >> 6 * rest);
     while (rest-- > 0) {
         *to++ = (char)(0x80 | (code >> 6 * rest & 0x3f));
     }

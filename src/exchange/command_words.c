@@ -152,8 +152,7 @@ struct command_word commands_word(const struct commands *commands, size_t word)
         return commands->words[word];
     }
     struct command_word last = commands->words[commands->count - 1];
-    const char *end = last.line.start + last.line.length;
-    last.text = (struct text){end, 0};
+    last.text = (struct text){last.line.start + last.line.length, 0};
     last.is_quoted = false;
     return last;
 }

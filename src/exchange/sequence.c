@@ -136,8 +136,7 @@ static void put_sequence_aperture(const struct sequence *sequence, struct sequen
 static void sequence_put_apertures(const struct sequence *sequence,
                                    const struct sequence_surface *from, struct surface *surface)
 {
-    struct arena *arena = sequence->job->arena;
-    struct aperture *all = ARENA_ARRAY(arena, from->aperture_count, struct aperture);
+    struct aperture *all = ARENA_ARRAY(sequence->job->arena, from->aperture_count, struct aperture);
     surface->apertures = all;
     for (size_t i = 0; i < from->aperture_count; i++) {
         put_sequence_aperture(sequence, &from->apertures[i], surface,
@@ -201,7 +200,7 @@ static void put_sequence_surface(const struct sequence *sequence, size_t index, 
 static bool is_infinite(const struct sequence *sequence, const struct figure *distance)
 {
     const struct commands *commands = sequence->commands;
-    struct pair per_unit = lens_words_per_length(pair_of(1), commands->scale, 1);
+    const struct pair per_unit = lens_words_per_length(pair_of(1), commands->scale, 1);
     return fabs(pair_multiply(distance->value, per_unit).hi) >= commands->grammar->infinity;
 }
 
@@ -214,8 +213,8 @@ static void sequence_put_object(const struct sequence *sequence)
 {
     struct lens *lens = sequence->build->lens;
     struct sequence_surface *object = &sequence->surfaces[0];
-    bool along = sequence_is_some(&object->shift[2]);
-    if (sequence_is_some(&object->curve) || sequence_is_decentred(object) || along) {
+    if (sequence_is_some(&object->curve) || sequence_is_decentred(object) ||
+        sequence_is_some(&object->shift[2])) {
         commands_loss(sequence->commands, &object->at, LOSS_OF_RAYS, "taken as a plane",
                       "a curved or tilted object");
     }
@@ -300,9 +299,8 @@ static bool glasses_there(struct sequence *sequence)
 
 bool sequence_finish(struct sequence *sequence)
 {
-    const struct commands *commands = sequence->commands;
     if (sequence->count < 3) {
-        return foreign_fail(commands->job, sequence->commands->error,
+        return foreign_fail(sequence->commands->job, sequence->commands->error,
                             "the file has no surface between object and image");
     }
     if (!sequence_apply_pickups(sequence) || !glasses_there(sequence)) {

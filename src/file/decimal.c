@@ -46,8 +46,7 @@ static struct text put_together(struct decimal decimal, struct arena *arena)
         decimal.count--;
         decimal.before--;
     }
-    size_t zeros = 2 * DECIMAL_ROOM;
-    char *start = arena_array(arena, decimal.count + decimal.exponent.length + 2 * zeros, 1);
+    char *start = arena_array(arena, decimal.count + decimal.exponent.length + 4 * DECIMAL_ROOM, 1);
     char *at = start;
     if (decimal.is_negative) {
         *at++ = '-';

@@ -73,11 +73,11 @@ void lens_build_stop(struct lens_build *build, size_t index)
 {
     struct lens *lens = build->lens;
     struct surface *surface = &lens->surfaces[index];
-    const struct medium *before =
-        index > 0 ? &lens->surfaces[index - 1].medium : &lens->object_medium;
     bool bare = surface->kind == SURFACE_REFRACT && surface->is_plane && !surface->has_curvature &&
                 surface->coefficients == 0 && surface->conic.value.hi == 0 &&
-                surface_is_round(surface) && medium_is_same(before, &surface->medium);
+                surface_is_round(surface) &&
+                medium_is_same(index > 0 ? &lens->surfaces[index - 1].medium : &lens->object_medium,
+                               &surface->medium);
     surface->kind = bare ? SURFACE_STOP : surface->kind;
     surface->is_stop = true;
     lens->stop = index;
@@ -172,8 +172,8 @@ struct figure figure_rounded(struct pair value, struct number_scale unit, struct
     char text[NUMBER_LENGTH];
     struct pair length = {1, 0};
     pair_read(one, one + 1, unit, &length);
-    double number = pair_divide(value, length).hi;
-    return figure_typed(text, number_write_shortest(text, number), unit, arena);
+    return figure_typed(text, number_write_shortest(text, pair_divide(value, length).hi), unit,
+                        arena);
 }
 
 struct figure figure_of(double value, struct arena *arena)

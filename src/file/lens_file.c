@@ -359,8 +359,8 @@ static bool read_surface_line(struct parser *parser)
     lens->surfaces = arena_grow(parser->words.arena, lens->surfaces, last, &parser->surface_room,
                                 sizeof lens->surfaces[0]);
     struct surface *surface = &lens->surfaces[last];
-    const struct medium *before = last > 0 ? &surface[-1].medium : &lens->object_medium;
-    if (!lens_surface_read(&parser->words, (enum surface_kind)parser->what, before,
+    if (!lens_surface_read(&parser->words, (enum surface_kind)parser->what,
+                           last > 0 ? &surface[-1].medium : &lens->object_medium,
                            &parser->variables, surface) ||
         !lens_words_glass(&parser->words, parser->glasses, &surface->medium)) {
         return false;
@@ -384,8 +384,9 @@ static bool read_aperture_line(struct parser *parser)
 {
     struct lens *lens = parser->lens;
     bool is_below = lens->surface_count > 0 && parser->coordinate_break == NULL;
-    struct surface *above = is_below ? &lens->surfaces[lens->surface_count - 1] : NULL;
-    return lens_aperture_read(&parser->words, parser->what != 0, above, &parser->aperture_room);
+    return lens_aperture_read(&parser->words, parser->what != 0,
+                              is_below ? &lens->surfaces[lens->surface_count - 1] : NULL,
+                              &parser->aperture_room);
 }
 
 static bool read_coordinate_break(struct parser *parser)

@@ -38,8 +38,7 @@ struct turn {
 /* Has the number the other sign in the lens turned around? */
 static bool lens_reverse_turns(const struct turn *turn, enum parameter_kind kind)
 {
-    enum parameter_turn with = parameter_type(kind)->turn;
-    return with == (turn->flips ? TURN_WITH_AXES : TURN_WITH_MIRRORS);
+    return parameter_type(kind)->turn == (turn->flips ? TURN_WITH_AXES : TURN_WITH_MIRRORS);
 }
 
 static struct figure lens_reverse_turned(const struct turn *turn, enum parameter_kind kind,
@@ -81,9 +80,8 @@ static void add_breaks(struct turn *turn, const struct displacement *coordinate_
 {
     for (int i = 2; i >= 0; i--) {
         if (coordinate_break->tilt[i].value.hi != 0) {
-            const enum parameter_kind kind = (enum parameter_kind)(PARAMETER_BREAK_TILT_X + i);
-            add_turned_plane(turn)->tilt[i] =
-                lens_reverse_undone(turn, kind, coordinate_break->tilt[i]);
+            add_turned_plane(turn)->tilt[i] = lens_reverse_undone(
+                turn, (enum parameter_kind)(PARAMETER_BREAK_TILT_X + i), coordinate_break->tilt[i]);
         }
     }
     if (coordinate_break->decenter[0].value.hi != 0 ||
@@ -327,8 +325,10 @@ static const struct aperture *turn_apertures(const struct turn *turn, const stru
         }
         copy[i].points = (const struct figure(*)[2])points;
         if (copy[i].arms % 2 != 0) {
-            struct pair degrees = pair_divide(copy[i].turn.value, pair_of(RADIANS_PER_DEGREE));
-            copy[i].turn = figure_rounded(pair_add(pair_of(180), degrees), NUMBER_UNSCALED, arena);
+            copy[i].turn =
+                figure_rounded(pair_add(pair_of(180), pair_divide(copy[i].turn.value,
+                                                                  pair_of(RADIANS_PER_DEGREE))),
+                               NUMBER_UNSCALED, arena);
             copy[i].turn.value = pair_multiply(copy[i].turn.value, pair_of(RADIANS_PER_DEGREE));
         }
     }

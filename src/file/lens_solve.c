@@ -115,13 +115,14 @@ bool solve_heights(const struct lens *lens, enum solve_ray ray, struct arena *ar
 
 struct pair solve_thickness(const struct solve_state *state, struct pair height)
 {
-    struct pair rise = pair_multiply(pair_subtract(height, state->y), state->index_after);
-    return pair_divide(rise, state->after);
+    return pair_divide(pair_multiply(pair_subtract(height, state->y), state->index_after),
+                       state->after);
 }
 
 struct pair solve_curvature(const struct solve_state *state, struct pair angle)
 {
     struct pair wanted = pair_multiply(angle, state->index_after);
-    struct pair step = pair_subtract(state->index_after, state->index_before);
-    return pair_divide(pair_subtract(state->before, wanted), pair_multiply(state->y, step));
+    return pair_divide(
+        pair_subtract(state->before, wanted),
+        pair_multiply(state->y, pair_subtract(state->index_after, state->index_before)));
 }

@@ -181,8 +181,7 @@ static bool read_face(struct obj *obj)
     size_t corner[3], count = 0;
     for (struct text word = obj_file_next_word(obj); word.length > 0;
          word = obj_file_next_word(obj)) {
-        const size_t here = count < 2 ? count : 2;
-        if (!read_corner(obj, word, &corner[here])) {
+        if (!read_corner(obj, word, &corner[count < 2 ? count : 2])) {
             return false;
         }
         if (++count < 3) {
@@ -474,8 +473,8 @@ bool obj_read(const struct obj_question *question, struct text content, struct a
                 corners[j] = j < 2 ? triangles[0][j] : triangles[j - 2][2];
                 at[j] = obj_file_position(&obj, corners[j]);
             }
-            const enum polygon_cut way = polygon_triangles(at, fan->corner_count, cut, obj.arena);
-            obj.passed->crossed += way == POLYGON_CROSSED ? 1 : 0;
+            obj.passed->crossed +=
+                polygon_triangles(at, fan->corner_count, cut, obj.arena) == POLYGON_CROSSED ? 1 : 0;
             for (size_t j = 0; j < fan->corner_count - 2; j++) {
                 for (int k = 0; k < 3; k++) {
                     triangles[j][k] = corners[cut[j][k]];

@@ -163,8 +163,7 @@ static bool compare_private(struct codev *codev, const struct codev_private *own
         own_glass_compare(&glass, &found, &surface->medium);
         return true;
     }
-    const bool of_catalog = codev->job->glass_numbers == GLASS_NUMBERS_CATALOG;
-    error->code = of_catalog ? error->code : ERROR_NONE;
+    error->code = codev->job->glass_numbers == GLASS_NUMBERS_CATALOG ? error->code : ERROR_NONE;
     return error->code == ERROR_NONE;
 }
 

@@ -118,11 +118,12 @@ bool codev_check_mode(struct codev *codev)
     }
     const struct sequence_surface *surface = &sequence->surfaces[as_read.surface];
     double c = surface->curve.value.hi;
-    double units = lens_words_per_length(pair_of(1), sequence->commands->scale, 2).hi;
     commands_fail(&codev->commands, &surface->at,
                   "without RDM the number of a surface is its curvature, but %s %.6g mm fits a "
                   "radius of %.6g mm better than one of %.3g mm",
-                  as_read.what, as_read.length, fabs(c) / units, 1 / fabs(c));
+                  as_read.what, as_read.length,
+                  fabs(c) / lens_words_per_length(pair_of(1), sequence->commands->scale, 2).hi,
+                  1 / fabs(c));
     return error_hint(codev->commands.error,
                       "put a line before the surfaces: RDM if they are radii, RDM N if they "
                       "are curvatures");

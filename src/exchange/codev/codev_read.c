@@ -69,9 +69,9 @@ static void settle_factors(struct codev *codev)
     }
     for (size_t i = 0; i < lens->surface_count; i++) {
         const struct surface *one = &lens->surfaces[i];
-        const struct medium *before = i > 0 ? &one[-1].medium : &lens->object_medium;
-        const bool bends = !one->is_plane || one->has_curvature || surface_reflects(one) ||
-                           !medium_is_same(before, &one->medium);
+        const bool bends =
+            !one->is_plane || one->has_curvature || surface_reflects(one) ||
+            !medium_is_same(i > 0 ? &one[-1].medium : &lens->object_medium, &one->medium);
         all = all && (!bends || one->has_diameter || one->aperture_count > 0);
     }
     if (all) {
@@ -275,8 +275,7 @@ static bool codev_read_finish(struct codev *codev)
 {
     struct sequence *sequence = &codev->sequence;
     if (!codev->has_image) {
-        struct error *error = codev->commands.error;
-        return foreign_fail(codev->job, error, "the file has no image surface SI");
+        return foreign_fail(codev->job, codev->commands.error, "the file has no image surface SI");
     }
     if (!codev->job->has_end) {
         foreign_cut_short(codev->job, "no GO stands at its end");
@@ -287,8 +286,8 @@ static bool codev_read_finish(struct codev *codev)
         }
     }
     if (codev->image_solve.text.length > 0 && sequence->count > 2) {
-        struct sequence_solve *solve = &sequence->surfaces[sequence->count - 2].thickness_solve;
-        *solve = (struct sequence_solve){.is_set = true, .at = codev->image_solve};
+        sequence->surfaces[sequence->count - 2].thickness_solve =
+            (struct sequence_solve){.is_set = true, .at = codev->image_solve};
     }
     if (!codev_finish_system(codev) || !finish_lens(codev)) {
         return false;
@@ -312,8 +311,7 @@ static void read_keep_notes(struct codev *codev, struct text content)
     struct lens *lens = codev->build.lens;
     const struct keep_notes notes = kept_in(content);
     for (struct text rest = content; rest.start != NULL;) {
-        const struct text line = text_trim(text_cut(&rest, '\n'));
-        const struct text kept = text_behind(line, CODEV_KEEP_NOTE);
+        const struct text kept = text_behind(text_trim(text_cut(&rest, '\n')), CODEV_KEEP_NOTE);
         const struct text note = text_behind(kept, CODEV_NOTE);
         if (text_equal(kept, CODEV_STOP_RULES)) {
             lens->aperture_kind = APERTURE_STOP;

@@ -225,9 +225,8 @@ static bool codev_put_field(struct codev *codev, size_t at)
     const char *wrong =
         codev->build.lens->field_kind == FIELD_ANGLE ? lens_field_from_degrees(field) : NULL;
     if (wrong != NULL) {
-        const int row = at < codev->field_count[1];
-        return commands_fail(&codev->commands, &codev->fields_at[row], "field %zu: %s", at + 1,
-                             wrong);
+        return commands_fail(&codev->commands, &codev->fields_at[at < codev->field_count[1]],
+                             "field %zu: %s", at + 1, wrong);
     }
     if (at < codev->field_count[CODEV_FIELD_WEIGHTS]) {
         const struct figure *weight = &codev->fields[CODEV_FIELD_WEIGHTS][at];

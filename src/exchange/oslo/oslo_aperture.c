@@ -37,8 +37,8 @@ bool oslo_special_number(struct oslo *oslo)
     if (!commands_value(&oslo->commands, 2, false, "number", &figure)) {
         return false;
     }
-    const struct text letter = commands_word(&oslo->commands, 1).text;
-    special_of(oslo, oslo->surface, letter)->number[oslo->what] = figure.value.hi;
+    special_of(oslo, oslo->surface, commands_word(&oslo->commands, 1).text)->number[oslo->what] =
+        figure.value.hi;
     return true;
 }
 
@@ -49,8 +49,8 @@ bool oslo_special_edge(struct oslo *oslo)
     if (!commands_value(&oslo->commands, 2, true, "edge of an aperture", &figure)) {
         return false;
     }
-    const struct text letter = commands_word(&oslo->commands, 1).text;
-    special_of(oslo, oslo->surface, letter)->edge[oslo->what] = figure;
+    special_of(oslo, oslo->surface, commands_word(&oslo->commands, 1).text)->edge[oslo->what] =
+        figure;
     return true;
 }
 

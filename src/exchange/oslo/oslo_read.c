@@ -469,8 +469,8 @@ static bool oslo_read_position(void *state, size_t position, struct text content
                                        .has_positions = oslo->positions > 0,
                                        .environment = {.temperature = 20, .pressure = 1}};
     struct command_word start = {{content.start, 0}, {content.start, 0}, 1, false};
-    struct sequence_surface *object = sequence_add(&oslo->sequence, start);
-    object->thickness = figure_computed(pair_of(1e20), scale, job->arena); /* if none is given */
+    sequence_add(&oslo->sequence, start)->thickness =
+        figure_computed(pair_of(1e20), scale, job->arena); /* if none is given */
     while (commands_next(&oslo->commands)) {
         const struct command_word *word = &oslo->commands.words[0];
         if (!oslo->has_begun && !text_same(word->text, "LEN")) {

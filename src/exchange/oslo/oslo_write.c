@@ -282,9 +282,8 @@ static void oslo_write_apertures(struct lens_writer *writing, const struct surfa
                         one->blocks ? 2 : 4);
             for (size_t j = 0; j < one->point_count; j++) {
                 for (int k = 0; k < 2; k++) {
-                    const char *name = arena_printf(writing->arena, "AV%c%zu", "XY"[k], j + 1);
-                    oslo_put_place(writing, name, letter,
-                                   pair_add(*centres[k], one->points[j][k].value));
+                    oslo_put_place(writing, arena_printf(writing->arena, "AV%c%zu", "XY"[k], j + 1),
+                                   letter, pair_add(*centres[k], one->points[j][k].value));
                 }
             }
             for (int k = 0; k < 2 && one->point_count == 0; k++) {

@@ -115,8 +115,8 @@ static double solve_doubt(const struct solved_number *number, size_t surface, do
     varied.lens.surfaces = all;
     bool has = solved_value(number, lens, arena, &varied.value);
     for (size_t i = 0; has && i <= surface; i++) {
-        struct figure *curve = all[i].is_plane ? &all[i].curvature : &all[i].radius;
-        doubt += slope_of_figure(&varied, curve) * relative;
+        doubt += slope_of_figure(&varied, all[i].is_plane ? &all[i].curvature : &all[i].radius) *
+                 relative;
         doubt += i < surface ? slope_of_figure(&varied, &all[i].thickness) * relative : 0;
         doubt += doubt_of_index(&varied, &all[i]);
     }

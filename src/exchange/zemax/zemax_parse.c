@@ -351,8 +351,8 @@ static bool zmx_line(struct zemax_file *file)
         return zemax_read_configurations(file, zemax_line_of(file, word, NUMBER_UNSCALED));
     }
     if (keyword != NULL) {
-        void *owner = is_of_surface ? (void *)last_zmx_surface(file) : (void *)file;
-        return zmx_known(file, keyword, word, owner);
+        return zmx_known(file, keyword, word,
+                         is_of_surface ? (void *)last_zmx_surface(file) : (void *)file);
     }
     if (group != NULL) {
         file->in_tail = true;

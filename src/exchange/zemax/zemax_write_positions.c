@@ -139,9 +139,10 @@ bool zemax_put_positions(struct zemax_writer *writer, struct error *error)
     const size_t count = lens->position_count;
     writing_put(writing, "MNUM %zu 1\r\n", count > 0 ? count : 1);
     for (size_t p = 0; p < count && lens->objects != NULL; p++) {
-        bool far = isinf(lens->objects[p].value.hi);
         zemax_put_operand(writing, "THIC", 0, p,
-                          far ? "1e10" : writing_length(writing, &lens->objects[p], 1));
+                          isinf(lens->objects[p].value.hi)
+                              ? "1e10"
+                              : writing_length(writing, &lens->objects[p], 1));
     }
     for (size_t i = 0; i < lens->surface_count; i++) {
         const struct surface *surface = &lens->surfaces[i];
