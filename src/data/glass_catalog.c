@@ -264,10 +264,9 @@ static const char *list_found(const struct glass_catalog_search *search,
         if (one == but || (current_only && !text_equal(one->status, "current"))) {
             continue;
         }
-        growing_string(&list, list.length > 0 ? separator : "");
-        growing_text(&list, one->glass.catalog);
-        growing_string(&list, ":");
-        growing_text(&list, one->glass.name);
+        growing_format(&list, "%s%.*s:%.*s", list.length > 0 ? separator : "",
+                       (int)one->glass.catalog.length, one->glass.catalog.start,
+                       (int)one->glass.name.length, one->glass.name.start);
         if (one->line > 0) {
             growing_format(&list, " (line %ld)", one->line);
         }
@@ -296,10 +295,7 @@ static const struct glass_record *current_of(const struct glass_catalog_search *
     if (current_count == 1) {
         return current;
     }
-    if (current_count == 0 && alive_count == 1) {
-        return alive;
-    }
-    return NULL;
+    return current_count == 0 && alive_count == 1 ? alive : NULL;
 }
 
 /* The first of the same glasses, but rather a current one; false if they are not the same. */

@@ -197,6 +197,9 @@ bool foreign_glass(struct foreign_job *job, const struct file_words *words,
  */
 bool foreign_is_rounded(const struct medium *medium, const struct foreign_name *named);
 
+/* One more warning of a medium. */
+void foreign_warn(const struct foreign_job *job, struct medium *medium, const char *warning);
+
 /* "the glass 'SK2' is SCHOTT:SK2 of nd .. and Vd .., beside which the file has nd .. and Vd .." */
 char *foreign_difference(const struct foreign_job *job, const struct foreign_name *named,
                          const struct medium *medium);

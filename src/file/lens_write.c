@@ -120,8 +120,7 @@ static void put_extras(struct lens_write_writer *writer, const struct surface *s
         put_displacement(writer, surface->decentre, 2);
     }
     if (!surface_is_round(surface)) {
-        growing_string(&writer->text, " cyl=");
-        growing_string(&writer->text, surface_section(surface)->word);
+        growing_format(&writer->text, " cyl=%s", surface_section(surface)->word);
     }
     for (size_t i = 0; i < surface->vary_count; i++) {
         const struct vary *vary = &surface->varies[i];
@@ -202,8 +201,7 @@ static void put_figures(struct lens_write_writer *writer, const char *keyword,
 static void put_weight(struct lens_write_writer *writer, struct text weight)
 {
     if (weight.start != NULL) {
-        growing_string(&writer->text, ":");
-        growing_text(&writer->text, weight);
+        growing_format(&writer->text, ":%.*s", (int)weight.length, weight.start);
     }
 }
 
@@ -257,17 +255,15 @@ static void put_lens_header(struct lens_write_writer *writer)
         growing_string(&writer->text, lens->is_telecentric ? " telecentric\n" : "\n");
     }
     if (!text_equal(lens->object_medium.written, "air")) {
-        growing_string(&writer->text, "medium      ");
-        growing_text(&writer->text, lens->object_medium.written);
-        growing_string(&writer->text, "\n");
+        const struct text medium = lens->object_medium.written;
+        growing_format(&writer->text, "medium      %.*s\n", (int)medium.length, medium.start);
     }
     if (lens->field_kind != FIELD_NONE) {
         static const char *const kinds[] = {[FIELD_ANGLE] = "angle",
                                             [FIELD_HEIGHT] = "height",
                                             [FIELD_IMAGE] = "image",
                                             [FIELD_REAL] = "real"};
-        growing_string(&writer->text, "field       ");
-        growing_string(&writer->text, kinds[lens->field_kind]);
+        growing_format(&writer->text, "field       %s", kinds[lens->field_kind]);
         for (size_t k = 0; k < lens->field_count; k++) {
             put_field_point(writer, " ", &lens->fields[k]);
         }
@@ -319,8 +315,8 @@ static void put_set_lines(struct lens_write_writer *writer)
         }
         growing_string(&writer->text, begin);
         for (size_t p = 0; p < lens->position_count; p++) {
-            growing_string(&writer->text, " ");
-            growing_text(&writer->text, one->media[p].written);
+            const struct text written = one->media[p].written;
+            growing_format(&writer->text, " %.*s", (int)written.length, written.start);
         }
         growing_string(&writer->text, "\n");
     }
@@ -337,9 +333,8 @@ static void put_design(struct lens_write_writer *writer)
         growing_string(&writer->text, "\n");
     }
     for (size_t i = 0; i < lens->goal_count; i++) {
-        growing_string(&writer->text, "goal        ");
-        growing_text(&writer->text, lens->goals[i].text);
-        growing_string(&writer->text, "\n");
+        const struct text goal = lens->goals[i].text;
+        growing_format(&writer->text, "goal        %.*s\n", (int)goal.length, goal.start);
     }
     for (size_t i = 0; i < lens->tolerance_count; i++) {
         growing_string(&writer->text, "tolerance   ");
@@ -367,8 +362,7 @@ static void put_positions(struct lens_write_writer *writer)
     for (size_t i = 0; i < lens->variable_count; i++) {
         /* A word of the positions, with its marks. */
         const struct lens_variable *variable = &lens->variables[i];
-        growing_string(&writer->text, "let ");
-        growing_text(&writer->text, variable->name);
+        growing_format(&writer->text, "let %.*s", (int)variable->name.length, variable->name.start);
         for (size_t p = 0; p < writer->lens->position_count; p++) {
             growing_string(&writer->text, " ");
             put_figure(writer, &variable->values[p], writer->unit);

@@ -298,8 +298,8 @@ bool codev_write(struct foreign_job *job, const struct lens *lens, struct text *
     }
     writing_put(writing, "\n");
     codev_put_fields(writing);
-    growing_string(&writing->text, lens->is_telecentric ? "TEL Y\n" : "");
-    growing_string(&writing->text, lens->focus == FOCUS_AFOCAL ? "AFC Y\n" : "");
+    writing_put(writing, "%s%s", lens->is_telecentric ? "TEL Y\n" : "",
+                lens->focus == FOCUS_AFOCAL ? "AFC Y\n" : "");
     codev_put_catalog(&output);
     writing_put(writing, "SO 0.0 %s",
                 lens->object_is_infinite ? "0.1e14" : writing_length(writing, &lens->object, 1));

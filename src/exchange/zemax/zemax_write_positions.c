@@ -84,13 +84,6 @@ static const char *zemax_double(const struct lens_writer *writing, double value)
 static void zemax_put_lights(struct lens_writer *writing)
 {
     const struct lens *lens = writing->lens;
-    for (size_t p = 0; p < lens->position_count; p++) {
-        if (lens->lights[p].count != lens->wavelength_count) {
-            foreign_lose(writing->job, LOSS_OF_RAYS, "those of the first are kept",
-                         "positions with more or fewer wavelengths");
-            return;
-        }
-    }
     for (size_t i = 0; i < 2 * lens->wavelength_count; i++) {
         for (size_t p = 0; p < lens->position_count; p++) {
             const struct lens_wavelength *wave = &lens->lights[p].wavelengths[i / 2];
@@ -105,13 +98,6 @@ static void zemax_put_points(struct lens_writer *writing)
 {
     static const char *const words[] = {"XFIE", "YFIE", "FLWT"};
     const struct lens *lens = writing->lens;
-    for (size_t p = 0; p < lens->position_count; p++) {
-        if (lens->points[p].count != lens->field_count) {
-            foreign_lose(writing->job, LOSS_OF_RAYS, "those of the first are kept",
-                         "positions with more or fewer points of the field");
-            return;
-        }
-    }
     for (size_t i = 0; i < 3 * lens->field_count; i++) {
         for (size_t p = 0; p < lens->position_count; p++) {
             const struct lens_field *field = &lens->points[p].fields[i / 3];
@@ -171,11 +157,23 @@ bool zemax_put_positions(struct zemax_writer *writer, struct error *error)
         writing_put(writing, "STPS 0 %zu %zu" END_OPERAND, p + 1,
                     writer->own_places[lens->stops[p]]);
     }
-    if (lens->lights != NULL) {
-        zemax_put_lights(writing);
+    /* as many in all positions, or those of the first alone */
+    bool same_lights = lens->lights != NULL, same_points = lens->points != NULL;
+    for (size_t p = 0; p < count; p++) {
+        same_lights = same_lights && lens->lights[p].count == lens->wavelength_count;
+        same_points = same_points && lens->points[p].count == lens->field_count;
     }
-    if (lens->points != NULL) {
+    if (same_lights) {
+        zemax_put_lights(writing);
+    } else if (lens->lights != NULL) {
+        foreign_lose(writing->job, LOSS_OF_RAYS, "those of the first are kept",
+                     "positions with more or fewer wavelengths");
+    }
+    if (same_points) {
         zemax_put_points(writing);
+    } else if (lens->points != NULL) {
+        foreign_lose(writing->job, LOSS_OF_RAYS, "those of the first are kept",
+                     "positions with more or fewer points of the field");
     }
     if (count > 1) { /* a free line, behind which nothing is missing */
         writing_put(writing, "MOFF 0 1 \"\" 0 0 0 1 1 0 0.0 \"\"\r\n");
