@@ -60,6 +60,11 @@ void *arena_grow(struct arena *arena, void *array, size_t count, size_t *room, s
 #define ARENA_ADD(arena, array, count, room)                                                       \
     ((array) = arena_grow((arena), (array), (count), &(room), sizeof *(array)), &(array)[(count)++])
 
+/* A copy of an array of `count` objects of `size` bytes, with zeroed room for `more` behind them. */
+void *arena_copy(struct arena *arena, const void *array, size_t count, size_t more, size_t size);
+#define ARENA_COPY(arena, array, count, more)                                                      \
+    arena_copy((arena), (array), (count), (more), sizeof *(array))
+
 /* A copy of `length` characters with a NUL behind. */
 char *arena_string(struct arena *arena, const char *start, size_t length);
 

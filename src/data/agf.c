@@ -136,9 +136,9 @@ static bool finish_glass(struct agf_reader *reader, struct error *error)
         return true;
     }
     if (!reader->has_coefficients) {
-        fail(error, ERROR_DATA, "glass '%.*s' has no line CD with its coefficients",
-             shown_name(glass), glass->glass.name.start);
-        return error_locate(error, reader->words.source, glass->line, 0);
+        return fail_in(error, reader->words.source, glass->line, 0,
+                       "glass '%.*s' has no line CD with its coefficients", shown_name(glass),
+                       glass->glass.name.start);
     }
     if (reader->cut > 0) {
         /* A number that may have been cut in two is one where only that has the stated nd. */
@@ -507,8 +507,7 @@ bool agf_read(const char *source, struct text content, struct arena *arena,
         return false;
     }
     if (reader.count == 0) {
-        fail(error, ERROR_DATA, "no glass: no line begins with NM");
-        return error_locate(error, source, 0, 0);
+        return fail_in(error, source, 0, 0, "no glass: no line begins with NM");
     }
     mark_duplicates(&reader);
     *catalog = (struct agf_catalog){.source = source,

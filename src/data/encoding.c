@@ -129,9 +129,9 @@ bool encoding_to_utf8(const char *source, struct text content, struct arena *are
         unsigned code;
         bool whole_character = next_code(content, scheme, &at, &code);
         if (!whole_character || code == 0) {
-            fail(error, ERROR_DATA, "not text: %s at byte %zu",
-                 whole_character ? "a NUL character" : "half a UTF-16 character", mark + here);
-            return error_locate(error, source, 0, 0);
+            return fail_in(error, source, 0, 0, "not text: %s at byte %zu",
+                           whole_character ? "a NUL character" : "half a UTF-16 character",
+                           mark + here);
         }
         bool skip = code == '\n' && after_return;
         after_return = code == '\r';

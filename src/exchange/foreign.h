@@ -123,8 +123,7 @@ void foreign_forget_repeated(struct foreign_job *job, size_t from);
     ((void)foreign_loss((job), NULL, (struct text){NULL, 0}, (effect), (instead), __VA_ARGS__))
 
 /* Report something wrong with the whole file, as ERROR_DATA. False */
-#define foreign_fail(job, error, ...)                                                              \
-    (fail((error), ERROR_DATA, __VA_ARGS__), error_locate((error), (job)->source, 0, 0))
+#define foreign_fail(job, error, ...) fail_in((error), (job)->source, 0, 0, __VA_ARGS__)
 
 /* Where what is lost bends light: a warning of the lens, and a note that files keep. */
 void foreign_mark_power(const struct foreign_job *job, struct lens_build *build);

@@ -465,8 +465,7 @@ static bool lens_file_finish(struct parser *parser)
 {
     struct lens *lens = parser->lens;
     if (lens->surface_count == 0) {
-        fail(parser->words.error, ERROR_DATA, "the file has no surface");
-        return error_locate(parser->words.error, parser->words.source, 0, 0);
+        return fail_in(parser->words.error, parser->words.source, 0, 0, "the file has no surface");
     }
     for (size_t i = 0; i < lens->variable_count; i++) {
         if (!lens_let_check(&parser->variables.lines[i], lens, i)) {

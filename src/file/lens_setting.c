@@ -80,10 +80,7 @@ static const char *lens_setting_add(struct lens *lens, struct lens_setting setti
     if (against != NULL) {
         return against;
     }
-    struct lens_setting *all = ARENA_ARRAY(arena, lens->setting_count + 1, struct lens_setting);
-    for (size_t i = 0; i < lens->setting_count; i++) {
-        all[i] = lens->settings[i];
-    }
+    struct lens_setting *all = ARENA_COPY(arena, lens->settings, lens->setting_count, 1);
     all[lens->setting_count++] = setting;
     lens->settings = all;
     return NULL;

@@ -445,8 +445,7 @@ static bool obj_file_read_lines(struct obj *obj)
         }
     }
     if (obj->triangle_count == 0) {
-        fail(obj->words.error, ERROR_DATA, "the mesh has no face");
-        return error_locate(obj->words.error, obj->question->source, 0, 0);
+        return fail_in(obj->words.error, obj->question->source, 0, 0, "the mesh has no face");
     }
     return true;
 }

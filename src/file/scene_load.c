@@ -233,8 +233,8 @@ static bool take_spectrum(const char *path, const struct number_table *table,
                           struct spectrum *spectrum, struct error *error)
 {
     if (table->columns != 2) {
-        fail(error, ERROR_DATA, "a spectrum has two columns, and this file %zu", table->columns);
-        return error_locate(error, path, 0, 0);
+        return fail_in(error, path, 0, 0, "a spectrum has two columns, and this file %zu",
+                       table->columns);
     }
     for (size_t i = 0; i < table->rows; i++) {
         if (!check_picture_row(table, i, error)) {

@@ -144,11 +144,9 @@ static bool read_scene_number(const struct scene_line *line, const struct scene_
         file_words_fail(line->words, wrong, "%s=: %s", form->name, found.message);
         return found.hint[0] != '\0' && error_hint(line->words->error, "%s", found.hint);
     }
-    if (!(*value >= form->low && *value <= form->high)) {
-        return file_words_fail(line->words, text, "%s=%.*s is not within %s", form->name,
-                               text_shown(text), text.start, form->range);
-    }
-    return true;
+    return (*value >= form->low && *value <= form->high) ||
+           file_words_fail(line->words, text, "%s=%.*s is not within %s", form->name,
+                           text_shown(text), text.start, form->range);
 }
 
 static bool read_scene_numbers(const struct scene_units *units, enum scene_key key,

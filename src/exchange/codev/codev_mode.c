@@ -5,7 +5,6 @@
 #include "file/lens_words.h"
 
 #include <math.h>
-#include <string.h>
 
 /* What speaks against one reading of the numbers; above a weight of 1 there is no such lens. */
 struct codev_mode_doubt {
@@ -90,8 +89,7 @@ static struct lens as_radii(const struct sequence *sequence, const struct lens *
 {
     struct lens other = *lens;
     struct pair units = lens_words_per_length(pair_of(1), sequence->commands->scale, 2);
-    other.surfaces = ARENA_ARRAY(sequence->job->arena, lens->surface_count, struct surface);
-    memcpy(other.surfaces, lens->surfaces, lens->surface_count * sizeof other.surfaces[0]);
+    other.surfaces = ARENA_COPY(sequence->job->arena, lens->surfaces, lens->surface_count, 0);
     for (size_t i = 1; i + 1 < sequence->count; i++) {
         struct surface *surface = &other.surfaces[sequence->surfaces[i].place];
         if (codev_mode_is_open(&sequence->surfaces[i])) {

@@ -128,9 +128,8 @@ static bool codev_give_light(struct codev *codev)
     }
     if (primary >= codev->wavelength_count) {
         struct error *error = codev->commands.error;
-        fail(error, ERROR_DATA, "REF names wavelength %zu of %zu", primary + 1,
-             codev->wavelength_count);
-        return error_locate(error, codev->job->source, codev->wavelengths[0].number, 0);
+        return fail_in(error, codev->job->source, codev->wavelengths[0].number, 0,
+                       "REF names wavelength %zu of %zu", primary + 1, codev->wavelength_count);
     }
     for (size_t i = 0; i < codev->wavelength_count; i++) {
         const size_t at = i == 0 ? primary : i - (i <= primary);
@@ -173,10 +172,7 @@ static bool codev_one_field(struct codev *codev, int row, size_t number, const s
         return commands_fail(&codev->commands, word, "field %zu, where %zu are listed", number,
                              count);
     }
-    struct figure *all = ARENA_ARRAY(codev->job->arena, next, struct figure);
-    for (size_t i = 0; i < count; i++) {
-        all[i] = codev->fields[row][i];
-    }
+    struct figure *all = ARENA_COPY(codev->job->arena, codev->fields[row], count, 1);
     all[number - 1] = *field;
     codev->fields[row] = all;
     codev->field_count[row] = number > count ? number : count;

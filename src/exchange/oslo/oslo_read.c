@@ -162,13 +162,7 @@ static bool oslo_constant(struct oslo *oslo)
 static bool read_general(struct oslo *oslo)
 {
     const struct command_word word = commands_word(&oslo->commands, 1);
-    if (text_same(word.text, "ASR")) {
-        oslo->asphere_step = 2;
-    } else if (text_same(word.text, "ARA")) {
-        oslo->asphere_step = 1;
-    } else {
-        oslo->asphere_step = 0;
-    }
+    oslo->asphere_step = 2 * text_same(word.text, "ASR") + text_same(word.text, "ARA");
     return oslo->asphere_step > 0 || text_same(word.text, "ADO") ||
            commands_lose(&oslo->commands, LOSS_OF_RAYS, NULL,
                          "an asphere that is not a polynomial of r");

@@ -13,8 +13,7 @@ static struct zemax_line *line_with(struct zemax_file *file, const struct zemax_
     struct arena *arena = file->job->arena;
     const struct zemax_line *own = setting->line;
     size_t count = old != NULL && old->count > before ? old->count : before + 1;
-    struct zemax_line *line = ARENA_NEW(arena, struct zemax_line);
-    *line = *own;
+    struct zemax_line *line = ARENA_COPY(arena, own, 1, 0);
     line->count = count;
     line->numbers = ARENA_ARRAY(arena, count, struct figure);
     for (size_t i = 0; i < count; i++) {
