@@ -183,6 +183,19 @@ static const struct {
     {"VLY", codev_factor, 0, CODEV_PART},
 };
 
+/* Of a range of surfaces, S3..5, each gets what the command says. */
+static bool run_on_surfaces(struct codev *codev, codev_command *run)
+{
+    const size_t end = codev->here.end;
+    for (size_t i = codev->here.surface; i <= end; i++) {
+        codev->here.surface = i;
+        if (!run(codev)) {
+            return false;
+        }
+    }
+    return true;
+}
+
 static bool is_surface_line(struct text word)
 {
     char second = word.length > 1 ? (char)(word.start[1] | 32) : 0;
@@ -238,17 +251,9 @@ static bool codev_run(struct codev *codev)
             return false;
         }
         codev->what = keywords[i].what;
-        if (keywords[i].run == NULL || scope != CODEV_EACH) {
-            return keywords[i].run == NULL || keywords[i].run(codev);
-        }
-        /* of a range of surfaces, S3..5, each gets what the command says */
-        for (size_t at = codev->here.surface, end = codev->here.end; at <= end; at++) {
-            codev->here.surface = at;
-            if (!keywords[i].run(codev)) {
-                return false;
-            }
-        }
-        return true;
+        return keywords[i].run == NULL ||
+               (scope == CODEV_EACH ? run_on_surfaces(codev, keywords[i].run)
+                                    : keywords[i].run(codev));
     }
     return run_group(codev, word->text);
 }

@@ -108,6 +108,29 @@ static void zemax_put_points(struct lens_writer *writing)
     }
 }
 
+/* Where there are as many in all positions; else those of the first. */
+static void zemax_put_lists(struct lens_writer *writing)
+{
+    const struct lens *lens = writing->lens;
+    bool same_lights = lens->lights != NULL, same_points = lens->points != NULL;
+    for (size_t p = 0; p < lens->position_count; p++) {
+        same_lights = same_lights && lens->lights[p].count == lens->wavelength_count;
+        same_points = same_points && lens->points[p].count == lens->field_count;
+    }
+    if (same_lights) {
+        zemax_put_lights(writing);
+    } else if (lens->lights != NULL) {
+        foreign_lose(writing->job, LOSS_OF_RAYS, "those of the first are kept",
+                     "positions with more or fewer wavelengths");
+    }
+    if (same_points) {
+        zemax_put_points(writing);
+    } else if (lens->points != NULL) {
+        foreign_lose(writing->job, LOSS_OF_RAYS, "those of the first are kept",
+                     "positions with more or fewer points of the field");
+    }
+}
+
 const char *zemax_coordinate(const struct lens_writer *writing, const struct figure *coordinate)
 {
     if (coordinate->typed.start == NULL && coordinate->value.hi == 0) {
@@ -157,24 +180,7 @@ bool zemax_put_positions(struct zemax_writer *writer, struct error *error)
         writing_put(writing, "STPS 0 %zu %zu" END_OPERAND, p + 1,
                     writer->own_places[lens->stops[p]]);
     }
-    /* as many in all positions, or those of the first alone */
-    bool same_lights = lens->lights != NULL, same_points = lens->points != NULL;
-    for (size_t p = 0; p < count; p++) {
-        same_lights = same_lights && lens->lights[p].count == lens->wavelength_count;
-        same_points = same_points && lens->points[p].count == lens->field_count;
-    }
-    if (same_lights) {
-        zemax_put_lights(writing);
-    } else if (lens->lights != NULL) {
-        foreign_lose(writing->job, LOSS_OF_RAYS, "those of the first are kept",
-                     "positions with more or fewer wavelengths");
-    }
-    if (same_points) {
-        zemax_put_points(writing);
-    } else if (lens->points != NULL) {
-        foreign_lose(writing->job, LOSS_OF_RAYS, "those of the first are kept",
-                     "positions with more or fewer points of the field");
-    }
+    zemax_put_lists(writing);
     if (count > 1) { /* a free line, behind which nothing is missing */
         writing_put(writing, "MOFF 0 1 \"\" 0 0 0 1 1 0 0.0 \"\"\r\n");
     }
