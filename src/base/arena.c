@@ -131,6 +131,12 @@ void *arena_grow(struct arena *arena, void *array, size_t count, size_t *room, s
     return larger;
 }
 
+void *arena_copy(struct arena *arena, const void *array, size_t count, size_t more, size_t size)
+{
+    void *copy = arena_array(arena, count + more, size);
+    return count > 0 ? memcpy(copy, array, count * size) : copy;
+}
+
 char *arena_string(struct arena *arena, const char *start, size_t length)
 {
     char *copy = arena_buffer(arena, length + 1);

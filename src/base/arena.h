@@ -56,6 +56,15 @@ void *arena_buffer(struct arena *arena, size_t size);
  */
 void *arena_grow(struct arena *arena, void *array, size_t count, size_t *room, size_t size);
 
+/* One more in such an array, which is counted; its address. */
+#define ARENA_ADD(arena, all, count, room)                                                         \
+    ((all) = arena_grow((arena), (all), (count), &(room), sizeof *(all)), &(all)[(count)++])
+
+/* A copy of an array of `count` objects of `size` bytes, with room for `more`, zeroed, behind. */
+void *arena_copy(struct arena *arena, const void *array, size_t count, size_t more, size_t size);
+#define ARENA_COPY(arena, array, count, more)                                                      \
+    arena_copy((arena), (array), (count), (more), sizeof *(array))
+
 /* A copy of `length` characters with a NUL behind. */
 char *arena_string(struct arena *arena, const char *start, size_t length);
 

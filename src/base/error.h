@@ -84,6 +84,10 @@ bool error_within(struct error *error, struct text whole, struct text part);
 /* Say where in a file the error lies (line and column 1-based, 0 = unknown). Returns false. */
 bool error_locate(struct error *error, const char *source, long line, size_t column);
 
+/* ERROR_DATA, as fail and error_locate say it. */
+#define fail_in(error, source, line, column, ...)                                                  \
+    (fail((error), ERROR_DATA, __VA_ARGS__), error_locate((error), (source), (line), (column)))
+
 /* The column is that of a byte: make it that of the character of the line. Returns false. */
 bool error_count_characters(struct error *error, struct text line);
 

@@ -8,6 +8,7 @@
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
+#include <strings.h>
 
 /* What a real file stays far below: a bad one must not take long. */
 enum { MOST_WARNINGS = 4, MOST_POINTS = 1000, MOST_DAMAGED = 1000 };
@@ -47,18 +48,17 @@ static bool read_pair(const struct agf_reader *reader, struct text word, struct 
            agf_words_fail(&reader->words, word, error, "is not a number");
 }
 
+/* The next numbers; NaN at the end of the line. */
 static bool agf_read_numbers(struct agf_reader *reader, double *const *values, size_t count,
                              struct error *error)
 {
     for (size_t i = 0; i < count; i++) {
-        /* The next number; NaN at the end of the line. */
-        double *value = values[i];
         struct text word = agf_words_next(&reader->words);
         struct pair read = {NAN, 0};
         if (word.length > 0 && !read_pair(reader, word, &read, error)) {
             return false;
         }
-        *value = read.hi;
+        *values[i] = read.hi;
     }
     return true;
 }
@@ -95,10 +95,29 @@ static void agf_warn(struct agf_reader *reader, const char *text)
         before == NULL ? text : arena_printf(reader->arena, "%s; %s", before, text);
 }
 
+/* How many characters of its name a message shows. */
+static int shown_name(const struct glass_record *glass)
+{
+    return (int)(glass->glass.name.length < 60 ? glass->glass.name.length : 60);
+}
+
 /* Where in the file, for a warning. */
 static const char *agf_place(const struct agf_reader *reader, long line)
 {
     return arena_printf(reader->arena, "%s:%ld", reader->words.source, line);
+}
+
+/* Say where the formula gives another nd or Vd than is stated. */
+static void check_stated(struct agf_reader *reader, const char *what, double is, int digits,
+                         double stated, double room)
+{
+    const struct glass_record *glass = reader->glass;
+    if (fabs(is - stated) > room) {
+        agf_warn(reader,
+                 arena_printf(reader->arena, "%s: %.*s: the formula gives %s %.*f, stated %.10g",
+                              agf_place(reader, glass->line), shown_name(glass),
+                              glass->glass.name.start, what, digits, is, stated));
+    }
 }
 
 /* Does the formula, with the coefficients as they are, have the stated nd? */
@@ -117,10 +136,9 @@ static bool finish_glass(struct agf_reader *reader, struct error *error)
         return true;
     }
     if (!reader->has_coefficients) {
-        fail(error, ERROR_DATA, "glass '%.*s' has no line CD with its coefficients",
-             (int)(glass->glass.name.length < 60 ? glass->glass.name.length : 60),
-             glass->glass.name.start);
-        return error_locate(error, reader->words.source, glass->line, 0);
+        return fail_in(error, reader->words.source, glass->line, 0,
+                       "glass '%.*s' has no line CD with its coefficients", shown_name(glass),
+                       glass->glass.name.start);
     }
     if (reader->cut > 0) {
         /* A number that may have been cut in two is one where only that has the stated nd. */
@@ -150,29 +168,16 @@ static bool finish_glass(struct agf_reader *reader, struct error *error)
     reader->points += glass->glass.transmittance_count;
     reader->all_thicknesses += glass->glass.transmittance_count;
     const struct glass_summary summary = glass_summary(&glass->glass);
-    double room = fmax(3e-5, reader->nd_unit);
-    int length = (int)(glass->glass.name.length < 60 ? glass->glass.name.length : 60);
-    if (fabs(summary.nd - glass->nd) > room) {
-        agf_warn(reader,
-                 arena_printf(reader->arena, "%s: %.*s: the formula gives nd %.6f, stated %.10g",
-                              agf_place(reader, glass->line), length, glass->glass.name.start,
-                              summary.nd, glass->nd));
-    }
-    room = fmax(fmax(0.06, 0.0012 * fabs(glass->Vd)), reader->Vd_unit);
-    if (fabs(summary.Vd - glass->Vd) > room) {
-        agf_warn(reader,
-                 arena_printf(reader->arena, "%s: %.*s: the formula gives Vd %.4f, stated %.10g",
-                              agf_place(reader, glass->line), length, glass->glass.name.start,
-                              summary.Vd, glass->Vd));
-    }
+    check_stated(reader, "nd", summary.nd, 6, glass->nd, fmax(3e-5, reader->nd_unit));
+    check_stated(reader, "Vd", summary.Vd, 4, glass->Vd,
+                 fmax(fmax(0.06, 0.0012 * fabs(glass->Vd)), reader->Vd_unit));
     return true;
 }
 
 /* NM name formula glass-code nd Vd exclude status melts */
 static bool agf_read_name(struct agf_reader *reader, struct error *error)
 {
-    double formula, exclude, status;
-    const long line = reader->words.number;
+    double exclude, status;
     struct text name = agf_words_next(&reader->words), number = agf_words_next(&reader->words);
     struct glass_record *glass = &reader->glasses[reader->count++];
     struct pair read;
@@ -188,7 +193,7 @@ static bool agf_read_name(struct agf_reader *reader, struct error *error)
                                    .expansion = NAN,
                                    .expansion_hot = NAN,
                                    .place = LENSDB_USER,
-                                   .line = line};
+                                   .line = reader->words.number};
     reader->glass = glass;
     reader->transmittance = reader->points;
     reader->thicknesses = reader->all_thicknesses;
@@ -200,7 +205,7 @@ static bool agf_read_name(struct agf_reader *reader, struct error *error)
     if (!read_pair(reader, number, &read, error)) {
         return false;
     }
-    formula = read.hi;
+    const double formula = read.hi;
     if (!(formula >= 1 && formula <= AGF_FORMULAS) || formula > floor(formula)) {
         return agf_words_fail(&reader->words, number, error,
                               "is not a formula: they have the numbers 1 to 13");
@@ -339,8 +344,8 @@ static bool read_transmittance(struct agf_reader *reader, struct error *error)
         return agf_words_fail_line(&reader->words, error,
                                    "more than 1000 transmittances of one glass");
     }
-    double at_10 = fabs(thickness - 10) > 0 ? pow(tau, 10 / thickness) : tau;
-    const struct glass_point point = {pair_of(wavelength), pair_of(at_10)};
+    const struct glass_point point = {
+        pair_of(wavelength), pair_of(fabs(thickness - 10) > 0 ? pow(tau, 10 / thickness) : tau)};
     /* Keep a point, by rising wavelength; of two at one wavelength the one of nearly 10 mm. */
     struct glass *glass = &reader->glass->glass;
     struct glass_point *points = reader->transmittance;
@@ -363,21 +368,19 @@ static bool read_transmittance(struct agf_reader *reader, struct error *error)
     return true;
 }
 
-/* Comments, prices and resistance to climate, acids and stain. */
-static bool agf_pass_over(struct agf_reader *reader, struct error *error)
-{
-    (void)reader;
-    (void)error;
-    return true;
-}
-
+/* Null: comments, prices and resistance to climate, acids and stain are passed over. */
 static const struct {
     char keyword[3];
     bool (*read)(struct agf_reader *reader, struct error *error);
 } keywords[] = {
-    {"CD", agf_read_coefficients}, {"TD", read_thermal},       {"ED", read_properties},
-    {"LD", agf_read_range},        {"IT", read_transmittance}, {"OD", agf_pass_over},
-    {"GC", agf_pass_over},         {"CC", agf_pass_over},
+    {"CD", agf_read_coefficients},
+    {"TD", read_thermal},
+    {"ED", read_properties},
+    {"LD", agf_read_range},
+    {"IT", read_transmittance},
+    {"OD", NULL},
+    {"GC", NULL},
+    {"CC", NULL},
 };
 
 /* Go on behind a damaged glass. */
@@ -386,20 +389,10 @@ static bool agf_leave_out(struct agf_reader *reader, const struct error *error)
     if (reader->damaged_count == MOST_DAMAGED) {
         return false;
     }
-    reader->damaged = arena_grow(reader->arena, reader->damaged, reader->damaged_count,
-                                 &reader->damaged_room, sizeof reader->damaged[0]);
-    reader->damaged[reader->damaged_count++] =
+    *ARENA_ADD(reader->arena, reader->damaged, reader->damaged_count, reader->damaged_room) =
         (struct agf_damage){reader->glass->glass.name, *error};
     reader->glass = NULL;
     reader->count--;
-    return true;
-}
-
-/* What a line has beyond its numbers, in the lines too that go on with it. */
-static bool pass_rest(struct agf_reader *reader)
-{
-    while (agf_words_next(&reader->words).length > 0) {
-    }
     return true;
 }
 
@@ -415,7 +408,13 @@ static bool agf_read_line(struct agf_reader *reader, struct error *error)
     }
     for (size_t i = 0; i < sizeof keywords / sizeof keywords[0]; i++) {
         if (text_equal(keyword, keywords[i].keyword)) {
-            return keywords[i].read(reader, error) && pass_rest(reader);
+            if (keywords[i].read != NULL && !keywords[i].read(reader, error)) {
+                return false;
+            }
+            /* what a line has beyond its numbers, in the lines too that go on with it */
+            while (agf_words_next(&reader->words).length > 0) {
+            }
+            return true;
         }
     }
     agf_warn(reader, arena_printf(reader->arena, "%s: '%.*s' is not known and not used",
@@ -424,45 +423,42 @@ static bool agf_read_line(struct agf_reader *reader, struct error *error)
     return true;
 }
 
-/* A name without its case, and whose it is. */
-struct agf_key {
-    const char *key;
-    size_t glass;
-};
-
-static int agf_by_key(const void *a, const void *b)
+/* By name, whose case does not count, then by place. */
+static int agf_by_name(const void *a, const void *b)
 {
-    const struct agf_key *left = a, *right = b;
-    int order = strcmp(left->key, right->key);
-    return order != 0 ? order : (left->glass > right->glass) - (left->glass < right->glass);
+    const struct glass_record *left = *(const struct glass_record *const *)a,
+                              *right = *(const struct glass_record *const *)b;
+    const struct text one = left->glass.name, other = right->glass.name;
+    size_t length = one.length < other.length ? one.length : other.length;
+    int order = length > 0 ? strncasecmp(one.start, other.start, length) : 0;
+    if (order == 0) {
+        order = (one.length > other.length) - (one.length < other.length);
+    }
+    return order != 0 ? order : (left > right) - (left < right);
 }
 
-static const char *agf_key_of(struct text name, struct arena *arena)
+static bool is_same_key(const struct glass_record *a, const struct glass_record *b)
 {
-    char *key = arena_string(arena, name.start, name.length);
-    for (char *c = key; *c != '\0'; c++) {
-        *c = *c >= 'A' && *c <= 'Z' ? (char)(*c - 'A' + 'a') : *c;
-    }
-    return key;
+    return a->glass.name.length == b->glass.name.length &&
+           strncasecmp(a->glass.name.start, b->glass.name.start, a->glass.name.length) == 0;
 }
 
 /* A name that stands twice: each of its glasses says so. */
 static void mark_duplicates(struct agf_reader *reader)
 {
-    struct agf_key *keys = ARENA_ARRAY(reader->arena, reader->count, struct agf_key);
+    struct glass_record **all = ARENA_ARRAY(reader->arena, reader->count, struct glass_record *);
     for (size_t i = 0; i < reader->count; i++) {
-        keys[i] = (struct agf_key){agf_key_of(reader->glasses[i].glass.name, reader->arena), i};
+        all[i] = &reader->glasses[i];
     }
-    qsort(keys, reader->count, sizeof *keys, agf_by_key);
+    qsort(all, reader->count, sizeof *all, agf_by_name);
     for (size_t i = 0; i < reader->count; i++) {
-        bool before = i > 0 && strcmp(keys[i - 1].key, keys[i].key) == 0;
-        bool behind = i + 1 < reader->count && strcmp(keys[i + 1].key, keys[i].key) == 0;
-        if (before || behind) {
-            const struct glass_record *other = &reader->glasses[keys[before ? i - 1 : i + 1].glass];
-            reader->glass = &reader->glasses[keys[i].glass];
+        bool before = i > 0 && is_same_key(all[i - 1], all[i]);
+        if (before || (i + 1 < reader->count && is_same_key(all[i + 1], all[i]))) {
+            reader->glass = all[i];
             reader->warnings = 0;
             agf_warn(reader, arena_printf(reader->arena, "%s: the name stands in line %ld too",
-                                          agf_place(reader, reader->glass->line), other->line));
+                                          agf_place(reader, reader->glass->line),
+                                          all[before ? i - 1 : i + 1]->line));
         }
     }
 }
@@ -511,8 +507,7 @@ bool agf_read(const char *source, struct text content, struct arena *arena,
         return false;
     }
     if (reader.count == 0) {
-        fail(error, ERROR_DATA, "no glass: no line begins with NM");
-        return error_locate(error, source, 0, 0);
+        return fail_in(error, source, 0, 0, "no glass: no line begins with NM");
     }
     mark_duplicates(&reader);
     *catalog = (struct agf_catalog){.source = source,

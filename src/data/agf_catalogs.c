@@ -7,14 +7,9 @@
 #include <errno.h>
 #include <string.h>
 
-/* A list that grows at its end. */
-struct agf_catalogs_list {
-    const struct agf_catalog *first;
-    struct agf_catalog *last;
-};
-
-static bool agf_catalogs_add(struct lensdb *db, const char *path, struct agf_catalogs_list *list,
-                             struct error *error)
+/* `end` is where the list ends. */
+static bool agf_catalogs_add(struct lensdb *db, const char *path, const struct agf_catalog *first,
+                             const struct agf_catalog ***end, struct error *error)
 {
     struct text content;
     struct agf_catalog *catalog = ARENA_NEW(db->arena, struct agf_catalog);
@@ -25,7 +20,7 @@ static bool agf_catalogs_add(struct lensdb *db, const char *path, struct agf_cat
     if (!agf_read(path, content, db->arena, catalog, error)) {
         return false;
     }
-    for (const struct agf_catalog *one = list->first; one != NULL; one = one->next) {
+    for (const struct agf_catalog *one = first; one != NULL; one = one->next) {
         if (text_same_name(one->name, catalog->name)) {
             fail(error, ERROR_USAGE, "two glass catalogues are called %.*s: %s and %s",
                  (int)one->name.length, one->name.start, one->source, path);
@@ -46,18 +41,14 @@ static bool agf_catalogs_add(struct lensdb *db, const char *path, struct agf_cat
         growing_format(&db->losses, "%s: %zu more glasses are left out\n", catalog->source,
                        catalog->damaged_count - most);
     }
-    if (list->last != NULL) {
-        list->last->next = catalog;
-    } else {
-        list->first = catalog;
-    }
-    list->last = catalog;
+    **end = catalog;
+    *end = &catalog->next;
     return true;
 }
 
 bool agf_catalogs(struct lensdb *db, const struct agf_catalog **first, struct error *error)
 {
-    struct agf_catalogs_list list = {NULL, NULL};
+    const struct agf_catalog *list = NULL, **end = &list;
     const char *const *names;
     *first = db->agf_catalogs;
     if (db->agf_is_read) {
@@ -67,7 +58,8 @@ bool agf_catalogs(struct lensdb *db, const struct agf_catalog **first, struct er
     while (rest.start != NULL && rest.length > 0) {
         struct text path = text_cut(&rest, ',');
         if (path.length > 0 &&
-            !agf_catalogs_add(db, arena_string(db->arena, path.start, path.length), &list, error)) {
+            !agf_catalogs_add(db, arena_string(db->arena, path.start, path.length), list, &end,
+                              error)) {
             return false;
         }
     }
@@ -75,12 +67,12 @@ bool agf_catalogs(struct lensdb *db, const struct agf_catalog **first, struct er
         return false;
     }
     for (; *names != NULL; names++) {
-        if (!agf_catalogs_add(db, arena_printf(db->arena, "%s/%s", db->directory, *names), &list,
-                              error)) {
+        if (!agf_catalogs_add(db, arena_printf(db->arena, "%s/%s", db->directory, *names), list,
+                              &end, error)) {
             return false;
         }
     }
     db->agf_is_read = true;
-    *first = db->agf_catalogs = list.first;
+    *first = db->agf_catalogs = list;
     return true;
 }

@@ -76,8 +76,7 @@ static char *put_utf8(char *to, unsigned code)
         return to;
     }
     int rest = 1 + (code >= 0x800) + (code >= 0x10000);
-    unsigned head = 0xf80u >> rest & 0xff;
-    *to++ = (char)(head | code >> 6 * rest);
+    *to++ = (char)((0xf80u >> rest & 0xff) | code >> 6 * rest);
     while (rest-- > 0) {
         *to++ = (char)(0x80 | (code >> 6 * rest & 0x3f));
     }
@@ -130,9 +129,9 @@ bool encoding_to_utf8(const char *source, struct text content, struct arena *are
         unsigned code;
         bool whole_character = next_code(content, scheme, &at, &code);
         if (!whole_character || code == 0) {
-            fail(error, ERROR_DATA, "not text: %s at byte %zu",
-                 whole_character ? "a NUL character" : "half a UTF-16 character", mark + here);
-            return error_locate(error, source, 0, 0);
+            return fail_in(error, source, 0, 0, "not text: %s at byte %zu",
+                           whole_character ? "a NUL character" : "half a UTF-16 character",
+                           mark + here);
         }
         bool skip = code == '\n' && after_return;
         after_return = code == '\r';

@@ -91,9 +91,8 @@ bool folder_read(const char *path, struct name_table *seen, struct arena *arena,
     for (; name != NULL && !again; name = next_name(directory)) {
         if (name[0] != '.') {
             const char *whole = ARENA_JOIN(arena, path, slash, name);
-            *entries = arena_grow(arena, *entries, *count, &room, sizeof **entries);
-            (*entries)[(*count)++] = (struct folder_entry){whole + length + strlen(slash), whole,
-                                                           folder_kind_of(directory, name)};
+            *ARENA_ADD(arena, *entries, *count, room) = (struct folder_entry){
+                whole + length + strlen(slash), whole, folder_kind_of(directory, name)};
         }
     }
     const int wrong = errno;

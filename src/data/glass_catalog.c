@@ -11,6 +11,7 @@
 #include <math.h>
 #include <stdio.h>
 #include <string.h>
+#include <strings.h>
 
 static const char FOLDER[] = "glass/", ENDING[] = ".tsv";
 
@@ -238,25 +239,14 @@ static bool search_embedded(struct glass_catalog_search *search, struct error *e
     return true;
 }
 
-/* Equal but for case. */
-static bool is_same_name(struct text a, struct text b)
-{
-    bool same = a.length == b.length;
-    for (size_t i = 0; i < a.length && same; i++) {
-        char c = a.start[i], d = b.start[i];
-        c = c >= 'A' && c <= 'Z' ? (char)(c - 'A' + 'a') : c;
-        d = d >= 'A' && d <= 'Z' ? (char)(d - 'A' + 'a') : d;
-        same = c == d;
-    }
-    return same;
-}
-
 /* Of glasses that differ by '-' and the like only, the one that was typed. */
 static void keep_exact(struct glass_catalog_search *search)
 {
     size_t exact = 0;
     for (size_t i = 0; i < search->count; i++) {
-        if (is_same_name(search->found[i].glass.name, search->name)) {
+        const struct text name = search->found[i].glass.name;
+        if (name.length == search->name.length && /* equal but for case */
+            strncasecmp(name.start, search->name.start, name.length) == 0) {
             search->found[exact++] = search->found[i];
         }
     }
@@ -274,10 +264,9 @@ static const char *list_found(const struct glass_catalog_search *search,
         if (one == but || (current_only && !text_equal(one->status, "current"))) {
             continue;
         }
-        growing_string(&list, list.length > 0 ? separator : "");
-        growing_text(&list, one->glass.catalog);
-        growing_string(&list, ":");
-        growing_text(&list, one->glass.name);
+        growing_format(&list, "%s%.*s:%.*s", list.length > 0 ? separator : "",
+                       (int)one->glass.catalog.length, one->glass.catalog.start,
+                       (int)one->glass.name.length, one->glass.name.start);
         if (one->line > 0) {
             growing_format(&list, " (line %ld)", one->line);
         }
@@ -306,10 +295,7 @@ static const struct glass_record *current_of(const struct glass_catalog_search *
     if (current_count == 1) {
         return current;
     }
-    if (current_count == 0 && alive_count == 1) {
-        return alive;
-    }
-    return NULL;
+    return current_count == 0 && alive_count == 1 ? alive : NULL;
 }
 
 /* The first of the same glasses, but rather a current one; false if they are not the same. */

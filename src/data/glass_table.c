@@ -175,8 +175,8 @@ static bool read_table_range(const struct glass_table *table, struct glass *glas
         !read_table_number(table, TO, &glass->longest, error)) {
         return false;
     }
-    bool absent = isnan(glass->shortest) && isnan(glass->longest);
-    if (absent || (glass->shortest > 0 && glass->longest >= glass->shortest)) {
+    if ((isnan(glass->shortest) && isnan(glass->longest)) ||
+        (glass->shortest > 0 && glass->longest >= glass->shortest)) {
         return true;
     }
     if (table->rows.columns[FROM] == TSV_MOST_COLUMNS) {

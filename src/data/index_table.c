@@ -57,9 +57,8 @@ static bool find_columns(const struct tsv *tsv, struct index_table_columns *colu
         }
     }
     if (columns->at[WAVELENGTH] == TSV_MOST_COLUMNS || columns->at[INDEX] == TSV_MOST_COLUMNS) {
-        fail(error, ERROR_DATA, "the table has no column '%s'",
-             columns->at[INDEX] == TSV_MOST_COLUMNS ? "index" : "wavelength_nm");
-        return error_locate(error, tsv->source, tsv->line, 0);
+        return fail_in(error, tsv->source, tsv->line, 0, "the table has no column '%s'",
+                       columns->at[INDEX] == TSV_MOST_COLUMNS ? "index" : "wavelength_nm");
     }
     return true;
 }
@@ -137,9 +136,8 @@ static bool set_table(const char *source, struct index_table_entry *entries, siz
     }
     for (size_t i = 0; i < count; i++) {
         if (i > 0 && !(entries[i].wavelength > entries[i - 1].wavelength)) {
-            fail(error, ERROR_DATA, "the wavelength %.10g um is there twice",
-                 entries[i].wavelength);
-            return error_locate(error, source, entries[i].line, 0);
+            return fail_in(error, source, entries[i].line, 0,
+                           "the wavelength %.10g um is there twice", entries[i].wavelength);
         }
         table->wavelength[i] = entries[i].wavelength;
         table->index[i] = entries[i].index;
@@ -161,8 +159,7 @@ bool index_table_read(struct lensdb *db, const char *source, struct text content
         return false;
     }
     while (tsv_next(&tsv, error)) {
-        entries = arena_grow(arena, entries, count, &room, sizeof entries[0]);
-        if (!read_index_entry(db, &tsv, &columns, &entries[count++], error)) {
+        if (!read_index_entry(db, &tsv, &columns, ARENA_ADD(arena, entries, count, room), error)) {
             return false;
         }
     }

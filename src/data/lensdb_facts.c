@@ -1,4 +1,4 @@
-/* data/lensdb_facts.c - films, scenes and filters of lensdb. */
+/* data/lensdb_facts.c - films, scenes, filters and grades of tolerances of lensdb. */
 /* SPDX-License-Identifier: MIT */
 #include "data/lensdb_facts.h"
 
@@ -144,6 +144,39 @@ bool lensdb_filters_next(struct lensdb_table *facts, struct lensdb_filter *filte
                     "has neither factor nor stops");
 }
 
+enum { GRADE, QUANTITY, VALUE, UNIT, DISTRIBUTION, CONFIDENCE, SOURCE, COLUMNS, NEEDED = UNIT + 1 };
+
+bool lensdb_grades_open(struct lensdb_table *grades, struct lensdb *db, enum lensdb_place place,
+                        struct error *error)
+{
+    static const char *const names[COLUMNS] = {"grade",        "quantity",   "value", "unit",
+                                               "distribution", "confidence", "source"};
+    return lensdb_table_open(grades, db, place, "tolerances.tsv", names, COLUMNS, NEEDED, error);
+}
+
+bool lensdb_grades_next(struct lensdb_table *grades, struct lensdb_tolerance *row,
+                        struct error *error)
+{
+    if (!tsv_next(&grades->tsv, error)) {
+        return false;
+    }
+    *row = (struct lensdb_tolerance){.grade = lensdb_table_cell(grades, GRADE),
+                                     .quantity = lensdb_table_cell(grades, QUANTITY),
+                                     .amount = lensdb_table_cell(grades, VALUE),
+                                     .unit = lensdb_table_cell(grades, UNIT),
+                                     .distribution = lensdb_table_cell(grades, DISTRIBUTION),
+                                     .confidence = lensdb_table_cell(grades, CONFIDENCE),
+                                     .source = lensdb_table_cell(grades, SOURCE),
+                                     .place = grades->place,
+                                     .file = grades->tsv.source,
+                                     .line = grades->tsv.line};
+    if (!tsv_number(&grades->tsv, grades->columns[VALUE], &row->value, error)) {
+        return false;
+    }
+    return row->value > 0 ||
+           tsv_fail(&grades->tsv, grades->columns[VALUE], error, "is not above 0");
+}
+
 double lensdb_filter_stops(const struct lensdb_filter *filter)
 {
     return isnan(filter->factor) ? filter->stops : stops_from_factor(filter->factor);
@@ -154,10 +187,10 @@ bool lensdb_nearest_conversion(struct lensdb *db, double mired, struct arena *ar
 {
     *name = NULL;
     *shift = NAN;
-    for (int place = 0; place < LENSDB_PLACES; place++) {
+    for (enum lensdb_place place = LENSDB_USER; place < LENSDB_PLACES; place++) {
         struct lensdb_table facts;
         struct lensdb_filter filter;
-        bool open = lensdb_filters_open(&facts, db, (enum lensdb_place)place, error);
+        bool open = lensdb_filters_open(&facts, db, place, error);
         while (open && lensdb_filters_next(&facts, &filter, error)) {
             /* one that shifts nothing is no conversion; NaN is never nearer */
             if (fabs(filter.mired) > 0 && !(fabs(filter.mired - mired) >= fabs(*shift - mired))) {
@@ -285,14 +318,13 @@ double lensdb_film_speed(const struct lensdb_film *film, struct text typed)
 
 static bool is_film_called(const struct lensdb_film *film, struct text typed)
 {
-    struct text rest = typed;
     if (answers_to_name(film->name, film->aliases, typed)) {
         return true;
     }
     for (size_t i = 1; film->maker.length > 0 && i < typed.length; i++) {
         if (text_same_name((struct text){typed.start, i}, film->maker)) {
-            rest = (struct text){typed.start + i, typed.length - i};
-            return answers_to_name(film->name, film->aliases, text_trim(rest));
+            return answers_to_name(film->name, film->aliases,
+                                   text_trim((struct text){typed.start + i, typed.length - i}));
         }
     }
     return false;
@@ -359,11 +391,11 @@ bool lensdb_find_film(struct lensdb *db, struct text name, struct lensdb_film *f
 {
     struct text typed = text_trim(name);
     struct candidates found = {.typed = typed, .nearest = {.typed = typed}};
-    if (!search_films(db, LENSDB_USER, is_film_called, &found, error) ||
-        (found.count == 0 && !search_films(db, LENSDB_EMBEDDED, is_film_called, &found, error)) ||
-        (found.count == 0 && !search_films(db, LENSDB_USER, has_all_words, &found, error)) ||
-        (found.count == 0 && !search_films(db, LENSDB_EMBEDDED, has_all_words, &found, error))) {
-        return false;
+    for (int i = 0; i < 4 && found.count == 0; i++) { /* the user's, the embedded, twice */
+        if (!search_films(db, i % 2 == 0 ? LENSDB_USER : LENSDB_EMBEDDED,
+                          i < 2 ? is_film_called : has_all_words, &found, error)) {
+            return false;
+        }
     }
     if (found.count == 0) {
         return unknown_fact("film", "films", &found.nearest, error);
@@ -425,42 +457,40 @@ bool lensdb_film_model(const struct lensdb_film *film, struct reciprocity *model
     return read || error_locate(error, film->file, film->line, 0);
 }
 
-bool lensdb_find_scene(struct lensdb *db, struct text name, struct lensdb_scene *scene,
-                       struct error *error)
+/* A scene, or where `scene` is null a filter. */
+static bool find_fact(struct lensdb *db, struct text name, struct lensdb_scene *scene,
+                      struct lensdb_filter *filter, struct error *error)
 {
     struct nearest nearest = {.typed = text_trim(name)};
-    for (int place = 0; place < LENSDB_PLACES; place++) {
+    for (enum lensdb_place place = LENSDB_USER; place < LENSDB_PLACES; place++) {
         struct lensdb_table facts;
-        bool open = lensdb_scenes_open(&facts, db, (enum lensdb_place)place, error);
-        while (open && lensdb_scenes_next(&facts, scene, error)) {
-            if (answers_to_name(scene->name, scene->aliases, nearest.typed)) {
+        bool open = scene != NULL ? lensdb_scenes_open(&facts, db, place, error)
+                                  : lensdb_filters_open(&facts, db, place, error);
+        while (open && (scene != NULL ? lensdb_scenes_next(&facts, scene, error)
+                                      : lensdb_filters_next(&facts, filter, error))) {
+            const struct text known = scene != NULL ? scene->name : filter->name,
+                              aliases = scene != NULL ? scene->aliases : filter->aliases;
+            if (answers_to_name(known, aliases, nearest.typed)) {
                 return true;
             }
-            offer_all_names(&nearest, scene->name, scene->aliases);
+            offer_all_names(&nearest, known, aliases);
         }
         if (error->code != ERROR_NONE) {
             return false;
         }
     }
-    return unknown_fact("scene", "scenes", &nearest, error);
+    return scene != NULL ? unknown_fact("scene", "scenes", &nearest, error)
+                         : unknown_fact("filter", "filters", &nearest, error);
+}
+
+bool lensdb_find_scene(struct lensdb *db, struct text name, struct lensdb_scene *scene,
+                       struct error *error)
+{
+    return find_fact(db, name, scene, NULL, error);
 }
 
 bool lensdb_find_filter(struct lensdb *db, struct text name, struct lensdb_filter *filter,
                         struct error *error)
 {
-    struct nearest nearest = {.typed = text_trim(name)};
-    for (int place = 0; place < LENSDB_PLACES; place++) {
-        struct lensdb_table facts;
-        bool open = lensdb_filters_open(&facts, db, (enum lensdb_place)place, error);
-        while (open && lensdb_filters_next(&facts, filter, error)) {
-            if (answers_to_name(filter->name, filter->aliases, nearest.typed)) {
-                return true;
-            }
-            offer_all_names(&nearest, filter->name, filter->aliases);
-        }
-        if (error->code != ERROR_NONE) {
-            return false;
-        }
-    }
-    return unknown_fact("filter", "filters", &nearest, error);
+    return find_fact(db, name, NULL, filter, error);
 }

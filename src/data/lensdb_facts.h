@@ -1,4 +1,4 @@
-/* data/lensdb_facts.h - films, scenes and filters of lensdb. */
+/* data/lensdb_facts.h - films, scenes, filters and grades of tolerances of lensdb. */
 /* SPDX-License-Identifier: MIT */
 #ifndef LENSCALC_DATA_LENSDB_FACTS_H
 #define LENSCALC_DATA_LENSDB_FACTS_H
@@ -35,6 +35,19 @@ struct lensdb_filter {
     enum lensdb_place place;
 };
 
+/* A row of tolerances.tsv. Texts point into the database. */
+struct lensdb_tolerance {
+    struct text grade;
+    struct text quantity;     /* "radius", "element tilt": words of .lens files */
+    struct text amount, unit; /* as they stand in the table; unit empty where there is none */
+    struct text distribution; /* empty: not said */
+    struct text confidence, source;
+    double value; /* the amount as a number */
+    enum lensdb_place place;
+    const char *file; /* where it stands, for messages */
+    long line;
+};
+
 /*
  * Begin to read a table, and read its rows one by one.
  *
@@ -53,6 +66,10 @@ bool lensdb_filters_open(struct lensdb_table *facts, struct lensdb *db, enum len
                          struct error *error);
 bool lensdb_filters_next(struct lensdb_table *facts, struct lensdb_filter *filter,
                          struct error *error);
+bool lensdb_grades_open(struct lensdb_table *grades, struct lensdb *db, enum lensdb_place place,
+                        struct error *error);
+bool lensdb_grades_next(struct lensdb_table *grades, struct lensdb_tolerance *row,
+                        struct error *error);
 
 /*
  * Find a film: by maker and name, name or alias, the user's films first; else by words of its name

@@ -156,8 +156,10 @@ static int sensor_answers_to(const struct lensdb_sensor *sensor,
                              struct lensdb_sensors_search *search)
 {
     if (sensor->maker.length == 0) {
-        bool named = text_same_name(sensor->name, search->name);
-        return named || is_one_of(search->name, sensor->aliases, ',') ? 2 : 0;
+        return text_same_name(sensor->name, search->name) ||
+                       is_one_of(search->name, sensor->aliases, ',')
+                   ? 2
+                   : 0;
     }
     if (!text_identical(sensor->maker, search->maker)) {
         search->maker = sensor->maker;

@@ -37,8 +37,7 @@ static bool find_from(struct lensdb *db, enum lensdb_place first, struct text na
         size_t column, nm;
         if (open_lines(db, place, &tsv, &column, &nm, error)) {
             while (tsv_next(&tsv, error)) {
-                struct text cell = tsv.cells[column];
-                if (text_identical(cell, name)) {
+                if (text_identical(tsv.cells[column], name)) {
                     *found = true;
                     return lines_read_line(&tsv, nm, from_nm, wavelength, error);
                 }

@@ -14,9 +14,8 @@ bool number_table_parse(const char *path, struct text content, const char *first
         return false;
     }
     if (!text_equal(tsv.names[0], first)) {
-        fail(error, ERROR_DATA, "the first column is '%.*s', not '%s'", text_shown(tsv.names[0]),
-             tsv.names[0].start, first);
-        return error_locate(error, path, tsv.line, 0);
+        return fail_in(error, path, tsv.line, 0, "the first column is '%.*s', not '%s'",
+                       text_shown(tsv.names[0]), tsv.names[0].start, first);
     }
     *table = (struct number_table){.columns = tsv.columns};
     size_t room[TSV_MOST_COLUMNS] = {0}, line_room = 0;

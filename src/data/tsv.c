@@ -9,8 +9,7 @@
 
 static bool fail_line(const struct tsv *tsv, struct error *error, const char *what)
 {
-    fail(error, ERROR_DATA, "%s", what);
-    return error_locate(error, tsv->source, tsv->line, 0);
+    return fail_in(error, tsv->source, tsv->line, 0, "%s", what);
 }
 
 /* The next line that is neither blank nor a comment. */
@@ -92,8 +91,7 @@ bool tsv_column(const struct tsv *tsv, const char *name, size_t *column, struct 
             return true;
         }
     }
-    fail(error, ERROR_DATA, "the table has no column '%s'", name);
-    return error_locate(error, tsv->source, tsv->line, 0);
+    return fail_in(error, tsv->source, tsv->line, 0, "the table has no column '%s'", name);
 }
 
 bool tsv_columns(const struct tsv *tsv, const char *const *names, size_t count, size_t needed,
@@ -120,9 +118,9 @@ bool tsv_next(struct tsv *tsv, struct error *error)
         return false;
     }
     if (!tsv_split(line, tsv->separator, tsv->cells, &count) || count != tsv->columns) {
-        fail(error, ERROR_DATA, "the row has %zu cells where there are %zu column names", count,
-             tsv->columns);
-        return error_locate(error, tsv->source, tsv->line, 0);
+        return fail_in(error, tsv->source, tsv->line, 0,
+                       "the row has %zu cells where there are %zu column names", count,
+                       tsv->columns);
     }
     for (size_t i = 0; i < count; i++) {
         struct text *cell = &tsv->cells[i];
@@ -134,10 +132,9 @@ bool tsv_next(struct tsv *tsv, struct error *error)
 bool tsv_fail(const struct tsv *tsv, size_t column, struct error *error, const char *what)
 {
     struct text cell = tsv->cells[column], name = tsv->names[column];
-    fail(error, ERROR_DATA, "%.*s '%.*s' %s", text_shown_up_to(name, 40), name.start,
-         text_shown(cell), cell.start, what);
-    return error_locate(error, tsv->source, tsv->line,
-                        (size_t)(cell.start - tsv->cells[0].start) + 1);
+    return fail_in(error, tsv->source, tsv->line, (size_t)(cell.start - tsv->cells[0].start) + 1,
+                   "%.*s '%.*s' %s", text_shown_up_to(name, 40), name.start, text_shown(cell),
+                   cell.start, what);
 }
 
 struct text tsv_cell(const struct tsv *tsv, size_t column)

@@ -18,19 +18,12 @@ static size_t first_room(int descriptor, size_t most)
     return is_known ? (size_t)found.st_size + 1 : 65536;
 }
 
-/* A file to be read, and how much of it: MiB. */
-struct whole_file_wanted {
-    const char *path;
-    size_t most;
-    bool (*begins)(struct text first); /* null: it may begin as it likes */
-};
-
-static bool whole_file_read_all(int descriptor, const struct whole_file_wanted *wanted,
-                                struct arena *arena, struct text *content, struct error *error)
+/* `most` in MiB; `begins` null: it may begin as it likes. */
+static bool whole_file_read_all(int descriptor, const char *path, size_t most,
+                                bool (*begins)(struct text first), struct arena *arena,
+                                struct text *content, struct error *error)
 {
-    const char *path = wanted->path;
-    const size_t most = wanted->most;
-    bool is_known = wanted->begins == NULL;
+    bool is_known = begins == NULL;
     size_t room = first_room(descriptor, most << 20), used = 0;
     char *data = arena_array(arena, room, 1);
     for (;;) {
@@ -44,7 +37,7 @@ static bool whole_file_read_all(int descriptor, const struct whole_file_wanted *
         }
         used += (size_t)got;
         if (!is_known && used >= WHOLE_FILE_FIRST) {
-            is_known = wanted->begins((struct text){data, WHOLE_FILE_FIRST});
+            is_known = begins((struct text){data, WHOLE_FILE_FIRST});
             if (!is_known) {
                 *content = (struct text){data, WHOLE_FILE_FIRST};
                 return true;
@@ -54,8 +47,7 @@ static bool whole_file_read_all(int descriptor, const struct whole_file_wanted *
             return fail(error, ERROR_IO, "cannot read %s: larger than %zu MiB", path, most);
         }
         if (used == room) {
-            char *more = arena_array(arena, 2 * room, 1);
-            data = memcpy(more, data, used);
+            data = memcpy(arena_array(arena, 2 * room, 1), data, used);
             room *= 2;
         }
     }
@@ -64,8 +56,7 @@ static bool whole_file_read_all(int descriptor, const struct whole_file_wanted *
 bool whole_stream(int descriptor, const char *path, struct arena *arena, struct text *content,
                   struct error *error)
 {
-    return whole_file_read_all(descriptor, &(struct whole_file_wanted){path, WHOLE_FILE_MOST, NULL},
-                               arena, content, error);
+    return whole_file_read_all(descriptor, path, WHOLE_FILE_MOST, NULL, arena, content, error);
 }
 
 bool file_of_kind(const char *path, size_t most, bool (*begins)(struct text), struct arena *arena,
@@ -77,8 +68,7 @@ bool file_of_kind(const char *path, size_t most, bool (*begins)(struct text), st
         return errno != ENOENT &&
                fail(error, ERROR_IO, "cannot read %s: %s", path, strerror(errno));
     }
-    bool done = whole_file_read_all(descriptor, &(struct whole_file_wanted){path, most, begins},
-                                    arena, content, error);
+    bool done = whole_file_read_all(descriptor, path, most, begins, arena, content, error);
     close(descriptor);
     return done;
 }

@@ -4,8 +4,6 @@
 
 #include "file/lens_words.h"
 
-#include <stdarg.h>
-#include <stdio.h>
 #include <string.h>
 
 void commands_open(struct commands *commands, struct foreign_job *job, struct text content,
@@ -29,7 +27,7 @@ static bool is_command_quote(const struct commands *commands, char c)
 static bool next_command_line(struct commands *commands)
 {
     while (commands->rest.start != NULL && commands->rest.length > 0) {
-        /* The line up to its comment; what looks like one inside of quotes is none. */
+        /* the line up to its comment; what looks like one inside of quotes is none */
         struct text line = text_cut(&commands->rest, '\n');
         const char *comment = commands->grammar->comment;
         size_t length = strlen(comment);
@@ -48,13 +46,12 @@ static bool next_command_line(struct commands *commands)
             line.length--;
         }
         commands->line = line;
-        commands->at = commands->line.start;
+        commands->at = line.start;
         commands->number++;
-        if (commands->line.length > 0) {
+        if (line.length > 0) {
             return true;
         }
     }
-    commands->line = (struct text){NULL, 0};
     commands->at = NULL;
     return false;
 }
@@ -112,18 +109,6 @@ static bool read_bare(struct commands *commands, const char *end)
     return add_command_word(commands, text_between(start, at), false);
 }
 
-/* The mark of continuation may touch the last word of its line. */
-static bool cut_continuation(struct commands *commands)
-{
-    struct text *line = &commands->line;
-    char mark = commands->grammar->continuation;
-    if (mark == '\0' || line->length == 0 || line->start[line->length - 1] != mark) {
-        return false;
-    }
-    line->length--;
-    return true;
-}
-
 bool commands_next(struct commands *commands)
 {
     commands->error->code = ERROR_NONE;
@@ -135,7 +120,11 @@ bool commands_next(struct commands *commands)
             if ((commands->count > 0 && !commands->goes_on) || !next_command_line(commands)) {
                 return commands->count > 0;
             }
-            commands->goes_on = cut_continuation(commands);
+            /* the mark of continuation may touch the last word of its line */
+            const struct text line = commands->line;
+            commands->goes_on = line.length > 0 && commands->grammar->continuation != '\0' &&
+                                line.start[line.length - 1] == commands->grammar->continuation;
+            commands->line.length -= commands->goes_on;
             continue;
         }
         if (is_command_blank(*commands->at)) {
@@ -163,8 +152,7 @@ struct command_word commands_word(const struct commands *commands, size_t word)
         return commands->words[word];
     }
     struct command_word last = commands->words[commands->count - 1];
-    const char *end = last.line.start + last.line.length;
-    last.text = (struct text){end, 0};
+    last.text = (struct text){last.line.start + last.line.length, 0};
     last.is_quoted = false;
     return last;
 }
@@ -178,30 +166,6 @@ struct file_words commands_place(const struct commands *commands, const struct c
                                .at = word->line.start,
                                .scale = commands->scale,
                                .arena = commands->job->arena};
-}
-
-bool commands_fail(const struct commands *commands, const struct command_word *word,
-                   const char *format, ...)
-{
-    char message[sizeof commands->error->message];
-    const struct file_words place = commands_place(commands, word);
-    va_list arguments;
-    va_start(arguments, format);
-    vsnprintf(message, sizeof message, format, arguments);
-    va_end(arguments);
-    return file_words_fail(&place, word->text, "%s", message);
-}
-
-bool commands_loss(const struct commands *commands, const struct command_word *word,
-                   enum loss_effect effect, const char *instead, const char *format, ...)
-{
-    char message[sizeof commands->error->message];
-    va_list arguments;
-    va_start(arguments, format);
-    vsnprintf(message, sizeof message, format, arguments);
-    va_end(arguments);
-    const struct file_words place = commands_place(commands, word);
-    return foreign_loss(commands->job, &place, word->text, effect, instead, "%s", message);
 }
 
 bool commands_lose(const struct commands *commands, enum loss_effect effect, const char *instead,

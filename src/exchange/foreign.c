@@ -35,9 +35,7 @@ bool foreign_loss(struct foreign_job *job, const struct file_words *words, struc
     va_start(arguments, format);
     vsnprintf(message, sizeof message, format, arguments);
     va_end(arguments);
-    job->losses = arena_grow(job->arena, job->losses, job->loss_count, &job->loss_room,
-                             sizeof job->losses[0]);
-    struct foreign_loss *loss = &job->losses[job->loss_count++];
+    struct foreign_loss *loss = ARENA_ADD(job->arena, job->losses, job->loss_count, job->loss_room);
     *loss = (struct foreign_loss){.effect = effect == LOSS_OF_POWER ? LOSS_OF_RAYS : effect,
                                   .message = arena_string(job->arena, message, strlen(message)),
                                   .word = word};
@@ -201,9 +199,7 @@ static const char *list_of(const struct foreign_job *job, const struct same_loss
         }
         growing_format(&list, "      %s", job->source);
         put_lines(&list, &all[i], after, ":");
-        growing_string(&list, ": ");
-        growing_string(&list, printable(all[i].first[0]->message, job->arena));
-        growing_string(&list, "\n");
+        growing_format(&list, ": %s\n", printable(all[i].first[0]->message, job->arena));
     }
     return list.length > 0 ? arena_string(job->arena, list.data, list.length) : NULL;
 }
@@ -220,8 +216,8 @@ void foreign_summary(const struct foreign_job *job, struct text_buffer *line)
             growing_format(line, "%s: ", changes[head]);
         }
         put_lines(line, &all[i], 0, "");
-        growing_string(line, all[i].first[0]->line > 0 ? ": " : "");
-        growing_string(line, printable(all[i].first[0]->message, job->arena));
+        growing_format(line, "%s%s", all[i].first[0]->line > 0 ? ": " : "",
+                       printable(all[i].first[0]->message, job->arena));
     }
 }
 
@@ -286,9 +282,7 @@ void foreign_losses(const struct foreign_job *job, struct text_buffer *list)
         if (losses[i]->line > 0) {
             growing_format(list, ":%ld", losses[i]->line);
         }
-        growing_string(list, ": lost: ");
-        growing_string(list, printable(losses[i]->what, job->arena));
-        growing_string(list, "\n");
+        growing_format(list, ": lost: %s\n", printable(losses[i]->what, job->arena));
     }
 }
 
@@ -363,6 +357,13 @@ char *foreign_difference(const struct foreign_job *job, const struct foreign_nam
     return what;
 }
 
+void foreign_warn(const struct foreign_job *job, struct medium *medium, const char *warning)
+{
+    medium->warning = medium->warning == NULL
+                          ? warning
+                          : arena_printf(job->arena, "%s; %s", medium->warning, warning);
+}
+
 /* A glass being looked for. */
 struct glass_search {
     const struct foreign_job *job;
@@ -380,13 +381,10 @@ static void warn_of_homonym(const struct glass_search *search)
     if (text_identical(text_cut(&rest, ':'), text_cut(&other, ':'))) {
         return; /* another material of the same catalogue */
     }
-    const char *warning =
-        arena_printf(search->job->arena, "%s: that is %.*s, which is used",
-                     foreign_difference(search->job, search->named, &search->other),
-                     text_shown(medium->written), medium->written.start);
-    medium->warning = medium->warning == NULL
-                          ? warning
-                          : arena_printf(search->job->arena, "%s; %s", medium->warning, warning);
+    foreign_warn(search->job, medium,
+                 arena_printf(search->job->arena, "%s: that is %.*s, which is used",
+                              foreign_difference(search->job, search->named, &search->other),
+                              text_shown(medium->written), medium->written.start));
 }
 
 /* Ask the source for one name; true if it knows it, and it is the one that the file describes. */
@@ -476,14 +474,6 @@ static bool ask_editions(struct glass_search *search, struct text catalog, struc
     return false;
 }
 
-/* No name of a catalogue: all of them. */
-static bool ask_all(struct glass_search *search, struct error *error)
-{
-    const struct text name = search->named->name;
-    return foreign_ask(search, search->job->glasses->find_foreign,
-                       arena_string(search->job->arena, name.start, name.length), error);
-}
-
 bool foreign_glass(struct foreign_job *job, const struct file_words *words,
                    const struct foreign_name *named, struct medium *medium, struct error *error)
 {
@@ -502,7 +492,9 @@ bool foreign_glass(struct foreign_job *job, const struct file_words *words,
             return true;
         }
     }
-    if (named->catalog_count == 0 && ask_all(&search, error)) {
+    if (named->catalog_count == 0 && /* all of them */
+        foreign_ask(&search, job->glasses->find_foreign,
+                    arena_string(job->arena, name.start, name.length), error)) {
         return true;
     }
     if (is_damage(error)) {

@@ -123,8 +123,7 @@ void foreign_forget_repeated(struct foreign_job *job, size_t from);
     ((void)foreign_loss((job), NULL, (struct text){NULL, 0}, (effect), (instead), __VA_ARGS__))
 
 /* Report something wrong with the whole file, as ERROR_DATA. False */
-#define foreign_fail(job, error, ...)                                                              \
-    (fail((error), ERROR_DATA, __VA_ARGS__), error_locate((error), (job)->source, 0, 0))
+#define foreign_fail(job, error, ...) fail_in((error), (job)->source, 0, 0, __VA_ARGS__)
 
 /* Where what is lost bends light: a warning of the lens, and a note that files keep. */
 void foreign_mark_power(const struct foreign_job *job, struct lens_build *build);
@@ -196,6 +195,9 @@ bool foreign_glass(struct foreign_job *job, const struct file_words *words,
  * catalogue's own figures? True too where they are not known, or the glass is not for the d line.
  */
 bool foreign_is_rounded(const struct medium *medium, const struct foreign_name *named);
+
+/* One more warning of a medium. */
+void foreign_warn(const struct foreign_job *job, struct medium *medium, const char *warning);
 
 /* "the glass 'SK2' is SCHOTT:SK2 of nd .. and Vd .., beside which the file has nd .. and Vd .." */
 char *foreign_difference(const struct foreign_job *job, const struct foreign_name *named,

@@ -25,10 +25,7 @@ static void keep_notes_put_line(struct text_buffer *out, const char *begin, enum
                                 const char *text, const char *end)
 {
     if (text != NULL) {
-        growing_string(out, begin);
-        growing_string(out, names[note]);
-        growing_string(out, text);
-        growing_string(out, end);
+        growing_format(out, "%s%s%s%s", begin, names[note], text, end);
     }
 }
 
@@ -39,8 +36,8 @@ void keep_notes_write(struct text_buffer *out, const struct lens *lens, struct n
     keep_notes_put_line(out, begin, KEEP_NOTE_KIND, lens->kind, end);
     for (int i = 0; i < STATED_COUNT; i++) {
         for (size_t k = 0; k < lens->stated_count[i]; k++) {
-            growing_string(out, k == 0 ? begin : " ");
-            growing_string(out, k == 0 ? names[KEEP_NOTE_STATED + i] : "");
+            growing_format(out, "%s%s", k == 0 ? begin : " ",
+                           k == 0 ? names[KEEP_NOTE_STATED + i] : "");
             growing_figure(out, &lens->stated[i][k], keep_notes_scale_of(i, unit));
         }
         growing_string(out, lens->stated_count[i] > 0 ? end : "");
@@ -80,15 +77,11 @@ static void set_stated(struct text rest, struct lens_build *build, int what)
     }
 }
 
-static const char *string_of(struct lens_build *build, struct text text)
-{
-    return text.length > 0 ? lens_build_string(build, text) : NULL;
-}
-
 void keep_notes_apply(const struct keep_notes *notes, struct lens_build *build)
 {
-    build->lens->source = string_of(build, notes->texts[KEEP_NOTE_SOURCE]);
-    build->lens->kind = string_of(build, notes->texts[KEEP_NOTE_KIND]);
+    const struct text source = notes->texts[KEEP_NOTE_SOURCE], kind = notes->texts[KEEP_NOTE_KIND];
+    build->lens->source = source.length > 0 ? lens_build_string(build, source) : NULL;
+    build->lens->kind = kind.length > 0 ? lens_build_string(build, kind) : NULL;
     for (int i = 0; i < STATED_COUNT; i++) {
         set_stated(notes->texts[KEEP_NOTE_STATED + i], build, i);
     }

@@ -29,10 +29,7 @@ const struct file_type *lens_types(size_t i)
     if (i == 0) {
         return &lens_file_type;
     }
-    if (foreign_formats[i - 1] != NULL) {
-        return &foreign_formats[i - 1]->type;
-    }
-    return NULL;
+    return foreign_formats[i - 1] != NULL ? &foreign_formats[i - 1]->type : NULL;
 }
 
 static const struct foreign_format *by_ending(struct text path)

@@ -58,8 +58,8 @@ static const char *json_of_pair(struct arena *arena, struct pair value)
     if (!isfinite(value.hi)) {
         return "null";
     }
-    const char *end = pair_write_shortest(text, value, NUMBER_UNSCALED);
-    return arena_string(arena, text, (size_t)(end - text));
+    return arena_string(arena, text,
+                        (size_t)(pair_write_shortest(text, value, NUMBER_UNSCALED) - text));
 }
 
 static const char *json_bool(bool value)
@@ -188,8 +188,7 @@ static void json_put_vary(struct lens_writer *writing, enum parameter_kind kind,
                           const struct vary *vary, const char *position, size_t *count)
 {
     struct arena *arena = writing->arena;
-    bool angle = (parameter_type(kind)->is & PARAMETER_IS_ANGLE) != 0;
-    double unit = angle ? RADIANS_PER_DEGREE : 1;
+    double unit = (parameter_type(kind)->is & PARAMETER_IS_ANGLE) != 0 ? RADIANS_PER_DEGREE : 1;
     writing_put(writing, "%s{\"what\":%s", (*count)++ == 0 ? ",\"vary\":[" : ",",
                 json_of_string(arena, parameter_mark_name(kind, vary->order, arena)));
     if (position != NULL) {
@@ -437,11 +436,10 @@ static void json_put_header(struct lens_writer *writing)
         }
         writing_put(writing, "]");
     } else {
-        const struct pair far = pair_of(INFINITY);
-        writing_put(
-            writing, ",\"object_mm\":%s,\"object_is_infinite\":%s",
-            json_of_pair(writing->arena, lens->object_is_infinite ? far : lens->object.value),
-            json_bool(lens->object_is_infinite));
+        writing_put(writing, ",\"object_mm\":%s,\"object_is_infinite\":%s",
+                    json_of_pair(writing->arena,
+                                 lens->object_is_infinite ? pair_of(INFINITY) : lens->object.value),
+                    json_bool(lens->object_is_infinite));
     }
     writing_put(writing, "%s,\"object_medium\":%s",
                 lens->is_telecentric ? ",\"object_is_telecentric\":true" : "",

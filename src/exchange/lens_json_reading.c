@@ -26,13 +26,13 @@ struct file_words json_place(struct json_reader *reading, const struct json_valu
         reading->line++;
         end = memchr(start + reading->line_start, '\n', length - reading->line_start);
     }
-    const char *last = end != NULL ? end : start + length;
-    return (struct file_words){.source = reading->job->source,
-                               .error = reading->error,
-                               .line = text_between(start + reading->line_start, last),
-                               .number = reading->line,
-                               .scale = NUMBER_UNSCALED,
-                               .arena = reading->job->arena};
+    return (struct file_words){
+        .source = reading->job->source,
+        .error = reading->error,
+        .line = text_between(start + reading->line_start, end != NULL ? end : start + length),
+        .number = reading->line,
+        .scale = NUMBER_UNSCALED,
+        .arena = reading->job->arena};
 }
 
 bool json_wrong(struct json_reader *reading, const struct json_value *value, const char *format,
@@ -121,8 +121,8 @@ static struct figure json_in_unit(const struct json_reader *reading, struct pair
     if (power == JSON_LENGTH) {
         return figure_computed(value, lens_unit_scale(unit), arena);
     }
-    struct pair per_unit = figure_per_length(one, unit, power).value;
-    struct figure figure = figure_computed(pair_divide(value, per_unit), NUMBER_UNSCALED, arena);
+    struct figure figure = figure_computed(
+        pair_divide(value, figure_per_length(one, unit, power).value), NUMBER_UNSCALED, arena);
     figure.value = value;
     return figure;
 }

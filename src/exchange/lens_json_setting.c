@@ -16,8 +16,9 @@ static bool json_set_figure(struct json_reader *reading, const struct json_value
                             struct parameter parameter, struct figure *figure)
 {
     const enum parameter_kind kind = parameter.kind;
-    bool angle = (parameter_type(kind)->is & PARAMETER_IS_ANGLE) != 0;
-    int power = angle ? JSON_ANGLE : parameter_length(kind, parameter.order);
+    int power = (parameter_type(kind)->is & PARAMETER_IS_ANGLE) != 0
+                    ? JSON_ANGLE
+                    : parameter_length(kind, parameter.order);
     if (kind == PARAMETER_RADIUS && item->kind == JSON_NULL) {
         *figure = (struct figure){{INFINITY, 0}, text_of("inf"), LENS_NONE};
         return true;

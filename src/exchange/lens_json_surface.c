@@ -199,8 +199,9 @@ static bool json_bounds(struct json_reader *reading, const struct json_value *va
                         struct vary *vary)
 {
     const struct json_value *low = json_item(value, "low"), *high = json_item(value, "high");
-    bool angle = (parameter_type(vary->kind)->is & PARAMETER_IS_ANGLE) != 0;
-    int power = angle ? JSON_ANGLE : parameter_length(vary->kind, vary->order);
+    int power = (parameter_type(vary->kind)->is & PARAMETER_IS_ANGLE) != 0
+                    ? JSON_ANGLE
+                    : parameter_length(vary->kind, vary->order);
     vary->has_bounds = low != NULL;
     if (low == NULL) {
         return true;

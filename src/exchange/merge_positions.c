@@ -116,9 +116,7 @@ static void merge_cells(struct merge *merge, size_t index)
 
 static void add_setting(struct merge *merge, struct lens_setting setting)
 {
-    merge->settings = arena_grow(merge->arena, merge->settings, merge->setting_count,
-                                 &merge->setting_room, sizeof merge->settings[0]);
-    merge->settings[merge->setting_count++] = setting;
+    *ARENA_ADD(merge->arena, merge->settings, merge->setting_count, merge->setting_room) = setting;
 }
 
 /* The radius, infinite of a plane; or, where a position has a curvature, the curvature. */
@@ -169,17 +167,22 @@ static void merge_number(struct merge *merge, size_t index, struct parameter eac
     }
 }
 
+static void take_first_lens(const struct merge *merge)
+{
+    struct lens_build *build = merge->build;
+    *build->lens = merge->lenses[0];
+    build->note_room = build->lens->note_count;
+    build->wavelength_room = build->lens->wavelength_count;
+    build->field_room = build->lens->field_count;
+    build->surface_room = build->lens->surface_count;
+}
+
 /* What no position can set: the first alone is kept. */
 static void keep_first_lens(const struct merge *merge, const char *in)
 {
-    struct lens *to = merge->build->lens;
-    *to = merge->lenses[0];
-    to->positions = NULL;
-    to->position_count = 0;
-    merge->build->note_room = to->note_count;
-    merge->build->wavelength_room = to->wavelength_count;
-    merge->build->field_room = to->field_count;
-    merge->build->surface_room = to->surface_count;
+    take_first_lens(merge);
+    merge->build->lens->positions = NULL;
+    merge->build->lens->position_count = 0;
     merge->build->variable_room = 0;
     foreign_lose(merge->job, LOSS_OF_RAYS, "only the first is kept",
                  "the configurations differ in %s, which the positions of a lens cannot", in);
@@ -324,15 +327,10 @@ void merge_positions(struct lens_build *build, const struct lens *lenses, struct
             return;
         }
     }
-    *to = *first;
-    build->note_room = to->note_count;
-    build->wavelength_room = to->wavelength_count;
-    build->field_room = to->field_count;
-    build->surface_room = to->surface_count;
+    take_first_lens(&merge);
     to->positions = named.positions;
     to->position_count = named.position_count;
-    to->surfaces = ARENA_ARRAY(merge.arena, first->surface_count, struct surface);
-    memcpy(to->surfaces, first->surfaces, first->surface_count * sizeof to->surfaces[0]);
+    to->surfaces = ARENA_COPY(merge.arena, first->surfaces, first->surface_count, 0);
     for (size_t i = 0; i < first->surface_count; i++) {
         if (!merge_surface(&merge, i)) {
             return;
@@ -362,9 +360,8 @@ void merge_positions(struct lens_build *build, const struct lens *lenses, struct
 static bool read_one_position(const struct merge_file *file, size_t position, struct lens *lens,
                               struct arena *arena, struct error *error)
 {
-    void *state = arena_array(arena, 1, file->size);
-    memcpy(state, file->state, file->size);
-    return file->read(state, position, file->content, lens, error);
+    return file->read(arena_copy(arena, file->state, 1, 0, file->size), position, file->content,
+                      lens, error);
 }
 
 bool merge_read(struct lens_build *build, struct foreign_job *job, const struct merge_file *file,

@@ -21,7 +21,6 @@ double own_glass_rounding(const struct figure *index)
 void own_glass_compare(const struct own_glass *own, const struct medium *found,
                        struct medium *medium)
 {
-    struct arena *arena = own->job->arena;
     const bool of_catalog = own->job->glass_numbers == GLASS_NUMBERS_CATALOG;
     double most = own->rounding + printed, at = 0, is = 0, was = 0;
     for (size_t i = 0; i < own->count; i++) {
@@ -40,7 +39,7 @@ void own_glass_compare(const struct own_glass *own, const struct medium *found,
         return;
     }
     char *warning = arena_printf(
-        arena,
+        own->job->arena,
         "the glass '%.*s' is %.*s of the index %.7g at %g um, beside which "
         "the file has %.7g: %s",
         text_shown(own->name), own->name.start, text_shown(found->written), found->written.start,
@@ -50,8 +49,7 @@ void own_glass_compare(const struct own_glass *own, const struct medium *found,
     if (of_catalog) {
         *medium = *found;
     }
-    medium->warning =
-        medium->warning == NULL ? warning : arena_printf(arena, "%s; %s", medium->warning, warning);
+    foreign_warn(own->job, medium, warning);
 }
 
 /* Of nd, Vd and Ve; steps are so small that a parabola goes between them to 1e-7. */

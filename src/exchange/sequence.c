@@ -19,9 +19,8 @@ struct figure sequence_diameter(const struct figure *radius, struct arena *arena
 
 struct sequence_surface *sequence_add(struct sequence *sequence, struct command_word at)
 {
-    sequence->surfaces = arena_grow(sequence->job->arena, sequence->surfaces, sequence->count,
-                                    &sequence->room, sizeof sequence->surfaces[0]);
-    struct sequence_surface *surface = &sequence->surfaces[sequence->count++];
+    struct sequence_surface *surface =
+        ARENA_ADD(sequence->job->arena, sequence->surfaces, sequence->count, sequence->room);
     *surface = (struct sequence_surface){.at = at,
                                          .curve = sequence_nothing,
                                          .is_radius = true,
@@ -137,8 +136,7 @@ static void put_sequence_aperture(const struct sequence *sequence, struct sequen
 static void sequence_put_apertures(const struct sequence *sequence,
                                    const struct sequence_surface *from, struct surface *surface)
 {
-    struct arena *arena = sequence->job->arena;
-    struct aperture *all = ARENA_ARRAY(arena, from->aperture_count, struct aperture);
+    struct aperture *all = ARENA_ARRAY(sequence->job->arena, from->aperture_count, struct aperture);
     surface->apertures = all;
     for (size_t i = 0; i < from->aperture_count; i++) {
         put_sequence_aperture(sequence, &from->apertures[i], surface,
@@ -202,7 +200,7 @@ static void put_sequence_surface(const struct sequence *sequence, size_t index, 
 static bool is_infinite(const struct sequence *sequence, const struct figure *distance)
 {
     const struct commands *commands = sequence->commands;
-    struct pair per_unit = lens_words_per_length(pair_of(1), commands->scale, 1);
+    const struct pair per_unit = lens_words_per_length(pair_of(1), commands->scale, 1);
     return fabs(pair_multiply(distance->value, per_unit).hi) >= commands->grammar->infinity;
 }
 
@@ -215,8 +213,8 @@ static void sequence_put_object(const struct sequence *sequence)
 {
     struct lens *lens = sequence->build->lens;
     struct sequence_surface *object = &sequence->surfaces[0];
-    bool along = sequence_is_some(&object->shift[2]);
-    if (sequence_is_some(&object->curve) || sequence_is_decentred(object) || along) {
+    if (sequence_is_some(&object->curve) || sequence_is_decentred(object) ||
+        sequence_is_some(&object->shift[2])) {
         commands_loss(sequence->commands, &object->at, LOSS_OF_RAYS, "taken as a plane",
                       "a curved or tilted object");
     }
@@ -301,9 +299,8 @@ static bool glasses_there(struct sequence *sequence)
 
 bool sequence_finish(struct sequence *sequence)
 {
-    const struct commands *commands = sequence->commands;
     if (sequence->count < 3) {
-        return foreign_fail(commands->job, sequence->commands->error,
+        return foreign_fail(sequence->commands->job, sequence->commands->error,
                             "the file has no surface between object and image");
     }
     if (!sequence_apply_pickups(sequence) || !glasses_there(sequence)) {

@@ -70,13 +70,15 @@ struct command_word commands_word(const struct commands *commands, size_t word);
 struct file_words commands_place(const struct commands *commands, const struct command_word *word);
 
 /* Report something wrong with a word. Returns false. */
-bool commands_fail(const struct commands *commands, const struct command_word *word,
-                   const char *format, ...) __attribute__((format(printf, 3, 4)));
+#define commands_fail(commands, word, ...)                                                         \
+    file_words_fail((const struct file_words[1]){commands_place((commands), (word))},              \
+                    (word)->text, __VA_ARGS__)
 
 /* A loss at a word: see foreign_loss. Returns true. */
-bool commands_loss(const struct commands *commands, const struct command_word *word,
-                   enum loss_effect effect, const char *instead, const char *format, ...)
-    __attribute__((format(printf, 5, 6)));
+#define commands_loss(commands, word, effect, instead, ...)                                        \
+    foreign_loss((commands)->job,                                                                  \
+                 (const struct file_words[1]){commands_place((commands), (word))}, (word)->text,   \
+                 (effect), (instead), __VA_ARGS__)
 
 /* Leave out the present command, as a loss: "NAME: WHAT". Returns true. */
 bool commands_lose(const struct commands *commands, enum loss_effect effect, const char *instead,

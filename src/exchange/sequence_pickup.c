@@ -8,9 +8,8 @@
 
 void sequence_pick_up(struct sequence *sequence, struct sequence_pickup pickup)
 {
-    sequence->pickups = arena_grow(sequence->job->arena, sequence->pickups, sequence->pickup_count,
-                                   &sequence->pickup_room, sizeof sequence->pickups[0]);
-    sequence->pickups[sequence->pickup_count++] = pickup;
+    *ARENA_ADD(sequence->job->arena, sequence->pickups, sequence->pickup_count,
+               sequence->pickup_room) = pickup;
 }
 
 /* scale * figure + offset; digits are kept where nothing but the sign changes. */
@@ -20,8 +19,8 @@ static struct figure followed(const struct sequence *sequence, struct figure sou
     if (pickup->offset.hi == 0 && fabs(pickup->scale.hi) == 1 && pickup->scale.lo == 0) {
         return pickup->scale.hi == 1 ? source : figure_negate(source, sequence->job->arena);
     }
-    struct pair value = pair_add(pair_multiply(pickup->scale, source.value), pickup->offset);
-    return figure_computed(value, unit, sequence->job->arena);
+    return figure_computed(pair_add(pair_multiply(pickup->scale, source.value), pickup->offset),
+                           unit, sequence->job->arena);
 }
 
 static void follow_curve(const struct sequence *sequence, const struct sequence_pickup *pickup,
@@ -43,9 +42,9 @@ static void follow_curve(const struct sequence *sequence, const struct sequence_
     target->is_radius = as_radius;
     target->curve = followed(sequence, curve, pickup, as_radius ? scale : inverse);
     if (!as_radius) {
-        struct pair per_unit = lens_words_per_length(pair_of(1), scale, 1);
-        target->curve = figure_computed(pair_divide(target->curve.value, per_unit), inverse,
-                                        sequence->job->arena);
+        target->curve = figure_computed(
+            pair_divide(target->curve.value, lens_words_per_length(pair_of(1), scale, 1)), inverse,
+            sequence->job->arena);
         sequence_per_length(sequence->commands, 1, &target->curve);
     }
 }

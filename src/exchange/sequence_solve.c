@@ -28,8 +28,9 @@ static struct figure figure_solved(const struct solve_application *solving, stru
     if (solving->is_thickness) {
         return figure_computed(value, commands->scale, arena);
     }
-    struct pair per_unit = lens_words_per_length(pair_of(1), commands->scale, 1);
-    struct figure figure = figure_computed(pair_divide(value, per_unit), NUMBER_UNSCALED, arena);
+    struct figure figure =
+        figure_computed(pair_divide(value, lens_words_per_length(pair_of(1), commands->scale, 1)),
+                        NUMBER_UNSCALED, arena);
     sequence_per_length(commands, 1, &figure);
     return figure;
 }
@@ -120,8 +121,8 @@ static bool sequence_solve_pass(const struct sequence *sequence, const size_t *i
         struct sequence_solve *solves[] = {&from->curvature_solve, &from->thickness_solve};
         for (int j = 0; j < 2; j++) {
             /* behind a bend the thickness is that of the plane that turns the axis */
-            size_t surface = indices[i] + (j == 1 ? from->planes_behind : 0);
-            struct solve_application solving = {sequence, from, solves[j], surface, j == 1};
+            struct solve_application solving = {
+                sequence, from, solves[j], indices[i] + (j == 1 ? from->planes_behind : 0), j == 1};
             bool near = true;
             const char *why = solves[j]->is_set ? apply_solve(&solving, &near) : NULL;
             if (why != NULL) {

@@ -42,8 +42,10 @@ static struct text writing_length_text(const struct lens_writer *writing,
     if (power > 0) {
         return figure_computed(figure->value, writing->scale, writing->arena).typed;
     }
-    struct pair unit = lens_words_per_length(pair_of(1), writing->scale, -power);
-    return figure_computed(pair_divide(figure->value, unit), NUMBER_UNSCALED, writing->arena).typed;
+    return figure_computed(pair_divide(figure->value,
+                                       lens_words_per_length(pair_of(1), writing->scale, -power)),
+                           NUMBER_UNSCALED, writing->arena)
+        .typed;
 }
 
 static struct text degrees_text(const struct lens_writer *writing, const struct figure *figure)
@@ -68,8 +70,8 @@ const char *writing_length(const struct lens_writer *writing, const struct figur
 
 const char *writing_half(const struct lens_writer *writing, const struct figure *figure)
 {
-    const struct text whole = writing_length_text(writing, figure, 1);
-    return writing_string(writing, decimal_half(whole, writing->arena));
+    return writing_string(writing,
+                          decimal_half(writing_length_text(writing, figure, 1), writing->arena));
 }
 
 const char *writing_degrees(const struct lens_writer *writing, const struct figure *figure)
@@ -79,8 +81,7 @@ const char *writing_degrees(const struct lens_writer *writing, const struct figu
 
 const char *writing_turned(const struct lens_writer *writing, const struct figure *figure)
 {
-    const struct text degrees = degrees_text(writing, figure);
-    return writing_string(writing, decimal_negate(degrees, writing->arena));
+    return writing_string(writing, decimal_negate(degrees_text(writing, figure), writing->arena));
 }
 
 const char *writing_wave(const struct lens_writer *writing, double micrometres, struct text typed,
@@ -94,9 +95,8 @@ const char *writing_wave(const struct lens_writer *writing, double micrometres, 
         has_unit ? text_between(typed.start, unit)
                  : text_between(shortest, number_write_shortest(shortest, micrometres));
     int by = has_unit && unit[0] == 'n' ? power - 3 : power;
-    bool is_as_typed = has_unit && by == 0;
     return writing_string(writing,
-                          is_as_typed ? number : decimal_shift(number, by, writing->arena));
+                          has_unit && by == 0 ? number : decimal_shift(number, by, writing->arena));
 }
 
 const char *writing_weight(const struct lens_writer *writing, struct text typed, const char *one)
@@ -139,8 +139,9 @@ bool writing_pupil(const struct lens_writer *writing, size_t position, struct fi
     if (!known || !(first.entrance_diameter > 0) || !isfinite(first.entrance_diameter)) {
         return false;
     }
-    double per_unit = lens_words_per_length(pair_of(1), writing->scale, 1).hi;
-    *pupil = figure_of(first.entrance_diameter * per_unit, writing->arena);
+    *pupil =
+        figure_of(first.entrance_diameter * lens_words_per_length(pair_of(1), writing->scale, 1).hi,
+                  writing->arena);
     pupil->value = pair_of(first.entrance_diameter);
     return true;
 }

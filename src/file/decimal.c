@@ -18,10 +18,9 @@ enum { DECIMAL_ROOM = 80 };
 
 static struct decimal decimal_take_apart(struct text typed, struct arena *arena)
 {
-    struct decimal decimal = {.digits = arena_array(arena, typed.length + 2 * DECIMAL_ROOM, 1)};
-    decimal.digits += DECIMAL_ROOM;
-    decimal.before = -1;
-    decimal.exponent = (struct text){typed.start + typed.length, 0};
+    char *room = arena_array(arena, typed.length + 2 * DECIMAL_ROOM, 1);
+    struct decimal decimal = {
+        .digits = room + DECIMAL_ROOM, .before = -1, .exponent = {typed.start + typed.length, 0}};
     for (size_t i = 0; i < typed.length; i++) {
         char c = typed.start[i];
         if (c == '-' || c == '+') {
@@ -46,8 +45,7 @@ static struct text put_together(struct decimal decimal, struct arena *arena)
         decimal.count--;
         decimal.before--;
     }
-    size_t zeros = 2 * DECIMAL_ROOM;
-    char *start = arena_array(arena, decimal.count + decimal.exponent.length + 2 * zeros, 1);
+    char *start = arena_array(arena, decimal.count + decimal.exponent.length + 4 * DECIMAL_ROOM, 1);
     char *at = start;
     if (decimal.is_negative) {
         *at++ = '-';

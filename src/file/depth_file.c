@@ -30,10 +30,10 @@ static bool check_grey_map(const char *path, const struct image *image, struct e
         const float *pixel = image->pixels + i * image->channels;
         for (size_t k = 1; k < COLOURS; k++) {
             if (!(pixel[k] == pixel[0] || (isnan(pixel[k]) && isnan(pixel[0])))) {
-                fail(error, ERROR_DATA,
-                     "the pixel in column %zu, row %zu has a colour: a depth is one number",
-                     i % image->width + 1, i / image->width + 1);
-                return error_locate(error, path, 0, 0);
+                return fail_in(
+                    error, path, 0, 0,
+                    "the pixel in column %zu, row %zu has a colour: a depth is one number",
+                    i % image->width + 1, i / image->width + 1);
             }
         }
     }
@@ -74,8 +74,7 @@ static bool check_depth_map(const char *path, struct text bytes, const struct de
                                  path);
     }
     if (!pfm_is(bytes) && !openexr_is(bytes)) {
-        fail(error, ERROR_DATA, "a depth map is PFM, OpenEXR or PNG");
-        return error_locate(error, path, 0, 0);
+        return fail_in(error, path, 0, 0, "a depth map is PFM, OpenEXR or PNG");
     }
     return !has_range ||
            fail(error, ERROR_USAGE, "{depth} is for a PNG: %.200s has its distances in m", path);

@@ -22,16 +22,15 @@ bool file_words_open(struct file_words *words, const char *source, struct text c
                                           memcmp(content.start, "\xfe\xff", 2) == 0);
     const char *nul = content.length > 0 ? memchr(content.start, '\0', content.length) : NULL;
     if (marked || nul != NULL) {
-        fail(error, ERROR_DATA, "not plain text: %s", marked ? "a file in UTF-16" : "a NUL byte");
-        return error_locate(error, source, 1, 1);
+        return fail_in(error, source, 1, 1, "not plain text: %s",
+                       marked ? "a file in UTF-16" : "a NUL byte");
     }
     /* Would all of it be one line? */
     const char *mark =
         words->rest.length > 0 ? memchr(words->rest.start, '\r', words->rest.length) : NULL;
     if (mark != NULL && memchr(words->rest.start, '\n', words->rest.length) == NULL &&
         text_trim(text_between(mark + 1, words->rest.start + words->rest.length)).length > 0) {
-        fail(error, ERROR_DATA, "its lines end in CR alone: LF or CR LF end a line");
-        return error_locate(error, source, 1, 1);
+        return fail_in(error, source, 1, 1, "its lines end in CR alone: LF or CR LF end a line");
     }
     return true;
 }
@@ -157,9 +156,8 @@ bool file_words_plain(const char *source, struct text content, struct error *err
         unsigned char next = i + 1 < content.length ? (unsigned char)content.start[i + 1] : 0;
         bool wide = c == 0xc2 && next >= 0x80 && next < 0xa0;
         if (wide || c == 0x7f || (c < 0x20 && c != '\t' && c != '\n' && c != '\r')) {
-            fail(error, ERROR_DATA, "not plain text: the control character U+%04X",
-                 wide ? next : c);
-            return error_locate(error, source, line, i - begin + 1);
+            return fail_in(error, source, line, i - begin + 1,
+                           "not plain text: the control character U+%04X", wide ? next : c);
         }
         if (c == '\n') {
             line++;

@@ -57,13 +57,18 @@ const struct file_type *image_file_types(size_t i)
     return i < FORMATS && formats[i].write != NULL ? &formats[i].type : NULL;
 }
 
-bool image_file_is(struct text first)
+static size_t format_of_bytes(struct text bytes)
 {
     size_t i = 0;
-    while (i < FORMATS && !formats[i].is(first)) {
+    while (i < FORMATS && !formats[i].is(bytes)) {
         i++;
     }
-    return i < FORMATS;
+    return i;
+}
+
+bool image_file_is(struct text first)
+{
+    return format_of_bytes(first) < FORMATS;
 }
 
 /* What is less below 0, of the largest part, is rounding. */
@@ -86,8 +91,8 @@ static bool take_primaries(struct image *image, struct error *error)
         if (!(least >= -least_negative * most)) {
             /* of primaries that no light has luminance may be below 0: black */
             const double grey = fmax(colour_luminance(to.part), 0);
-            const double share = colour_share_within(to.part, grey, (double)INFINITY);
-            colour_move_from_grey(to.part, grey, share);
+            colour_move_from_grey(to.part, grey,
+                                  colour_share_within(to.part, grey, (double)INFINITY));
             image->beyond_srgb++;
         }
         for (int k = 0; k < 3; k++) {
@@ -109,13 +114,9 @@ const char *image_file_remark(const char *path, const struct image *image, struc
 bool image_file_parse(const char *path, struct text bytes, const struct image_wish *wish,
                       struct arena *arena, struct image *image, struct error *error)
 {
-    size_t i = 0;
-    while (i < FORMATS && !formats[i].is(bytes)) {
-        i++;
-    }
+    const size_t i = format_of_bytes(bytes);
     if (i == FORMATS) {
-        fail(error, ERROR_DATA, "neither PNG, JPEG, OpenEXR, PFM nor a Radiance picture");
-        return error_locate(error, path, 0, 0);
+        return fail_in(error, path, 0, 0, "neither PNG, JPEG, OpenEXR, PFM nor a Radiance picture");
     }
     return (formats[i].read(bytes, wish, arena, image, error) &&
             (!image->has_primaries || take_primaries(image, error))) ||

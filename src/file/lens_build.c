@@ -49,9 +49,8 @@ void lens_build_begin(struct lens_build *build, struct lens *lens, struct arena 
 struct surface *lens_build_surface(struct lens_build *build)
 {
     struct lens *lens = build->lens;
-    lens->surfaces = arena_grow(build->arena, lens->surfaces, lens->surface_count,
-                                &build->surface_room, sizeof lens->surfaces[0]);
-    struct surface *surface = &lens->surfaces[lens->surface_count++];
+    struct surface *surface =
+        ARENA_ADD(build->arena, lens->surfaces, lens->surface_count, build->surface_room);
     *surface = (struct surface){.kind = SURFACE_REFRACT,
                                 .is_plane = true,
                                 .has_thickness = true,
@@ -74,11 +73,11 @@ void lens_build_stop(struct lens_build *build, size_t index)
 {
     struct lens *lens = build->lens;
     struct surface *surface = &lens->surfaces[index];
-    const struct medium *before =
-        index > 0 ? &lens->surfaces[index - 1].medium : &lens->object_medium;
     bool bare = surface->kind == SURFACE_REFRACT && surface->is_plane && !surface->has_curvature &&
                 surface->coefficients == 0 && surface->conic.value.hi == 0 &&
-                surface_is_round(surface) && medium_is_same(before, &surface->medium);
+                surface_is_round(surface) &&
+                medium_is_same(index > 0 ? &lens->surfaces[index - 1].medium : &lens->object_medium,
+                               &surface->medium);
     surface->kind = bare ? SURFACE_STOP : surface->kind;
     surface->is_stop = true;
     lens->stop = index;
@@ -106,18 +105,16 @@ const char *lens_build_string(struct lens_build *build, struct text text)
 void lens_build_note(struct lens_build *build, struct text note)
 {
     struct lens *lens = build->lens;
-    lens->notes = arena_grow(build->arena, lens->notes, lens->note_count, &build->note_room,
-                             sizeof lens->notes[0]);
-    lens->notes[lens->note_count++] = lens_build_string(build, note);
+    *ARENA_ADD(build->arena, lens->notes, lens->note_count, build->note_room) =
+        lens_build_string(build, note);
 }
 
 struct lens_wavelength *lens_build_wavelength(struct lens_build *build, double micrometres,
                                               double weight)
 {
     struct lens *lens = build->lens;
-    lens->wavelengths = arena_grow(build->arena, lens->wavelengths, lens->wavelength_count,
-                                   &build->wavelength_room, sizeof lens->wavelengths[0]);
-    struct lens_wavelength *one = &lens->wavelengths[lens->wavelength_count++];
+    struct lens_wavelength *one =
+        ARENA_ADD(build->arena, lens->wavelengths, lens->wavelength_count, build->wavelength_room);
     *one = (struct lens_wavelength){.wavelength = micrometres, .weight = weight};
     char number[NUMBER_LENGTH];
     char *end = number_write_shortest(number, micrometres);
@@ -148,11 +145,10 @@ struct lens_field *lens_build_field(struct lens_build *build)
 size_t lens_build_variable(struct lens_build *build, const char *name, const struct figure *values)
 {
     struct lens *lens = build->lens;
-    lens->variables = arena_grow(build->arena, lens->variables, lens->variable_count,
-                                 &build->variable_room, sizeof lens->variables[0]);
-    lens->variables[lens->variable_count] = (struct lens_variable){
-        .name = text_of(arena_string(build->arena, name, strlen(name))), .values = values};
-    return lens->variable_count++;
+    *ARENA_ADD(build->arena, lens->variables, lens->variable_count, build->variable_room) =
+        (struct lens_variable){.name = text_of(arena_string(build->arena, name, strlen(name))),
+                               .values = values};
+    return lens->variable_count - 1;
 }
 
 static struct figure figure_typed(const char *start, const char *end, struct number_scale unit,
@@ -176,8 +172,8 @@ struct figure figure_rounded(struct pair value, struct number_scale unit, struct
     char text[NUMBER_LENGTH];
     struct pair length = {1, 0};
     pair_read(one, one + 1, unit, &length);
-    double number = pair_divide(value, length).hi;
-    return figure_typed(text, number_write_shortest(text, number), unit, arena);
+    return figure_typed(text, number_write_shortest(text, pair_divide(value, length).hi), unit,
+                        arena);
 }
 
 struct figure figure_of(double value, struct arena *arena)

@@ -60,6 +60,12 @@ static void change_figure(const struct change *change, int power, struct figure 
     *figure = figure_per_length(*figure, change->unit, power);
 }
 
+static void change_pair(const struct change *change, struct figure pair[2])
+{
+    change_figure(change, 1, &pair[0]);
+    change_figure(change, 1, &pair[1]);
+}
+
 /* A list of numbers of the dimension length^power. */
 static const struct figure *change_list(const struct change *change, int power,
                                         const struct figure *figures, size_t count)
@@ -67,9 +73,8 @@ static const struct figure *change_list(const struct change *change, int power,
     if (figures == NULL || power == 0) {
         return figures;
     }
-    struct figure *copy = ARENA_ARRAY(change->arena, count, struct figure);
+    struct figure *copy = ARENA_COPY(change->arena, figures, count, 0);
     for (size_t i = 0; i < count; i++) {
-        copy[i] = figures[i];
         change_figure(change, power, &copy[i]);
     }
     return copy;
@@ -85,11 +90,10 @@ static const struct figure *change_all(const struct change *change, const struct
 static void change_tolerances(const struct change *change, struct lens *lens)
 {
     struct lens_tolerance *copy =
-        ARENA_ARRAY(change->arena, lens->tolerance_count, struct lens_tolerance);
+        ARENA_COPY(change->arena, lens->tolerances, lens->tolerance_count, 0);
     const bool scales = change->factor.hi != 1 || change->factor.lo != 0;
     for (size_t i = 0; i < lens->tolerance_count; i++) {
         struct figure *amount = &copy[i].amount;
-        copy[i] = lens->tolerances[i];
         if (copy[i].kind == TOLERANCE_COEFFICIENT && copy[i].unit == TOLERANCE_NUMBER) {
             change_figure(change, 1 - copy[i].order, amount);
         } else if (scales &&
@@ -104,11 +108,9 @@ static void change_tolerances(const struct change *change, struct lens *lens)
 static struct lens_field *change_fields(const struct change *change,
                                         const struct lens_field *fields, size_t count)
 {
-    struct lens_field *copy = ARENA_ARRAY(change->arena, count, struct lens_field);
+    struct lens_field *copy = ARENA_COPY(change->arena, fields, count, 0);
     for (size_t i = 0; i < count; i++) {
-        copy[i] = fields[i];
-        change_figure(change, 1, &copy[i].at[0]);
-        change_figure(change, 1, &copy[i].at[1]);
+        change_pair(change, copy[i].at);
     }
     return copy;
 }
@@ -141,12 +143,6 @@ static const struct vary *const *change_word(const struct change *change,
     return copy;
 }
 
-static void change_pair(const struct change *change, struct figure pair[2])
-{
-    change_figure(change, 1, &pair[0]);
-    change_figure(change, 1, &pair[1]);
-}
-
 static void change_surface(const struct change *change, struct surface *surface)
 {
     for (struct parameter each = {0}; each.kind < PARAMETER_KINDS; each = parameter_next(each)) {
@@ -161,21 +157,19 @@ static void change_surface(const struct change *change, struct surface *surface)
     if (surface->has_diameter) {
         change_figure(change, 1, &surface->diameter);
     }
-    struct vary *marks = ARENA_ARRAY(change->arena, surface->vary_count, struct vary);
+    struct vary *marks = ARENA_COPY(change->arena, surface->varies, surface->vary_count, 0);
     for (size_t i = 0; i < surface->vary_count; i++) {
-        marks[i] = surface->varies[i];
         change_vary(change, &marks[i]);
     }
     surface->varies = marks;
-    struct aperture *holes = ARENA_ARRAY(change->arena, surface->aperture_count, struct aperture);
+    struct aperture *holes =
+        ARENA_COPY(change->arena, surface->apertures, surface->aperture_count, 0);
     for (size_t i = 0; i < surface->aperture_count; i++) {
-        const size_t count = surface->apertures[i].point_count;
-        struct figure(*points)[2] = arena_array(change->arena, count, sizeof *points);
-        holes[i] = surface->apertures[i];
+        struct figure(*points)[2] =
+            ARENA_COPY(change->arena, holes[i].points, holes[i].point_count, 0);
         change_pair(change, holes[i].size);
         change_pair(change, holes[i].decenter);
-        for (size_t k = 0; k < count; k++) {
-            memcpy(points[k], holes[i].points[k], sizeof points[k]);
+        for (size_t k = 0; k < holes[i].point_count; k++) {
             change_pair(change, points[k]);
         }
         holes[i].points = (const struct figure(*)[2])points;
@@ -217,19 +211,17 @@ static void change_system(const struct change *change, struct lens *lens)
         variables[i].varies = change_word(change, lens->variables[i].varies, positions);
     }
     lens->variables = variables;
-    struct lens_pickup *follow = ARENA_ARRAY(change->arena, lens->pickup_count, struct lens_pickup);
+    struct lens_pickup *follow = ARENA_COPY(change->arena, lens->pickups, lens->pickup_count, 0);
     for (size_t i = 0; i < lens->pickup_count; i++) {
-        follow[i] = lens->pickups[i];
         int power = parameter_length(follow[i].what.kind, follow[i].what.order);
         if (power != 0 && follow[i].offset.value.hi != 0) {
             change_figure(change, power, &follow[i].offset);
         }
     }
     lens->pickups = follow;
-    struct lens_setting *set = ARENA_ARRAY(change->arena, lens->setting_count, struct lens_setting);
+    struct lens_setting *set = ARENA_COPY(change->arena, lens->settings, lens->setting_count, 0);
     for (size_t i = 0; i < lens->setting_count; i++) {
-        const struct parameter one = lens->settings[i].parameter;
-        set[i] = lens->settings[i];
+        const struct parameter one = set[i].parameter;
         set[i].figures = change_list(change, parameter_length(one.kind, one.order), set[i].figures,
                                      lens->position_count);
     }
@@ -239,12 +231,10 @@ static void change_system(const struct change *change, struct lens *lens)
 
 static struct lens *changed(const struct change *change, const struct lens *lens)
 {
-    struct lens *copy = ARENA_NEW(change->arena, struct lens);
-    *copy = *lens;
+    struct lens *copy = ARENA_COPY(change->arena, lens, 1, 0);
     copy->unit = change->unit;
-    copy->surfaces = ARENA_ARRAY(change->arena, lens->surface_count, struct surface);
+    copy->surfaces = ARENA_COPY(change->arena, lens->surfaces, lens->surface_count, 0);
     for (size_t i = 0; i < lens->surface_count; i++) {
-        copy->surfaces[i] = lens->surfaces[i];
         change_surface(change, &copy->surfaces[i]);
     }
     change_system(change, copy);
@@ -284,10 +274,7 @@ static void mark_cells(const struct lens *from, size_t word, const struct vary *
         if (pickup.from.surface == LENS_NONE) {
             /* The mark of a word, on the surface whose cell it stands in. */
             struct surface *surface = &to->surfaces[what.surface];
-            struct vary *copy = ARENA_ARRAY(arena, surface->vary_count + 1, struct vary);
-            for (size_t k = 0; k < surface->vary_count; k++) {
-                copy[k] = surface->varies[k];
-            }
+            struct vary *copy = ARENA_COPY(arena, surface->varies, surface->vary_count, 1);
             copy[surface->vary_count] = *mark;
             copy[surface->vary_count++].kind = what.kind;
             surface->varies = copy;
@@ -301,8 +288,7 @@ static void mark_cells(const struct lens *from, size_t word, const struct vary *
 
 const struct lens *lens_one_position(const struct lens *lens, size_t position, struct arena *arena)
 {
-    struct lens *copy = ARENA_NEW(arena, struct lens);
-    *copy = *lens_at_position(lens, position, arena);
+    struct lens *copy = ARENA_COPY(arena, lens_at_position(lens, position, arena), 1, 0);
     copy->pickups = lens->pickups;
     copy->pickup_count = lens->pickup_count;
     for (size_t i = 0; i < lens->variable_count; i++) {

@@ -57,9 +57,8 @@ static bool lens_file_read_text(struct parser *parser)
 static bool lens_file_read_note(struct parser *parser)
 {
     struct lens *lens = parser->lens;
-    lens->notes = arena_grow(parser->words.arena, lens->notes, lens->note_count, &parser->note_room,
-                             sizeof lens->notes[0]);
-    lens->notes[lens->note_count++] = rest_string(parser);
+    *ARENA_ADD(parser->words.arena, lens->notes, lens->note_count, parser->note_room) =
+        rest_string(parser);
     return true;
 }
 
@@ -85,9 +84,9 @@ static bool read_wavelengths(struct parser *parser)
     size_t room = 0;
     for (struct text word = file_words_next(words); word.length > 0 || lens->wavelength_count == 0;
          word = file_words_next(words)) {
-        lens->wavelengths = arena_grow(words->arena, lens->wavelengths, lens->wavelength_count,
-                                       &room, sizeof lens->wavelengths[0]);
-        if (!lens_words_light(words, word, &lens->wavelengths[lens->wavelength_count++])) {
+        if (!lens_words_light(
+                words, word,
+                ARENA_ADD(words->arena, lens->wavelengths, lens->wavelength_count, room))) {
             return false;
         }
     }
@@ -238,9 +237,7 @@ static bool read_position_names(struct parser *parser)
                                    ? "the positions have no names"
                                    : "a position's name that cannot be used: twice, or 'all'");
         }
-        lens->positions = arena_grow(words->arena, lens->positions, lens->position_count, &room,
-                                     sizeof lens->positions[0]);
-        lens->positions[lens->position_count++] =
+        *ARENA_ADD(words->arena, lens->positions, lens->position_count, room) =
             arena_string(words->arena, word.start, word.length);
     }
     return true;
@@ -316,9 +313,7 @@ static bool read_let(struct parser *parser)
 static bool keep_line(struct parser *parser)
 {
     struct lines *lines = &parser->kept[parser->what];
-    lines->all = arena_grow(parser->words.arena, lines->all, lines->count, &lines->room,
-                            sizeof lines->all[0]);
-    lines->all[lines->count++] = parser->words;
+    *ARENA_ADD(parser->words.arena, lines->all, lines->count, lines->room) = parser->words;
     return true;
 }
 
@@ -364,8 +359,8 @@ static bool read_surface_line(struct parser *parser)
     lens->surfaces = arena_grow(parser->words.arena, lens->surfaces, last, &parser->surface_room,
                                 sizeof lens->surfaces[0]);
     struct surface *surface = &lens->surfaces[last];
-    const struct medium *before = last > 0 ? &surface[-1].medium : &lens->object_medium;
-    if (!lens_surface_read(&parser->words, (enum surface_kind)parser->what, before,
+    if (!lens_surface_read(&parser->words, (enum surface_kind)parser->what,
+                           last > 0 ? &surface[-1].medium : &lens->object_medium,
                            &parser->variables, surface) ||
         !lens_words_glass(&parser->words, parser->glasses, &surface->medium)) {
         return false;
@@ -389,8 +384,9 @@ static bool read_aperture_line(struct parser *parser)
 {
     struct lens *lens = parser->lens;
     bool is_below = lens->surface_count > 0 && parser->coordinate_break == NULL;
-    struct surface *above = is_below ? &lens->surfaces[lens->surface_count - 1] : NULL;
-    return lens_aperture_read(&parser->words, parser->what != 0, above, &parser->aperture_room);
+    return lens_aperture_read(&parser->words, parser->what != 0,
+                              is_below ? &lens->surfaces[lens->surface_count - 1] : NULL,
+                              &parser->aperture_room);
 }
 
 static bool read_coordinate_break(struct parser *parser)
@@ -469,8 +465,7 @@ static bool lens_file_finish(struct parser *parser)
 {
     struct lens *lens = parser->lens;
     if (lens->surface_count == 0) {
-        fail(parser->words.error, ERROR_DATA, "the file has no surface");
-        return error_locate(parser->words.error, parser->words.source, 0, 0);
+        return fail_in(parser->words.error, parser->words.source, 0, 0, "the file has no surface");
     }
     for (size_t i = 0; i < lens->variable_count; i++) {
         if (!lens_let_check(&parser->variables.lines[i], lens, i)) {
@@ -484,19 +479,9 @@ static bool lens_file_finish(struct parser *parser)
     for (int kind = 0; kind < KEPT_KINDS; kind++) {
         for (size_t i = 0; i < parser->kept[kind].count; i++) {
             struct file_words *line = &parser->kept[kind].all[i];
-            bool read = false;
-            switch (kind) {
-            case KEPT_SETTING:
-                read = lens_setting_read(line, parser->glasses, lens);
-                break;
-            case KEPT_PICKUP:
-                read = lens_pickup_read(line, lens);
-                break;
-            default:
-                read = lens_tolerance_read(line, lens);
-                break;
-            }
-            if (!read) {
+            if ((kind == KEPT_SETTING && !lens_setting_read(line, parser->glasses, lens)) ||
+                (kind == KEPT_PICKUP && !lens_pickup_read(line, lens)) ||
+                (kind == KEPT_TOLERANCE && !lens_tolerance_read(line, lens))) {
                 return false;
             }
         }

@@ -146,10 +146,7 @@ bool lens_goal_read(struct file_words *words, struct lens *lens)
     if (text.length == 0) {
         return file_words_fail(words, text, "the goal is missing: efl = 100");
     }
-    struct lens_goal *all = ARENA_ARRAY(words->arena, lens->goal_count + 1, struct lens_goal);
-    for (size_t i = 0; i < lens->goal_count; i++) {
-        all[i] = lens->goals[i];
-    }
+    struct lens_goal *all = ARENA_COPY(words->arena, lens->goals, lens->goal_count, 1);
     all[lens->goal_count++] = (struct lens_goal){
         .text = text_of(arena_string(words->arena, text.start, text.length)),
         .source = words->source,

@@ -80,9 +80,9 @@ static bool read_term(struct sum *sum, bool minus)
         return read_term_figure(sum, minus, digits, false, &pickup->offset);
     }
     sum->has_from = true;
-    const struct text one = digits.length > 0 ? digits : text_of("1");
     return lens_words_parameter(sum->words, name, NULL, &pickup->from) &&
-           read_term_figure(sum, minus, one, true, &pickup->factor);
+           read_term_figure(sum, minus, digits.length > 0 ? digits : text_of("1"), true,
+                            &pickup->factor);
 }
 
 static bool read_sum(struct sum *sum)
@@ -168,8 +168,7 @@ static const char *order_warning(const struct lens_pickup *pickup, const struct 
                                  const struct before *is, struct arena *arena)
 {
     const char *name = parameter_mark_write(pickup->what, arena);
-    const unsigned angle = PARAMETER_IS_ANGLE;
-    bool is_angle = (parameter_type(pickup->what.kind)->is & angle) != 0;
+    bool is_angle = (parameter_type(pickup->what.kind)->is & PARAMETER_IS_ANGLE) != 0;
     double unit = is_angle ? RADIANS_PER_DEGREE : 1;
     if (pickup->what.kind == PARAMETER_GLASS) {
         return text_identical(was->medium, is->medium)

@@ -38,8 +38,7 @@ struct turn {
 /* Has the number the other sign in the lens turned around? */
 static bool lens_reverse_turns(const struct turn *turn, enum parameter_kind kind)
 {
-    enum parameter_turn with = parameter_type(kind)->turn;
-    return with == (turn->flips ? TURN_WITH_AXES : TURN_WITH_MIRRORS);
+    return parameter_type(kind)->turn == (turn->flips ? TURN_WITH_AXES : TURN_WITH_MIRRORS);
 }
 
 static struct figure lens_reverse_turned(const struct turn *turn, enum parameter_kind kind,
@@ -53,12 +52,6 @@ static struct figure lens_reverse_undone(const struct turn *turn, enum parameter
                                          struct figure figure)
 {
     return lens_reverse_turns(turn, kind) ? figure : figure_negate(figure, turn->arena);
-}
-
-static void set_turned_gap(const struct turn *turn, struct surface *to, const struct surface *from)
-{
-    to->has_thickness = from->has_thickness;
-    to->thickness = lens_reverse_turned(turn, PARAMETER_THICKNESS, from->thickness);
 }
 
 /* The plane behind a surface on which one part of a coordinate break is undone. */
@@ -81,9 +74,8 @@ static void add_breaks(struct turn *turn, const struct displacement *coordinate_
 {
     for (int i = 2; i >= 0; i--) {
         if (coordinate_break->tilt[i].value.hi != 0) {
-            const enum parameter_kind kind = (enum parameter_kind)(PARAMETER_BREAK_TILT_X + i);
-            add_turned_plane(turn)->tilt[i] =
-                lens_reverse_undone(turn, kind, coordinate_break->tilt[i]);
+            add_turned_plane(turn)->tilt[i] = lens_reverse_undone(
+                turn, (enum parameter_kind)(PARAMETER_BREAK_TILT_X + i), coordinate_break->tilt[i]);
         }
     }
     if (coordinate_break->decenter[0].value.hi != 0 ||
@@ -100,10 +92,7 @@ static void add_breaks(struct turn *turn, const struct displacement *coordinate_
 static void add_own_marks(const struct turn *turn, struct surface *to, const struct surface *from,
                           enum owner owner)
 {
-    struct vary *all = ARENA_ARRAY(turn->arena, to->vary_count + from->vary_count + 1, struct vary);
-    for (size_t i = 0; i < to->vary_count; i++) {
-        all[i] = to->varies[i];
-    }
+    struct vary *all = ARENA_COPY(turn->arena, to->varies, to->vary_count, from->vary_count + 1);
     to->varies = all;
     for (size_t i = 0; i < from->vary_count; i++) {
         if (owner_of(from->varies[i].kind) == owner) {
@@ -184,13 +173,6 @@ struct turned_tolerances {
     size_t count, room;
 };
 
-static void add_turned_tolerance(const struct turn *turn, struct turned_tolerances *all,
-                                 struct lens_tolerance one)
-{
-    all->list = arena_grow(turn->arena, all->list, all->count, &all->room, sizeof all->list[0]);
-    all->list[all->count++] = one;
-}
-
 /* One of surfaces that are others now; those that have no place are left out. */
 static void turn_tolerance(const struct turn *turn, struct turned_tolerances *all,
                            const struct lens_tolerance *from)
@@ -217,7 +199,7 @@ static void turn_tolerance(const struct turn *turn, struct turned_tolerances *al
         }
         pivot = pivot == LENS_NONE ? LENS_NONE : turn->places[OWNED_BY_SURFACE][pivot];
         to.pivot = has_end && pivot == (is_wedge ? to.last : to.first) ? LENS_NONE : pivot;
-        add_turned_tolerance(turn, all, to);
+        *ARENA_ADD(turn->arena, all->list, all->count, all->room) = to;
     }
 }
 
@@ -244,7 +226,7 @@ static void turn_tolerances(const struct turn *turn)
     for (size_t i = 0; i < turn->from->tolerance_count; i++) {
         const struct lens_tolerance *one = &turn->from->tolerances[i];
         if (one->kind == TOLERANCE_FOCUS) {
-            add_turned_tolerance(turn, &all, *one);
+            *ARENA_ADD(turn->arena, all.list, all.count, all.room) = *one;
         } else if (one->is_range &&
                    (one->kind == TOLERANCE_WEDGE || one->kind == TOLERANCE_ELEMENT_ROLL)) {
             turn_elements(turn, &all, one);
@@ -315,21 +297,20 @@ static void turn_pickups(const struct turn *turn)
 static const struct aperture *turn_apertures(const struct turn *turn, const struct surface *surface)
 {
     struct arena *arena = turn->arena;
-    struct aperture *copy = ARENA_ARRAY(arena, surface->aperture_count, struct aperture);
+    struct aperture *copy = ARENA_COPY(arena, surface->apertures, surface->aperture_count, 0);
     for (size_t i = 0; i < surface->aperture_count; i++) {
-        const size_t count = surface->apertures[i].point_count;
-        struct figure(*points)[2] = arena_array(arena, count, sizeof *points);
-        copy[i] = surface->apertures[i];
+        struct figure(*points)[2] = ARENA_COPY(arena, copy[i].points, copy[i].point_count, 0);
         copy[i].decenter[0] = figure_negate(copy[i].decenter[0], arena);
         copy[i].turn = figure_negate(copy[i].turn, arena);
-        for (size_t k = 0; k < count; k++) {
-            memcpy(points[k], copy[i].points[k], sizeof points[k]);
+        for (size_t k = 0; k < copy[i].point_count; k++) {
             points[k][0] = figure_negate(points[k][0], arena);
         }
         copy[i].points = (const struct figure(*)[2])points;
         if (copy[i].arms % 2 != 0) {
-            struct pair degrees = pair_divide(copy[i].turn.value, pair_of(RADIANS_PER_DEGREE));
-            copy[i].turn = figure_rounded(pair_add(pair_of(180), degrees), NUMBER_UNSCALED, arena);
+            copy[i].turn =
+                figure_rounded(pair_add(pair_of(180), pair_divide(copy[i].turn.value,
+                                                                  pair_of(RADIANS_PER_DEGREE))),
+                               NUMBER_UNSCALED, arena);
             copy[i].turn.value = pair_multiply(copy[i].turn.value, pair_of(RADIANS_PER_DEGREE));
         }
     }
@@ -368,8 +349,10 @@ static void add_turned_surface(struct turn *turn, size_t index)
     if (index > 0) {
         struct lens *lens = turn->build.lens;
         struct surface *last = &lens->surfaces[lens->surface_count - 1];
-        set_turned_gap(turn, last, &from->surfaces[index - 1]);
         const struct surface *surfaces = turn->from->surfaces;
+        last->has_thickness = surfaces[index - 1].has_thickness;
+        last->thickness =
+            lens_reverse_turned(turn, PARAMETER_THICKNESS, surfaces[index - 1].thickness);
         size_t medium = index - 1;
         add_own_marks(turn, last, &surfaces[index - 1], OWNED_BY_GAP);
         while (medium > 0 && surface_reflects(&surfaces[medium])) {
@@ -387,9 +370,8 @@ static void add_turned_surface(struct turn *turn, size_t index)
 static struct lens_field *flip_fields(const struct turn *turn, const struct lens_field *fields,
                                       size_t count)
 {
-    struct lens_field *copy = ARENA_ARRAY(turn->arena, count, struct lens_field);
+    struct lens_field *copy = ARENA_COPY(turn->arena, fields, count, 0);
     for (size_t i = 0; i < count; i++) {
-        copy[i] = fields[i];
         copy[i].at[0] = figure_negate(copy[i].at[0], turn->arena);
     }
     return copy;

@@ -80,10 +80,7 @@ static const char *lens_setting_add(struct lens *lens, struct lens_setting setti
     if (against != NULL) {
         return against;
     }
-    struct lens_setting *all = ARENA_ARRAY(arena, lens->setting_count + 1, struct lens_setting);
-    for (size_t i = 0; i < lens->setting_count; i++) {
-        all[i] = lens->settings[i];
-    }
+    struct lens_setting *all = ARENA_COPY(arena, lens->settings, lens->setting_count, 1);
     all[lens->setting_count++] = setting;
     lens->settings = all;
     return NULL;
@@ -201,9 +198,8 @@ bool lens_light_read(const struct file_words *words, struct text list, struct le
     *light = (struct lens_light){NULL, 0};
     while (list.start != NULL) {
         const struct text one = text_cut(&list, ',');
-        light->wavelengths = arena_grow(words->arena, light->wavelengths, light->count, &room,
-                                        sizeof light->wavelengths[0]);
-        if (!lens_words_light(words, one, &light->wavelengths[light->count++])) {
+        if (!lens_words_light(words, one,
+                              ARENA_ADD(words->arena, light->wavelengths, light->count, room))) {
             return false;
         }
     }

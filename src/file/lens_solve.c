@@ -59,69 +59,61 @@ static bool solve_start(const struct lens *lens, enum solve_ray ray, struct aren
     return true;
 }
 
-static bool follow_paraxial(const struct lens *lens, size_t surface, enum solve_ray ray,
-                            struct arena *arena, struct solve_state *state, struct error *error)
+/* A ray through the first `count` surfaces; `heights` null: those on its way are not wanted. */
+static bool follow_paraxial(const struct lens *lens, size_t count, enum solve_ray ray,
+                            struct arena *arena, struct solve_state *state, double *heights,
+                            struct error *error)
 {
+    const struct arena_mark mark = arena_mark(arena);
     struct paraxial_system system;
     double height, slope;
-    if (!solve_start(lens, ray, arena, &height, &slope, error) ||
-        !paraxial_compile(lens, lens_primary_wavelength(lens), SECTION_Y, arena, &system, error)) {
-        return false;
-    }
-    struct pair y = pair_of(height), v = pair_of(slope);
-    for (size_t i = 0; i <= surface; i++) {
+    const bool done =
+        solve_start(lens, ray, arena, &height, &slope, error) &&
+        paraxial_compile(lens, lens_primary_wavelength(lens), SECTION_Y, arena, &system, error);
+    struct pair y = pair_of(done ? height : 0), v = pair_of(done ? slope : 0);
+    for (size_t i = 0; done && i < count; i++) {
         if (i > 0) {
             y = pair_add(y, pair_multiply(system.surfaces[i - 1].reduced, v));
         }
         state->before = v;
         v = pair_subtract(v, pair_multiply(y, system.surfaces[i].power));
+        if (heights != NULL) {
+            heights[i] = y.hi;
+        }
     }
-    state->y = y;
-    state->after = v;
-    state->index_before = system.index[surface];
-    state->index_after = system.index[surface + 1];
-    return true;
+    if (done) {
+        state->y = y;
+        state->after = v;
+        state->index_before = system.index[count - 1];
+        state->index_after = system.index[count];
+    }
+    arena_reset(arena, mark);
+    return done;
 }
 
 bool solve_follow(const struct lens *lens, size_t surface, enum solve_ray ray, struct arena *arena,
                   struct solve_state *state, struct error *error)
 {
-    struct arena_mark mark = arena_mark(arena);
-    bool done = follow_paraxial(lens, surface, ray, arena, state, error);
-    arena_reset(arena, mark);
-    return done;
+    return follow_paraxial(lens, surface + 1, ray, arena, state, NULL, error);
 }
 
 bool solve_heights(const struct lens *lens, enum solve_ray ray, struct arena *arena,
                    double *heights, struct error *error)
 {
-    const struct arena_mark mark = arena_mark(arena);
-    struct paraxial_system system;
-    double height, slope;
-    bool done =
-        solve_start(lens, ray, arena, &height, &slope, error) &&
-        paraxial_compile(lens, lens_primary_wavelength(lens), SECTION_Y, arena, &system, error);
-    struct pair y = pair_of(done ? height : 0), v = pair_of(done ? slope : 0);
-    for (size_t i = 0; done && i < lens->surface_count; i++) {
-        if (i > 0) {
-            y = pair_add(y, pair_multiply(system.surfaces[i - 1].reduced, v));
-        }
-        heights[i] = y.hi;
-        v = pair_subtract(v, pair_multiply(y, system.surfaces[i].power));
-    }
-    arena_reset(arena, mark);
-    return done;
+    struct solve_state state;
+    return follow_paraxial(lens, lens->surface_count, ray, arena, &state, heights, error);
 }
 
 struct pair solve_thickness(const struct solve_state *state, struct pair height)
 {
-    struct pair rise = pair_multiply(pair_subtract(height, state->y), state->index_after);
-    return pair_divide(rise, state->after);
+    return pair_divide(pair_multiply(pair_subtract(height, state->y), state->index_after),
+                       state->after);
 }
 
 struct pair solve_curvature(const struct solve_state *state, struct pair angle)
 {
     struct pair wanted = pair_multiply(angle, state->index_after);
-    struct pair step = pair_subtract(state->index_after, state->index_before);
-    return pair_divide(pair_subtract(state->before, wanted), pair_multiply(state->y, step));
+    return pair_divide(
+        pair_subtract(state->before, wanted),
+        pair_multiply(state->y, pair_subtract(state->index_after, state->index_before)));
 }

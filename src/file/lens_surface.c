@@ -56,10 +56,8 @@ static bool read_radius(struct file_words *words, struct surface *surface)
     if (!lens_words_figure(words, word, words->scale, "radius", &surface->radius)) {
         return false;
     }
-    if (surface->radius.value.hi == 0) {
-        return file_words_fail(words, word, "the radius is 0: a plane is '-' or 'inf'");
-    }
-    return true;
+    return surface->radius.value.hi != 0 ||
+           file_words_fail(words, word, "the radius is 0: a plane is '-' or 'inf'");
 }
 
 /* A length, or the name of a variable, or '-' for none. */
@@ -245,11 +243,8 @@ static bool refuse_extra(struct surface_reader *reading, struct text word, struc
     }
     file_words_fail(reading->words, word, "unknown word '%.*s' after the diameter",
                     text_shown_up_to(word, 40), word.start);
-    if (nearest.best.start != NULL) {
-        error_hint(reading->words->error, "did you mean '%.*s='?", (int)nearest.best.length,
-                   nearest.best.start);
-    }
-    return false;
+    return nearest.best.start != NULL && error_hint(reading->words->error, "did you mean '%.*s='?",
+                                                    (int)nearest.best.length, nearest.best.start);
 }
 
 /* The row of extras that the surface may have; their number if there is none. */

@@ -1,10 +1,12 @@
-/* file/lens_tolerance.h - tolerances of a .lens file, and of a file of their own. */
+/* file/lens_tolerance.h - tolerances of a .lens file, of a file of their own, and of a grade. */
 /* SPDX-License-Identifier: MIT */
 #ifndef LENSCALC_FILE_LENS_TOLERANCE_H
 #define LENSCALC_FILE_LENS_TOLERANCE_H
 
+#include "data/lensdb.h"
 #include "file/file_words.h"
 #include "optics/growing.h"
+#include "optics/lens.h"
 #include "optics/tolerance.h"
 
 /*
@@ -33,5 +35,15 @@ void lens_tolerance_write(const struct lens_tolerance *tolerance, const char *un
  */
 bool lens_tolerances_read(const char *source, struct text content, const struct lens *lens,
                           struct arena *arena, struct tolerances *tolerances, struct error *error);
+
+/*
+ * A grade of tolerances.tsv: the user's own of that name, else the embedded one.
+ *
+ * Result    of all surfaces and elements of the lens, each a range
+ * Errors    ERROR_USAGE: there is no such grade, with a suggestion; ERROR_DATA: a row that is no
+ *           tolerance, as lens_tolerance_read
+ */
+bool lens_grade_read(struct lensdb *db, struct text name, const struct lens *lens,
+                     struct arena *arena, struct tolerances *grade, struct error *error);
 
 #endif

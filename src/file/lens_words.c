@@ -25,15 +25,11 @@ bool lens_words_figure(const struct file_words *words, struct text text, struct 
         struct text wrong = {behind != NULL ? behind : text.start, 1};
         file_words_fail(words, wrong, "the %s '%.*s' is not a number", what, text_shown(text),
                         text.start);
-        if (behind != NULL && *behind == ',') {
-            error_hint(words->error, "the decimal separator must be a point");
-        }
-        return false;
+        return behind != NULL && *behind == ',' &&
+               error_hint(words->error, "the decimal separator must be a point");
     }
-    if (!(fabs(figure->value.hi) < 1e100)) {
-        return file_words_fail(words, text, "the %s must be finite and below 1e100", what);
-    }
-    return true;
+    return fabs(figure->value.hi) < 1e100 ||
+           file_words_fail(words, text, "the %s must be finite and below 1e100", what);
 }
 
 struct pair lens_words_per_length(struct pair value, struct number_scale scale, int power)
@@ -88,11 +84,10 @@ bool lens_words_figures(struct file_words *words, struct number_scale scale, con
     *count = 0;
     for (struct text word = file_words_next(words); word.length > 0 || *count == 0;
          word = file_words_next(words)) {
-        *figures = arena_grow(words->arena, *figures, *count, &room, sizeof **figures);
-        if (!lens_words_figure(words, word, scale, what, &(*figures)[*count])) {
+        if (!lens_words_figure(words, word, scale, what,
+                               ARENA_ADD(words->arena, *figures, *count, room))) {
             return false;
         }
-        ++*count;
     }
     return true;
 }
@@ -141,11 +136,9 @@ bool lens_words_fields(struct file_words *words, enum field_kind kind, struct le
     *count = 0;
     for (struct text word = file_words_next(words); word.length > 0 || *count == 0;
          word = file_words_next(words)) {
-        *fields = arena_grow(words->arena, *fields, *count, &room, sizeof **fields);
-        if (!read_field_point(words, word, kind, &(*fields)[*count])) {
+        if (!read_field_point(words, word, kind, ARENA_ADD(words->arena, *fields, *count, room))) {
             return false;
         }
-        ++*count;
     }
     return true;
 }
@@ -157,9 +150,8 @@ bool lens_words_points(const struct file_words *words, struct text list, enum fi
     *points = (struct lens_points){NULL, 0};
     while (list.start != NULL) {
         const struct text word = text_cut(&list, ';');
-        points->fields = arena_grow(words->arena, points->fields, points->count, &room,
-                                    sizeof points->fields[0]);
-        if (!read_field_point(words, word, kind, &points->fields[points->count++])) {
+        if (!read_field_point(words, word, kind,
+                              ARENA_ADD(words->arena, points->fields, points->count, room))) {
             return false;
         }
     }
@@ -187,21 +179,16 @@ bool lens_words_wavelength(const struct file_words *words, struct text text, dou
         if (text_equal(unit, units[i])) {
             number_read(text.start, end, unit_find(&dimension_wavelength_um, unit)->scale,
                         wavelength);
-            if (*wavelength >= WAVELENGTH_SHORTEST && *wavelength <= WAVELENGTH_LONGEST) {
-                return true;
-            }
-            return file_words_fail(words, text, "the wavelength is not within 1 nm to 100 mm");
+            return (*wavelength >= WAVELENGTH_SHORTEST && *wavelength <= WAVELENGTH_LONGEST) ||
+                   file_words_fail(words, text, "the wavelength is not within 1 nm to 100 mm");
         }
     }
-    file_words_fail(words, text_between(behind, end),
+    file_words_fail(words, unit,
                     unit.length == 0 ? "the wavelength %.*s has no unit: nm or um"
                                      : "the wavelength %.*s has an unknown unit: nm or um",
                     text_shown(text), text.start);
-    if (unit.length == 0) {
-        error_hint(words->error, "did you mean '%.*s%s'?", text_shown(text), text.start,
-                   bare < 100 ? "um" : "nm");
-    }
-    return false;
+    return unit.length == 0 && error_hint(words->error, "did you mean '%.*s%s'?", text_shown(text),
+                                          text.start, bare < 100 ? "um" : "nm");
 }
 
 bool lens_words_light(const struct file_words *words, struct text word,
@@ -317,9 +304,6 @@ bool lens_words_vector(const struct file_words *words, struct text text,
             figures[i].value = pair_multiply(figures[i].value, pair_of(form->factor));
         }
     }
-    if (rest.start != NULL) {
-        return file_words_fail(words, rest, "the %s has more than %zu numbers", form->what,
-                               form->count);
-    }
-    return true;
+    return rest.start == NULL || file_words_fail(words, rest, "the %s has more than %zu numbers",
+                                                 form->what, form->count);
 }

@@ -24,43 +24,31 @@ struct lens_write_writer {
     size_t tabs[CELLS]; /* where the columns of the table begin */
 };
 
-static void lens_write_put(struct lens_write_writer *writer, const char *start, size_t length)
-{
-    growing_put(&writer->text, start, length);
-}
-
-static void put_string(struct lens_write_writer *writer, const char *string)
-{
-    lens_write_put(writer, string, strlen(string));
-}
-
 /* Blanks up to a column of the present line, at least one. */
 static void put_tab(struct lens_write_writer *writer, size_t line_start, size_t column)
 {
     do {
-        lens_write_put(writer, " ", 1);
+        growing_string(&writer->text, " ");
     } while (writer->text.length - line_start < column);
 }
 
 /* As typed; a computed value with the shortest digits. */
 static void put_figure(struct lens_write_writer *writer, const struct figure *figure, double unit)
 {
-    char number[NUMBER_LENGTH];
     if (figure->typed.start != NULL) {
-        lens_write_put(writer, figure->typed.start, figure->typed.length);
+        growing_text(&writer->text, figure->typed);
     } else {
-        lens_write_put(writer, number,
-                       (size_t)(number_write_shortest(number, figure->value.hi / unit) - number));
+        growing_number(&writer->text, figure->value.hi / unit);
     }
 }
 
 static void put_cell(struct lens_write_writer *writer, bool is_given, const struct figure *figure)
 {
     if (!is_given) {
-        lens_write_put(writer, "-", 1);
+        growing_string(&writer->text, "-");
     } else if (figure->variable != LENS_NONE) {
         struct text name = writer->lens->variables[figure->variable].name;
-        lens_write_put(writer, name.start, name.length);
+        growing_text(&writer->text, name);
     } else {
         put_figure(writer, figure, writer->unit);
     }
@@ -69,9 +57,9 @@ static void put_cell(struct lens_write_writer *writer, bool is_given, const stru
 static void put_vector(struct lens_write_writer *writer, const char *key,
                        const struct figure *figures, size_t count, double unit)
 {
-    put_string(writer, key);
+    growing_string(&writer->text, key);
     for (size_t i = 0; i < count; i++) {
-        lens_write_put(writer, ",", i > 0);
+        growing_string(&writer->text, i > 0 ? "," : "");
         put_figure(writer, &figures[i], unit);
     }
 }
@@ -101,7 +89,7 @@ static void put_extras(struct lens_write_writer *writer, const struct surface *s
             terms--;
         }
         if (surface->hiatus.variable != LENS_NONE || surface->hiatus.value.hi != 0) {
-            put_string(writer, " hiatus=");
+            growing_string(&writer->text, " hiatus=");
             put_cell(writer, true, &surface->hiatus);
         }
         if (terms > 0) {
@@ -109,11 +97,11 @@ static void put_extras(struct lens_write_writer *writer, const struct surface *s
         }
     }
     if (surface->has_curvature) {
-        put_string(writer, " c=");
+        growing_string(&writer->text, " c=");
         put_figure(writer, &surface->curvature, 1 / writer->unit);
     }
     if (surface->conic.typed.start != NULL || surface->conic.value.hi != 0) {
-        put_string(writer, " k=");
+        growing_string(&writer->text, " k=");
         put_figure(writer, &surface->conic, 1);
     }
     for (int order = 1; order <= LENS_COEFFICIENTS; order++) {
@@ -121,28 +109,27 @@ static void put_extras(struct lens_write_writer *writer, const struct surface *s
         const struct figure *figure = parameter_figure(surface, kind, order);
         if (figure != NULL) {
             const char *name = parameter_name(kind, order, writer->arena);
-            put_string(writer, arena_printf(writer->arena, " %s=", name));
+            growing_format(&writer->text, " %s=", name);
             put_figure(writer, figure, pow(writer->unit, parameter_length(kind, order)));
         }
     }
     if (surface->is_stop && surface->kind != SURFACE_STOP) {
-        put_string(writer, " stop");
+        growing_string(&writer->text, " stop");
     }
     if (surface->decentre != NULL) {
         put_displacement(writer, surface->decentre, 2);
     }
     if (!surface_is_round(surface)) {
-        put_string(writer, " cyl=");
-        put_string(writer, surface_section(surface)->word);
+        growing_format(&writer->text, " cyl=%s", surface_section(surface)->word);
     }
     for (size_t i = 0; i < surface->vary_count; i++) {
         const struct vary *vary = &surface->varies[i];
         const char *name = parameter_mark_name(vary->kind, vary->order, writer->arena);
-        lens_write_put(writer, " ", 1);
+        growing_string(&writer->text, " ");
         lens_mark_write(vary, name, writer->lens->unit, &writer->text);
     }
     if (surface->name != NULL) {
-        put_string(writer, arena_printf(writer->arena, " name=\"%s\"", surface->name));
+        growing_format(&writer->text, " name=\"%s\"", surface->name);
     }
 }
 
@@ -159,9 +146,9 @@ static void put_in_table(struct lens_write_writer *writer, const struct surface 
         break;
     case CELL_MEDIUM:
         if (surface_reflects(surface)) {
-            put_string(writer, "mirror");
+            growing_string(&writer->text, "mirror");
         } else {
-            lens_write_put(writer, surface->medium.written.start, surface->medium.written.length);
+            growing_text(&writer->text, surface->medium.written);
         }
         break;
     default:
@@ -172,18 +159,18 @@ static void put_in_table(struct lens_write_writer *writer, const struct surface 
 static void put_surface_line(struct lens_write_writer *writer, const struct surface *surface)
 {
     if (surface->coordinate_break != NULL) {
-        put_string(writer, "bend");
+        growing_string(&writer->text, "bend");
         put_displacement(writer, surface->coordinate_break, 3);
-        lens_write_put(writer, "\n", 1);
+        growing_string(&writer->text, "\n");
     }
     size_t start = writer->text.length;
-    put_string(writer, surface_traits(surface)->word);
+    growing_string(&writer->text, surface_traits(surface)->word);
     for (int cell = 0; cell < CELLS; cell++) {
         put_tab(writer, start, writer->tabs[cell]);
         put_in_table(writer, surface, cell);
     }
     put_extras(writer, surface);
-    lens_write_put(writer, "\n", 1);
+    growing_string(&writer->text, "\n");
     for (size_t i = 0; i < surface->aperture_count; i++) {
         lens_aperture_write(&surface->apertures[i], lens_unit_scale(writer->lens->unit),
                             &writer->text);
@@ -195,27 +182,26 @@ static void lens_write_put_line(struct lens_write_writer *writer, const char *ke
                                 const char *text)
 {
     if (text != NULL) {
-        put_string(writer, arena_printf(writer->arena, "%-11s %s\n", keyword, text));
+        growing_format(&writer->text, "%-11s %s\n", keyword, text);
     }
 }
 
 static void put_figures(struct lens_write_writer *writer, const char *keyword,
                         const struct figure *figures, size_t count, double unit)
 {
-    put_string(writer, keyword);
+    growing_string(&writer->text, keyword);
     for (size_t i = 0; i < count; i++) {
-        lens_write_put(writer, " ", 1);
+        growing_string(&writer->text, " ");
         put_figure(writer, &figures[i], unit);
     }
-    lens_write_put(writer, "\n", 1);
+    growing_string(&writer->text, "\n");
 }
 
 /* `:weight`, where there is one. */
 static void put_weight(struct lens_write_writer *writer, struct text weight)
 {
     if (weight.start != NULL) {
-        lens_write_put(writer, ":", 1);
-        lens_write_put(writer, weight.start, weight.length);
+        growing_format(&writer->text, ":%.*s", (int)weight.length, weight.start);
     }
 }
 
@@ -235,13 +221,13 @@ static void put_aperture_lines(struct lens_write_writer *writer, const char *bef
     static const char *const words[] = {"", "stop", "f/", "epd ", "na "};
     enum aperture_kind kind = writer->lens->aperture_kind;
     double unit = kind == APERTURE_EPD ? writer->unit : 1;
-    put_string(writer, before);
+    growing_string(&writer->text, before);
     for (size_t i = 0; i < count; i++) {
-        put_string(writer, i == 0 || kind != APERTURE_STOP ? words[kind] : "");
+        growing_string(&writer->text, i == 0 || kind != APERTURE_STOP ? words[kind] : "");
         if (kind != APERTURE_STOP) {
             put_figure(writer, &figures[i], unit);
         }
-        put_string(writer, i + 1 < count ? " " : "\n");
+        growing_string(&writer->text, i + 1 < count ? " " : "\n");
     }
 }
 
@@ -258,33 +244,30 @@ static void put_lens_header(struct lens_write_writer *writer)
     lens_write_put_line(writer, "unit", lens->unit);
     for (size_t i = 0; i < lens->wavelength_count; i++) {
         const struct lens_wavelength *one = &lens->wavelengths[i];
-        put_string(writer, i == 0 ? "wavelength  " : " ");
-        lens_write_put(writer, one->typed.start, one->typed.length);
+        growing_string(&writer->text, i == 0 ? "wavelength  " : " ");
+        growing_text(&writer->text, one->typed);
         put_weight(writer, one->weight_typed);
     }
-    put_string(writer, lens->wavelength_count > 0 ? "\n" : "");
+    growing_string(&writer->text, lens->wavelength_count > 0 ? "\n" : "");
     if (lens->objects == NULL) {
-        put_string(writer, "object      ");
+        growing_string(&writer->text, "object      ");
         put_figure(writer, &lens->object, writer->unit);
-        put_string(writer, lens->is_telecentric ? " telecentric\n" : "\n");
+        growing_string(&writer->text, lens->is_telecentric ? " telecentric\n" : "\n");
     }
     if (!text_equal(lens->object_medium.written, "air")) {
-        put_string(writer, "medium      ");
-        lens_write_put(writer, lens->object_medium.written.start,
-                       lens->object_medium.written.length);
-        put_string(writer, "\n");
+        const struct text medium = lens->object_medium.written;
+        growing_format(&writer->text, "medium      %.*s\n", (int)medium.length, medium.start);
     }
     if (lens->field_kind != FIELD_NONE) {
         static const char *const kinds[] = {[FIELD_ANGLE] = "angle",
                                             [FIELD_HEIGHT] = "height",
                                             [FIELD_IMAGE] = "image",
                                             [FIELD_REAL] = "real"};
-        put_string(writer, "field       ");
-        put_string(writer, kinds[lens->field_kind]);
+        growing_format(&writer->text, "field       %s", kinds[lens->field_kind]);
         for (size_t k = 0; k < lens->field_count; k++) {
             put_field_point(writer, " ", &lens->fields[k]);
         }
-        lens_write_put(writer, "\n", 1);
+        growing_string(&writer->text, "\n");
     }
     if (lens->aperture_kind != APERTURE_NONE && lens->apertures == NULL) {
         put_aperture_lines(writer, "aperture    ", &lens->aperture, 1);
@@ -298,21 +281,20 @@ static void put_system_settings(struct lens_write_writer *writer)
     const struct lens *lens = writer->lens;
     struct arena *arena = writer->arena;
     for (size_t p = 0; p < lens->position_count && lens->stops != NULL; p++) {
-        put_string(writer,
-                   arena_printf(arena, "%s %zu%s", p == 0 ? "set stop" : "", lens->stops[p] + 1,
-                                p + 1 == lens->position_count ? "\n" : ""));
+        growing_format(&writer->text, "%s %zu%s", p == 0 ? "set stop" : "", lens->stops[p] + 1,
+                       p + 1 == lens->position_count ? "\n" : "");
     }
     for (size_t p = 0; p < lens->position_count && lens->lights != NULL; p++) {
-        put_string(writer, arena_printf(arena, "%s %s%s", p == 0 ? "set wavelength" : "",
-                                        lens_light_write(&lens->lights[p], arena),
-                                        p + 1 == lens->position_count ? "\n" : ""));
+        growing_format(&writer->text, "%s %s%s", p == 0 ? "set wavelength" : "",
+                       lens_light_write(&lens->lights[p], arena),
+                       p + 1 == lens->position_count ? "\n" : "");
     }
     for (size_t p = 0; p < lens->position_count && lens->points != NULL; p++) {
-        put_string(writer, p == 0 ? "set field" : "");
+        growing_string(&writer->text, p == 0 ? "set field" : "");
         for (size_t i = 0; i < lens->points[p].count; i++) {
             put_field_point(writer, i == 0 ? " " : ";", &lens->points[p].fields[i]);
         }
-        put_string(writer, p + 1 == lens->position_count ? "\n" : "");
+        growing_string(&writer->text, p + 1 == lens->position_count ? "\n" : "");
     }
 }
 
@@ -331,12 +313,12 @@ static void put_set_lines(struct lens_write_writer *writer)
                         lens_write_unit_of(writer, parameter.kind, parameter.order));
             continue;
         }
-        put_string(writer, begin);
+        growing_string(&writer->text, begin);
         for (size_t p = 0; p < lens->position_count; p++) {
-            lens_write_put(writer, " ", 1);
-            lens_write_put(writer, one->media[p].written.start, one->media[p].written.length);
+            const struct text written = one->media[p].written;
+            growing_format(&writer->text, " %.*s", (int)written.length, written.start);
         }
-        lens_write_put(writer, "\n", 1);
+        growing_string(&writer->text, "\n");
     }
     put_system_settings(writer);
 }
@@ -346,19 +328,18 @@ static void put_design(struct lens_write_writer *writer)
 {
     const struct lens *lens = writer->lens;
     for (size_t i = 0; i < lens->pickup_count; i++) {
-        put_string(writer, "pickup      ");
+        growing_string(&writer->text, "pickup      ");
         lens_pickup_write(&lens->pickups[i], lens->unit, &writer->text);
-        lens_write_put(writer, "\n", 1);
+        growing_string(&writer->text, "\n");
     }
     for (size_t i = 0; i < lens->goal_count; i++) {
-        put_string(writer, "goal        ");
-        lens_write_put(writer, lens->goals[i].text.start, lens->goals[i].text.length);
-        lens_write_put(writer, "\n", 1);
+        const struct text goal = lens->goals[i].text;
+        growing_format(&writer->text, "goal        %.*s\n", (int)goal.length, goal.start);
     }
     for (size_t i = 0; i < lens->tolerance_count; i++) {
-        put_string(writer, "tolerance   ");
+        growing_string(&writer->text, "tolerance   ");
         lens_tolerance_write(&lens->tolerances[i], lens->unit, &writer->text);
-        lens_write_put(writer, "\n", 1);
+        growing_string(&writer->text, "\n");
     }
 }
 
@@ -369,10 +350,9 @@ static void put_positions(struct lens_write_writer *writer)
     const struct lens *lens = writer->lens;
     size_t count = lens->position_count;
     for (size_t i = 0; i < count; i++) {
-        put_string(writer, arena_printf(writer->arena, "%s %s", i == 0 ? "position   " : "",
-                                        lens->positions[i]));
+        growing_format(&writer->text, "%s %s", i == 0 ? "position   " : "", lens->positions[i]);
     }
-    put_string(writer, count > 0 ? "\n" : "");
+    growing_string(&writer->text, count > 0 ? "\n" : "");
     for (int i = 0; i < STATED_COUNT; i++) {
         if (lens->stated[i] != NULL) {
             put_figures(writer, stated[i], lens->stated[i], lens->stated_count[i],
@@ -382,16 +362,15 @@ static void put_positions(struct lens_write_writer *writer)
     for (size_t i = 0; i < lens->variable_count; i++) {
         /* A word of the positions, with its marks. */
         const struct lens_variable *variable = &lens->variables[i];
-        put_string(writer, "let ");
-        lens_write_put(writer, variable->name.start, variable->name.length);
+        growing_format(&writer->text, "let %.*s", (int)variable->name.length, variable->name.start);
         for (size_t p = 0; p < writer->lens->position_count; p++) {
-            lens_write_put(writer, " ", 1);
+            growing_string(&writer->text, " ");
             put_figure(writer, &variable->values[p], writer->unit);
             if (variable->varies != NULL && variable->varies[p] != NULL) {
                 lens_mark_write(variable->varies[p], "", writer->lens->unit, &writer->text);
             }
         }
-        lens_write_put(writer, "\n", 1);
+        growing_string(&writer->text, "\n");
     }
     put_set_lines(writer);
     if (lens->objects != NULL) {
@@ -430,12 +409,12 @@ struct text lens_write(const struct lens *lens, struct arena *arena)
     }
     static const char *const names[CELLS] = {"radius", "thickness", "medium", "diameter"};
     const size_t start = writer.text.length;
-    put_string(&writer, "#");
+    growing_string(&writer.text, "#");
     for (int cell = 0; cell < CELLS; cell++) {
         put_tab(&writer, start, writer.tabs[cell]);
-        put_string(&writer, names[cell]);
+        growing_string(&writer.text, names[cell]);
     }
-    lens_write_put(&writer, "\n", 1);
+    growing_string(&writer.text, "\n");
     for (size_t i = 0; i < lens->surface_count; i++) {
         put_surface_line(&writer, &lens->surfaces[i]);
     }

@@ -66,10 +66,8 @@ static size_t obj_file_slot_of(const struct obj *obj, const struct corner *corne
 
 static size_t append_corner(struct obj *obj, const struct corner *corner)
 {
-    obj->corners =
-        arena_grow(obj->arena, obj->corners, obj->corner_count, &obj->corner_room, sizeof *corner);
-    obj->corners[obj->corner_count] = *corner;
-    return obj->corner_count++;
+    *ARENA_ADD(obj->arena, obj->corners, obj->corner_count, obj->corner_room) = *corner;
+    return obj->corner_count - 1;
 }
 
 /* -------- words -------- */
@@ -119,9 +117,8 @@ static bool obj_file_read_part(struct obj *obj, enum obj_file_part part)
                                word.start);
     }
     obj->passed->colours = obj->passed->colours || (part == PART_POSITION && count >= 6);
-    obj->all[part] = arena_grow(obj->arena, obj->all[part], obj->count[part], &obj->room[part],
-                                sizeof(struct vector));
-    obj->all[part][obj->count[part]++] = (struct vector){number[0], number[1], number[2]};
+    *ARENA_ADD(obj->arena, obj->all[part], obj->count[part], obj->room[part]) =
+        (struct vector){number[0], number[1], number[2]};
     return true;
 }
 
@@ -184,8 +181,7 @@ static bool read_face(struct obj *obj)
     size_t corner[3], count = 0;
     for (struct text word = obj_file_next_word(obj); word.length > 0;
          word = obj_file_next_word(obj)) {
-        const size_t here = count < 2 ? count : 2;
-        if (!read_corner(obj, word, &corner[here])) {
+        if (!read_corner(obj, word, &corner[count < 2 ? count : 2])) {
             return false;
         }
         if (++count < 3) {
@@ -195,15 +191,12 @@ static bool read_face(struct obj *obj)
             return file_words_fail(&obj->words, word, "more than %zu triangles",
                                    obj->question->most);
         }
-        obj->triangles = arena_grow(obj->arena, obj->triangles, obj->triangle_count,
-                                    &obj->triangle_room, sizeof obj->triangles[0]);
-        memcpy(obj->triangles[obj->triangle_count++], corner, sizeof corner);
+        memcpy(*ARENA_ADD(obj->arena, obj->triangles, obj->triangle_count, obj->triangle_room),
+               corner, sizeof corner);
         corner[1] = corner[2];
     }
     if (count > 3) {
-        obj->fans =
-            arena_grow(obj->arena, obj->fans, obj->fan_count, &obj->fan_room, sizeof obj->fans[0]);
-        obj->fans[obj->fan_count++] =
+        *ARENA_ADD(obj->arena, obj->fans, obj->fan_count, obj->fan_room) =
             (struct obj_file_fan){obj->triangle_count - (count - 2), count};
     }
     const struct text end = {obj->words.line.start + obj->words.line.length, 0};
@@ -365,11 +358,9 @@ static void give_normals(struct obj *obj)
                 const struct vector normal = length > 0 && isfinite(length)
                                                  ? vector_times(1 / length, across)
                                                  : (struct vector){0, 0, 1};
-                obj->all[PART_NORMAL] =
-                    arena_grow(obj->arena, obj->all[PART_NORMAL], obj->count[PART_NORMAL],
-                               &obj->room[PART_NORMAL], sizeof normal);
-                obj->all[PART_NORMAL][obj->count[PART_NORMAL]] = normal;
-                flat.of[PART_NORMAL] = obj->count[PART_NORMAL]++;
+                flat.of[PART_NORMAL] = obj->count[PART_NORMAL];
+                *ARENA_ADD(obj->arena, obj->all[PART_NORMAL], obj->count[PART_NORMAL],
+                           obj->room[PART_NORMAL]) = normal;
             }
             flat.of[PART_POSITION] = obj->corners[triangle[k]].of[PART_POSITION];
             flat.of[PART_PLACE] = obj->corners[triangle[k]].of[PART_PLACE];
@@ -454,8 +445,7 @@ static bool obj_file_read_lines(struct obj *obj)
         }
     }
     if (obj->triangle_count == 0) {
-        fail(obj->words.error, ERROR_DATA, "the mesh has no face");
-        return error_locate(obj->words.error, obj->question->source, 0, 0);
+        return fail_in(obj->words.error, obj->question->source, 0, 0, "the mesh has no face");
     }
     return true;
 }
@@ -482,8 +472,8 @@ bool obj_read(const struct obj_question *question, struct text content, struct a
                 corners[j] = j < 2 ? triangles[0][j] : triangles[j - 2][2];
                 at[j] = obj_file_position(&obj, corners[j]);
             }
-            const enum polygon_cut way = polygon_triangles(at, fan->corner_count, cut, obj.arena);
-            obj.passed->crossed += way == POLYGON_CROSSED ? 1 : 0;
+            obj.passed->crossed +=
+                polygon_triangles(at, fan->corner_count, cut, obj.arena) == POLYGON_CROSSED ? 1 : 0;
             for (size_t j = 0; j < fan->corner_count - 2; j++) {
                 for (int k = 0; k < 3; k++) {
                     triangles[j][k] = corners[cut[j][k]];

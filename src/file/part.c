@@ -245,8 +245,7 @@ bool part_read(const char *path, struct text content, struct part_file *file, st
     uint64_t length;
     *file = (struct part_file){.path = path};
     if (!part_is(content)) {
-        fail(error, ERROR_DATA, "no part of a divided run");
-        return error_locate(error, path, 0, 0);
+        return fail_in(error, path, 0, 0, "no part of a divided run");
     }
     rest = (struct text){content.start + first + 1, content.length - first - 1};
     for (int i = 0; i < LINES; i++) {
@@ -256,20 +255,19 @@ bool part_read(const char *path, struct text content, struct part_file *file, st
     }
     const enum part_line wrong = understand(values, &file->head, &length, &body);
     if (wrong != LINES) {
-        fail(error, ERROR_DATA, "'%s %.*s' is not what the head of a part says", line_words[wrong],
-             text_shown(values[wrong]), values[wrong].start);
-        return error_locate(error, path, (long)wrong + 2, 1);
+        return fail_in(error, path, (long)wrong + 2, 1,
+                       "'%s %.*s' is not what the head of a part says", line_words[wrong],
+                       text_shown(values[wrong]), values[wrong].start);
     }
     if (rest.length < 1 || rest.start[0] != '\n' || rest.length - 1 != length) {
-        fail(error, ERROR_DATA,
-             "the part is cut off or longer than it says: %zu bytes, not %" PRIu64,
-             rest.length > 0 ? rest.length - 1 : 0, length);
-        return error_locate(error, path, 0, 0);
+        return fail_in(error, path, 0, 0,
+                       "the part is cut off or longer than it says: %zu bytes, not %" PRIu64,
+                       rest.length > 0 ? rest.length - 1 : 0, length);
     }
     file->body = (struct text){rest.start + 1, rest.length - 1};
     if (strcmp(digest_of(file->body).text, body.text) != 0) {
-        fail(error, ERROR_DATA, "the part is damaged: its body has another digest than it says");
-        return error_locate(error, path, 0, 0);
+        return fail_in(error, path, 0, 0,
+                       "the part is damaged: its body has another digest than it says");
     }
     return true;
 }

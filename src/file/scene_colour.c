@@ -121,8 +121,7 @@ static bool colour_named(const struct scene_reader *reader, struct text name,
 /* "0.5" and "0.2,0.5,0.1", but not "5600K". */
 static bool begins_colour(struct text text)
 {
-    const char last = text.start[text.length - 1];
-    return strchr("0123456789.+-", text.start[0]) != NULL && last != 'K';
+    return strchr("0123456789.+-", text.start[0]) != NULL && (text.start[text.length - 1]) != 'K';
 }
 
 /* Any grey is white light, and who writes a number above 1 means something else by it. */

@@ -72,9 +72,8 @@ static bool read_from(struct scene_reader *reader, const struct scene_line *line
         }
         nearest_offer(&nearest, text_of(words[i]));
     }
-    scene_word_fail(&reader->words, line->value[KEY_FROM], &nearest,
-                    "from= is entrance, principal, sensor or front, not");
-    return false;
+    return scene_word_fail(&reader->words, line->value[KEY_FROM], &nearest,
+                           "from= is entrance, principal, sensor or front, not");
 }
 
 static bool read_camera(struct scene_reader *reader, struct text head)
@@ -145,8 +144,8 @@ bool scene_file_read(const char *path, struct text content, const struct scene_f
         }
     }
     if (!reader.has_camera) {
-        fail(error, ERROR_DATA, "the scene has no camera: a line 'camera at=0,1.5,4 look=0,1,0'");
-        return error_locate(error, path, 0, 0);
+        return fail_in(error, path, 0, 0,
+                       "the scene has no camera: a line 'camera at=0,1.5,4 look=0,1,0'");
     }
     scene->digest = digest_end(&reader.digest);
     return scene_lights_finish(&reader);

@@ -195,9 +195,7 @@ bool scene_light_read(struct scene_reader *reader, struct text head)
         !readers[light.kind](reader, &line, &light)) {
         return false;
     }
-    scene->lights = arena_grow(words->arena, scene->lights, scene->light_count, &reader->light_room,
-                               sizeof light);
-    scene->lights[scene->light_count++] = light;
+    *ARENA_ADD(words->arena, scene->lights, scene->light_count, reader->light_room) = light;
     return true;
 }
 

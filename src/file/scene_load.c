@@ -62,9 +62,7 @@ static bool read_path_beside(struct scene_reader *reader, const struct scene_loa
 static void take_load_note(struct scene_reader *reader, const char *note)
 {
     struct scene *scene = reader->scene;
-    scene->notes = arena_grow(reader->words.arena, scene->notes, scene->note_count,
-                              &reader->note_room, sizeof scene->notes[0]);
-    scene->notes[scene->note_count++] = note;
+    *ARENA_ADD(reader->words.arena, scene->notes, scene->note_count, reader->note_room) = note;
 }
 
 /* -------- pictures -------- */
@@ -235,8 +233,8 @@ static bool take_spectrum(const char *path, const struct number_table *table,
                           struct spectrum *spectrum, struct error *error)
 {
     if (table->columns != 2) {
-        fail(error, ERROR_DATA, "a spectrum has two columns, and this file %zu", table->columns);
-        return error_locate(error, path, 0, 0);
+        return fail_in(error, path, 0, 0, "a spectrum has two columns, and this file %zu",
+                       table->columns);
     }
     for (size_t i = 0; i < table->rows; i++) {
         if (!check_picture_row(table, i, error)) {

@@ -95,9 +95,8 @@ bool scene_material_read(struct scene_reader *reader, struct text head)
          !scene_colour_of(reader, &line, KEY_EMISSION, COLOUR_OF_LIGHT, &material.emission))) {
         return false;
     }
-    scene->materials = arena_grow(words->arena, scene->materials, scene->material_count,
-                                  &reader->material_room, sizeof material);
-    scene->materials[scene->material_count++] = material;
+    *ARENA_ADD(words->arena, scene->materials, scene->material_count, reader->material_room) =
+        material;
     name_table_add(&reader->materials, name, words->arena);
     return true;
 }

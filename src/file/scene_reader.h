@@ -100,8 +100,10 @@ static inline struct vector scene_line_vector(const struct scene_line *line, enu
 bool scene_line_direction(const struct scene_line *line, enum scene_key key, struct vector *way);
 
 /* Report something wrong with the value of a key, or with the line if it is not given. */
-bool scene_line_fail(const struct scene_line *line, enum scene_key key, const char *format, ...)
-    __attribute__((format(printf, 3, 4)));
+#define scene_line_fail(line, key, ...)                                                            \
+    file_words_fail((line)->words,                                                                 \
+                    scene_line_has((line), (key)) ? (line)->value[key] : (line)->head,             \
+                    __VA_ARGS__)
 
 /* Of a word that is none of a list: the nearest is offered. */
 bool scene_word_fail(const struct file_words *words, struct text word, const struct nearest *meant,

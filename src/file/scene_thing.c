@@ -169,8 +169,6 @@ bool scene_thing_read(struct scene_reader *reader, struct text head)
         !read_thing_shape(reader, &line, &shapes[i], &thing)) {
         return false;
     }
-    scene->things = arena_grow(words->arena, scene->things, scene->thing_count, &reader->thing_room,
-                               sizeof thing);
-    scene->things[scene->thing_count++] = thing;
+    *ARENA_ADD(words->arena, scene->things, scene->thing_count, reader->thing_room) = thing;
     return true;
 }

@@ -6,8 +6,6 @@
 #include "base/quantity.h"
 
 #include <math.h>
-#include <stdarg.h>
-#include <stdio.h>
 #include <string.h>
 
 static const struct unit candelas[] = {
@@ -100,17 +98,6 @@ static const struct unit *bare_scene_unit(const struct scene_units *units,
     return NULL;
 }
 
-bool scene_line_fail(const struct scene_line *line, enum scene_key key, const char *format, ...)
-{
-    char message[sizeof line->words->error->message];
-    va_list arguments;
-    va_start(arguments, format);
-    vsnprintf(message, sizeof message, format, arguments);
-    va_end(arguments);
-    return file_words_fail(line->words, scene_line_has(line, key) ? line->value[key] : line->head,
-                           "%s", message);
-}
-
 bool scene_word_fail(const struct file_words *words, struct text word, const struct nearest *meant,
                      const char *what)
 {
@@ -157,11 +144,9 @@ static bool read_scene_number(const struct scene_line *line, const struct scene_
         file_words_fail(line->words, wrong, "%s=: %s", form->name, found.message);
         return found.hint[0] != '\0' && error_hint(line->words->error, "%s", found.hint);
     }
-    if (!(*value >= form->low && *value <= form->high)) {
-        return file_words_fail(line->words, text, "%s=%.*s is not within %s", form->name,
-                               text_shown(text), text.start, form->range);
-    }
-    return true;
+    return (*value >= form->low && *value <= form->high) ||
+           file_words_fail(line->words, text, "%s=%.*s is not within %s", form->name,
+                           text_shown(text), text.start, form->range);
 }
 
 static bool read_scene_numbers(const struct scene_units *units, enum scene_key key,

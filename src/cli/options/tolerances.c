@@ -3,7 +3,6 @@
 #include "cli/options/tolerances.h"
 
 #include "data/whole_file.h"
-#include "file/lens_grade.h"
 #include "file/lens_tolerance.h"
 #include "optics/growing.h"
 

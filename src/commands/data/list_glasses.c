@@ -3,7 +3,7 @@
 #include "commands/data/list.h"
 #include "commands/tables.h"
 #include "data/glass_catalog.h"
-#include "data/lensdb_grades.h"
+#include "data/lensdb_facts.h"
 
 struct glass_row {
     const char *name, *catalog, *status, *formula, *source, *licence, *place, *warning;

@@ -32,9 +32,8 @@ bool codev_private_glass(struct codev *codev)
 {
     struct commands *commands = &codev->commands;
     size_t count = commands->count - 1;
-    codev->privates = arena_grow(commands->job->arena, codev->privates, codev->private_count,
-                                 &codev->private_room, sizeof codev->privates[0]);
-    struct codev_private *one = &codev->privates[codev->private_count++];
+    struct codev_private *one =
+        ARENA_ADD(commands->job->arena, codev->privates, codev->private_count, codev->private_room);
     *one = (struct codev_private){.name = commands->words[0]};
     const struct command_word first = commands_word(commands, 1);
     bool is_formula =
@@ -164,8 +163,7 @@ static bool compare_private(struct codev *codev, const struct codev_private *own
         own_glass_compare(&glass, &found, &surface->medium);
         return true;
     }
-    const bool of_catalog = codev->job->glass_numbers == GLASS_NUMBERS_CATALOG;
-    error->code = of_catalog ? error->code : ERROR_NONE;
+    error->code = codev->job->glass_numbers == GLASS_NUMBERS_CATALOG ? error->code : ERROR_NONE;
     return error->code == ERROR_NONE;
 }
 

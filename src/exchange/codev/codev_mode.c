@@ -28,18 +28,13 @@ static const double *heights_of(const struct lens *lens, enum solve_ray ray, str
     return heights;
 }
 
-/* Heights at a surface. */
-struct codev_mode_beams {
-    double marginal, chief;
-};
-
 /*
  * Nothing meets a sphere farther off than its radius: no beam, no clear aperture. With an f-number
  * the beams shrink with the focal length, and only the distances stay: they are at most 10 radii in
  * glass, 100 behind a mirror, 1000 in air.
  */
-static void doubt_surface(const struct lens *lens, size_t at, size_t number,
-                          struct codev_mode_beams beams, struct codev_mode_doubt *worst)
+static void doubt_surface(const struct lens *lens, size_t at, size_t number, double marginal,
+                          double chief, struct codev_mode_doubt *worst)
 {
     const struct surface *surface = &lens->surfaces[at];
     double c = fabs(surface_curvature(surface, SECTION_Y).hi);
@@ -48,8 +43,8 @@ static void doubt_surface(const struct lens *lens, size_t at, size_t number,
         const char *what;
         double length, radii;
     } all[] = {
-        {"a beam of", 2 * beams.marginal, 2},
-        {"a field of", 2 * beams.chief, 2},
+        {"a beam of", 2 * marginal, 2},
+        {"a field of", 2 * chief, 2},
         {"a clear aperture of", surface->has_diameter ? surface->diameter.value.hi : 0, 2},
         {"a glass of", behind_glass ? fabs(surface[-1].thickness.value.hi) : 0, 10},
         {"a distance of", fabs(surface->thickness.value.hi),
@@ -83,7 +78,7 @@ static struct codev_mode_doubt codev_mode_doubt_of(const struct sequence *sequen
     for (size_t i = 1; i + 1 < sequence->count; i++) {
         const size_t at = sequence->surfaces[i].place;
         if (codev_mode_is_open(&sequence->surfaces[i])) {
-            doubt_surface(lens, at, i, (struct codev_mode_beams){marginal[at], chief[at]}, &worst);
+            doubt_surface(lens, at, i, marginal[at], chief[at], &worst);
         }
     }
     return worst;
@@ -94,10 +89,7 @@ static struct lens as_radii(const struct sequence *sequence, const struct lens *
 {
     struct lens other = *lens;
     struct pair units = lens_words_per_length(pair_of(1), sequence->commands->scale, 2);
-    other.surfaces = ARENA_ARRAY(sequence->job->arena, lens->surface_count, struct surface);
-    for (size_t i = 0; i < lens->surface_count; i++) {
-        other.surfaces[i] = lens->surfaces[i];
-    }
+    other.surfaces = ARENA_COPY(sequence->job->arena, lens->surfaces, lens->surface_count, 0);
     for (size_t i = 1; i + 1 < sequence->count; i++) {
         struct surface *surface = &other.surfaces[sequence->surfaces[i].place];
         if (codev_mode_is_open(&sequence->surfaces[i])) {
@@ -124,11 +116,12 @@ bool codev_check_mode(struct codev *codev)
     }
     const struct sequence_surface *surface = &sequence->surfaces[as_read.surface];
     double c = surface->curve.value.hi;
-    double units = lens_words_per_length(pair_of(1), sequence->commands->scale, 2).hi;
     commands_fail(&codev->commands, &surface->at,
                   "without RDM the number of a surface is its curvature, but %s %.6g mm fits a "
                   "radius of %.6g mm better than one of %.3g mm",
-                  as_read.what, as_read.length, fabs(c) / units, 1 / fabs(c));
+                  as_read.what, as_read.length,
+                  fabs(c) / lens_words_per_length(pair_of(1), sequence->commands->scale, 2).hi,
+                  1 / fabs(c));
     return error_hint(codev->commands.error,
                       "put a line before the surfaces: RDM if they are radii, RDM N if they "
                       "are curvatures");

@@ -6,8 +6,8 @@
 
 static bool is_command(const struct codev *codev, const char *name)
 {
-    const struct codev_key key = codev_key(codev->commands.words[0].text);
-    return strcmp(key.letters, name) == 0 && !codev->commands.words[0].is_quoted;
+    return strcmp(codev_key(codev->commands.words[0].text).letters, name) == 0 &&
+           !codev->commands.words[0].is_quoted;
 }
 
 bool codev_set_positions(struct codev *codev)

@@ -33,12 +33,6 @@ static bool read_space(struct codev *codev)
     return commands_end(&codev->commands, 2);
 }
 
-static bool codev_read_nothing(struct codev *codev)
-{
-    (void)codev;
-    return true;
-}
-
 /* Nothing stands behind GO; a macro that goes on is refused. */
 static bool read_go(struct codev *codev)
 {
@@ -75,9 +69,9 @@ static void settle_factors(struct codev *codev)
     }
     for (size_t i = 0; i < lens->surface_count; i++) {
         const struct surface *one = &lens->surfaces[i];
-        const struct medium *before = i > 0 ? &one[-1].medium : &lens->object_medium;
-        const bool bends = !one->is_plane || one->has_curvature || surface_reflects(one) ||
-                           !medium_is_same(before, &one->medium);
+        const bool bends =
+            !one->is_plane || one->has_curvature || surface_reflects(one) ||
+            !medium_is_same(i > 0 ? &one[-1].medium : &lens->object_medium, &one->medium);
         all = all && (!bends || one->has_diameter || one->aperture_count > 0);
     }
     if (all) {
@@ -107,14 +101,14 @@ enum codev_scope {
 /* Commands and what tells relatives apart; the first three letters count. */
 static const struct {
     char key[4];
-    codev_command *run;
+    codev_command *run; /* null: nothing becomes of it */
     int what;
     enum codev_scope scope;
 } keywords[] = {
     {"RDM", codev_radius_mode, 0, CODEV_LENS},
-    {"LEN", codev_read_nothing, 0, CODEV_LENS},
+    {"LEN", NULL, 0, CODEV_LENS},
     {"TIT", codev_title, 0, CODEV_PART},
-    {"DIM", codev_read_nothing, 0, CODEV_LENS}, /* read before all others */
+    {"DIM", NULL, 0, CODEV_LENS}, /* read before all others */
     {"WL", codev_waves, 'L', CODEV_PART},
     {"WTW", codev_waves, 'W', CODEV_PART},
     {"REF", codev_reference, 0, CODEV_LENS},
@@ -139,9 +133,9 @@ static const struct {
     {"GLA", codev_glass, 0, CODEV_EACH},
     {"RMD", codev_glass, 0, CODEV_EACH},
     {"CYL", codev_shape, 0, CODEV_EACH},
-    {"SPH", codev_read_nothing, 0, CODEV_LENS},
-    {"CON", codev_read_nothing, 0, CODEV_LENS},
-    {"ASP", codev_read_nothing, 0, CODEV_LENS},
+    {"SPH", NULL, 0, CODEV_LENS},
+    {"CON", NULL, 0, CODEV_LENS},
+    {"ASP", NULL, 0, CODEV_LENS},
     {"K", codev_constant, 0, CODEV_EACH},
     {"A", codev_constant, 4, CODEV_EACH},
     {"B", codev_constant, 6, CODEV_EACH},
@@ -176,7 +170,7 @@ static const struct {
     {"TEL", read_space, 'T', CODEV_LENS},
     {"AFC", read_space, 'A', CODEV_LENS},
     {"PIK", codev_pickup, 0, CODEV_PICK_UP},
-    {"ZOO", codev_read_nothing, 0, CODEV_LENS}, /* what it has not become */
+    {"ZOO", NULL, 0, CODEV_LENS}, /* what it has not become */
     {"PRV", codev_catalog, 'P', CODEV_LENS},
     {"PWL", codev_catalog, 'W', CODEV_LENS},
     {"END", codev_catalog, 'P', CODEV_LENS},
@@ -257,8 +251,9 @@ static bool codev_run(struct codev *codev)
             return false;
         }
         codev->what = keywords[i].what;
-        return scope == CODEV_EACH ? run_on_surfaces(codev, keywords[i].run)
-                                   : keywords[i].run(codev);
+        return keywords[i].run == NULL ||
+               (scope == CODEV_EACH ? run_on_surfaces(codev, keywords[i].run)
+                                    : keywords[i].run(codev));
     }
     return run_group(codev, word->text);
 }
@@ -285,8 +280,7 @@ static bool codev_read_finish(struct codev *codev)
 {
     struct sequence *sequence = &codev->sequence;
     if (!codev->has_image) {
-        struct error *error = codev->commands.error;
-        return foreign_fail(codev->job, error, "the file has no image surface SI");
+        return foreign_fail(codev->job, codev->commands.error, "the file has no image surface SI");
     }
     if (!codev->job->has_end) {
         foreign_cut_short(codev->job, "no GO stands at its end");
@@ -297,8 +291,8 @@ static bool codev_read_finish(struct codev *codev)
         }
     }
     if (codev->image_solve.text.length > 0 && sequence->count > 2) {
-        struct sequence_solve *solve = &sequence->surfaces[sequence->count - 2].thickness_solve;
-        *solve = (struct sequence_solve){.is_set = true, .at = codev->image_solve};
+        sequence->surfaces[sequence->count - 2].thickness_solve =
+            (struct sequence_solve){.is_set = true, .at = codev->image_solve};
     }
     if (!codev_finish_system(codev) || !finish_lens(codev)) {
         return false;
@@ -322,8 +316,7 @@ static void read_keep_notes(struct codev *codev, struct text content)
     struct lens *lens = codev->build.lens;
     const struct keep_notes notes = kept_in(content);
     for (struct text rest = content; rest.start != NULL;) {
-        const struct text line = text_trim(text_cut(&rest, '\n'));
-        const struct text kept = text_behind(line, CODEV_KEEP_NOTE);
+        const struct text kept = text_behind(text_trim(text_cut(&rest, '\n')), CODEV_KEEP_NOTE);
         const struct text note = text_behind(kept, CODEV_NOTE);
         if (text_equal(kept, CODEV_STOP_RULES)) {
             lens->aperture_kind = APERTURE_STOP;

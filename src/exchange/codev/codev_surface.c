@@ -328,9 +328,8 @@ static struct aperture *find_aperture(struct codev *codev, const struct aperture
             return &one->aperture;
         }
     }
-    surface->apertures = arena_grow(codev->job->arena, surface->apertures, surface->aperture_count,
-                                    &surface->aperture_room, sizeof *surface->apertures);
-    struct sequence_aperture *one = &surface->apertures[surface->aperture_count++];
+    struct sequence_aperture *one = ARENA_ADD(codev->job->arena, surface->apertures,
+                                              surface->aperture_count, surface->aperture_room);
     shape = shape == APERTURE_SHAPES ? SHAPE_CIRCLE : shape;
     *one = (struct sequence_aperture){.at = codev->commands.words[0],
                                       .label = words->label,

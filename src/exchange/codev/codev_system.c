@@ -89,9 +89,8 @@ bool codev_waves(struct codev *codev)
         const bool is_length = what == 'L';
         static const char usual[] = "1";
         while (codev->wavelength_count > codev->weight_count && !is_length) { /* not given: 1 */
-            codev->weights = arena_grow(codev->job->arena, codev->weights, codev->weight_count,
-                                        &codev->weight_room, sizeof codev->weights[0]);
-            codev->weights[codev->weight_count++] = (struct command_word){.text = text_of(usual)};
+            *ARENA_ADD(codev->job->arena, codev->weights, codev->weight_count, codev->weight_room) =
+                (struct command_word){.text = text_of(usual)};
         }
         struct command_word *all = is_length ? codev->wavelengths : codev->weights;
         const size_t known = is_length ? codev->wavelength_count : codev->weight_count;
@@ -129,9 +128,8 @@ static bool codev_give_light(struct codev *codev)
     }
     if (primary >= codev->wavelength_count) {
         struct error *error = codev->commands.error;
-        fail(error, ERROR_DATA, "REF names wavelength %zu of %zu", primary + 1,
-             codev->wavelength_count);
-        return error_locate(error, codev->job->source, codev->wavelengths[0].number, 0);
+        return fail_in(error, codev->job->source, codev->wavelengths[0].number, 0,
+                       "REF names wavelength %zu of %zu", primary + 1, codev->wavelength_count);
     }
     for (size_t i = 0; i < codev->wavelength_count; i++) {
         const size_t at = i == 0 ? primary : i - (i <= primary);
@@ -174,10 +172,7 @@ static bool codev_one_field(struct codev *codev, int row, size_t number, const s
         return commands_fail(&codev->commands, word, "field %zu, where %zu are listed", number,
                              count);
     }
-    struct figure *all = ARENA_ARRAY(codev->job->arena, next, struct figure);
-    for (size_t i = 0; i < count; i++) {
-        all[i] = codev->fields[row][i];
-    }
+    struct figure *all = ARENA_COPY(codev->job->arena, codev->fields[row], count, 1);
     all[number - 1] = *field;
     codev->fields[row] = all;
     codev->field_count[row] = number > count ? number : count;
@@ -226,9 +221,8 @@ static bool codev_put_field(struct codev *codev, size_t at)
     const char *wrong =
         codev->build.lens->field_kind == FIELD_ANGLE ? lens_field_from_degrees(field) : NULL;
     if (wrong != NULL) {
-        const int row = at < codev->field_count[1];
-        return commands_fail(&codev->commands, &codev->fields_at[row], "field %zu: %s", at + 1,
-                             wrong);
+        return commands_fail(&codev->commands, &codev->fields_at[at < codev->field_count[1]],
+                             "field %zu: %s", at + 1, wrong);
     }
     if (at < codev->field_count[CODEV_FIELD_WEIGHTS]) {
         const struct figure *weight = &codev->fields[CODEV_FIELD_WEIGHTS][at];

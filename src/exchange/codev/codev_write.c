@@ -20,8 +20,9 @@ static void codev_add_own(struct codev_output *output, const struct medium *medi
 static void codev_put_catalog(struct codev_output *output)
 {
     const struct lens *lens = output->writing.lens;
-    const size_t most = lens->surface_count + 1 + lens->setting_count * lens->position_count;
-    output->own = ARENA_ARRAY(output->writing.arena, most, const struct medium *);
+    output->own = ARENA_ARRAY(output->writing.arena,
+                              lens->surface_count + 1 + lens->setting_count * lens->position_count,
+                              const struct medium *);
     codev_add_own(output, &lens->object_medium);
     for (size_t i = 0; i < lens->surface_count; i++) {
         codev_add_own(output, &lens->surfaces[i].medium);
@@ -42,8 +43,9 @@ static void codev_put_catalog(struct codev_output *output)
         writing_put(writing, "  PWL%s", count == 0 ? " 587.5618" : "");
         for (size_t k = 0; k < count; k++) {
             double wave = is_table ? medium->points[k].wavelength : lens->wavelengths[k].wavelength;
-            const struct text typed = is_table ? text_of("") : lens->wavelengths[k].typed;
-            codev_put_number(writing, &column, writing_wave(writing, wave, typed, 3));
+            codev_put_number(writing, &column,
+                             writing_wave(writing, wave,
+                                          is_table ? text_of("") : lens->wavelengths[k].typed, 3));
         }
         writing_put(writing, "\n  'N%zu'", i + 1);
         column = 8;
@@ -296,8 +298,8 @@ bool codev_write(struct foreign_job *job, const struct lens *lens, struct text *
     }
     writing_put(writing, "\n");
     codev_put_fields(writing);
-    growing_string(&writing->text, lens->is_telecentric ? "TEL Y\n" : "");
-    growing_string(&writing->text, lens->focus == FOCUS_AFOCAL ? "AFC Y\n" : "");
+    writing_put(writing, "%s%s", lens->is_telecentric ? "TEL Y\n" : "",
+                lens->focus == FOCUS_AFOCAL ? "AFC Y\n" : "");
     codev_put_catalog(&output);
     writing_put(writing, "SO 0.0 %s",
                 lens->object_is_infinite ? "0.1e14" : writing_length(writing, &lens->object, 1));

@@ -209,9 +209,9 @@ void codev_put_positions(struct codev_output *output)
         if (lens->points != NULL) {
             /* XAN Z2 .., YAN Z2 .., WTF Z2 .. */
             for (int what = 0; what < 3; what++) {
-                const char *word =
-                    what < 2 ? codev_field_words[writing->lens->field_kind][what] : "WTF";
-                size_t column = codev_begin_zoom(writing, word, p);
+                size_t column = codev_begin_zoom(
+                    writing, what < 2 ? codev_field_words[writing->lens->field_kind][what] : "WTF",
+                    p);
                 for (size_t k = 0; k < lens->points[p].count; k++) {
                     const struct lens_field *field = &lens->points[p].fields[k];
                     codev_put_number(writing, &column,

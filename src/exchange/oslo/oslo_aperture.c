@@ -20,9 +20,8 @@ static struct oslo_special *special_of(struct oslo *oslo, size_t surface, struct
             return one;
         }
     }
-    oslo->specials = arena_grow(oslo->job->arena, oslo->specials, oslo->special_count,
-                                &oslo->special_room, sizeof oslo->specials[0]);
-    struct oslo_special *one = &oslo->specials[oslo->special_count++];
+    struct oslo_special *one =
+        ARENA_ADD(oslo->job->arena, oslo->specials, oslo->special_count, oslo->special_room);
     *one =
         (struct oslo_special){.surface = surface, .letter = letter, .at = oslo->commands.words[0]};
     for (int i = 0; i < OSLO_EDGES; i++) {
@@ -38,8 +37,8 @@ bool oslo_special_number(struct oslo *oslo)
     if (!commands_value(&oslo->commands, 2, false, "number", &figure)) {
         return false;
     }
-    const struct text letter = commands_word(&oslo->commands, 1).text;
-    special_of(oslo, oslo->surface, letter)->number[oslo->what] = figure.value.hi;
+    special_of(oslo, oslo->surface, commands_word(&oslo->commands, 1).text)->number[oslo->what] =
+        figure.value.hi;
     return true;
 }
 
@@ -50,8 +49,8 @@ bool oslo_special_edge(struct oslo *oslo)
     if (!commands_value(&oslo->commands, 2, true, "edge of an aperture", &figure)) {
         return false;
     }
-    const struct text letter = commands_word(&oslo->commands, 1).text;
-    special_of(oslo, oslo->surface, letter)->edge[oslo->what] = figure;
+    special_of(oslo, oslo->surface, commands_word(&oslo->commands, 1).text)->edge[oslo->what] =
+        figure;
     return true;
 }
 
@@ -155,9 +154,7 @@ void oslo_put_apertures(struct oslo *oslo)
                          wrong);
             continue;
         }
-        surface->apertures =
-            arena_grow(oslo->job->arena, surface->apertures, surface->aperture_count,
-                       &surface->aperture_room, sizeof *surface->apertures);
-        surface->apertures[surface->aperture_count++] = to;
+        *ARENA_ADD(oslo->job->arena, surface->apertures, surface->aperture_count,
+                   surface->aperture_room) = to;
     }
 }

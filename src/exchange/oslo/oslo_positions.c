@@ -98,8 +98,7 @@ static bool is_picked_up(const struct oslo *oslo, size_t surface)
 {
     bool is = false;
     for (size_t i = 0; i < oslo->sequence.pickup_count; i++) {
-        const struct sequence_pickup *pickup = &oslo->sequence.pickups[i];
-        is = is || pickup->target == surface;
+        is = is || oslo->sequence.pickups[i].target == surface;
     }
     return is;
 }

@@ -162,13 +162,7 @@ static bool oslo_constant(struct oslo *oslo)
 static bool read_general(struct oslo *oslo)
 {
     const struct command_word word = commands_word(&oslo->commands, 1);
-    if (text_same(word.text, "ASR")) {
-        oslo->asphere_step = 2;
-    } else if (text_same(word.text, "ARA")) {
-        oslo->asphere_step = 1;
-    } else {
-        oslo->asphere_step = 0;
-    }
+    oslo->asphere_step = 2 * text_same(word.text, "ASR") + text_same(word.text, "ARA");
     return oslo->asphere_step > 0 || text_same(word.text, "ADO") ||
            commands_lose(&oslo->commands, LOSS_OF_RAYS, NULL,
                          "an asphere that is not a polynomial of r");
@@ -261,12 +255,6 @@ static bool oslo_end(struct oslo *oslo)
     return true;
 }
 
-static bool oslo_nothing(struct oslo *oslo)
-{
-    (void)oslo;
-    return true;
-}
-
 /* A command that is lost by its group, but where its only number is 0. */
 static bool oslo_lose(struct oslo *oslo, const struct word_group *group)
 {
@@ -287,7 +275,7 @@ static bool oslo_air(struct oslo *oslo)
 
 struct oslo_keyword {
     const char *name;
-    oslo_command *run;
+    oslo_command *run; /* null: nothing becomes of it */
     int what;
 };
 
@@ -300,7 +288,7 @@ static const struct oslo_keyword keywords[] = {
     {"ANG", oslo_field_edge, OSLO_ANGLE},
     {"OBH", oslo_field_edge, OSLO_OBJECT},
     {"GIH", oslo_field_edge, OSLO_IMAGE},
-    {"UNI", oslo_nothing, 0}, /* read before all others */
+    {"UNI", NULL, 0}, /* read before all others */
     {"NXT", next_surface, 0},
     {"SEF", next_surface, 0}, /* of old files */
     {"AIR", oslo_medium, 0},
@@ -342,7 +330,7 @@ static const struct oslo_keyword keywords[] = {
     {"APA", read_other_solve, 0},
     {"EC", read_other_solve, 1},
     {"PK", oslo_pickup, 0},
-    {"APN", oslo_nothing, 0},
+    {"APN", NULL, 0},
     {"ATP", oslo_special_number, OSLO_TYPE},
     {"AAC", oslo_special_number, OSLO_ACTION},
     {"AGN", oslo_special_number, OSLO_GROUP},
@@ -376,11 +364,15 @@ static const struct oslo_keyword numbered[] = {{"WV", oslo_entry, 0},
                                                {"AS", oslo_general_term, 0},
                                                {"SNO", oslo_note, 0}};
 
+/* What is quoted is a text, but where a number stands in the word, and of special apertures. */
 static const struct oslo_keyword *keyword_of(const struct command_word *word)
 {
     const struct text name = word->text;
     for (size_t i = 0; i < sizeof keywords / sizeof keywords[0]; i++) {
-        if (!word->is_quoted && text_same(name, keywords[i].name)) {
+        oslo_command *run = keywords[i].run;
+        bool is_special =
+            run == oslo_special_number || run == oslo_special_edge || run == oslo_special_pickup;
+        if ((!word->is_quoted || is_special) && text_same(name, keywords[i].name)) {
             return &keywords[i];
         }
     }
@@ -400,7 +392,7 @@ static bool run_keyword(struct oslo *oslo)
     const struct oslo_keyword *keyword = keyword_of(word);
     if (keyword != NULL) {
         oslo->what = keyword->what;
-        return keyword->run(oslo);
+        return keyword->run == NULL || keyword->run(oslo);
     }
     const struct word_group *group = word_group_of(oslo_words, NULL, word->text);
     return group == NULL ? commands_lose(&oslo->commands, LOSS_OF_RAYS, NULL, "an unknown command")
@@ -471,8 +463,8 @@ static bool oslo_read_position(void *state, size_t position, struct text content
                                        .has_positions = oslo->positions > 0,
                                        .environment = {.temperature = 20, .pressure = 1}};
     struct command_word start = {{content.start, 0}, {content.start, 0}, 1, false};
-    struct sequence_surface *object = sequence_add(&oslo->sequence, start);
-    object->thickness = figure_computed(pair_of(1e20), scale, job->arena); /* if none is given */
+    sequence_add(&oslo->sequence, start)->thickness =
+        figure_computed(pair_of(1e20), scale, job->arena); /* if none is given */
     while (commands_next(&oslo->commands)) {
         const struct command_word *word = &oslo->commands.words[0];
         if (!oslo->has_begun && !text_same(word->text, "LEN")) {

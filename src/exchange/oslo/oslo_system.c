@@ -264,8 +264,7 @@ static bool compare_named(struct oslo *oslo, const struct command_word *word)
         own_glass_compare(&own, &found, &oslo->sequence.surfaces[oslo->surface].medium);
         return true;
     }
-    const bool of_catalog = oslo->job->glass_numbers == GLASS_NUMBERS_CATALOG;
-    error->code = of_catalog ? error->code : ERROR_NONE;
+    error->code = oslo->job->glass_numbers == GLASS_NUMBERS_CATALOG ? error->code : ERROR_NONE;
     return error->code == ERROR_NONE;
 }
 
@@ -418,8 +417,9 @@ void oslo_finish_system(struct oslo *oslo)
         oslo_put_fields(oslo, FIELD_HEIGHT, edge);
     } else if (oslo->field_is != OSLO_NO_FIELD) {
         if (oslo->field_is == OSLO_OBJECT) {
-            double far = oslo->sequence.surfaces[0].thickness.value.hi;
-            edge = figure_of(atan(-edge.value.hi / far) / RADIANS_PER_DEGREE, oslo->job->arena);
+            edge = figure_of(atan(-edge.value.hi / oslo->sequence.surfaces[0].thickness.value.hi) /
+                                 RADIANS_PER_DEGREE,
+                             oslo->job->arena);
         }
         edge.value = pair_multiply(edge.value, pair_of(RADIANS_PER_DEGREE));
         oslo_put_fields(oslo, FIELD_ANGLE, edge);
@@ -465,8 +465,8 @@ static size_t cut_surface_number(struct text *rest)
 void oslo_kept_glasses(struct oslo *oslo, struct text content)
 {
     for (struct text rest = content; rest.start != NULL;) {
-        const struct text line = text_trim(text_cut(&rest, '\n'));
-        struct text glass = text_behind(line, OSLO_KEEP_NOTE OSLO_GLASS);
+        struct text glass =
+            text_behind(text_trim(text_cut(&rest, '\n')), OSLO_KEEP_NOTE OSLO_GLASS);
         size_t number = glass.start != NULL ? cut_surface_number(&glass) : FOREIGN_MOST_SURFACES;
         if (number < FOREIGN_MOST_SURFACES && glass.start != NULL) {
             oslo->glasses[number] = glass;
@@ -488,8 +488,7 @@ bool oslo_keep_notes(struct oslo *oslo, struct text content)
     struct lens *lens = oslo->build.lens;
     struct keep_notes notes = {0};
     for (struct text rest = content; rest.start != NULL;) {
-        const struct text line = text_trim(text_cut(&rest, '\n'));
-        const struct text kept = text_behind(line, OSLO_KEEP_NOTE);
+        const struct text kept = text_behind(text_trim(text_cut(&rest, '\n')), OSLO_KEEP_NOTE);
         const struct text fields = text_behind(kept, OSLO_FIELDS);
         const struct text name = text_behind(kept, OSLO_NAME);
         if (fields.start != NULL && !oslo_fields(oslo, fields)) {

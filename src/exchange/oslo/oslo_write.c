@@ -145,13 +145,9 @@ static void oslo_put_points(struct lens_writer *writing)
     writing_put(writing, "RST NEW\n");
     for (size_t i = 0; i < lens->field_count; i++) {
         oslo_field_extent(lens, &lens->fields[i], out);
-        writing_put(writing, "F %zu %.12g ", i + 1, out[1] / whole);
-        if (out[0] != 0) {
-            writing_put(writing, "%.12g", out[0] / whole);
-        } else {
-            writing_put(writing, "0.0");
-        }
-        writing_put(writing, " 0.0 0.0 0.0 -1.0 1.0 -1.0 1.0 %s\n",
+        writing_put(writing, "F %zu %.12g %s 0.0 0.0 0.0 -1.0 1.0 -1.0 1.0 %s\n", i + 1,
+                    out[1] / whole,
+                    out[0] != 0 ? arena_printf(writing->arena, "%.12g", out[0] / whole) : "0.0",
                     writing_weight(writing, lens->fields[i].weight_typed, "1.0"));
     }
     writing_put(writing, "END %zu\n", lens->field_count);
@@ -282,9 +278,8 @@ static void oslo_write_apertures(struct lens_writer *writing, const struct surfa
                         one->blocks ? 2 : 4);
             for (size_t j = 0; j < one->point_count; j++) {
                 for (int k = 0; k < 2; k++) {
-                    const char *name = arena_printf(writing->arena, "AV%c%zu", "XY"[k], j + 1);
-                    oslo_put_place(writing, name, letter,
-                                   pair_add(*centres[k], one->points[j][k].value));
+                    oslo_put_place(writing, arena_printf(writing->arena, "AV%c%zu", "XY"[k], j + 1),
+                                   letter, pair_add(*centres[k], one->points[j][k].value));
                 }
             }
             for (int k = 0; k < 2 && one->point_count == 0; k++) {
@@ -383,9 +378,8 @@ bool oslo_write(struct foreign_job *job, const struct lens *lens, struct text *t
     writing_put(writing, " 100 %zu\n", lens->surface_count + 1);
     oslo_put_beam(writing);
     oslo_put_field(writing);
-    growing_string(&writing->text, lens->is_telecentric ? "TELE ON\n" : "");
-    growing_string(&writing->text, lens->focus == FOCUS_AFOCAL ? "AMO AFO\n" : "");
-    writing_put(writing, "DES \"\"\nUNI %.1f\n", lens_unit_mm(writing->unit));
+    writing_put(writing, "%s%sDES \"\"\nUNI %.1f\n", lens->is_telecentric ? "TELE ON\n" : "",
+                lens->focus == FOCUS_AFOCAL ? "AMO AFO\n" : "", lens_unit_mm(writing->unit));
     for (size_t i = 0; i < lens->note_count && i < 10; i++) {
         oslo_put_text(writing, arena_printf(writing->arena, "SNO%zu", i + 1), lens->notes[i]);
         writing_put(writing, "\n");
@@ -399,8 +393,7 @@ bool oslo_write(struct foreign_job *job, const struct lens *lens, struct text *t
     for (size_t i = 0; i < lens->surface_count; i++) {
         oslo_put_surface(&output, i);
     }
-    writing_put(writing, "NXT\nAIR\n");
-    writing_put(writing, "WV");
+    writing_put(writing, "NXT\nAIR\nWV");
     for (size_t i = 0; i < lens->wavelength_count; i++) {
         const struct lens_wavelength *one = &lens->wavelengths[i];
         writing_put(writing, " %s", writing_wave(writing, one->wavelength, one->typed, 0));
@@ -410,8 +403,7 @@ bool oslo_write(struct foreign_job *job, const struct lens *lens, struct text *t
         writing_put(writing, " %s",
                     writing_weight(writing, lens->wavelengths[i].weight_typed, "1.0"));
     }
-    writing_put(writing, "\n");
-    writing_put(writing, "END %zu\n", lens->surface_count + 1);
+    writing_put(writing, "\nEND %zu\n", lens->surface_count + 1);
     oslo_put_points(writing);
     *text = growing_done(&writing->text);
     return true;

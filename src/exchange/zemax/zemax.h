@@ -128,7 +128,7 @@ struct zemax_file {
     size_t configurations;
     size_t shown;         /* the configuration whose solves the file has stored, 1-based */
     size_t configuration; /* being read */
-    struct zemax_setting *settings, *last_setting;
+    struct zemax_setting *settings, **settings_end; /* a list, and where it ends */
     struct keep_notes notes;
     struct text position_names;
     bool has_other_distance;                     /* by such a note */

@@ -63,11 +63,11 @@ static void shift_aperture(struct zemax_file *file, const struct zemax_line *shi
     for (size_t k = 0; k < 2 && shift != NULL; k++) {
         if (zemax_number(shift, k) != 0) {
             struct figure *centre = &aperture->decenter[k];
-            const struct pair sum = pair_add(centre->value, shift->numbers[k].value);
-            *centre = centre->value.hi == 0
-                          ? shift->numbers[k]
-                          : figure_computed(sum, lens_unit_scale(file->build.lens->unit),
-                                            file->job->arena);
+            *centre =
+                centre->value.hi == 0
+                    ? shift->numbers[k]
+                    : figure_computed(pair_add(centre->value, shift->numbers[k].value),
+                                      lens_unit_scale(file->build.lens->unit), file->job->arena);
         }
     }
 }

@@ -109,14 +109,13 @@ static double solve_doubt(const struct solved_number *number, size_t surface, do
     struct arena *arena = number->solving->file->job->arena;
     struct arena_mark mark = arena_mark(arena);
     struct varied_lens varied = {.lens = *lens, .number = number, .arena = arena};
-    struct surface *all = ARENA_ARRAY(arena, lens->surface_count, struct surface);
+    struct surface *all = ARENA_COPY(arena, lens->surfaces, lens->surface_count, 0);
     double doubt = 0;
-    memcpy(all, lens->surfaces, lens->surface_count * sizeof all[0]);
     varied.lens.surfaces = all;
     bool has = solved_value(number, lens, arena, &varied.value);
     for (size_t i = 0; has && i <= surface; i++) {
-        struct figure *curve = all[i].is_plane ? &all[i].curvature : &all[i].radius;
-        doubt += slope_of_figure(&varied, curve) * relative;
+        doubt += slope_of_figure(&varied, all[i].is_plane ? &all[i].curvature : &all[i].radius) *
+                 relative;
         doubt += i < surface ? slope_of_figure(&varied, &all[i].thickness) * relative : 0;
         doubt += doubt_of_index(&varied, &all[i]);
     }
@@ -293,9 +292,7 @@ bool zemax_thicknesses(struct zemax_file *file, const size_t *places)
         solving.thickness[i] = line != NULL && line->count > 0 ? line->numbers[0] : figure_zero();
     }
     solving.lens = *file->build.lens;
-    solving.lens.surfaces = ARENA_ARRAY(arena, solving.lens.surface_count, struct surface);
-    memcpy(solving.lens.surfaces, file->build.lens->surfaces,
-           solving.lens.surface_count * sizeof solving.lens.surfaces[0]);
+    solving.lens.surfaces = ARENA_COPY(arena, solving.lens.surfaces, solving.lens.surface_count, 0);
     for (size_t i = 1; i + 1 < file->surface_count; i++) {
         if (places[i] != LENS_NONE) {
             solving.lens.surfaces[zemax_gap_place(file, places, i)].thickness =

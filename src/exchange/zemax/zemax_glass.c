@@ -157,9 +157,7 @@ static void settle_glass(struct zemax_file *file, const struct zemax_line *line,
     }
     const char *warning = arena_printf(file->job->arena, "%s: the catalogue's glass is used", what);
     lens_build_note(&file->build, text_of(warning));
-    medium->warning = medium->warning == NULL
-                          ? warning
-                          : arena_printf(file->job->arena, "%s; %s", medium->warning, warning);
+    foreign_warn(file->job, medium, warning);
 }
 
 /* The name of a line, and what it says of the glass. */

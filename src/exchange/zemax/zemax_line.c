@@ -90,8 +90,8 @@ bool zemax_has_number(const struct zemax_line *line)
     if (line->count > 0) {
         return zemax_all_numbers(line);
     }
-    struct text word = line->first.start != NULL ? line->first : line->keyword;
-    return zemax_fail(line, word, "%.4s needs a number", line->keyword.start);
+    return zemax_fail(line, line->first.start != NULL ? line->first : line->keyword,
+                      "%.4s needs a number", line->keyword.start);
 }
 
 bool zemax_is_tilted(const struct zemax_file *file, size_t at)
@@ -115,8 +115,8 @@ struct figure zemax_parameter(const struct zemax_file *file, size_t at, size_t n
     if (pickup != NULL && pickup->count >= 3 && from >= 0 && from < (double)at &&
         zemax_number(pickup, 4) == 0) {
         struct pair value = zemax_parameter(file, (size_t)from, number).value;
-        struct pair offset = pickup->count > 3 ? pickup->numbers[3].value : pair_of(0);
-        value = pair_add(pair_multiply(value, pickup->numbers[2].value), offset);
+        value = pair_add(pair_multiply(value, pickup->numbers[2].value),
+                         pickup->count > 3 ? pickup->numbers[3].value : pair_of(0));
         return figure_computed(value, NUMBER_UNSCALED, file->job->arena);
     }
     return surface->parameters[number] != NULL ? surface->parameters[number]->numbers[1] : none;

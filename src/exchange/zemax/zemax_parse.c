@@ -92,10 +92,8 @@ static bool read_user_aperture(struct zemax_file *file, const struct zemax_line 
     if (text_same(line->keyword, "UDAD") && zemax_number(line, 0) != 0) {
         /* UDAD 1 x y 0: the file that UDAD 0 names, row by row, as the lens was saved */
         if (!surface->has_lost_aperture) {
-            surface->user_rows =
-                arena_grow(file->job->arena, surface->user_rows, surface->user_row_count,
-                           &surface->user_row_room, sizeof surface->user_rows[0]);
-            surface->user_rows[surface->user_row_count++] = line;
+            *ARENA_ADD(file->job->arena, surface->user_rows, surface->user_row_count,
+                       surface->user_row_room) = line;
             if (surface->user_aperture == NULL) {
                 surface->user_aperture = line;
             }
@@ -299,9 +297,7 @@ static bool read_unknown(struct zemax_file *file, struct text word, bool behind)
         return true;
     }
     if (!behind && is_zero_line(line, &at)) {
-        file->zeros = arena_grow(file->job->arena, file->zeros, file->zero_count, &file->zero_room,
-                                 sizeof file->zeros[0]);
-        file->zeros[file->zero_count++] = line;
+        *ARENA_ADD(file->job->arena, file->zeros, file->zero_count, file->zero_room) = line;
         return true;
     }
     return zemax_loss(file, line, LOSS_OF_RAYS, NULL, "unknown word '%.*s'", length, word.start);
@@ -355,8 +351,8 @@ static bool zmx_line(struct zemax_file *file)
         return zemax_read_configurations(file, zemax_line_of(file, word, NUMBER_UNSCALED));
     }
     if (keyword != NULL) {
-        void *owner = is_of_surface ? (void *)last_zmx_surface(file) : (void *)file;
-        return zmx_known(file, keyword, word, owner);
+        return zmx_known(file, keyword, word,
+                         is_of_surface ? (void *)last_zmx_surface(file) : (void *)file);
     }
     if (group != NULL) {
         file->in_tail = true;

@@ -13,8 +13,7 @@ static struct zemax_line *line_with(struct zemax_file *file, const struct zemax_
     struct arena *arena = file->job->arena;
     const struct zemax_line *own = setting->line;
     size_t count = old != NULL && old->count > before ? old->count : before + 1;
-    struct zemax_line *line = ARENA_NEW(arena, struct zemax_line);
-    *line = *own;
+    struct zemax_line *line = ARENA_COPY(arena, own, 1, 0);
     line->count = count;
     line->numbers = ARENA_ARRAY(arena, count, struct figure);
     for (size_t i = 0; i < count; i++) {
@@ -35,39 +34,13 @@ static bool place_thickness(struct zemax_file *file, const struct zemax_setting 
     return true;
 }
 
-/* CRVT, CONN */
-static bool place_curve(struct zemax_file *file, const struct zemax_setting *setting)
+/* SDIA */
+static bool check_place_diameter(struct zemax_file *file, const struct zemax_setting *setting)
 {
-    struct zemax_surface *surface = &file->surfaces[setting->surface];
-    const struct zemax_line **place =
-        text_same(setting->line->keyword, "CONN") ? &surface->conic : &surface->curvature;
-    *place = line_with(file, setting, *place, 0);
-    return true;
-}
-
-static bool place_diameter(struct zemax_file *file, const struct zemax_setting *setting)
-{
-    struct zemax_surface *surface = &file->surfaces[setting->surface];
-    surface->diameter = line_with(file, setting, surface->diameter, 0);
+    (void)file;
     return setting->line->numbers[2].value.hi >= 0 || /* 0 is none */
            zemax_fail(setting->line, setting->line->numbers[2].typed,
                       "a semi-diameter is not below 0");
-}
-
-/* CBDX .. before the surface, CADX .. behind it: a number of SCBD. */
-static bool place_shift(struct zemax_file *file, const struct zemax_setting *setting)
-{
-    struct zemax_surface *surface = &file->surfaces[setting->surface];
-    static const char *const numbers[] = {"OR", "", "DX", "DY", "TX", "TY", "TZ"};
-    const struct text word = setting->line->keyword, last = {word.start + 2, 2};
-    const struct zemax_line **place =
-        (word.start[1] | 32) == 'b' ? &surface->shift_before : &surface->shift_behind;
-    size_t at = 0;
-    while (!text_same(last, numbers[at])) {
-        at++;
-    }
-    *place = line_with(file, setting, *place, at + 1);
-    return true;
 }
 
 /* GLSS surface configuration NAME */
@@ -229,49 +202,55 @@ static bool place_field(struct zemax_file *file, const struct zemax_setting *set
     return true;
 }
 
-/* FLTP, TELE, AFOC: the kind of the fields and what FTYP says beside it. */
-static bool place_field_kind(struct zemax_file *file, const struct zemax_setting *setting)
-{
-    const struct text word = setting->line->keyword;
-    size_t at = 6;
-    if (!text_same(word, "AFOC")) {
-        at = text_same(word, "TELE");
-    }
-    file->fields = line_with(file, setting, file->fields, at);
-    return true;
-}
-
 /* TEMP, PRES: they act where ENVD says that indices follow them. */
-static bool place_environment(struct zemax_file *file, const struct zemax_setting *setting)
+static bool check_place_environment(struct zemax_file *file, const struct zemax_setting *setting)
 {
-    const bool second = text_same(setting->line->keyword, "PRES");
-    file->environment = line_with(file, setting, file->environment, second);
     return (zemax_number(file->environment, 0) > -273.15 &&
             zemax_number(file->environment, 1) >= 0) ||
            zemax_fail(setting->line, setting->line->keyword,
                       "a temperature is above -273.15 C, a pressure 0 or more atmospheres");
 }
 
+#define OF_SURFACE(member) true, ZEMAX_KEPT(zemax_surface, member)
+#define OF_FILE(member)    false, ZEMAX_KEPT(zemax_file, member)
+
 /* Operands of a surface, and those of the system. */
 static const struct setting_place {
     const char *words;
     bool of_surface;
+    size_t kept, at; /* the line of which it is number `at`; 0: not one alone */
     bool (*place)(struct zemax_file *file, const struct zemax_setting *setting);
-} places[] = {{"THIC", true, place_thickness},
-              {"CRVT CONN", true, place_curve},
-              {"SDIA", true, place_diameter},
-              {"APMN APMX APDX APDY", true, place_size},
-              {"GLSS", true, place_glass},
-              {"PRAM EDVA", true, place_numbered},
-              {"PAR1 PAR2 PAR3 PAR4 PAR5 PAR6 PAR7 PAR8", true, place_parameter},
-              {"CBOR CBDX CBDY CBTX CBTY CBTZ CAOR CADX CADY CATX CATY CATZ", true, place_shift},
-              {"STPS", false, place_stop},
-              {"WAVE WLWT", false, place_wave},
-              {"PRWV", false, place_primary},
-              {"APER", false, place_aperture},
-              {"XFIE YFIE FLWT", false, place_field},
-              {"FLTP TELE AFOC", false, place_field_kind},
-              {"TEMP PRES", false, place_environment}};
+} places[] = {{"THIC", true, 0, 0, place_thickness},
+              {"CRVT", OF_SURFACE(curvature), 0, NULL},
+              {"CONN", OF_SURFACE(conic), 0, NULL},
+              {"SDIA", OF_SURFACE(diameter), 0, check_place_diameter},
+              {"APMN APMX APDX APDY", true, 0, 0, place_size},
+              {"GLSS", true, 0, 0, place_glass},
+              {"PRAM EDVA", true, 0, 0, place_numbered},
+              {"PAR1 PAR2 PAR3 PAR4 PAR5 PAR6 PAR7 PAR8", true, 0, 0, place_parameter},
+              /* before the surface and behind it: numbers of SCBD */
+              {"CBOR", OF_SURFACE(shift_before), 1, NULL},
+              {"CBDX", OF_SURFACE(shift_before), 3, NULL},
+              {"CBDY", OF_SURFACE(shift_before), 4, NULL},
+              {"CBTX", OF_SURFACE(shift_before), 5, NULL},
+              {"CBTY", OF_SURFACE(shift_before), 6, NULL},
+              {"CBTZ", OF_SURFACE(shift_before), 7, NULL},
+              {"CAOR", OF_SURFACE(shift_behind), 1, NULL},
+              {"CADX", OF_SURFACE(shift_behind), 3, NULL},
+              {"CADY", OF_SURFACE(shift_behind), 4, NULL},
+              {"CATX", OF_SURFACE(shift_behind), 5, NULL},
+              {"CATY", OF_SURFACE(shift_behind), 6, NULL},
+              {"CATZ", OF_SURFACE(shift_behind), 7, NULL},
+              {"STPS", false, 0, 0, place_stop},
+              {"WAVE WLWT", false, 0, 0, place_wave},
+              {"PRWV", false, 0, 0, place_primary},
+              {"APER", false, 0, 0, place_aperture},
+              {"XFIE YFIE FLWT", false, 0, 0, place_field},
+              {"FLTP", OF_FILE(fields), 0, NULL},
+              {"TELE", OF_FILE(fields), 1, NULL},
+              {"AFOC", OF_FILE(fields), 6, NULL},
+              {"TEMP", OF_FILE(environment), 0, check_place_environment},
+              {"PRES", OF_FILE(environment), 1, check_place_environment}};
 
 /* Null: it is none of those that may differ between the configurations. */
 static const struct setting_place *place_of(struct text keyword)
@@ -292,8 +271,15 @@ static bool place_setting(struct zemax_file *file, const struct zemax_setting *s
     if (place == NULL || (place->of_surface && (size_t)setting->surface >= file->surface_count)) {
         return true; /* of a surface that is gone */
     }
-    return (place->place == place_glass || (zemax_all_numbers(line) && line->count > 2)) &&
-           place->place(file, setting);
+    if (place->place != place_glass && !(zemax_all_numbers(line) && line->count > 2)) {
+        return false;
+    }
+    if (place->kept > 0) {
+        void *owner = place->of_surface ? (void *)&file->surfaces[setting->surface] : (void *)file;
+        const struct zemax_line **kept = (void *)((char *)owner + place->kept);
+        *kept = line_with(file, setting, *kept, place->at);
+    }
+    return place->place == NULL || place->place(file, setting);
 }
 
 /* The file as it is in one configuration. */

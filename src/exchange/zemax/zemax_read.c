@@ -419,8 +419,7 @@ static bool build_positions(struct zemax_file *file)
         lenses[p].position_count = 0;
         one.build =
             (struct lens_build){.lens = &lenses[p], .arena = arena, .note_room = named.note_count};
-        one.surfaces = ARENA_ARRAY(arena, file->surface_count, struct zemax_surface);
-        memcpy(one.surfaces, file->surfaces, file->surface_count * sizeof one.surfaces[0]);
+        one.surfaces = ARENA_COPY(arena, file->surfaces, file->surface_count, 0);
         if (!zemax_place_settings(&one, p) || !build_lens(&one)) {
             return false;
         }
@@ -437,6 +436,7 @@ static bool read_as(struct foreign_job *job, struct text content, bool takes_num
     struct zemax_file file = {
         .job = job, .error = error, .takes_numbers = takes_numbers, .doubts = doubts};
     *doubts = (struct zemax_doubts){0, 0};
+    file.settings_end = &file.settings;
     lens_build_begin(&file.build, lens, job->arena);
     if (!zemax_parse(&file, content)) {
         return false;

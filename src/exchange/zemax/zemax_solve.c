@@ -166,8 +166,7 @@ static void compensate(struct solver_state *solving, size_t at, const struct zem
 static void edge_thickness(struct solver_state *solving, size_t at, const struct zemax_line *line,
                            struct figure *figure)
 {
-    size_t place = solving->places[at];
-    const struct surface *surface = &solving->lens.surfaces[place];
+    const struct surface *surface = &solving->lens.surfaces[solving->places[at]];
     double height = length_at(solving, line, 1).hi;
     if (height == 0 && surface->has_diameter) {
         height = surface->diameter.value.hi / 2;
@@ -177,8 +176,7 @@ static void edge_thickness(struct solver_state *solving, size_t at, const struct
     double sags = surface_sag(surface, height) -
                   (last ? 0 : surface_sag(&solving->lens.surfaces[next], height));
     if (height > 0 && isfinite(sags)) {
-        const struct pair edge = length_at(solving, line, 0);
-        *figure = rounded_length(solving, pair_add(edge, pair_of(sags)));
+        *figure = rounded_length(solving, pair_add(length_at(solving, line, 0), pair_of(sags)));
     } else {
         keep_unsolved(solving, at, line, "has no clear aperture");
     }
@@ -246,8 +244,8 @@ static struct pair curvature_of_ray(const struct solver_state *solving, size_t a
 {
     const struct zemax_line *line = solving->file->surfaces[at].curvature;
     struct pair target = line->count > 2 ? line->numbers[2].value : pair_of(0);
-    struct pair slope = pair_divide(state->before, state->index_before);
-    struct pair normal = pair_negate(pair_divide(slope, state->y));
+    struct pair normal =
+        pair_negate(pair_divide(pair_divide(state->before, state->index_before), state->y));
     switch (code) {
     case F_NUMBER:
         target = pair_divide(pair_of(state->index_after.hi < 0 ? 0.5 : -0.5), target);

@@ -241,8 +241,8 @@ bool zemax_read_setting(struct zemax_file *file, struct text keyword)
         return zemax_loss(file, line, LOSS_OF_POWER, NULL, "IGNR: a surface that is left out");
     }
     if (text_behind(keyword, "FV").start != NULL) { /* a vignetting factor */
-        bool is_some = zemax_number(line, 2) != 0 && file->vignetting == NULL;
-        file->vignetting = is_some ? line : file->vignetting;
+        file->vignetting =
+            zemax_number(line, 2) != 0 && file->vignetting == NULL ? line : file->vignetting;
         return true;
     }
     if (file->configurations < 2) {
@@ -259,11 +259,7 @@ bool zemax_read_setting(struct zemax_file *file, struct text keyword)
         zemax_line_of(file, keyword, is_length ? file->words.scale : NUMBER_UNSCALED);
     struct zemax_setting *setting = ARENA_NEW(file->job->arena, struct zemax_setting);
     *setting = (struct zemax_setting){own, (long)surface, (long)configuration, NULL};
-    if (file->last_setting != NULL) {
-        file->last_setting->next = setting;
-    } else {
-        file->settings = setting;
-    }
-    file->last_setting = setting;
+    *file->settings_end = setting;
+    file->settings_end = &setting->next;
     return true;
 }

@@ -56,10 +56,8 @@ static void add_corner(struct shapes *shapes, const struct figure *numbers, size
         shapes->wrong = "a corner needs x and y";
         return;
     }
-    shapes->corners = arena_grow(shapes->arena, shapes->corners, shapes->corner_count,
-                                 &shapes->corner_room, sizeof shapes->corners[0]);
-    shapes->corners[shapes->corner_count][0] = numbers[0];
-    shapes->corners[shapes->corner_count++][1] = numbers[1];
+    memcpy(*ARENA_ADD(shapes->arena, shapes->corners, shapes->corner_count, shapes->corner_room),
+           numbers, sizeof *shapes->corners);
 }
 
 static void add_uda_circle(struct shapes *shapes, const struct figure *numbers, size_t count)

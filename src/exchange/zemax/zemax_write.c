@@ -31,23 +31,18 @@ static bool has_other_distance(const struct lens *all, struct arena *arena)
 
 static void zemax_put_system_aperture(struct lens_writer *writing)
 {
+    static const struct {
+        const char *word, *behind;
+    } words[] = {[APERTURE_FNUMBER] = {"FNUM", " 0"},
+                 [APERTURE_EPD] = {"ENPD", ""},
+                 [APERTURE_NA] = {"OBNA", " 0"}};
     const struct lens *lens = writing->lens;
     const struct figure *figure = lens->apertures != NULL ? &lens->apertures[0] : &lens->aperture;
-    switch (lens->aperture_kind) {
-    case APERTURE_STOP:
-        writing_put(writing, "FLOA\r\n");
-        break;
-    case APERTURE_FNUMBER:
-        writing_put(writing, "FNUM %s 0\r\n", writing_length(writing, figure, 0));
-        break;
-    case APERTURE_EPD:
-        writing_put(writing, "ENPD %s\r\n", writing_length(writing, figure, 1));
-        break;
-    case APERTURE_NA:
-        writing_put(writing, "OBNA %s 0\r\n", writing_length(writing, figure, 0));
-        break;
-    default:
-        break;
+    const enum aperture_kind kind = lens->aperture_kind;
+    growing_string(&writing->text, kind == APERTURE_STOP ? "FLOA\r\n" : "");
+    if (kind > APERTURE_STOP) {
+        writing_put(writing, "%s %s%s\r\n", words[kind].word,
+                    writing_length(writing, figure, kind == APERTURE_EPD), words[kind].behind);
     }
 }
 

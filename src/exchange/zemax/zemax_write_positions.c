@@ -84,13 +84,6 @@ static const char *zemax_double(const struct lens_writer *writing, double value)
 static void zemax_put_lights(struct lens_writer *writing)
 {
     const struct lens *lens = writing->lens;
-    for (size_t p = 0; p < lens->position_count; p++) {
-        if (lens->lights[p].count != lens->wavelength_count) {
-            foreign_lose(writing->job, LOSS_OF_RAYS, "those of the first are kept",
-                         "positions with more or fewer wavelengths");
-            return;
-        }
-    }
     for (size_t i = 0; i < 2 * lens->wavelength_count; i++) {
         for (size_t p = 0; p < lens->position_count; p++) {
             const struct lens_wavelength *wave = &lens->lights[p].wavelengths[i / 2];
@@ -105,13 +98,6 @@ static void zemax_put_points(struct lens_writer *writing)
 {
     static const char *const words[] = {"XFIE", "YFIE", "FLWT"};
     const struct lens *lens = writing->lens;
-    for (size_t p = 0; p < lens->position_count; p++) {
-        if (lens->points[p].count != lens->field_count) {
-            foreign_lose(writing->job, LOSS_OF_RAYS, "those of the first are kept",
-                         "positions with more or fewer points of the field");
-            return;
-        }
-    }
     for (size_t i = 0; i < 3 * lens->field_count; i++) {
         for (size_t p = 0; p < lens->position_count; p++) {
             const struct lens_field *field = &lens->points[p].fields[i / 3];
@@ -119,6 +105,29 @@ static void zemax_put_points(struct lens_writer *writing)
                               i % 3 == 2 ? zemax_double(writing, field->weight)
                                          : zemax_coordinate(writing, &field->at[i % 3]));
         }
+    }
+}
+
+/* Where there are as many in all positions; else those of the first. */
+static void zemax_put_lists(struct lens_writer *writing)
+{
+    const struct lens *lens = writing->lens;
+    bool same_lights = lens->lights != NULL, same_points = lens->points != NULL;
+    for (size_t p = 0; p < lens->position_count; p++) {
+        same_lights = same_lights && lens->lights[p].count == lens->wavelength_count;
+        same_points = same_points && lens->points[p].count == lens->field_count;
+    }
+    if (same_lights) {
+        zemax_put_lights(writing);
+    } else if (lens->lights != NULL) {
+        foreign_lose(writing->job, LOSS_OF_RAYS, "those of the first are kept",
+                     "positions with more or fewer wavelengths");
+    }
+    if (same_points) {
+        zemax_put_points(writing);
+    } else if (lens->points != NULL) {
+        foreign_lose(writing->job, LOSS_OF_RAYS, "those of the first are kept",
+                     "positions with more or fewer points of the field");
     }
 }
 
@@ -139,9 +148,10 @@ bool zemax_put_positions(struct zemax_writer *writer, struct error *error)
     const size_t count = lens->position_count;
     writing_put(writing, "MNUM %zu 1\r\n", count > 0 ? count : 1);
     for (size_t p = 0; p < count && lens->objects != NULL; p++) {
-        bool far = isinf(lens->objects[p].value.hi);
         zemax_put_operand(writing, "THIC", 0, p,
-                          far ? "1e10" : writing_length(writing, &lens->objects[p], 1));
+                          isinf(lens->objects[p].value.hi)
+                              ? "1e10"
+                              : writing_length(writing, &lens->objects[p], 1));
     }
     for (size_t i = 0; i < lens->surface_count; i++) {
         const struct surface *surface = &lens->surfaces[i];
@@ -170,12 +180,7 @@ bool zemax_put_positions(struct zemax_writer *writer, struct error *error)
         writing_put(writing, "STPS 0 %zu %zu" END_OPERAND, p + 1,
                     writer->own_places[lens->stops[p]]);
     }
-    if (lens->lights != NULL) {
-        zemax_put_lights(writing);
-    }
-    if (lens->points != NULL) {
-        zemax_put_points(writing);
-    }
+    zemax_put_lists(writing);
     if (count > 1) { /* a free line, behind which nothing is missing */
         writing_put(writing, "MOFF 0 1 \"\" 0 0 0 1 1 0 0.0 \"\"\r\n");
     }

@@ -177,8 +177,8 @@ static bool zemax_put_table(struct lens_writer *writing, const struct medium *me
         return false;
     }
     char text[PAIR_LENGTH];
-    char *end = pair_write_shortest(text, index, NUMBER_UNSCALED);
-    zemax_put_model(writing, text_between(text, end), text_of("0"));
+    zemax_put_model(writing, text_between(text, pair_write_shortest(text, index, NUMBER_UNSCALED)),
+                    text_of("0"));
     foreign_lose(writing->job, LOSS_OF_RAYS,
                  arena_printf(writing->arena, "its index at %.6g um is used instead", primary),
                  "a medium given by a table");
