@@ -150,11 +150,9 @@ static bool check_barrel(const struct barrel *barrel, struct error *error)
         return fail(error, ERROR_DOMAIN, "closest distance at %g 1/m is behind the focus, %g 1/m",
                     nearest, focus);
     }
-    if (!(nearest_of(barrel) > 1e-9 && nearest_of(barrel) < 1e9)) {
-        return fail(error, ERROR_DOMAIN, "barrel scale of %g 1/m is not within 1e-9 .. 1e9",
-                    nearest_of(barrel));
-    }
-    return true;
+    return (nearest_of(barrel) > 1e-9 && nearest_of(barrel) < 1e9) ||
+           fail(error, ERROR_DOMAIN, "barrel scale of %g 1/m is not within 1e-9 .. 1e9",
+                nearest_of(barrel));
 }
 
 /* -------- the focus ring -------- */
@@ -336,11 +334,9 @@ static void barrel_draw_area(struct svg *svg, const struct svg_style *style, dou
 /* "3 m (9.84 ft)", or the infinity sign. */
 static const char *distance_text(struct arena *arena, double diopter)
 {
-    if (!(diopter > 1e-9)) {
-        return "∞";
-    }
-    return arena_printf(arena, "%s m (%s ft)", number_text(arena, 1 / diopter),
-                        number_text(arena, 1 / diopter / metres_in_foot()));
+    return !(diopter > 1e-9) ? "∞"
+                             : arena_printf(arena, "%s m (%s ft)", number_text(arena, 1 / diopter),
+                                            number_text(arena, 1 / diopter / metres_in_foot()));
 }
 
 static void barrel_draw_legend(struct svg *svg, const struct barrel *barrel)

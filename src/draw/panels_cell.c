@@ -26,10 +26,8 @@ static const char *colour_of(const struct panels *panels, size_t key)
     if (!panels->light || count == 0) {
         return palette_colour(key);
     }
-    if (count > COUNT(chosen)) {
-        return spectrum[key % COUNT(spectrum)];
-    }
-    return spectrum[chosen[count - 1][key] - '0'];
+    return count > COUNT(chosen) ? spectrum[key % COUNT(spectrum)]
+                                 : spectrum[chosen[count - 1][key] - '0'];
 }
 
 /* Corners of the shapes of spots, in their radius; the first is a dot. */

@@ -103,10 +103,9 @@ static bool half_is_open(const struct curve_sampler *sampler, const struct curve
                          const struct curve_node *b, bool bent, int depth)
 {
     const double width = fabs(b->at - a->at);
-    if (!nodes_are_alike(sampler, a, b) || leap_of(sampler, a, b) > JUMP) {
-        return width > EXACT;
-    }
-    return width > CLOSE && (bent || (depth < 2 && width > WIDE / 2));
+    return (!nodes_are_alike(sampler, a, b) || leap_of(sampler, a, b) > JUMP)
+               ? width > EXACT
+               : width > CLOSE && (bent || (depth < 2 && width > WIDE / 2));
 }
 
 /* The node in the middle of an interval; false if there is none. */

@@ -484,11 +484,9 @@ static bool check_wedge(const struct wedge *wedge, struct error *error)
     if (!(fabs(wedge->tilt) < PI / 2)) {
         return fail(error, ERROR_DOMAIN, "a tilt of %g rad cannot be drawn", wedge->tilt);
     }
-    if (!(wedge->depth >= 0 && isfinite(wedge->depth))) {
-        return fail(error, ERROR_DOMAIN, "a depth of %g mm cannot be drawn (0 or more, finite)",
-                    wedge->depth);
-    }
-    return true;
+    return (wedge->depth >= 0 && isfinite(wedge->depth)) ||
+           fail(error, ERROR_DOMAIN, "a depth of %g mm cannot be drawn (0 or more, finite)",
+                wedge->depth);
 }
 
 bool wedge_draw(const struct wedge *wedge, struct svg *svg, struct error *error)

@@ -65,11 +65,9 @@ static bool check_reference(const struct optics *o, enum conjugate_from from, bo
     if (!o->has_stop) {
         return fail(error, ERROR_DOMAIN, "without a stop there is no pupil to measure from");
     }
-    if ((is_image ? o->d2.hi : o->a1.hi) == 0) {
-        return fail(error, ERROR_DOMAIN, "the %s pupil is infinitely far",
-                    is_image ? "exit" : "entrance");
-    }
-    return true;
+    return (is_image ? o->d2.hi : o->a1.hi) != 0 ||
+           fail(error, ERROR_DOMAIN, "the %s pupil is infinitely far",
+                is_image ? "exit" : "entrance");
 }
 
 /*

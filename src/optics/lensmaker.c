@@ -86,10 +86,8 @@ void lensmaker_facts(const struct lensmaker *lens, struct lensmaker_facts *facts
 
 static bool check_positive(double value, const char *what, struct error *error)
 {
-    if (isnan(value) || (value > 0 && isfinite(value))) {
-        return true;
-    }
-    return fail(error, ERROR_DOMAIN, "index %s %.6g is out of range: it must be above 0", what,
+    return isnan(value) || (value > 0 && isfinite(value)) ||
+           fail(error, ERROR_DOMAIN, "index %s %.6g is out of range: it must be above 0", what,
                 value);
 }
 

@@ -314,10 +314,9 @@ static struct dual object_height(const struct dual_question *question,
     if (question->field_kind == FIELD_HEIGHT) {
         return dual_of(field);
     }
-    if (question->field_kind == FIELD_ANGLE) {
-        return dual_of(-tan(field) * question->object->distance.hi);
-    }
-    return dual_divide(dual_of(field), primary->magnification);
+    return question->field_kind == FIELD_ANGLE
+               ? dual_of(-tan(field) * question->object->distance.hi)
+               : dual_divide(dual_of(field), primary->magnification);
 }
 
 static void set_chief(const struct paraxial_dual *dual, const struct dual_question *question,

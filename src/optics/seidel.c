@@ -79,11 +79,9 @@ static bool trace_back(const struct seidel_question *question, struct two_rays *
     }
     const bool lost = question->field_kind != FIELD_NONE &&
                       !(isfinite(rays->chief_y.hi) && isfinite(rays->chief_v.hi));
-    if (lost || !isfinite(rays->y.hi) || !isfinite(rays->v.hi)) {
-        return fail(error, ERROR_DOMAIN, "no paraxial %s ray of the field reaches the stop",
-                    lost ? "chief" : "marginal");
-    }
-    return true;
+    return (!lost && isfinite(rays->y.hi) && isfinite(rays->v.hi)) ||
+           fail(error, ERROR_DOMAIN, "no paraxial %s ray of the field reaches the stop",
+                lost ? "chief" : "marginal");
 }
 
 static bool seidel_start(const struct seidel_question *question, struct two_rays *rays,

@@ -37,13 +37,11 @@ static bool dof_plan_check_range(const struct dof_setting *a, double near, doubl
                     "shots is enough",
                     a->c);
     }
-    if (!(h < 1)) {
-        return fail(error, ERROR_DOMAIN,
-                    "{circle of confusion} %.15g mm must be below the pupil's %.15g mm: any focus "
-                    "covers everything",
-                    a->c, a->f * a->P / a->N);
-    }
-    return true;
+    return h < 1 ||
+           fail(error, ERROR_DOMAIN,
+                "{circle of confusion} %.15g mm must be below the pupil's %.15g mm: any focus "
+                "covers everything",
+                a->c, a->f * a->P / a->N);
 }
 
 bool dof_plan_make(const struct dof_setting *setting, double near, double far, double overlap,

@@ -218,17 +218,11 @@ static bool check_ambient(const struct flash_ambient *light, struct error *error
 
 static bool check_sync(double t, double sync, struct error *error)
 {
-    if (!is_given(sync)) {
-        return true;
-    }
-    if (!require_positive("flash sync time", " s", sync, error)) {
-        return false;
-    }
-    if (!(t >= sync)) {
-        return fail(error, ERROR_DOMAIN,
-                    "{exposure time} %.6g s is shorter than {the flash sync time} %.6g s", t, sync);
-    }
-    return true;
+    return !is_given(sync) ||
+           (require_positive("flash sync time", " s", sync, error) &&
+            (t >= sync ||
+             fail(error, ERROR_DOMAIN,
+                  "{exposure time} %.6g s is shorter than {the flash sync time} %.6g s", t, sync)));
 }
 
 bool flash_against_ambient(const struct flash_ambient *light, struct flash_balance *balance,

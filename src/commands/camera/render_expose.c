@@ -134,10 +134,7 @@ static double pixel_unit(const struct render_input *input, const struct picture_
     if (input->radiance) {
         return exposure->luminance / reference;
     }
-    if (is_a(type, ".png") && !is_received) {
-        return DEVELOP_HEADROOM * light / exposure->full;
-    }
-    return light;
+    return (is_a(type, ".png") && !is_received) ? DEVELOP_HEADROOM * light / exposure->full : light;
 }
 
 /* Floats are rounded, so that half of the least one is black; a .hdr has no exponent below. */

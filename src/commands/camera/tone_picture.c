@@ -34,10 +34,7 @@ static int asked_of(const struct artifact_job *job)
     if (input->operation != ASKED_AUTO) {
         return input->operation;
     }
-    if (is_png(job)) {
-        return ASKED_FIRST + (int)TONE_WARD;
-    }
-    return ASKED_NONE;
+    return is_png(job) ? ASKED_FIRST + (int)TONE_WARD : ASKED_NONE;
 }
 
 /* Two luminances, the first smaller: "1,100". */
@@ -128,13 +125,11 @@ bool tone_picture_check(const struct artifact_job *job, struct error *error)
     const bool is_exr = strcmp(job->type->ending, ".exr") == 0;
     const bool fits = is_png(job) ? input->bits == 8 || input->bits == 16
                                   : is_exr && (input->bits == 16 || input->bits == 32);
-    if (!(input->bits == 0) && !fits &&
-        !fail(error, ERROR_USAGE,
-              "{--bits} %ld: a .png has 8 or 16, an .exr 16 or 32, others have no choice",
-              input->bits)) {
-        return false;
-    }
-    return (input->falsecolor ? check_colours(job, error) : check_operator(job, error)) &&
+    return (input->bits == 0 || fits ||
+            fail(error, ERROR_USAGE,
+                 "{--bits} %ld: a .png has 8 or 16, an .exr 16 or 32, others have no choice",
+                 input->bits)) &&
+           (input->falsecolor ? check_colours(job, error) : check_operator(job, error)) &&
            (input->display == NULL || read_luminances("display", input->display, range, error));
 }
 

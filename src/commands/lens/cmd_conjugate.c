@@ -170,10 +170,7 @@ static const char *conjugate_kind_of(double distance, bool is_virtual)
     if (isinf(distance)) {
         return "at infinity";
     }
-    if (is_virtual) {
-        return "virtual";
-    }
-    return "real";
+    return is_virtual ? "virtual" : "real";
 }
 
 /* Far objects have the magnification 0, but their images still stand on their heads or not. */
@@ -183,10 +180,7 @@ static const char *orientation_of(const struct conjugate_points *all, double pow
     if (isinf(sign) || sign == 0) {
         return NULL;
     }
-    if (sign > 0) {
-        return "erect";
-    }
-    return "inverted";
+    return sign > 0 ? "erect" : "inverted";
 }
 
 /* The row of one object, which lies on `place` (mm to the left of the first vertex). */

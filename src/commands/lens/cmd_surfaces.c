@@ -91,10 +91,8 @@ static const char *surfaces_kind_of(const struct surface *surface)
     if (name != NULL) {
         return name;
     }
-    if (!surface_is_round(surface)) {
-        return "cylinder";
-    }
-    return surface_profiles[surface_profile(surface)].name;
+    return !surface_is_round(surface) ? "cylinder"
+                                      : surface_profiles[surface_profile(surface)].name;
 }
 
 /* Of the beam that starts on the axis: v over -y, whatever its size. */

@@ -128,10 +128,7 @@ static bool pupil_cases_open(struct pupil_cursor *at, struct error *error)
     at->open = setup_system(one->setup, one->index, SETUP_OPEN | way, error);
     at->clipped =
         at->open != NULL ? setup_system(one->setup, one->index, SETUP_CLIPPED | way, error) : NULL;
-    if (at->clipped == NULL) {
-        return false;
-    }
-    if ((from_film && !check_film(setup->image, error))) {
+    if (at->clipped == NULL || (from_film && !check_film(setup->image, error))) {
         return false;
     }
     if (from_film) {

@@ -197,10 +197,7 @@ static const struct sheet *diffraction_choose_sheet(const void *data,
     if (asking_given(asking, "frequency")) {
         return &contrast;
     }
-    if (wants_best) {
-        return &best;
-    }
-    return &all;
+    return wants_best ? &best : &all;
 }
 
 /* Absent until computed. */

@@ -389,11 +389,9 @@ static bool focus_answer(const void *data, const struct photo_lens *lens, struct
     struct photo_real said = *lens->real;
     said.hiatus = own.measuring.hiatus;
     own.real = &said;
-    if (input->lens.rays.exact && !focus_check_rays(input, error)) {
-        return false;
-    }
-    return has_attachments(input) ? run_attached(input, &own, run, error)
-                                  : run_plain(input, &own, run, error);
+    return (!input->lens.rays.exact || focus_check_rays(input, error)) &&
+           (has_attachments(input) ? run_attached(input, &own, run, error)
+                                   : run_plain(input, &own, run, error));
 }
 
 static bool focus_run(const void *data, struct run *run, struct error *error)

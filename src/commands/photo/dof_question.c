@@ -92,12 +92,10 @@ bool dof_question_solve(const struct dof_question *input, const struct attached_
         setting->s = attached->farthest;
         return dof_check(setting, error);
     }
-    if (!(sharpness_is_airy(&input->sharp)
-              ? solve_airy(input, attached->lens, setting, error)
-              : distance_solve(setting, &input->targets, &attached->lens->measuring, error))) {
-        return false;
-    }
-    return photo_lens_check_subject(attached->lens, setting->s, error) &&
+    return (sharpness_is_airy(&input->sharp)
+                ? solve_airy(input, attached->lens, setting, error)
+                : distance_solve(setting, &input->targets, &attached->lens->measuring, error)) &&
+           photo_lens_check_subject(attached->lens, setting->s, error) &&
            attached_check_reach(attached, setting->s, error);
 }
 

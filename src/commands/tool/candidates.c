@@ -123,10 +123,7 @@ static const struct word *words_of_kind(const struct option_kind *kind)
     if (kind == &kind_coc) {
         return criteria;
     }
-    if (kind == &kind_plane) {
-        return planes;
-    }
-    return NULL;
+    return kind == &kind_plane ? planes : NULL;
 }
 
 /* -------- what depends on the words before -------- */
