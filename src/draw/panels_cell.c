@@ -199,14 +199,13 @@ void panels_cell_draw(const struct panels *panels, struct svg *svg, const struct
                       const struct panel *panel)
 {
     /* Can one point at least be seen? */
-    bool seen = false;
+    bool any = false;
     for (size_t s = 0; s < panel->count; s++) {
         const struct panel_series *series = &panel->series[s];
-        for (size_t i = 0; i < series->count && !seen; i++) {
-            seen = isfinite(at_x(cell, series->x[i])) && isfinite(at_y(cell, series->y[i]));
+        for (size_t i = 0; i < series->count && !any; i++) {
+            any = isfinite(at_x(cell, series->x[i])) && isfinite(at_y(cell, series->y[i]));
         }
     }
-    const bool any = seen;
     /* lines of the ticks and of zero; none go through the words in a panel without points */
     bool ticks = panels->unit == NULL;
     if (ticks) {
@@ -229,11 +228,10 @@ void panels_cell_draw(const struct panels *panels, struct svg *svg, const struct
         draw_series(panels, svg, cell, panel);
     }
     /* Below spots; inside at the top of curves, or in the middle of what is empty. */
-    bool square = panels->unit != NULL;
-    bool empty = !any;
-    double y = empty    ? cell->top + cell->height / 2 + 4
-               : square ? cell->top + cell->height + 14
-                        : cell->top + 14;
+    double y = ticks ? cell->top + 14 : cell->top + cell->height + 14;
+    if (!any) {
+        y = cell->top + cell->height / 2 + 4;
+    }
     struct svg_label note = {.x = cell->left + cell->width / 2,
                              .y = y,
                              .size = NOTE,
@@ -248,11 +246,11 @@ void panels_cell_draw(const struct panels *panels, struct svg *svg, const struct
                               .anchor = SVG_MIDDLE,
                               .colour = DARK};
     svg_text(svg, &title, panel->title);
-    if (panels->own_x && panels->unit == NULL) {
+    if (panels->own_x && ticks) {
         title.y = cell->top + cell->height + 32;
         svg_text(svg, &title, panel->x_label);
     }
-    if (panels->own_y && panels->unit == NULL) {
+    if (panels->own_y && ticks) {
         const struct svg_label label = {.x = cell->left - PANELS_NUMBERS - 6,
                                         .y = cell->top + cell->height / 2,
                                         .size = WORDS,

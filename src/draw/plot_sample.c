@@ -248,7 +248,7 @@ static bool find_page(struct curve_sampler *sampler)
         return false;
     }
     plot_set_x_axis(&sampler->x);
-    plot_set_y_axis(&sampler->y);
+    plot_axis_to_ticks(&sampler->y);
     sampler->x.stop = WIDTH;
     sampler->y.stop = HEIGHT;
     return true;

@@ -17,7 +17,6 @@ static const double ARROW = 0.25; /* longest arrow, in radii of the pupil */
 static const unsigned char shades[SHADES][3] = {{158, 202, 225}, {253, 141, 60}, {140, 10, 20}};
 
 struct map_drawing {
-    const struct ray_map *map;
     struct svg *svg;
     double largest;
 };
@@ -52,8 +51,7 @@ static void draw_ray(const struct map_drawing *drawing, const struct ray_map_poi
     double y = centre_y(point->row) - RADIUS * point->y;
     double off = hypot(point->dx, point->dy);
     if (!isfinite(off)) {
-        const struct svg_style lost = {.stroke = "#888888"};
-        svg_group_begin(svg, &lost);
+        svg_group_begin(svg, &(struct svg_style){.stroke = "#888888"});
         svg_line(svg, x - 2, y - 2, x + 2, y + 2);
         svg_line(svg, x - 2, y + 2, x + 2, y - 2);
         svg_group_end(svg);
@@ -92,7 +90,7 @@ static bool ray_map_check_map(const struct ray_map *map, double *largest, struct
 
 bool ray_map_draw(const struct ray_map *map, struct svg *svg, struct error *error)
 {
-    struct map_drawing drawing = {.map = map, .svg = svg};
+    struct map_drawing drawing = {.svg = svg};
     if (!ray_map_check_map(map, &drawing.largest, error)) {
         return false;
     }

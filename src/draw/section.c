@@ -276,18 +276,20 @@ bool section_draw(const struct section *section, struct svg *svg, struct error *
     page.height = section_draw_legend(&page, page.bottom + 46, false) + 8;
     page.taken = ARENA_ARRAY(svg->arena, section->layout->part_count, struct svg_box);
     svg_begin(svg, SECTION_WIDTH, page.height, section->title);
-    struct svg_label label = {.x = SECTION_WIDTH / 2,
-                              .y = 30,
-                              .size = 18,
-                              .anchor = SVG_MIDDLE,
-                              .width = SECTION_WIDTH - 40,
-                              .bold = true};
-    svg_text(page.svg, &label, section->title);
-    label.y = 52;
-    label.size = 13;
-    label.bold = false;
-    label.colour = "#444444";
-    svg_text(page.svg, &label, section->subtitle);
+    const struct svg_label title = {.x = SECTION_WIDTH / 2,
+                                    .y = 30,
+                                    .size = 18,
+                                    .anchor = SVG_MIDDLE,
+                                    .width = SECTION_WIDTH - 40,
+                                    .bold = true};
+    const struct svg_label below = {.x = SECTION_WIDTH / 2,
+                                    .y = 52,
+                                    .size = 13,
+                                    .anchor = SVG_MIDDLE,
+                                    .width = SECTION_WIDTH - 40,
+                                    .colour = "#444444"};
+    svg_text(svg, &title, section->title);
+    svg_text(svg, &below, section->subtitle);
     for (int kind = 0; kind < LAYOUT_KINDS; kind++) {
         for (size_t i = 0; i < section->layout->part_count; i++) {
             if ((int)section->layout->parts[i].kind == kind) {

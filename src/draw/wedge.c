@@ -204,20 +204,17 @@ static void wedge_draw_camera(struct svg *svg, const struct view *view, const st
                   view_y(view, middle - sensor), view_y(view, -half * cosine)};
     svg_styled_polygon(svg, &(struct svg_style){.fill = "#e9e6e0", .stroke = "#b9b4aa", .width = 1},
                        x, y, 4);
-    svg_group_begin(svg, &(struct svg_style){.stroke = BLACK, .width = 3});
-    view_line(view, svg, -v, middle - sensor, -v, middle + sensor);
-    svg_group_end(svg);
+    svg_styled_line(svg, &(struct svg_style){.stroke = BLACK, .width = 3}, x[1], y[2], x[1], y[1]);
     /* A lens seen from the side: two arcs of the given height about the origin. */
     enum { POINTS = 17 };
-    double at_x[2 * POINTS], at_y[2 * POINTS], rim = wedge->lens_diameter / 2;
-    double s = sin(wedge->tilt), c = cos(wedge->tilt);
+    double at_x[2 * POINTS], at_y[2 * POINTS];
     for (size_t i = 0; i < POINTS; i++) {
-        double t = 2.0 * (double)i / (POINTS - 1) - 1, thick = 0.22 * rim * (1 - t * t);
+        double t = 2.0 * (double)i / (POINTS - 1) - 1, thick = 0.22 * half * (1 - t * t);
         for (size_t side = 0; side < 2; side++) {
             double along = side == 0 ? thick : -thick; /* of the lens axis */
             size_t at = side == 0 ? i : 2 * POINTS - 1 - i;
-            at_x[at] = view_x(view, along * c + rim * t * s);
-            at_y[at] = view_y(view, rim * t * c - along * s);
+            at_x[at] = view_x(view, along * cosine + half * t * sine);
+            at_y[at] = view_y(view, half * t * cosine - along * sine);
         }
     }
     svg_styled_polygon(svg, &(struct svg_style){.fill = "#cfe3f2", .stroke = BLACK, .width = 1.4},
@@ -313,9 +310,9 @@ static void draw_planes(struct svg *svg, const struct view *view, const struct w
     for (size_t i = 0; i < 3; i++) {
         parts[i] = view_plane(view, wedge, planes[i].A);
         if (parts[i].shown) {
-            svg_group_begin(svg, &planes[i].style);
-            view_line(view, svg, parts[i].u[0], parts[i].y[0], parts[i].u[1], parts[i].y[1]);
-            svg_group_end(svg);
+            svg_styled_line(svg, &planes[i].style, view_x(view, parts[i].u[0]),
+                            view_y(view, parts[i].y[0]), view_x(view, parts[i].u[1]),
+                            view_y(view, parts[i].y[1]));
         }
     }
     for (size_t i = 0; i < 3; i++) {
@@ -524,11 +521,9 @@ bool wedge_draw(const struct wedge *wedge, struct svg *svg, struct error *error)
     svg_group_end(svg);
     svg_styled_line(svg, &(struct svg_style){.stroke = "#aaa", .width = 1}, view.x0, view.y0,
                     view.right, view.y0);
-    svg_group_begin(svg, &(struct svg_style){.stroke = RED, .width = 1, .dash = "2 3"});
-    if (isfinite(J)) {
-        view_line(&view, svg, 0, 0, 0, J);
-    }
-    svg_group_end(svg);
+    /* to the hinge, if that is not at infinity: the line is left out then */
+    svg_styled_line(svg, &(struct svg_style){.stroke = RED, .width = 1, .dash = "2 3"}, view.x0,
+                    view.y0, view.x0, view_y(&view, J));
     draw_planes(svg, &view, wedge);
     wedge_draw_camera(svg, &view, wedge);
     svg_group_end(svg);
