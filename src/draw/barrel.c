@@ -233,18 +233,15 @@ static void draw_focus_ring(struct svg *svg, const struct scale *scale, double n
 static void barrel_draw_mark(struct svg *svg, double x, const char *text, enum svg_anchor anchor,
                              bool chosen)
 {
+    static const double beside[] = {[SVG_START] = 4, [SVG_MIDDLE] = 0, [SVG_END] = -4};
+    const struct svg_label label = {.x = x + beside[anchor],
+                                    .y = FIXED_TOP + 42,
+                                    .size = 15,
+                                    .anchor = anchor,
+                                    .colour = chosen ? BLUE : "#222",
+                                    .bold = chosen};
     svg_line(svg, x, FIXED_TOP, x, FIXED_TOP + (text ? 22 : 12));
-    struct svg_label label = {.x = anchor == SVG_END     ? x - 4
-                                   : anchor == SVG_START ? x + 4
-                                                         : x,
-                              .y = FIXED_TOP + 42,
-                              .size = 15,
-                              .anchor = anchor,
-                              .colour = chosen ? BLUE : "#222",
-                              .bold = chosen};
-    if (text) {
-        svg_text(svg, &label, text);
-    }
+    svg_text(svg, &label, text);
 }
 
 /* Take the places of a pair in one row: both or none, but only those on the scale. */

@@ -62,13 +62,11 @@ static void panels_marks_draw_spots(struct svg *svg, size_t look, const char *co
         n++;
     }
     if (corners == 0) {
-        svg_group_begin(svg, &(struct svg_style){.stroke = colour, .width = 2 * radius});
-        svg_polyline(svg, x, y, n);
+        const struct svg_style dots = {.stroke = colour, .width = 2 * radius};
+        svg_styled_polyline(svg, &dots, x, y, n);
     } else {
-        svg_group_begin(svg, &(struct svg_style){.fill = colour});
-        svg_polygon(svg, x, y, n);
+        svg_styled_polygon(svg, &(struct svg_style){.fill = colour}, x, y, n);
     }
-    svg_group_end(svg);
 }
 
 void panels_marks_draw(const struct panels *panels, struct svg *svg, const struct panels_mark *mark)

@@ -49,9 +49,9 @@ bool pareto_draw(const struct pareto *pareto, struct svg *svg, struct error *err
     for (size_t i = 0; i < pareto->count; i++) {
         struct pareto_bar *row = &rows[i < count ? i : count - 1];
         const struct pareto_bar *bar = &pareto->bars[i];
-        const bool is_other = has_others && i + 1 >= count;
-        row->label = is_other ? arena_printf(svg->arena, "%zu others", pareto->count - count + 1)
-                              : bar->label;
+        row->label = (has_others && i + 1 >= count)
+                         ? arena_printf(svg->arena, "%zu others", pareto->count - count + 1)
+                         : bar->label;
         row->part += bar->part;
         row->whole += bar->whole;
     }

@@ -171,15 +171,13 @@ static void draw_part(const struct section_page *page, const struct layout_part 
         style.fill = tints[part->glass % TINTS];
         style.opacity = page->section->faint ? 0.45 : 0;
     }
-    svg_group_begin(svg, &style);
     if (part->kind == LAYOUT_ELEMENT) {
-        svg_polygon(svg, x, y, part->count);
+        svg_styled_polygon(svg, &style, x, y, part->count);
     } else if (part->kind == LAYOUT_POINT) {
-        svg_circle(svg, x[0], y[0], 3);
+        svg_styled_circle(svg, &style, x[0], y[0], 3);
     } else {
-        svg_polyline(svg, x, y, part->count);
+        svg_styled_polyline(svg, &style, x, y, part->count);
     }
-    svg_group_end(svg);
     if (part->kind == LAYOUT_ARROW) {
         size_t last = part->count - 1;
         const struct svg_style filled = {.fill = styles[LAYOUT_ARROW].stroke};
@@ -225,13 +223,11 @@ static double section_draw_legend(const struct section_page *page, double y, boo
         if (draw) {
             struct svg_style style = styles[kind];
             style.fill = glass ? tints[i % TINTS] : NULL;
-            svg_group_begin(page->svg, &style);
             if (glass) {
-                svg_rect(page->svg, x, y - 10, 20, 11);
+                svg_styled_rect(page->svg, &style, x, y - 10, 20, 11);
             } else {
-                svg_line(page->svg, x, y - 4, x + 22, y - 4);
+                svg_styled_line(page->svg, &style, x, y - 4, x + 22, y - 4);
             }
-            svg_group_end(page->svg);
             section_write_text(page, x + 28, y, SVG_START, NULL, name);
         }
         x += width;

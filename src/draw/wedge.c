@@ -105,8 +105,7 @@ static void view_choose(struct view *view, const struct wedge *wedge, double nam
     }
     double spare = fmax(0, height / view->scale - below - above);
     /* a level plane opens its wedge to both sides, a steep one goes up */
-    bool level = wedge->A < fabs(wedge->B);
-    double under = below + spare * (shows_hinge && !level ? 0.25 : 0.5);
+    double under = below + spare * (shows_hinge && !(wedge->A < fabs(wedge->B)) ? 0.25 : 0.5);
     view->x0 = view->left + names_px + view->scale * wedge->image;
     view->y0 =
         wedge->hinge > 0 ? view->bottom - view->scale * under : view->top + view->scale * under;
@@ -331,17 +330,6 @@ static void draw_planes(struct svg *svg, const struct view *view, const struct w
 
 /* -------- the construction behind the lens -------- */
 
-static void name_left(struct svg *svg, const struct view *view, const struct wedge *wedge, double y,
-                      const char *colour, const char *name)
-{
-    svg_words(svg, view_x(view, -wedge->image) - 10, y, 13, SVG_END, colour, name);
-}
-
-static void draw_point(struct svg *svg, double x, double y, const char *colour)
-{
-    svg_styled_circle(svg, &(struct svg_style){.fill = colour}, x, y, 4);
-}
-
 /* The two lines in which planes meet, end on, with names that keep clear of each other. */
 static void draw_meetings(struct svg *svg, const struct view *view, const struct wedge *wedge)
 {
@@ -350,17 +338,18 @@ static void draw_meetings(struct svg *svg, const struct view *view, const struct
         isfinite(wedge->scheimpflug) && view_holds(view, -wedge->image, -wedge->scheimpflug);
     double y1 = view_y(view, -wedge->hinge), y2 = view_y(view, -wedge->scheimpflug);
     double apart = hinge && line_shown ? fmax(0, 20 - fabs(y2 - y1)) / 2 : 0;
-    double sign = fabs(y2 - y1) < 1 ? copysign(1, wedge->hinge) : y2 > y1 ? 1 : -1;
+    double sign = copysign(1, fabs(y2 - y1) < 1 ? wedge->hinge : y2 - y1);
+    const double sensor = view_x(view, -wedge->image), names = sensor - 10;
     if (line_shown) {
-        draw_point(svg, view_x(view, -wedge->image), y2, BLACK);
-        name_left(svg, view, wedge, y2 + 5 + sign * apart, BLACK, "Scheimpflug line");
+        svg_styled_circle(svg, &(struct svg_style){.fill = BLACK}, sensor, y2, 4);
+        svg_words(svg, names, y2 + 5 + sign * apart, 13, SVG_END, BLACK, "Scheimpflug line");
     }
     if (hinge) {
-        draw_point(svg, view_x(view, 0), y1, RED);
-        name_left(svg, view, wedge, y1 + 5 - sign * apart, RED, "hinge line");
+        svg_styled_circle(svg, &(struct svg_style){.fill = RED}, view_x(view, 0), y1, 4);
+        svg_words(svg, names, y1 + 5 - sign * apart, 13, SVG_END, RED, "hinge line");
     }
     if (hinge && fabs(y1 - view->y0) > 50) {
-        name_left(svg, view, wedge, (y1 + view->y0) / 2 + 5, RED,
+        svg_words(svg, names, (y1 + view->y0) / 2 + 5, 13, SVG_END, RED,
                   arena_printf(svg->arena, "J = %s", metres(svg->arena, fabs(wedge->hinge))));
     }
 }
@@ -407,20 +396,6 @@ static void wedge_draw_frame(struct svg *svg, const struct view *view)
     svg_text(svg, &label, "height against the lens (m)");
 }
 
-/* One line of the legend: how it is drawn, and what it is. */
-static void wedge_explain(struct svg *svg, double y, const struct svg_style *style,
-                          const char *words)
-{
-    svg_group_begin(svg, style);
-    if (style->fill != NULL) {
-        svg_rect(svg, MARGIN, y - 10, 26, 12);
-    } else {
-        svg_line(svg, MARGIN, y - 4, MARGIN + 26, y - 4);
-    }
-    svg_group_end(svg);
-    svg_words_within(svg, MARGIN + 34, y, 12.5, CAMERA_RIGHT - MARGIN - 34, NULL, words);
-}
-
 /* "hinge line, 1.72 m below" (the lens) */
 static const char *depth_words(struct arena *arena, const char *name, double depth)
 {
@@ -458,7 +433,15 @@ static void wedge_draw_legend(struct svg *svg, const struct wedge *wedge)
                       metres(arena, wedge_ahead(wedge, wedge->A_far)))},
     };
     for (size_t i = 0; i < sizeof entries / sizeof entries[0]; i++) {
-        wedge_explain(svg, LEGEND + 24 * (double)i, &entries[i].style, entries[i].words);
+        const struct svg_style *style = &entries[i].style;
+        const double y = LEGEND + 24 * (double)i;
+        if (style->fill != NULL) {
+            svg_styled_rect(svg, style, MARGIN, y - 10, 26, 12);
+        } else {
+            svg_styled_line(svg, style, MARGIN, y - 4, MARGIN + 26, y - 4);
+        }
+        svg_words_within(svg, MARGIN + 34, y, 12.5, CAMERA_RIGHT - MARGIN - 34, NULL,
+                         entries[i].words);
     }
 }
 

@@ -41,8 +41,7 @@ static struct pair conjugates_combine(struct pair a, struct pair x, struct pair 
 {
     struct pair first = pair_multiply(a, x), second = pair_multiply(b, y);
     struct pair sum = pair_add(first, second);
-    double size = fabs(first.hi) + fabs(second.hi);
-    return fabs(sum.hi) <= NOTHING * size ? pair_of(0) : sum;
+    return fabs(sum.hi) <= NOTHING * (fabs(first.hi) + fabs(second.hi)) ? pair_of(0) : sum;
 }
 
 static struct conjugate_ray backwards(const struct optics *o, struct conjugate_ray image)

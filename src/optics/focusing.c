@@ -118,8 +118,8 @@ static void focusing_start(const struct movement_terms *all, struct polynomial *
 /* The polynomial that is 0 when the image lies in its plane. */
 static struct polynomial condition(const struct movement_terms *all)
 {
-    const struct pair n_image = all->system.index[all->system.count];
-    const struct polynomial back = polynomial_scale(&all->plane, pair_divide(pair_of(1), n_image));
+    const struct polynomial back = polynomial_scale(
+        &all->plane, pair_divide(pair_of(1), all->system.index[all->system.count]));
     const struct polynomial top = plus_times(&all->a, &back, &all->c);
     if (all->question->asked == CONJUGATE_MAGNIFICATION) {
         const struct polynomial m = focusing_constant(-all->question->magnification);

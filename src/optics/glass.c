@@ -51,8 +51,7 @@ static void glass_add_resonance(struct glass_figure *value, const struct light *
                                 struct pair B, struct pair C)
 {
     struct pair gap = pair_subtract(light->square, C);
-    struct pair term = pair_divide(pair_multiply(B, light->square), gap);
-    value->y = pair_add(value->y, term);
+    value->y = pair_add(value->y, pair_divide(pair_multiply(B, light->square), gap));
     value->dy -= 2 * B.hi * C.hi * light->l.hi / (gap.hi * gap.hi);
 }
 

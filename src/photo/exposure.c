@@ -210,8 +210,8 @@ bool exposure_deviation(const struct exposure_given *given, double *stops, struc
     if (lights == 0) {
         return fail(error, ERROR_USAGE, "give the light: " ANY_LIGHT);
     }
-    double ev = light_ev100(&g) + (log2(g.S) - log2_of_100);
-    *stops = ev - g.loss - g.compensation - log2(g.N * g.N / g.t);
+    *stops = light_ev100(&g) + (log2(g.S) - log2_of_100) - g.loss - g.compensation -
+             log2(g.N * g.N / g.t);
     return true;
 }
 

@@ -128,8 +128,7 @@ bool panorama_set_rows(const struct panorama_frame *frame, struct panorama_goal 
     plan->shots = plan->columns * rows;
     plan->row_step = rows > 1 ? beyond / (rows - 1) : 0;
     plan->row_overlap = rows > 1 ? 1 - plan->row_step / v : (double)NAN;
-    double reach = rows * v;
-    return goal->span <= reach * (1 + 1e-12) ||
+    return goal->span <= rows * v * (1 + 1e-12) ||
            fail(error, ERROR_DOMAIN,
                 "{number of rows} %d leaves gaps: at least %g for {span} %g degrees", rows,
                 ceil(goal->span / v - 1e-9), degrees_from_radians(goal->span));

@@ -52,12 +52,12 @@ bool star_trail(double f, double dec, double t, struct star_trail *trail, struct
         !check_time(t, error)) {
         return false;
     }
-    double c = fmax(cos(dec), 0);
-    trail->rotation = STELLAR_RATE * t;
-    trail->arc = trail->rotation * c;
-    trail->separation = 2 * asin(c * sin(trail->rotation / 2));
-    trail->linear = f * trail->arc;
-    trail->chord = f * fmax(unit_chord(dec, t), 0);
+    const double c = fmax(cos(dec), 0), rotation = STELLAR_RATE * t, arc = rotation * c;
+    *trail = (struct star_trail){.rotation = rotation,
+                                 .arc = arc,
+                                 .separation = 2 * asin(c * sin(rotation / 2)),
+                                 .linear = f * arc,
+                                 .chord = f * fmax(unit_chord(dec, t), 0)};
     return true;
 }
 

@@ -74,8 +74,8 @@ static bool next_time(struct frame_reader *reading, double *time, struct error *
         return fail(error, ERROR_USAGE, "{--times} '%.100s' has fewer times than there are frames",
                     reading->input->times);
     }
-    const struct text text = text_trim(text_cut(&reading->times, ','));
-    return quantity_read(text, &dimension_time, NULL, time, NULL, error) ||
+    return quantity_read(text_trim(text_cut(&reading->times, ',')), &dimension_time, NULL, time,
+                         NULL, error) ||
            error_prefix(error, "{--times}: ");
 }
 
@@ -277,12 +277,15 @@ static bool check_frame_times(const struct tone_frames *frames, struct error *er
 bool tone_frames_read(const struct tone_input *input, struct arena *arena,
                       struct tone_frames *frames, struct error *error)
 {
-    struct frame_reader reading = {.input = input, .arena = arena, .frames = frames};
-    *frames = (struct tone_frames){.iso = input->iso, .fnumber = input->fnumber};
-    frames->frames = ARENA_ARRAY(arena, FRAMES_MOST, struct tone_frame);
-    reading.iso = ARENA_ARRAY(arena, FRAMES_MOST, double);
-    reading.fnumber = ARENA_ARRAY(arena, FRAMES_MOST, double);
-    reading.white = ARENA_ARRAY(arena, FRAMES_MOST, double);
+    struct frame_reader reading = {.input = input,
+                                   .arena = arena,
+                                   .frames = frames,
+                                   .iso = ARENA_ARRAY(arena, FRAMES_MOST, double),
+                                   .fnumber = ARENA_ARRAY(arena, FRAMES_MOST, double),
+                                   .white = ARENA_ARRAY(arena, FRAMES_MOST, double)};
+    *frames = (struct tone_frames){.frames = ARENA_ARRAY(arena, FRAMES_MOST, struct tone_frame),
+                                   .iso = input->iso,
+                                   .fnumber = input->fnumber};
     reading.times = input->times != NULL ? text_of(input->times) : reading.times;
     for (struct text rest = text_of(input->files); rest.start != NULL; frames->count++) {
         const struct text word = text_cut(&rest, OPTION_MANY_SEPARATOR);

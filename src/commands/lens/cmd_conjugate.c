@@ -312,15 +312,13 @@ static bool emit_focused(const struct lens_case *one, const struct task *task, s
         const char *all = NULL;
         for (size_t k = 0; k < task->gap_count; k++) {
             const struct named_gap *named = &task->gaps[k];
-            size_t surface = named->gap.surface;
-            double t = solutions[i].lens->surfaces[surface].thickness.value.hi;
+            double t = solutions[i].lens->surfaces[named->gap.surface].thickness.value.hi;
             const char *text =
                 arena_printf(arena, "%.*s %.6g", (int)named->name.length, named->name.start, t);
             all = all == NULL ? text : arena_printf(arena, "%s, %s", all, text);
         }
-        const char *names = all;
-        if (!conjugate_emit_row(one, task, solutions[i].lens, &place, names,
-                                solutions[i].movement.hi, error)) {
+        if (!conjugate_emit_row(one, task, solutions[i].lens, &place, all, solutions[i].movement.hi,
+                                error)) {
             return false;
         }
     }

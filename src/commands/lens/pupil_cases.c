@@ -67,7 +67,7 @@ struct pupil_memo {
 static struct axis_key pupil_cases_key_of(const struct pupil_cursor *at)
 {
     struct axis_key key;
-    memset(&key, 0, sizeof key);
+    memset(&key, 0, sizeof key); /* gaps too */
     key.lens = at->input->question.lens.serial;
     key.position = at->lens.one.setup->position;
     key.wavelength = at->lens.one.light.wavelength;

@@ -215,15 +215,11 @@ static void focus_fill_row(const struct focus_input *input, const struct photo_l
 {
     row->real = *lens->real;
     row->pupil_distance = conjugates_pupil_distance(row->c.f, row->c.m, P);
-    if (input->lens.from == FROM_SENSOR) {
-        row->distance = row->c.T;
-    } else if (input->lens.from == FROM_ENTRANCE) {
-        row->distance = row->pupil_distance;
-    } else if (input->lens.from == FROM_FRONT) {
-        row->distance = row->working_distance;
-    } else {
-        row->distance = row->c.s;
-    }
+    const double distances[] = {[FROM_PRINCIPAL] = row->c.s,
+                                [FROM_SENSOR] = row->c.T,
+                                [FROM_ENTRANCE] = row->pupil_distance,
+                                [FROM_FRONT] = row->working_distance};
+    row->distance = distances[input->lens.from];
     row->fnumber = lens->N;
     row->order = orders[input->order].word;
     row->attached = input->attached;
