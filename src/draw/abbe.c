@@ -175,11 +175,8 @@ static void draw_points(struct abbe_drawing *drawing, bool chosen)
 static bool abbe_is_free(const struct abbe_drawing *drawing, const struct svg_box *box)
 {
     const struct plot_axis *x = &drawing->x, *y = &drawing->y;
-    if (box->left < x->start || box->right > x->stop || box->top < y->stop ||
-        box->bottom > y->start) {
-        return false;
-    }
-    return svg_is_free(drawing->taken, drawing->taken_count, box);
+    return box->left >= x->start && box->right <= x->stop && box->top >= y->stop &&
+           box->bottom <= y->start && svg_is_free(drawing->taken, drawing->taken_count, box);
 }
 
 /* Beside the point where there is room: right, left, above, below, then the corners. */

@@ -113,8 +113,8 @@ static void raster_write_text(const struct raster_page *page, double x, double y
 static const struct svg_style frame = {.stroke = "#444444"}, nothing = {.fill = "#dddddd"};
 
 /*
- * Ticks from low to high, from x, y (px) on: along x (upwards = 0), or upwards with their numbers on
- * the left (-1) or right (1); is_log: of powers of ten.
+ * Ticks from low to high, from x0, y0 (px) on: along x (upwards = 0), or upwards with their numbers
+ * on the left (-1) or right (1); is_log: of powers of ten.
  */
 static void raster_draw_axis(struct svg *svg, double low, double high, double x0, double y0,
                              double length, int upwards, bool is_log)

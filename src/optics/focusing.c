@@ -3,6 +3,7 @@
 #include "optics/focusing.h"
 
 #include "base/polynomial.h"
+#include "optics/parameter.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -136,12 +137,9 @@ static struct focused state_at(const struct focus_mechanism *focusing, struct pa
                                struct arena *arena)
 {
     const struct lens *lens = focusing->lens;
-    struct lens *copy = ARENA_NEW(arena, struct lens);
+    struct lens *copy = lens_copy(lens, arena);
     struct focused focused = {copy, movement, focusing->image_plane};
-    *copy = *lens;
-    copy->surfaces = ARENA_ARRAY(arena, lens->surface_count, struct surface);
     for (size_t i = 0; i < lens->surface_count; i++) {
-        copy->surfaces[i] = lens->surfaces[i];
         double weight = focusing_weight_of(focusing, i);
         if (weight == 0) {
             continue;

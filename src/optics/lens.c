@@ -84,16 +84,14 @@ const struct lens *lens_at_position(const struct lens *lens, size_t position, st
     if (lens->position_count == 0) {
         return lens;
     }
-    struct lens *copy = ARENA_NEW(arena, struct lens);
-    *copy = *lens;
-    copy->surfaces = ARENA_ARRAY(arena, lens->surface_count, struct surface);
+    struct lens *copy = lens_copy(lens, arena);
     for (size_t i = 0; i < lens->surface_count; i++) {
-        copy->surfaces[i] = lens->surfaces[i];
-        substitute(lens, &copy->surfaces[i].thickness, position);
-        substitute(lens, &copy->surfaces[i].diameter, position);
-        if (surface_has(&copy->surfaces[i], SURFACE_HAS_FOCAL)) {
-            substitute(lens, &copy->surfaces[i].focal, position);
-            substitute(lens, &copy->surfaces[i].hiatus, position);
+        struct surface *surface = &copy->surfaces[i];
+        substitute(lens, &surface->thickness, position);
+        substitute(lens, &surface->diameter, position);
+        if (surface_has(surface, SURFACE_HAS_FOCAL)) {
+            substitute(lens, &surface->focal, position);
+            substitute(lens, &surface->hiatus, position);
         }
     }
     for (size_t i = 0; i < lens->setting_count; i++) {

@@ -449,13 +449,19 @@ void parameter_set(struct lens *lens, struct parameter parameter, double value, 
     parameter_set_in(lens, parameter, value, &room);
 }
 
+struct lens *lens_copy(const struct lens *lens, struct arena *arena)
+{
+    struct lens *copy = ARENA_NEW(arena, struct lens);
+    *copy = *lens;
+    copy->surfaces = ARENA_ARRAY(arena, lens->surface_count, struct surface);
+    memcpy(copy->surfaces, lens->surfaces, lens->surface_count * sizeof(struct surface));
+    return copy;
+}
+
 struct lens *parameter_apply(const struct lens *lens, const struct parameter *parameters,
                              const double *values, size_t count, struct arena *arena)
 {
-    struct lens *to = ARENA_NEW(arena, struct lens);
-    *to = *lens;
-    to->surfaces = ARENA_ARRAY(arena, lens->surface_count, struct surface);
-    memcpy(to->surfaces, lens->surfaces, lens->surface_count * sizeof(struct surface));
+    struct lens *to = lens_copy(lens, arena);
     for (size_t i = 0; i < count; i++) {
         parameter_set(to, parameters[i], values[i], arena);
     }

@@ -7,6 +7,7 @@
 #include "file/lens_glass.h"
 #include "optics/conjugates.h"
 #include "optics/focusing.h"
+#include "optics/parameter.h"
 
 enum { FOCUS_BY_NOTHING, FOCUS_BY_LENS };
 
@@ -335,14 +336,9 @@ static bool put_into_media(const struct conjugate_input *input, struct lens_valu
         return true;
     }
     const struct lens *lens = value->lens;
-    struct lens *copy = ARENA_NEW(arena, struct lens);
-    size_t last = lens->surface_count - 1;
-    *copy = *lens;
-    copy->surfaces = ARENA_ARRAY(arena, lens->surface_count, struct surface);
-    for (size_t i = 0; i <= last; i++) {
-        copy->surfaces[i] = lens->surfaces[i];
-    }
-    if (behind != NULL && surface_reflects(&copy->surfaces[last])) {
+    struct lens *copy = lens_copy(lens, arena);
+    struct surface *last = &copy->surfaces[lens->surface_count - 1];
+    if (behind != NULL && surface_reflects(last)) {
         return fail(error, ERROR_USAGE,
                     "{--image-medium}: the last surface is a mirror, which leaves the medium as it "
                     "is");
@@ -354,7 +350,7 @@ static bool put_into_media(const struct conjugate_input *input, struct lens_valu
         copy->stated[i] = NULL; /* the source states it for other media */
     }
     if (behind != NULL) {
-        copy->surfaces[last].medium = lens_glass_medium(&behind->glass);
+        last->medium = lens_glass_medium(&behind->glass);
     }
     value->lens = copy;
     return true;
