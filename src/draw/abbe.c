@@ -152,12 +152,11 @@ static void draw_points(struct abbe_drawing *drawing, bool chosen)
     struct svg *svg = drawing->svg;
     double radius = mark_radius(abbe, chosen);
     for (size_t group = 0; group < abbe->group_count; group++) {
-        const struct svg_style style = {.fill = palette_colour(group),
-                                        .stroke = chosen ? "#000000" : NULL,
-                                        .width = 1.2,
-                                        .opacity =
-                                            chosen || abbe->count <= MOST_LABELLED ? 1 : 0.65};
-        svg_group_begin(svg, &style);
+        svg_group_begin(
+            svg, &(struct svg_style){.fill = palette_colour(group),
+                                     .stroke = chosen ? "#000000" : NULL,
+                                     .width = 1.2,
+                                     .opacity = chosen || abbe->count <= MOST_LABELLED ? 1 : 0.65});
         for (size_t i = 0; i < abbe->count; i++) {
             const struct abbe_point *point = &abbe->points[i];
             if (point->group == group && point->chosen == chosen && is_drawable(point)) {

@@ -348,8 +348,8 @@ static void barrel_draw_legend(struct svg *svg, const struct barrel *barrel)
     svg_words_within(
         svg, MARGIN + 20, y, 13, 280, NULL,
         arena_printf(arena, "focused at %s", distance_text(arena, barrel->focus_diopter)));
-    struct svg_style tint = {.fill = "#56b4e9", .stroke = BLUE, .opacity = 0.5};
-    barrel_draw_area(svg, &tint, 330, y - 11, 352, y + 1);
+    barrel_draw_area(svg, &(struct svg_style){.fill = "#56b4e9", .stroke = BLUE, .opacity = 0.5},
+                     330, y - 11, 352, y + 1);
     svg_words_within(svg, 360, y, 13, 510, NULL,
                      arena_printf(arena, "sharp at f/%s: %s to %s",
                                   number_text(arena, mark->fnumber),

@@ -34,14 +34,15 @@ static void draw_shape(struct svg *svg, const struct svg_style *style, double sc
 
 static void outlines_draw_words(struct svg *svg, double x, double y, bool bold, const char *words)
 {
-    const struct svg_label label = {.x = x,
-                                    .y = y,
-                                    .size = 13,
-                                    .width = CELL - 8,
-                                    .anchor = SVG_MIDDLE,
-                                    .colour = bold ? "#1d1d1d" : "#444",
-                                    .bold = bold};
-    svg_text(svg, &label, words);
+    svg_text(svg,
+             &(struct svg_label){.x = x,
+                                 .y = y,
+                                 .size = 13,
+                                 .width = CELL - 8,
+                                 .anchor = SVG_MIDDLE,
+                                 .colour = bold ? "#1d1d1d" : "#444",
+                                 .bold = bold},
+             words);
 }
 
 static void draw_foot(struct svg *svg, const struct outlines *outlines, double scale, double y)

@@ -223,14 +223,15 @@ static void draw_heads(const struct panels_page *page)
         const char *head = panels->row_heads[i] != NULL ? panels->row_heads[i] : "";
         /* long ones are smaller; bold is a tenth wider than what the width is counted for */
         double room = page->down - 12, width = 1.1 * svg_text_width(head, WORDS);
-        const struct svg_label label = {.x = cell.left - beside(page) - 10,
-                                        .y = cell.top + cell.height / 2,
-                                        .size = WORDS * fmax(0.6, fmin(1, room / width)),
-                                        .rotation = -90,
-                                        .width = room,
-                                        .anchor = SVG_MIDDLE,
-                                        .bold = true};
-        svg_text(page->svg, &label, head);
+        svg_text(page->svg,
+                 &(struct svg_label){.x = cell.left - beside(page) - 10,
+                                     .y = cell.top + cell.height / 2,
+                                     .size = WORDS * fmax(0.6, fmin(1, room / width)),
+                                     .rotation = -90,
+                                     .width = room,
+                                     .anchor = SVG_MIDDLE,
+                                     .bold = true},
+                 head);
     }
 }
 

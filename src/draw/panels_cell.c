@@ -62,8 +62,8 @@ static void panels_marks_draw_spots(struct svg *svg, size_t look, const char *co
         n++;
     }
     if (corners == 0) {
-        const struct svg_style dots = {.stroke = colour, .width = 2 * radius};
-        svg_styled_polyline(svg, &dots, x, y, n);
+        svg_styled_polyline(svg, &(struct svg_style){.stroke = colour, .width = 2 * radius}, x, y,
+                            n);
     } else {
         svg_styled_polygon(svg, &(struct svg_style){.fill = colour}, x, y, n);
     }
@@ -249,12 +249,13 @@ void panels_cell_draw(const struct panels *panels, struct svg *svg, const struct
         svg_text(svg, &title, panel->x_label);
     }
     if (panels->own_y && ticks) {
-        const struct svg_label label = {.x = cell->left - PANELS_NUMBERS - 6,
-                                        .y = cell->top + cell->height / 2,
-                                        .size = WORDS,
-                                        .rotation = -90,
-                                        .width = cell->height + 20,
-                                        .anchor = SVG_MIDDLE};
-        svg_text(svg, &label, panel->y_label);
+        svg_text(svg,
+                 &(struct svg_label){.x = cell->left - PANELS_NUMBERS - 6,
+                                     .y = cell->top + cell->height / 2,
+                                     .size = WORDS,
+                                     .rotation = -90,
+                                     .width = cell->height + 20,
+                                     .anchor = SVG_MIDDLE},
+                 panel->y_label);
     }
 }

@@ -81,8 +81,9 @@ bool pareto_draw(const struct pareto *pareto, struct svg *svg, struct error *err
     const char *const names[] = {pareto->part_name, pareto->whole_name};
     double at = axis.start;
     for (size_t k = 0; k < 2; k++) {
-        const struct svg_style style = {.fill = palette_colour(0), .opacity = k == 0 ? 1 : 0.35};
-        svg_styled_rect(svg, &style, at, 66, BAR, BAR);
+        svg_styled_rect(
+            svg, &(struct svg_style){.fill = palette_colour(0), .opacity = k == 0 ? 1 : 0.35}, at,
+            66, BAR, BAR);
         svg_words(svg, at + BAR + 5, 76, 12, SVG_START, NULL, names[k]);
         at += BAR + 24 + svg_text_width(names[k], 12);
     }

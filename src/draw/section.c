@@ -87,13 +87,14 @@ static struct extent section_measure(const struct section *section)
 static void section_write_text(const struct section_page *page, double x, double y,
                                enum svg_anchor anchor, const char *colour, const char *text)
 {
-    const struct svg_label label = {.x = x,
-                                    .y = y,
-                                    .size = SMALL,
-                                    .anchor = anchor,
-                                    .colour = colour,
-                                    .width = anchor == SVG_START ? SECTION_WIDTH - 16 - x : 0};
-    svg_text(page->svg, &label, text);
+    svg_text(page->svg,
+             &(struct svg_label){.x = x,
+                                 .y = y,
+                                 .size = SMALL,
+                                 .anchor = anchor,
+                                 .colour = colour,
+                                 .width = anchor == SVG_START ? SECTION_WIDTH - 16 - x : 0},
+             text);
 }
 
 /* The end of what lies under or over a label of this width: the element's rim, or `end` (px). */

@@ -279,29 +279,31 @@ void svg_text(struct svg *svg, const struct svg_label *label, const char *text)
 void svg_words(struct svg *svg, double x, double y, double size, enum svg_anchor anchor,
                const char *colour, const char *text)
 {
-    const struct svg_label label = {
-        .x = x, .y = y, .size = size, .anchor = anchor, .colour = colour};
-    svg_text(svg, &label, text != NULL ? text : "");
+    svg_text(svg,
+             &(struct svg_label){.x = x, .y = y, .size = size, .anchor = anchor, .colour = colour},
+             text != NULL ? text : "");
 }
 
 void svg_words_within(struct svg *svg, double x, double y, double size, double width,
                       const char *colour, const char *text)
 {
-    const struct svg_label label = {.x = x, .y = y, .size = size, .width = width, .colour = colour};
-    svg_text(svg, &label, text != NULL ? text : "");
+    svg_text(svg,
+             &(struct svg_label){.x = x, .y = y, .size = size, .width = width, .colour = colour},
+             text != NULL ? text : "");
 }
 
 void svg_words_upwards(struct svg *svg, double x, double y, double size, const char *text)
 {
-    const struct svg_label label = {
-        .x = x, .y = y, .size = size, .rotation = -90, .anchor = SVG_MIDDLE};
-    svg_text(svg, &label, text != NULL ? text : "");
+    svg_text(
+        svg,
+        &(struct svg_label){.x = x, .y = y, .size = size, .rotation = -90, .anchor = SVG_MIDDLE},
+        text != NULL ? text : "");
 }
 
 void svg_heading(struct svg *svg, double x, double y, double size, double width, const char *text)
 {
-    const struct svg_label label = {.x = x, .y = y, .size = size, .width = width, .bold = true};
-    svg_text(svg, &label, text != NULL ? text : "");
+    svg_text(svg, &(struct svg_label){.x = x, .y = y, .size = size, .width = width, .bold = true},
+             text != NULL ? text : "");
 }
 
 void svg_styled_line(struct svg *svg, const struct svg_style *style, double x1, double y1,

@@ -68,10 +68,11 @@ static void tally_plot_draw_mark(const struct tally_plot *plot, int which,
     double other = plot_page_at(across, which == 0 ? plot->limit : plot->nominal);
     const bool wants = isnan(other) ? x > (LEFT + WIDTH - RIGHT) / 2 : x < other;
     const bool turns = wants ? x > LEFT + WORDS : x > WIDTH - RIGHT - WORDS;
-    const struct svg_style style = {.stroke = which == 0 ? "#000" : palette_colour(FAILS),
-                                    .width = 1.6,
-                                    .dash = which == 0 ? NULL : "6 4"};
-    svg_styled_line(svg, &style, x, base - 9, x, BOTTOM);
+    svg_styled_line(svg,
+                    &(struct svg_style){.stroke = which == 0 ? "#000" : palette_colour(FAILS),
+                                        .width = 1.6,
+                                        .dash = which == 0 ? NULL : "6 4"},
+                    x, base - 9, x, BOTTOM);
     svg_words(svg, turns ? x - 5 : x + 5, base, NUMBER_SIZE, turns ? SVG_END : SVG_START, NULL,
               plot->marks[which]);
 }
