@@ -5,6 +5,7 @@
 #include "base/arena.h"
 #include "base/error.h"
 #include "draw/palette.h"
+#include "draw/plot_frame.h"
 #include "draw/svg.h"
 #include "draw/ticks.h"
 
@@ -16,31 +17,20 @@ static const double LEGEND_WIDTH = 118;
 
 enum { MOST_LABELLED = 400, COLOURS = 7, SHAPES = 3 };
 
-struct abbe_axis {
-    double low, high;   /* values at the ends */
-    double start, stop; /* px */
-    struct ticks ticks;
-};
-
 struct abbe_drawing {
     const struct abbe *abbe;
     struct svg *svg;
-    struct abbe_axis x, y;
+    struct plot_axis x, y;
     struct svg_box *taken; /* what labels must keep off: dots and labels */
     size_t taken_count;
 };
-
-static double abbe_page_at(const struct abbe_axis *axis, double v)
-{
-    return axis->start + (v - axis->low) / (axis->high - axis->low) * (axis->stop - axis->start);
-}
 
 static bool is_drawable(const struct abbe_point *point)
 {
     return isfinite(point->nd) && isfinite(point->Vd) && fabs(point->Vd) < 1e6;
 }
 
-static bool abbe_find_range(const struct abbe *abbe, struct abbe_axis *x, struct abbe_axis *y)
+static bool abbe_find_range(const struct abbe *abbe, struct plot_axis *x, struct plot_axis *y)
 {
     x->low = y->low = INFINITY;
     x->high = y->high = -INFINITY;
@@ -60,51 +50,43 @@ static bool abbe_find_range(const struct abbe *abbe, struct abbe_axis *x, struct
 static const double LEAST_ND = 0.001, LEAST_VD = 1;
 
 /* From tick to tick, with a little room around the outermost points. */
-static void set_axis(struct abbe_axis *axis, double least, double start, double stop)
+static void set_axis(struct plot_axis *axis, double least, double start, double stop)
 {
     double span = axis->high - axis->low;
     double room = fmax(0.02 * span, 0.5 * (least - span));
-    double low = axis->low - room, high = axis->high + room;
-    ticks_widen(&low, &high);
-    ticks_linear(low, high, &axis->ticks);
-    axis->low = axis->ticks.value[0];
-    axis->high = axis->ticks.value[axis->ticks.count - 1];
-    axis->start = start;
-    axis->stop = stop;
+    *axis = (struct plot_axis){
+        .low = axis->low - room, .high = axis->high + room, .start = start, .stop = stop};
+    plot_axis_to_ticks(axis);
 }
 
 static void abbe_draw_grid(const struct abbe_drawing *drawing)
 {
-    const struct abbe_axis *x = &drawing->x, *y = &drawing->y;
+    const struct plot_axis *x = &drawing->x, *y = &drawing->y;
     struct svg *svg = drawing->svg;
-    const struct svg_style grid = {.stroke = "#dddddd", .width = 0.7};
-    svg_group_begin(svg, &grid);
+    svg_group_begin(svg, &(struct svg_style){.stroke = "#dddddd", .width = 0.7});
     for (size_t i = 0; i < x->ticks.count; i++) {
-        double at = abbe_page_at(x, x->ticks.value[i]);
+        double at = plot_page_at(x, x->ticks.value[i]);
         svg_line(svg, at, y->start, at, y->stop);
     }
     for (size_t i = 0; i < y->ticks.count; i++) {
-        double at = abbe_page_at(y, y->ticks.value[i]);
+        double at = plot_page_at(y, y->ticks.value[i]);
         svg_line(svg, x->start, at, x->stop, at);
     }
     svg_group_end(svg);
-    const struct svg_style frame = {.stroke = "#000000", .width = 1};
-    svg_group_begin(svg, &frame);
-    double left = fmin(x->start, x->stop), top = fmin(y->start, y->stop);
-    svg_rect(svg, left, top, fabs(x->stop - x->start), fabs(y->stop - y->start));
-    svg_group_end(svg);
+    svg_styled_rect(svg, &(struct svg_style){.stroke = "#000000", .width = 1}, x->start, y->stop,
+                    x->stop - x->start, y->start - y->stop);
 }
 
 static void draw_numbers(const struct abbe_drawing *drawing)
 {
-    const struct abbe_axis *x = &drawing->x, *y = &drawing->y;
+    const struct plot_axis *x = &drawing->x, *y = &drawing->y;
     struct svg *svg = drawing->svg;
     for (size_t i = 0; i < x->ticks.count; i++) {
-        svg_words(svg, abbe_page_at(x, x->ticks.value[i]), y->start + 18, NUMBER_SIZE, SVG_MIDDLE,
+        svg_words(svg, plot_page_at(x, x->ticks.value[i]), y->start + 18, NUMBER_SIZE, SVG_MIDDLE,
                   NULL, ticks_text(svg->arena, &x->ticks, i));
     }
     for (size_t i = 0; i < y->ticks.count; i++) {
-        svg_words(svg, x->start - 8, abbe_page_at(y, y->ticks.value[i]) + 4, NUMBER_SIZE, SVG_END,
+        svg_words(svg, x->start - 8, plot_page_at(y, y->ticks.value[i]) + 4, NUMBER_SIZE, SVG_END,
                   NULL, ticks_text(svg->arena, &y->ticks, i));
     }
     svg_words(svg, (x->start + x->stop) / 2, y->start + 42, AXIS_SIZE, SVG_MIDDLE, NULL,
@@ -122,7 +104,7 @@ static void draw_numbers(const struct abbe_drawing *drawing)
 /* Crown left, flint right; the border is that of the makers' diagrams. */
 static void draw_border(const struct abbe_drawing *drawing)
 {
-    const struct abbe_axis *x = &drawing->x, *y = &drawing->y;
+    const struct plot_axis *x = &drawing->x, *y = &drawing->y;
     struct svg *svg = drawing->svg;
     const double Vd[] = {55, 55, 50, 50};
     const double nd[] = {y->low, 1.6, 1.6, y->high};
@@ -132,8 +114,8 @@ static void draw_border(const struct abbe_drawing *drawing)
         return;
     }
     for (int i = 0; i < 4; i++) {
-        page_x[i] = abbe_page_at(x, Vd[i]);
-        page_y[i] = abbe_page_at(y, nd[i]);
+        page_x[i] = plot_page_at(x, Vd[i]);
+        page_y[i] = plot_page_at(y, nd[i]);
     }
     svg_styled_polyline(svg, &style, page_x, page_y, 4);
     svg_words(svg, page_x[0] - 8, y->start - 8, NUMBER_SIZE, SVG_END, "#666666", "crown");
@@ -164,31 +146,25 @@ static double mark_radius(const struct abbe *abbe, bool chosen)
     return chosen ? usual + 2 : usual;
 }
 
-static void abbe_take(struct abbe_drawing *drawing, struct svg_box box)
-{
-    drawing->taken[drawing->taken_count++] = box;
-}
-
 static void draw_points(struct abbe_drawing *drawing, bool chosen)
 {
     const struct abbe *abbe = drawing->abbe;
     struct svg *svg = drawing->svg;
     double radius = mark_radius(abbe, chosen);
     for (size_t group = 0; group < abbe->group_count; group++) {
-        const struct svg_style style = {.fill = palette_colour(group),
-                                        .stroke = chosen ? "#000000" : NULL,
-                                        .width = 1.2,
-                                        .opacity =
-                                            chosen || abbe->count <= MOST_LABELLED ? 1 : 0.65};
-        svg_group_begin(svg, &style);
+        svg_group_begin(
+            svg, &(struct svg_style){.fill = palette_colour(group),
+                                     .stroke = chosen ? "#000000" : NULL,
+                                     .width = 1.2,
+                                     .opacity = chosen || abbe->count <= MOST_LABELLED ? 1 : 0.65});
         for (size_t i = 0; i < abbe->count; i++) {
             const struct abbe_point *point = &abbe->points[i];
             if (point->group == group && point->chosen == chosen && is_drawable(point)) {
-                double x = abbe_page_at(&drawing->x, point->Vd),
-                       y = abbe_page_at(&drawing->y, point->nd);
+                double x = plot_page_at(&drawing->x, point->Vd),
+                       y = plot_page_at(&drawing->y, point->nd);
                 abbe_draw_mark(svg, group, x, y, radius);
-                abbe_take(drawing,
-                          (struct svg_box){x - radius, y - radius, x + radius, y + radius});
+                drawing->taken[drawing->taken_count++] =
+                    (struct svg_box){x - radius, y - radius, x + radius, y + radius};
             }
         }
         svg_group_end(svg);
@@ -197,12 +173,9 @@ static void draw_points(struct abbe_drawing *drawing, bool chosen)
 
 static bool abbe_is_free(const struct abbe_drawing *drawing, const struct svg_box *box)
 {
-    const struct abbe_axis *x = &drawing->x, *y = &drawing->y;
-    if (box->left < x->start || box->right > x->stop || box->top < y->stop ||
-        box->bottom > y->start) {
-        return false;
-    }
-    return svg_is_free(drawing->taken, drawing->taken_count, box);
+    const struct plot_axis *x = &drawing->x, *y = &drawing->y;
+    return box->left >= x->start && box->right <= x->stop && box->top >= y->stop &&
+           box->bottom <= y->start && svg_is_free(drawing->taken, drawing->taken_count, box);
 }
 
 /* Beside the point where there is room: right, left, above, below, then the corners. */
@@ -214,7 +187,7 @@ static void label_point(struct abbe_drawing *drawing, const struct abbe_point *p
     double size = point->chosen ? LABEL_SIZE + 2.5 : LABEL_SIZE;
     double half_width = svg_text_width(point->label, size) / 2, half_height = 0.42 * size;
     double gap = mark_radius(drawing->abbe, point->chosen) + 1.5;
-    double x = abbe_page_at(&drawing->x, point->Vd), y = abbe_page_at(&drawing->y, point->nd);
+    double x = plot_page_at(&drawing->x, point->Vd), y = plot_page_at(&drawing->y, point->nd);
     for (size_t i = 0; i < sizeof places / sizeof places[0]; i++) {
         double shift_x = places[i].x * (half_width + gap);
         double shift_y = places[i].y * (half_height + gap);
@@ -224,7 +197,7 @@ static void label_point(struct abbe_drawing *drawing, const struct abbe_point *p
         if (abbe_is_free(drawing, &box) || (last && point->chosen)) {
             svg_words(drawing->svg, x + shift_x, box.bottom - 0.06 * size, size, SVG_MIDDLE,
                       point->chosen ? NULL : "#333333", point->label);
-            abbe_take(drawing, box);
+            drawing->taken[drawing->taken_count++] = box;
             return;
         }
     }
@@ -251,9 +224,11 @@ bool abbe_draw(const struct abbe *abbe, struct svg *svg, struct error *error)
     set_axis(&drawing.y, LEAST_ND, ABBE_HEIGHT - BOTTOM, TOP);
     set_axis(&drawing.x, LEAST_VD, ABBE_WIDTH - LEGEND_WIDTH, LEFT);
     /* Vd falls to the right: the axis is turned round once its ticks are chosen */
-    double high = drawing.x.high;
-    drawing.x =
-        (struct abbe_axis){high, drawing.x.low, LEFT, ABBE_WIDTH - LEGEND_WIDTH, drawing.x.ticks};
+    drawing.x = (struct plot_axis){.low = drawing.x.high,
+                                   .high = drawing.x.low,
+                                   .start = LEFT,
+                                   .stop = ABBE_WIDTH - LEGEND_WIDTH,
+                                   .ticks = drawing.x.ticks};
     drawing.taken = ARENA_ARRAY(svg->arena, 2 * abbe->count + 1, struct svg_box);
     svg_begin(svg, ABBE_WIDTH, ABBE_HEIGHT, abbe->title);
     abbe_draw_grid(&drawing);
@@ -265,11 +240,10 @@ bool abbe_draw(const struct abbe *abbe, struct svg *svg, struct error *error)
     draw_labels(&drawing, false);
     double x = ABBE_WIDTH - LEGEND_WIDTH + 14, y = TOP + 10;
     for (size_t group = 0; group < abbe->group_count; group++, y += 19) {
-        const struct svg_style style = {.fill = palette_colour(group)};
-        svg_group_begin(drawing.svg, &style);
-        abbe_draw_mark(drawing.svg, group, x, y, 4);
-        svg_group_end(drawing.svg);
-        svg_words(drawing.svg, x + 11, y + 4, NUMBER_SIZE, SVG_START, NULL, abbe->groups[group]);
+        svg_group_begin(svg, &(struct svg_style){.fill = palette_colour(group)});
+        abbe_draw_mark(svg, group, x, y, 4);
+        svg_group_end(svg);
+        svg_words(svg, x + 11, y + 4, NUMBER_SIZE, SVG_START, NULL, abbe->groups[group]);
     }
     svg_end(svg);
     return true;

@@ -150,11 +150,9 @@ static bool check_barrel(const struct barrel *barrel, struct error *error)
         return fail(error, ERROR_DOMAIN, "closest distance at %g 1/m is behind the focus, %g 1/m",
                     nearest, focus);
     }
-    if (!(nearest_of(barrel) > 1e-9 && nearest_of(barrel) < 1e9)) {
-        return fail(error, ERROR_DOMAIN, "barrel scale of %g 1/m is not within 1e-9 .. 1e9",
-                    nearest_of(barrel));
-    }
-    return true;
+    return (nearest_of(barrel) > 1e-9 && nearest_of(barrel) < 1e9) ||
+           fail(error, ERROR_DOMAIN, "barrel scale of %g 1/m is not within 1e-9 .. 1e9",
+                nearest_of(barrel));
 }
 
 /* -------- the focus ring -------- */
@@ -231,27 +229,19 @@ static void draw_focus_ring(struct svg *svg, const struct scale *scale, double n
 
 /* -------- the fixed ring -------- */
 
-/* What the fixed ring holds already. */
-struct barrel_pairs {
-    struct barrel_row numbers, ticks;
-};
-
 /* One tick with its number, or without (null), beside the tick if so anchored. */
 static void barrel_draw_mark(struct svg *svg, double x, const char *text, enum svg_anchor anchor,
                              bool chosen)
 {
+    static const double beside[] = {[SVG_START] = 4, [SVG_MIDDLE] = 0, [SVG_END] = -4};
+    const struct svg_label label = {.x = x + beside[anchor],
+                                    .y = FIXED_TOP + 42,
+                                    .size = 15,
+                                    .anchor = anchor,
+                                    .colour = chosen ? BLUE : "#222",
+                                    .bold = chosen};
     svg_line(svg, x, FIXED_TOP, x, FIXED_TOP + (text ? 22 : 12));
-    struct svg_label label = {.x = anchor == SVG_END     ? x - 4
-                                   : anchor == SVG_START ? x + 4
-                                                         : x,
-                              .y = FIXED_TOP + 42,
-                              .size = 15,
-                              .anchor = anchor,
-                              .colour = chosen ? BLUE : "#222",
-                              .bold = chosen};
-    if (text) {
-        svg_text(svg, &label, text);
-    }
+    svg_text(svg, &label, text);
 }
 
 /* Take the places of a pair in one row: both or none, but only those on the scale. */
@@ -271,13 +261,13 @@ static bool claim_pair(struct barrel_row *row, const struct scale *scale, const 
 
 /* The pair of one f-number; the chosen one's numbers move outwards if they have no room. */
 static void draw_pair(struct svg *svg, const struct scale *scale, const struct barrel_mark *mark,
-                      bool chosen, struct barrel_pairs *pairs)
+                      bool chosen, struct barrel_row *numbers, struct barrel_row *ticks)
 {
     const char *text = number_text(svg->arena, mark->fnumber);
     double limit[] = {mark->near_diopter, mark->far_diopter};
     double width = svg_text_width(text, 15);
-    bool room = claim_pair(&pairs->numbers, scale, limit, width, LABEL_GAP / 2);
-    bool ticked = claim_pair(&pairs->ticks, scale, limit, 0, PAIR_GAP);
+    bool room = claim_pair(numbers, scale, limit, width, LABEL_GAP / 2);
+    bool ticked = claim_pair(ticks, scale, limit, 0, PAIR_GAP);
     if (!room && !ticked && !chosen) {
         return;
     }
@@ -288,7 +278,7 @@ static void draw_pair(struct svg *svg, const struct scale *scale, const struct b
             continue;
         }
         if (chosen && !room) {
-            occupy(&pairs->numbers, x + (i == 0 ? -1 : 1) * (width / 2 + 4), width);
+            occupy(numbers, x + (i == 0 ? -1 : 1) * (width / 2 + 4), width);
         }
         barrel_draw_mark(svg, x, room || chosen ? text : NULL, room ? SVG_MIDDLE : outward, chosen);
     }
@@ -310,16 +300,16 @@ static size_t next_mark(const struct barrel *barrel, double limit)
 /* The chosen pair first, then by falling f-number: so numbers are lost where it is crowded. */
 static void draw_pairs(struct svg *svg, const struct scale *scale, const struct barrel *barrel)
 {
-    struct barrel_pairs pairs = {.numbers.count = 0};
-    occupy(&pairs.numbers, barrel_position(scale, barrel->focus_diopter), 10);
+    struct barrel_row numbers = {.count = 0}, ticks = {.count = 0}; /* of what is there already */
+    occupy(&numbers, barrel_position(scale, barrel->focus_diopter), 10);
     svg_group_begin(svg, &(struct svg_style){.stroke = BLUE, .width = 2.4});
-    draw_pair(svg, scale, &barrel->marks[barrel->chosen], true, &pairs);
+    draw_pair(svg, scale, &barrel->marks[barrel->chosen], true, &numbers, &ticks);
     svg_group_end(svg);
     svg_group_begin(svg, &(struct svg_style){.stroke = "#222", .width = 1.3});
     for (size_t i = next_mark(barrel, INFINITY); i < barrel->mark_count;
          i = next_mark(barrel, barrel->marks[i].fnumber)) {
         if (i != barrel->chosen) {
-            draw_pair(svg, scale, &barrel->marks[i], false, &pairs);
+            draw_pair(svg, scale, &barrel->marks[i], false, &numbers, &ticks);
         }
     }
     svg_group_end(svg);
@@ -336,11 +326,17 @@ static void barrel_draw_area(struct svg *svg, const struct svg_style *style, dou
 /* "3 m (9.84 ft)", or the infinity sign. */
 static const char *distance_text(struct arena *arena, double diopter)
 {
-    if (!(diopter > 1e-9)) {
-        return "∞";
-    }
-    return arena_printf(arena, "%s m (%s ft)", number_text(arena, 1 / diopter),
-                        number_text(arena, 1 / diopter / metres_in_foot()));
+    return !(diopter > 1e-9) ? "∞"
+                             : arena_printf(arena, "%s m (%s ft)", number_text(arena, 1 / diopter),
+                                            number_text(arena, 1 / diopter / metres_in_foot()));
+}
+
+/* A triangle that points to the place of the focus. */
+static void draw_index(struct svg *svg, double x, double y)
+{
+    svg_group_begin(svg, &(struct svg_style){.fill = RED});
+    svg_path(svg, x, y, "M0 0L6 11 -6 11z");
+    svg_group_end(svg);
 }
 
 static void barrel_draw_legend(struct svg *svg, const struct barrel *barrel)
@@ -348,14 +344,12 @@ static void barrel_draw_legend(struct svg *svg, const struct barrel *barrel)
     const struct barrel_mark *mark = &barrel->marks[barrel->chosen];
     struct arena *arena = svg->arena;
     double y = BARREL_HEIGHT - 22;
-    svg_group_begin(svg, &(struct svg_style){.fill = RED});
-    svg_path(svg, MARGIN + 6, y - 11, "M0 0L6 11 -6 11z");
-    svg_group_end(svg);
+    draw_index(svg, MARGIN + 6, y - 11);
     svg_words_within(
         svg, MARGIN + 20, y, 13, 280, NULL,
         arena_printf(arena, "focused at %s", distance_text(arena, barrel->focus_diopter)));
-    struct svg_style tint = {.fill = "#56b4e9", .stroke = BLUE, .opacity = 0.5};
-    barrel_draw_area(svg, &tint, 330, y - 11, 352, y + 1);
+    barrel_draw_area(svg, &(struct svg_style){.fill = "#56b4e9", .stroke = BLUE, .opacity = 0.5},
+                     330, y - 11, 352, y + 1);
     svg_words_within(svg, 360, y, 13, 510, NULL,
                      arena_printf(arena, "sharp at f/%s: %s to %s",
                                   number_text(arena, mark->fnumber),
@@ -390,9 +384,7 @@ bool barrel_draw(const struct barrel *barrel, struct svg *svg, struct error *err
     double x = barrel_position(&scale, barrel->focus_diopter);
     svg_styled_line(svg, &(struct svg_style){.stroke = RED, .width = 2.6}, x, FIXED_TOP + 2, x,
                     FIXED_BOTTOM - 12);
-    svg_group_begin(svg, &(struct svg_style){.fill = RED});
-    svg_path(svg, x, FIXED_TOP, "M0 0L6 11 -6 11z");
-    svg_group_end(svg);
+    draw_index(svg, x, FIXED_TOP);
     struct ticks ticks;
     ticks_linear(scale.right_diopter, scale.left_diopter, &ticks);
     svg_group_begin(svg, &(struct svg_style){.stroke = "#555", .width = 1});

@@ -32,10 +32,9 @@ static double page_y(const struct grid_image_page *page, double y)
 static void grid_image_draw_axes(const struct grid_image_page *page)
 {
     struct ticks ticks;
-    const struct svg_style frame = {.stroke = "#444444"};
     struct svg *svg = page->svg;
     ticks_linear(-page->reach, page->reach, &ticks);
-    svg_group_begin(svg, &frame);
+    svg_group_begin(svg, &(struct svg_style){.stroke = "#444444"});
     svg_rect(svg, LEFT, TOP, SIDE, SIDE);
     for (size_t i = 0; i < ticks.count; i++) {
         if (fabs(ticks.value[i]) <= page->reach) {

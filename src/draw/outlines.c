@@ -15,37 +15,34 @@ enum { ACROSS = 5, MOST = 100 };
 static const double CELL = 180, HEAD = 40, FOOT = 24, TOP = 72, BOTTOM = 64, MARGIN = 20;
 static const double HALF = 76; /* of the largest shape */
 
-static const char *const BLUE = "#0060a0", *const TINT = "#56b4e9", *const GREY = "#888";
+static const struct svg_style area = {
+    .stroke = "#0060a0", .fill = "#56b4e9", .width = 1.4, .opacity = 0.75};
+static const struct svg_style dashed = {.stroke = "#888", .width = 1, .dash = "4 3"};
 
-struct outlines_page {
-    double scale; /* px a unit */
-    double x, y;  /* origin of the cell's shape */
-};
-
-static void draw_shape(struct svg *svg, const struct outlines_page *page, const double (*points)[2],
-                       size_t count)
+/* A shape about its origin (px) at so many px a unit. */
+static void draw_shape(struct svg *svg, const struct svg_style *style, double scale,
+                       double origin_x, double origin_y, const double (*points)[2], size_t count)
 {
     double *x = ARENA_ARRAY(svg->arena, count + 1, double);
     double *y = ARENA_ARRAY(svg->arena, count + 1, double);
     for (size_t i = 0; i < count; i++) {
-        x[i] = page->x + page->scale * points[i][0];
-        y[i] = page->y - page->scale * points[i][1];
+        x[i] = origin_x + scale * points[i][0];
+        y[i] = origin_y - scale * points[i][1];
     }
-    if (count > 0) {
-        svg_polygon(svg, x, y, count);
-    }
+    svg_styled_polygon(svg, style, x, y, count);
 }
 
 static void outlines_draw_words(struct svg *svg, double x, double y, bool bold, const char *words)
 {
-    const struct svg_label label = {.x = x,
-                                    .y = y,
-                                    .size = 13,
-                                    .width = CELL - 8,
-                                    .anchor = SVG_MIDDLE,
-                                    .colour = bold ? "#1d1d1d" : "#444",
-                                    .bold = bold};
-    svg_text(svg, &label, words);
+    svg_text(svg,
+             &(struct svg_label){.x = x,
+                                 .y = y,
+                                 .size = 13,
+                                 .width = CELL - 8,
+                                 .anchor = SVG_MIDDLE,
+                                 .colour = bold ? "#1d1d1d" : "#444",
+                                 .bold = bold},
+             words);
 }
 
 static void draw_foot(struct svg *svg, const struct outlines *outlines, double scale, double y)
@@ -59,9 +56,7 @@ static void draw_foot(struct svg *svg, const struct outlines *outlines, double s
         if (outlines->legend[i] == NULL) {
             continue;
         }
-        const struct svg_style area = {.stroke = BLUE, .fill = TINT, .width = 1.4, .opacity = 0.75};
-        const struct svg_style line = {.stroke = GREY, .width = 1, .dash = "4 3"};
-        svg_styled_circle(svg, i == 0 ? &area : &line, x + 7, y, 7);
+        svg_styled_circle(svg, i == 0 ? &area : &dashed, x + 7, y, 7);
         svg_words(svg, x + 20, y + 5, 13, SVG_START, NULL, outlines->legend[i]);
         x += 40 + svg_text_width(outlines->legend[i], 13);
     }
@@ -69,17 +64,16 @@ static void draw_foot(struct svg *svg, const struct outlines *outlines, double s
 
 bool outlines_draw(const struct outlines *outlines, struct svg *svg, struct error *error)
 {
-    double farthest = 0;
+    double most = 0; /* the farthest */
     for (size_t i = 0; i < outlines->count; i++) {
         const struct pupil_outline *shape = &outlines->shapes[i];
         for (size_t k = 0; k < shape->count; k++) {
-            farthest = fmax(farthest, fmax(fabs(shape->points[k][0]), fabs(shape->points[k][1])));
+            most = fmax(most, fmax(fabs(shape->points[k][0]), fabs(shape->points[k][1])));
         }
         for (size_t k = 0; k < shape->dashed_count; k++) {
-            farthest = fmax(farthest, fmax(fabs(shape->dashed[k][0]), fabs(shape->dashed[k][1])));
+            most = fmax(most, fmax(fabs(shape->dashed[k][0]), fabs(shape->dashed[k][1])));
         }
     }
-    double most = farthest;
     if (outlines->count > MOST) {
         return fail(error, ERROR_USAGE, "a drawing of %zu shapes: at most %d can be distinguished",
                     outlines->count, MOST);
@@ -105,24 +99,17 @@ bool outlines_draw(const struct outlines *outlines, struct svg *svg, struct erro
         svg_words_within(svg, MARGIN, 52, 13, width - 2 * MARGIN, "#444", outlines->subtitle);
     }
     for (size_t i = 0; i < outlines->count; i++) {
-        const struct outlines_page page = {
-            .scale = scale,
-            .x = MARGIN + ((double)(i % across) + 0.5) * CELL,
-            .y = TOP + (double)(i / across) * tall + HEAD + HALF,
-        };
+        const struct pupil_outline *shape = &outlines->shapes[i];
+        const double x = MARGIN + ((double)(i % across) + 0.5) * CELL;
+        const double y = TOP + (double)(i / across) * tall + HEAD + HALF;
         svg_group_begin(svg, &(struct svg_style){.stroke = "#ccc", .width = 1});
-        svg_line(svg, page.x - HALF - 6, page.y, page.x + HALF + 6, page.y);
-        svg_line(svg, page.x, page.y - HALF - 6, page.x, page.y + HALF + 6);
+        svg_line(svg, x - HALF - 6, y, x + HALF + 6, y);
+        svg_line(svg, x, y - HALF - 6, x, y + HALF + 6);
         svg_group_end(svg);
-        svg_group_begin(
-            svg, &(struct svg_style){.stroke = BLUE, .fill = TINT, .width = 1.4, .opacity = 0.75});
-        draw_shape(svg, &page, outlines->shapes[i].points, outlines->shapes[i].count);
-        svg_group_end(svg);
-        svg_group_begin(svg, &(struct svg_style){.stroke = GREY, .width = 1, .dash = "4 3"});
-        draw_shape(svg, &page, outlines->shapes[i].dashed, outlines->shapes[i].dashed_count);
-        svg_group_end(svg);
-        outlines_draw_words(svg, page.x, page.y - HALF - 16, true, outlines->shapes[i].label);
-        outlines_draw_words(svg, page.x, page.y + HALF + 24, false, outlines->shapes[i].note);
+        draw_shape(svg, &area, scale, x, y, shape->points, shape->count);
+        draw_shape(svg, &dashed, scale, x, y, shape->dashed, shape->dashed_count);
+        outlines_draw_words(svg, x, y - HALF - 16, true, shape->label);
+        outlines_draw_words(svg, x, y + HALF + 24, false, shape->note);
     }
     draw_foot(svg, outlines, scale, height - BOTTOM / 2);
     svg_end(svg);

@@ -31,10 +31,6 @@ static const char *const DARK = "#1d1d1d", *const SOFT = "#444";
 
 /* -------- the legend -------- */
 
-struct pen {
-    double x, y;
-};
-
 /* Where the words of an entry begin, and the next entry. */
 static double words_from(bool spots)
 {
@@ -45,37 +41,35 @@ static double words_from(bool spots)
 static double lay_legend(const struct panels_page *page, double y, bool drawn)
 {
     const struct panels *panels = page->panels;
-    struct pen pen = {MARGIN, y};
+    const double limit = page->total_x - MARGIN;
+    double x = MARGIN, first = y;
     /* Are the keys used by spots only? Then their samples are spots. */
-    bool only = true;
+    bool spots = true;
     for (size_t i = 0; i < panels->count; i++) {
         for (size_t s = 0; s < panels->panels[i].count; s++) {
-            only = only && panels->panels[i].series[s].spots;
+            spots = spots && panels->panels[i].series[s].spots;
         }
     }
-    bool spots = only;
     size_t count = panels->keys != NULL ? panels->key_count : 0;
     for (size_t key = 0; key <= count; key++) {
         const char *words = key < count ? panels->keys[key] : panels->circle_label;
         if (words == NULL) {
             continue;
         }
-        double width = words_from(spots || key == count) + svg_text_width(words, WORDS) + 18;
+        const bool circle = key == count;
+        double width = words_from(spots || circle) + svg_text_width(words, WORDS) + 18;
         /* Room for an entry: on the next line if it does not end within the page. */
-        double limit = page->total_x - MARGIN;
-        if (pen.x + width > limit && pen.x > MARGIN) {
-            pen.x = MARGIN;
-            pen.y += LINE;
+        if (x + width > limit && x > MARGIN) {
+            x = MARGIN;
+            y += LINE;
         }
         if (drawn) {
-            bool circle = panels->keys == NULL || key >= panels->key_count;
             if (circle) {
                 svg_styled_circle(page->svg,
                                   &(struct svg_style){.stroke = SOFT, .width = 1, .dash = "3 3"},
-                                  pen.x + 5, pen.y - 4, 5);
+                                  x + 5, y - 4, 5);
             } else {
-                const double xs[2] = {pen.x + (spots ? 5 : 0), pen.x + SAMPLE};
-                const double ys[2] = {pen.y - 4, pen.y - 4};
+                const double xs[2] = {x + (spots ? 5 : 0), x + SAMPLE}, ys[2] = {y - 4, y - 4};
                 const struct panels_mark mark = {.x = xs,
                                                  .y = ys,
                                                  .count = spots ? 1 : 2,
@@ -84,12 +78,11 @@ static double lay_legend(const struct panels_page *page, double y, bool drawn)
                                                  .large = true};
                 panels_marks_draw(page->panels, page->svg, &mark);
             }
-            svg_words(page->svg, pen.x + words_from(spots || circle), pen.y, WORDS, SVG_START, NULL,
-                      circle ? panels->circle_label : panels->keys[key]);
+            svg_words(page->svg, x + words_from(spots || circle), y, WORDS, SVG_START, NULL, words);
         }
-        pen.x += width;
+        x += width;
     }
-    return pen.x > MARGIN ? pen.y : y - LINE;
+    return x > MARGIN ? y : first - LINE;
 }
 
 /* -------- measures -------- */
@@ -230,14 +223,15 @@ static void draw_heads(const struct panels_page *page)
         const char *head = panels->row_heads[i] != NULL ? panels->row_heads[i] : "";
         /* long ones are smaller; bold is a tenth wider than what the width is counted for */
         double room = page->down - 12, width = 1.1 * svg_text_width(head, WORDS);
-        const struct svg_label label = {.x = cell.left - beside(page) - 10,
-                                        .y = cell.top + cell.height / 2,
-                                        .size = WORDS * fmax(0.6, fmin(1, room / width)),
-                                        .rotation = -90,
-                                        .width = room,
-                                        .anchor = SVG_MIDDLE,
-                                        .bold = true};
-        svg_text(page->svg, &label, head);
+        svg_text(page->svg,
+                 &(struct svg_label){.x = cell.left - beside(page) - 10,
+                                     .y = cell.top + cell.height / 2,
+                                     .size = WORDS * fmax(0.6, fmin(1, room / width)),
+                                     .rotation = -90,
+                                     .width = room,
+                                     .anchor = SVG_MIDDLE,
+                                     .bold = true},
+                 head);
     }
 }
 
@@ -301,19 +295,14 @@ static void include_panel(const struct panel *panel, struct panels_scale *x, str
     }
 }
 
-static bool panels_has_range(double low, double high)
-{
-    return low < high;
-}
-
 /* To round numbers; an x range that was given keeps its ends. */
 static void set_axes(const struct panels *panels, struct panels_scale *x, struct panels_scale *y)
 {
-    bool given = !panels->own_x && panels_has_range(panels->x_low, panels->x_high);
+    bool given = !panels->own_x && panels->x_low < panels->x_high;
     if (given) {
         panels_include(x, panels->x_low, panels->x_high);
     }
-    if (!panels->own_y && panels_has_range(panels->y_low, panels->y_high)) {
+    if (!panels->own_y && panels->y_low < panels->y_high) {
         panels_include(y, panels->y_low, panels->y_high);
     }
     ticks_linear(x->low, x->high, &x->ticks);

@@ -26,10 +26,8 @@ static const char *colour_of(const struct panels *panels, size_t key)
     if (!panels->light || count == 0) {
         return palette_colour(key);
     }
-    if (count > COUNT(chosen)) {
-        return spectrum[key % COUNT(spectrum)];
-    }
-    return spectrum[chosen[count - 1][key] - '0'];
+    return count > COUNT(chosen) ? spectrum[key % COUNT(spectrum)]
+                                 : spectrum[chosen[count - 1][key] - '0'];
 }
 
 /* Corners of the shapes of spots, in their radius; the first is a dot. */
@@ -64,13 +62,11 @@ static void panels_marks_draw_spots(struct svg *svg, size_t look, const char *co
         n++;
     }
     if (corners == 0) {
-        svg_group_begin(svg, &(struct svg_style){.stroke = colour, .width = 2 * radius});
-        svg_polyline(svg, x, y, n);
+        svg_styled_polyline(svg, &(struct svg_style){.stroke = colour, .width = 2 * radius}, x, y,
+                            n);
     } else {
-        svg_group_begin(svg, &(struct svg_style){.fill = colour});
-        svg_polygon(svg, x, y, n);
+        svg_styled_polygon(svg, &(struct svg_style){.fill = colour}, x, y, n);
     }
-    svg_group_end(svg);
 }
 
 void panels_marks_draw(const struct panels *panels, struct svg *svg, const struct panels_mark *mark)
@@ -201,14 +197,13 @@ void panels_cell_draw(const struct panels *panels, struct svg *svg, const struct
                       const struct panel *panel)
 {
     /* Can one point at least be seen? */
-    bool seen = false;
+    bool any = false;
     for (size_t s = 0; s < panel->count; s++) {
         const struct panel_series *series = &panel->series[s];
-        for (size_t i = 0; i < series->count && !seen; i++) {
-            seen = isfinite(at_x(cell, series->x[i])) && isfinite(at_y(cell, series->y[i]));
+        for (size_t i = 0; i < series->count && !any; i++) {
+            any = isfinite(at_x(cell, series->x[i])) && isfinite(at_y(cell, series->y[i]));
         }
     }
-    const bool any = seen;
     /* lines of the ticks and of zero; none go through the words in a panel without points */
     bool ticks = panels->unit == NULL;
     if (ticks) {
@@ -231,11 +226,10 @@ void panels_cell_draw(const struct panels *panels, struct svg *svg, const struct
         draw_series(panels, svg, cell, panel);
     }
     /* Below spots; inside at the top of curves, or in the middle of what is empty. */
-    bool square = panels->unit != NULL;
-    bool empty = !any;
-    double y = empty    ? cell->top + cell->height / 2 + 4
-               : square ? cell->top + cell->height + 14
-                        : cell->top + 14;
+    double y = ticks ? cell->top + 14 : cell->top + cell->height + 14;
+    if (!any) {
+        y = cell->top + cell->height / 2 + 4;
+    }
     struct svg_label note = {.x = cell->left + cell->width / 2,
                              .y = y,
                              .size = NOTE,
@@ -250,17 +244,18 @@ void panels_cell_draw(const struct panels *panels, struct svg *svg, const struct
                               .anchor = SVG_MIDDLE,
                               .colour = DARK};
     svg_text(svg, &title, panel->title);
-    if (panels->own_x && panels->unit == NULL) {
+    if (panels->own_x && ticks) {
         title.y = cell->top + cell->height + 32;
         svg_text(svg, &title, panel->x_label);
     }
-    if (panels->own_y && panels->unit == NULL) {
-        const struct svg_label label = {.x = cell->left - PANELS_NUMBERS - 6,
-                                        .y = cell->top + cell->height / 2,
-                                        .size = WORDS,
-                                        .rotation = -90,
-                                        .width = cell->height + 20,
-                                        .anchor = SVG_MIDDLE};
-        svg_text(svg, &label, panel->y_label);
+    if (panels->own_y && ticks) {
+        svg_text(svg,
+                 &(struct svg_label){.x = cell->left - PANELS_NUMBERS - 6,
+                                     .y = cell->top + cell->height / 2,
+                                     .size = WORDS,
+                                     .rotation = -90,
+                                     .width = cell->height + 20,
+                                     .anchor = SVG_MIDDLE},
+                 panel->y_label);
     }
 }

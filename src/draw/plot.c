@@ -350,19 +350,18 @@ static void draw_keys(struct svg *svg, const struct plot *plot, const struct plo
 {
     struct plot_key *keys = ARENA_ARRAY(svg->arena, plot->series_count, struct plot_key);
     /* The labelled series from top to bottom, as their curves end. */
-    size_t n = 0;
+    size_t count = 0;
     for (size_t s = 0; s < plot->series_count; s++) {
         if (!plot->series[s].label) {
             continue;
         }
         struct plot_key key = {&plot->series[s], plot_end_of(plot, frame, &plot->series[s])};
-        size_t at = n++;
+        size_t at = count++;
         for (; at > 0 && keys[at - 1].y > key.y; at--) {
             keys[at] = keys[at - 1];
         }
         keys[at] = key;
     }
-    size_t count = n;
     double left = frame->x.stop + 12, height = frame->y.start - frame->y.stop;
     double gap = fmin(18, height / (double)(count + 1));
     /* Move the labels apart: down from the top, then up again from the lower edge. */
@@ -394,7 +393,7 @@ bool plot_draw(const struct plot *plot, struct svg *svg, struct error *error)
                     plot->log_x || plot->log_y ? " and positive" : "");
     }
     plot_set_x_axis(&frame.x);
-    plot_set_y_axis(&frame.y);
+    plot_axis_to_ticks(&frame.y);
     /* Place the frame so that all words fit around it. */
     double width = 0;
     for (size_t s = 0; s < plot->series_count; s++) {

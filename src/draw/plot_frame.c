@@ -101,20 +101,16 @@ double plot_value_at(const struct plot_axis *axis, double at)
                      : axis->low + part * (axis->high - axis->low);
 }
 
-static void choose_ticks(struct plot_axis *axis, double low, double high)
+static void choose_ticks(struct plot_axis *axis)
 {
-    if (axis->log) {
-        ticks_log(low, high, &axis->ticks);
-    } else {
-        ticks_linear(low, high, &axis->ticks);
-    }
+    (axis->log ? ticks_log : ticks_linear)(axis->low, axis->high, &axis->ticks);
 }
 
-void plot_set_y_axis(struct plot_axis *y)
+void plot_axis_to_ticks(struct plot_axis *axis)
 {
-    choose_ticks(y, y->low, y->high);
-    y->low = y->ticks.value[0];
-    y->high = y->ticks.value[y->ticks.count - 1];
+    choose_ticks(axis);
+    axis->low = axis->ticks.value[0];
+    axis->high = axis->ticks.value[axis->ticks.count - 1];
 }
 
 static void keep_ticks_inside(struct plot_axis *axis)
@@ -133,7 +129,7 @@ static void keep_ticks_inside(struct plot_axis *axis)
 void plot_set_x_axis(struct plot_axis *x)
 {
     ticks_widen(&x->low, &x->high);
-    choose_ticks(x, x->low, x->high);
+    choose_ticks(x);
     keep_ticks_inside(x);
     if (x->ticks.count < 3) { /* a short logarithmic axis between two round numbers */
         ticks_linear(x->low, x->high, &x->ticks);

@@ -25,8 +25,8 @@ double plot_drawable(double value, bool log);
 /* The range of all points that count for it; false if there is none. */
 bool plot_find_range(const struct plot *plot, struct plot_axis *x, struct plot_axis *y);
 
-/* The y axis reaches from tick to tick; the x axis ends where the data end. */
-void plot_set_y_axis(struct plot_axis *y);
+/* Round ticks: the axis reaches from tick to tick; the x axis of a plot ends where data end. */
+void plot_axis_to_ticks(struct plot_axis *axis);
 void plot_set_x_axis(struct plot_axis *x);
 
 /* Where a value lies, px. */

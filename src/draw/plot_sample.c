@@ -103,10 +103,9 @@ static bool half_is_open(const struct curve_sampler *sampler, const struct curve
                          const struct curve_node *b, bool bent, int depth)
 {
     const double width = fabs(b->at - a->at);
-    if (!nodes_are_alike(sampler, a, b) || leap_of(sampler, a, b) > JUMP) {
-        return width > EXACT;
-    }
-    return width > CLOSE && (bent || (depth < 2 && width > WIDE / 2));
+    return (!nodes_are_alike(sampler, a, b) || leap_of(sampler, a, b) > JUMP)
+               ? width > EXACT
+               : width > CLOSE && (bent || (depth < 2 && width > WIDE / 2));
 }
 
 /* The node in the middle of an interval; false if there is none. */
@@ -249,7 +248,7 @@ static bool find_page(struct curve_sampler *sampler)
         return false;
     }
     plot_set_x_axis(&sampler->x);
-    plot_set_y_axis(&sampler->y);
+    plot_axis_to_ticks(&sampler->y);
     sampler->x.stop = WIDTH;
     sampler->y.stop = HEIGHT;
     return true;

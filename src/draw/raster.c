@@ -110,42 +110,31 @@ static void raster_write_text(const struct raster_page *page, double x, double y
     }
 }
 
-static void write_upwards(const struct raster_page *page, double x, double y, const char *text)
-{
-    svg_words_upwards(page->svg, x, y, 12, text);
-}
-
 static const struct svg_style frame = {.stroke = "#444444"}, nothing = {.fill = "#dddddd"};
 
-/* Ticks from low to high: along x, or upwards with their numbers on one side. */
-struct raster_axis {
-    double low, high, x, y, length;
-    int upwards; /* 0: along x; -1: upwards, numbers on the left; 1: on the right */
-    bool is_log; /* of powers of ten */
-};
-
-static void raster_draw_axis(const struct raster_page *page, const struct raster_axis *axis)
+/*
+ * Ticks from low to high, from x0, y0 (px) on: along x (upwards = 0), or upwards with their numbers
+ * on the left (-1) or right (1); is_log: of powers of ten.
+ */
+static void raster_draw_axis(struct svg *svg, double low, double high, double x0, double y0,
+                             double length, int upwards, bool is_log)
 {
     struct ticks ticks;
-    struct arena *arena = page->svg->arena;
-    const double slack = 1e-9 * (axis->high - axis->low);
-    ticks_linear(axis->low, axis->high, &ticks);
+    const double slack = 1e-9 * (high - low), side = upwards;
+    ticks_linear(low, high, &ticks);
     for (size_t i = 0; i < ticks.count; i++) {
         const double value = ticks.value[i];
-        const bool between = axis->is_log && fabs(value - round(value)) > slack;
-        if (value >= axis->low - slack && value <= axis->high + slack && !between) {
-            double share = (value - axis->low) / (axis->high - axis->low);
-            const char *text =
-                axis->is_log ? arena_printf(arena, "1e%.0f", value) : ticks_text(arena, &ticks, i);
-            const double at = share * axis->length, side = axis->upwards;
-            const double x = side == 0 ? axis->x + at : axis->x,
-                         y = side == 0 ? axis->y : axis->y - at;
-            svg_styled_line(page->svg, &frame, x, y, x + side * TICK, side == 0 ? y + TICK : y);
-            if (axis->upwards == 0) {
-                raster_write_text(page, x, y + 17, 11, SVG_MIDDLE, text);
+        const bool between = is_log && fabs(value - round(value)) > slack;
+        if (value >= low - slack && value <= high + slack && !between) {
+            const char *text = is_log ? arena_printf(svg->arena, "1e%.0f", value)
+                                      : ticks_text(svg->arena, &ticks, i);
+            const double at = (value - low) / (high - low) * length;
+            const double x = upwards == 0 ? x0 + at : x0, y = upwards == 0 ? y0 : y0 - at;
+            svg_styled_line(svg, &frame, x, y, x + side * TICK, upwards == 0 ? y + TICK : y);
+            if (upwards == 0) {
+                svg_words(svg, x, y + 17, 11, SVG_MIDDLE, NULL, text);
             } else {
-                raster_write_text(page, x + 8 * side, y + 4, 11, side < 0 ? SVG_END : SVG_START,
-                                  text);
+                svg_words(svg, x + 8 * side, y + 4, 11, side < 0 ? SVG_END : SVG_START, NULL, text);
             }
         }
     }
@@ -164,13 +153,11 @@ static bool draw_map(const struct raster_page *page, size_t i, struct error *err
     svg_styled_rect(page->svg, &nothing, x, y, SIDE, SIDE);
     svg_image(page->svg, x, y, SIDE, SIDE, png);
     svg_styled_rect(page->svg, &frame, x, y, SIDE, SIDE);
-    const struct raster_axis along = {-map->half, map->half, x, y + SIDE, SIDE, 0, false};
-    const struct raster_axis up = {-map->half, map->half, x, y + SIDE, SIDE, -1, false};
-    raster_draw_axis(page, &along);
-    raster_draw_axis(page, &up);
+    raster_draw_axis(page->svg, -map->half, map->half, x, y + SIDE, SIDE, 0, false);
+    raster_draw_axis(page->svg, -map->half, map->half, x, y + SIDE, SIDE, -1, false);
     raster_write_text(page, x + SIDE / 2, y - 10, 13, SVG_MIDDLE, map->title);
     raster_write_text(page, x + SIDE / 2, y + SIDE + 34, 12, SVG_MIDDLE, rasters->x_label);
-    write_upwards(page, x - 48, y + SIDE / 2, rasters->y_label);
+    svg_words_upwards(page->svg, x - 48, y + SIDE / 2, 12, rasters->y_label);
     raster_write_text(page, x + SIDE / 2, y + SIDE + 54, 12, SVG_MIDDLE, map->note);
     return true;
 }
@@ -207,15 +194,9 @@ bool rasters_draw(const struct rasters *rasters, struct svg *svg, struct error *
     }
     svg_image(page.svg, bar, TOP, BAR_WIDTH, SIDE, png);
     svg_styled_rect(page.svg, &frame, bar, TOP, BAR_WIDTH, SIDE);
-    const struct raster_axis up = {page.low,
-                                   page.high,
-                                   bar + BAR_WIDTH,
-                                   TOP + SIDE,
-                                   SIDE,
-                                   1,
-                                   page.rasters->colours == RASTER_LOG};
-    raster_draw_axis(&page, &up);
-    write_upwards(&page, bar + BAR_WIDTH + 62, TOP + SIDE / 2, page.rasters->scale_label);
+    raster_draw_axis(svg, page.low, page.high, bar + BAR_WIDTH, TOP + SIDE, SIDE, 1,
+                     rasters->colours == RASTER_LOG);
+    svg_words_upwards(svg, bar + BAR_WIDTH + 62, TOP + SIDE / 2, 12, rasters->scale_label);
     svg_end(svg);
     return true;
 }

@@ -17,7 +17,6 @@ static const double ARROW = 0.25; /* longest arrow, in radii of the pupil */
 static const unsigned char shades[SHADES][3] = {{158, 202, 225}, {253, 141, 60}, {140, 10, 20}};
 
 struct map_drawing {
-    const struct ray_map *map;
     struct svg *svg;
     double largest;
 };
@@ -52,8 +51,7 @@ static void draw_ray(const struct map_drawing *drawing, const struct ray_map_poi
     double y = centre_y(point->row) - RADIUS * point->y;
     double off = hypot(point->dx, point->dy);
     if (!isfinite(off)) {
-        const struct svg_style lost = {.stroke = "#888888"};
-        svg_group_begin(svg, &lost);
+        svg_group_begin(svg, &(struct svg_style){.stroke = "#888888"});
         svg_line(svg, x - 2, y - 2, x + 2, y + 2);
         svg_line(svg, x - 2, y + 2, x + 2, y - 2);
         svg_group_end(svg);
@@ -62,8 +60,7 @@ static void draw_ray(const struct map_drawing *drawing, const struct ray_map_poi
     double share = drawing->largest > 0 ? off / drawing->largest : 0;
     double scale = drawing->largest > 0 ? ARROW * RADIUS / drawing->largest : 0;
     const char *colour = shade_of(drawing, share);
-    const struct svg_style style = {.stroke = colour, .fill = colour, .width = 1.4};
-    svg_group_begin(svg, &style);
+    svg_group_begin(svg, &(struct svg_style){.stroke = colour, .fill = colour, .width = 1.4});
     svg_circle(svg, x, y, 2.2);
     svg_line(svg, x, y, x + scale * point->dx, y - scale * point->dy);
     svg_group_end(svg);
@@ -92,7 +89,7 @@ static bool ray_map_check_map(const struct ray_map *map, double *largest, struct
 
 bool ray_map_draw(const struct ray_map *map, struct svg *svg, struct error *error)
 {
-    struct map_drawing drawing = {.map = map, .svg = svg};
+    struct map_drawing drawing = {.svg = svg};
     if (!ray_map_check_map(map, &drawing.largest, error)) {
         return false;
     }
@@ -129,9 +126,9 @@ bool ray_map_draw(const struct ray_map *map, struct svg *svg, struct error *erro
     double bar = fmin(260, CELL * (double)map->column_count - 20), left = LEFT + 10;
     struct arena *arena = drawing.svg->arena;
     for (int i = 0; i < BAR_STEPS; i++) {
-        const struct svg_style style = {.fill = shade_of(&drawing, (i + 0.5) / BAR_STEPS)};
-        svg_styled_rect(drawing.svg, &style, left + bar * i / BAR_STEPS, y, bar / BAR_STEPS + 0.5,
-                        12);
+        svg_styled_rect(drawing.svg,
+                        &(struct svg_style){.fill = shade_of(&drawing, (i + 0.5) / BAR_STEPS)},
+                        left + bar * i / BAR_STEPS, y, bar / BAR_STEPS + 0.5, 12);
     }
     for (int i = 0; i <= 2; i++) {
         svg_words(drawing.svg, left + bar * i / 2, y + 28, 12, SVG_MIDDLE, NULL,

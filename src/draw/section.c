@@ -87,13 +87,14 @@ static struct extent section_measure(const struct section *section)
 static void section_write_text(const struct section_page *page, double x, double y,
                                enum svg_anchor anchor, const char *colour, const char *text)
 {
-    const struct svg_label label = {.x = x,
-                                    .y = y,
-                                    .size = SMALL,
-                                    .anchor = anchor,
-                                    .colour = colour,
-                                    .width = anchor == SVG_START ? SECTION_WIDTH - 16 - x : 0};
-    svg_text(page->svg, &label, text);
+    svg_text(page->svg,
+             &(struct svg_label){.x = x,
+                                 .y = y,
+                                 .size = SMALL,
+                                 .anchor = anchor,
+                                 .colour = colour,
+                                 .width = anchor == SVG_START ? SECTION_WIDTH - 16 - x : 0},
+             text);
 }
 
 /* The end of what lies under or over a label of this width: the element's rim, or `end` (px). */
@@ -171,15 +172,13 @@ static void draw_part(const struct section_page *page, const struct layout_part 
         style.fill = tints[part->glass % TINTS];
         style.opacity = page->section->faint ? 0.45 : 0;
     }
-    svg_group_begin(svg, &style);
     if (part->kind == LAYOUT_ELEMENT) {
-        svg_polygon(svg, x, y, part->count);
+        svg_styled_polygon(svg, &style, x, y, part->count);
     } else if (part->kind == LAYOUT_POINT) {
-        svg_circle(svg, x[0], y[0], 3);
+        svg_styled_circle(svg, &style, x[0], y[0], 3);
     } else {
-        svg_polyline(svg, x, y, part->count);
+        svg_styled_polyline(svg, &style, x, y, part->count);
     }
-    svg_group_end(svg);
     if (part->kind == LAYOUT_ARROW) {
         size_t last = part->count - 1;
         const struct svg_style filled = {.fill = styles[LAYOUT_ARROW].stroke};
@@ -225,13 +224,11 @@ static double section_draw_legend(const struct section_page *page, double y, boo
         if (draw) {
             struct svg_style style = styles[kind];
             style.fill = glass ? tints[i % TINTS] : NULL;
-            svg_group_begin(page->svg, &style);
             if (glass) {
-                svg_rect(page->svg, x, y - 10, 20, 11);
+                svg_styled_rect(page->svg, &style, x, y - 10, 20, 11);
             } else {
-                svg_line(page->svg, x, y - 4, x + 22, y - 4);
+                svg_styled_line(page->svg, &style, x, y - 4, x + 22, y - 4);
             }
-            svg_group_end(page->svg);
             section_write_text(page, x + 28, y, SVG_START, NULL, name);
         }
         x += width;
@@ -276,18 +273,20 @@ bool section_draw(const struct section *section, struct svg *svg, struct error *
     page.height = section_draw_legend(&page, page.bottom + 46, false) + 8;
     page.taken = ARENA_ARRAY(svg->arena, section->layout->part_count, struct svg_box);
     svg_begin(svg, SECTION_WIDTH, page.height, section->title);
-    struct svg_label label = {.x = SECTION_WIDTH / 2,
-                              .y = 30,
-                              .size = 18,
-                              .anchor = SVG_MIDDLE,
-                              .width = SECTION_WIDTH - 40,
-                              .bold = true};
-    svg_text(page.svg, &label, section->title);
-    label.y = 52;
-    label.size = 13;
-    label.bold = false;
-    label.colour = "#444444";
-    svg_text(page.svg, &label, section->subtitle);
+    const struct svg_label title = {.x = SECTION_WIDTH / 2,
+                                    .y = 30,
+                                    .size = 18,
+                                    .anchor = SVG_MIDDLE,
+                                    .width = SECTION_WIDTH - 40,
+                                    .bold = true};
+    const struct svg_label below = {.x = SECTION_WIDTH / 2,
+                                    .y = 52,
+                                    .size = 13,
+                                    .anchor = SVG_MIDDLE,
+                                    .width = SECTION_WIDTH - 40,
+                                    .colour = "#444444"};
+    svg_text(svg, &title, section->title);
+    svg_text(svg, &below, section->subtitle);
     for (int kind = 0; kind < LAYOUT_KINDS; kind++) {
         for (size_t i = 0; i < section->layout->part_count; i++) {
             if ((int)section->layout->parts[i].kind == kind) {

@@ -3,6 +3,7 @@
 #include "draw/svg.h"
 
 #include <math.h>
+#include <stdarg.h>
 #include <string.h>
 
 #include "base/arena.h"
@@ -41,22 +42,25 @@ static void svg_put_number(struct svg *svg, double x)
     put_bytes(svg, digits, (size_t)(number_write_digits(digits, x, 9) - digits));
 }
 
-static void svg_put_attribute(struct svg *svg, const char *name, double x)
+/* Words in which a '#' stands for the next number and a '$' for the next text. */
+static void svg_write(struct svg *svg, const char *words, ...)
 {
-    svg_put(svg, " ");
-    svg_put(svg, name);
-    svg_put(svg, "=\"");
-    svg_put_number(svg, x);
-    svg_put(svg, "\"");
-}
-
-static void svg_put_colour(struct svg *svg, const char *name, const char *value)
-{
-    svg_put(svg, " ");
-    svg_put(svg, name);
-    svg_put(svg, "=\"");
-    svg_put(svg, value ? value : "none");
-    svg_put(svg, "\"");
+    va_list values;
+    va_start(values, words);
+    for (;;) {
+        const size_t length = strcspn(words, "#$");
+        put_bytes(svg, words, length);
+        words += length;
+        if (*words == '\0') {
+            break;
+        }
+        if (*words++ == '#') {
+            svg_put_number(svg, va_arg(values, double));
+        } else {
+            svg_put(svg, va_arg(values, const char *));
+        }
+    }
+    va_end(values);
 }
 
 static void put_escaped(struct svg *svg, const char *text, size_t length)
@@ -115,23 +119,17 @@ static bool svg_all_finite(double a, double b, double c, double d)
 
 void svg_begin(struct svg *svg, double width, double height, const char *title)
 {
-    svg_put(svg, "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n"
-                 "<svg xmlns=\"http://www.w3.org/2000/svg\" version=\"1.1\"");
-    svg_put_attribute(svg, "width", width);
-    svg_put_attribute(svg, "height", height);
-    svg_put(svg, " viewBox=\"0 0 ");
-    svg_put_number(svg, width);
-    svg_put(svg, " ");
-    svg_put_number(svg, height);
-    svg_put(svg, "\" font-family=\"Helvetica, Arial, sans-serif\" fill=\"none\" "
-                 "stroke-linejoin=\"round\" stroke-linecap=\"round\">\n<title>");
+    svg_write(svg,
+              "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n"
+              "<svg xmlns=\"http://www.w3.org/2000/svg\" version=\"1.1\" width=\"#\" height=\"#\" "
+              "viewBox=\"0 0 # #\" font-family=\"Helvetica, Arial, sans-serif\" fill=\"none\" "
+              "stroke-linejoin=\"round\" stroke-linecap=\"round\">\n<title>",
+              width, height, width, height);
     if (title) {
         put_escaped(svg, title, strlen(title));
     }
     svg_put(svg, "</title>\n");
-    svg_group_begin(svg, &(struct svg_style){.fill = "#fff"});
-    svg_rect(svg, 0, 0, width, height);
-    svg_group_end(svg);
+    svg_styled_rect(svg, &(struct svg_style){.fill = "#fff"}, 0, 0, width, height);
 }
 
 void svg_end(struct svg *svg)
@@ -141,17 +139,16 @@ void svg_end(struct svg *svg)
 
 void svg_group_begin(struct svg *svg, const struct svg_style *style)
 {
-    svg_put(svg, "<g");
-    svg_put_colour(svg, "fill", style->fill);
-    svg_put_colour(svg, "stroke", style->stroke);
+    svg_write(svg, "<g fill=\"$\" stroke=\"$\"", style->fill ? style->fill : "none",
+              style->stroke ? style->stroke : "none");
     if (style->width > 0) {
-        svg_put_attribute(svg, "stroke-width", style->width);
+        svg_write(svg, " stroke-width=\"#\"", style->width);
     }
     if (style->dash) {
-        svg_put_colour(svg, "stroke-dasharray", style->dash);
+        svg_write(svg, " stroke-dasharray=\"$\"", style->dash);
     }
     if (style->opacity > 0) {
-        svg_put_attribute(svg, "opacity", style->opacity);
+        svg_write(svg, " opacity=\"#\"", style->opacity);
     }
     svg_put(svg, ">\n");
 }
@@ -159,13 +156,10 @@ void svg_group_begin(struct svg *svg, const struct svg_style *style)
 void svg_clip_begin(struct svg *svg, double x, double y, double width, double height)
 {
     double name = (double)(svg->length % 1000000); /* where it stands: no other has it */
-    svg_put(svg, "<clipPath id=\"clip");
-    svg_put_number(svg, name);
-    svg_put(svg, "\">");
+    svg_write(svg, "<clipPath id=\"clip#\">", name);
     svg_rect(svg, x, y, width, height);
-    svg_put(svg, "</clipPath>\n<g clip-path=\"url(#clip");
-    svg_put_number(svg, name);
-    svg_put(svg, ")\">\n");
+    svg_put(svg, "</clipPath>\n<g clip-path=\"url(#");
+    svg_write(svg, "clip#)\">\n", name);
 }
 
 void svg_group_end(struct svg *svg)
@@ -173,52 +167,24 @@ void svg_group_end(struct svg *svg)
     svg_put(svg, "</g>\n");
 }
 
-/* A shape of up to four numbers; the name behind the last is null. */
-static void svg_shape(struct svg *svg, const char *tag, const char *const names[4],
-                      const double values[4])
-{
-    if (!svg_all_finite(values[0], values[1], values[2], values[3])) {
-        return;
-    }
-    svg_put(svg, tag);
-    for (int i = 0; i < 4 && names[i] != NULL; i++) {
-        svg_put_attribute(svg, names[i], values[i]);
-    }
-    svg_put(svg, "/>\n");
-}
-
 void svg_line(struct svg *svg, double x1, double y1, double x2, double y2)
 {
-    static const char *const names[] = {"x1", "y1", "x2", "y2"};
-    svg_shape(svg, "<line", names, (double[]){x1, y1, x2, y2});
+    if (svg_all_finite(x1, y1, x2, y2)) {
+        svg_write(svg, "<line x1=\"#\" y1=\"#\" x2=\"#\" y2=\"#\"/>\n", x1, y1, x2, y2);
+    }
 }
 
 void svg_rect(struct svg *svg, double x, double y, double width, double height)
 {
-    static const char *const names[] = {"x", "y", "width", "height"};
-    if (width >= 0 && height >= 0) {
-        svg_shape(svg, "<rect", names, (double[]){x, y, width, height});
+    if (svg_all_finite(x, y, width, height) && width >= 0 && height >= 0) {
+        svg_write(svg, "<rect x=\"#\" y=\"#\" width=\"#\" height=\"#\"/>\n", x, y, width, height);
     }
 }
 
 void svg_circle(struct svg *svg, double x, double y, double radius)
 {
-    static const char *const names[4] = {"cx", "cy", "r"};
-    if (radius >= 0) {
-        svg_shape(svg, "<circle", names, (double[]){x, y, radius, 0});
-    }
-}
-
-static void put_run(struct svg *svg, const double *x, const double *y, size_t count)
-{
-    for (size_t i = 0; i < count; i++) {
-        svg_put(svg, i == 0 ? "M" : i == 1 ? "L" : " ");
-        svg_put_number(svg, x[i]);
-        svg_put(svg, " ");
-        svg_put_number(svg, y[i]);
-    }
-    if (count == 1) {
-        svg_put(svg, "h0"); /* round line ends make a dot of it */
+    if (svg_all_finite(x, y, radius, 0) && radius >= 0) {
+        svg_write(svg, "<circle cx=\"#\" cy=\"#\" r=\"#\"/>\n", x, y, radius);
     }
 }
 
@@ -234,8 +200,12 @@ static void put_runs(struct svg *svg, const double *x, const double *y, size_t c
         }
         if (i > start) {
             svg_put(svg, open ? "" : "<path d=\"");
-            put_run(svg, x + start, y + start, i - start);
-            svg_put(svg, ending);
+            for (size_t k = start; k < i; k++) {
+                const char *step = k == start + 1 ? "L" : " ";
+                svg_write(svg, "$# #", k == start ? "M" : step, x[k], y[k]);
+            }
+            /* round line ends make a dot of one point */
+            svg_write(svg, "$$", i - start == 1 ? "h0" : "", ending);
             open = true;
         }
         start = i + 1;
@@ -255,27 +225,20 @@ void svg_polygon(struct svg *svg, const double *x, const double *y, size_t count
 
 void svg_path(struct svg *svg, double x, double y, const char *words)
 {
-    if (!svg_all_finite(x, y, 0, 0)) {
-        return;
+    if (svg_all_finite(x, y, 0, 0)) {
+        svg_write(svg, "<path transform=\"translate(# #)\" d=\"", x, y);
+        put_escaped(svg, words, strlen(words));
+        svg_put(svg, "\"/>\n");
     }
-    svg_put(svg, "<path transform=\"translate(");
-    svg_put_number(svg, x);
-    svg_put(svg, " ");
-    svg_put_number(svg, y);
-    svg_put(svg, ")\" d=\"");
-    put_escaped(svg, words, strlen(words));
-    svg_put(svg, "\"/>\n");
 }
 
 void svg_image(struct svg *svg, double x, double y, double width, double height, struct text png)
 {
-    svg_put(svg, "<image xmlns:xlink=\"http://www.w3.org/1999/xlink\"");
-    svg_put_attribute(svg, "x", x);
-    svg_put_attribute(svg, "y", y);
-    svg_put_attribute(svg, "width", width);
-    svg_put_attribute(svg, "height", height);
-    svg_put(svg, " preserveAspectRatio=\"none\" image-rendering=\"optimizeSpeed\" "
-                 "style=\"image-rendering:pixelated\" xlink:href=\"data:image/png;base64,");
+    svg_write(svg,
+              "<image xmlns:xlink=\"http://www.w3.org/1999/xlink\" x=\"#\" y=\"#\" width=\"#\" "
+              "height=\"#\" preserveAspectRatio=\"none\" image-rendering=\"optimizeSpeed\" "
+              "style=\"image-rendering:pixelated\" xlink:href=\"data:image/png;base64,",
+              x, y, width, height);
     /* Three bytes become four letters (RFC 4648). */
     static const char letters[] =
         "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
@@ -300,22 +263,11 @@ void svg_text(struct svg *svg, const struct svg_label *label, const char *text)
     if (text == NULL || !svg_all_finite(label->x, label->y, label->size, label->rotation)) {
         return;
     }
-    svg_put(svg, "<text");
-    svg_put_attribute(svg, "x", label->x);
-    svg_put_attribute(svg, "y", label->y);
-    svg_put_attribute(svg, "font-size", label->size);
-    svg_put(svg, anchors[label->anchor]);
-    svg_put(svg, label->bold ? " font-weight=\"bold\"" : "");
-    svg_put_colour(svg, "fill", label->colour ? label->colour : "#000");
-    svg_put(svg, " stroke=\"none\"");
+    svg_write(svg, "<text x=\"#\" y=\"#\" font-size=\"#\"$$ fill=\"$\" stroke=\"none\"", label->x,
+              label->y, label->size, anchors[label->anchor],
+              label->bold ? " font-weight=\"bold\"" : "", label->colour ? label->colour : "#000");
     if (fabs(label->rotation) > 0) {
-        svg_put(svg, " transform=\"rotate(");
-        svg_put_number(svg, label->rotation);
-        svg_put(svg, " ");
-        svg_put_number(svg, label->x);
-        svg_put(svg, " ");
-        svg_put_number(svg, label->y);
-        svg_put(svg, ")\"");
+        svg_write(svg, " transform=\"rotate(# # #)\"", label->rotation, label->x, label->y);
     }
     svg_put(svg, ">");
     bool fits = !(label->width > 0) || svg_text_width(text, label->size) <= label->width;
@@ -327,29 +279,31 @@ void svg_text(struct svg *svg, const struct svg_label *label, const char *text)
 void svg_words(struct svg *svg, double x, double y, double size, enum svg_anchor anchor,
                const char *colour, const char *text)
 {
-    const struct svg_label label = {
-        .x = x, .y = y, .size = size, .anchor = anchor, .colour = colour};
-    svg_text(svg, &label, text != NULL ? text : "");
+    svg_text(svg,
+             &(struct svg_label){.x = x, .y = y, .size = size, .anchor = anchor, .colour = colour},
+             text != NULL ? text : "");
 }
 
 void svg_words_within(struct svg *svg, double x, double y, double size, double width,
                       const char *colour, const char *text)
 {
-    const struct svg_label label = {.x = x, .y = y, .size = size, .width = width, .colour = colour};
-    svg_text(svg, &label, text != NULL ? text : "");
+    svg_text(svg,
+             &(struct svg_label){.x = x, .y = y, .size = size, .width = width, .colour = colour},
+             text != NULL ? text : "");
 }
 
 void svg_words_upwards(struct svg *svg, double x, double y, double size, const char *text)
 {
-    const struct svg_label label = {
-        .x = x, .y = y, .size = size, .rotation = -90, .anchor = SVG_MIDDLE};
-    svg_text(svg, &label, text != NULL ? text : "");
+    svg_text(
+        svg,
+        &(struct svg_label){.x = x, .y = y, .size = size, .rotation = -90, .anchor = SVG_MIDDLE},
+        text != NULL ? text : "");
 }
 
 void svg_heading(struct svg *svg, double x, double y, double size, double width, const char *text)
 {
-    const struct svg_label label = {.x = x, .y = y, .size = size, .width = width, .bold = true};
-    svg_text(svg, &label, text != NULL ? text : "");
+    svg_text(svg, &(struct svg_label){.x = x, .y = y, .size = size, .width = width, .bold = true},
+             text != NULL ? text : "");
 }
 
 void svg_styled_line(struct svg *svg, const struct svg_style *style, double x1, double y1,

@@ -24,8 +24,7 @@ void ticks_widen(double *low, double *high)
 void ticks_linear(double low, double high, struct ticks *ticks)
 {
     ticks_widen(&low, &high);
-    double range = high - low;
-    double raw = range / 8;
+    double raw = (high - low) / 8;
     double decade = pow(10, floor(log10(raw)));
     double ratio = raw / decade * (1 - 1e-9); /* so that 1.0000000001 is still 1 */
     double mantissa = 10;

@@ -105,8 +105,7 @@ static void view_choose(struct view *view, const struct wedge *wedge, double nam
     }
     double spare = fmax(0, height / view->scale - below - above);
     /* a level plane opens its wedge to both sides, a steep one goes up */
-    bool level = wedge->A < fabs(wedge->B);
-    double under = below + spare * (shows_hinge && !level ? 0.25 : 0.5);
+    double under = below + spare * (shows_hinge && !(wedge->A < fabs(wedge->B)) ? 0.25 : 0.5);
     view->x0 = view->left + names_px + view->scale * wedge->image;
     view->y0 =
         wedge->hinge > 0 ? view->bottom - view->scale * under : view->top + view->scale * under;
@@ -204,20 +203,17 @@ static void wedge_draw_camera(struct svg *svg, const struct view *view, const st
                   view_y(view, middle - sensor), view_y(view, -half * cosine)};
     svg_styled_polygon(svg, &(struct svg_style){.fill = "#e9e6e0", .stroke = "#b9b4aa", .width = 1},
                        x, y, 4);
-    svg_group_begin(svg, &(struct svg_style){.stroke = BLACK, .width = 3});
-    view_line(view, svg, -v, middle - sensor, -v, middle + sensor);
-    svg_group_end(svg);
+    svg_styled_line(svg, &(struct svg_style){.stroke = BLACK, .width = 3}, x[1], y[2], x[1], y[1]);
     /* A lens seen from the side: two arcs of the given height about the origin. */
     enum { POINTS = 17 };
-    double at_x[2 * POINTS], at_y[2 * POINTS], rim = wedge->lens_diameter / 2;
-    double s = sin(wedge->tilt), c = cos(wedge->tilt);
+    double at_x[2 * POINTS], at_y[2 * POINTS];
     for (size_t i = 0; i < POINTS; i++) {
-        double t = 2.0 * (double)i / (POINTS - 1) - 1, thick = 0.22 * rim * (1 - t * t);
+        double t = 2.0 * (double)i / (POINTS - 1) - 1, thick = 0.22 * half * (1 - t * t);
         for (size_t side = 0; side < 2; side++) {
             double along = side == 0 ? thick : -thick; /* of the lens axis */
             size_t at = side == 0 ? i : 2 * POINTS - 1 - i;
-            at_x[at] = view_x(view, along * c + rim * t * s);
-            at_y[at] = view_y(view, rim * t * c - along * s);
+            at_x[at] = view_x(view, along * cosine + half * t * sine);
+            at_y[at] = view_y(view, half * t * cosine - along * sine);
         }
     }
     svg_styled_polygon(svg, &(struct svg_style){.fill = "#cfe3f2", .stroke = BLACK, .width = 1.4},
@@ -313,9 +309,9 @@ static void draw_planes(struct svg *svg, const struct view *view, const struct w
     for (size_t i = 0; i < 3; i++) {
         parts[i] = view_plane(view, wedge, planes[i].A);
         if (parts[i].shown) {
-            svg_group_begin(svg, &planes[i].style);
-            view_line(view, svg, parts[i].u[0], parts[i].y[0], parts[i].u[1], parts[i].y[1]);
-            svg_group_end(svg);
+            svg_styled_line(svg, &planes[i].style, view_x(view, parts[i].u[0]),
+                            view_y(view, parts[i].y[0]), view_x(view, parts[i].u[1]),
+                            view_y(view, parts[i].y[1]));
         }
     }
     for (size_t i = 0; i < 3; i++) {
@@ -334,17 +330,6 @@ static void draw_planes(struct svg *svg, const struct view *view, const struct w
 
 /* -------- the construction behind the lens -------- */
 
-static void name_left(struct svg *svg, const struct view *view, const struct wedge *wedge, double y,
-                      const char *colour, const char *name)
-{
-    svg_words(svg, view_x(view, -wedge->image) - 10, y, 13, SVG_END, colour, name);
-}
-
-static void draw_point(struct svg *svg, double x, double y, const char *colour)
-{
-    svg_styled_circle(svg, &(struct svg_style){.fill = colour}, x, y, 4);
-}
-
 /* The two lines in which planes meet, end on, with names that keep clear of each other. */
 static void draw_meetings(struct svg *svg, const struct view *view, const struct wedge *wedge)
 {
@@ -353,17 +338,18 @@ static void draw_meetings(struct svg *svg, const struct view *view, const struct
         isfinite(wedge->scheimpflug) && view_holds(view, -wedge->image, -wedge->scheimpflug);
     double y1 = view_y(view, -wedge->hinge), y2 = view_y(view, -wedge->scheimpflug);
     double apart = hinge && line_shown ? fmax(0, 20 - fabs(y2 - y1)) / 2 : 0;
-    double sign = fabs(y2 - y1) < 1 ? copysign(1, wedge->hinge) : y2 > y1 ? 1 : -1;
+    double sign = copysign(1, fabs(y2 - y1) < 1 ? wedge->hinge : y2 - y1);
+    const double sensor = view_x(view, -wedge->image), names = sensor - 10;
     if (line_shown) {
-        draw_point(svg, view_x(view, -wedge->image), y2, BLACK);
-        name_left(svg, view, wedge, y2 + 5 + sign * apart, BLACK, "Scheimpflug line");
+        svg_styled_circle(svg, &(struct svg_style){.fill = BLACK}, sensor, y2, 4);
+        svg_words(svg, names, y2 + 5 + sign * apart, 13, SVG_END, BLACK, "Scheimpflug line");
     }
     if (hinge) {
-        draw_point(svg, view_x(view, 0), y1, RED);
-        name_left(svg, view, wedge, y1 + 5 - sign * apart, RED, "hinge line");
+        svg_styled_circle(svg, &(struct svg_style){.fill = RED}, view_x(view, 0), y1, 4);
+        svg_words(svg, names, y1 + 5 - sign * apart, 13, SVG_END, RED, "hinge line");
     }
     if (hinge && fabs(y1 - view->y0) > 50) {
-        name_left(svg, view, wedge, (y1 + view->y0) / 2 + 5, RED,
+        svg_words(svg, names, (y1 + view->y0) / 2 + 5, 13, SVG_END, RED,
                   arena_printf(svg->arena, "J = %s", metres(svg->arena, fabs(wedge->hinge))));
     }
 }
@@ -410,20 +396,6 @@ static void wedge_draw_frame(struct svg *svg, const struct view *view)
     svg_text(svg, &label, "height against the lens (m)");
 }
 
-/* One line of the legend: how it is drawn, and what it is. */
-static void wedge_explain(struct svg *svg, double y, const struct svg_style *style,
-                          const char *words)
-{
-    svg_group_begin(svg, style);
-    if (style->fill != NULL) {
-        svg_rect(svg, MARGIN, y - 10, 26, 12);
-    } else {
-        svg_line(svg, MARGIN, y - 4, MARGIN + 26, y - 4);
-    }
-    svg_group_end(svg);
-    svg_words_within(svg, MARGIN + 34, y, 12.5, CAMERA_RIGHT - MARGIN - 34, NULL, words);
-}
-
 /* "hinge line, 1.72 m below" (the lens) */
 static const char *depth_words(struct arena *arena, const char *name, double depth)
 {
@@ -461,7 +433,15 @@ static void wedge_draw_legend(struct svg *svg, const struct wedge *wedge)
                       metres(arena, wedge_ahead(wedge, wedge->A_far)))},
     };
     for (size_t i = 0; i < sizeof entries / sizeof entries[0]; i++) {
-        wedge_explain(svg, LEGEND + 24 * (double)i, &entries[i].style, entries[i].words);
+        const struct svg_style *style = &entries[i].style;
+        const double y = LEGEND + 24 * (double)i;
+        if (style->fill != NULL) {
+            svg_styled_rect(svg, style, MARGIN, y - 10, 26, 12);
+        } else {
+            svg_styled_line(svg, style, MARGIN, y - 4, MARGIN + 26, y - 4);
+        }
+        svg_words_within(svg, MARGIN + 34, y, 12.5, CAMERA_RIGHT - MARGIN - 34, NULL,
+                         entries[i].words);
     }
 }
 
@@ -484,11 +464,9 @@ static bool check_wedge(const struct wedge *wedge, struct error *error)
     if (!(fabs(wedge->tilt) < PI / 2)) {
         return fail(error, ERROR_DOMAIN, "a tilt of %g rad cannot be drawn", wedge->tilt);
     }
-    if (!(wedge->depth >= 0 && isfinite(wedge->depth))) {
-        return fail(error, ERROR_DOMAIN, "a depth of %g mm cannot be drawn (0 or more, finite)",
-                    wedge->depth);
-    }
-    return true;
+    return (wedge->depth >= 0 && isfinite(wedge->depth)) ||
+           fail(error, ERROR_DOMAIN, "a depth of %g mm cannot be drawn (0 or more, finite)",
+                wedge->depth);
 }
 
 bool wedge_draw(const struct wedge *wedge, struct svg *svg, struct error *error)
@@ -526,11 +504,9 @@ bool wedge_draw(const struct wedge *wedge, struct svg *svg, struct error *error)
     svg_group_end(svg);
     svg_styled_line(svg, &(struct svg_style){.stroke = "#aaa", .width = 1}, view.x0, view.y0,
                     view.right, view.y0);
-    svg_group_begin(svg, &(struct svg_style){.stroke = RED, .width = 1, .dash = "2 3"});
-    if (isfinite(J)) {
-        view_line(&view, svg, 0, 0, 0, J);
-    }
-    svg_group_end(svg);
+    /* to the hinge, if that is not at infinity: the line is left out then */
+    svg_styled_line(svg, &(struct svg_style){.stroke = RED, .width = 1, .dash = "2 3"}, view.x0,
+                    view.y0, view.x0, view_y(&view, J));
     draw_planes(svg, &view, wedge);
     wedge_draw_camera(svg, &view, wedge);
     svg_group_end(svg);

@@ -101,10 +101,7 @@ static double polygon_excess(const struct aperture_form *form, double x, double 
     if (isnan(x) || isnan(y)) {
         return (double)NAN;
     }
-    if (inside) {
-        return -relative;
-    }
-    return relative;
+    return inside ? -relative : relative;
 }
 
 /* Beyond one arm, mm: across it, or behind the centre where it begins. */

@@ -41,8 +41,7 @@ static struct pair conjugates_combine(struct pair a, struct pair x, struct pair 
 {
     struct pair first = pair_multiply(a, x), second = pair_multiply(b, y);
     struct pair sum = pair_add(first, second);
-    double size = fabs(first.hi) + fabs(second.hi);
-    return fabs(sum.hi) <= NOTHING * size ? pair_of(0) : sum;
+    return fabs(sum.hi) <= NOTHING * (fabs(first.hi) + fabs(second.hi)) ? pair_of(0) : sum;
 }
 
 static struct conjugate_ray backwards(const struct optics *o, struct conjugate_ray image)
@@ -65,11 +64,9 @@ static bool check_reference(const struct optics *o, enum conjugate_from from, bo
     if (!o->has_stop) {
         return fail(error, ERROR_DOMAIN, "without a stop there is no pupil to measure from");
     }
-    if ((is_image ? o->d2.hi : o->a1.hi) == 0) {
-        return fail(error, ERROR_DOMAIN, "the %s pupil is infinitely far",
-                    is_image ? "exit" : "entrance");
-    }
-    return true;
+    return (is_image ? o->d2.hi : o->a1.hi) != 0 ||
+           fail(error, ERROR_DOMAIN, "the %s pupil is infinitely far",
+                is_image ? "exit" : "entrance");
 }
 
 /*

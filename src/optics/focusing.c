@@ -3,6 +3,7 @@
 #include "optics/focusing.h"
 
 #include "base/polynomial.h"
+#include "optics/parameter.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -118,8 +119,8 @@ static void focusing_start(const struct movement_terms *all, struct polynomial *
 /* The polynomial that is 0 when the image lies in its plane. */
 static struct polynomial condition(const struct movement_terms *all)
 {
-    const struct pair n_image = all->system.index[all->system.count];
-    const struct polynomial back = polynomial_scale(&all->plane, pair_divide(pair_of(1), n_image));
+    const struct polynomial back = polynomial_scale(
+        &all->plane, pair_divide(pair_of(1), all->system.index[all->system.count]));
     const struct polynomial top = plus_times(&all->a, &back, &all->c);
     if (all->question->asked == CONJUGATE_MAGNIFICATION) {
         const struct polynomial m = focusing_constant(-all->question->magnification);
@@ -136,12 +137,9 @@ static struct focused state_at(const struct focus_mechanism *focusing, struct pa
                                struct arena *arena)
 {
     const struct lens *lens = focusing->lens;
-    struct lens *copy = ARENA_NEW(arena, struct lens);
+    struct lens *copy = lens_copy(lens, arena);
     struct focused focused = {copy, movement, focusing->image_plane};
-    *copy = *lens;
-    copy->surfaces = ARENA_ARRAY(arena, lens->surface_count, struct surface);
     for (size_t i = 0; i < lens->surface_count; i++) {
-        copy->surfaces[i] = lens->surfaces[i];
         double weight = focusing_weight_of(focusing, i);
         if (weight == 0) {
             continue;

@@ -51,8 +51,7 @@ static void glass_add_resonance(struct glass_figure *value, const struct light *
                                 struct pair B, struct pair C)
 {
     struct pair gap = pair_subtract(light->square, C);
-    struct pair term = pair_divide(pair_multiply(B, light->square), gap);
-    value->y = pair_add(value->y, term);
+    value->y = pair_add(value->y, pair_divide(pair_multiply(B, light->square), gap));
     value->dy -= 2 * B.hi * C.hi * light->l.hi / (gap.hi * gap.hi);
 }
 
@@ -322,12 +321,10 @@ bool glass_check_range(const struct glass *glass, double wavelength, struct erro
                     (int)glass->name.length, glass->name.start, 1000 * glass->shortest,
                     1000 * glass->longest);
     }
-    if (!(glass_n(glass, wavelength) > 0)) {
-        return fail(error, ERROR_DOMAIN, "the formula of %.*s:%.*s gives no index at %.10g nm",
-                    (int)glass->catalog.length, glass->catalog.start, (int)glass->name.length,
-                    glass->name.start, 1000 * wavelength);
-    }
-    return true;
+    return glass_n(glass, wavelength) > 0 ||
+           fail(error, ERROR_DOMAIN, "the formula of %.*s:%.*s gives no index at %.10g nm",
+                (int)glass->catalog.length, glass->catalog.start, (int)glass->name.length,
+                glass->name.start, 1000 * wavelength);
 }
 
 /* The index at a line with its low part, NaN where the range does not reach. */

@@ -84,16 +84,14 @@ const struct lens *lens_at_position(const struct lens *lens, size_t position, st
     if (lens->position_count == 0) {
         return lens;
     }
-    struct lens *copy = ARENA_NEW(arena, struct lens);
-    *copy = *lens;
-    copy->surfaces = ARENA_ARRAY(arena, lens->surface_count, struct surface);
+    struct lens *copy = lens_copy(lens, arena);
     for (size_t i = 0; i < lens->surface_count; i++) {
-        copy->surfaces[i] = lens->surfaces[i];
-        substitute(lens, &copy->surfaces[i].thickness, position);
-        substitute(lens, &copy->surfaces[i].diameter, position);
-        if (surface_has(&copy->surfaces[i], SURFACE_HAS_FOCAL)) {
-            substitute(lens, &copy->surfaces[i].focal, position);
-            substitute(lens, &copy->surfaces[i].hiatus, position);
+        struct surface *surface = &copy->surfaces[i];
+        substitute(lens, &surface->thickness, position);
+        substitute(lens, &surface->diameter, position);
+        if (surface_has(surface, SURFACE_HAS_FOCAL)) {
+            substitute(lens, &surface->focal, position);
+            substitute(lens, &surface->hiatus, position);
         }
     }
     for (size_t i = 0; i < lens->setting_count; i++) {
@@ -235,11 +233,9 @@ static bool check_numbers(const struct surface *surface, size_t number, struct e
     }
     const struct medium *medium = &surface->medium;
     bool has_index = medium->kind == MEDIUM_CONSTANT || medium->kind == MEDIUM_MODEL;
-    if (has_index && !(medium->index.hi > 0)) {
-        return fail(error, ERROR_DATA, "surface %zu: the index %.6g is not above 0", number,
-                    medium->index.hi);
-    }
-    return true;
+    return !has_index || medium->index.hi > 0 ||
+           fail(error, ERROR_DATA, "surface %zu: the index %.6g is not above 0", number,
+                medium->index.hi);
 }
 
 /* Glass or air between two surfaces must not be negative inside both apertures. */
@@ -307,10 +303,8 @@ static bool check_position(const struct check *check, struct error *error)
         return fail(error, ERROR_DATA, "the object's distance is beyond 1e100");
     }
     bool needs_value = lens->aperture_kind > APERTURE_STOP;
-    if (needs_value && !(lens->aperture.value.hi > 0 && lens_is_sound(lens->aperture.value))) {
-        return fail(error, ERROR_DATA, "the aperture %.6g is not above 0", lens->aperture.value.hi);
-    }
-    return true;
+    return !needs_value || (lens->aperture.value.hi > 0 && lens_is_sound(lens->aperture.value)) ||
+           fail(error, ERROR_DATA, "the aperture %.6g is not above 0", lens->aperture.value.hi);
 }
 
 static bool lens_check_stop(const struct lens *lens, struct error *error)
@@ -328,11 +322,9 @@ static bool lens_check_stop(const struct lens *lens, struct error *error)
     if (stops == 0) {
         return fail(error, ERROR_DATA, "'aperture stop' needs a stop, and the lens has none");
     }
-    if (!lens->surfaces[last].has_diameter) {
-        return fail(error, ERROR_DATA,
-                    "'aperture stop' needs the diameter of the stop, surface %zu", last + 1);
-    }
-    return true;
+    return lens->surfaces[last].has_diameter ||
+           fail(error, ERROR_DATA, "'aperture stop' needs the diameter of the stop, surface %zu",
+                last + 1);
 }
 
 bool lens_is_round(const struct lens *lens)

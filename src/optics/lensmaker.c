@@ -35,9 +35,9 @@ struct lensmaker_terms {
 static struct lensmaker_terms terms_of(const struct lensmaker *lens)
 {
     struct lensmaker_terms t = {.r1 = lensmaker_radius_of(lens->R1),
-                                .r2 = lensmaker_radius_of(lens->R2)};
-    t.step1 = pair_sum(lens->n, -lens->n0);
-    t.step2 = pair_sum(lens->n1, -lens->n);
+                                .r2 = lensmaker_radius_of(lens->R2),
+                                .step1 = pair_sum(lens->n, -lens->n0),
+                                .step2 = pair_sum(lens->n1, -lens->n)};
     t.first = lensmaker_scaled(lensmaker_scaled(t.step1, lens->n), t.r1.b * t.r2.a);
     t.second = lensmaker_scaled(lensmaker_scaled(t.step2, lens->n), t.r2.b * t.r1.a);
     t.between = lensmaker_scaled(pair_multiply(t.step1, t.step2), -lens->d * (t.r1.b * t.r2.b));
@@ -86,10 +86,8 @@ void lensmaker_facts(const struct lensmaker *lens, struct lensmaker_facts *facts
 
 static bool check_positive(double value, const char *what, struct error *error)
 {
-    if (isnan(value) || (value > 0 && isfinite(value))) {
-        return true;
-    }
-    return fail(error, ERROR_DOMAIN, "index %s %.6g is out of range: it must be above 0", what,
+    return isnan(value) || (value > 0 && isfinite(value)) ||
+           fail(error, ERROR_DOMAIN, "index %s %.6g is out of range: it must be above 0", what,
                 value);
 }
 
@@ -199,8 +197,7 @@ static bool solve_thickness(struct lensmaker *lens, struct error *error)
         double q = product.hi / lens->f;
         wanted = (struct pair){q, (fma(-q, lens->f, product.hi) + product.lo) / lens->f};
     }
-    struct pair excess = pair_add(t.M, wanted);
-    lens->d = excess.hi / step.hi;
+    lens->d = pair_add(t.M, wanted).hi / step.hi;
     if (lens->d == 0 || lens->d > 0) {
         return true;
     }

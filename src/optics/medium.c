@@ -129,8 +129,8 @@ static bool melt_index(const void *glass, double wavelength, struct pair *index,
         return false;
     }
     const struct pair off = pair_subtract(*index, pair_of(melt->nd));
-    const struct pair nd = pair_add(pair_of(melt->nd), pair_of(melt->by));
-    *index = pair_add(nd, pair_multiply(off, pair_of(melt->scale)));
+    *index = pair_add(pair_add(pair_of(melt->nd), pair_of(melt->by)),
+                      pair_multiply(off, pair_of(melt->scale)));
     return true;
 }
 

@@ -64,10 +64,7 @@ static double get_radius(const struct surface *surface, size_t offset)
     if (surface->has_curvature) {
         return 1 / surface->curvature.value.hi;
     }
-    if (surface->is_plane) {
-        return INFINITY;
-    }
-    return parameter_at(surface, offset)->value.hi;
+    return surface->is_plane ? INFINITY : parameter_at(surface, offset)->value.hi;
 }
 
 static const struct figure *look_curvature(const struct surface *surface, size_t offset)
@@ -89,10 +86,7 @@ static double get_curvature(const struct surface *surface, size_t offset)
     if (surface->has_curvature) {
         return parameter_at(surface, offset)->value.hi;
     }
-    if (surface->is_plane) {
-        return 0;
-    }
-    return pair_divide(pair_of(1), surface->radius.value).hi;
+    return surface->is_plane ? 0 : pair_divide(pair_of(1), surface->radius.value).hi;
 }
 
 /* As a curvature only where the surface has one: a file is read with radii. */
@@ -302,11 +296,9 @@ static bool check_medium(const struct medium *medium, struct parameter parameter
                          struct error *error)
 {
     bool model = medium->kind == MEDIUM_MODEL, number = model || medium->kind == MEDIUM_CONSTANT;
-    if (parameter.kind == PARAMETER_GLASS || model ||
-        (number && parameter.kind == PARAMETER_INDEX)) {
-        return true;
-    }
-    return fail(error, ERROR_DOMAIN,
+    return parameter.kind == PARAMETER_GLASS || model ||
+           (number && parameter.kind == PARAMETER_INDEX) ||
+           fail(error, ERROR_DOMAIN,
                 "the medium %.*s after surface %zu has no %s of its own to vary: only %s has",
                 text_shown(medium->written), medium->written.start, parameter.surface + 1,
                 rows[parameter.kind].type.words,
@@ -461,13 +453,19 @@ void parameter_set(struct lens *lens, struct parameter parameter, double value, 
     parameter_set_in(lens, parameter, value, &room);
 }
 
+struct lens *lens_copy(const struct lens *lens, struct arena *arena)
+{
+    struct lens *copy = ARENA_NEW(arena, struct lens);
+    *copy = *lens;
+    copy->surfaces = ARENA_ARRAY(arena, lens->surface_count, struct surface);
+    memcpy(copy->surfaces, lens->surfaces, lens->surface_count * sizeof(struct surface));
+    return copy;
+}
+
 struct lens *parameter_apply(const struct lens *lens, const struct parameter *parameters,
                              const double *values, size_t count, struct arena *arena)
 {
-    struct lens *to = ARENA_NEW(arena, struct lens);
-    *to = *lens;
-    to->surfaces = ARENA_ARRAY(arena, lens->surface_count, struct surface);
-    memcpy(to->surfaces, lens->surfaces, lens->surface_count * sizeof(struct surface));
+    struct lens *to = lens_copy(lens, arena);
     for (size_t i = 0; i < count; i++) {
         parameter_set(to, parameters[i], values[i], arena);
     }

@@ -27,8 +27,8 @@ bool paraxial_dual_read(const struct lens *lens, double wavelength, struct parax
     dual->lens = lens;
     for (size_t i = 0; i < dual->count; i++) {
         const struct surface *surface = &lens->surfaces[i];
-        const size_t axis = dual->section == SECTION_Y ? 1 : 0;
-        const bool is_curved = surface_section(surface)->weight[axis] != 0;
+        const bool is_curved =
+            surface_section(surface)->weight[dual->section == SECTION_Y ? 1 : 0] != 0;
         struct dual_surface to = {.is_thick = surface_has(surface, SURFACE_HAS_FOCAL)};
         to.thickness = dual_of(surface->thickness.value.hi);
         if (to.is_thick) {
@@ -120,12 +120,12 @@ void paraxial_dual_change(struct paraxial_dual *dual, struct parameter basis, do
         return;
     }
     struct dual_surface *at = &dual->surfaces[basis.surface];
-    const size_t axis = dual->section == SECTION_Y ? 1 : 0;
-    const bool bends = surface_section(&dual->lens->surfaces[basis.surface])->weight[axis] != 0;
+    const bool bends = surface_section(&dual->lens->surfaces[basis.surface])
+                           ->weight[dual->section == SECTION_Y ? 1 : 0] != 0;
     struct dual *number = paraxial_dual_number_of(at, basis, bends);
     if (number != NULL) { /* of a focal length the power: d(1/f) = -df/f^2 */
-        const bool is_focal = basis.kind == PARAMETER_FOCAL;
-        number->slope += is_focal ? -at->power.value * at->power.value * slope : slope;
+        number->slope +=
+            basis.kind == PARAMETER_FOCAL ? -at->power.value * at->power.value * slope : slope;
     }
 }
 
@@ -314,10 +314,9 @@ static struct dual object_height(const struct dual_question *question,
     if (question->field_kind == FIELD_HEIGHT) {
         return dual_of(field);
     }
-    if (question->field_kind == FIELD_ANGLE) {
-        return dual_of(-tan(field) * question->object->distance.hi);
-    }
-    return dual_divide(dual_of(field), primary->magnification);
+    return question->field_kind == FIELD_ANGLE
+               ? dual_of(-tan(field) * question->object->distance.hi)
+               : dual_divide(dual_of(field), primary->magnification);
 }
 
 static void set_chief(const struct paraxial_dual *dual, const struct dual_question *question,

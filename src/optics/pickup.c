@@ -150,18 +150,16 @@ static struct pair pickup_number_of(const struct lens *lens, struct parameter on
     if (one.kind == PARAMETER_RADIUS && surface->has_curvature) {
         return pair_divide(pair_of(1), surface->curvature.value);
     }
-    if (one.kind == PARAMETER_CURVATURE && !surface->is_plane) {
-        return pair_divide(pair_of(1), surface->radius.value);
-    }
-    return pair_of(parameter_get(lens, one));
+    return (one.kind == PARAMETER_CURVATURE && !surface->is_plane)
+               ? pair_divide(pair_of(1), surface->radius.value)
+               : pair_of(parameter_get(lens, one));
 }
 
 static struct pair pickup_follow(const struct lens_pickup *pickup, struct pair value)
 {
-    if (isinf(value.hi)) {
-        return pair_of(INFINITY);
-    }
-    return pair_add(pair_multiply(pickup->factor.value, value), pickup->offset.value);
+    return isinf(value.hi)
+               ? pair_of(INFINITY)
+               : pair_add(pair_multiply(pickup->factor.value, value), pickup->offset.value);
 }
 
 static void pickup_put_number(struct lens *lens, const struct lens_pickup *pickup,

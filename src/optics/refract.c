@@ -22,10 +22,8 @@ double refract_condition(const struct refract_surface *surface)
 
 static bool refract_check_index(double n, const char *where, struct error *error)
 {
-    if (isnan(n) || (n > 0 && isfinite(n))) {
-        return true;
-    }
-    return fail(error, ERROR_DOMAIN,
+    return isnan(n) || (n > 0 && isfinite(n)) ||
+           fail(error, ERROR_DOMAIN,
                 "index %s the surface %.6g is out of range: it must be above 0", where, n);
 }
 
@@ -85,13 +83,11 @@ static bool refract_solve_index(double n, double other, double z, double R, doub
                     z);
     }
     *found = n * far / near;
-    if (!(*found > 0) || isinf(*found)) {
-        return fail(error, ERROR_DOMAIN,
-                    "the index would be %.6g: it must be above 0 (a real object has a negative, a "
-                    "real image a positive coordinate)",
-                    *found);
-    }
-    return true;
+    return (*found > 0 && !isinf(*found)) ||
+           fail(error, ERROR_DOMAIN,
+                "the index would be %.6g: it must be above 0 (a real object has a negative, a "
+                "real image a positive coordinate)",
+                *found);
 }
 
 bool refract_solve(struct refract_surface *s, struct error *error)
@@ -160,12 +156,10 @@ static bool intersect(const struct refract_surface *s, double y0, struct refract
     double t = c * y0 * y0 / (G + sqrt(discriminant));
     ray->height = y0 + t * ray->sin_u;
     ray->sag = t * ray->cos_u;
-    if (!(fabs(c * ray->height) <= 1) || !(c * ray->sag <= 1)) {
-        return fail(error, ERROR_DOMAIN,
-                    "the ray misses the surface: it meets the sphere only beyond the hemisphere "
-                    "around the vertex");
-    }
-    return true;
+    return (fabs(c * ray->height) <= 1 && c * ray->sag <= 1) ||
+           fail(error, ERROR_DOMAIN,
+                "the ray misses the surface: it meets the sphere only beyond the hemisphere "
+                "around the vertex");
 }
 
 /* The height is given: the point of the surface is known first. */

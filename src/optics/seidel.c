@@ -79,11 +79,9 @@ static bool trace_back(const struct seidel_question *question, struct two_rays *
     }
     const bool lost = question->field_kind != FIELD_NONE &&
                       !(isfinite(rays->chief_y.hi) && isfinite(rays->chief_v.hi));
-    if (lost || !isfinite(rays->y.hi) || !isfinite(rays->v.hi)) {
-        return fail(error, ERROR_DOMAIN, "no paraxial %s ray of the field reaches the stop",
-                    lost ? "chief" : "marginal");
-    }
-    return true;
+    return (!lost && isfinite(rays->y.hi) && isfinite(rays->v.hi)) ||
+           fail(error, ERROR_DOMAIN, "no paraxial %s ray of the field reaches the stop",
+                lost ? "chief" : "marginal");
 }
 
 static bool seidel_start(const struct seidel_question *question, struct two_rays *rays,
@@ -112,9 +110,9 @@ static bool seidel_start(const struct seidel_question *question, struct two_rays
 static struct pair departure_of(const struct surface *surface, struct pair c)
 {
     const struct pair c0 = surface_base_curvature(surface);
-    const struct pair k1 = pair_add(surface->conic.value, pair_of(1));
-    const struct pair cubes =
-        pair_subtract(pair_multiply(k1, seidel_product(c0, c0, c0)), seidel_product(c, c, c));
+    const struct pair cubes = pair_subtract(
+        pair_multiply(pair_add(surface->conic.value, pair_of(1)), seidel_product(c0, c0, c0)),
+        seidel_product(c, c, c));
     return pair_add(seidel_scaled(cubes, 0.125), surface->coefficient[surface_term(4)].value);
 }
 
@@ -185,8 +183,8 @@ static void add_asphere(const struct interface *at, const struct two_rays *rays,
     if (at->departure.hi == 0) {
         return;
     }
-    const struct pair step = pair_subtract(at->n[1], at->n[0]);
-    const struct pair strength = seidel_scaled(pair_multiply(at->departure, step), 8);
+    const struct pair strength =
+        seidel_scaled(pair_multiply(at->departure, pair_subtract(at->n[1], at->n[0])), 8);
     for (size_t i = 0; i < sizeof terms / sizeof terms[0]; i++) {
         struct pair value = strength;
         for (int factor = 0; factor < 4; factor++) {

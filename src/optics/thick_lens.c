@@ -1,4 +1,4 @@
-/* optics/thick_lens.c - an ideal thick lens, and a prescription with one in place of a real lens. */
+/* optics/thick_lens.c - an ideal thick lens, and a prescription with one in place of a lens. */
 /* SPDX-License-Identifier: MIT */
 #include "optics/thick_lens.h"
 

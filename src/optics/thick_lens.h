@@ -1,4 +1,4 @@
-/* optics/thick_lens.h - an ideal thick lens, and a prescription with one in place of a real lens. */
+/* optics/thick_lens.h - an ideal thick lens, and a prescription with one in place of a lens. */
 /* SPDX-License-Identifier: MIT */
 #ifndef LENSCALC_OPTICS_THICK_LENS_H
 #define LENSCALC_OPTICS_THICK_LENS_H

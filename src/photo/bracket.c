@@ -80,11 +80,12 @@ bool bracket_plan(const struct bracket_given *given, struct bracket *plan, struc
         }
         return bracket_lay_out(plan, error);
     }
-    plan->shots = (int)given->shots;
-    plan->step = given->step;
-    plan->residual = 0;
-    plan->longest =
-        is_given(given->from) ? given->from : given->to * exp2((plan->shots - 1) * given->step);
+    const int shots = (int)given->shots;
+    *plan = (struct bracket){.shots = shots,
+                             .step = given->step,
+                             .longest = is_given(given->from)
+                                            ? given->from
+                                            : given->to * exp2((shots - 1) * given->step)};
     return bracket_lay_out(plan, error);
 }
 
@@ -95,10 +96,8 @@ bool bracket_around(double metered, double step, double shots, struct bracket *p
         !require_positive("step", " stops", step, error) || !bracket_check_shots(shots, error)) {
         return false;
     }
-    plan->shots = (int)shots;
-    plan->step = step;
-    plan->residual = 0;
-    plan->longest = metered * exp2((shots - 1) * step / 2);
+    *plan = (struct bracket){
+        .shots = (int)shots, .step = step, .longest = metered * exp2((shots - 1) * step / 2)};
     return bracket_lay_out(plan, error);
 }
 

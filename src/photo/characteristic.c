@@ -112,6 +112,6 @@ double characteristic_print(const struct characteristic *curve, double density)
 double characteristic_grain(const struct characteristic *curve, double rms, double area,
                             double density)
 {
-    const double net = fmax(0, density - curve->negative.base);
-    return rms / 1000 * sqrt(PI * 0.024 * 0.024 / area) * sqrt(net);
+    return rms / 1000 * sqrt(PI * 0.024 * 0.024 / area) *
+           sqrt(fmax(0, density - curve->negative.base));
 }

@@ -176,13 +176,11 @@ bool conjugates_working_distance(double s, double front_principal, double *dista
                                  struct error *error)
 {
     *distance = s - front_principal;
-    if (!(*distance > 0)) {
-        return fail(error, ERROR_DOMAIN,
-                    "subject %g mm from the principal plane lies inside the lens, whose front is "
-                    "%g mm before that plane (more than %g mm)",
-                    s, front_principal, front_principal);
-    }
-    return true;
+    return *distance > 0 ||
+           fail(error, ERROR_DOMAIN,
+                "subject %g mm from the principal plane lies inside the lens, whose front is "
+                "%g mm before that plane (more than %g mm)",
+                s, front_principal, front_principal);
 }
 
 double conjugates_pupil_distance(double f, double m, double P)

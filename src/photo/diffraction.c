@@ -174,8 +174,7 @@ bool diffraction_focus_spread(double f, double near, double far, double *spread,
                     "{farthest point} %g mm lies before {the nearest point} %g mm (%g mm or more)",
                     far, near, near);
     }
-    double behind = isinf(far) ? 1 : (far - near) / (far - f);
-    *spread = f * f / (near - f) * behind;
+    *spread = f * f / (near - f) * (isinf(far) ? 1 : (far - near) / (far - f));
     return true;
 }
 

@@ -32,11 +32,9 @@ double distance_offset(const struct dof_setting *a, const struct distance_refere
 
 static bool needs_front(const struct distance_reference *measuring, struct error *error)
 {
-    if (measuring->from == FROM_FRONT && isnan(measuring->front)) {
-        return fail(error, ERROR_USAGE,
-                    "{distance origin} front needs {lens}: a thin lens has no front");
-    }
-    return true;
+    return measuring->from != FROM_FRONT || !isnan(measuring->front) ||
+           fail(error, ERROR_USAGE,
+                "{distance origin} front needs {lens}: a thin lens has no front");
 }
 
 static bool from_sensor(double f, double distance, double hiatus, double *s, struct error *error)

@@ -37,13 +37,11 @@ static bool dof_plan_check_range(const struct dof_setting *a, double near, doubl
                     "shots is enough",
                     a->c);
     }
-    if (!(h < 1)) {
-        return fail(error, ERROR_DOMAIN,
-                    "{circle of confusion} %.15g mm must be below the pupil's %.15g mm: any focus "
-                    "covers everything",
-                    a->c, a->f * a->P / a->N);
-    }
-    return true;
+    return h < 1 ||
+           fail(error, ERROR_DOMAIN,
+                "{circle of confusion} %.15g mm must be below the pupil's %.15g mm: any focus "
+                "covers everything",
+                a->c, a->f * a->P / a->N);
 }
 
 bool dof_plan_make(const struct dof_setting *setting, double near, double far, double overlap,
@@ -62,10 +60,11 @@ bool dof_plan_make(const struct dof_setting *setting, double near, double far, d
                     "%.15g shots are needed from %.15g mm to %.15g mm; at most %d are planned",
                     steps + 1, near, far, (int)DOF_PLAN_LIMIT);
     }
-    plan->setting = *setting;
-    plan->count = (long)steps + 1;
-    plan->first = plan->count > 1 ? first : sqrt(first * last);
-    plan->log_step = plan->count > 1 ? way / steps : 0;
+    const bool several = steps >= 1;
+    *plan = (struct dof_plan){.setting = *setting,
+                              .count = (long)steps + 1,
+                              .first = several ? first : sqrt(first * last),
+                              .log_step = several ? way / steps : 0};
     return true;
 }
 

@@ -176,10 +176,8 @@ bool problem_check_limits(const struct problem *p, struct error *error)
                     "{far limit} %.15g mm lies within {the focal length} %.15g mm: no real image",
                     p->t.far, p->a.f);
     }
-    if (!(p->unknown & FOCAL) && p->t.hyperfocal <= p->a.f) {
-        return fail(error, ERROR_DOMAIN,
-                    "{hyperfocal distance} %.15g mm must be above {the focal length} %.15g mm",
-                    p->t.hyperfocal, p->a.f);
-    }
-    return true;
+    return (p->unknown & FOCAL) || !(p->t.hyperfocal <= p->a.f) ||
+           fail(error, ERROR_DOMAIN,
+                "{hyperfocal distance} %.15g mm must be above {the focal length} %.15g mm",
+                p->t.hyperfocal, p->a.f);
 }

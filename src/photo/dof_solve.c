@@ -223,10 +223,8 @@ static double pair_residual(double f, const void *context)
     if (problem_has(p, MAGNIFICATION)) {
         return dof_solve_compare(x.m, p->t.magnification);
     }
-    if (problem_has(p, HYPERFOCAL)) {
-        return dof_solve_compare(f / x.e + f, p->t.hyperfocal);
-    }
-    return dof_solve_compare(x.e * f, p->a.N * p->a.c);
+    return problem_has(p, HYPERFOCAL) ? dof_solve_compare(f / x.e + f, p->t.hyperfocal)
+                                      : dof_solve_compare(x.e * f, p->a.N * p->a.c);
 }
 
 static double single_residual(double f, const void *context)
@@ -429,10 +427,8 @@ static void include_infinity(struct problem *p, unsigned solved)
 
 static bool met(double value, double wanted, double condition)
 {
-    if (isnan(wanted) || value == wanted) {
-        return true;
-    }
-    return fabs(value - wanted) <= TOLERANCE * condition * fabs(wanted);
+    return isnan(wanted) || value == wanted ||
+           fabs(value - wanted) <= TOLERANCE * condition * fabs(wanted);
 }
 
 /* The solution, put back, must give the targets. */
@@ -447,12 +443,10 @@ static bool verify(const struct problem *p, struct error *error)
     double far = d.far_condition < INFINITY ? d.far_condition : 1;
     double focus = p->a.s < INFINITY ? p->a.s / (p->a.s - p->a.f) : 1;
     double depth = p->a.s < INFINITY ? far + p->a.s / d.total : far;
-    if (met(d.near, t->near, near) && met(d.far, t->far, far) &&
-        met(d.total, t->total, depth * focus) && met(d.hyperfocal, t->hyperfocal, 1) &&
-        met(d.magnification, t->magnification, focus)) {
-        return true;
-    }
-    return fail(error, ERROR_DOMAIN,
+    return (met(d.near, t->near, near) && met(d.far, t->far, far) &&
+            met(d.total, t->total, depth * focus) && met(d.hyperfocal, t->hyperfocal, 1) &&
+            met(d.magnification, t->magnification, focus)) ||
+           fail(error, ERROR_DOMAIN,
                 "no setting meets all of these: the nearest, %.15g mm f/%.15g at %.15g mm with "
                 "{circle of confusion} %.15g mm, is sharp from %.15g mm to %.15g mm",
                 p->a.f, p->a.N, p->a.s, p->a.c, d.near, d.far);

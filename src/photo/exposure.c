@@ -59,10 +59,7 @@ static double light_ev100(const struct exposure_given *g)
     if (is_given(g->L)) {
         return log2(100 * (g->L / g->K));
     }
-    if (is_given(g->E)) {
-        return log2(100 * (g->E / g->C));
-    }
-    return g->ev - (log2(g->S) - log2_of_100);
+    return is_given(g->E) ? log2(100 * (g->E / g->C)) : g->ev - (log2(g->S) - log2_of_100);
 }
 
 /* Stops. Of less no meter knows, and an answer that is printed to five digits is that exact. */
@@ -116,10 +113,7 @@ static double light_ratio(const struct exposure_given *g)
     if (is_given(g->L)) {
         return 100 * (g->L / g->K);
     }
-    if (is_given(g->E)) {
-        return 100 * (g->E / g->C);
-    }
-    return power_of_two(g->ev) / (g->S / 100);
+    return is_given(g->E) ? 100 * (g->E / g->C) : power_of_two(g->ev) / (g->S / 100);
 }
 
 /* Find the one unknown; a missing speed is either that or assumed. */
@@ -216,8 +210,8 @@ bool exposure_deviation(const struct exposure_given *given, double *stops, struc
     if (lights == 0) {
         return fail(error, ERROR_USAGE, "give the light: " ANY_LIGHT);
     }
-    double ev = light_ev100(&g) + (log2(g.S) - log2_of_100);
-    *stops = ev - g.loss - g.compensation - log2(g.N * g.N / g.t);
+    *stops = light_ev100(&g) + (log2(g.S) - log2_of_100) - g.loss - g.compensation -
+             log2(g.N * g.N / g.t);
     return true;
 }
 

@@ -56,13 +56,8 @@ static bool flash_find_unknown(struct flash_setting *s, enum flash_unknown *unkn
                     "needed");
     }
     if (missing == 1) {
-        if (!is_given(s->GN)) {
-            *unknown = FLASH_GN;
-        } else if (!is_given(s->N)) {
-            *unknown = FLASH_N;
-        } else {
-            *unknown = FLASH_D;
-        }
+        const enum flash_unknown other = is_given(s->N) ? FLASH_D : FLASH_N;
+        *unknown = is_given(s->GN) ? other : FLASH_GN;
         flash_assume(&s->power, 1);
     } else if (!is_given(s->power)) {
         *unknown = FLASH_POWER;
@@ -218,17 +213,11 @@ static bool check_ambient(const struct flash_ambient *light, struct error *error
 
 static bool check_sync(double t, double sync, struct error *error)
 {
-    if (!is_given(sync)) {
-        return true;
-    }
-    if (!require_positive("flash sync time", " s", sync, error)) {
-        return false;
-    }
-    if (!(t >= sync)) {
-        return fail(error, ERROR_DOMAIN,
-                    "{exposure time} %.6g s is shorter than {the flash sync time} %.6g s", t, sync);
-    }
-    return true;
+    return !is_given(sync) ||
+           (require_positive("flash sync time", " s", sync, error) &&
+            (t >= sync ||
+             fail(error, ERROR_DOMAIN,
+                  "{exposure time} %.6g s is shorter than {the flash sync time} %.6g s", t, sync)));
 }
 
 bool flash_against_ambient(const struct flash_ambient *light, struct flash_balance *balance,
@@ -242,11 +231,12 @@ bool flash_against_ambient(const struct flash_ambient *light, struct flash_balan
     }
     double flash = 2 * log2(s->GN / (s->N * s->d)) + log2(gain(s));
     double ambient = given.ev100 + log2(s->S / 100) - log2(s->N * s->N / given.t);
-    balance->flash = flash;
-    balance->ambient = ambient;
-    balance->flash_to_ambient = flash - ambient;
-    balance->ratio = exp2(flash - ambient) + 1;
-    /* the brighter light plus what the other adds: no overflow */
-    balance->total = fmax(flash, ambient) + log2(1 + exp2(-fabs(flash - ambient)));
+    *balance = (struct flash_balance){.flash = flash,
+                                      .ambient = ambient,
+                                      .flash_to_ambient = flash - ambient,
+                                      .ratio = exp2(flash - ambient) + 1,
+                                      /* the brighter light plus what the other adds: no overflow */
+                                      .total = fmax(flash, ambient) +
+                                               log2(1 + exp2(-fabs(flash - ambient)))};
     return answer_positive("the lighting ratio", balance->ratio, error);
 }

@@ -110,11 +110,9 @@ bool fov_compute(const struct fov_setting *setting, const struct sensor *sensor,
 static bool fov_check_angle(enum projection projection, double angle, struct error *error)
 {
     const struct fov_rule *rule = &rules[projection];
-    if (angle > 0 &&
-        (angle < rule->largest_angle || (angle <= rule->largest_angle && !rule->open))) {
-        return true;
-    }
-    return fail(error, ERROR_DOMAIN,
+    return (angle > 0 &&
+            (angle < rule->largest_angle || (angle <= rule->largest_angle && !rule->open))) ||
+           fail(error, ERROR_DOMAIN,
                 "angle of view %.15g deg must be above 0 and %s %.15g deg (%s)",
                 angle * DEGREES_PER_RADIAN, rule->open ? "below" : "at most",
                 rule->largest_angle * DEGREES_PER_RADIAN, projections[projection].word);

@@ -79,19 +79,14 @@ bool require_within(const char *name, const char *unit, double value, double low
     if (!is_given(value)) {
         return fail(error, ERROR_USAGE, "{%s} is missing", name);
     }
-    if (!(value >= low && value <= high)) {
-        return fail(error, ERROR_DOMAIN, "{%s} %.10g%s lies outside %.10g to %.10g%s", name, value,
-                    unit, low, high, unit);
-    }
-    return true;
+    return (value >= low && value <= high) ||
+           fail(error, ERROR_DOMAIN, "{%s} %.10g%s lies outside %.10g to %.10g%s", name, value,
+                unit, low, high, unit);
 }
 
 bool answer_positive(const char *what, double value, struct error *error)
 {
-    if (!given_is_positive(value)) {
-        return fail(error, ERROR_DOMAIN,
-                    "%s comes out as %.10g: the given numbers are out of all proportion", what,
-                    value);
-    }
-    return true;
+    return given_is_positive(value) ||
+           fail(error, ERROR_DOMAIN,
+                "%s comes out as %.10g: the given numbers are out of all proportion", what, value);
 }

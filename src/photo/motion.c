@@ -10,12 +10,9 @@
 
 static bool motion_check_angle(double angle, struct error *error)
 {
-    if (!(angle >= 0 && angle <= PI)) {
-        return fail(error, ERROR_DOMAIN,
-                    "{angle of the motion} %.10g deg lies outside 0 to 180 deg",
-                    angle * DEGREES_PER_RADIAN);
-    }
-    return true;
+    return (angle >= 0 && angle <= PI) ||
+           fail(error, ERROR_DOMAIN, "{angle of the motion} %.10g deg lies outside 0 to 180 deg",
+                angle * DEGREES_PER_RADIAN);
 }
 
 bool motion_magnification(double f, double s, double *m, struct error *error)

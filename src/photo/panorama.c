@@ -13,23 +13,18 @@ static const double most_frames = 1e6;
 static bool panorama_check_angle(double angle, bool zero, double most, const char *name,
                                  struct error *error)
 {
-    if (!((angle > 0 || (zero && angle >= 0)) && angle <= most * (1 + 1e-12))) {
-        return fail(error, ERROR_DOMAIN, "{%s} %g degrees is out of range (%s 0, up to %g)", name,
-                    degrees_from_radians(angle), zero ? "from" : "above",
-                    degrees_from_radians(most));
-    }
-    return true;
+    return ((angle > 0 || (zero && angle >= 0)) && angle <= most * (1 + 1e-12)) ||
+           fail(error, ERROR_DOMAIN, "{%s} %g degrees is out of range (%s 0, up to %g)", name,
+                degrees_from_radians(angle), zero ? "from" : "above", degrees_from_radians(most));
 }
 
 static bool panorama_check_flat(const struct panorama_frame *frame, struct error *error)
 {
-    if (!(frame->horizontal > 0 && frame->horizontal < PI && frame->vertical > 0 &&
-          frame->vertical < PI)) {
-        return fail(error, ERROR_DOMAIN,
-                    "a flat frame of %g x %g degrees is out of range (above 0, below 180)",
-                    degrees_from_radians(frame->horizontal), degrees_from_radians(frame->vertical));
-    }
-    return true;
+    return (frame->horizontal > 0 && frame->horizontal < PI && frame->vertical > 0 &&
+            frame->vertical < PI) ||
+           fail(error, ERROR_DOMAIN,
+                "a flat frame of %g x %g degrees is out of range (above 0, below 180)",
+                degrees_from_radians(frame->horizontal), degrees_from_radians(frame->vertical));
 }
 
 static bool panorama_check_lens(double m, double P, struct error *error)
@@ -83,18 +78,14 @@ static bool count_frames(double angle, double total, double overlap, bool closed
 static bool panorama_check_goal(const struct panorama_frame *frame,
                                 const struct panorama_goal *goal, struct error *error)
 {
-    if (!panorama_check_angle(frame->horizontal, false, 2 * PI, "horizontal angle of view",
-                              error) ||
-        !panorama_check_angle(frame->vertical, false, 2 * PI, "vertical angle of view", error) ||
-        !panorama_check_angle(goal->arc, false, 2 * PI, "arc", error) ||
-        !panorama_check_angle(goal->span, true, PI, "span", error)) {
-        return false;
-    }
-    if (!(goal->overlap >= 0 && goal->overlap < 1)) {
-        return fail(error, ERROR_DOMAIN, "{overlap} %g is out of range (0 up to below 1)",
-                    goal->overlap);
-    }
-    return true;
+    return (panorama_check_angle(frame->horizontal, false, 2 * PI, "horizontal angle of view",
+                                 error) &&
+            panorama_check_angle(frame->vertical, false, 2 * PI, "vertical angle of view", error) &&
+            panorama_check_angle(goal->arc, false, 2 * PI, "arc", error) &&
+            panorama_check_angle(goal->span, true, PI, "span", error)) &&
+           ((goal->overlap >= 0 && goal->overlap < 1) ||
+            fail(error, ERROR_DOMAIN, "{overlap} %g is out of range (0 up to below 1)",
+                 goal->overlap));
 }
 
 bool panorama_plan(const struct panorama_frame *frame, const struct panorama_goal *goal,
@@ -137,8 +128,7 @@ bool panorama_set_rows(const struct panorama_frame *frame, struct panorama_goal 
     plan->shots = plan->columns * rows;
     plan->row_step = rows > 1 ? beyond / (rows - 1) : 0;
     plan->row_overlap = rows > 1 ? 1 - plan->row_step / v : (double)NAN;
-    double reach = rows * v;
-    return goal->span <= reach * (1 + 1e-12) ||
+    return goal->span <= rows * v * (1 + 1e-12) ||
            fail(error, ERROR_DOMAIN,
                 "{number of rows} %d leaves gaps: at least %g for {span} %g degrees", rows,
                 ceil(goal->span / v - 1e-9), degrees_from_radians(goal->span));
@@ -242,15 +232,10 @@ bool panorama_parallax(double offset, double step, double near, double far, doub
 
 static bool check_parallax(double parallax, double step, struct error *error)
 {
-    if (!panorama_check_angle(step, false, PI, "step", error)) {
-        return false;
-    }
-    if (!(parallax > 0 && parallax < PI - step)) {
-        return fail(error, ERROR_DOMAIN,
-                    "parallax of %g degrees is out of range (above 0, below %g)",
-                    degrees_from_radians(parallax), degrees_from_radians(PI - step));
-    }
-    return true;
+    return panorama_check_angle(step, false, PI, "step", error) &&
+           ((parallax > 0 && parallax < PI - step) ||
+            fail(error, ERROR_DOMAIN, "parallax of %g degrees is out of range (above 0, below %g)",
+                 degrees_from_radians(parallax), degrees_from_radians(PI - step)));
 }
 
 bool panorama_offset(double parallax, double step, double near, double *offset, struct error *error)

@@ -11,39 +11,29 @@
 static bool check_declination(double dec, struct error *error)
 {
     /* 1e-12: 90 deg converted from other units may round up */
-    if (!(fabs(dec) <= PI / 2 * (1 + 1e-12))) {
-        return fail(error, ERROR_DOMAIN, "{declination} %.10g deg lies outside -90 to 90 deg",
-                    dec * DEGREES_PER_RADIAN);
-    }
-    return true;
+    return fabs(dec) <= PI / 2 * (1 + 1e-12) ||
+           fail(error, ERROR_DOMAIN, "{declination} %.10g deg lies outside -90 to 90 deg",
+                dec * DEGREES_PER_RADIAN);
 }
 
 static bool check_off_pole(double dec, struct error *error)
 {
-    if (!check_declination(dec, error)) {
-        return false;
-    }
-    if (!(fabs(dec) < PI / 2 * (1 - 1e-12))) {
-        return fail(error, ERROR_DOMAIN,
-                    "{declination} %.10g deg is a pole: a star there does not move and no time is "
-                    "too long; the declination must lie between -90 and 90 deg",
-                    dec * DEGREES_PER_RADIAN);
-    }
-    return true;
+    return check_declination(dec, error) &&
+           (fabs(dec) < PI / 2 * (1 - 1e-12) ||
+            fail(error, ERROR_DOMAIN,
+                 "{declination} %.10g deg is a pole: a star there does not move and no time is "
+                 "too long; the declination must lie between -90 and 90 deg",
+                 dec * DEGREES_PER_RADIAN));
 }
 
 static bool check_time(double t, struct error *error)
 {
-    if (!require_positive("exposure time", " s", t, error)) {
-        return false;
-    }
-    if (!(t <= STELLAR_DAY)) {
-        return fail(
-            error, ERROR_DOMAIN,
-            "{exposure time} %.10g s exceeds one turn of the sky, %.10g s: the trail is closed", t,
-            STELLAR_DAY);
-    }
-    return true;
+    return require_positive("exposure time", " s", t, error) &&
+           (t <= STELLAR_DAY ||
+            fail(
+                error, ERROR_DOMAIN,
+                "{exposure time} %.10g s exceeds one turn of the sky, %.10g s: the trail is closed",
+                t, STELLAR_DAY));
 }
 
 /* End-to-end trail per focal length; inf where an end lies 90 deg off the axis or behind it. */
@@ -62,12 +52,12 @@ bool star_trail(double f, double dec, double t, struct star_trail *trail, struct
         !check_time(t, error)) {
         return false;
     }
-    double c = fmax(cos(dec), 0);
-    trail->rotation = STELLAR_RATE * t;
-    trail->arc = trail->rotation * c;
-    trail->separation = 2 * asin(c * sin(trail->rotation / 2));
-    trail->linear = f * trail->arc;
-    trail->chord = f * fmax(unit_chord(dec, t), 0);
+    const double c = fmax(cos(dec), 0), rotation = STELLAR_RATE * t, arc = rotation * c;
+    *trail = (struct star_trail){.rotation = rotation,
+                                 .arc = arc,
+                                 .separation = 2 * asin(c * sin(rotation / 2)),
+                                 .linear = f * arc,
+                                 .chord = f * fmax(unit_chord(dec, t), 0)};
     return true;
 }
 

@@ -27,11 +27,9 @@ double stops_from_transmittance(double transmittance)
 
 bool check_transmittance(double transmittance, struct error *error)
 {
-    if (!(transmittance > 0 && transmittance <= TRANSMITTANCE_MOST)) {
-        return fail(error, ERROR_DOMAIN, "{transmittance} %.10g must lie above 0 and up to %g",
-                    transmittance, TRANSMITTANCE_MOST);
-    }
-    return true;
+    return (transmittance > 0 && transmittance <= TRANSMITTANCE_MOST) ||
+           fail(error, ERROR_DOMAIN, "{transmittance} %.10g must lie above 0 and up to %g",
+                transmittance, TRANSMITTANCE_MOST);
 }
 
 bool t_stop(double N, double transmittance, double *T, struct error *error)
@@ -113,11 +111,9 @@ bool shutter_solve(struct shutter *shutter, struct error *error)
         shutter->angle = 2 * PI * shutter->rate * shutter->t;
     }
     /* 1e-12: an angle of 360 deg may arrive with rounding from 1/24 s at 24 fps */
-    if (!(shutter->angle <= 2 * PI * (1 + 1e-12))) {
-        return fail(error, ERROR_DOMAIN,
-                    "a shutter angle of %.10g deg exceeds 360 deg: the exposure is longer than "
-                    "the frame",
-                    shutter->angle * DEGREES_PER_RADIAN);
-    }
-    return true;
+    return shutter->angle <= 2 * PI * (1 + 1e-12) ||
+           fail(error, ERROR_DOMAIN,
+                "a shutter angle of %.10g deg exceeds 360 deg: the exposure is longer than "
+                "the frame",
+                shutter->angle * DEGREES_PER_RADIAN);
 }

@@ -23,11 +23,9 @@ static bool solve_tilt(const struct tilt_given *g, double *tilt, struct error *e
                     "(above %g mm on either side)",
                     g->hinge, g->f, g->f);
     }
-    if (!(fabs(*tilt) < PI / 2)) {
-        return fail(error, ERROR_DOMAIN, "{tilt} %g degrees is out of range (-90 to 90, exclusive)",
-                    degrees_from_radians(*tilt));
-    }
-    return true;
+    return fabs(*tilt) < PI / 2 ||
+           fail(error, ERROR_DOMAIN, "{tilt} %g degrees is out of range (-90 to 90, exclusive)",
+                degrees_from_radians(*tilt));
 }
 
 /* f/v' from whichever of the three was given. */
@@ -202,10 +200,8 @@ bool tilt_shift_limit(const struct tilt *camera, double circle, const struct til
     }
     double radius = circle / 2 * (image / f);
     *limit = sqrt(radius * radius - width * width / 4) - height / 2;
-    if (!(*limit >= 0)) {
-        return fail(error, ERROR_DOMAIN,
-                    "{image circle} %g mm does not cover the frame %g x %g mm (%g mm or more)",
-                    circle, width, height, hypot(width, height) * (f / image));
-    }
-    return true;
+    return *limit >= 0 ||
+           fail(error, ERROR_DOMAIN,
+                "{image circle} %g mm does not cover the frame %g x %g mm (%g mm or more)", circle,
+                width, height, hypot(width, height) * (f / image));
 }

@@ -134,19 +134,25 @@ static bool check_agreement(const struct timelapse_given *g, const struct timela
 
 static void timelapse_complete(const struct timelapse_given *g, struct timelapse *plan)
 {
-    double shots = (double)plan->shots;
-    plan->event = shots * plan->interval;
-    plan->clip = shots / plan->rate;
-    plan->speed_up = plan->interval * plan->rate;
-    plan->pause = fmax(plan->interval - g->time, 0);
-    plan->pause = is_given(g->time) ? plan->pause : (double)NAN;
-    plan->shutter_angle = 2 * PI * (g->time / plan->interval);
-    plan->span = (shots - 1) * plan->interval + g->time;
-    plan->star_angle = STELLAR_RATE * plan->span;
-    plan->space = shots * g->frame;
-    plan->card_shots = whole_below(g->card / g->frame);
-    plan->cards = ceil(shots / plan->card_shots);
-    plan->card_time = plan->card_shots * plan->interval;
+    const double shots = (double)plan->shots, span = (shots - 1) * plan->interval + g->time;
+    const double card_shots = whole_below(g->card / g->frame);
+    *plan = (struct timelapse){
+        .shots = plan->shots,
+        .interval = plan->interval,
+        .event = shots * plan->interval,
+        .clip = shots / plan->rate,
+        .rate = plan->rate,
+        .rate_assumed = plan->rate_assumed,
+        .speed_up = plan->interval * plan->rate,
+        .pause = is_given(g->time) ? fmax(plan->interval - g->time, 0) : (double)NAN,
+        .shutter_angle = 2 * PI * (g->time / plan->interval),
+        .span = span,
+        .star_angle = STELLAR_RATE * span,
+        .space = shots * g->frame,
+        .card_shots = card_shots,
+        .cards = ceil(shots / card_shots),
+        .card_time = card_shots * plan->interval,
+    };
 }
 
 bool timelapse_solve(const struct timelapse_given *given, struct timelapse *plan,

@@ -440,7 +440,7 @@ bool render_check_file(const struct render_input *input, const struct file_type 
 bool render_expose(const struct artifact_job *job, size_t which, const struct render_shot *shot,
                    struct output *sink, struct error *error);
 
-/* Note something in plain words. */
+/* Note something in plain words; null: nothing. */
 void render_note(struct image *image, struct arena *arena, const char *key, const char *value);
 
 /* -------- commands/camera/render_rays.c and render_picture.c -------- */

@@ -129,11 +129,9 @@ bool render_check_autofocus(const struct render_input *input, struct error *erro
                     "{--autofocus} and {--field-width} exclude each other: where the card ends is "
                     "known only when the lens is focused");
     }
-    if (input->depth_map != NULL && !isnan(input->distance)) {
-        return fail(error, ERROR_USAGE,
-                    "{--autofocus} takes the distance from the depth map: not with {--distance}");
-    }
-    return true;
+    return input->depth_map == NULL || isnan(input->distance) ||
+           fail(error, ERROR_USAGE,
+                "{--autofocus} takes the distance from the depth map: not with {--distance}");
 }
 
 bool render_autofocus(const struct render_input *input, struct arena *arena,

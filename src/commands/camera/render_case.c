@@ -94,8 +94,7 @@ static bool sharpen(const struct focus_movement *moving, struct focus_state *sta
             return false;
         }
         /* from the paraxial to the sharpest image, mm */
-        const double aberration = setup.image - setup.first.image;
-        const double off = aberration - shift;
+        const double off = (setup.image - setup.first.image) - shift;
         if (fabs(off) < enough) {
             return true;
         }

@@ -83,13 +83,6 @@ struct picture_exposure {
     bool is_chosen;   /* nobody gave a time */
 };
 
-/* Luminance of white, cd/m^2. */
-static double white_luminance(const struct render_input *input)
-{
-    const double ev = input->light.name != NULL ? input->light.ev100 : input->ev;
-    return isnan(ev) ? input->luminance : exposure_white(ev);
-}
-
 static bool exposure_of(const struct render_input *input, const struct render_shot *shot,
                         struct arena *arena, struct picture_exposure *exposure, struct error *error)
 {
@@ -99,7 +92,9 @@ static bool exposure_of(const struct render_input *input, const struct render_sh
     }
     const struct photograph *photograph = &shot->photograph;
     const double full = saturation_exposure(iso), mean = colour_luminance(photograph->mean);
-    const double white = shot->is_world ? 1 : white_luminance(input); /* its light is absolute */
+    const double ev = input->light.name != NULL ? input->light.ev100 : input->ev;
+    const double luminance = isnan(ev) ? input->luminance : exposure_white(ev);
+    const double white = shot->is_world ? 1 : luminance; /* its light is absolute */
     if (shot->is_world && isnan(input->time) && !(mean > 0)) {
         if (shot->enclosed != NULL) {
             return fail(error, ERROR_DOMAIN,
@@ -134,10 +129,7 @@ static double pixel_unit(const struct render_input *input, const struct picture_
     if (input->radiance) {
         return exposure->luminance / reference;
     }
-    if (is_a(type, ".png") && !is_received) {
-        return DEVELOP_HEADROOM * light / exposure->full;
-    }
-    return light;
+    return (is_a(type, ".png") && !is_received) ? DEVELOP_HEADROOM * light / exposure->full : light;
 }
 
 /* Floats are rounded, so that half of the least one is black; a .hdr has no exponent below. */
@@ -172,7 +164,9 @@ static bool check_file_light(const struct render_input *input, const struct file
 
 void render_note(struct image *image, struct arena *arena, const char *key, const char *value)
 {
-    image_note(image, arena, text_of(key), text_of(value));
+    if (value != NULL) {
+        image_note(image, arena, text_of(key), text_of(value));
+    }
 }
 
 static void exposure_add_notes(const struct render_input *input, const struct render_shot *shot,
@@ -181,9 +175,7 @@ static void exposure_add_notes(const struct render_input *input, const struct re
 {
     const bool is_film = render_is_film(input);
     render_note(image, arena, "Exposure time", arena_printf(arena, "%.6g s", exposure->time));
-    if (is_film) {
-        render_note(image, arena, "Film", input->film.name);
-    }
+    render_note(image, arena, "Film", is_film ? input->film.name : NULL);
     render_note(image, arena, "ISO", arena_printf(arena, "%.6g", exposure->iso));
     if (!shot->is_world) {
         render_note(image, arena, "White", arena_printf(arena, "%.6g cd/m2", exposure->luminance));

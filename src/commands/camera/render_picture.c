@@ -289,12 +289,8 @@ static void picture_add_notes(const struct analysis_case *one, const struct pict
     const struct setup *setup = one->setup;
     render_note(image, arena, "Software", "lenscalc " LENSCALC_VERSION);
     render_note(image, arena, "Scene", input->subject);
-    if (input->light.name != NULL) {
-        render_note(image, arena, "Light", input->light.name);
-    }
-    if (input->filter.name != NULL) {
-        render_note(image, arena, "Filter", input->filter.name);
-    }
+    render_note(image, arena, "Light", input->light.name);
+    render_note(image, arena, "Filter", input->filter.name);
     render_note(image, arena, "Lens", setup->lens->title != NULL ? setup->lens->title : "");
     render_note(image, arena, "Aperture",
                 arena_printf(arena, "f/%.4g", render_fnumber(input, one, arena)));
@@ -309,17 +305,12 @@ static void picture_add_notes(const struct analysis_case *one, const struct pict
     }
     if (picture->world != NULL) {
         render_note(image, arena, "In focus", render_focus_text(one, arena));
-    }
-    const char *stars = picture->world != NULL ? render_stars_text(picture->world, arena) : NULL;
-    if (stars != NULL) {
-        render_note(image, arena, "Stars", stars);
+        render_note(image, arena, "Stars", render_stars_text(picture->world, arena));
     }
     render_note(image, arena, "Image plane", arena_printf(arena, "%.9g mm", setup->image));
     render_note_shutter(input, image, arena);
     render_note(image, arena, "Seed", arena_printf(arena, "%ld", input->seed));
-    if (input->crop != NULL) {
-        render_note(image, arena, "Crop", input->crop);
-    }
+    render_note(image, arena, "Crop", input->crop);
 }
 
 static struct text picture_doubts(const struct analysis_case *one,

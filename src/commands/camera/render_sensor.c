@@ -147,13 +147,11 @@ bool render_check_sensor(const struct artifact_job *job, const struct render_fra
             error, ERROR_USAGE,
             "{--white} auto is the mean of a whole picture, which a {--crop} does not have");
     }
-    if (!render_senses(input)) {
-        return true;
-    }
-    return open_sensor(input, frame, or_else(input->time, 0), job->run->arena, &model, error) &&
-           (input->white == NULL || sensor_traits(&model.sensor)->channels > 1 ||
-            fail(error, ERROR_USAGE,
-                 "{--white} balances colours, which a sensor of one channel does not have"));
+    return !render_senses(input) ||
+           (open_sensor(input, frame, or_else(input->time, 0), job->run->arena, &model, error) &&
+            (input->white == NULL || sensor_traits(&model.sensor)->channels > 1 ||
+             fail(error, ERROR_USAGE,
+                  "{--white} balances colours, which a sensor of one channel does not have")));
 }
 
 bool render_speed(const struct render_input *input, const struct render_frame *frame,

@@ -77,10 +77,9 @@ static const char *why_anew(const struct artifact_job *job,
     if (render_shutter_varies(job)) {
         return "how a leaf shutter weighs the pupil depends on the time";
     }
-    if (job->count > 1 && question->duration > 0 && !skip_is_kept(question->kept, SKIP_TIME)) {
-        return "how far things move depends on the time";
-    }
-    return NULL;
+    return (job->count > 1 && question->duration > 0 && !skip_is_kept(question->kept, SKIP_TIME))
+               ? "how far things move depends on the time"
+               : NULL;
 }
 
 void render_explain(const struct artifact_job *job, const struct photograph_question *question,

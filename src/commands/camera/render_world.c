@@ -51,12 +51,10 @@ static bool check_scene(const struct artifact_job *job, struct error *error)
         return fail(error, ERROR_USAGE,
                     "{--autofocus} finds the distance in the scene: not with {--distance}");
     }
-    if (!isnan(input->distance) && is_fixed(input)) {
-        return fail(error, ERROR_USAGE,
-                    "{--distance} and a fixed {--focus} exclude each other in a scene: each says "
-                    "where the film stands");
-    }
-    return true;
+    return isnan(input->distance) || !is_fixed(input) ||
+           fail(error, ERROR_USAGE,
+                "{--distance} and a fixed {--focus} exclude each other in a scene: each says "
+                "where the film stands");
 }
 
 bool render_check_world(const struct artifact_job *job, struct error *error)

@@ -74,8 +74,8 @@ static bool next_time(struct frame_reader *reading, double *time, struct error *
         return fail(error, ERROR_USAGE, "{--times} '%.100s' has fewer times than there are frames",
                     reading->input->times);
     }
-    const struct text text = text_trim(text_cut(&reading->times, ','));
-    return quantity_read(text, &dimension_time, NULL, time, NULL, error) ||
+    return quantity_read(text_trim(text_cut(&reading->times, ',')), &dimension_time, NULL, time,
+                         NULL, error) ||
            error_prefix(error, "{--times}: ");
 }
 
@@ -90,7 +90,7 @@ static bool check_kind(const struct image *image, struct error *error)
            fail(error, ERROR_DATA, "densities of a film, not light");
 }
 
-static bool check_frame_size(const struct tone_frames *frames, const struct tone_frame *frame,
+static bool check_like_first(const struct tone_frames *frames, const struct tone_frame *frame,
                              struct error *error)
 {
     const double enough = 1e-6; /* between the digits of formats */
@@ -101,17 +101,12 @@ static bool check_frame_size(const struct tone_frames *frames, const struct tone
         return fail(error, ERROR_DATA, "%zu x %zu pixels, and %.200s has %zu x %zu", frame->width,
                     frame->height, first->name, first->width, first->height);
     }
-    return fabs(aspect / of_first - 1) <= enough ||
-           fail(error, ERROR_DATA,
-                "its pixels are %.6g times as wide as high, and those of %.200s %.6g times", aspect,
-                first->name, of_first);
-}
-
-/* Whole numbers and floats measure noise by different things. */
-static bool check_alike(const struct tone_frames *frames, const struct tone_frame *frame,
-                        struct error *error)
-{
-    const struct tone_frame *first = &frames->frames[0];
+    if (!(fabs(aspect / of_first - 1) <= enough)) {
+        return fail(error, ERROR_DATA,
+                    "its pixels are %.6g times as wide as high, and those of %.200s %.6g times",
+                    aspect, first->name, of_first);
+    }
+    /* whole numbers and floats measure noise by different things */
     return (frame->bits == 0) == (first->bits == 0) ||
            fail(error, ERROR_DATA, "it holds %s, and %.200s %s",
                 frame->bits == 0 ? "floats" : "whole numbers", first->name,
@@ -201,8 +196,7 @@ static bool frame_file_read(struct frame_reader *reading, const char *path, doub
         frame->remark = image_file_remark(path, &image, reading->arena);
         frame->time = isnan(time) ? noted(&image, "Exposure time", &dimension_time) : time;
         done = done && check_unit(reading, &image, !isnan(time), i, error) &&
-               check_frame_size(reading->frames, frame, error) &&
-               check_alike(reading->frames, frame, error);
+               check_like_first(reading->frames, frame, error);
         done = done || error_locate(error, path, 0, 0);
         take_notes(reading, &image, i);
     }
@@ -277,12 +271,15 @@ static bool check_frame_times(const struct tone_frames *frames, struct error *er
 bool tone_frames_read(const struct tone_input *input, struct arena *arena,
                       struct tone_frames *frames, struct error *error)
 {
-    struct frame_reader reading = {.input = input, .arena = arena, .frames = frames};
-    *frames = (struct tone_frames){.iso = input->iso, .fnumber = input->fnumber};
-    frames->frames = ARENA_ARRAY(arena, FRAMES_MOST, struct tone_frame);
-    reading.iso = ARENA_ARRAY(arena, FRAMES_MOST, double);
-    reading.fnumber = ARENA_ARRAY(arena, FRAMES_MOST, double);
-    reading.white = ARENA_ARRAY(arena, FRAMES_MOST, double);
+    struct frame_reader reading = {.input = input,
+                                   .arena = arena,
+                                   .frames = frames,
+                                   .iso = ARENA_ARRAY(arena, FRAMES_MOST, double),
+                                   .fnumber = ARENA_ARRAY(arena, FRAMES_MOST, double),
+                                   .white = ARENA_ARRAY(arena, FRAMES_MOST, double)};
+    *frames = (struct tone_frames){.frames = ARENA_ARRAY(arena, FRAMES_MOST, struct tone_frame),
+                                   .iso = input->iso,
+                                   .fnumber = input->fnumber};
     reading.times = input->times != NULL ? text_of(input->times) : reading.times;
     for (struct text rest = text_of(input->files); rest.start != NULL; frames->count++) {
         const struct text word = text_cut(&rest, OPTION_MANY_SEPARATOR);

@@ -164,10 +164,7 @@ static double either(double given, double noted, double usual)
     if (!isnan(given)) {
         return given;
     }
-    if (!isnan(noted)) {
-        return noted;
-    }
-    return usual;
+    return !isnan(noted) ? noted : usual;
 }
 
 static void say_frames(const struct tone_frames *frames, struct text_buffer *remarks)

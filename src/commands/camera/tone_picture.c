@@ -34,10 +34,7 @@ static int asked_of(const struct artifact_job *job)
     if (input->operation != ASKED_AUTO) {
         return input->operation;
     }
-    if (is_png(job)) {
-        return ASKED_FIRST + (int)TONE_WARD;
-    }
-    return ASKED_NONE;
+    return is_png(job) ? ASKED_FIRST + (int)TONE_WARD : ASKED_NONE;
 }
 
 /* Two luminances, the first smaller: "1,100". */
@@ -103,9 +100,8 @@ static bool check_colours(const struct artifact_job *job, struct error *error)
 static bool needs_view(const struct artifact_job *job)
 {
     const struct tone_input *input = job->inputs[0];
-    const int asked = asked_of(job);
     return input->glare || input->acuity ||
-           (!input->falsecolor && asked != ASKED_NONE && isnan(input->white));
+           (!input->falsecolor && asked_of(job) != ASKED_NONE && isnan(input->white));
 }
 
 bool tone_picture_check(const struct artifact_job *job, struct error *error)
@@ -128,17 +124,13 @@ bool tone_picture_check(const struct artifact_job *job, struct error *error)
     const bool is_exr = strcmp(job->type->ending, ".exr") == 0;
     const bool fits = is_png(job) ? input->bits == 8 || input->bits == 16
                                   : is_exr && (input->bits == 16 || input->bits == 32);
-    if (!(input->bits == 0) && !fits &&
-        !fail(error, ERROR_USAGE,
-              "{--bits} %ld: a .png has 8 or 16, an .exr 16 or 32, others have no choice",
-              input->bits)) {
-        return false;
-    }
-    return (input->falsecolor ? check_colours(job, error) : check_operator(job, error)) &&
+    return (input->bits == 0 || fits ||
+            fail(error, ERROR_USAGE,
+                 "{--bits} %ld: a .png has 8 or 16, an .exr 16 or 32, others have no choice",
+                 input->bits)) &&
+           (input->falsecolor ? check_colours(job, error) : check_operator(job, error)) &&
            (input->display == NULL || read_luminances("display", input->display, range, error));
 }
-
-/* -------- what an eye sees -------- */
 
 /* -------- what a display shows -------- */
 
@@ -278,8 +270,8 @@ static bool tone_falsecolor(const struct image *light, const double range[2], st
         const float *from = image_row(light, y);
         float *to = image_row(picture, y);
         for (size_t x = 0; x < light->width; x++) {
-            const double luminance = (double)sight_luminance(from + CHANNELS * x);
-            put_colour(scale_share(luminance, range), to + CHANNELS * x);
+            put_colour(scale_share((double)sight_luminance(from + CHANNELS * x), range),
+                       to + CHANNELS * x);
         }
     }
     if (has_scale) {
@@ -341,8 +333,8 @@ static bool picture_make(const struct artifact_job *job, struct image *image,
     if (needs_view(job)) {
         /* In places of about a degree; no place is smaller than a pixel. */
         double view = input->view;
-        const double cell = fmax(foveal.cell[0], foveal.cell[1]);
-        const double across = 2 * atan(cell / 2) / RADIANS_PER_DEGREE;
+        const double across =
+            2 * atan(fmax(foveal.cell[0], foveal.cell[1]) / 2) / RADIANS_PER_DEGREE;
         growing_format(
             remarks,
             "the eye looks about in %zu x %zu places of %.2g deg; the view is %.4g deg wide\n",

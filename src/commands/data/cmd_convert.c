@@ -29,10 +29,7 @@ static const struct word *format_word_at(size_t i)
     if (i == 0) {
         return &automatic;
     }
-    if (type != NULL) {
-        return &type->word;
-    }
-    return NULL;
+    return type != NULL ? &type->word : NULL;
 }
 
 /* "keep", then what a lens may be typed in. */
@@ -42,10 +39,7 @@ static const struct word *unit_word_at(size_t i)
     if (i == 0) {
         return &keep;
     }
-    if (lens_units[i - 1].word != NULL) {
-        return &lens_units[i - 1];
-    }
-    return NULL;
+    return lens_units[i - 1].word != NULL ? &lens_units[i - 1] : NULL;
 }
 
 #define INPUT struct convert_input

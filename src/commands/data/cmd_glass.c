@@ -175,22 +175,9 @@ static bool glass_fill_row(struct question *question, const struct glass_record 
 {
     const struct glass_input *input = question->input;
     struct arena *arena = question->run->arena;
-    *row = (struct glass_command_row){.wavelength = wavelength,
-                                      .thickness = input->thickness,
-                                      .temperature = input->temperature,
-                                      .pressure = input->pressure,
-                                      .n = NAN,
-                                      .slope = NAN,
-                                      .group = NAN,
-                                      .dn_dT = NAN,
-                                      .transmittance = NAN,
-                                      .difference = NAN,
-                                      .nd_wanted = input->nd.near,
-                                      .Vd_wanted = input->Vd.near,
-                                      .nd_difference = summary->nd - input->nd.near,
-                                      .Vd_difference = summary->Vd - input->Vd.near,
-                                      .distance = NAN,
-                                      .summary = *summary};
+    const struct glass *glass = &record->glass;
+    const struct glass_record *asked =
+        input->glass.record != NULL ? input->glass.record : input->like.record;
     if (!(fabs(wavelength - question->wavelength) <= 0)) {
         question->wavelength = wavelength;
         /* The wavelength as the decimal that was typed, um: its rounding shows near a resonance. */
@@ -201,28 +188,43 @@ static bool glass_fill_row(struct question *question, const struct glass_record 
         question->um = pair_divide(typed, pair_of(1000));
         question->line = glass_string(arena, lines_name(question->run->db, wavelength));
     }
-    row->line = question->line;
-    const struct glass_record *asked =
-        input->glass.record != NULL ? input->glass.record : input->like.record;
-    row->taken_as = asked != NULL ? asked->taken_as : NULL;
-    const struct glass *glass = &record->glass;
-    row->glass = glass_string(arena, glass->name);
-    row->catalog = glass_string(arena, glass->catalog);
-    row->status = glass_string(arena, record->status);
-    row->source = glass_string(arena, record->source);
-    row->licence = glass_string(arena, record->licence);
-    row->warning = record->warning;
-    row->formula = glass_formula_name(glass->formula);
-    row->from = glass->shortest / 1000;
-    row->to = glass->longest / 1000;
-    row->density = record->density;
-    row->expansion = record->expansion;
-    if (!glass_check_range(&record->glass, question->um.hi, error) ||
-        !glass_set_index(question, &record->glass, row, error)) {
+    *row = (struct glass_command_row){
+        .wavelength = wavelength,
+        .line = question->line,
+        .taken_as = asked != NULL ? asked->taken_as : NULL,
+        .glass = glass_string(arena, glass->name),
+        .catalog = glass_string(arena, glass->catalog),
+        .status = glass_string(arena, record->status),
+        .source = glass_string(arena, record->source),
+        .licence = glass_string(arena, record->licence),
+        .warning = record->warning,
+        .formula = glass_formula_name(glass->formula),
+        .from = glass->shortest / 1000,
+        .to = glass->longest / 1000,
+        .density = record->density,
+        .expansion = record->expansion,
+        .thickness = input->thickness,
+        .temperature = input->temperature,
+        .pressure = input->pressure,
+        .n = NAN,
+        .slope = NAN,
+        .group = NAN,
+        .dn_dT = NAN,
+        .transmittance = NAN,
+        .difference = NAN,
+        .nd_wanted = input->nd.near,
+        .Vd_wanted = input->Vd.near,
+        .nd_difference = summary->nd - input->nd.near,
+        .Vd_difference = summary->Vd - input->Vd.near,
+        .distance = NAN,
+        .summary = *summary,
+    };
+    if (!glass_check_range(glass, question->um.hi, error) ||
+        !glass_set_index(question, glass, row, error)) {
         return false;
     }
     if (!isnan(input->thickness)) {
-        row->transmittance = glass_transmittance(&record->glass, question->um.hi, input->thickness);
+        row->transmittance = glass_transmittance(glass, question->um.hi, input->thickness);
     }
     return true;
 }

@@ -66,13 +66,11 @@ static bool list_run(const void *data, struct run *run, struct error *error)
             return false;
         }
     }
-    if (list.found == 0) {
-        return fail(error, ERROR_DOMAIN, "nothing among the %s matches %s%s%s%s",
-                    topic_words[input->topic].word, input->search != NULL ? input->search : "",
-                    input->search != NULL && input->kind != NULL ? ", " : "",
-                    input->kind != NULL ? "--kind " : "", input->kind != NULL ? input->kind : "");
-    }
-    return true;
+    return list.found != 0 ||
+           fail(error, ERROR_DOMAIN, "nothing among the %s matches %s%s%s%s",
+                topic_words[input->topic].word, input->search != NULL ? input->search : "",
+                input->search != NULL && input->kind != NULL ? ", " : "",
+                input->kind != NULL ? "--kind " : "", input->kind != NULL ? input->kind : "");
 }
 
 static const struct example examples[] = {

@@ -7,19 +7,14 @@ const char *list_string(const struct list *list, struct text text)
     return text.length == 0 ? NULL : arena_string(list->run->arena, text.start, text.length);
 }
 
-/* Does each word occur in some text? "canon mirrorless" asks for maker and class. */
-static bool list_has_all_words(struct text words, const char *const *texts, size_t count)
+/* Does a word occur in some text? */
+static bool list_has_word(struct text word, const char *const *texts, size_t count)
 {
-    bool all = words.length > 0;
-    while (words.length > 0 && all) {
-        struct text word = text_cut(&words, ' ');
-        bool found = word.length == 0;
-        for (size_t i = 0; i < count && !found; i++) {
-            found = texts[i] != NULL && text_contains_name(text_of(texts[i]), word);
-        }
-        all = found;
+    bool found = false;
+    for (size_t i = 0; i < count && !found; i++) {
+        found = texts[i] != NULL && text_contains_name(text_of(texts[i]), word);
     }
-    return all;
+    return found;
 }
 
 bool list_matches(const struct list *list, const char *kind, const char *const *texts, size_t count)
@@ -29,17 +24,31 @@ bool list_matches(const struct list *list, const char *kind, const char *const *
         (kind == NULL || !text_same_name(text_of(kind), text_of(input->kind)))) {
         return false;
     }
-    bool found = input->search == NULL;
-    for (size_t i = 0; i < count && !found; i++) {
-        found = texts[i] != NULL && text_contains_name(text_of(texts[i]), text_of(input->search));
+    if (input->search == NULL || list_has_word(text_of(input->search), texts, count)) {
+        return true;
     }
-    return found || list_has_all_words(text_of(input->search), texts, count);
+    /* each word in some text: "canon mirrorless" asks for maker and class */
+    struct text words = text_of(input->search);
+    bool all = words.length > 0;
+    while (words.length > 0 && all) {
+        const struct text word = text_cut(&words, ' ');
+        all = word.length == 0 || list_has_word(word, texts, count);
+    }
+    return all;
 }
 
 void list_row(struct list *list, const void *row)
 {
     list->found++;
     run_emit(list->run, row);
+}
+
+void list_offer(struct list *list, const void *row, const char *kind, const char *const *texts,
+                size_t count)
+{
+    if (list_matches(list, kind, texts, count)) {
+        list_row(list, row);
+    }
 }
 
 const char *list_place(enum lensdb_place place)

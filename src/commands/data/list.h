@@ -36,8 +36,10 @@ const char *list_string(const struct list *list, struct text text);
 bool list_matches(const struct list *list, const char *kind, const char *const *texts,
                   size_t count);
 
-/* Hand out one row. */
+/* Hand out one row; if it is wanted. */
 void list_row(struct list *list, const void *row);
+void list_offer(struct list *list, const void *row, const char *kind, const char *const *texts,
+                size_t count);
 
 /* Where a row of the database comes from: "own" or "embedded". */
 const char *list_place(enum lensdb_place place);

@@ -101,9 +101,7 @@ static bool list_tolerances(struct list *list, struct error *error)
             .place = list_place(one.place),
             .value = one.value,
         };
-        if (list_matches(list, row.grade, (const char *[]){row.grade, row.quantity}, 2)) {
-            list_row(list, &row);
-        }
+        list_offer(list, &row, row.grade, (const char *[]){row.grade, row.quantity}, 2);
     }
     return error->code == ERROR_NONE;
 }

@@ -102,12 +102,19 @@ static void list_lens(struct list *list, const char *name, struct arena *arena)
         list_broken(list, &row, &error);
         return;
     }
-    row.title = lens.title;
-    row.kind = lens.kind;
-    row.source = lens.source;
-    row.positions = joined(lens.positions, lens.position_count, arena);
-    row.note = joined(lens.notes, lens.note_count, arena);
-    row.surfaces = (long)lens.surface_count;
+    row = (struct list_lenses_lens_row){
+        .name = name,
+        .title = lens.title,
+        .kind = lens.kind,
+        .positions = joined(lens.positions, lens.position_count, arena),
+        .source = lens.source,
+        .note = joined(lens.notes, lens.note_count, arena),
+        .place = row.place,
+        .efl = NAN,
+        .bfl = NAN,
+        .fnumber = NAN,
+        .surfaces = (long)lens.surface_count,
+    };
     /* "zoom" is any zoom: "zoom tele", "cine anamorphic zoom" */
     const char *kind = list->input->kind != NULL && row.kind != NULL &&
                                text_contains_name(text_of(row.kind), text_of(list->input->kind))

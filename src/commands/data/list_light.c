@@ -95,9 +95,7 @@ static bool list_films(struct list *list, struct error *error)
             .at_10 = corrected(&model, 10),
             .at_100 = corrected(&model, 100),
         };
-        if (list_matches(list, row.maker, (const char *[]){row.film, row.aliases, row.source}, 3)) {
-            list_row(list, &row);
-        }
+        list_offer(list, &row, row.maker, (const char *[]){row.film, row.aliases, row.source}, 3);
     }
     return error->code == ERROR_NONE;
 }
@@ -134,9 +132,7 @@ static bool list_scenes(struct list *list, struct error *error)
             .place = list_place(scene.place),
             .ev100 = scene.ev100,
         };
-        if (list_matches(list, NULL, (const char *[]){row.scene, row.aliases, row.meaning}, 3)) {
-            list_row(list, &row);
-        }
+        list_offer(list, &row, NULL, (const char *[]){row.scene, row.aliases, row.meaning}, 3);
     }
     return error->code == ERROR_NONE;
 }
@@ -183,9 +179,7 @@ static bool list_filters(struct list *list, struct error *error)
             .stops = filter.stops,
             .used = lensdb_filter_stops(&filter),
         };
-        if (list_matches(list, row.kind, (const char *[]){row.filter, row.aliases, row.kind}, 3)) {
-            list_row(list, &row);
-        }
+        list_offer(list, &row, row.kind, (const char *[]){row.filter, row.aliases, row.kind}, 3);
     }
     return error->code == ERROR_NONE;
 }

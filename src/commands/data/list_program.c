@@ -54,11 +54,8 @@ static bool list_stops(struct list *list, struct error *error)
                     .off = quantities[i].stops_per_octave * log2(stops[k].value / stops[k].exact) +
                            0.0,
                 };
-                if (list_matches(list, series[j],
-                                 (const char *[]){row.label, quantities[i].quantity, series[j]},
-                                 3)) {
-                    list_row(list, &row);
-                }
+                list_offer(list, &row, series[j],
+                           (const char *[]){row.label, quantities[i].quantity, series[j]}, 3);
             }
         }
     }
@@ -123,9 +120,7 @@ static bool list_commands(struct list *list, struct error *error)
     (void)error;
     for (size_t i = 0; commands[i] != NULL; i++) {
         struct command_row row = {commands[i]->name, commands[i]->group, commands[i]->summary};
-        if (list_matches(list, row.group, (const char *[]){row.command, row.summary}, 2)) {
-            list_row(list, &row);
-        }
+        list_offer(list, &row, row.group, (const char *[]){row.command, row.summary}, 2);
     }
     return true;
 }
@@ -163,9 +158,7 @@ static void list_option(struct list *list, const char *command, const struct opt
         .fallback = option->fallback,
         .help = option->help,
     };
-    if (list_matches(list, command, (const char *[]){command, row.option}, 2)) {
-        list_row(list, &row);
-    }
+    list_offer(list, &row, command, (const char *[]){command, row.option}, 2);
 }
 
 static bool list_program_list_options(struct list *list, struct error *error)
@@ -238,10 +231,8 @@ static bool list_keywords(struct list *list, struct error *error)
             const struct keyword_row row = {list_string(list, entry.word), (*one)->type.word.word,
                                             entry.group->place, word_fate_name(entry.group->fate),
                                             entry.group->what};
-            if (list_matches(list, row.format, (const char *[]){row.keyword, row.fate, row.what},
-                             3)) {
-                list_row(list, &row);
-            }
+            list_offer(list, &row, row.format, (const char *[]){row.keyword, row.fate, row.what},
+                       3);
         }
     }
     return true;

@@ -86,9 +86,7 @@ static bool list_sensors(struct list *list, struct error *error)
                                     sensor.maker.start, row.name);
         }
         const char *kind = cameras ? list_string(list, sensor.maker) : row.class;
-        if (list_matches(list, kind, (const char *[]){row.name, row.aliases, row.class}, 3)) {
-            list_row(list, &row);
-        }
+        list_offer(list, &row, kind, (const char *[]){row.name, row.aliases, row.class}, 3);
     }
     return error->code == ERROR_NONE;
 }

@@ -254,6 +254,7 @@ static bool check_compare(const struct check_input *input, const struct lens_cas
         return false;
     }
     for (int quantity = 0; quantity < CHECK_QUANTITIES; quantity++) {
+        const enum check_quantity what = (enum check_quantity)quantity;
         struct check_row row = {
             .quantity = names[quantity].name,
             .unit = names[quantity].unit,
@@ -262,15 +263,14 @@ static bool check_compare(const struct check_input *input, const struct lens_cas
             .warning = one->warning,
             .wavelength = one->light.wavelength,
         };
-        if (!check_applies(&check.problem, (enum check_quantity)quantity)) {
+        if (!check_applies(&check.problem, what)) {
             continue;
         }
-        check_judge(&check, (enum check_quantity)quantity, run->arena, &row);
+        check_judge(&check, what, run->arena, &row);
         for (long step = 0; step < input->steps; step++) {
-            double fraction = check_is_of_field((enum check_quantity)quantity)
+            double fraction = check_is_of_field(what)
                                   ? (double)(input->steps - step) / (double)input->steps
                                   : exp2(-0.5 * (double)step);
-            enum check_quantity what = (enum check_quantity)quantity;
             struct check_value here = check_at(&check.problem, what, fraction, run->arena);
             struct check_value inner = check_at(&check.problem, what, fraction / 2, run->arena);
             double unit = what == CHECK_EXIT_ANGLE ? DEGREES_PER_RADIAN : 1;

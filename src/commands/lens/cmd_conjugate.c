@@ -7,6 +7,7 @@
 #include "file/lens_glass.h"
 #include "optics/conjugates.h"
 #include "optics/focusing.h"
+#include "optics/parameter.h"
 
 enum { FOCUS_BY_NOTHING, FOCUS_BY_LENS };
 
@@ -170,10 +171,7 @@ static const char *conjugate_kind_of(double distance, bool is_virtual)
     if (isinf(distance)) {
         return "at infinity";
     }
-    if (is_virtual) {
-        return "virtual";
-    }
-    return "real";
+    return is_virtual ? "virtual" : "real";
 }
 
 /* Far objects have the magnification 0, but their images still stand on their heads or not. */
@@ -183,10 +181,7 @@ static const char *orientation_of(const struct conjugate_points *all, double pow
     if (isinf(sign) || sign == 0) {
         return NULL;
     }
-    if (sign > 0) {
-        return "erect";
-    }
-    return "inverted";
+    return sign > 0 ? "erect" : "inverted";
 }
 
 /* The row of one object, which lies on `place` (mm to the left of the first vertex). */
@@ -318,15 +313,13 @@ static bool emit_focused(const struct lens_case *one, const struct task *task, s
         const char *all = NULL;
         for (size_t k = 0; k < task->gap_count; k++) {
             const struct named_gap *named = &task->gaps[k];
-            size_t surface = named->gap.surface;
-            double t = solutions[i].lens->surfaces[surface].thickness.value.hi;
+            double t = solutions[i].lens->surfaces[named->gap.surface].thickness.value.hi;
             const char *text =
                 arena_printf(arena, "%.*s %.6g", (int)named->name.length, named->name.start, t);
             all = all == NULL ? text : arena_printf(arena, "%s, %s", all, text);
         }
-        const char *names = all;
-        if (!conjugate_emit_row(one, task, solutions[i].lens, &place, names,
-                                solutions[i].movement.hi, error)) {
+        if (!conjugate_emit_row(one, task, solutions[i].lens, &place, all, solutions[i].movement.hi,
+                                error)) {
             return false;
         }
     }
@@ -343,14 +336,9 @@ static bool put_into_media(const struct conjugate_input *input, struct lens_valu
         return true;
     }
     const struct lens *lens = value->lens;
-    struct lens *copy = ARENA_NEW(arena, struct lens);
-    size_t last = lens->surface_count - 1;
-    *copy = *lens;
-    copy->surfaces = ARENA_ARRAY(arena, lens->surface_count, struct surface);
-    for (size_t i = 0; i <= last; i++) {
-        copy->surfaces[i] = lens->surfaces[i];
-    }
-    if (behind != NULL && surface_reflects(&copy->surfaces[last])) {
+    struct lens *copy = lens_copy(lens, arena);
+    struct surface *last = &copy->surfaces[lens->surface_count - 1];
+    if (behind != NULL && surface_reflects(last)) {
         return fail(error, ERROR_USAGE,
                     "{--image-medium}: the last surface is a mirror, which leaves the medium as it "
                     "is");
@@ -362,7 +350,7 @@ static bool put_into_media(const struct conjugate_input *input, struct lens_valu
         copy->stated[i] = NULL; /* the source states it for other media */
     }
     if (behind != NULL) {
-        copy->surfaces[last].medium = lens_glass_medium(&behind->glass);
+        last->medium = lens_glass_medium(&behind->glass);
     }
     value->lens = copy;
     return true;

@@ -85,10 +85,7 @@ static bool draw_draw(const struct artifact_job *job, struct output *sink, struc
                                                      position, 1000 * at.one.light.wavelength),
                                     .layout = &layout,
                                     .faint = input->construction};
-    if (!section_draw(&section, &svg, error)) {
-        return false;
-    }
-    return drawing_write(job, &svg, sink, error);
+    return section_draw(&section, &svg, error) && drawing_write(job, &svg, sink, error);
 }
 
 static const struct artifact artifacts[] = {

@@ -123,11 +123,15 @@ static bool emit_perspective(const struct lens_case *one, struct run *run, struc
         {.row = "w", .z = power / n, .w = 1},
     };
     for (size_t i = 0; i < 4; i++) {
-        struct perspective_row row = rows[i];
-        row.wavelength = one->light.wavelength;
-        row.position = one->setup->position;
-        row.lens = one->setup->lens->title;
-        row.warning = one->warning;
+        const struct perspective_row row = {one->light.wavelength,
+                                            one->setup->position,
+                                            rows[i].row,
+                                            one->setup->lens->title,
+                                            one->warning,
+                                            rows[i].x,
+                                            rows[i].y,
+                                            rows[i].z,
+                                            rows[i].w};
         if (!run_emit(run, &row)) {
             break;
         }

@@ -44,8 +44,7 @@ static const struct option options[] = {
 struct pupil_row {
     const char *pupil, *position, *status, *warning, *lens;
     double wavelength; /* um */
-    double field, object, height, film;
-    double field_x, object_x, height_x;
+    struct pupil_case at;
     double z;
     struct pupil_side side;
     double projected, obstruction, fraction, projected_fraction, irradiance, illumination;
@@ -64,21 +63,21 @@ struct pupil_row {
     ENTRY(COLUMN_OF_WAVELENGTH(ROW, wavelength), .name = "wavelength", .flags = COLUMN_ECHO,       \
           .with = "wavelength", .help = "wavelength"),                                             \
         LENS_POSITION_COLUMN(ROW, position, COLUMN_BRIEF),                                         \
-        ENTRY(COLUMN_OF_ANGLE(ROW, field, "deg"), .name = "field",                                 \
+        ENTRY(COLUMN_OF_ANGLE(ROW, at.angle, "deg"), .name = "field",                              \
               .flags = COLUMN_BRIEF | COLUMN_ECHO | COLUMN_SPARSE,                                 \
               .help =                                                                              \
                   "angle of the chief ray as seen from the first vertex; absent from the film"),   \
-        ENTRY(MM(object, COLUMN_BRIEF | COLUMN_ECHO | COLUMN_SPARSE), .name = "object",            \
+        ENTRY(MM(at.object, COLUMN_BRIEF | COLUMN_ECHO | COLUMN_SPARSE), .name = "object",         \
               .help = "height of the object point; absent at infinity"),                           \
-        ENTRY(MM(height, COLUMN_BRIEF | COLUMN_ECHO | COLUMN_SPARSE), .name = "height",            \
+        ENTRY(MM(at.height, COLUMN_BRIEF | COLUMN_ECHO | COLUMN_SPARSE), .name = "height",         \
               .help = "of the point in the film; absent from the object"),                         \
-        ENTRY(COLUMN_OF_ANGLE(ROW, field_x, "deg"),                                                \
+        ENTRY(COLUMN_OF_ANGLE(ROW, at.angle_x, "deg"),                                             \
               .flags = COLUMN_EXTRA | COLUMN_BRIEF | COLUMN_ECHO, .with = "field-x",               \
               .name = "field_x", .label = "field x",                                               \
               .help = "angle in the x-z plane; on request, and where some is not 0"),              \
-        ENTRY(MM(object_x, COLUMN_EXTRA | COLUMN_BRIEF), .with = "field-x", .name = "object_x",    \
+        ENTRY(MM(at.object_x, COLUMN_EXTRA | COLUMN_BRIEF), .with = "field-x", .name = "object_x", \
               .label = "object x", .help = "of the object point; absent at infinity"),             \
-        ENTRY(MM(height_x, COLUMN_EXTRA | COLUMN_BRIEF | COLUMN_ECHO), .with = "height-x",         \
+        ENTRY(MM(at.height_x, COLUMN_EXTRA | COLUMN_BRIEF | COLUMN_ECHO), .with = "height-x",      \
               .name = "height_x", .label = "height x", .help = "of the point in the film"),        \
         ENTRY(PLAIN(pupil, COLUMN_BRIEF), .name = "pupil", .help = "entrance or exit")
 
@@ -152,7 +151,7 @@ static const struct column columns[] = {
              "nothing arrives"},
     {PLAIN(lost, COLUMN_SPARSE | COLUMN_BRIEF), .name = "surface", .label = "lost at surface",
      .help = "where the chief ray or all rays are lost"},
-    {MM(film, COLUMN_HIDDEN | COLUMN_ECHO), .name = "film",
+    {MM(at.film, COLUMN_HIDDEN | COLUMN_ECHO), .name = "film",
      .help = "where the film stands, from the last vertex; absent for fields"},
     {PLAIN(rays, COLUMN_EXTRA), .name = "rays", .help = "about how many were traced"},
     LENS_TITLE_COLUMN(ROW, lens),
@@ -198,19 +197,11 @@ static struct pupil_row pupil_row_of(const struct pupil_case *point, bool exit)
     row.lens = one->setup->lens->title;
     row.warning = one->warning;
     row.wavelength = one->light.wavelength;
-    row.field = point->angle;
-    row.object = point->object;
-    row.height = point->height;
-    row.field_x = point->angle_x;
-    row.object_x = point->object_x;
-    row.height_x = point->height_x;
-    row.film = point->film;
+    row.at = *point;
     row.z = exit ? one->light.first.exit_pupil : one->light.first.entrance_pupil;
     row.obstruction = shape->is_empty ? (double)NAN : shape->obstruction;
     row.status = shape->status == RAY_OK && shape->has_chief ? "ok" : "chief_lost";
-    if (shape->is_empty) {
-        row.status = ray_status_name(shape->status);
-    }
+    row.status = shape->is_empty ? ray_status_name(shape->status) : row.status;
     row.lost = shape->surface > 0 ? (long)shape->surface : NO_INTEGER;
     row.rays = (long)shape->rays;
     row.side.pupil.area = 0; /* where nothing arrives */

@@ -135,13 +135,11 @@ static bool refract_check_count(const struct refract_surface *s, struct error *e
                     "{--before}, {--after}, {--radius}, {--object} and {--image} are all given: "
                     "leave one out and it is found");
     }
-    if (unknown > 1) {
-        return fail(error, ERROR_USAGE, "too little is given:%s%s%s wanted, or {--image}%s",
-                    after ? "" : " --after", !after && isnan(s->R) ? " and" : "",
-                    isnan(s->R) ? " --radius" : "",
-                    isnan(s->z_image) ? " in the place of one" : " and what is left of the rest");
-    }
-    return true;
+    return !(unknown > 1) ||
+           fail(error, ERROR_USAGE, "too little is given:%s%s%s wanted, or {--image}%s",
+                after ? "" : " --after", !after && isnan(s->R) ? " and" : "",
+                isnan(s->R) ? " --radius" : "",
+                isnan(s->z_image) ? " in the place of one" : " and what is left of the rest");
 }
 
 static void refract_fill_row(struct refract_row *row)

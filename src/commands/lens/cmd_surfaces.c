@@ -91,10 +91,8 @@ static const char *surfaces_kind_of(const struct surface *surface)
     if (name != NULL) {
         return name;
     }
-    if (!surface_is_round(surface)) {
-        return "cylinder";
-    }
-    return surface_profiles[surface_profile(surface)].name;
+    return !surface_is_round(surface) ? "cylinder"
+                                      : surface_profiles[surface_profile(surface)].name;
 }
 
 /* Of the beam that starts on the axis: v over -y, whatever its size. */
@@ -112,29 +110,23 @@ static struct paraxial_ray *surfaces_follow(const struct lens_case *one, double 
     return rays;
 }
 
-/* The beam from the object point on the axis, of any size. */
-static struct paraxial_ray *follow_axial(const struct lens_case *one, struct arena *arena)
-{
-    if (one->setup->lens->object_is_infinite) {
-        return surfaces_follow(one, 1, 0, arena);
-    }
-    return surfaces_follow(one, one->setup->lens->object.value.hi, one->light.first.index_object,
-                           arena);
-}
-
 static bool surfaces_run(const void *data, struct run *run, struct error *error)
 {
     const struct surfaces_input *input = data;
     struct lens_cursor at = lens_begin(&input->question, &policy, run->arena);
     while (lens_next(&at, error)) {
         const struct first_order *first = &at.one.light.first;
-        const struct paraxial_ray *axial = follow_axial(&at.one, run->arena);
+        const struct lens *lens = at.one.setup->lens;
+        /* the beam from the object point on the axis, of any size */
+        const bool far = lens->object_is_infinite;
+        const struct paraxial_ray *axial = surfaces_follow(
+            &at.one, far ? 1 : lens->object.value.hi, far ? 0 : first->index_object, run->arena);
         const struct paraxial_ray *marginal =
             surfaces_follow(&at.one, first->marginal_y, first->marginal_v, run->arena);
         const struct paraxial_ray *chief =
             surfaces_follow(&at.one, first->chief_y, first->chief_v, run->arena);
         for (size_t i = 0; i < at.one.light.system.count; i++) {
-            const struct surface *surface = &at.one.setup->lens->surfaces[i];
+            const struct surface *surface = &lens->surfaces[i];
             double curvature = at.one.light.system.curvature[i].hi;
             struct text medium = surface->medium.written;
             struct surfaces_row row = {
@@ -143,7 +135,7 @@ static bool surfaces_run(const void *data, struct run *run, struct error *error)
                 .name = surface->name,
                 .medium = arena_string(run->arena, medium.start, medium.length),
                 .position = at.one.setup->position,
-                .lens = at.one.setup->lens->title,
+                .lens = lens->title,
                 .warning = at.one.warning,
                 .wavelength = at.one.light.wavelength,
                 .field = input->question.field,

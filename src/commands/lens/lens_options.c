@@ -43,10 +43,7 @@ const char *lens_warnings_join(const char *first, const char *second, struct are
     if (first == NULL) {
         return second;
     }
-    if (second == NULL) {
-        return first;
-    }
-    return arena_printf(arena, "%s; %s", first, second);
+    return second == NULL ? first : arena_printf(arena, "%s; %s", first, second);
 }
 
 const char *lens_island_warning(const struct pupil_islands *islands, struct arena *arena)
@@ -82,10 +79,9 @@ bool lens_place_image(struct setup *setup, const struct plane_value *focus, stru
                                         [PLANE_TABLE] = "table",
                                         [PLANE_BEST] = "best",
                                         [PLANE_AT] = NULL};
-    if (setup_place_image(setup, focus, error)) {
-        return true;
-    }
-    return words[focus->kind] != NULL && error_prefix(error, "{--focus} %s: ", words[focus->kind]);
+    return setup_place_image(setup, focus, error) ||
+           (words[focus->kind] != NULL &&
+            error_prefix(error, "{--focus} %s: ", words[focus->kind]));
 }
 
 struct setup_field lens_field(enum field_kind kind, double x, double y, int section)
@@ -112,10 +108,8 @@ const char *lens_field_words(const struct field_point *field, struct arena *aren
     if (field->kind == FIELD_NONE) {
         return "on the axis";
     }
-    if (at[0] != 0) {
-        return arena_printf(arena, "field x %.6g %s, y %.6g %s", at[0], unit, at[1], unit);
-    }
-    return arena_printf(arena, "field %.6g %s", at[1], unit);
+    return at[0] != 0 ? arena_printf(arena, "field x %.6g %s, y %.6g %s", at[0], unit, at[1], unit)
+                      : arena_printf(arena, "field %.6g %s", at[1], unit);
 }
 
 bool lens_fields_asked(const struct lens_question *question, size_t position,
@@ -293,12 +287,10 @@ struct lens_cursor lens_begin(const struct lens_question *question,
 bool lens_next_setup(struct lens_cursor *at, struct error *error)
 {
     error->code = ERROR_NONE;
-    if (at->positions == NULL &&
-        !lens_positions(at->question->lens.lens, at->question->position, at->arena, &at->positions,
-                        &at->position_count, error)) {
-        return false;
-    }
-    return at->next_position < at->position_count &&
+    return (at->positions != NULL ||
+            lens_positions(at->question->lens.lens, at->question->position, at->arena,
+                           &at->positions, &at->position_count, error)) &&
+           at->next_position < at->position_count &&
            lens_cursor_open(at, at->positions[at->next_position++], error);
 }
 

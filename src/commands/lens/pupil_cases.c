@@ -67,7 +67,7 @@ struct pupil_memo {
 static struct axis_key pupil_cases_key_of(const struct pupil_cursor *at)
 {
     struct axis_key key;
-    memset(&key, 0, sizeof key);
+    memset(&key, 0, sizeof key); /* gaps too */
     key.lens = at->input->question.lens.serial;
     key.position = at->lens.one.setup->position;
     key.wavelength = at->lens.one.light.wavelength;
@@ -128,10 +128,7 @@ static bool pupil_cases_open(struct pupil_cursor *at, struct error *error)
     at->open = setup_system(one->setup, one->index, SETUP_OPEN | way, error);
     at->clipped =
         at->open != NULL ? setup_system(one->setup, one->index, SETUP_CLIPPED | way, error) : NULL;
-    if (at->clipped == NULL) {
-        return false;
-    }
-    if ((from_film && !check_film(setup->image, error))) {
+    if (at->clipped == NULL || (from_film && !check_film(setup->image, error))) {
         return false;
     }
     if (from_film) {

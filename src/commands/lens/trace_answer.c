@@ -508,10 +508,8 @@ static bool trace_answer_check(const struct trace_input *input, struct error *er
     if (angle && (!isnan(input->height) || !isnan(input->height_x))) {
         return fail(error, ERROR_USAGE, "{--field} and {--height} exclude each other");
     }
-    if (input->verify && input->question.to.kind == TARGET_SURFACE) {
-        return fail(error, ERROR_USAGE, "{--verify} works with rays that pass the whole lens");
-    }
-    return true;
+    return !input->verify || input->question.to.kind != TARGET_SURFACE ||
+           fail(error, ERROR_USAGE, "{--verify} works with rays that pass the whole lens");
 }
 
 bool trace_answer(const void *data, struct run *run, struct error *error)

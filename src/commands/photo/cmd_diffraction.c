@@ -197,24 +197,8 @@ static const struct sheet *diffraction_choose_sheet(const void *data,
     if (asking_given(asking, "frequency")) {
         return &contrast;
     }
-    if (wants_best) {
-        return &best;
-    }
-    return &all;
+    return wants_best ? &best : &all;
 }
-
-/* Absent until computed. */
-static const struct diffraction_row empty = {
-    .airy = {NAN, NAN, NAN, NAN, NAN, NAN, NAN, NAN},
-    .mtf = {NAN, NAN, NAN, NAN},
-    .angles = {NAN, NAN, NAN},
-    .optimum = {NAN, NAN, NAN, NAN, NAN},
-    .mtf50 = NAN,
-    .mtf10 = NAN,
-    .fnumber_pixel = NAN,
-    .fnumber_film = NAN,
-    .fnumber_coc = NAN,
-};
 
 static bool compute_optimum(const struct diffraction_input *input, struct diffraction_row *row,
                             struct error *error)
@@ -263,7 +247,6 @@ static bool diffraction_answer(const void *data, const struct photo_lens *lens, 
     const struct diffraction_input *input = data;
     struct sharpness own = input->sharp;
     const struct sharpness *sharp = &own;
-    struct diffraction_row row = empty;
     if (!sharpness_settle(&own, PITCH_FOR_MORE, run->doubts, error)) {
         return false;
     }
@@ -277,21 +260,34 @@ static bool diffraction_answer(const void *data, const struct photo_lens *lens, 
         return fail(error, ERROR_USAGE,
                     "{--%s} says nothing of the best f-number: give {--aperture} too", idle);
     }
-    row.real = *lens->real;
-    row.focal = lens->f;
-    row.wavelength = lens->wavelength;
-    row.pitch = sharpness_pitch(sharp);
-    row.setting = (struct diffraction_setting){.N = lens->N,
-                                               .m = input->magnification,
-                                               .P = lens->P,
-                                               .wavelength = 1000 * lens->wavelength,
-                                               .blur = input->defocus,
-                                               .pitch = isnan(row.pitch) ? 0 : row.pitch};
-    row.pixels = input->pixels;
-    row.film = input->film;
-    row.frequency = input->frequency;
-    row.sensor = sharp->sensor.name;
-    row.criterion = sharp->coc.criterion;
+    const double pitch = sharpness_pitch(sharp);
+    struct diffraction_row row = {
+        .setting = {.N = lens->N,
+                    .m = input->magnification,
+                    .P = lens->P,
+                    .wavelength = 1000 * lens->wavelength,
+                    .blur = input->defocus,
+                    .pitch = isnan(pitch) ? 0 : pitch},
+        .wavelength = lens->wavelength,
+        .pitch = pitch,
+        .pixels = input->pixels,
+        .film = input->film,
+        .frequency = input->frequency,
+        .focal = lens->f,
+        .real = *lens->real,
+        .sensor = sharp->sensor.name,
+        .criterion = sharp->coc.criterion,
+        /* absent until computed */
+        .airy = {NAN, NAN, NAN, NAN, NAN, NAN, NAN, NAN},
+        .mtf = {NAN, NAN, NAN, NAN},
+        .angles = {NAN, NAN, NAN},
+        .optimum = {NAN, NAN, NAN, NAN, NAN},
+        .mtf50 = NAN,
+        .mtf10 = NAN,
+        .fnumber_pixel = NAN,
+        .fnumber_film = NAN,
+        .fnumber_coc = NAN,
+    };
     if (isnan(lens->N) && !isnan(input->frequency)) {
         return fail(error, ERROR_USAGE, "{--frequency} needs {--aperture}");
     }

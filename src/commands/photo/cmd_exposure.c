@@ -276,13 +276,9 @@ static bool exposure_row_answer(const void *data, const struct photo_lens *lens,
     row.real = *lens->real;
     row.pupil = lens->P;
     row.spectrum = rays.spectrum;
-    if (!input->lens.rays.exact) {
-        row.traced = NULL;
-    } else if (input->fresnel) {
-        row.traced = "rays of the lens, its faces uncoated";
-    } else {
-        row.traced = "rays of the lens, without loss in glass and faces";
-    }
+    row.traced = input->fresnel ? "rays of the lens, its faces uncoated"
+                                : "rays of the lens, without loss in glass and faces";
+    row.traced = input->lens.rays.exact ? row.traced : NULL;
     if (!isnan(row.time_to_set)) {
         char words[SPOKEN_LENGTH];
         spoken_time(words, row.time_to_set, 3);

@@ -195,10 +195,7 @@ static bool flash_join(const struct flash_input *input, double one, double *join
 {
     const double both[] = {one, input->second};
     *joint = one;
-    if (!is_given(input->second)) {
-        return true;
-    }
-    return flash_sum(both, 2, joint, error);
+    return !is_given(input->second) || flash_sum(both, 2, joint, error);
 }
 
 static bool flash_row_solve(const struct flash_input *input, double one, struct flash_row *row,

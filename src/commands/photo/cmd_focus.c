@@ -215,15 +215,11 @@ static void focus_fill_row(const struct focus_input *input, const struct photo_l
 {
     row->real = *lens->real;
     row->pupil_distance = conjugates_pupil_distance(row->c.f, row->c.m, P);
-    if (input->lens.from == FROM_SENSOR) {
-        row->distance = row->c.T;
-    } else if (input->lens.from == FROM_ENTRANCE) {
-        row->distance = row->pupil_distance;
-    } else if (input->lens.from == FROM_FRONT) {
-        row->distance = row->working_distance;
-    } else {
-        row->distance = row->c.s;
-    }
+    const double distances[] = {[FROM_PRINCIPAL] = row->c.s,
+                                [FROM_SENSOR] = row->c.T,
+                                [FROM_ENTRANCE] = row->pupil_distance,
+                                [FROM_FRONT] = row->working_distance};
+    row->distance = distances[input->lens.from];
     row->fnumber = lens->N;
     row->order = orders[input->order].word;
     row->attached = input->attached;
@@ -389,11 +385,9 @@ static bool focus_answer(const void *data, const struct photo_lens *lens, struct
     struct photo_real said = *lens->real;
     said.hiatus = own.measuring.hiatus;
     own.real = &said;
-    if (input->lens.rays.exact && !focus_check_rays(input, error)) {
-        return false;
-    }
-    return has_attachments(input) ? run_attached(input, &own, run, error)
-                                  : run_plain(input, &own, run, error);
+    return (!input->lens.rays.exact || focus_check_rays(input, error)) &&
+           (has_attachments(input) ? run_attached(input, &own, run, error)
+                                   : run_plain(input, &own, run, error));
 }
 
 static bool focus_run(const void *data, struct run *run, struct error *error)

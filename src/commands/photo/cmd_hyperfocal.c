@@ -199,8 +199,8 @@ static bool hyperfocal_run(const void *data, struct run *run, struct error *erro
 {
     const struct hyperfocal_input *input = data;
     bool aimless = isnan(input->hyperfocal) && isnan(input->near);
-    int use = aimless ? 0 : PHOTO_LENS_SOLVES_FNUMBER;
-    return photo_lens_each(&input->lens, use, run, hyperfocal_answer, input, error);
+    return photo_lens_each(&input->lens, aimless ? 0 : PHOTO_LENS_SOLVES_FNUMBER, run,
+                           hyperfocal_answer, input, error);
 }
 
 static const struct explanation explanations[] = {

@@ -214,11 +214,9 @@ static bool motion_run(const void *data, struct run *run, struct error *error)
         (turns && !solve_shake(input, &row, error)) ||
         (is_given(input->track) && !solve_panning(input, &row, error)) ||
         (is_given(input->readout) &&
-         !rolling_shutter(row.image_speed, input->readout, sensor->height, &row.skew, error))) {
-        return false;
-    }
-    if (is_given(row.focal) &&
-        !handheld_time(row.focal, sensor_crop(sensor), input->stabiliser, &row.handheld, error)) {
+         !rolling_shutter(row.image_speed, input->readout, sensor->height, &row.skew, error)) ||
+        (is_given(row.focal) &&
+         !handheld_time(row.focal, sensor_crop(sensor), input->stabiliser, &row.handheld, error))) {
         return false;
     }
     run_emit(run, &row);

@@ -152,13 +152,11 @@ static bool apply_rules(struct stars_row *row, struct error *error)
 
 static bool measure_trail(const struct sensor *sensor, struct stars_row *row, struct error *error)
 {
-    if (!is_given(row->exposure)) {
-        return true;
-    }
-    return star_trail(row->focal, row->declination, row->exposure, &row->trail, error) &&
-           star_trail_worst(row->focal, row->declination, row->exposure,
-                            sensor_diagonal(sensor) / 2, &row->worst, error) &&
-           blur_measure(row->trail.chord, row->pitch, row->allowed, &row->size, error);
+    return !is_given(row->exposure) ||
+           (star_trail(row->focal, row->declination, row->exposure, &row->trail, error) &&
+            star_trail_worst(row->focal, row->declination, row->exposure,
+                             sensor_diagonal(sensor) / 2, &row->worst, error) &&
+            blur_measure(row->trail.chord, row->pitch, row->allowed, &row->size, error));
 }
 
 static bool stars_run(const void *data, struct run *run, struct error *error)

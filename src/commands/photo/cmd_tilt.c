@@ -237,12 +237,8 @@ static bool tilt_run(const void *data, struct run *run, struct error *error)
     }
     row.coverage = coverage.angle;
     row.needed = coverage.circle;
-    if (isnan(input->circle)) {
-        row.covers = NULL;
-    } else if (input->circle >= coverage.circle) {
-        row.covers = "yes";
-    } else {
-        row.covers = "no";
+    if (!isnan(input->circle)) {
+        row.covers = input->circle >= coverage.circle ? "yes" : "no";
     }
     row.rise_limit = row.shift_limit = NAN;
     if (untilted && !isnan(input->circle)) {

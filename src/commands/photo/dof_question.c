@@ -92,12 +92,10 @@ bool dof_question_solve(const struct dof_question *input, const struct attached_
         setting->s = attached->farthest;
         return dof_check(setting, error);
     }
-    if (!(sharpness_is_airy(&input->sharp)
-              ? solve_airy(input, attached->lens, setting, error)
-              : distance_solve(setting, &input->targets, &attached->lens->measuring, error))) {
-        return false;
-    }
-    return photo_lens_check_subject(attached->lens, setting->s, error) &&
+    return (sharpness_is_airy(&input->sharp)
+                ? solve_airy(input, attached->lens, setting, error)
+                : distance_solve(setting, &input->targets, &attached->lens->measuring, error)) &&
+           photo_lens_check_subject(attached->lens, setting->s, error) &&
            attached_check_reach(attached, setting->s, error);
 }
 
@@ -254,20 +252,27 @@ bool dof_question_by_rays(const struct dof_question *input, const struct attache
         return false;
     }
     /* What the rays found, as formulas would have it: distances from principal planes. */
-    double rear = lens->real->rear;
-    dof->near = range.near;
-    dof->far = range.far;
-    dof->near_vergence = 1 / range.near;
-    dof->far_vergence = 1 / range.far;
-    dof->near_condition = dof->far_condition = 1;
-    dof->image = range.film - rear;
-    dof->image_near = range.film_near - rear;
-    dof->image_far = range.film_far - rear;
-    dof->depth_of_focus = range.film_high - range.film_low;
-    dof->blur_at_infinity = range.blur_at_infinity;
-    dof->front = setting->s - dof->near;
-    dof->behind = isinf(dof->far) ? dof->far : dof->far - setting->s;
-    dof->total = dof->front + dof->behind;
+    const double rear = lens->real->rear, before = setting->s - range.near;
+    const double behind = isinf(range.far) ? range.far : range.far - setting->s;
+    *dof = (struct dof){
+        .hyperfocal = dof->hyperfocal,
+        .near = range.near,
+        .far = range.far,
+        .front = before,
+        .behind = behind,
+        .total = before + behind,
+        .magnification = dof->magnification,
+        .depth_of_focus = range.film_high - range.film_low,
+        .blur_at_infinity = range.blur_at_infinity,
+        .image = range.film - rear,
+        .image_near = range.film_near - rear,
+        .image_far = range.film_far - rear,
+        .near_vergence = 1 / range.near,
+        .far_vergence = 1 / range.far,
+        .working_fnumber = dof->working_fnumber,
+        .near_condition = 1,
+        .far_condition = 1,
+    };
     rays->blur = range.blur;
     return true;
 }

@@ -131,8 +131,7 @@ static bool solve_metered(const struct exposure_input *input, struct exposure_gi
                     "{--metered} stands in place of {--time}, {--corrected-time}, "
                     "{--shutter-angle}, {--equivalent} and of the light");
     }
-    double factor = exp2(row->loss + row->compensation);
-    g->t = input->metered * factor;
+    g->t = input->metered * (exp2(row->loss + row->compensation));
     if (!(g->t > 0) || isinf(g->t)) {
         return fail(error, ERROR_DOMAIN, "the time to set is beyond all numbers");
     }

@@ -74,11 +74,9 @@ static bool photo_lens_check_power(const struct first_order *first, struct error
     if (first->is_afocal) {
         return fail(error, ERROR_DOMAIN, "it is afocal: it makes no real image");
     }
-    if (!(first->rear_focal > 0)) {
-        return fail(error, ERROR_DOMAIN, "its focal length is %.6g mm: it makes no real image",
-                    first->rear_focal);
-    }
-    return true;
+    return first->rear_focal > 0 ||
+           fail(error, ERROR_DOMAIN, "its focal length is %.6g mm: it makes no real image",
+                first->rear_focal);
 }
 
 /* Its own pupil magnification, unless another is given. */
@@ -175,11 +173,9 @@ static bool photo_lens_check_question(const struct photo_lens_question *question
         return fail(error, ERROR_USAGE, "{--%s} needs {--lens}",
                     question->position != NULL ? "position" : "section");
     }
-    if (question->focal.length > 0) {
-        return fail(error, ERROR_USAGE,
-                    "{--lens} and {--focal-length} exclude each other: the lens has its own");
-    }
-    return true;
+    return !(question->focal.length > 0) ||
+           fail(error, ERROR_USAGE,
+                "{--lens} and {--focal-length} exclude each other: the lens has its own");
 }
 
 bool photo_lens_single(const struct photo_lens_question *question, int use, struct arena *arena,

@@ -42,7 +42,6 @@ bool sharpness_resolve_in(const struct sharpness *a, double wavelength, double f
     if (a->coc.coc.kind == COC_AIRY && isnan(fnumber)) {
         return fail(error, ERROR_USAGE, "{--coc} airy needs {--aperture}");
     }
-    struct coc coc = a->coc.coc;
     struct sensor sensor = a->sensor.size;
     sensor.pitch = sharpness_pitch(a);
     if ((!isnan(a->viewing) && !isnan(a->print.viewing)) ||
@@ -50,12 +49,14 @@ bool sharpness_resolve_in(const struct sharpness *a, double wavelength, double f
         return fail(error, ERROR_USAGE, "{--print} gives {--%s} already",
                     isnan(a->print.viewing) || isnan(a->viewing) ? "acuity" : "viewing");
     }
-    coc.print = given_or(a->print.longer, 254);
-    coc.print_short = given_or(a->print.shorter, 0);
-    coc.viewing = given_or(given_or(a->viewing, a->print.viewing), 250);
-    coc.acuity = given_or(given_or(a->acuity, a->print.acuity), 5);
-    coc.wavelength = wavelength;
-    coc.fnumber = fnumber;
+    const struct coc coc = {.kind = a->coc.coc.kind,
+                            .value = a->coc.coc.value,
+                            .viewing = given_or(given_or(a->viewing, a->print.viewing), 250),
+                            .acuity = given_or(given_or(a->acuity, a->print.acuity), 5),
+                            .print = given_or(a->print.longer, 254),
+                            .print_short = given_or(a->print.shorter, 0),
+                            .wavelength = wavelength,
+                            .fnumber = fnumber};
     return coc_resolve(&coc, &sensor, c, error);
 }
 

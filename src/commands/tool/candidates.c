@@ -123,10 +123,7 @@ static const struct word *words_of_kind(const struct option_kind *kind)
     if (kind == &kind_coc) {
         return criteria;
     }
-    if (kind == &kind_plane) {
-        return planes;
-    }
-    return NULL;
+    return kind == &kind_plane ? planes : NULL;
 }
 
 /* -------- what depends on the words before -------- */
@@ -187,8 +184,7 @@ static struct text candidates_value_of(const struct typed_words *typing,
     for (size_t i = 1; i + 1 < typing->count && wanted != NULL; i++) {
         const struct option *option =
             candidates_option_of(typing->command, typing->words[i], &value);
-        bool attached = value.start != NULL;
-        if (takes_value(option) && !attached) {
+        if (takes_value(option) && value.start == NULL) {
             value = typing->words[++i];
         }
         bool bare = option == NULL && is_operand(wanted);
@@ -354,12 +350,11 @@ void candidates_write(const char *words, struct run *run, struct output *output)
     if (typing.command != NULL) {
         typing.command = command_asked(typing.command, (int)typing.count - 1, strings + 1);
     }
-    bool is_known = typing.command != NULL;
     if (typing.count == 1) {
         offer_commands(&typing);
         return;
     }
-    if (!is_known) {
+    if (typing.command == NULL) {
         return;
     }
     struct lensdb own = *run->db;
