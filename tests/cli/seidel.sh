@@ -30,3 +30,4 @@ lenscalc seidel double-gauss --plot bars.svg > /dev/null && grep -c '<rect' bars
 lenscalc seidel double-gauss --explain --columns surface,S1 | tail -n 5
 # a field that nobody states is said to be none of the lens
 lenscalc seidel edmund-achromat-120 --plot bars.svg > /dev/null && grep -o "field 5 deg[^,]*" bars.svg
+lenscalc seidel double-gauss --form transverse --explain --columns surface,TAchC | tail -3
