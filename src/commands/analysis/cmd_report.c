@@ -437,7 +437,10 @@ struct report_writer {
     struct page *page;
 };
 
-/* Ask the commands of some parts, and keep what they say or why they cannot. */
+/*
+ * Ask the commands of some parts, and keep what they say or why they cannot. All parts come twice:
+ * first those are answered that take one thread each, then the others fill what is left.
+ */
 static void report_answer(void *context, const struct parallel_piece *piece)
 {
     const struct report_writer *writer = context;
@@ -446,9 +449,10 @@ static void report_answer(void *context, const struct parallel_piece *piece)
     struct run run = *writer->run;
     run.arena = arena;
     for (size_t i = piece->begin; i < piece->end && watch_ask(run.watch); i++) {
-        struct page_part *part = &writer->page->parts[i];
+        struct page_part *part = &writer->page->parts[i % writer->page->count];
+        const bool is_second = i >= writer->page->count;
         struct error error = {0};
-        if (part->section == NULL) {
+        if (part->section == NULL || ((part->section->takes & TAKES_THREADS) != 0) != is_second) {
             continue;
         }
         if (part->section->takes == OF_WHOLE_LENS && strcmp(question->lens.name, from_pipe) == 0) {
@@ -546,7 +550,7 @@ static bool report_make(const struct artifact_job *job, struct output *sink, str
         return false;
     }
     parallel->threads = parallel_threads(input->threads);
-    parallel_pieces(parallel, page.count, 1, report_answer, &writer);
+    parallel_pieces(parallel, 2 * page.count, 1, report_answer, &writer);
     const bool done = watch_ask(job->run->watch) ||
                       fail(error, ERROR_DOMAIN, "interrupted: no report is written");
     if (done && job->type == &types[0]) {
