@@ -15,7 +15,8 @@
  * A kind of surface is a row of surface_kinds, a kind of curve one of surface_profiles, and where
  * the curve lies one of surface_sections. Beside its row a new kind of curve needs a function here
  * (its departure from the conic), a step of the kernels (trace/system.c has the table) and its
- * words in the files (file/lens_surface.c, and what each folder of exchange/ can say).
+ * words in the files (file/lens_surface.c, and what each folder of exchange/ can say). Another
+ * spelling of a curve that is there needs the words only.
  */
 enum { LENS_EVEN = 10, LENS_ODD = 10, LENS_COEFFICIENTS = LENS_EVEN + LENS_ODD };
 #define LENS_NONE ((size_t)-1) /* no surface, no variable */

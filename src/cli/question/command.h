@@ -122,8 +122,10 @@ struct command {
     /* Everything else that it makes, each with its option; --plot among them is its own. */
     const struct artifact *artifacts;
     size_t artifact_count;
-    const char *plot; /* columns to plot, separated by commas; further choices by '|' */
-    const char *cell; /* columns in the cells of --table */
+    /* Columns, with or without their units: those to plot, separated by commas, further choices
+       by '|'; and those in the cells of --table, without which it is refused. */
+    const char *plot;
+    const char *cell;
     unsigned reads;   /* enum reads: data that `run` uses beside what its options read */
     /* Combinations of a sweep that need no --force, where an answer takes so long that a million,
        as 0 means, would be a matter of days. */
