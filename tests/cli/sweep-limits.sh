@@ -31,3 +31,5 @@ over seidel double-gauss -N 2..22:0.0001
 over spot double-gauss --rays 10,10000000,10 -N 2..4:0.01
 # and each as itself: three fields of 1 + 2 + 3 + 100000 rays, and the head
 over trace double-gauss --rays 1,2,3,100000 --pattern sobol --csv
+lenscalc dof -f 50 -N 8 -s 1..1.5
+lenscalc dof -f 50 -N 8 -s 1..2:5 --csv --columns distance

@@ -217,6 +217,10 @@ static bool add_steps(struct sweep_values *values, const struct sweep_range *ran
         return range_fail(values, range, "with this step it never ends", error);
     }
     double steps = floor(span / step + 1e-9);
+    if (range->kind == 0 && steps < 1 && span / step > 1e-9) { /* who types a step means it */
+        range_fail(values, range, "the usual step of 1 leads beyond its end", error);
+        return error_hint(error, "give a step, as in 1..2:0.1, or a count, as in 1..2#11");
+    }
     if (!(steps < MOST)) {
         return too_many(values->option, error);
     }
