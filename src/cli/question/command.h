@@ -126,7 +126,7 @@ struct command {
        by '|'; and those in the cells of --table, without which it is refused. */
     const char *plot;
     const char *cell;
-    unsigned reads;   /* enum reads: data that `run` uses beside what its options read */
+    unsigned reads; /* enum reads: data that `run` uses beside what its options read */
     /* Combinations of a sweep that need no --force, where an answer takes so long that a million,
        as 0 means, would be a matter of days. */
     size_t most_answers;
