@@ -194,7 +194,7 @@ static struct plot_points plot_trace(const struct plot *plot, const struct plot_
     for (size_t i = 0; i < count; i++) {
         double v = plot_y_at(plot, series, index[i]);
         double x = plot_page_at(&frame->x, plot_x_at(plot, series, index[i]));
-        double off = (isinf(v) ? v : before) > 0 ? frame->y.stop : frame->y.start;
+        double leaves = isinf(v) ? v : before, off = leaves > 0 ? frame->y.stop : frame->y.start;
         if (isinf(v) && isfinite(before)) {
             plot_add_point(&points, before_x, off);
         }

@@ -16,7 +16,8 @@ double plot_drawable(double value, bool log)
     if (fabs(value) > HUGEST) {
         return copysign(INFINITY, value);
     }
-    return fabs(value) < TINIEST ? (log ? NAN : 0) : value;
+    const double least = log ? (double)NAN : 0;
+    return fabs(value) < TINIEST ? least : value;
 }
 
 size_t plot_series_count(const struct plot *plot, const struct plot_series *series)
@@ -103,7 +104,11 @@ double plot_value_at(const struct plot_axis *axis, double at)
 
 static void choose_ticks(struct plot_axis *axis)
 {
-    (axis->log ? ticks_log : ticks_linear)(axis->low, axis->high, &axis->ticks);
+    if (axis->log) {
+        ticks_log(axis->low, axis->high, &axis->ticks);
+    } else {
+        ticks_linear(axis->low, axis->high, &axis->ticks);
+    }
 }
 
 void plot_axis_to_ticks(struct plot_axis *axis)

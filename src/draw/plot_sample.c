@@ -103,9 +103,10 @@ static bool half_is_open(const struct curve_sampler *sampler, const struct curve
                          const struct curve_node *b, bool bent, int depth)
 {
     const double width = fabs(b->at - a->at);
-    return (!nodes_are_alike(sampler, a, b) || leap_of(sampler, a, b) > JUMP)
-               ? width > EXACT
-               : width > CLOSE && (bent || (depth < 2 && width > WIDE / 2));
+    if (!nodes_are_alike(sampler, a, b) || leap_of(sampler, a, b) > JUMP) {
+        return width > EXACT;
+    }
+    return width > CLOSE && (bent || (depth < 2 && width > WIDE / 2));
 }
 
 /* The node in the middle of an interval; false if there is none. */
@@ -194,6 +195,34 @@ static bool node_is_far(const struct curve_sampler *sampler, const struct curve_
     return far;
 }
 
+/* Add a point to the curves. */
+static void curves_add(struct plot_curves *curves, const struct curve_node *node, size_t count,
+                       enum plot_place place)
+{
+    curves->x[curves->count] = node->x;
+    curves->places[curves->count] = (unsigned char)place;
+    for (size_t k = 0; k < count; k++) {
+        curves->y[k][curves->count] = node->y[k];
+    }
+    curves->count++;
+}
+
+/* A gap in the curves that have a pole between two points. */
+static void curves_break(struct plot_curves *curves, const struct curve_sampler *sampler, size_t i)
+{
+    const struct curve_node *here = &sampler->nodes[i];
+    bool any = false;
+    for (size_t k = 0; k < sampler->source->curves; k++) {
+        const bool pole = has_pole(sampler, k, here, here + 1);
+        curves->y[k][curves->count] = pole ? (double)NAN : here->y[k];
+        any = any || pole;
+    }
+    if (any) {
+        curves->x[curves->count] = here->x;
+        curves->places[curves->count++] = PLOT_BEYOND;
+    }
+}
+
 static void sampler_collect(const struct curve_sampler *sampler, struct plot_curves *curves)
 {
     const size_t room = 2 * sampler->count, kinds = sampler->source->curves;
@@ -211,28 +240,11 @@ static void sampler_collect(const struct curve_sampler *sampler, struct plot_cur
             last++;
         }
         const bool steep = far || (last < sampler->count && is_steep(sampler, first, last));
+        const enum plot_place between = steep ? PLOT_BEYOND : PLOT_BETWEEN;
         for (size_t i = first; i < last; i++) {
-            /* Add a point to the curves. */
-            enum plot_place place = i == first ? PLOT_SAMPLE : steep ? PLOT_BEYOND : PLOT_BETWEEN;
-            curves->x[curves->count] = sampler->nodes[i].x;
-            curves->places[curves->count] = (unsigned char)place;
-            for (size_t j = 0; j < kinds; j++) {
-                curves->y[j][curves->count] = sampler->nodes[i].y[j];
-            }
-            curves->count++;
+            curves_add(curves, &sampler->nodes[i], kinds, i == first ? PLOT_SAMPLE : between);
             if (i + 1 < sampler->count) {
-                /* A gap in the curves that have a pole between two points. */
-                const struct curve_node *here = &sampler->nodes[i];
-                bool any = false;
-                for (size_t q = 0; q < sampler->source->curves; q++) {
-                    const bool pole = has_pole(sampler, q, here, here + 1);
-                    curves->y[q][curves->count] = pole ? (double)NAN : here->y[q];
-                    any = any || pole;
-                }
-                if (any) {
-                    curves->x[curves->count] = here->x;
-                    curves->places[curves->count++] = PLOT_BEYOND;
-                }
+                curves_break(curves, sampler, i);
             }
         }
         first = last;

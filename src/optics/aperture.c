@@ -44,8 +44,10 @@ static double rectangle_excess(const struct aperture_form *form, double x, doubl
 
 static size_t rectangle_part(const struct aperture_form *form, double x, double y)
 {
-    bool wide = fabs(x) / form->half[0] > fabs(y) / form->half[1];
-    return wide ? (x > 0 ? 0u : 2u) : (y > 0 ? 1u : 3u);
+    if (fabs(x) / form->half[0] > fabs(y) / form->half[1]) {
+        return x > 0 ? 0 : 2;
+    }
+    return y > 0 ? 1 : 3;
 }
 
 /* Squared distance from the side that begins at a corner. */
@@ -133,7 +135,8 @@ static size_t spider_part(const struct aperture_form *form, double x, double y)
     size_t arm = nearest_arm(form, x, y);
     const double *way = form->points[arm];
     double side = y * way[0] - x * way[1], behind = -(x * way[0] + y * way[1]);
-    return 3 * arm + (fabs(side) - form->half[0] < behind ? 2u : side > 0 ? 1u : 0u);
+    size_t own = side > 0 ? 1 : 0;
+    return 3 * arm + (fabs(side) - form->half[0] < behind ? 2 : own);
 }
 
 const struct aperture_traits aperture_shapes[APERTURE_SHAPES] = {
@@ -331,9 +334,10 @@ static const double (*arms_of(unsigned count, struct arena *arena))[2]
 static double aperture_radius_of(const struct aperture *aperture)
 {
     double a = aperture->size[0].value.hi / 2, b = aperture->size[1].value.hi / 2;
-    double radius = aperture->shape == SHAPE_RECTANGLE ? hypot(a, b)
-                    : aperture->shape == SHAPE_SPIDER  ? (double)INFINITY
-                                                       : fmax(a, b);
+    if (aperture->shape == SHAPE_SPIDER) {
+        return INFINITY;
+    }
+    double radius = aperture->shape == SHAPE_RECTANGLE ? hypot(a, b) : fmax(a, b);
     for (size_t i = 0; i < aperture->point_count; i++) {
         const struct figure *point = aperture->points[i];
         radius = fmax(radius, hypot(point[0].value.hi, point[1].value.hi));

@@ -368,10 +368,9 @@ bool lens_check(const struct lens *lens, struct arena *arena, struct lens_warnin
     }
     size_t positions = lens->position_count > 0 ? lens->position_count : 1;
     for (size_t i = 0; i < positions; i++) {
-        const double distance = lens->objects != NULL      ? lens->objects[i].value.hi
-                                : lens->object_is_infinite ? (double)INFINITY
-                                                           : 0;
-        if (lens->is_telecentric && isinf(distance)) {
+        const bool is_far =
+            lens->objects != NULL ? isinf(lens->objects[i].value.hi) : lens->object_is_infinite;
+        if (lens->is_telecentric && is_far) {
             return fail(error, ERROR_DATA,
                         "a telecentric object space needs an object at a distance");
         }

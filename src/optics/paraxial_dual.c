@@ -21,14 +21,20 @@ static struct dual paraxial_dual_inverse(struct dual a)
 
 /* -------- the lens -------- */
 
+/* A cylinder is in one section only. */
+static bool is_curved_in(const struct paraxial_dual *dual, const struct surface *surface)
+{
+    const size_t axis = dual->section == SECTION_Y ? 1 : 0;
+    return surface_section(surface)->weight[axis] != 0;
+}
+
 bool paraxial_dual_read(const struct lens *lens, double wavelength, struct paraxial_dual *dual,
                         struct error *error)
 {
     dual->lens = lens;
     for (size_t i = 0; i < dual->count; i++) {
         const struct surface *surface = &lens->surfaces[i];
-        const bool is_curved =
-            surface_section(surface)->weight[dual->section == SECTION_Y ? 1 : 0] != 0;
+        const bool is_curved = is_curved_in(dual, surface);
         struct dual_surface to = {.is_thick = surface_has(surface, SURFACE_HAS_FOCAL)};
         to.thickness = dual_of(surface->thickness.value.hi);
         if (to.is_thick) {
@@ -42,6 +48,7 @@ bool paraxial_dual_read(const struct lens *lens, double wavelength, struct parax
         }
         dual->surfaces[i] = to;
     }
+    /* the indices: behind a mirror negative */
     struct dual *index = dual->index;
     struct pair n;
     if (!medium_index(&lens->object_medium, wavelength, &n, error)) {
@@ -103,10 +110,10 @@ static struct dual *paraxial_dual_number_of(struct dual_surface *at, struct para
     case PARAMETER_CONIC:
         return bends ? &at->conic : NULL;
     case PARAMETER_COEFFICIENT:
-        return !bends             ? NULL
-               : basis.order == 2 ? &at->second
-               : basis.order == 4 ? &at->fourth
-                                  : NULL;
+        if (bends && basis.order == 2) {
+            return &at->second;
+        }
+        return bends && basis.order == 4 ? &at->fourth : NULL;
     default:
         return NULL;
     }
@@ -120,8 +127,7 @@ void paraxial_dual_change(struct paraxial_dual *dual, struct parameter basis, do
         return;
     }
     struct dual_surface *at = &dual->surfaces[basis.surface];
-    const bool bends = surface_section(&dual->lens->surfaces[basis.surface])
-                           ->weight[dual->section == SECTION_Y ? 1 : 0] != 0;
+    const bool bends = is_curved_in(dual, &dual->lens->surfaces[basis.surface]);
     struct dual *number = paraxial_dual_number_of(at, basis, bends);
     if (number != NULL) { /* of a focal length the power: d(1/f) = -df/f^2 */
         number->slope +=

@@ -59,10 +59,7 @@ static double refract_vergence(double n, double z)
 /* 1/a - 1/b */
 static double reciprocal_difference(double a, double b)
 {
-    if (isinf(a) || isinf(b)) {
-        return isinf(a) ? (isinf(b) ? 0 : -1 / b) : 1 / a;
-    }
-    return (b - a) / a / b;
+    return isinf(a) || isinf(b) ? 1 / a - 1 / b + 0.0 /* not -0 */ : (b - a) / a / b;
 }
 
 /* n / V with the infinity that is meant where V is 0. */
@@ -291,15 +288,40 @@ static double longitudinal(const struct refract_surface *s, const struct refract
     return ray->sag + after * (D - versine_after * Kp) / K / Kp;
 }
 
+/*
+ * Sine of the angle of incidence from sin U, so that an object at the centre is met without a rest;
+ * from that of an object at infinity, where it is one. Of paraxial angles likewise.
+ */
+static double incidence_from(const struct refract_surface *s, double z, double sin_u, double far)
+{
+    if (isinf(z)) {
+        return far;
+    }
+    return isinf(s->R) ? sin_u : sin_u * ((s->R - z) / s->R);
+}
+
+/* The paraxial ray to the same height. */
+static void follow_paraxially(const struct refract_surface *s, double after,
+                              struct refract_ray *ray)
+{
+    double h = ray->height, z = ray->z;
+    double u = isinf(z) ? 0 : -h / z;
+    if (z == 0) {
+        u = h == 0 ? ray->sin_u / ray->cos_u : NAN;
+    }
+    ray->paraxial_slope = u;
+    ray->paraxial_incidence = incidence_from(s, z, u, h / s->R);
+    ray->paraxial_refraction = s->n * ray->paraxial_incidence / after;
+    ray->paraxial_slope_after = (s->n * u - h * refract_power(s)) / after;
+}
+
 bool refract_through(const struct refract_surface *s, struct refract_ray *ray, struct error *error)
 {
     double n = s->n, after = s->mirror ? -n : s->n_after, c = curvature(s);
     double sin_phi = c * ray->height;
     double cos_phi = sqrt((1 - sin_phi) * (1 + sin_phi));
     /* sin I from the distance of the ray from the centre, cos I from the angles */
-    double sin_i = isinf(ray->z) ? sin_phi
-                   : isinf(s->R) ? ray->sin_u
-                                 : ray->sin_u * ((s->R - ray->z) / s->R);
+    double sin_i = incidence_from(s, ray->z, ray->sin_u, sin_phi);
     double cos_i = ray->cos_u * cos_phi - ray->sin_u * sin_phi;
     if (!(cos_i >= 0)) {
         return fail(error, ERROR_DOMAIN,
@@ -339,21 +361,6 @@ bool refract_through(const struct refract_surface *s, struct refract_ray *ray, s
     ray->crossing = K == 0 ? INFINITY : ray->sag + after * cos_u / K;
     ray->difference = longitudinal(s, ray, after, K, gain, versine(sin_u, cos_u));
     ray->transverse = -ray->difference * sin_u / cos_u;
-    double h = ray->height, z = ray->z;
-    double u = isinf(z) ? 0 : -h / z;
-    if (z == 0) {
-        u = h == 0 ? ray->sin_u / ray->cos_u : NAN;
-    }
-    ray->paraxial_slope = u;
-    /* the same factored, so that an object at the centre is met without a rest */
-    if (isinf(z)) {
-        ray->paraxial_incidence = h / s->R;
-    } else if (isinf(s->R)) {
-        ray->paraxial_incidence = u;
-    } else {
-        ray->paraxial_incidence = u * ((s->R - z) / s->R);
-    }
-    ray->paraxial_refraction = s->n * ray->paraxial_incidence / after;
-    ray->paraxial_slope_after = (s->n * u - h * refract_power(s)) / after;
+    follow_paraxially(s, after, ray);
     return true;
 }

@@ -49,9 +49,8 @@ const char *tolerance_name(const struct lens_tolerance *tolerance, struct arena 
         const char *name = parameter_write(from, arena);
         return first == last ? name : ARENA_JOIN(arena, name, "..", parameter_write(to, arena));
     }
-    const char *owner = type->owner == TOLERANCE_OF_SURFACE ? "surface"
-                        : tolerance->is_range               ? "elements"
-                                                            : "element";
+    const char *element = tolerance->is_range ? "elements" : "element";
+    const char *owner = type->owner == TOLERANCE_OF_SURFACE ? "surface" : element;
     return first == last
                ? arena_printf(arena, "%s %zu %s", owner, first + 1, type->word)
                : arena_printf(arena, "%s %zu..%zu %s", owner, first + 1, last + 1, type->word);

@@ -101,9 +101,13 @@ static void find_interval(const struct timelapse_given *g, double shots, struct 
         return;
     }
     bool by_length = has_length(g) && (is_given(g->event) || shots > 1);
-    plan->interval = by_length
-                         ? (is_given(g->event) ? g->event / shots : wanted_walk(g) / (shots - 1))
-                         : g->time + g->gap;
+    if (!by_length) {
+        plan->interval = g->time + g->gap;
+    } else if (is_given(g->event)) {
+        plan->interval = g->event / shots;
+    } else {
+        plan->interval = wanted_walk(g) / (shots - 1);
+    }
 }
 
 /* What was given beyond need must say the same. */

@@ -351,11 +351,11 @@ static bool render_open_stars(const struct photograph_question *question, struct
 
 const char *render_stars_text(const struct render_world *world, struct arena *arena)
 {
-    return isnan(world->stars.diameter)
-               ? NULL
-               : arena_printf(arena, "discs of %s%.4g arcmin",
-                              world->stars.are_a_pixel ? "one pixel, " : "",
-                              60 * DEGREES_PER_RADIAN * world->stars.diameter);
+    const struct render_stars *stars = &world->stars;
+    const char *pixel = stars->are_a_pixel ? "one pixel, " : "";
+    return isnan(stars->diameter) ? NULL
+                                  : arena_printf(arena, "discs of %s%.4g arcmin", pixel,
+                                                 60 * DEGREES_PER_RADIAN * stars->diameter);
 }
 
 /* -------- a picture -------- */
@@ -510,10 +510,11 @@ const char *render_focus_text(const struct analysis_case *one, struct arena *are
     const struct setup *setup = one->setup;
     const double object = in_focus(one), pupil = lens_clearance_pupil(setup);
     const double film = object + setup->first.length + setup->image;
-    return isinf(object)
-               ? (object > 0 ? "infinity" : "nothing, the film stands before the focal point")
-               : arena_printf(arena, "%.6g m from the camera's place, %.6g m from the film",
-                              (object + pupil) / MM_PER_M, film / MM_PER_M);
+    if (isinf(object)) {
+        return object > 0 ? "infinity" : "nothing, the film stands before the focal point";
+    }
+    return arena_printf(arena, "%.6g m from the camera's place, %.6g m from the film",
+                        (object + pupil) / MM_PER_M, film / MM_PER_M);
 }
 
 /* Of each file once. */

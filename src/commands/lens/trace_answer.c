@@ -428,15 +428,16 @@ static bool emit_field(struct trace_answer_bundle *bundle, const struct field_po
          !aim_without_chief(job, &beam, &aim, run->arena, error))) {
         return false;
     }
+    const struct aim *by_stop = aims ? &aim : NULL;
     if (edges) {
-        find_cross(job, &beam, aims ? &aim : NULL, run->arena, &cross);
+        find_cross(job, &beam, by_stop, run->arena, &cross);
     }
     if (edges && !aims && cross.is_empty) {
         return fail(error, ERROR_DOMAIN, "no ray passes all clear apertures");
     }
     /* where nothing passes the full pupil shows where the rays are lost */
     return cross.is_empty ? emit_sample(bundle, &beam, &aim, run, error)
-                          : emit_edges(bundle, &beam, &cross, aims ? &aim : NULL, run, error);
+                          : emit_edges(bundle, &beam, &cross, by_stop, run, error);
 }
 
 static bool emit_fields(const struct trace_job *plain, struct run *run, struct error *error)

@@ -124,16 +124,13 @@ static void stars_assume(const struct sensor *sensor, struct stars_row *row, str
     bool has_N = is_given(row->fnumber), has_pitch = is_given(row->pitch);
     row->npf_fnumber = has_N ? row->fnumber : USUAL_FNUMBER;
     row->npf_pitch = has_pitch ? row->pitch : sensor_pitch_of(sensor, USUAL_MEGAPIXELS * 1e6);
-    row->npf_assumed =
-        has_N && has_pitch
-            ? NULL
-            : arena_printf(arena, "%s%s%s", has_N ? "" : "f/2.8 (default)",
-                           has_N || has_pitch ? "" : " and ",
-                           has_pitch ? ""
-                                     : arena_printf(arena,
-                                                    "%d megapixels of %.3g um "
-                                                    "(default)",
-                                                    USUAL_MEGAPIXELS, 1000 * row->npf_pitch));
+    if (!has_pitch) {
+        row->npf_assumed = arena_printf(arena, "%s%d megapixels of %.3g um (default)",
+                                        has_N ? "" : "f/2.8 (default) and ", USUAL_MEGAPIXELS,
+                                        1000 * row->npf_pitch);
+    } else if (!has_N) {
+        row->npf_assumed = "f/2.8 (default)";
+    }
 }
 
 /* The rules of thumb. */

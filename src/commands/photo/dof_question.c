@@ -13,7 +13,8 @@ int dof_question_use(const struct dof_question *input)
     const struct dof_targets *t = &input->targets;
     int wishes = !isnan(t->near) + !isnan(t->far) + !isnan(t->total) + !isnan(t->hyperfocal) +
                  !isnan(t->magnification);
-    return (wishes > (input->stack ? 2 : isnan(input->distance))) ? PHOTO_LENS_SOLVES_FNUMBER : 0;
+    const int others = input->stack ? 2 : isnan(input->distance); /* that the wishes may solve */
+    return wishes > others ? PHOTO_LENS_SOLVES_FNUMBER : 0;
 }
 
 static bool dof_question_set_up(const struct dof_question *input,

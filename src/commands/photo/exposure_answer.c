@@ -131,7 +131,7 @@ static bool solve_metered(const struct exposure_input *input, struct exposure_gi
                     "{--metered} stands in place of {--time}, {--corrected-time}, "
                     "{--shutter-angle}, {--equivalent} and of the light");
     }
-    g->t = input->metered * (exp2(row->loss + row->compensation));
+    g->t = input->metered * exp2(row->loss + row->compensation);
     if (!(g->t > 0) || isinf(g->t)) {
         return fail(error, ERROR_DOMAIN, "the time to set is beyond all numbers");
     }
@@ -430,8 +430,8 @@ bool exposure_answer(const struct exposure_input *input, struct exposure_row *ro
         return false;
     }
     given.loss = row->loss;
-    if (!(isnan(input->metered) ? exposure_answer_solve : solve_metered)(input, &given, row,
-                                                                         error) ||
+    if (!(isnan(input->metered) ? exposure_answer_solve(input, &given, row, error)
+                                : solve_metered(input, &given, row, error)) ||
         (!isnan(row->transmittance) && !isnan(row->x.N) &&
          !t_stop(row->x.N, row->transmittance, &row->t_stop, error)) ||
         !fill_shutter(input, row, error) || !fill_focal_plane(input, row, error) ||
