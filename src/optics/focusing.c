@@ -3,7 +3,6 @@
 #include "optics/focusing.h"
 
 #include "base/polynomial.h"
-#include "optics/parameter.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -51,6 +50,36 @@ static struct pair focusing_thickness_of(const struct focus_mechanism *focusing,
 {
     bool last = surface + 1 == focusing->lens->surface_count;
     return last ? focusing->image_plane : focusing->lens->surfaces[surface].thickness.value;
+}
+
+/* The Gaussian constants of the lens, its length and its image plane over the movement. */
+static void trace_moving(struct movement_terms *all)
+{
+    const struct paraxial_system *system = &all->system;
+    struct polynomial gap, power;
+    all->a = all->d = all->a1 = focusing_constant(1);
+    all->b = all->c = all->b1 = all->length = focusing_constant(0);
+    for (size_t i = 0; i < system->count; i++) {
+        if (i == system->stop) {
+            all->a1 = all->a;
+            all->b1 = all->b;
+        }
+        power = (struct polynomial){0, {pair_negate(system->surfaces[i].power)}};
+        all->c = plus_times(&all->c, &power, &all->a);
+        all->d = plus_times(&all->d, &power, &all->b);
+        /* t + w e, without a term that is always 0. */
+        double weight = focusing_weight_of(all->focusing, i);
+        gap = polynomial_linear(focusing_thickness_of(all->focusing, i), pair_of(weight));
+        gap.degree = weight == 0 ? 0 : 1;
+        if (i + 1 < system->count) {
+            all->length = polynomial_add(&all->length, &gap);
+            gap = polynomial_scale(&gap, pair_divide(pair_of(1), system->index[i + 1]));
+            all->a = plus_times(&all->a, &gap, &all->c);
+            all->b = plus_times(&all->b, &gap, &all->d);
+        } else {
+            all->plane = gap;
+        }
+    }
 }
 
 /* An object at a distance from the image plane stays before the first vertex. */
@@ -258,41 +287,17 @@ size_t focus_solve(const struct focus_mechanism *focusing,
                           &all.system, error)) {
         return 0;
     }
-    const struct paraxial_system *system = &all.system;
-    struct polynomial gap, power;
-    all.a = all.d = all.a1 = focusing_constant(1);
-    all.b = all.c = all.b1 = all.length = focusing_constant(0);
-    for (size_t i = 0; i < system->count; i++) {
-        if (i == system->stop) {
-            all.a1 = all.a;
-            all.b1 = all.b;
-        }
-        power = (struct polynomial){0, {pair_negate(system->surfaces[i].power)}};
-        all.c = plus_times(&all.c, &power, &all.a);
-        all.d = plus_times(&all.d, &power, &all.b);
-        /* t + w e, without a term that is always 0. */
-        double weight = focusing_weight_of(all.focusing, i);
-        gap = polynomial_linear(focusing_thickness_of(all.focusing, i), pair_of(weight));
-        gap.degree = weight == 0 ? 0 : 1;
-        if (i + 1 < system->count) {
-            all.length = polynomial_add(&all.length, &gap);
-            gap = polynomial_scale(&gap, pair_divide(pair_of(1), system->index[i + 1]));
-            all.a = plus_times(&all.a, &gap, &all.c);
-            all.b = plus_times(&all.b, &gap, &all.d);
-        } else {
-            all.plane = gap;
-        }
-    }
+    trace_moving(&all);
     /* No moved gap may change its sign. */
     all.low = -INFINITY;
     all.high = INFINITY;
     for (size_t i = 0; i < all.system.count; i++) {
-        double by = focusing_weight_of(focusing, i), t = focusing_thickness_of(focusing, i).hi;
+        double weight = focusing_weight_of(focusing, i), t = focusing_thickness_of(focusing, i).hi;
         double sign = t != 0 ? t : all.system.index[i + 1].hi;
-        if (by * sign > 0) {
-            all.low = fmax(all.low, -t / by);
-        } else if (by * sign < 0) {
-            all.high = fmin(all.high, -t / by);
+        if (weight * sign > 0) {
+            all.low = fmax(all.low, -t / weight);
+        } else if (weight * sign < 0) {
+            all.high = fmin(all.high, -t / weight);
         }
     }
     if (!limit_object(&all, error)) {

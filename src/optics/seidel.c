@@ -261,6 +261,7 @@ bool seidel_compute(const struct seidel_question *question, struct arena *arena,
         seidel->parts[i] = seidel_rounded(&part);
         seidel->height = rays.y.hi;
         seidel->slope = rays.after.hi;
+        /* transfer to the next surface */
         rays.v = rays.after;
         rays.chief_v = rays.chief_after;
         rays.y = pair_add(rays.y, pair_multiply(rays.v, system->surfaces[i].reduced));

@@ -104,14 +104,12 @@ static bool conjugates_without_f(unsigned has, const struct conjugates_given *g,
 bool conjugates_solve(const struct conjugates_given *given, struct conjugates *result,
                       struct error *error)
 {
-    unsigned has;
-    /* Which are given, as bits; false and an error if one is out of its range. */
+    unsigned has = 0; /* which are given, as bits */
     const double values[] = {given->f, given->s, given->v, given->m, given->T};
     const struct given finite[] = {{"focal length", " mm", given->f},
                                    {"image distance", " mm", given->v}};
     const struct given others[] = {{"distance", " mm", given->s},
                                    {"sensor distance", " mm", given->T}};
-    has = 0;
     for (unsigned i = 0; i < sizeof values / sizeof values[0]; i++) {
         has |= isnan(values[i]) ? 0 : 1U << i;
     }

@@ -88,9 +88,11 @@ bool distance_solve(struct dof_setting *setting, const struct dof_targets *targe
 {
     enum distance_from from = measuring->from;
     bool measured = from != FROM_PRINCIPAL;
-    if (!measured && (!isnan(setting->f + setting->N + setting->c + setting->s)) &&
-        (isnan(targets->near) && isnan(targets->far) && isnan(targets->total) &&
-         isnan(targets->hyperfocal) && isnan(targets->magnification))) {
+    /* none is negative, so that no two infinities make a NaN */
+    bool is_complete = !isnan(setting->f + setting->N + setting->c + setting->s);
+    bool has_goals = !(isnan(targets->near) && isnan(targets->far) && isnan(targets->total) &&
+                       isnan(targets->hyperfocal) && isnan(targets->magnification));
+    if (!measured && is_complete && !has_goals) {
         return true; /* nothing to solve, as in most batches */
     }
     bool has_s = !isnan(setting->s), has_f = !isnan(setting->f);

@@ -116,7 +116,7 @@ static inline bool exact(const struct dof_setting *a, struct dof *d)
 /* Image distance of a plane at x from the front principal plane; inf when it is not real. */
 static double conjugate(double f, double x)
 {
-    return !(x > f) ? INFINITY : f + f * (f / (x - f));
+    return x > f ? f + f * (f / (x - f)) : INFINITY;
 }
 
 /* Half of 2 N c (1 + m)/m^2 on each side. */

@@ -107,13 +107,12 @@ bool flash_solve(struct flash_setting *s, enum flash_unknown *unknown, struct er
         return answer_positive("the ISO speed", s->S, error);
     case FLASH_POWER:
         s->power = needed * needed * lost / (s->flashes * (s->S / 100));
-        double power = s->power;
-        if (!(power <= 1)) {
+        if (!(s->power <= 1)) {
             return fail(error, ERROR_DOMAIN,
                         "the flash would need %.4g times its full power: it is %.3g stops too weak",
-                        power, log2(power));
+                        s->power, log2(s->power));
         }
-        return answer_positive("the power", power, error);
+        return answer_positive("the power", s->power, error);
     case FLASH_FLASHES:
         break;
     }

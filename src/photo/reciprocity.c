@@ -24,7 +24,7 @@ static int find_segment(const double *ascending, int points, double x)
 /* Straight line in log-log through (x0, y0), (x1, y1); exact at the far end. */
 static double line_log_log(double x0, double y0, double x1, double y1, double x)
 {
-    return !(x < x1) ? y1 : y0 * exp2(log2(y1 / y0) * (log2(x / x0) / log2(x1 / x0)));
+    return x < x1 ? y0 * exp2(log2(y1 / y0) * (log2(x / x0) / log2(x1 / x0))) : y1;
 }
 
 static double reciprocity_correct(const struct reciprocity *film, double Tm)

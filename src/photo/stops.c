@@ -62,9 +62,7 @@ static bool lens_loss(const struct light_loss *loss, double *stops, struct error
         *stops += stops_from_transmittance(loss->transmittance);
     }
     if (is_given(loss->m)) {
-        double stretch = 0;
-        double P = is_given(loss->P) ? loss->P : 1;
-        stretch = 1 + loss->m / P;
+        const double P = is_given(loss->P) ? loss->P : 1, stretch = 1 + loss->m / P;
         if (!check_not_negative("magnification", "", loss->m, error) ||
             !require_positive("pupil magnification", "", P, error)) {
             return false;

@@ -7,7 +7,6 @@
 #include "file/lens_glass.h"
 #include "optics/conjugates.h"
 #include "optics/focusing.h"
-#include "optics/parameter.h"
 
 enum { FOCUS_BY_NOTHING, FOCUS_BY_LENS };
 
