@@ -238,6 +238,7 @@ bool abbe_draw(const struct abbe *abbe, struct svg *svg, struct error *error)
     draw_points(&drawing, true);
     draw_labels(&drawing, true);
     draw_labels(&drawing, false);
+    /* the legend */
     double x = ABBE_WIDTH - LEGEND_WIDTH + 14, y = TOP + 10;
     for (size_t group = 0; group < abbe->group_count; group++, y += 19) {
         svg_group_begin(svg, &(struct svg_style){.fill = palette_colour(group)});

@@ -326,9 +326,9 @@ static void barrel_draw_area(struct svg *svg, const struct svg_style *style, dou
 /* "3 m (9.84 ft)", or the infinity sign. */
 static const char *distance_text(struct arena *arena, double diopter)
 {
-    return !(diopter > 1e-9) ? "∞"
-                             : arena_printf(arena, "%s m (%s ft)", number_text(arena, 1 / diopter),
-                                            number_text(arena, 1 / diopter / metres_in_foot()));
+    return diopter > 1e-9 ? arena_printf(arena, "%s m (%s ft)", number_text(arena, 1 / diopter),
+                                         number_text(arena, 1 / diopter / metres_in_foot()))
+                          : "∞";
 }
 
 /* A triangle that points to the place of the focus. */
@@ -385,6 +385,7 @@ bool barrel_draw(const struct barrel *barrel, struct svg *svg, struct error *err
     svg_styled_line(svg, &(struct svg_style){.stroke = RED, .width = 2.6}, x, FIXED_TOP + 2, x,
                     FIXED_BOTTOM - 12);
     draw_index(svg, x, FIXED_TOP);
+    /* the axis below: distances are even in dioptres */
     struct ticks ticks;
     ticks_linear(scale.right_diopter, scale.left_diopter, &ticks);
     svg_group_begin(svg, &(struct svg_style){.stroke = "#555", .width = 1});

@@ -87,32 +87,33 @@ bool grid_image_draw(const struct grid_image *grid, struct svg *svg, struct erro
     svg_words_within(svg, 24, 54, 12, room, NULL, grid->subtitle);
     svg_words_within(svg, 24, 72, 12, room, NULL, grid->note);
     grid_image_draw_axes(&page);
-    svg_group_begin(page.svg, &ideal_style);
+    /* the ideal grid, its image, and the legend below */
+    svg_group_begin(svg, &ideal_style);
     for (size_t k = 0; k < grid->lines; k++) {
         const double at =
             grid->half * (2 * (double)k / (double)(grid->lines > 1 ? grid->lines - 1 : 1) - 1);
         const double low = page_x(&page, -grid->half), high = page_x(&page, grid->half);
-        svg_line(page.svg, low, page_y(&page, at), high, page_y(&page, at));
-        svg_line(page.svg, page_x(&page, at), page_y(&page, -grid->half), page_x(&page, at),
+        svg_line(svg, low, page_y(&page, at), high, page_y(&page, at));
+        svg_line(svg, page_x(&page, at), page_y(&page, -grid->half), page_x(&page, at),
                  page_y(&page, grid->half));
     }
-    svg_group_end(page.svg);
-    svg_clip_begin(page.svg, LEFT, TOP, SIDE, SIDE);
-    svg_group_begin(page.svg, &image_style);
+    svg_group_end(svg);
+    svg_clip_begin(svg, LEFT, TOP, SIDE, SIDE);
+    svg_group_begin(svg, &image_style);
     for (size_t k = 0; k < 2 * grid->lines; k++) {
         for (size_t i = 0; i < grid->points; i++) {
             x[i] = page_x(&page, grid->x[k * grid->points + i]);
             y[i] = page_y(&page, grid->y[k * grid->points + i]);
         }
-        svg_polyline(page.svg, x, y, grid->points);
+        svg_polyline(svg, x, y, grid->points);
     }
-    svg_group_end(page.svg);
-    svg_group_end(page.svg);
+    svg_group_end(svg);
+    svg_group_end(svg);
     const double below = TOP + SIDE + 66, middle = LEFT + SIDE / 2;
-    svg_styled_line(page.svg, &image_style, LEFT, below - 4, LEFT + 34, below - 4);
-    svg_words(page.svg, LEFT + 42, below, 12, SVG_START, NULL, grid->image_label);
-    svg_styled_line(page.svg, &ideal_style, middle, below - 4, middle + 34, below - 4);
-    svg_words(page.svg, middle + 42, below, 12, SVG_START, NULL, grid->ideal_label);
+    svg_styled_line(svg, &image_style, LEFT, below - 4, LEFT + 34, below - 4);
+    svg_words(svg, LEFT + 42, below, 12, SVG_START, NULL, grid->image_label);
+    svg_styled_line(svg, &ideal_style, middle, below - 4, middle + 34, below - 4);
+    svg_words(svg, middle + 42, below, 12, SVG_START, NULL, grid->ideal_label);
     svg_end(svg);
     return true;
 }

@@ -15,7 +15,6 @@ static const double WIDTH = 800, RIGHT = 70, TOP = 96, BELOW = 62; /* px */
 static const double ROW = 18, BAR = 11, WIDEST_LABEL = 240;
 static const double NUMBER_SIZE = 11, LABEL_SIZE = 13, TITLE_SIZE = 17;
 
-/* Where everything is, px. */
 static void pareto_draw_bar(const struct plot_axis *x, double y, double share, double opacity,
                             struct svg *svg)
 {

@@ -234,6 +234,7 @@ static void draw_band(struct svg *svg, const struct plot *plot, const struct plo
         if (i - start > 1 && i - start > count / STRETCHES) {
             struct plot_points below = plot_trace(plot, frame, low, start, i, true, svg->arena);
             struct plot_points above = plot_trace(plot, frame, &high, start, i, true, svg->arena);
+            /* along the upper curve, and back along the lower */
             size_t corners = below.count + above.count;
             struct plot_points area = {ARENA_ARRAY(svg->arena, corners, double),
                                        ARENA_ARRAY(svg->arena, corners, double), 0};
@@ -275,6 +276,38 @@ static void draw_arrow(struct svg *svg, struct plot_frame *frame, double x, bool
               up ? SVG_MIDDLE : SVG_START, NULL, up ? "∞" : "−∞");
 }
 
+/* Where a curve leaves for infinity, or comes from there. */
+static void draw_arrows(struct svg *svg, const struct plot *plot, struct plot_frame *frame,
+                        const struct plot_series *series)
+{
+    for (size_t i = 0; i + 1 < plot_series_count(plot, series); i++) {
+        double here = plot_y_at(plot, series, i), next = plot_y_at(plot, series, i + 1);
+        bool leaves = isfinite(here) && isinf(next), returns = isinf(here) && isfinite(next);
+        if (leaves || returns) {
+            const double x = plot_x_at(plot, series, leaves ? i : i + 1);
+            draw_arrow(svg, frame, plot_page_at(&frame->x, x), (leaves ? next : here) > 0);
+        }
+    }
+}
+
+/* A dot at each sample, where they are few; what was put between them is the curve's alone. */
+static void draw_dots(struct svg *svg, const struct plot *plot, const struct plot_frame *frame,
+                      const struct plot_series *series)
+{
+    const size_t count = plot_series_count(plot, series);
+    size_t samples = 0;
+    for (size_t i = 0; i < count; i++) {
+        samples += plot_place_at(series, i) == PLOT_SAMPLE;
+    }
+    for (size_t i = 0; i < count && samples <= DOTS_MAX; i++) {
+        double v = plot_y_at(plot, series, i);
+        if (isfinite(v) && plot_place_at(series, i) == PLOT_SAMPLE) {
+            svg_circle(svg, plot_page_at(&frame->x, plot_x_at(plot, series, i)),
+                       plot_page_at(&frame->y, v), 3.2);
+        }
+    }
+}
+
 static void plot_draw_curves(struct svg *svg, const struct plot *plot, struct plot_frame *frame)
 {
     const struct plot_axis *x = &frame->x, *y = &frame->y;
@@ -296,28 +329,8 @@ static void plot_draw_curves(struct svg *svg, const struct plot *plot, struct pl
     for (size_t s = 0; s < plot->series_count; s++) {
         const char *colour = palette_colour(plot->series[s].style);
         svg_group_begin(svg, &(struct svg_style){.fill = colour, .stroke = "#fff"});
-        for (size_t i = 0; i + 1 < plot_series_count(plot, &plot->series[s]); i++) {
-            double here = plot_y_at(plot, &plot->series[s], i),
-                   next = plot_y_at(plot, &plot->series[s], i + 1);
-            bool leaves = isfinite(here) && isinf(next), returns = isinf(here) && isfinite(next);
-            if (leaves || returns) {
-                const double edge = plot_x_at(plot, &plot->series[s], leaves ? i : i + 1);
-                draw_arrow(svg, frame, plot_page_at(&frame->x, edge), (leaves ? next : here) > 0);
-            }
-        }
-        /* a dot at each sample, where they are few: what lies between is the curve's alone */
-        const size_t count = plot_series_count(plot, &plot->series[s]);
-        size_t samples = 0;
-        for (size_t k = 0; k < count; k++) {
-            samples += plot_place_at(&plot->series[s], k) == PLOT_SAMPLE;
-        }
-        for (size_t k = 0; k < count && samples <= DOTS_MAX; k++) {
-            double v = plot_y_at(plot, &plot->series[s], k);
-            if (isfinite(v) && plot_place_at(&plot->series[s], k) == PLOT_SAMPLE) {
-                svg_circle(svg, plot_page_at(&frame->x, plot_x_at(plot, &plot->series[s], k)),
-                           plot_page_at(&frame->y, v), 3.2);
-            }
-        }
+        draw_arrows(svg, plot, frame, &plot->series[s]);
+        draw_dots(svg, plot, frame, &plot->series[s]);
         svg_group_end(svg);
     }
 }

@@ -16,6 +16,7 @@
 static const double LEFT = 84, TOP = 104, SIDE = 250, ACROSS = 344, DOWN = 358, BOTTOM = 20;
 static const double BAR_GAP = 34, BAR_WIDTH = 18, BAR_ROOM = 110, TICK = 5;
 static const double MARGIN = 24, BOLDER = 0.93, TITLES_MOST = 760; /* wide, of pages of few maps */
+static const double TITLE_SIZE = 16, SUBTITLE_SIZE = 12;
 enum { CHANNELS = 4, BAR_STEPS = 256 };
 
 /* A page at work. */
@@ -178,22 +179,25 @@ bool rasters_draw(const struct rasters *rasters, struct svg *svg, struct error *
     const char *const above = rasters->title != NULL ? rasters->title : "";
     const char *const below = rasters->subtitle != NULL ? rasters->subtitle : "";
     const double room =
-        fmin(fmax(svg_text_width(above, 16) / BOLDER, svg_text_width(below, 12)), TITLES_MOST) + 1;
+        fmin(fmax(svg_text_width(above, TITLE_SIZE) / BOLDER, svg_text_width(below, SUBTITLE_SIZE)),
+             TITLES_MOST) +
+        1;
     const double width = fmax(bar + BAR_ROOM, room + 2 * MARGIN);
     svg_begin(svg, width, TOP + DOWN * (double)rows - 30 + BOTTOM, rasters->title);
-    svg_heading(svg, MARGIN, 32, 16, BOLDER * (width - 2 * MARGIN), above);
-    svg_words_within(svg, MARGIN, 54, 12, width - 2 * MARGIN, NULL, below);
+    svg_heading(svg, MARGIN, 32, TITLE_SIZE, BOLDER * (width - 2 * MARGIN), above);
+    svg_words_within(svg, MARGIN, 54, SUBTITLE_SIZE, width - 2 * MARGIN, NULL, below);
     for (size_t i = 0; i < rasters->count; i++) {
         if (!draw_map(&page, i, error)) {
             return false;
         }
     }
+    /* the scale of colours beside them */
     struct text png;
-    if (!raster_paint(&page, NULL, page.svg->arena, &png, error)) {
+    if (!raster_paint(&page, NULL, svg->arena, &png, error)) {
         return false;
     }
-    svg_image(page.svg, bar, TOP, BAR_WIDTH, SIDE, png);
-    svg_styled_rect(page.svg, &frame, bar, TOP, BAR_WIDTH, SIDE);
+    svg_image(svg, bar, TOP, BAR_WIDTH, SIDE, png);
+    svg_styled_rect(svg, &frame, bar, TOP, BAR_WIDTH, SIDE);
     raster_draw_axis(svg, page.low, page.high, bar + BAR_WIDTH, TOP + SIDE, SIDE, 1,
                      rasters->colours == RASTER_LOG);
     svg_words_upwards(svg, bar + BAR_WIDTH + 62, TOP + SIDE / 2, 12, rasters->scale_label);

@@ -98,25 +98,25 @@ bool ray_map_draw(const struct ray_map *map, struct svg *svg, struct error *erro
     svg_begin(svg, width, bottom + BOTTOM, map->title);
     svg_heading(svg, 24, 32, 17, width - 48, map->title);
     svg_words_within(svg, 24, 54, 12, width - 48, NULL, map->subtitle);
+    /* the pupils, each field a column or row, and what stands beside them */
     const struct svg_style rim = {.stroke = "#bbbbbb"};
     for (size_t row = 0; row < map->row_count; row++) {
-        svg_words_upwards(drawing.svg, LEFT - 34, centre_y(row), 13, map->rows[row]);
+        svg_words_upwards(svg, LEFT - 34, centre_y(row), 13, map->rows[row]);
         for (size_t column = 0; column < map->column_count; column++) {
             bool found = false;
             for (size_t i = 0; i < map->count && !found; i++) {
                 found = map->points[i].column == column && map->points[i].row == row &&
                         isfinite(map->points[i].dx);
             }
-            svg_styled_circle(drawing.svg, &rim, centre_x(column), centre_y(row), RADIUS);
+            svg_styled_circle(svg, &rim, centre_x(column), centre_y(row), RADIUS);
             if (!found) {
-                svg_words(drawing.svg, centre_x(column), centre_y(row) + RADIUS + 14, 11,
-                          SVG_MIDDLE, NULL, "no ray comes through");
+                svg_words(svg, centre_x(column), centre_y(row) + RADIUS + 14, 11, SVG_MIDDLE, NULL,
+                          "no ray comes through");
             }
         }
     }
     for (size_t column = 0; column < map->column_count; column++) {
-        svg_words(drawing.svg, centre_x(column), TOP - 8, 13, SVG_MIDDLE, NULL,
-                  map->columns[column]);
+        svg_words(svg, centre_x(column), TOP - 8, 13, SVG_MIDDLE, NULL, map->columns[column]);
     }
     for (size_t i = 0; i < map->count; i++) {
         draw_ray(&drawing, &map->points[i]);
@@ -124,18 +124,17 @@ bool ray_map_draw(const struct ray_map *map, struct svg *svg, struct error *erro
     /* Colours from 0 to the largest error, and the longest arrow. */
     double y = bottom + 38;
     double bar = fmin(260, CELL * (double)map->column_count - 20), left = LEFT + 10;
-    struct arena *arena = drawing.svg->arena;
+    struct arena *arena = svg->arena;
     for (int i = 0; i < BAR_STEPS; i++) {
-        svg_styled_rect(drawing.svg,
-                        &(struct svg_style){.fill = shade_of(&drawing, (i + 0.5) / BAR_STEPS)},
+        svg_styled_rect(svg, &(struct svg_style){.fill = shade_of(&drawing, (i + 0.5) / BAR_STEPS)},
                         left + bar * i / BAR_STEPS, y, bar / BAR_STEPS + 0.5, 12);
     }
     for (int i = 0; i <= 2; i++) {
-        svg_words(drawing.svg, left + bar * i / 2, y + 28, 12, SVG_MIDDLE, NULL,
+        svg_words(svg, left + bar * i / 2, y + 28, 12, SVG_MIDDLE, NULL,
                   arena_printf(arena, "%.3g%s%s", drawing.largest * i / 2, i == 2 ? " " : "",
                                i == 2 ? map->unit : ""));
     }
-    svg_words(drawing.svg, left, y - 8, 12, SVG_START, NULL,
+    svg_words(svg, left, y - 8, 12, SVG_START, NULL,
               "error in the image, colour and arrow; the circle is the stop, crosses are lost");
     svg_end(svg);
     return true;

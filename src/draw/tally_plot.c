@@ -12,13 +12,11 @@
 #include <math.h>
 
 static const double WIDTH = 800, HEIGHT = 500; /* px */
-static const double LEFT = 84, RIGHT = 24, TOP = 104;
+static const double LEFT = 84, RIGHT = 24, TOP = 104, BOTTOM = 434;
 static const double NUMBER_SIZE = 12, LABEL_SIZE = 13, TITLE_SIZE = 17;
 
 /* Colours: of what passes, and what fails. */
 enum { PASSES = 0, FAILS = 1 };
-
-static const double BOTTOM = 500 - 66;
 
 static bool fails(const struct tally_plot *plot, double value)
 {

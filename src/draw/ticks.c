@@ -24,6 +24,7 @@ void ticks_widen(double *low, double *high)
 void ticks_linear(double low, double high, struct ticks *ticks)
 {
     ticks_widen(&low, &high);
+    /* the smallest of 1, 2, 5, 10 times a power of ten of which at most eight fit in */
     double raw = (high - low) / 8;
     double decade = pow(10, floor(log10(raw)));
     double ratio = raw / decade * (1 - 1e-9); /* so that 1.0000000001 is still 1 */
@@ -118,6 +119,7 @@ const char *ticks_text(struct arena *arena, const struct ticks *ticks, size_t i)
     if (greatest >= 0.999e6 || greatest < 1e-3 || (!linear && first < 0.999e-4)) {
         int exponent = exponent_of(linear ? greatest : fabs(x));
         int decimals = linear && place < exponent ? exponent - place : 0;
+        /* as 2×10⁻⁵ */
         static const char *const digit[] = {"⁰", "¹", "²", "³", "⁴", "⁵", "⁶", "⁷", "⁸", "⁹"};
         const char *text = "";
         for (int rest = exponent < 0 ? -exponent : exponent; rest > 0 || !*text; rest /= 10) {

@@ -105,7 +105,8 @@ static void view_choose(struct view *view, const struct wedge *wedge, double nam
     }
     double spare = fmax(0, height / view->scale - below - above);
     /* a level plane opens its wedge to both sides, a steep one goes up */
-    double under = below + spare * (shows_hinge && !(wedge->A < fabs(wedge->B)) ? 0.25 : 0.5);
+    bool level = wedge->A < fabs(wedge->B);
+    double under = below + spare * (shows_hinge && !level ? 0.25 : 0.5);
     view->x0 = view->left + names_px + view->scale * wedge->image;
     view->y0 =
         wedge->hinge > 0 ? view->bottom - view->scale * under : view->top + view->scale * under;
@@ -203,21 +204,22 @@ static void wedge_draw_camera(struct svg *svg, const struct view *view, const st
                   view_y(view, middle - sensor), view_y(view, -half * cosine)};
     svg_styled_polygon(svg, &(struct svg_style){.fill = "#e9e6e0", .stroke = "#b9b4aa", .width = 1},
                        x, y, 4);
+    /* the sensor */
     svg_styled_line(svg, &(struct svg_style){.stroke = BLACK, .width = 3}, x[1], y[2], x[1], y[1]);
     /* A lens seen from the side: two arcs of the given height about the origin. */
     enum { POINTS = 17 };
-    double at_x[2 * POINTS], at_y[2 * POINTS];
+    double lens_x[2 * POINTS], lens_y[2 * POINTS];
     for (size_t i = 0; i < POINTS; i++) {
         double t = 2.0 * (double)i / (POINTS - 1) - 1, thick = 0.22 * half * (1 - t * t);
         for (size_t side = 0; side < 2; side++) {
             double along = side == 0 ? thick : -thick; /* of the lens axis */
             size_t at = side == 0 ? i : 2 * POINTS - 1 - i;
-            at_x[at] = view_x(view, along * cosine + half * t * sine);
-            at_y[at] = view_y(view, half * t * cosine - along * sine);
+            lens_x[at] = view_x(view, along * cosine + half * t * sine);
+            lens_y[at] = view_y(view, half * t * cosine - along * sine);
         }
     }
     svg_styled_polygon(svg, &(struct svg_style){.fill = "#cfe3f2", .stroke = BLACK, .width = 1.4},
-                       at_x, at_y, sizeof at_x / sizeof at_x[0]);
+                       lens_x, lens_y, sizeof lens_x / sizeof lens_x[0]);
 }
 
 /* The tilt as an arc between the lens and the direction of the sensor, above the lens. */
@@ -485,6 +487,7 @@ bool wedge_draw(const struct wedge *wedge, struct svg *svg, struct error *error)
     svg_words_within(svg, MARGIN, 60, 13, width, "#555", wedge->subtitle);
     wedge_draw_close_view(svg, &camera, wedge);
     svg_clip_begin(svg, view.left, view.top, view.right - view.left, view.bottom - view.top);
+    /* what is sharp */
     struct area area = view_sharp(&view, wedge);
     double x[AREA_CORNERS], y[AREA_CORNERS];
     for (size_t i = 0; i < area.count; i++) {
