@@ -83,20 +83,22 @@ bool outlines_draw(const struct outlines *outlines, struct svg *svg, struct erro
     }
     size_t across = outlines->count < ACROSS ? outlines->count : ACROSS;
     size_t down = (outlines->count + across - 1) / across;
-    /* At least as wide as what is written below it. */
+    /* at least as wide as what is written above and below */
     double words = MARGIN + 160 + HALF;
     for (int i = 0; i < 2; i++) {
         const char *legend = outlines->legend[i];
         words += legend != NULL ? 40 + svg_text_width(legend, 13) : 0;
     }
-    words = fmax(words, 2 * MARGIN + svg_text_width(outlines->title, 17));
+    const char *subtitle = outlines->subtitle != NULL ? outlines->subtitle : "";
+    const double above = fmax(svg_text_width(outlines->title, 17), svg_text_width(subtitle, 13));
+    words = fmax(words, 2 * MARGIN + above + 1);
     double width = fmax(words, 2 * MARGIN + (double)across * CELL),
            tall = HEAD + 2 * HALF + FOOT + 16;
     double height = TOP + (double)down * tall + BOTTOM, scale = HALF / most;
     svg_begin(svg, width, height, outlines->title);
     svg_heading(svg, MARGIN, 30, 17, width - 2 * MARGIN, outlines->title);
     if (outlines->subtitle != NULL) {
-        svg_words_within(svg, MARGIN, 52, 13, width - 2 * MARGIN, "#444", outlines->subtitle);
+        svg_words_within(svg, MARGIN, 52, 13, width - 2 * MARGIN, "#444", subtitle);
     }
     for (size_t i = 0; i < outlines->count; i++) {
         const struct pupil_outline *shape = &outlines->shapes[i];

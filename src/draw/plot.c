@@ -107,7 +107,8 @@ static void plot_draw_axes(struct svg *svg, const struct plot *plot, const struc
     for (size_t i = 0; plot->x_ticks && i < plot->x_tick_count; i++) {
         double v = plot->x_ticks[i], slack = 1e-9 * (x->high - x->low);
         if (v >= x->low - slack && v <= x->high + slack) {
-            draw_x_tick(svg, frame, plot_page_at(x, v), ticks_fixed(svg->arena, v, 0), &clear);
+            draw_x_tick(svg, frame, plot_page_at(x, v), arena_printf(svg->arena, "%.4g", v),
+                        &clear);
         }
     }
     for (size_t i = 0; i < y->ticks.count; i++) {

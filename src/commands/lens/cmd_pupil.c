@@ -362,7 +362,7 @@ static bool pupil_draw(const struct artifact_job *job, struct output *sink, stru
             } else {
                 outline.points = shape->across;
                 outline.count = shape->count;
-                outline.note = arena_printf(arena, "%.3g mm\xc2\xb2, %.3g %%", shape->projected,
+                outline.note = arena_printf(arena, "%.4g mm\xc2\xb2, %.3g %%", shape->projected,
                                             100 * shape->projected / at.point.axis->projected);
             }
             title = one->setup->lens->title;
