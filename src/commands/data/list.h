@@ -36,7 +36,7 @@ const char *list_string(const struct list *list, struct text text);
 bool list_matches(const struct list *list, const char *kind, const char *const *texts,
                   size_t count);
 
-/* Hand out one row; if it is wanted. */
+/* Hand out one row; the second does so only if it is wanted: the texts as for list_matches. */
 void list_row(struct list *list, const void *row);
 void list_offer(struct list *list, const void *row, const char *kind, const char *const *texts,
                 size_t count);

@@ -268,6 +268,7 @@ static bool check_compare(const struct check_input *input, const struct lens_cas
         }
         check_judge(&check, what, run->arena, &row);
         for (long step = 0; step < input->steps; step++) {
+            /* each aperture a stop smaller; fields evenly spaced; from the edge inwards */
             double fraction = check_is_of_field(what)
                                   ? (double)(input->steps - step) / (double)input->steps
                                   : exp2(-0.5 * (double)step);

@@ -309,16 +309,16 @@ static bool emit_focused(const struct lens_case *one, const struct task *task, s
             return false;
         }
         const struct conjugate_ray place = conjugate_place_of(&ray, system.index[0]);
-        const char *all = NULL;
+        const char *moved = NULL;
         for (size_t k = 0; k < task->gap_count; k++) {
             const struct named_gap *named = &task->gaps[k];
             double t = solutions[i].lens->surfaces[named->gap.surface].thickness.value.hi;
             const char *text =
                 arena_printf(arena, "%.*s %.6g", (int)named->name.length, named->name.start, t);
-            all = all == NULL ? text : arena_printf(arena, "%s, %s", all, text);
+            moved = moved == NULL ? text : arena_printf(arena, "%s, %s", moved, text);
         }
-        if (!conjugate_emit_row(one, task, solutions[i].lens, &place, all, solutions[i].movement.hi,
-                                error)) {
+        if (!conjugate_emit_row(one, task, solutions[i].lens, &place, moved,
+                                solutions[i].movement.hi, error)) {
             return false;
         }
     }

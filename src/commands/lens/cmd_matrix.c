@@ -77,17 +77,18 @@ static const struct sheet *const sheets[] = {&matrix_sheet, &perspective_sheet, 
 static bool emit_matrix(const struct lens_case *one, struct run *run, const char *factor,
                         const struct paraxial_matrix *m)
 {
-    const struct matrix_command_row row = {
-        one->light.wavelength,
-        one->setup->position,
-        factor,
-        one->setup->lens->title,
-        one->warning,
-        m->a.hi,
-        m->b.hi,
-        m->c.hi + 0.0,
-        m->d.hi,
-        (pair_subtract(pair_multiply(m->a, m->d), pair_multiply(m->b, m->c)).hi)};
+    const struct pair determinant =
+        pair_subtract(pair_multiply(m->a, m->d), pair_multiply(m->b, m->c));
+    const struct matrix_command_row row = {one->light.wavelength,
+                                           one->setup->position,
+                                           factor,
+                                           one->setup->lens->title,
+                                           one->warning,
+                                           m->a.hi,
+                                           m->b.hi,
+                                           m->c.hi + 0.0,
+                                           m->d.hi,
+                                           determinant.hi};
     return run_emit(run, &row);
 }
 
@@ -123,15 +124,11 @@ static bool emit_perspective(const struct lens_case *one, struct run *run, struc
         {.row = "w", .z = power / n, .w = 1},
     };
     for (size_t i = 0; i < 4; i++) {
-        const struct perspective_row row = {one->light.wavelength,
-                                            one->setup->position,
-                                            rows[i].row,
-                                            one->setup->lens->title,
-                                            one->warning,
-                                            rows[i].x,
-                                            rows[i].y,
-                                            rows[i].z,
-                                            rows[i].w};
+        struct perspective_row row = rows[i];
+        row.wavelength = one->light.wavelength;
+        row.position = one->setup->position;
+        row.lens = one->setup->lens->title;
+        row.warning = one->warning;
         if (!run_emit(run, &row)) {
             break;
         }

@@ -135,7 +135,7 @@ static bool refract_check_count(const struct refract_surface *s, struct error *e
                     "{--before}, {--after}, {--radius}, {--object} and {--image} are all given: "
                     "leave one out and it is found");
     }
-    return !(unknown > 1) ||
+    return unknown == 1 ||
            fail(error, ERROR_USAGE, "too little is given:%s%s%s wanted, or {--image}%s",
                 after ? "" : " --after", !after && isnan(s->R) ? " and" : "",
                 isnan(s->R) ? " --radius" : "",

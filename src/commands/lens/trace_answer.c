@@ -164,6 +164,38 @@ struct trace_answer_bundle {
     bool folds;                       /* points of the stop are met by several rays */
 };
 
+/* Which ray of the bundle it is, and what is doubtful of it. */
+static void label_row(const struct trace_answer_bundle *bundle, size_t i, bool lost,
+                      struct arena *arena, struct trace_row *row)
+{
+    /* Of two rays through one point of the stop the one was aimed that is joined to the chief ray. */
+    static const char folds[] =
+        "the pupil folds inside the stop: near its edge a point is met by two rays, and the one "
+        "that was aimed may be the wrong one: clipped where the other passes";
+    /* The weights of a quadrature are those of the whole pupil. */
+    static const char weights[] =
+        "the weights of gauss do not integrate over a pupil of which rays are lost";
+    const struct trace_input *input = bundle->job->input;
+    const bool weighs = bundle->points != NULL && !input->pupil.is_given &&
+                        input->pattern == TRACE_FEW + 1 + PATTERN_GAUSS;
+    row->field = bundle->field;
+    row->field_x = bundle->field_x;
+    row->height = bundle->height;
+    row->height_x = bundle->height_x;
+    if (bundle->points != NULL) {
+        row->pupil[0] = bundle->points[i].x;
+        row->pupil[1] = bundle->points[i].y;
+        row->weight = bundle->points[i].weight;
+        row->ray = bundle->is_named ? few[i].name : NULL;
+    } else {
+        /* of a row that another trace has written */
+        row->pupil[0] = input->pupil_at[0];
+        row->pupil[1] = input->pupil_at[1];
+    }
+    row->warning = lens_warnings_join(row->warning, bundle->folds ? folds : NULL, arena);
+    row->warning = lens_warnings_join(row->warning, lost && weighs ? weights : NULL, arena);
+}
+
 static bool emit_bundle(const struct trace_answer_bundle *bundle, const struct ray *starts,
                         size_t first, size_t count, struct run *run, struct error *error)
 {
@@ -178,39 +210,9 @@ static bool emit_bundle(const struct trace_answer_bundle *bundle, const struct r
         struct trace_row row;
         bool going;
         trace_row_begin(job, &starts[i], &row);
-        size_t at = first + i;
-        row.field = bundle->field;
-        row.field_x = bundle->field_x;
-        row.height = bundle->height;
-        row.height_x = bundle->height_x;
-        if (bundle->points != NULL) {
-            row.pupil[0] = bundle->points[at].x;
-            row.pupil[1] = bundle->points[at].y;
-            row.weight = bundle->points[at].weight;
-            row.ray = bundle->is_named ? few[at].name : NULL;
-        } else {
-            /* of a row that another trace has written */
-            row.pupil[0] = bundle->job->input->pupil_at[0];
-            row.pupil[1] = bundle->job->input->pupil_at[1];
-        }
-        /*
-         * Of two rays through one point of the stop the one was aimed that is joined to the
-         * chief ray.
-         */
-        static const char folds[] =
-            "the pupil folds inside the stop: near its edge a point is met by two rays, and the "
-            "one that was aimed may be the wrong one: clipped where the other passes";
-        row.warning = lens_warnings_join(row.warning, bundle->folds ? folds : NULL, run->arena);
-        if (starts[i].status != RAY_OK ||
-            ray_block_status(&rays.blocks[i / RAYS_BLOCK], i % RAYS_BLOCK) != RAY_OK) {
-            /* The weights of a quadrature are those of the whole pupil. */
-            static const char text[] =
-                "the weights of gauss do not integrate over a pupil of which rays are lost";
-            const struct trace_input *input = bundle->job->input;
-            bool weighs = bundle->points != NULL && !input->pupil.is_given &&
-                          input->pattern == TRACE_FEW + 1 + PATTERN_GAUSS;
-            row.warning = lens_warnings_join(row.warning, weighs ? text : NULL, run->arena);
-        }
+        bool lost = starts[i].status != RAY_OK ||
+                    ray_block_status(&rays.blocks[i / RAYS_BLOCK], i % RAYS_BLOCK) != RAY_OK;
+        label_row(bundle, first + i, lost, run->arena, &row);
         if (starts[i].status != RAY_OK) {
             /* A ray that never started: the search for it was lost there. */
             for (int k = 0; k < 3; k++) {

@@ -25,7 +25,7 @@ bool attachments_combine(const struct attachments *a, const struct photo_lens *l
                     SAID_FIRST({!isnan(a->close_up), "close-up"}, {!isnan(a->tube), "tube"},
                                {true, "converter"}));
     }
-    if (!isnan(a->converter) && !(lens->measuring.from != FROM_SENSOR)) {
+    if (!isnan(a->converter) && lens->measuring.from == FROM_SENSOR) {
         return fail(
             error, ERROR_USAGE,
             "{--from} sensor works without {--converter}: how far it moves the sensor from the "

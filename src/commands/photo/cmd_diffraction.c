@@ -200,6 +200,29 @@ static const struct sheet *diffraction_choose_sheet(const void *data,
     return wants_best ? &best : &all;
 }
 
+/* Where the Airy disc outgrows pixels, circle of confusion and film. */
+static bool compute_limits(const struct diffraction_input *input, struct diffraction_row *row,
+                           struct error *error)
+{
+    const struct diffraction_setting *s = &row->setting;
+    const struct {
+        double diameter; /* mm; NaN = not asked for */
+        double *fnumber;
+    } limits[] = {
+        {row->pitch * input->pixels, &row->fnumber_pixel},
+        {row->coc > 0 ? row->coc : NAN, &row->fnumber_coc},
+        {2 / input->film, &row->fnumber_film},
+    };
+    for (size_t i = 0; i < sizeof limits / sizeof limits[0]; i++) {
+        if (!isnan(limits[i].diameter) &&
+            !diffraction_fnumber(limits[i].diameter, s->wavelength, s->m, s->P, limits[i].fnumber,
+                                 error)) {
+            return false;
+        }
+    }
+    return true;
+}
+
 static bool compute_optimum(const struct diffraction_input *input, struct diffraction_row *row,
                             struct error *error)
 {
@@ -265,7 +288,7 @@ static bool diffraction_answer(const void *data, const struct photo_lens *lens, 
         .setting = {.N = lens->N,
                     .m = input->magnification,
                     .P = lens->P,
-                    .wavelength = 1000 * lens->wavelength,
+                    .wavelength = 1000 * lens->wavelength, /* um */
                     .blur = input->defocus,
                     .pitch = isnan(pitch) ? 0 : pitch},
         .wavelength = lens->wavelength,
@@ -293,27 +316,8 @@ static bool diffraction_answer(const void *data, const struct photo_lens *lens, 
     }
     if (!sharpness_resolve_in(sharp, lens->wavelength,
                               diffracting_fnumber(lens->N, input->magnification, lens->P), &row.coc,
-                              error)) {
-        return false;
-    }
-    /* Where the Airy disc outgrows pixels, circle of confusion and film. */
-    const struct diffraction_setting *s = &row.setting;
-    const struct {
-        double diameter; /* mm; NaN = not asked for */
-        double *fnumber;
-    } limits[] = {
-        {row.pitch * input->pixels, &row.fnumber_pixel},
-        {row.coc > 0 ? row.coc : NAN, &row.fnumber_coc},
-        {2 / input->film, &row.fnumber_film},
-    };
-    for (size_t i = 0; i < sizeof limits / sizeof limits[0]; i++) {
-        if (!isnan(limits[i].diameter) &&
-            !diffraction_fnumber(limits[i].diameter, s->wavelength, s->m, s->P, limits[i].fnumber,
-                                 error)) {
-            return false;
-        }
-    }
-    if (!compute_optimum(input, &row, error)) {
+                              error) ||
+        !compute_limits(input, &row, error) || !compute_optimum(input, &row, error)) {
         return false;
     }
     /* without an f-number there is still what limits it */

@@ -207,45 +207,53 @@ static const struct column columns[] = {
     PHOTO_LENS_WARNING_COLUMN(real),
 };
 
+/*
+ * The T-stop of the real lens as the transmittance that gives it: of its f-number and extension,
+ * which count too, whatever the rays make of these.
+ */
+static bool light_by_rays(const struct photo_lens *lens, struct run *run,
+                          struct exposure_input *own, struct by_rays_row *row, struct error *error)
+{
+    const double m = own->magnification, near = isnan(m) ? 0 : m;
+    const double distance = near > 0 ? lens->f * (1 + 1 / near) : INFINITY;
+    const double object = isinf(distance) ? distance : distance - lens->measuring.front;
+    struct real_focus focus;
+    struct real_point point;
+    struct real_light light;
+    if (isnan(lens->N)) {
+        return fail(
+            error, ERROR_USAGE,
+            "{--exact} finds the T-stop of an f-number: give {--aperture}, and leave one of "
+            "{--time}, {--iso} and the light to be found");
+    }
+    if (own->equivalent) {
+        return fail(error, ERROR_USAGE,
+                    "{--exact} finds the T-stop of one f-number: it excludes {--equivalent}");
+    }
+    if (!isnan(own->t_stop) || !isnan(own->transmittance)) {
+        return fail(error, ERROR_USAGE, "{--exact} finds the T-stop: it excludes {--%s}",
+                    !isnan(own->t_stop) ? "t-stop" : "transmittance");
+    }
+    if (!by_rays_open(&own->lens, lens, distance, 0, run, &focus, row, error) ||
+        !real_focus_point(&focus, object, &point, error)) {
+        return false;
+    }
+    const struct real_light_question seen = {focus.asked, object, point.sharpest, own->fresnel};
+    if (!real_light_find(&seen, run->arena, &light, error)) {
+        return false;
+    }
+    const double working = diffracting_fnumber(lens->N, near, lens->P);
+    own->transmittance = working / light.t_stop * (working / light.t_stop);
+    return true;
+}
+
 /* What of the light the lens lets pass: by its rays, or as its source states it. */
 static bool take_lens_light(const struct photo_lens *lens, struct run *run,
                             struct exposure_input *own, struct by_rays_row *row,
                             struct error *error)
 {
     if (own->lens.rays.exact) {
-        /* its T-stop as the transmittance that gives it: of its f-number and extension, which count
-           too, whatever the rays make of these */
-        const double m = own->magnification, near = isnan(m) ? 0 : m;
-        const double distance = near > 0 ? lens->f * (1 + 1 / near) : INFINITY;
-        const double object = isinf(distance) ? distance : distance - lens->measuring.front;
-        struct real_focus focus;
-        struct real_point point;
-        struct real_light light;
-        if (isnan(lens->N)) {
-            return fail(
-                error, ERROR_USAGE,
-                "{--exact} finds the T-stop of an f-number: give {--aperture}, and leave one of "
-                "{--time}, {--iso} and the light to be found");
-        }
-        if (own->equivalent) {
-            return fail(error, ERROR_USAGE,
-                        "{--exact} finds the T-stop of one f-number: it excludes {--equivalent}");
-        }
-        if (!isnan(own->t_stop) || !isnan(own->transmittance)) {
-            return fail(error, ERROR_USAGE, "{--exact} finds the T-stop: it excludes {--%s}",
-                        !isnan(own->t_stop) ? "t-stop" : "transmittance");
-        }
-        if (!by_rays_open(&own->lens, lens, distance, 0, run, &focus, row, error) ||
-            !real_focus_point(&focus, object, &point, error)) {
-            return false;
-        }
-        const struct real_light_question seen = {focus.asked, object, point.sharpest, own->fresnel};
-        if (!real_light_find(&seen, run->arena, &light, error)) {
-            return false;
-        }
-        const double working = diffracting_fnumber(lens->N, near, lens->P);
-        own->transmittance = working / light.t_stop * (working / light.t_stop);
-        return true;
+        return light_by_rays(lens, run, own, row, error);
     }
     if (isnan(own->t_stop) && isnan(own->transmittance) && !isnan(lens->t_ratio)) {
         own->transmittance = 1 / (lens->t_ratio * lens->t_ratio);
@@ -276,9 +284,9 @@ static bool exposure_row_answer(const void *data, const struct photo_lens *lens,
     row.real = *lens->real;
     row.pupil = lens->P;
     row.spectrum = rays.spectrum;
-    row.traced = input->fresnel ? "rays of the lens, its faces uncoated"
-                                : "rays of the lens, without loss in glass and faces";
-    row.traced = input->lens.rays.exact ? row.traced : NULL;
+    const char *traced = input->fresnel ? "rays of the lens, its faces uncoated"
+                                        : "rays of the lens, without loss in glass and faces";
+    row.traced = input->lens.rays.exact ? traced : NULL;
     if (!isnan(row.time_to_set)) {
         char words[SPOKEN_LENGTH];
         spoken_time(words, row.time_to_set, 3);

@@ -212,6 +212,7 @@ static bool flash_row_solve(const struct flash_input *input, double one, struct 
         return false;
     }
     setting->d = row->path;
+    /* beside other light a flash of given power may expose too much or little: nothing is solved */
     if (is_given(input->ev) && is_given(setting->GN) && is_given(setting->N) &&
         is_given(setting->d) && is_given(setting->power)) {
         setting->S = is_given(setting->S) ? setting->S : 100;

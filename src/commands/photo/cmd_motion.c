@@ -212,8 +212,10 @@ static bool motion_run(const void *data, struct run *run, struct error *error)
         !magnify(input, &row.motion.m, error) ||
         ((!turns || is_given(input->speed)) && !solve_subject(input, &row, error)) ||
         (turns && !solve_shake(input, &row, error)) ||
-        (is_given(input->track) && !solve_panning(input, &row, error)) ||
-        (is_given(input->readout) &&
+        (is_given(input->track) && !solve_panning(input, &row, error))) {
+        return false;
+    }
+    if ((is_given(input->readout) &&
          !rolling_shutter(row.image_speed, input->readout, sensor->height, &row.skew, error)) ||
         (is_given(row.focal) &&
          !handheld_time(row.focal, sensor_crop(sensor), input->stabiliser, &row.handheld, error))) {

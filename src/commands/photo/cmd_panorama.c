@@ -267,11 +267,13 @@ static bool find_parallax(const struct panorama_input *input, struct panorama_co
                     has_near ? "near" : "offset");
     }
     double allowed = input->tolerance / per_radian;
-    return isnan(allowed) || !moves ||
-           ((!has_near ||
-             panorama_offset(allowed, row->step, input->near, &row->most_offset, error)) &&
-            (!has_offset || !(fabs(input->offset) > 0) ||
-             panorama_nearest(input->offset, allowed, row->step, &row->nearest, error)));
+    if (isnan(allowed) || !moves) {
+        return true;
+    }
+    return (!has_near ||
+            panorama_offset(allowed, row->step, input->near, &row->most_offset, error)) &&
+           (!has_offset || !(fabs(input->offset) > 0) ||
+            panorama_nearest(input->offset, allowed, row->step, &row->nearest, error));
 }
 
 static bool panorama_emit_rows(const struct panorama_input *input, const struct panorama_goal *goal,

@@ -88,7 +88,7 @@ bool exposure_equivalent_row(const struct exposure_input *input, const struct ex
                              int step, struct exposure_row *line);
 
 /*
- * Answer what is asked.
+ * Answer what is asked of lamps: their colour, their flicker.
  *
  * Given     filter   before the lens, mired, as struct loss_value has it; 0 for none
  *           t, rate  exposure time, s, and frames per second; NaN = not known

@@ -335,7 +335,7 @@ void candidates_write(const char *words, struct run *run, struct output *output)
 {
     struct typed_words typing = {.before = "", .run = run, .output = output};
     struct text value;
-    /* The words and the command they ask. False if that is not known. */
+    /* the words, and the command they ask; null: that is not known */
     struct text rest = text_of(words);
     struct arena *arena = typing.run->arena;
     typing.words = ARENA_ARRAY(arena, rest.length + 1, struct text);
