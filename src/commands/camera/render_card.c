@@ -1,4 +1,4 @@
-/* commands/camera/render_card.c - what is photographed: a picture or a chart, and its facts. */
+/* commands/camera/render_card.c - a picture or a chart, its depths, and what of it is in focus. */
 /* SPDX-License-Identifier: MIT */
 #include "base/choice.h"
 #include "base/constants.h"

@@ -1,4 +1,4 @@
-/* commands/camera/render_case.c - the lens of a picture, focused. */
+/* commands/camera/render_case.c - the lens of a picture: focused, or its model. */
 /* SPDX-License-Identifier: MIT */
 #include "commands/camera/render.h"
 #include "commands/design/fit.h"
@@ -174,7 +174,8 @@ static bool focus_by_gaps(const struct render_input *input, struct arena *arena,
  *
  * Given     question  of the lens; receives object and focus, and with --gap the lens itself, in
  *                     its position, and no position any more
- * Errors    a distance that the lens cannot focus on; as focus_gaps_read and focus_solve
+ * Errors    ERROR_DOMAIN: no stop, a distance that the lens cannot focus on; as focus_by_gaps,
+ *           photo_lens_single, distance_to_principal and conjugates_working_distance
  */
 static bool render_focus(const struct render_input *input, struct arena *arena,
                          struct analysis_question *question, struct error *error)
@@ -187,12 +188,7 @@ static bool render_focus(const struct render_input *input, struct arena *arena,
     } else if (question->focus.kind == PLANE_OF_LENS) {
         question->focus.kind = PLANE_PARAXIAL;
     }
-    /*
-     * What the distance says: from the first vertex, mm.
-     *
-     * Errors    ERROR_DOMAIN: no stop, a card within the focal length; as photo_lens_single,
-     *           distance_to_principal and conjugates_working_distance
-     */
+    /* what the distance says: from the first vertex, mm */
     const struct photo_lens_question asked = {.lens = input->question.lens,
                                               .position = input->question.position,
                                               .focal = {NAN, NAN},

@@ -224,8 +224,8 @@ static double allowed_loss(const struct photograph *photograph)
  *
  * Given     photograph  behind its filter
  * Formula   camera/photograph/metering.h looks straight at what shines: pixels whose mean is less
- * by more than
- *           four of their standard errors, and more than that leaves out, have missed some of it
+ *           by more than four of their standard errors, and more than that leaves out, have missed
+ *           some of it
  */
 static void render_say_mean(const struct photograph_question *question,
                             const struct photograph *photograph, struct text_buffer *remarks)
@@ -480,7 +480,7 @@ static bool take_picture(struct picture_job *picture, const struct render_input 
                                            .seed = (uint64_t)input->seed,
                                            .threads = parallel_threads(input->threads),
                                            .watch = job->run->watch};
-    /* How many, or until which error. */
+    /* how many rays a pixel has, or until which error */
     long usual = isnan(input->error) ? USUAL_SAMPLES : USUAL_WITH_ERROR;
     usual = isnan(input->seconds) ? usual : MOST_SAMPLES;
     question.samples = (size_t)(input->samples == 0 ? usual : input->samples);

@@ -157,12 +157,12 @@ void render_note_shutter(const struct render_input *input, struct image *image, 
 static struct shutter_times times_of(const struct film_question *question, const char **where)
 {
     const struct shutter *shutter = question->shutter;
-    /* The beam of the axis where the curtains are, mm. */
+    /* the beam of the axis where the curtains are, mm */
     const struct first_order *first = &question->setup->first;
     const double way = fabs(question->setup->image - first->exit_pupil);
-    struct shutter_times times =
-        shutter_times(shutter, shutter->distance * (isfinite(way) ? fabs(first->exit_diameter) / way
-                                                                  : 1 / first->working_fnumber));
+    const double spread =
+        isfinite(way) ? fabs(first->exit_diameter) / way : 1 / first->working_fnumber;
+    struct shutter_times times = shutter_times(shutter, shutter->distance * spread);
     struct arena scratch = {0};
     struct lens_film *film = ARENA_NEW(&scratch, struct lens_film);
     struct error error;

@@ -360,6 +360,44 @@ const char *render_stars_text(const struct render_world *world, struct arena *ar
 
 /* -------- a picture -------- */
 
+/* Of wavelengths each has its own share of a coloured filter. */
+static void put_filter(const struct render_input *input, struct render_world *world)
+{
+    world->seen = world->bands;
+    for (int i = 0; i < 3; i++) {
+        world->white[i] = input->spectral ? 0 : 1;
+    }
+    for (size_t k = 0; k < world->bands.count && input->spectral; k++) {
+        const double share =
+            input->filter.name == NULL
+                ? 1
+                : mired_transmittance(input->filter.mired, world->bands.wavelength[k]);
+        for (int i = 0; i < 3; i++) {
+            world->seen.rgb[k][i] *= share;
+            world->white[i] += world->seen.rgb[k][i];
+        }
+    }
+}
+
+/* Light that becomes white in a PNG of the longest exposure, lx; NaN: nobody said how long. */
+static bool find_white_light(const struct artifact_job *job, const struct render_frame *frame,
+                             double *white, struct error *error)
+{
+    *white = INFINITY;
+    for (size_t i = 0; i < job->count; i++) {
+        const struct render_input *input = job->inputs[i];
+        double iso;
+        if (!render_speed(input, frame, job->run->arena, &iso, error)) {
+            return false;
+        }
+        *white = isnan(input->time) || isnan(*white)
+                     ? NAN
+                     : fmin(*white, exp2(input->filter.stops) * saturation_exposure(iso) /
+                                        (DEVELOP_HEADROOM * input->time));
+    }
+    return true;
+}
+
 bool render_world_open(const struct artifact_job *job, const struct analysis_case *one,
                        struct render_world *world, struct photograph_question *question,
                        struct error *error)
@@ -396,21 +434,7 @@ bool render_world_open(const struct artifact_job *job, const struct analysis_cas
             ? arena_printf(arena, "the camera stands within what line %zu of %.200s places",
                            world->scene.things[which].place.line, world->scene.source)
             : NULL;
-    /* Of wavelengths each has its own share of a coloured filter. */
-    world->seen = world->bands;
-    for (int i = 0; i < 3; i++) {
-        world->white[i] = input->spectral ? 0 : 1;
-    }
-    for (size_t k = 0; k < world->bands.count && input->spectral; k++) {
-        const double share =
-            input->filter.name == NULL
-                ? 1
-                : mired_transmittance(input->filter.mired, world->bands.wavelength[k]);
-        for (int i = 0; i < 3; i++) {
-            world->seen.rgb[k][i] *= share;
-            world->white[i] += world->seen.rgb[k][i];
-        }
-    }
+    put_filter(input, world);
     world->path = (struct path){.world = &world->world,
                                 .lights = &world->lights,
                                 .bounces = scattered ? (int)input->bounces : 0};
@@ -421,21 +445,7 @@ bool render_world_open(const struct artifact_job *job, const struct analysis_cas
                                 .pupil = lens_clearance_pupil(one->setup)};
     question->view = &world->view;
     question->white_of_mean = saturation_exposure(1) / (DEVELOP_HEADROOM * recommended_exposure(1));
-    /* Light that becomes white in a PNG of the longest exposure, lx; NaN: nobody said how long. */
-    question->white = INFINITY;
-    for (size_t i = 0; i < job->count; i++) {
-        const struct render_input *exposed = job->inputs[i];
-        double iso;
-        if (!render_speed(exposed, &frame, job->run->arena, &iso, error)) {
-            return false;
-        }
-        question->white =
-            isnan(exposed->time) || isnan(question->white)
-                ? NAN
-                : fmin(question->white, exp2(exposed->filter.stops) * saturation_exposure(iso) /
-                                            (DEVELOP_HEADROOM * exposed->time));
-    }
-    return true;
+    return find_white_light(job, &frame, &question->white, error);
 }
 
 /* -------- colours -------- */

@@ -167,6 +167,25 @@ static double either(double given, double noted, double usual)
     return !isnan(noted) ? noted : usual;
 }
 
+/* As asked for, noted or usual; floats have that of photons alone. */
+static struct merge_noise noise_of(const struct tone_input *input, const struct tone_frames *frames,
+                                   struct text_buffer *remarks)
+{
+    const struct merge_noise noise = {either(input->full_well, frames->full_well, usual_full),
+                                      either(input->read_noise, frames->read_noise, usual_noise)};
+    const bool is_guess = isnan(input->full_well) && isnan(frames->full_well);
+    if (frames->frames[0].bits == 0) {
+        growing_format(remarks, "weights by the noise of photons\n");
+    } else {
+        growing_format(remarks,
+                       "weights by noise: %.4g electrons at white%s, read noise %.3g, steps of %d "
+                       "bits\n",
+                       noise.full_well, is_guess ? " (assumed)" : "", noise.read_noise,
+                       frames->frames[0].bits);
+    }
+    return noise;
+}
+
 static void say_frames(const struct tone_frames *frames, struct text_buffer *remarks)
 {
     char least[SPOKEN_LENGTH], most[SPOKEN_LENGTH];
@@ -276,19 +295,7 @@ static bool make_light(const struct tone_input *input, struct arena *frames_aren
     if (frames.count > 1) {
         align(input, &frames, &remarks);
         find_saturation(&frames, frames_arena, &remarks);
-        noise = (struct merge_noise){either(input->full_well, frames.full_well, usual_full),
-                                     either(input->read_noise, frames.read_noise, usual_noise)};
-        const bool is_guess = isnan(input->full_well) && isnan(frames.full_well);
-        if (frames.frames[0].bits == 0) {
-            growing_format(&remarks, "weights by the noise of photons\n");
-        } else {
-            growing_format(
-                &remarks,
-                "weights by noise: %.4g electrons at white%s, read noise %.3g, steps of %d "
-                "bits\n",
-                noise.full_well, is_guess ? " (assumed)" : "", noise.read_noise,
-                frames.frames[0].bits);
-        }
+        noise = noise_of(input, &frames, &remarks);
     }
     if ((input->response == RESPONSE_DEBEVEC && !recover(&frames, light, &remarks, error)) ||
         !unit_of_light(input, &frames, &remarks, &unit, error) ||

@@ -1,7 +1,8 @@
-/* commands/camera/tone_picture.c - light as an eye sees it, and as a display shows it. */
+/* commands/camera/tone_picture.c - light as an eye sees it, as a display shows it, in false colours. */
 /* SPDX-License-Identifier: MIT */
 #include "base/constants.h"
 #include "base/image/srgb.h"
+#include "commands/camera/render.h"
 #include "commands/camera/tone.h"
 #include "draw/lettering.h"
 #include "draw/palette.h"
@@ -315,12 +316,6 @@ static bool colour(const struct tone_input *input, struct image *image, struct t
 
 /* -------- a file -------- */
 
-static void picture_note(struct image *image, struct arena *arena, const char *key,
-                         const char *value)
-{
-    image_note(image, arena, text_of(key), text_of(value));
-}
-
 static bool picture_make(const struct artifact_job *job, struct image *image,
                          struct text_buffer *remarks, struct error *error)
 {
@@ -332,13 +327,12 @@ static bool picture_make(const struct artifact_job *job, struct image *image,
     }
     if (needs_view(job)) {
         /* In places of about a degree; no place is smaller than a pixel. */
-        double view = input->view;
         const double across =
             2 * atan(fmax(foveal.cell[0], foveal.cell[1]) / 2) / RADIANS_PER_DEGREE;
         growing_format(
             remarks,
             "the eye looks about in %zu x %zu places of %.2g deg; the view is %.4g deg wide\n",
-            foveal.columns, foveal.rows, across, view / RADIANS_PER_DEGREE);
+            foveal.columns, foveal.rows, across, input->view / RADIANS_PER_DEGREE);
         if (across > LARGE_CELL) {
             growing_format(remarks,
                            "warning: the picture has too few pixels for places of 1 degree\n");
@@ -366,9 +360,9 @@ static bool picture_make(const struct artifact_job *job, struct image *image,
     if (input->color_loss) {
         acuity_fade(image);
     }
-    picture_note(image, remarks->arena, "Software", "lenscalc " LENSCALC_VERSION);
+    render_note(image, remarks->arena, "Software", "lenscalc " LENSCALC_VERSION);
     if (!is_png(job)) {
-        picture_note(image, remarks->arena, "Unit", "cd/m2");
+        render_note(image, remarks->arena, "Unit", "cd/m2");
     }
     return input->falsecolor ? colour(input, image, remarks, error)
                              : !is_shown || picture_show(job, &foveal, image, remarks, error);

@@ -1,4 +1,4 @@
-/* commands/data/list_program.c - lenscalc list: stop series, units, commands, options. */
+/* commands/data/list_program.c - lenscalc list: stop series, units, commands, options, columns, keywords. */
 /* SPDX-License-Identifier: MIT */
 #include "commands/commands.h"
 #include "commands/data/list.h"

@@ -115,6 +115,23 @@ static void trace_block_gather(const struct block *block, size_t first, bool don
     }
 }
 
+static void trace_group(const struct block *block, const struct group *group, struct run *run)
+{
+    const struct trace_block_kept *kept = run->state;
+    const struct trace_job *job = group->job;
+    for (size_t k = 0; k < group->count; k++) {
+        rays_set(&kept->work, k, job->system->index_first, &group->starts[k]);
+    }
+    rays_trace_part(job->system, 0, job->to, &kept->work, NULL);
+    for (size_t k = 0; k < group->count; k++) {
+        size_t i = group->rows[k];
+        struct trace_row *row = (struct trace_row *)(void *)block->rows + i;
+        trace_row_begin(job, &group->starts[k], row);
+        trace_row_end(job, kept->work.blocks, k, row);
+        trace_row_extras(job, &group->starts[k], job->to - 1, run->arena, row, &block->errors[i]);
+    }
+}
+
 void trace_block(const struct block *block, struct run *run)
 {
     bool done[RAYS_BLOCK] = {false};
@@ -133,20 +150,7 @@ void trace_block(const struct block *block, struct run *run)
         done[i] = group.job == NULL;
         if (group.job != NULL) {
             trace_block_gather(block, i, done, &group);
-            const struct trace_block_kept *state = run->state;
-            const struct trace_job *job = group.job;
-            for (size_t k = 0; k < group.count; k++) {
-                rays_set(&state->work, k, job->system->index_first, &group.starts[k]);
-            }
-            rays_trace_part(job->system, 0, job->to, &state->work, NULL);
-            for (size_t k = 0; k < group.count; k++) {
-                size_t place = group.rows[k];
-                struct trace_row *row = (struct trace_row *)(void *)block->rows + place;
-                trace_row_begin(job, &group.starts[k], row);
-                trace_row_end(job, state->work.blocks, k, row);
-                trace_row_extras(job, &group.starts[k], job->to - 1, run->arena, row,
-                                 &block->errors[place]);
-            }
+            trace_group(block, &group, run);
         }
     }
 }

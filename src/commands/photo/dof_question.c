@@ -1,4 +1,4 @@
-/* commands/photo/dof_question.c - what `dof` is asked, and the setting that answers it. */
+/* commands/photo/dof_question.c - what `dof` is asked, the setting that answers it, its scale. */
 /* SPDX-License-Identifier: MIT */
 #include "commands/photo/dof_question.h"
 #include "base/arena.h"

@@ -1,4 +1,4 @@
-/* commands/photo/exposure_answer.c - one question about exposure, answered. */
+/* commands/photo/exposure_answer.c - one question about exposure, answered; and about lamps. */
 /* SPDX-License-Identifier: MIT */
 #include "commands/photo/exposure_answer.h"
 

@@ -1,4 +1,4 @@
-/* commands/photo/exposure_answer.h - one question about exposure, answered. */
+/* commands/photo/exposure_answer.h - one question about exposure, answered; and about lamps. */
 /* SPDX-License-Identifier: MIT */
 #ifndef LENSCALC_COMMANDS_PHOTO_EXPOSURE_ANSWER_H
 #define LENSCALC_COMMANDS_PHOTO_EXPOSURE_ANSWER_H
