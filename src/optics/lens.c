@@ -79,15 +79,6 @@ static void substitute(const struct lens *lens, struct figure *figure, size_t po
     }
 }
 
-struct lens *lens_copy(const struct lens *lens, struct arena *arena)
-{
-    struct lens *copy = ARENA_NEW(arena, struct lens);
-    *copy = *lens;
-    copy->surfaces = ARENA_ARRAY(arena, lens->surface_count, struct surface);
-    memcpy(copy->surfaces, lens->surfaces, lens->surface_count * sizeof(struct surface));
-    return copy;
-}
-
 const struct lens *lens_at_position(const struct lens *lens, size_t position, struct arena *arena)
 {
     if (lens->position_count == 0) {

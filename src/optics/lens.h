@@ -162,9 +162,6 @@ struct lens {
     const char *cut_short;  /* why the end of that file may be missing; null = it is whole */
 };
 
-/* Another with surfaces of its own, which may be changed; all else is shared. */
-struct lens *lens_copy(const struct lens *lens, struct arena *arena);
-
 /*
  * The lens in one of its positions: variables replaced by their numbers, settings made, pick-ups
  * followed.

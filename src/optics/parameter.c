@@ -7,6 +7,7 @@
 
 #include <assert.h>
 #include <math.h>
+#include <string.h>
 
 /* What a kind of surface must have for it. */
 enum { CURVE = SURFACE_HAS_CURVE, FOCAL = SURFACE_HAS_FOCAL, MEDIUM = SURFACE_HAS_MEDIUM };
@@ -450,6 +451,15 @@ void parameter_set(struct lens *lens, struct parameter parameter, double value, 
         has_text ? ARENA_ARRAY(arena, PARAMETER_WRITTEN, char) : NULL,
     };
     parameter_set_in(lens, parameter, value, &room);
+}
+
+struct lens *lens_copy(const struct lens *lens, struct arena *arena)
+{
+    struct lens *copy = ARENA_NEW(arena, struct lens);
+    *copy = *lens;
+    copy->surfaces = ARENA_ARRAY(arena, lens->surface_count, struct surface);
+    memcpy(copy->surfaces, lens->surfaces, lens->surface_count * sizeof(struct surface));
+    return copy;
 }
 
 struct lens *parameter_apply(const struct lens *lens, const struct parameter *parameters,

@@ -205,6 +205,9 @@ struct parameter_room {
 void parameter_set_in(struct lens *lens, struct parameter parameter, double value,
                       const struct parameter_room *room);
 
+/* Another with surfaces of its own, which may be changed; all else is shared. */
+struct lens *lens_copy(const struct lens *lens, struct arena *arena);
+
 /* A copy of the lens with `count` numbers put in, in this order. */
 struct lens *parameter_apply(const struct lens *lens, const struct parameter *parameters,
                              const double *values, size_t count, struct arena *arena);

@@ -168,7 +168,7 @@ struct trace_answer_bundle {
 static void label_row(const struct trace_answer_bundle *bundle, size_t i, bool lost,
                       struct arena *arena, struct trace_row *row)
 {
-    /* Of two rays through one point of the stop the one was aimed that is joined to the chief ray. */
+    /* Of two rays through one point of the stop, the one aimed is joined to the chief ray. */
     static const char folds[] =
         "the pupil folds inside the stop: near its edge a point is met by two rays, and the one "
         "that was aimed may be the wrong one: clipped where the other passes";
