@@ -136,6 +136,19 @@ BROKEN = {
     "complexity": (
         add("base/number.c", function("complex", *CHOICES, "return a;", head=PRIVATE)),
         "src/base/number.c(8): complex has complexity 21, at most 20"),
+    "a choice in a branch of another": (
+        change("base/number.c", ("a + 1", "a > 1 ? a : number_next(a < 0 ? 0 : 1)")),
+        "src/base/number.c:6: a conditional expression within another"),
+    "a choice in the condition of another": (
+        change("base/number.c", ("a + 1", "(a > 1 ? a : 0) > 2 ? 0 : 1")),
+        "src/base/number.c:6: a conditional expression within another"),
+    "a choice that is written to": (
+        add("base/number.c", function("number_put", "int b = a;", "*(a > 1 ? &a : &b) += 1;",
+                                      "return a + (b ? b : 1);", head=PRIVATE)),
+        "src/base/number.c:11: a conditional expression is written to"),
+    "a choice that is called": (
+        change("base/number.c", ("a + 1", "(a > 1 ? number_next : number_next)(a)")),
+        "src/base/number.c:6: a conditional expression is called"),
     "parameters": (
         change("trace/ray.h", ("#endif", f"int ray_inside({MANY});\n#endif")),
         "src/trace/ray.h: ray_inside has 9 parameters, at most 8"),

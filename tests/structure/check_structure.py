@@ -292,6 +292,38 @@ def check_complexity(checks, sources):
                      f"{place}: {name} has complexity {count}, at most {MOST_COMPLEX}")
 
 
+def choices_of(text):
+    """(line, what is wrong) of conditional expressions that are hard to read: one within another,
+    in its condition, its branches or their arguments, and one that is called or written to."""
+    text = blank_comments(text)
+    closed = re.compile(r"\s*(\(|[-+*/%&|^]?=(?!=)|<<=|>>=)")
+    stack = [[0, False, False]]  # of each bracket: where, a branch is open, there was one before
+    for match in re.finditer(r"[][(){}?,;]|(?<![=!<>])=(?!=)", text):
+        sign, at = match.group(), match.start()
+        if sign in "([{":
+            stack.append([at, False, False])
+        elif sign in ")]}" and len(stack) > 1:
+            opened, branch, before = stack.pop()
+            follows = closed.match(text, at + 1)
+            if branch and sign == ")" and follows:
+                if follows[1] == "(":
+                    yield text.count("\n", 0, at) + 1, "a conditional expression is called"
+                elif re.search(r"(^|[;{}&|(,])\s*\*$", text[:opened].rstrip(" ")[-40:]):
+                    yield text.count("\n", 0, at) + 1, "a conditional expression is written to"
+            stack[-1][2] = sign != "}" and (stack[-1][2] or branch or before)
+        elif sign == "?":
+            if stack[-1][2] or any(branch for _, branch, _ in stack):
+                yield text.count("\n", 0, at) + 1, "a conditional expression within another"
+            stack[-1][1] = True
+        elif sign in ",;=":
+            stack[-1][1:] = [False, False]
+
+
+def check_choices(checks, path, text):
+    for line, what in choices_of(text):
+        checks.check(False, f"{path}:{line}: {what}")
+
+
 def parameters_of(arguments):
     """How many there are between the brackets of a prototype."""
     depth = count = 0
@@ -447,6 +479,7 @@ def check_tree(checks, build):
             check_includes(checks, path, text)
             check_calls(checks, path, text)
             check_extensions(checks, path, text)
+            check_choices(checks, path, text)
         if path in sources and path.endswith(".h"):
             check_parameters(checks, path, text)
     check_options(checks, sources)
