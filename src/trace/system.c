@@ -232,10 +232,11 @@ static void step_set_paraxial(struct step *step, const struct system *system, si
     const bool reverse = system->options.reverse, reflects = step->action == ACTION_REFLECT;
     const double c = surface_curvature(&system->lens->surfaces[i], SECTION_Y).hi;
     const double before = system->n[i].hi, after = system->n[i + 1].hi;
-    const double behind = reverse ? before : after, power = (after - before) * c;
+    const double ahead = reverse ? after : before, behind = reverse ? before : after;
+    const double power = (reverse ? -1 : 1) * ((after - before) * c);
     step->kind = STEP_THICK;
-    step->ratio = reflects ? -1 : (reverse ? after : before) / behind;
-    step->bend = reflects ? 2 * c : (reverse ? -power : power) / behind;
+    step->ratio = reflects ? -1 : ahead / behind;
+    step->bend = reflects ? 2 * c : power / behind;
     memset(step->coefficient, 0, sizeof step->coefficient);
 }
 
