@@ -141,7 +141,7 @@ static bool pupil_islands_is_dark(const struct traced_patch *seen)
         dark = dark && margins->limit[seen->first + i] == limit;
     }
     for (size_t k = 0; k < margins->count && !dark; k++) {
-        /* the margin at the rays of a patch; infinite where they miss its surface, beyond any rim */
+        /* the margin at the rays; infinite where they miss its surface, beyond any rim */
         const double *row = margins->rows + k * RAYS_BLOCK;
         const struct clearance *margin = &margins->all[k];
         bool known = true;
