@@ -22,11 +22,8 @@ const char *file_type_endings(file_types *types, struct arena *arena)
 {
     const char *all = "";
     for (size_t i = 0; types(i) != NULL; i++) {
-        all = arena_printf(arena, "%s%s%s", all,
-                           i == 0                 ? ""
-                           : types(i + 1) == NULL ? " or "
-                                                  : ", ",
-                           types(i)->ending);
+        const char *between = types(i + 1) == NULL ? " or " : ", ";
+        all = arena_printf(arena, "%s%s%s", all, i == 0 ? "" : between, types(i)->ending);
     }
     return all;
 }

@@ -103,6 +103,7 @@ struct linear_factors linear_factor(double *a, size_t rows, size_t columns, doub
     all.scale = ARENA_ARRAY(arena, columns, double);
     all.order = ARENA_ARRAY(arena, columns, size_t);
     all.spare = ARENA_ARRAY(arena, columns, double);
+    /* columns of length 1, in the order in which they came */
     for (size_t j = 0; j < columns; j++) {
         const double length = column_length(&all, j, 0);
         all.scale[j] = length > 0 ? length : 1;

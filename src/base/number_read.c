@@ -189,6 +189,7 @@ static int multiply_digits(struct number_read_decimal *decimal, unsigned multipl
 static double read_hard(struct number_read_decimal decimal, unsigned multiplier)
 {
     const bool counted = decimal.count <= WORD_DIGITS;
+    /* zeros at the front say nothing, nor does a point behind them */
     const char *at = decimal.first;
     while (at < decimal.end && (*at == '0' || *at == '.')) {
         at++;

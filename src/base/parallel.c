@@ -51,7 +51,8 @@ static void parallel_run(int threads, struct loop *loop, struct arena *arenas)
     pthread_t others[PARALLEL_MOST];
     struct parallel_worker workers[PARALLEL_MOST];
     size_t pieces = loop->count / loop->piece + (loop->count % loop->piece != 0), started = 0;
-    size_t most = threads > PARALLEL_MOST ? PARALLEL_MOST : threads > 1 ? (size_t)threads : 1;
+    size_t most = threads > 1 ? (size_t)threads : 1;
+    most = most < PARALLEL_MOST ? most : PARALLEL_MOST;
     for (size_t i = 0; i < most; i++) {
         workers[i] = (struct parallel_worker){loop, i, arenas != NULL ? &arenas[i] : NULL};
     }

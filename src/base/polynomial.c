@@ -140,6 +140,7 @@ size_t polynomial_roots(const struct polynomial *a, double low, double high, dou
     if (all[0].degree == 0) {
         return 0;
     }
+    /* no root lies farther out than Cauchy's bound */
     double most = 0;
     for (size_t i = 0; i < all[0].degree; i++) {
         double ratio = all[0].c[i].hi / all[0].c[all[0].degree].hi;

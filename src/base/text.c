@@ -84,6 +84,7 @@ bool text_contains_name(struct text whole, struct text part)
 {
     bool found = false;
     for (size_t i = 0; i <= whole.length && !found; i++) {
+        /* does what begins here begin with the letters of the part? */
         struct text rest = {whole.start + i, whole.length - i}, letters = part;
         char wanted;
         do {

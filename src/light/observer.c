@@ -72,10 +72,10 @@ static void add_stretch(const struct spectrum *light, const struct spectrum *sur
 {
     /* a table that ends here counts on its own side only */
     const double middle = (ends[0] + ends[1]) / 2;
-    /* the row before a wavelength, that of the last step at the end */
+    /* the row before the middle, that of the last step at the end */
     const double rows = (middle - OBSERVER_LEAST) / OBSERVER_STEP;
-    const size_t last = rows > 0 ? (size_t)rows : 0;
-    const size_t row = last < OBSERVER_ROWS - 1 ? last : OBSERVER_ROWS - 2;
+    const size_t before = rows > 0 ? (size_t)rows : 0;
+    const size_t row = before < OBSERVER_ROWS - 1 ? before : OBSERVER_ROWS - 2;
     if (!(spectrum_at(light, middle) * (surface == NULL ? 1 : spectrum_at(surface, middle)) > 0)) {
         return;
     }
@@ -102,7 +102,7 @@ void observer_sum(const struct spectrum *light, const struct spectrum *surface, 
     for (size_t k = 0; k < count; k++) {
         xyz[k][0] = xyz[k][1] = xyz[k][2] = 0;
         for (double at = edges[k]; at < edges[k + 1];) {
-            /* what comes first in any of the lists behind a wavelength, but not beyond `end` */
+            /* what comes first in any of the lists, but not beyond the end */
             const double end = edges[k + 1];
             double next = end;
             for (int i = 0; i < 3; i++) {

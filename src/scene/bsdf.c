@@ -57,9 +57,11 @@ double bsdf_value(const struct bsdf *scatter, struct vector out, struct vector i
         const double alpha = scatter->microfacets->alpha;
         const double x = normal.x / alpha, y = normal.y / alpha;
         const double all = x * x + y * y + normal.z * normal.z;
-        found = (1 / (PI * alpha * alpha * all * all)) / ((1 + own) * 4 * out.z);
+        const double normals = 1 / (PI * alpha * alpha * all * all);
+        found = normals / ((1 + own) * 4 * out.z);
         coat = found * microfacets_reflect(scatter->microfacets, out, normal, in);
         chance = coat_chance(scatter, out);
+        /* what the ground under a coat sends on, over what it would send without */
         ground *= (1 - microfacets_albedo(scatter->microfacets, out.z)) *
                   (1 - microfacets_albedo(scatter->microfacets, in.z)) /
                   (1 - scatter->microfacets->mean_albedo);

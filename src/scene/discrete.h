@@ -14,7 +14,10 @@ struct discrete_sample {
 static inline double discrete_remainder(double at, double low, double high)
 {
     const double most = 1 - 0x1p-53, rest = (at - low) / (high - low);
-    return rest < most ? rest > 0 ? rest : 0 : most;
+    if (!(rest < most)) {
+        return most;
+    }
+    return rest > 0 ? rest : 0;
 }
 
 /* Which of so many equal steps a share lies in; one below 0 or above 1 in the first or the last. */

@@ -64,6 +64,29 @@ static void cells_fill(struct distant_lights *discs, size_t *next, bool lists)
     }
 }
 
+/* About one disc a cell, but cells no smaller than discs are in the mean. */
+static void discs_put_in_cells(struct distant_lights *discs, struct arena *arena)
+{
+    double radii = 0;
+    for (size_t i = 0; i < discs->count; i++) {
+        radii += discs->all[i].radius;
+    }
+    double rows = fmin(sqrt((double)discs->count), 2 * (double)discs->count / radii);
+    rows = fmax(1, fmin(rows, ROWS_MOST));
+    discs->rows = (size_t)rows;
+    discs->columns = discs->rows;
+    const size_t cells = discs->rows * discs->columns;
+    size_t *next = ARENA_ARRAY(arena, cells + 1, size_t);
+    discs->begins = ARENA_ARRAY(arena, cells + 1, size_t);
+    cells_fill(discs, next, false);
+    for (size_t i = 0; i < cells; i++) {
+        discs->begins[i + 1] = discs->begins[i] + next[i];
+        next[i] = discs->begins[i];
+    }
+    discs->listed = ARENA_ARRAY(arena, discs->begins[cells], size_t);
+    cells_fill(discs, next, true);
+}
+
 /* -------- what they shine -------- */
 
 static bool is_distant_light(const struct scene_light *light)
@@ -109,6 +132,31 @@ static int by_disc_and_number(const void *a, const void *b)
     return sign != 0 ? sign : (p > q) - (p < q);
 }
 
+/*
+ * Discs of one place, size and colour become the first of them: rays would look at each. The others
+ * have no amount any more; `amount`: lx of each.
+ */
+static void discs_join_alike(struct distant_lights *discs, double *amount)
+{
+    struct arena work = {0};
+    struct distant_light **order = ARENA_ARRAY(&work, discs->count, struct distant_light *);
+    for (size_t i = 0; i < discs->count; i++) {
+        order[i] = &discs->all[i];
+    }
+    qsort(order, discs->count, sizeof order[0], by_disc_and_number);
+    struct distant_light *first = order[0];
+    for (size_t i = 1; i < discs->count; i++) {
+        if (by_disc(first, order[i]) != 0) {
+            first = order[i];
+            continue;
+        }
+        first->luminance += order[i]->luminance;
+        amount[first - discs->all] += amount[order[i] - discs->all];
+        amount[order[i] - discs->all] = 0;
+    }
+    arena_free(&work);
+}
+
 void distant_lights_open(const struct scene *scene, const struct banded *const *units,
                          struct arena *arena, struct distant_lights *discs)
 {
@@ -136,27 +184,7 @@ void distant_lights_open(const struct scene *scene, const struct banded *const *
             amount[count++] = scene->lights[i].amount;
         }
     }
-    /*
-     * Discs of one place, size and colour become the first of them: rays would look at each. The
-     * others have no amount any more; `amount`: lx of each.
-     */
-    struct arena work = {0};
-    struct distant_light **order = ARENA_ARRAY(&work, discs->count, struct distant_light *);
-    for (size_t i = 0; i < discs->count; i++) {
-        order[i] = &discs->all[i];
-    }
-    qsort(order, discs->count, sizeof order[0], by_disc_and_number);
-    struct distant_light *first = order[0];
-    for (size_t i = 1; i < discs->count; i++) {
-        if (by_disc(first, order[i]) != 0) {
-            first = order[i];
-            continue;
-        }
-        first->luminance += order[i]->luminance;
-        amount[first - discs->all] += amount[order[i] - discs->all];
-        amount[order[i] - discs->all] = 0;
-    }
-    arena_free(&work);
+    discs_join_alike(discs, amount);
     /* What is left of them, in the order of the scene, and how often each is chosen. */
     count = 0;
     for (size_t i = 0; i < discs->count; i++) {
@@ -172,25 +200,7 @@ void distant_lights_open(const struct scene *scene, const struct banded *const *
         const double share = (discs->below[i + 1] - discs->below[i]) / discs->total;
         discs->all[i].pdf = share / (2 * PI * cap_height(discs->all[i].radius));
     }
-    /* about one disc a cell, but cells no smaller than discs are in the mean */
-    double radii = 0;
-    for (size_t i = 0; i < discs->count; i++) {
-        radii += discs->all[i].radius;
-    }
-    double rows = fmin(sqrt((double)discs->count), 2 * (double)discs->count / radii);
-    rows = fmax(1, fmin(rows, ROWS_MOST));
-    discs->rows = (size_t)rows;
-    discs->columns = discs->rows;
-    const size_t cells = discs->rows * discs->columns;
-    size_t *next = ARENA_ARRAY(arena, cells + 1, size_t);
-    discs->begins = ARENA_ARRAY(arena, cells + 1, size_t);
-    cells_fill(discs, next, false);
-    for (size_t i = 0; i < cells; i++) {
-        discs->begins[i + 1] = discs->begins[i] + next[i];
-        next[i] = discs->begins[i];
-    }
-    discs->listed = ARENA_ARRAY(arena, discs->begins[cells], size_t);
-    cells_fill(discs, next, true);
+    discs_put_in_cells(discs, arena);
 }
 
 struct vector distant_light_direction(const struct distant_light *disc, const double u[2])

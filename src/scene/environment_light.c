@@ -59,7 +59,7 @@ static double cell_solid_angle(const struct environment_light *around, size_t ro
 static const float *environment_pixel(const struct image *picture, long column, long row)
 {
     const long width = (long)picture->width, height = (long)picture->height;
-    const long y = row < 0 ? 0 : row < height ? row : height - 1;
+    const long above = row < height ? row : height - 1, y = above > 0 ? above : 0;
     return image_row(picture, (size_t)y) + (size_t)((column + width) % width) * picture->channels;
 }
 

@@ -61,9 +61,9 @@ static void partition_at_median(struct emitter_item *items, size_t count, size_t
             return;
         }
         if (wanted <= j) {
-            high = wanted <= j ? j : i;
+            high = j;
         } else {
-            low = wanted <= j ? j : i;
+            low = i;
         }
     }
 }
@@ -128,7 +128,7 @@ void light_tree_open(const struct scene *scene, const struct emitter *emitters, 
         if (at.count > 1) {
             const struct emitter_extent middles = emitter_extent_of(own, at.count, false);
             const size_t half = first_half(at.count);
-            int axis = 0;
+            int axis = 0; /* the longest */
             for (int i = 1; i < 3; i++) {
                 axis = middles.high[i] - middles.low[i] > middles.high[axis] - middles.low[axis]
                            ? i

@@ -150,8 +150,10 @@ bool mesh_intersect(const struct mesh *mesh, const struct shape_ray *ray, bool i
 {
     const double from[] = {ray->origin.x, ray->origin.y, ray->origin.z};
     const double direction[] = {ray->direction.x, ray->direction.y, ray->direction.z};
-    const double x = fabs(direction[0]), y = fabs(direction[1]), z = fabs(direction[2]);
-    const size_t steep = x > y ? (x > z ? 0 : 2) : (y > z ? 1 : 2);
+    size_t steep = 0; /* the axis that it goes along most */
+    for (size_t i = 1; i < 3; i++) {
+        steep = fabs(direction[steep]) > fabs(direction[i]) ? steep : i;
+    }
     const size_t first = steep < 2 ? steep + 1 : 0, second = first < 2 ? first + 1 : 0;
     const double over = 1 / direction[steep];
     const struct sheared sheared = {

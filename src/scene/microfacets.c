@@ -25,15 +25,15 @@ double microfacets_reflect(const struct microfacets *coat, struct vector out, st
     if (!(in.z > 0)) {
         return 0;
     }
-    /* of natural light that meets a clear medium; c is the cosine of its angle */
+    /* Fresnel, of natural light that meets a clear medium; c is the cosine of its angle */
     const double index = coat->index;
     const double c = vector_dot(out, normal);
     const double g = sqrt(index * index - 1 + c * c);
     const double across = (g - c) / (g + c);
     const double along = (c * (g + c) - 1) / (c * (g - c) + 1);
     /* of no other medium nothing, at a right angle too, where the second is 0/0 */
-    return (index > 1 ? across * across * (1 + along * along) / 2 : 0) * (1 + own) /
-           (1 + own + microfacets_lambda(coat, in));
+    const double reflected = index > 1 ? across * across * (1 + along * along) / 2 : 0;
+    return reflected * (1 + own) / (1 + own + microfacets_lambda(coat, in));
 }
 
 /* -------- all normals -------- */

@@ -193,14 +193,13 @@ static struct shape_surface spot_box(const struct scene_thing *thing, const stru
     at[axis] = sign * half[axis];
     /* to the right and up, as one looks at the side: y is up but on the lid and the ground */
     const double x = at[0] / (2 * half[0]), y = at[1] / (2 * half[1]), z = at[2] / (2 * half[2]);
-    const double right = axis == 0 ? -sign * z : axis == 1 ? x : sign * x;
-    const double up = axis == 1 ? -sign * z : y;
+    const double right[] = {-sign * z, x, sign * x}, up[] = {y, -sign * z, y};
     const struct vector face = {normal[0], normal[1], normal[2]};
     return (struct shape_surface){.at = {at[0], at[1], at[2]},
                                   .size = fabs(at[0]) + fabs(at[1]) + fabs(at[2]),
                                   .normal = face,
                                   .face = face,
-                                  .place = {0.5 + right, 0.5 + up}};
+                                  .place = {0.5 + right[axis], 0.5 + up[axis]}};
 }
 
 /* -------- all of them -------- */

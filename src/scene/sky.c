@@ -20,7 +20,7 @@ static double sky_gradation(const struct sky_type *type, double cosine)
 /* Scattering by the angle from the sun, whose cosine is given. */
 static double sky_indicatrix(const struct sky_type *type, double cosine)
 {
-    const double angle = acos(cosine < -1 ? -1 : cosine > 1 ? 1 : cosine);
+    const double angle = acos(fmax(-1, fmin(cosine, 1)));
     return 1 + type->c * (exp(type->d * angle) - exp(type->d * (PI / 2))) +
            type->e * cosine * cosine;
 }

@@ -164,6 +164,7 @@ bool acuity_blur(const struct foveal *foveal, const struct image *image, struct 
         return false;
     }
     while (is_too_fine(&pyramid, most)) {
+        /* the next smaller one, of half as many pixels each way, or of square ones at first */
         const struct level *last = &pyramid.levels[pyramid.count - 1];
         struct level *next = &pyramid.levels[pyramid.count];
         const double aspect = last->image.aspect > 0 ? last->image.aspect : 1;

@@ -236,6 +236,7 @@ bool debevec_recover(const struct tone_frame *frames, size_t count, struct arena
         }
         cholesky_forward(equations.a, N, equations.b);
         cholesky_backward(equations.a, N, equations.b);
+        /* light of the codes, whose logarithm that is; it may not fall */
         const double *g = equations.b;
         const double middle = srgb_light((double)DEBEVEC_MIDDLE / TOP);
         for (int z = 0; z < N; z++) {

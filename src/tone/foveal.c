@@ -228,6 +228,7 @@ struct foveal_grid foveal_veil(struct foveal *foveal, struct image *image, struc
     if (count < 2) {
         return grid; /* light that goes nowhere else */
     }
+    /* where the cells are seen, and their light */
     struct foveal_cells cells = {.count = coarse.columns * coarse.rows};
     cells.room = (cells.count + STRETCH - 1) / STRETCH * STRETCH;
     float **all[] = {&cells.x,        &cells.y,        &cells.z,      &cells.light[0],

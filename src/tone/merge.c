@@ -151,7 +151,7 @@ static void merge_place(const struct merge_job *merging, const struct merge_plac
         if (merging->count > 1) {
             fetch(&merging->frames[f], place, &stretch);
         }
-        /* w v/t = keep t v/var, w = keep t^2/var: both over t. */
+        /* w v/t = keep t v/var, w = keep t^2/var: both over t */
         const struct merge_part *part = &merging->parts[f];
         const float photon = part->photon * part->time;
         for (int i = 0; i < STRETCH; i++) {

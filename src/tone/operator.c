@@ -39,7 +39,7 @@ static double shown(const struct tone_way *way, const struct toned *toned, doubl
 /* A function of luminance as a table, of the upper bits of floats from LOWEST on. */
 static float operator_look_up(const float *curve, float x)
 {
-    const float held = x > LOWEST ? (x < HIGHEST ? x : HIGHEST) : LOWEST;
+    const float above = x > LOWEST ? x : LOWEST, held = above < HIGHEST ? above : HIGHEST;
     const uint32_t bits = bytes_bits(held), mask = (1U << FRACTION_BITS) - 1;
     const float *at = curve + ((bits >> FRACTION_BITS) - (bytes_bits(LOWEST) >> FRACTION_BITS));
     const float rest = (float)(bits & mask) * (1.0F / (float)(mask + 1));

@@ -27,6 +27,7 @@ struct derivative_tape derivative_tape_new(const struct system *system, struct a
 {
     size_t steps = system->begin[system->places];
     const size_t count = steps + 3 + SCRATCH_BLOCKS;
+    /* from a whole line of the cache on: one block more than is used */
     char *memory = arena_buffer_array(arena, count + 1, sizeof(struct ray_block));
     struct ray_block *blocks =
         (struct ray_block *)(void *)(memory + (64 - (uintptr_t)memory % 64) % 64);

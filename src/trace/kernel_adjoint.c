@@ -155,9 +155,11 @@ enum depth { DEPTH_SPHERE, DEPTH_CONIC, DEPTH_SERIES, DEPTH_ODD };
 
 INLINE struct even_series shape_series(const struct step *s, enum depth depth, int terms, double u)
 {
-    return depth == DEPTH_ODD      ? odd_series_of(s, u)
-           : depth == DEPTH_SERIES ? series_of(s->coefficient, terms, u)
-                                   : (struct even_series){0, 0, 0};
+    if (depth == DEPTH_ODD) {
+        return odd_series_of(s, u);
+    }
+    return depth == DEPTH_SERIES ? series_of(s->coefficient, terms, u)
+                                 : (struct even_series){0, 0, 0};
 }
 
 /*

@@ -123,6 +123,21 @@ static void set_shape(struct step *step, const struct surface *surface)
     }
 }
 
+/*
+ * The conic that fits an asphere at its vertex to r^4: Newton's method needs one or two steps less
+ * from there. Within the clear aperture it must not come near its rim nor bend away.
+ */
+static void step_set_start_conic(struct step *step, const struct surface *surface)
+{
+    double c = step->c + 2 * step->coefficient[0], r = surface->diameter.value.hi / 2;
+    double fourth = step->c * step->c * step->c * step->one_k + 8 * step->coefficient[1];
+    double fit = c == 0 ? 0 : fourth / (c * c * c);
+    double most = surface->has_diameter && r > 0 ? 0.5 / (c * c * r * r) : 1;
+    step->inner = surface->has_diameter ? r : 0;
+    step->start_c = c;
+    step->start_k = fmax(fmin(fit, most), -8 * most);
+}
+
 static void set_media(struct step *step, struct pair before, struct pair after)
 {
     step->n11 = pair_multiply(before, before).hi;
@@ -232,10 +247,11 @@ static void step_set_paraxial(struct step *step, const struct system *system, si
     const bool reverse = system->options.reverse, reflects = step->action == ACTION_REFLECT;
     const double c = surface_curvature(&system->lens->surfaces[i], SECTION_Y).hi;
     const double before = system->n[i].hi, after = system->n[i + 1].hi;
-    const double behind = reverse ? before : after, power = (after - before) * c;
+    const double ahead = reverse ? after : before, behind = reverse ? before : after;
+    const double power = (reverse ? -1 : 1) * ((after - before) * c);
     step->kind = STEP_THICK;
-    step->ratio = reflects ? -1 : (reverse ? after : before) / behind;
-    step->bend = reflects ? 2 * c : (reverse ? -power : power) / behind;
+    step->ratio = reflects ? -1 : ahead / behind;
+    step->bend = reflects ? 2 * c : power / behind;
     memset(step->coefficient, 0, sizeof step->coefficient);
 }
 
@@ -259,17 +275,7 @@ static void writer_put_surface(struct step_writer *writing, size_t place)
     double clear = system_clear_radius(system, i);
     *step = (struct step){.t = t, .clear2 = clear * clear};
     set_shape(step, surface);
-    /*
-     * The conic that fits an asphere at its vertex to r^4: Newton's method needs one or two steps
-     * less from there. Within the clear aperture it must not come near its rim nor bend away.
-     */
-    double c = step->c + 2 * step->coefficient[0], r = surface->diameter.value.hi / 2;
-    double fourth = step->c * step->c * step->c * step->one_k + 8 * step->coefficient[1];
-    double fit = c == 0 ? 0 : fourth / (c * c * c);
-    double most = surface->has_diameter && r > 0 ? 0.5 / (c * c * r * r) : 1;
-    step->inner = surface->has_diameter ? r : 0;
-    step->start_c = c;
-    step->start_k = fmax(fmin(fit, most), -8 * most);
+    step_set_start_conic(step, surface);
     set_media(step, system->n[reverse ? i + 1 : i], system->n[reverse ? i : i + 1]);
     set_codes(step, place, i);
     step->clip = system->clips != NULL ? system->clips[i] : NULL;

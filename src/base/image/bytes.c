@@ -72,9 +72,11 @@ uint16_t half_of_float(float value)
 float half_value(uint16_t half)
 {
     const int exponent = half >> 10 & 31, fraction = half & 1023;
-    const float size = exponent == 31  ? (fraction != 0 ? NAN : INFINITY)
-                       : exponent == 0 ? ldexpf((float)fraction, -24)
-                                       : ldexpf((float)(1024 + fraction), exponent - 25);
+    float size = exponent == 0 ? ldexpf((float)fraction, -24)
+                               : ldexpf((float)(1024 + fraction), exponent - 25);
+    if (exponent == 31) {
+        size = fraction != 0 ? NAN : INFINITY;
+    }
     return half & 0x8000 ? -size : size;
 }
 

@@ -186,7 +186,8 @@ bool openexr_write(const struct image *image, const struct image_way *way, struc
         return false;
     }
     /* what is not packed goes to its place at once */
-    bytes_room(&to, (zip ? 0 : count * (way->half ? 2 : 4)) + 16 * blocks);
+    const size_t numbers = count * (way->half ? 2 : 4);
+    bytes_room(&to, (zip ? 0 : numbers) + 16 * blocks);
     put_head(&to, image, channels, way, zip);
     const size_t table = to.used;
     bytes_room(&to, 8 * blocks);

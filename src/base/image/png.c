@@ -74,7 +74,10 @@ static int foretold(int filter, int left, int above, int corner)
     case 3:
         return (left + above) / 2;
     case 4:
-        return a <= b && a <= c ? left : b <= c ? above : corner;
+        if (a <= b && a <= c) {
+            return left;
+        }
+        return b <= c ? above : corner;
     default:
         return 0;
     }

@@ -172,11 +172,13 @@ bool bounds_extent_find(struct bounds_builder *building, struct error *error)
     /* films so close behind a lens, or so wide, that pupils are slivers between the rows */
     const double angle = degrees_from_radians(asin(fmin(building->steepest, 1)));
     const double most = building->is_round ? farthest_round : farthest_other;
-    return angle <= most ? true
-                         : fail(error, ERROR_DOMAIN,
-                                "light reaches the film %.4g degrees off its normal, looked at up "
-                                "to %g degrees for a lens that is %sround",
-                                angle, most, building->is_round ? "" : "not ");
+    if (!(angle <= most)) {
+        return fail(error, ERROR_DOMAIN,
+                    "light reaches the film %.4g degrees off its normal, looked at up to %g "
+                    "degrees for a lens that is %sround",
+                    angle, most, building->is_round ? "" : "not ");
+    }
+    return true;
 }
 
 /* -------- from place to place -------- */

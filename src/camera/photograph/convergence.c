@@ -17,6 +17,14 @@ double convergence_halves(const double *first, const double *both, size_t count,
     return sqrt(sum / (double)count);
 }
 
+/* Of one grey, as a share of white. */
+static double grey_level(double y)
+{
+    static const double levels = 255, steepest = 12.92, slope = 1.055 / 2.4;
+    const double root = sqrt(y);
+    return fmax(root * sqrt(sqrt(sqrt(root))) / slope, 1 / steepest) / levels;
+}
+
 double convergence_relative(const struct convergence_goal *goal, const double *first,
                             const double *both, size_t count, double n)
 {
@@ -25,12 +33,7 @@ double convergence_relative(const struct convergence_goal *goal, const double *f
         const double off = (2 * first[i] - both[i]) / (2 * n);
         /* a rare bright ray makes its own half too bright, and must not excuse itself by that */
         const double darker = fmin(fabs(first[i]), fabs(both[i] - first[i])) / n;
-        /* of one grey, as a share of white */
-        const double y = darker / goal->white;
-        static const double levels = 255, steepest = 12.92, slope = 1.055 / 2.4;
-        const double root = sqrt(y);
-        const double level =
-            goal->white * (fmax(root * sqrt(sqrt(sqrt(root))) / slope, 1 / steepest) / levels);
+        const double level = goal->white * grey_level(darker / goal->white);
         const double share = off / fmax(goal->error * darker, level);
         sum += share * share;
     }

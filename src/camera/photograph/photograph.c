@@ -173,9 +173,8 @@ static void take_stages(struct tile_work *work, struct arena *arena, struct phot
     for (size_t i = 0; i < tiles; i++) {
         const struct tile_stage *stage = &work->stages[i];
         if (stage->samples > 0) { /* it is lit */
-            const size_t a = photograph->reached[0];
-            const size_t b = stage->samples;
-            photograph->reached[0] = a < b ? a : b;
+            const size_t least = photograph->reached[0], reached = stage->samples;
+            photograph->reached[0] = least < reached ? least : reached;
             photograph->reached[1] = photograph_most_of(photograph->reached[1], stage->samples);
         }
         if (stage->samples > CONVERGENCE_LEAST && question->error > 0) {

@@ -199,6 +199,21 @@ static void move_points(const struct film_plan *plan, struct tile_scratch *scrat
     }
 }
 
+/* Does a ray of the middle show what one of this wavelength does, of the same pixel? */
+static bool shows_same(const struct film_plan *plan, const struct tile_scratch *scratch, size_t i,
+                       const struct tile_cell *cell, size_t wavelength)
+{
+    const double across = (scratch->samples.x[i] - plan->left) / plan->width;
+    const double up = (scratch->samples.y[i] - plan->bottom) / plan->height;
+    const double x =
+        across - lateral_colour_moved(scratch->fringes, wavelength, 0, across, up) / plan->width;
+    const double y =
+        up - lateral_colour_moved(scratch->fringes, wavelength, 1, across, up) / plan->height;
+    const double column = TILE_ACROSS * x - (double)cell->column;
+    const double row = TILE_DOWN * y - (double)cell->row;
+    return column >= 0 && column < 1 && row >= 0 && row < 1;
+}
+
 /* What a ray of the middle adds for a wavelength. */
 static void add_shared(const struct ray_reuse_pass *pass, size_t pixel, double weight,
                        const double *light, bool is_same, struct round *round)
@@ -249,22 +264,8 @@ static void tile_colours_sum(const struct tile_rays *tile, const struct film_pla
         for (size_t i = 0; i < RAYS_BLOCK; i++) {
             const double weight = scratch->samples.weight[i];
             for (size_t w = 0; w < tile->passes && tile_block_arrives(scratch, i); w++) {
-                /*
-                 * does a ray of the middle show what one of this wavelength does, of the same
-                 * pixel?
-                 */
-                const struct tile_cell *cell = &cells[i];
-                const double across = (scratch->samples.x[i] - plan->left) / plan->width;
-                const double up = (scratch->samples.y[i] - plan->bottom) / plan->height;
-                const double x =
-                    across - lateral_colour_moved(scratch->fringes, w, 0, across, up) / plan->width;
-                const double y =
-                    up - lateral_colour_moved(scratch->fringes, w, 1, across, up) / plan->height;
-                const double column = TILE_ACROSS * x - (double)cell->column;
-                const double row = TILE_DOWN * y - (double)cell->row;
                 add_shared(&tile->pass[w], cells[i].pixel, weight, scratch->light[i],
-                           (column >= 0 && column < 1 && row >= 0 && row < 1),
-                           &scratch->colours->round);
+                           shows_same(plan, scratch, i, &cells[i], w), &scratch->colours->round);
             }
         }
     }

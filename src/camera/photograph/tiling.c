@@ -55,7 +55,7 @@ void tile_order(uint64_t seed, size_t number, unsigned char cells[TILE_PIXELS])
         const struct random_words words = random_words(RANDOM_CELLS, seed, number, k);
         for (uint32_t j = 0; j < 4; j++) {
             memcpy(order[k + j], (const unsigned char[]){0, 1, 2, 3}, 4);
-            /* digits 0 .. 3 in an order by chance. */
+            /* digits 0 .. 3 in an order by chance */
             uint32_t word = words.w[j];
             unsigned char *digits = order[k + j];
             for (uint32_t left = 4; left > 0; left--) {

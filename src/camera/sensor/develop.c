@@ -95,10 +95,9 @@ bool develop_picture(const struct sensor_model *model, const struct image *raw,
         return fail(error, ERROR_DOMAIN, "raw data of %zu channels: the sensor has %zu",
                     raw->channels, channels);
     }
-    struct raw_conversion developing;
     const struct sensor_response_traits *response = sensor_traits(&model->sensor);
-    developing = (struct raw_conversion){.model = model,
-                                         .zero = model->sensor.black + model->gain * model->dark};
+    struct raw_conversion developing = {.model = model,
+                                        .zero = model->sensor.black + model->gain * model->dark};
     const double most = (model->white - model->sensor.black) / (model->gain * model->of_white);
     struct colour_matrix seen;
     for (size_t i = 0; i < SENSOR_CHANNELS; i++) {

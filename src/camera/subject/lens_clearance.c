@@ -161,7 +161,7 @@ static bool lens_clearance_look_along(const struct lens_clearance *room, const s
     enum { SURFACES = 64 };
     double ends[2];
     struct world_hit hit;
-    /* of a line along an axis, its ends on the cylinder; false: it goes past */
+    /* of a line along an axis, its ends on the cylinder, unless it goes past */
     const double r = room->radius;
     const double beside = axis == 2 ? hypot(at[0], at[1]) : fabs(at[1 - axis]);
     const double half = sqrt(fmax(0, (r - beside) * (r + beside)));

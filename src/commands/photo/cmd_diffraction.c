@@ -264,16 +264,10 @@ static bool compute_contrast(const struct diffraction_input *input, struct diffr
            diffraction_frequency(&row->setting, 0.1, &row->mtf10, error);
 }
 
-static bool diffraction_answer(const void *data, const struct photo_lens *lens, struct run *run,
-                               struct error *error)
+/* Without an f-number the answer is the best one, to which what is sharp says nothing. */
+static bool check_best(const struct diffraction_input *input, const struct sharpness *sharp,
+                       struct error *error)
 {
-    const struct diffraction_input *input = data;
-    struct sharpness own = input->sharp;
-    const struct sharpness *sharp = &own;
-    if (!sharpness_settle(&own, PITCH_FOR_MORE, run->doubts, error)) {
-        return false;
-    }
-    /* Without an f-number the answer is the best one, to which what is sharp says nothing. */
     const bool is_best =
         isnan(input->lens.fnumber) && (!isnan(input->near) || !isnan(input->focus_spread));
     const char *idle = SAID_FIRST({!input->sharp.coc.is_fallback, "coc"},
@@ -282,6 +276,19 @@ static bool diffraction_answer(const void *data, const struct photo_lens *lens, 
     if (is_best && idle != NULL) {
         return fail(error, ERROR_USAGE,
                     "{--%s} says nothing of the best f-number: give {--aperture} too", idle);
+    }
+    return true;
+}
+
+static bool diffraction_answer(const void *data, const struct photo_lens *lens, struct run *run,
+                               struct error *error)
+{
+    const struct diffraction_input *input = data;
+    struct sharpness own = input->sharp;
+    const struct sharpness *sharp = &own;
+    if (!sharpness_settle(&own, PITCH_FOR_MORE, run->doubts, error) ||
+        !check_best(input, sharp, error)) {
+        return false;
     }
     const double pitch = sharpness_pitch(sharp);
     struct diffraction_row row = {

@@ -335,7 +335,7 @@ static bool aimed_steer(struct aimed *aimed)
     struct ray_block *at = aimed->work->start;
     struct aim_block block;
     aimed_trace_to_stop(aimed, aimed->a, aimed->b, at);
-    /* from where they are; false: a ray is lost there */
+    /* from where they are, if no ray is lost there */
     bool arrives = true;
     block.lanes = aimed->lanes;
     for (int i = 0; i < aimed->lanes; i++) {

@@ -43,22 +43,19 @@ static double least_margin(const struct bend *bend, size_t count)
 {
     const struct step *step = bend->step;
     const double dn = fabs(step->dn), rare = fmin(step->n11, step->n22);
-    double least, most;
-    /* the largest and the least square of g = p' - p */
+    /* the least and the largest square of g = p' - p */
     const struct ray_block *restrict a = bend->before, *restrict b = bend->behind;
-    double low = INFINITY, high = 0;
+    double smallest = INFINITY, largest = 0;
     for (size_t i = 0; i < count; i++) {
         const double p = b->p[i] - a->p[i], q = b->q[i] - a->q[i], r = b->r[i] - a->r[i];
         const double square = p * p + q * q + r * r;
-        low = square < low ? square : low;
-        high = square > high ? square : high;
+        smallest = square < smallest ? square : smallest;
+        largest = square > largest ? square : largest;
     }
-    least = low;
-    most = high;
     if (step->action == ACTION_REFLECT) {
-        return least / (4 * step->n11);
+        return smallest / (4 * step->n11);
     }
-    const double S = fmax((dn - most) / (2 * sqrt(most)), 0);
+    const double S = fmax((dn - largest) / (2 * sqrt(largest)), 0);
     return S * S / rare;
 }
 

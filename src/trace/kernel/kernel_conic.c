@@ -408,5 +408,6 @@ void NAME(kernel_asphere, KERNEL)(struct ray_block *block, const struct step *s,
     kernel_step *const step = asphere_10;
 #endif
     bool usual = s->kind == STEP_ASPHERE && s->action == ACTION_REFRACT;
-    (usual ? step : asphere_any)(block, s, path, lanes);
+    kernel_step *const fitting = usual ? step : asphere_any;
+    fitting(block, s, path, lanes);
 }

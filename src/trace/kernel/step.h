@@ -122,7 +122,10 @@ static inline int kernel_lanes_few(size_t rays)
 static inline int kernel_lanes(size_t rays)
 {
     size_t lanes = (rays + RAYS_FEW - 1) / RAYS_FEW * RAYS_FEW;
-    return lanes > RAYS_BLOCK ? RAYS_BLOCK : lanes < KERNEL_LEAST ? KERNEL_LEAST : (int)lanes;
+    if (lanes > RAYS_BLOCK) {
+        return RAYS_BLOCK;
+    }
+    return lanes < KERNEL_LEAST ? KERNEL_LEAST : (int)lanes;
 }
 
 #endif

@@ -250,6 +250,7 @@ void clear_find(const struct system *system, const struct beam *beam,
     }
     stop_beam_place(&frame, boundary->frame.centre[0], boundary->frame.centre[1], pupil->centre);
     clear_put_arms(&search, pupil);
+    /* how far the edge reaches along both axes, and where */
     const size_t count = pupil->corner_count + pupil->arm_count;
     double(*at)[2] = arena_array(arena, count, sizeof *at);
     for (size_t i = 0; i < count; i++) {

@@ -120,10 +120,7 @@ void clear_intervals_find(const struct clearances *margins, const double centre[
         /* as many lines as there is room for the changes of */
         while (done + lines < count && lines < RAYS_BLOCK &&
                cutting.count + CHANGES <= RAYS_BLOCK) {
-            /*
-             * one line: coarse, and again where something may hide. Receives whether it begins
-             * dark.
-             */
+            /* one line: coarse, and again where something may hide; it may begin dark */
             const size_t line = done + lines;
             struct line_point spots[RAYS_BLOCK], closer[RAYS_BLOCK];
             size_t first = cutting.count, most = first + CHANGES, from = 0, closely = 0;

@@ -205,6 +205,7 @@ static void edge_searches_close(struct edge_searches *all, double tolerance)
         }
         edge_searches_trace(all, lanes);
         for (size_t i = 0; i < lanes; i++) {
+            /* the bracket becomes narrower, the end that was there before is kept as the third */
             struct edge_search *search = &all->each[all->which[i]];
             const double radius = all->radius[i];
             const double excess = all->margins->excess[i];

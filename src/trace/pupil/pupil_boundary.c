@@ -82,7 +82,7 @@ static bool fit_frame(const struct pupil_boundary_search *search)
         frame.centre[k] = centroid[k];
         frame.stretch[k] = widths[k] / 2;
     }
-    /* the same edges in another frame; false where they are out of order there, or far apart */
+    /* the same edges in another frame, where they may be out of order, or far apart */
     const double widest = 0.45;
     bool sound = true;
     for (size_t i = 0; i < boundary->count; i++) {

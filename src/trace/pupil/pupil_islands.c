@@ -141,10 +141,7 @@ static bool pupil_islands_is_dark(const struct traced_patch *seen)
         dark = dark && margins->limit[seen->first + i] == limit;
     }
     for (size_t k = 0; k < margins->count && !dark; k++) {
-        /*
-         * What a margin is at the rays of a patch; infinite where they miss its surface, beyond any
-         * rim. Result: false: of some it is not known.
-         */
+        /* the margin at the rays; infinite where they miss its surface, beyond any rim */
         const double *row = margins->rows + k * RAYS_BLOCK;
         const struct clearance *margin = &margins->all[k];
         bool known = true;
