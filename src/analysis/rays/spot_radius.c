@@ -298,12 +298,15 @@ static size_t find_peaks(const struct spot_radius_rim *rims, size_t count, struc
                     const double low = ring_of(rim, middle - 1)[i], mid = ring_of(rim, middle)[i];
                     along = mid + rise_of(low, mid, ring_of(rim, middle + 1)[i], 1) - here;
                 }
-                const double angle = rim->angles[next_of(rim, i)];
+                /* behind the last one: the first, a turn on; of half a rim, mirrored */
+                double angle = rim->angles[next_of(rim, i)];
+                if (i + 1 == rim->count) {
+                    angle = 2 * PI + (rim->is_half ? -angle : angle);
+                }
                 const struct peak peak = (struct peak){
                     .source = rim->source,
                     .low = {angle_before(rim, i), (double)ring / RINGS},
-                    .high = {i + 1 < rim->count ? angle : 2 * PI + (rim->is_half ? -angle : angle),
-                             fmin((double)(ring + 2) / RINGS, 1)},
+                    .high = {angle, fmin((double)(ring + 2) / RINGS, 1)},
                     .distance = here,
                     .height = here + fmax(along, 0) + rise_of(row[last], here, row[next], 1)};
                 spot_radius_offer(&peak, peaks, &found);

@@ -296,10 +296,11 @@ struct illumination_painter {
 static const char *with_stop(const struct illumination_input *input, const char *words,
                              struct arena *arena)
 {
-    return isnan(input->stop_diameter)
-               ? words
-               : arena_printf(arena, "%s%sstop %.6g mm", words != NULL ? words : "",
-                              words != NULL ? ", " : "", input->stop_diameter);
+    if (isnan(input->stop_diameter)) {
+        return words;
+    }
+    return arena_printf(arena, "%s%sstop %.6g mm", words != NULL ? words : "",
+                        words != NULL ? ", " : "", input->stop_diameter);
 }
 
 static bool illumination_add_point(struct illumination_painter *painter,
