@@ -80,7 +80,7 @@ static const struct column columns[] = {
          "fraction of the light passed by the stop alone that apertures and obstructions block"},
     {PLAIN(at.vignetted_error, COLUMN_HIDDEN), .name = "vignetted_error", .digits = 2,
      .label = "error of vignetted",
-     .help = "its estimated error; a fraction below its error may be 0"},
+     .help = "its estimated error; a fraction below its error is given as 0"},
     {PLAIN(at.cos4, 0), .name = "cos4", .label = "cos^4",
      .help = "fourth power of the cosine of the field angle, for comparison"},
     ANALYSIS_TAIL_COLUMNS,
