@@ -120,7 +120,7 @@ const char *explain_row(const struct report *report, const struct explanation *e
             render(numbers, right != NULL ? right + 3 : explanations[i].formula, report->sheet,
                    row);
             explain_write_value(result, sizeof result, column, row);
-            /* else it is there twice */
+            /* a formula without symbols would be there twice */
             const bool has_numbers = strchr(explanations[i].formula, '{') != NULL;
             const char *one = arena_printf(
                 report->arena, "%s: %s%s%s\n  = %s\n  %s%s%s", column_label(column), symbols,

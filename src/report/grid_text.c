@@ -190,7 +190,7 @@ static void write_line(const struct grid *grid, struct output *output, const siz
         size_t used = width_of(pieces[j]), blanks = widths[j] > used ? widths[j] - used : 0;
         output_spaces(output, grid->left[j] ? gap : gap + blanks);
         output_text(output, pieces[j].start, pieces[j].length);
-        if (grid->left[j] && !(j + 1 == behind)) {
+        if (grid->left[j] && j + 1 < behind) {
             output_spaces(output, blanks);
         }
         gap = GAP;

@@ -101,8 +101,11 @@ static void write_members(struct report *report, const void *row, const struct s
         if ((shown[i].column->flags & COLUMN_INFINITE) != 0 && !json_stands_before(shown, i)) {
             output_character(report->output, ',');
             write_key(report->output, shown[i].column->name, "_is_infinite");
-            bool infinite = row != NULL && isinf(shown_number(row, &shown[i]));
-            output_string(report->output, row == NULL ? "null" : infinite ? "true" : "false");
+            const char *infinite = "null"; /* a row that failed has none */
+            if (row != NULL) {
+                infinite = isinf(shown_number(row, &shown[i])) ? "true" : "false";
+            }
+            output_string(report->output, infinite);
         }
     }
 }

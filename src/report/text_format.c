@@ -396,7 +396,7 @@ static void write_list(struct report *report)
         if (state->is_empty[i] && !report->are_named) {
             continue;
         }
-        /* a quantity in words, its value, and its unit; of one that is absent when it has one */
+        /* a quantity in words, its value and unit; of an absent one, when it would have a value */
         grid_add_row(&grid);
         grid_set(&grid, 0, column_label(column));
         if (state->is_empty[i]) {

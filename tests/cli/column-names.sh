@@ -29,3 +29,4 @@ lenscalc exposure --shutter-speed 1/125
 lenscalc list columns --tsv --columns command,label,column | sed 's/_\(um\|mm\|mrad\|per_m\|m\|diopter\)$//' | sort -u | cut -f 1,2 | uniq -d
 # of both forms of a column its label means the first
 lenscalc spot double-gauss --columns 'RMS in x,RMS in x mrad' --field 0 -w d --csv --digits 3
+lenscalc wavefront --columns '?' | grep '^rays '

@@ -129,9 +129,9 @@ static void find_fronts(struct mtf_source *source, struct arena *arena)
         exit_front_find(pupil, &source->lines[i], source->question->error, arena,
                         &source->fronts[i]);
         const double off = source->fronts[i].off;
-        const bool counts = source->pupils.lights.list[i / MTF_DIRECTIONS].weight > 0;
-        source->off[k] =
-            counts ? fmax(source->off[k], isnan(off) ? INFINITY : off) : source->off[k];
+        if (source->pupils.lights.list[i / MTF_DIRECTIONS].weight > 0) {
+            source->off[k] = isnan(off) ? INFINITY : fmax(source->off[k], off);
+        }
         exit_pupil_range(pupil, source->along[k], range);
         source->cutoff[k] =
             fmax(source->cutoff[k], (range[1] - range[0]) * pupil->n * pupil->waves);

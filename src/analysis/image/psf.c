@@ -403,7 +403,7 @@ bool psf_find(const struct psf_question *question, struct arena *arena, struct p
     rays[0] /= light;
     rays[1] /= light;
     struct psf_sums sums = {.values = ARENA_ARRAY(arena, count, double)};
-    /* A pixel below which the waves of all wavelengths are told apart, mm. */
+    /* below pixels of this side the waves of all wavelengths are told apart, mm */
     double finest = INFINITY;
     for (size_t k = 0; k < pupils->lights.count; k++) {
         const struct exit_pupil *each = &pupils->list[k];
@@ -417,7 +417,7 @@ bool psf_find(const struct psf_question *question, struct arena *arena, struct p
                         .values = sums.values,
                         .islands = pupils->islands};
     if (isnan(psf->pitch)) {
-        /* One that does, in an image that has room for the rays. */
+        /* one that tells them apart, of an image that has room for the rays */
         double spread = 0;
         for (size_t j = 0; j < pupils->lights.count; j++) {
             spread = fmax(spread, spreads[j]);

@@ -1,4 +1,4 @@
-/* analysis/image/psf_light.c - the light of one wavelength, as a sum of waves. */
+/* analysis/image/psf_light.c - the light of one wavelength, as a sum of waves over the pupil. */
 /* SPDX-License-Identifier: MIT */
 #include "analysis/image/psf_light.h"
 

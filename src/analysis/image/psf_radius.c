@@ -170,12 +170,12 @@ void psf_radius_find(struct psf *psf, double light, struct arena *arena)
         {half + psf->centroid[0] / psf->pitch, half + psf->centroid[1] / psf->pitch},
         light};
     /* From the middle to the nearest side of the image, pixels. */
-    double nearest = INFINITY;
+    double room = INFINITY;
     for (int k = 0; k < 2; k++) {
         const double before = pixels.middle[k] + 0.5;
-        nearest = fmin(nearest, fmin(before, (double)pixels.side - before));
+        room = fmin(room, fmin(before, (double)pixels.side - before));
     }
-    const double room = nearest, by_pixels = field_radius(&pixels, arena);
+    const double by_pixels = field_radius(&pixels, arena);
     double radius = by_pixels, error = 2 / sqrt(2 * PI * radius);
     if (!(radius <= room)) {
         arena_reset(arena, mark);

@@ -1,4 +1,4 @@
-/* analysis/layout/layout.c - a lens in section: its parts put together. */
+/* analysis/layout/layout.c - a lens in section: its parts put together, cardinal points, Gauss rays. */
 /* SPDX-License-Identifier: MIT */
 #include "analysis/layout/layout.h"
 

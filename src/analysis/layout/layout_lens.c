@@ -335,6 +335,27 @@ static void add_blocks(struct layout *layout, size_t i)
     }
 }
 
+/* The beam that comes back through a mirror's middle needs a hole there. */
+static double mirror_hole(const struct layout *layout, size_t mirror)
+{
+    const size_t count = layout->setup->lens->surface_count;
+    double z = layout->vertex[mirror], hole = 0;
+    for (size_t i = mirror + 1; i < count; i++) {
+        double start = layout->vertex[i];
+        double end = i + 1 < count ? layout->vertex[i + 1]
+                                   : layout_rear(layout) + layout->light->first.image;
+        double n = layout->light->system.index[i + 1].hi;
+        if (!((z - start) * (z - end) < -1e-9)) {
+            continue;
+        }
+        const struct paraxial_ray *y = &layout->marginal[i], *bar = &layout->chief[i];
+        double height = fabs(y->y + (z - start) * y->after / n);
+        double more = fabs(bar->y + (z - start) * bar->after / n);
+        hole = fmax(hole, 1.3 * (height + (isfinite(more) ? more : 0)));
+    }
+    return layout->is_centred && hole < 0.7 * layout->semi[mirror] ? hole : 0;
+}
+
 /* One piece of a mirror, with strokes behind it. */
 static void add_mirror_piece(struct layout *layout, size_t i, double from, double to)
 {
@@ -363,24 +384,7 @@ static void add_mirror_piece(struct layout *layout, size_t i, double from, doubl
 
 static void add_mirror(struct layout *layout, size_t i)
 {
-    /* The beam that comes back through a mirror's middle needs a hole there. */
-    const size_t surfaces = layout->setup->lens->surface_count;
-    double z = layout->vertex[i], largest = 0;
-    for (size_t k = i + 1; k < surfaces; k++) {
-        double start = layout->vertex[k];
-        double end = k + 1 < surfaces ? layout->vertex[k + 1]
-                                      : layout_rear(layout) + layout->light->first.image;
-        double n = layout->light->system.index[k + 1].hi;
-        if (!((z - start) * (z - end) < -1e-9)) {
-            continue;
-        }
-        const struct paraxial_ray *y = &layout->marginal[k], *bar = &layout->chief[k];
-        double height = fabs(y->y + (z - start) * y->after / n);
-        double more = fabs(bar->y + (z - start) * bar->after / n);
-        largest = fmax(largest, 1.3 * (height + (isfinite(more) ? more : 0)));
-    }
-    double semi = layout->semi[i],
-           hole = layout->is_centred && largest < 0.7 * layout->semi[i] ? largest : 0;
+    double semi = layout->semi[i], hole = mirror_hole(layout, i);
     struct lens_stretch stretches[STRETCHES];
     if (layout->setup->lens->surfaces[i].aperture_count == 0) {
         add_mirror_piece(layout, i, -hole, -semi);

@@ -77,17 +77,16 @@ static void layout_add_ray(const struct rays_beams *beams, enum layout_kind kind
     y[0] = y[1] - back * start->cosine[section];
     if (last != LENS_NONE) {
         /* On to the image plane, or a little way. */
+        const struct ray *end = &meetings[last].ray;
         double far = lead(layout);
         if (isfinite(layout->image)) {
-            size_t surfaces = layout->setup->lens->surface_count;
-            double plane = layout->image - layout->vertex[surfaces - 1];
+            double plane = layout->image - layout->vertex[count - 1];
             /* the frame is that of the last surface that is drawn */
-            double gap = layout->vertex[surfaces - 1] - layout->vertex[last];
-            far = (plane + gap - meetings[last].ray.point[2]) / meetings[last].ray.cosine[2];
+            double gap = layout->vertex[count - 1] - layout->vertex[last];
+            far = (plane + gap - end->point[2]) / end->cosine[2];
         }
-        layout_place(layout, last, meetings[last].ray.point[2] + far * meetings[last].ray.cosine[2],
-                     meetings[last].ray.point[section] + far * meetings[last].ray.cosine[section],
-                     &z[used], &y[used]);
+        layout_place(layout, last, end->point[2] + far * end->cosine[2],
+                     end->point[section] + far * end->cosine[section], &z[used], &y[used]);
         used++;
     }
     part->count = used;

@@ -20,6 +20,25 @@ struct nodes {
     double weight[CLEAR_ARC], slope[CLEAR_ARC][CLEAR_ARC];
 };
 
+static void set_nodes(const struct clear_pupil *clear, struct nodes *nodes)
+{
+    nodes->x = clear->nodes;
+    nodes->gauss = clear->gauss;
+    for (size_t i = 0; i < CLEAR_ARC; i++) {
+        double x = nodes->x[i];
+        nodes->weight[i] = (i % 2 == 0 ? 1 : -1) * sqrt(x * (1 - x) * nodes->gauss[i]);
+    }
+    for (size_t i = 0; i < CLEAR_ARC; i++) {
+        nodes->slope[i][i] = 0;
+        for (size_t k = 0; k < i; k++) {
+            const double a = nodes->weight[i], b = nodes->weight[k];
+            const double over = 1 / (a * b * (nodes->x[i] - nodes->x[k]));
+            nodes->slope[i][k] = b * b * over;
+            nodes->slope[k][i] = -a * a * over;
+        }
+    }
+}
+
 /* The polynomial through one piece at its beginning (0) or its end (1). */
 static void end_of_arc(const struct nodes *nodes, const double (*points)[2], double end,
                        double at[2])
@@ -57,28 +76,14 @@ static void add_arcs(const struct clear_pupil *clear, const double (*points)[2],
                      struct contour_sums *sums)
 {
     struct nodes nodes;
-    nodes.x = clear->nodes;
-    nodes.gauss = clear->gauss;
-    for (size_t i = 0; i < CLEAR_ARC; i++) {
-        double places = nodes.x[i];
-        nodes.weight[i] = (i % 2 == 0 ? 1 : -1) * sqrt(places * (1 - places) * nodes.gauss[i]);
-    }
-    for (size_t i = 0; i < CLEAR_ARC; i++) {
-        nodes.slope[i][i] = 0;
-        for (size_t k = 0; k < i; k++) {
-            const double a = nodes.weight[i], b = nodes.weight[k];
-            const double over = 1 / (a * b * (nodes.x[i] - nodes.x[k]));
-            nodes.slope[i][k] = b * b * over;
-            nodes.slope[k][i] = -a * a * over;
-        }
-    }
+    set_nodes(clear, &nodes);
     for (size_t arc = 0; arc < clear->arcs; arc++) {
         const double(*here)[2] = points + arc * CLEAR_ARC;
         const double(*next)[2] = points + (arc + 1) % clear->arcs * CLEAR_ARC;
         double slope[2], from[2], to[2], width = clear->arc_angles[arc];
         for (size_t k = 0; k < CLEAR_ARC; k++) {
             double dt = nodes.gauss[k] * width;
-            /* d/dt of the polynomial through one piece at its i-th point. */
+            /* d/dt of the polynomial through one piece at its k-th point */
             const double *counts = nodes.slope[k], x = here[k][0], y = here[k][1];
             double along[2] = {0, 0};
             for (size_t j = 0; j < CLEAR_ARC; j++) {
@@ -96,6 +101,20 @@ static void add_arcs(const struct clear_pupil *clear, const double (*points)[2],
     }
 }
 
+/* d/dt on a circle: central differences of eighth order. */
+static void slope_on_circle(const double (*points)[2], size_t count, size_t i, double slope[2])
+{
+    static const double weights[] = {4.0 / 5, -1.0 / 5, 4.0 / 105, -1.0 / 280};
+    const double step = 2 * PI / (double)count;
+    slope[0] = slope[1] = 0;
+    for (size_t k = 1; k <= 4; k++) {
+        const double *after = points[(i + k) % count], *before = points[(i + count - k) % count];
+        for (int axis = 0; axis < 2; axis++) {
+            slope[axis] += weights[k - 1] * (after[axis] - before[axis]) / step;
+        }
+    }
+}
+
 double contour_area(const struct clear_pupil *clear, const double (*points)[2], double centre[2])
 {
     struct contour_sums sums = {.about = points[0]};
@@ -103,17 +122,7 @@ double contour_area(const struct clear_pupil *clear, const double (*points)[2], 
         const double dt = 2 * PI / (double)clear->arm_count;
         for (size_t i = 0; i < clear->arm_count; i++) {
             double slope[2];
-            /* d/dt on a circle: central differences of eighth order. */
-            static const double weights[] = {4.0 / 5, -1.0 / 5, 4.0 / 105, -1.0 / 280};
-            const double step = 2 * PI / (double)clear->arm_count;
-            slope[0] = slope[1] = 0;
-            for (size_t j = 1; j <= 4; j++) {
-                const double *after = points[(i + j) % clear->arm_count],
-                             *before = points[(i + clear->arm_count - j) % clear->arm_count];
-                for (int axis = 0; axis < 2; axis++) {
-                    slope[axis] += weights[j - 1] * (after[axis] - before[axis]) / step;
-                }
-            }
+            slope_on_circle(points, clear->arm_count, i, slope);
             contour_add(&sums, points[i], (double[2]){slope[0] * dt, slope[1] * dt});
         }
     } else {
@@ -153,6 +162,7 @@ static void pupil_cut_flush(struct cut_sums *summing)
     for (size_t i = 0; i < summing->count; i++) {
         double points[EACH][2], slope = 1 / (2 * summing->step);
         for (size_t k = 0; k < EACH; k++) {
+            /* where the ray crosses the plane; NaN where it does not */
             const size_t ray = i * EACH + k;
             const double t = (plane->z - block->z[ray]) / block->r[ray];
             const bool meets = block->r[ray] * plane->light_direction > 0;
@@ -172,6 +182,8 @@ static void pupil_cut_flush(struct cut_sums *summing)
 struct cut_extent pupil_cut(const struct cut_plane *plane, const struct clear_pupil *clear,
                             struct arena *arena)
 {
+    /* a point, and four beside it that say how areas change */
+    static const double steps[EACH][2] = {{0, 0}, {1, 0}, {-1, 0}, {0, 1}, {0, -1}};
     double x[POINTS], w[POINTS];
     struct cut_sums *summing = ARENA_NEW(arena, struct cut_sums);
     double size = fmax(clear->high[0] - clear->low[0], clear->high[1] - clear->low[1]);
@@ -184,13 +196,12 @@ struct cut_extent pupil_cut(const struct cut_plane *plane, const struct clear_pu
         for (size_t k = 0; k < POINTS * intervals->count; k++) {
             double low = intervals->low[k / POINTS], width = intervals->high[k / POINTS] - low;
             double t = low + width * x[k % POINTS];
-            static const double steps[EACH][2] = {{0, 0}, {1, 0}, {-1, 0}, {0, 1}, {0, -1}};
+            const double a = clear->centre[0] + t * (arm->edge.at[0] - clear->centre[0]);
+            const double b = clear->centre[1] + t * (arm->edge.at[1] - clear->centre[1]);
             for (size_t j = 0; j < EACH; j++) {
                 double *at = summing->at[summing->count * EACH + j];
-                at[0] = (clear->centre[0] + t * (arm->edge.at[0] - clear->centre[0])) +
-                        summing->step * steps[j][0];
-                at[1] = (clear->centre[1] + t * (arm->edge.at[1] - clear->centre[1])) +
-                        summing->step * steps[j][1];
+                at[0] = a + summing->step * steps[j][0];
+                at[1] = b + summing->step * steps[j][1];
             }
             summing->weights[summing->count++] = 2 * arm->area * t * width * w[k % POINTS];
             if (summing->count == AT_ONCE) {

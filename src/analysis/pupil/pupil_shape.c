@@ -274,10 +274,12 @@ static void check_folds(const struct pupil_question *question, const struct clea
         for (int k = 0; k < 2; k++) {
             const double slack = 1e-6 * (extent->high[k] - extent->low[k]);
             /* a fold reaches beyond the edges: where it ends is not known */
-            const bool is_lower = fold->low[k] < extent->low[k] - slack;
-            extent->high[k] =
-                fold->high[k] > extent->high[k] + slack ? (double)NAN : extent->high[k];
-            extent->low[k] = is_lower ? (double)NAN : extent->low[k];
+            if (fold->low[k] < extent->low[k] - slack) {
+                extent->low[k] = NAN;
+            }
+            if (fold->high[k] > extent->high[k] + slack) {
+                extent->high[k] = NAN;
+            }
         }
     }
 }

@@ -298,6 +298,43 @@ static struct stop_map mapping_open(const struct clearances *margins, bool weigh
     return mapping;
 }
 
+/* |d(x, y in the stop)/d(u, v)| of up to 128 points; where they cross it stands in the block. */
+static void find_areas(const struct stop_map *mapping, const double (*points)[2], size_t count,
+                       double *areas)
+{
+    const struct clearances *margins = mapping->margins;
+    const struct system *system = margins->system;
+    struct ray_block *block = margins->work.blocks;
+    const double unit = margins->beam->radius;
+    const int lanes = kernel_lanes(count);
+    clearances_go(margins, points, count, 0);
+    for (int k = 0; k < 2; k++) {
+        const double *axes = margins->beam->axes + k;
+        beam_tangents(margins->beam->beam, (double[2]){axes[0], axes[2]}, block, (size_t)lanes,
+                      &mapping->tangents[k]);
+    }
+    ray_block_copy(&mapping->rays[0], block, (size_t)lanes);
+    tangent_follow(&mapping->before, lanes, 2, mapping->rays, mapping->tangents);
+    ray_block_copy(block, &mapping->rays[0], (size_t)lanes);
+    for (size_t i = 0; i < count; i++) {
+        double from[3], along[2][3];
+        clearances_cross(margins, system->stop, i, from);
+        for (int k = 0; k < 2; k++) {
+            const struct ray_block *tangent = &mapping->tangents[k];
+            double *to = along[k];
+            to[0] = block->x[i] + tangent->x[i];
+            to[1] = block->y[i] + tangent->y[i];
+            to[2] = block->z[i] + tangent->z[i];
+            if (system->lens->surfaces[system->stop].decentre != NULL) {
+                system_to_own(system, system->stop, to);
+            }
+        }
+        areas[i] = fabs((along[0][0] - from[0]) * (along[1][1] - from[1]) -
+                        (along[0][1] - from[1]) * (along[1][0] - from[0])) /
+                   (unit * unit);
+    }
+}
+
 /* The same by the four rays about each point: an ideal thick lens has no tangents. */
 static void find_areas_beside(const struct stop_map *mapping, const double (*points)[2],
                               size_t count, double *areas)
@@ -332,38 +369,7 @@ static bool find_any_areas(const struct stop_map *mapping, const double (*from)[
                            double *areas)
 {
     bool known = true;
-    /* |d(x, y in the stop)/d(u, v)| of up to 128 points; where they cross stands in the block */
-    const struct clearances *margins = mapping->margins;
-    const struct system *system = margins->system;
-    struct ray_block *block = margins->work.blocks;
-    const double unit = margins->beam->radius;
-    const int lanes = kernel_lanes(count);
-    clearances_go(margins, from, count, 0);
-    for (int k = 0; k < 2; k++) {
-        const double *axes = margins->beam->axes + k;
-        beam_tangents(margins->beam->beam, (double[2]){axes[0], axes[2]}, block, (size_t)lanes,
-                      &mapping->tangents[k]);
-    }
-    ray_block_copy(&mapping->rays[0], block, (size_t)lanes);
-    tangent_follow(&mapping->before, lanes, 2, mapping->rays, mapping->tangents);
-    ray_block_copy(block, &mapping->rays[0], (size_t)lanes);
-    for (size_t i = 0; i < count; i++) {
-        double base[3], along[2][3];
-        clearances_cross(margins, system->stop, i, base);
-        for (int k = 0; k < 2; k++) {
-            const struct ray_block *tangent = &mapping->tangents[k];
-            double *to = along[k];
-            to[0] = block->x[i] + tangent->x[i];
-            to[1] = block->y[i] + tangent->y[i];
-            to[2] = block->z[i] + tangent->z[i];
-            if (system->lens->surfaces[system->stop].decentre != NULL) {
-                system_to_own(system, system->stop, to);
-            }
-        }
-        areas[i] = fabs((along[0][0] - base[0]) * (along[1][1] - base[1]) -
-                        (along[0][1] - base[1]) * (along[1][0] - base[0])) /
-                   (unit * unit);
-    }
+    find_areas(mapping, from, count, areas);
     for (size_t i = 0; i < count; i++) {
         known = known && isfinite(areas[i]);
     }

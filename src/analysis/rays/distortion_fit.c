@@ -201,8 +201,8 @@ static double fit_make(const struct fit_equations *equations, double in, double 
     double above = equations->slope * in;
     *below = 1;
     for (size_t j = 0; j < facts->terms; j++) {
-        *(is_below(facts, j) ? below : &above) +=
-            equations->c[j] * distortion_power(in, facts->powers[j]);
+        double *side = is_below(facts, j) ? below : &above;
+        *side += equations->c[j] * distortion_power(in, facts->powers[j]);
     }
     return above / *below;
 }
@@ -234,15 +234,19 @@ static void distortion_fit_solve_linear(const struct fit_equations *equations, b
         const double in = equations->in[i], out = equations->out[i];
         double below, made = fit_make(equations, in, &below);
         const double root = sqrt(equations->profile->weight[i]), over = root / below;
+        const double divided = is_step ? made : out, known = equations->slope * in;
         for (size_t j = 0; j < terms; j++) {
-            const double factor = is_below(facts, j) ? -(is_step ? made : out) : 1;
+            const double factor = is_below(facts, j) ? -divided : 1;
             a[i * columns + j] = over * factor * distortion_power(in, facts->powers[j]);
         }
         if (equations->is_free) {
             a[i * columns + terms] = over * in;
         }
-        b[i] = is_step ? root * (out - made)
-                       : over * (out - (equations->is_free ? 0 : equations->slope * in));
+        if (is_step) {
+            b[i] = root * (out - made);
+        } else {
+            b[i] = over * (equations->is_free ? out : out - known);
+        }
     }
     const struct linear_factors factors = linear_factor(a, rows, columns, 1e-12, arena);
     x[terms] = 0;
@@ -356,12 +360,15 @@ static bool fit_way(const struct distortion_profile *profile, const struct senso
                             [UNIT_HALF_SIDE] = fmin(sensor->width, sensor->height) / 2};
     fit->unit = units[distortion_models[fit->model].unit];
     for (size_t j = 0; j < facts->terms; j++) {
-        /* what was found of a focal length of 1 becomes mm */
         const bool below = is_below(facts, j);
-        const double mm = !is_free   ? 1
-                          : distorts ? 1 / distortion_power(fit->focal, facts->powers[j])
-                          : below    ? 1
-                                     : fit->focal;
+        double mm = 1;
+        if (is_free) { /* what was found of a focal length of 1 becomes mm */
+            if (distorts) {
+                mm = 1 / distortion_power(fit->focal, facts->powers[j]);
+            } else if (!below) {
+                mm = fit->focal;
+            }
+        }
         polynomial->reduced[j] =
             equations.c[j] * mm * distortion_power(fit->unit, facts->powers[j] - (below ? 0 : 1));
     }

@@ -262,6 +262,28 @@ static bool is_peak(const struct spot_radius_rim *rim, size_t ring, size_t i)
     return peak;
 }
 
+/* A look that is a peak: its surroundings, and how high it may rise between the looks. */
+static struct peak peak_of(const struct spot_radius_rim *rim, size_t ring, size_t i)
+{
+    const size_t last = previous_of(rim, i), next = next_of(rim, i);
+    const double *row = ring_of(rim, ring), here = row[i];
+    const size_t middle = ring + 1 == RINGS ? ring - 1 : ring;
+    double along = 0, after = rim->angles[next];
+    if (ring > 0) {
+        /* of the outermost three: beyond the middle one it rises to the edge, or to before it */
+        const double low = ring_of(rim, middle - 1)[i], mid = ring_of(rim, middle)[i];
+        along = mid + rise_of(low, mid, ring_of(rim, middle + 1)[i], 1) - here;
+    }
+    if (i + 1 == rim->count) { /* behind the last: the first, a turn on; of half a rim, mirrored */
+        after = 2 * PI + (rim->is_half ? -after : after);
+    }
+    return (struct peak){.source = rim->source,
+                         .low = {angle_before(rim, i), (double)ring / RINGS},
+                         .high = {after, fmin((double)(ring + 2) / RINGS, 1)},
+                         .distance = here,
+                         .height = here + fmax(along, 0) + rise_of(row[last], here, row[next], 1)};
+}
+
 /* Enter a peak among the highest, which descend. */
 static void spot_radius_offer(const struct peak *peak, struct peak *peaks, size_t *count)
 {
@@ -287,25 +309,7 @@ static size_t find_peaks(const struct spot_radius_rim *rims, size_t count, struc
         const size_t ring = k % RINGS;
         for (size_t i = 0; i < rim->count; i++) {
             if (is_peak(rim, ring, i)) {
-                const size_t last = previous_of(rim, i), next = next_of(rim, i);
-                const double *row = ring_of(rim, ring), here = row[i];
-                const bool at_edge = ring + 1 == RINGS;
-                const size_t middle = at_edge ? ring - 1 : ring;
-                double along = 0;
-                if (ring > 0) {
-                    /* of the outermost three: beyond the middle one it rises to the edge, or to
-                       before it */
-                    const double low = ring_of(rim, middle - 1)[i], mid = ring_of(rim, middle)[i];
-                    along = mid + rise_of(low, mid, ring_of(rim, middle + 1)[i], 1) - here;
-                }
-                const double angle = rim->angles[next_of(rim, i)];
-                const struct peak peak = (struct peak){
-                    .source = rim->source,
-                    .low = {angle_before(rim, i), (double)ring / RINGS},
-                    .high = {i + 1 < rim->count ? angle : 2 * PI + (rim->is_half ? -angle : angle),
-                             fmin((double)(ring + 2) / RINGS, 1)},
-                    .distance = here,
-                    .height = here + fmax(along, 0) + rise_of(row[last], here, row[next], 1)};
+                const struct peak peak = peak_of(rim, ring, i);
                 spot_radius_offer(&peak, peaks, &found);
             }
         }

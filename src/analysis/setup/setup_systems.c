@@ -1,4 +1,4 @@
-/* analysis/setup/setup_systems.c - a setup's systems for exact rays, and its image plane. */
+/* analysis/setup/setup_systems.c - a setup's systems for exact rays, image plane, width. */
 /* SPDX-License-Identifier: MIT */
 #include "analysis/setup/setup.h"
 
@@ -118,6 +118,8 @@ bool setup_place_image(struct setup *setup, const struct plane_value *asked, str
     return !is_asked || fail(error, ERROR_DOMAIN,
                              "the image is infinitely far away: its distance must be given");
 }
+
+/* -------- a beam that is asked for wider than the lens is -------- */
 
 /* How far the marginal ray goes beyond the clear apertures: the largest of height over reach. */
 static double excess(const struct setup *setup, struct arena *arena)

@@ -380,6 +380,7 @@ static bool exit_pupil_open_pupil(const struct exit_pupils *pupils, size_t g, st
         const struct pupil_point *point = &inside.sample.points[i];
         pupil->energy += PI * point->weight * stop_beam_density(&source->pupil, point->x, point->y);
     }
+    /* the box about the rim, and the ellipse of its form that all of it lies within */
     double low[2] = {INFINITY, INFINITY}, high[2] = {-INFINITY, -INFINITY};
     pupil->rim_count = rim.count;
     for (size_t i = 0; i < rim.count; i++) {

@@ -133,8 +133,8 @@ static void add_part(const struct overlap_integral *summing, const struct exit_l
     double weights[LANES], re[LANES], im[LANES], size[LANES];
     const struct pupil_cross cross = {
         LANES, {waves[0], waves[1]}, {amplitudes[0], amplitudes[1]}, weights, re, im, size};
-    const double low = parts->low[p], length = parts->high[p] - low;
-    const double high = parts->high[p];
+    const double low = parts->low[p], high = parts->high[p], length = high - low;
+    /* in the other half of a part that mirrors itself the phase is the opposite */
     const bool is_half = summing->front->lines->is_mirrored_along &&
                          fabs(low + high) <= 1e-5 * (high - low) && phases == NULL;
     const size_t count = along->each * along->panels / (is_half ? 2 : 1);
@@ -179,6 +179,7 @@ static void add_part(const struct overlap_integral *summing, const struct exit_l
         }
     }
 }
+
 /* Add up the lines of a range; phases: receives those of all points, line by line, or null. */
 static void add_lines(const struct overlap_integral *summing, const struct hopkins_range *range,
                       const struct gauss_panels *across, const struct gauss_panels *along,
@@ -369,10 +370,10 @@ struct overlap overlap_find(const struct exit_front *front, struct gauss_rules *
     for (size_t i = 0; i < summing.count && (is_steep || only_perfect); i++) {
         ranges[i].across = ranges[i].along = (struct hopkins_turns){0, 0}; /* which turns nothing */
     }
-    const double off = front->off;
-    sum = refine(&summing, fmax(error - off, fmax(error, off) / 4) * energy,
-                 is_steep || only_perfect);
-    sum.error += front->off * energy;
+    /* what the integral may be off, in shares of the energy, beside the series of the front */
+    const double off = front->off, left = fmax(error - off, fmax(error, off) / 4);
+    sum = refine(&summing, left * energy, is_steep || only_perfect);
+    sum.error += off * energy;
     sum.has_converged = !is_steep && sum.error <= error * energy;
     if (is_steep || only_perfect) {
         sum.re = sum.im = NAN;

@@ -206,6 +206,7 @@ bool pupil_overlap_find(struct pupil_overlap *overlap, bool derives, struct erro
     if (!find_corners(overlap, error)) {
         return false;
     }
+    /* lines from edge to edge, and Gauss's points along them */
     for (size_t i = 0; i < overlap->lines && !overlap->is_empty; i++) {
         const struct pupil_edge(*corners)[2] = (const struct pupil_edge(*)[2])overlap->corners;
         const double from = corners[0][RIGHT].turn, range = corners[1][RIGHT].turn - from;
@@ -229,6 +230,7 @@ bool pupil_overlap_find(struct pupil_overlap *overlap, bool derives, struct erro
         }
     }
     if (!overlap->is_empty) {
+        /* the sum over them of the wave front times itself at the moved points */
         const struct pupil_wave *wave = overlap->wave;
         const size_t room = overlap->room;
         struct pupil_look look = {.count = 2 * room,
@@ -364,9 +366,8 @@ void pupil_overlap_back(struct pupil_overlap *overlap, const double by[2])
     if (overlap->is_empty) {
         return;
     }
-    /*
-     * of each point: by the two functions, and by its place. Part 0 becomes that by ln of its size.
-     */
+    /* Of each point: by the two functions, and by its place. Part 0 becomes that by ln of its
+       size. */
     const size_t room = overlap->room;
     const double by_im = overlap->mirrors.across ? 0 : by[1];
     double *by_wave = overlap->by_value[0], *by_amplitude = overlap->by_value[1];

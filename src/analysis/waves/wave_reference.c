@@ -299,7 +299,7 @@ bool wave_reference_find(const struct wave_lights *lights, enum wave_about about
         return false;
     }
     pupil = light.first.exit_pupil - (isnan(setup->image) ? 0 : setup->image);
-    if ((about == WAVE_CENTROID && !find_centroid(lights, arena, reference, error))) {
+    if (about == WAVE_CENTROID && !find_centroid(lights, arena, reference, error)) {
         return false;
     }
     reference->centre[0] = first->chief.point[0] + reference->at[0];

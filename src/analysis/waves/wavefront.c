@@ -93,6 +93,41 @@ static double values_span(const struct wavefront_values *values)
     return high - low;
 }
 
+/*
+ * How much W turns between neighbouring rays, and the share of the light where that is too much.
+ * Neighbours lie inwards, outwards and on either side. Of points without order none are known: they
+ * lie sqrt(pi/count) of the radius apart, and W is as steep as five spans a radius.
+ */
+static void wavefront_find_turns(const struct wavefront_values *values, struct arena *arena,
+                                 struct sampled *sampled)
+{
+    const size_t arms = values->arms, rings = values->rings, count = values->count;
+    const double span = values_span(values);
+    double *steepest = ARENA_ARRAY(arena, count, double), unresolved = 0, all = 0;
+    for (size_t i = 0; i < count; i++) {
+        steepest[i] = arms == 0 ? 5 * span * sqrt(PI / (double)count) : 0;
+    }
+    for (size_t i = 0; i < count && arms > 0; i++) {
+        const size_t beside = i % arms + 1 < arms ? i + 1 : i + 1 - arms;
+        const size_t outwards = i / arms % rings + 1 < rings ? i + arms : i;
+        const size_t others[] = {beside, outwards};
+        for (size_t k = 0; k < 2; k++) {
+            const double turns = fabs(values->waves[others[k]] - values->waves[i]);
+            steepest[i] = fmax(steepest[i], turns);
+            steepest[others[k]] = fmax(steepest[others[k]], turns);
+        }
+    }
+    sampled->steepest = 0;
+    for (size_t i = 0; i < count; i++) {
+        const double weight = isnan(values->waves[i]) ? 0 : values->points[i].weight;
+        const double beyond = (steepest[i] - resolved) / (1 - resolved);
+        all += weight;
+        unresolved += weight * fmax(fmin(beyond, 1), 0);
+        sampled->steepest = fmax(sampled->steepest, steepest[i]);
+    }
+    sampled->unresolved = unresolved / all;
+}
+
 static void wavefront_sum_up(const struct wavefront_values *values, struct wavefront *wavefront)
 {
     double weight = 0, mean = 0, square = 0, re = 0, im = 0;
@@ -132,36 +167,7 @@ static bool wavefront_measure(const struct wavefront_source *source, size_t rays
     if (found) {
         sampled->figures = (struct wavefront){.rms = NAN};
         wavefront_sum_up(&values, &sampled->figures);
-        /*
-         * Neighbours lie inwards, outwards and on either side. Of points without order none are
-         * known: they lie sqrt(pi/count) of the radius apart, and W is as steep as five spans a
-         * radius.
-         */
-        const size_t arms = values.arms, rings = values.rings, count = values.count;
-        const double span = values_span(&values);
-        double *steepest = ARENA_ARRAY(arena, count, double), unresolved = 0, all = 0;
-        for (size_t i = 0; i < count; i++) {
-            steepest[i] = arms == 0 ? 5 * span * sqrt(PI / (double)count) : 0;
-        }
-        for (size_t i = 0; i < count && arms > 0; i++) {
-            const size_t beside = i % arms + 1 < arms ? i + 1 : i + 1 - arms;
-            const size_t outwards = i / arms % rings + 1 < rings ? i + arms : i;
-            const size_t others[] = {beside, outwards};
-            for (size_t k = 0; k < 2; k++) {
-                const double turns = fabs(values.waves[others[k]] - values.waves[i]);
-                steepest[i] = fmax(steepest[i], turns);
-                steepest[others[k]] = fmax(steepest[others[k]], turns);
-            }
-        }
-        sampled->steepest = 0;
-        for (size_t i = 0; i < count; i++) {
-            const double weight = isnan(values.waves[i]) ? 0 : values.points[i].weight;
-            const double beyond = (steepest[i] - resolved) / (1 - resolved);
-            all += weight;
-            unresolved += weight * fmax(fmin(beyond, 1), 0);
-            sampled->steepest = fmax(sampled->steepest, steepest[i]);
-        }
-        sampled->unresolved = unresolved / all;
+        wavefront_find_turns(&values, arena, sampled);
     }
     arena_reset(arena, mark);
     return found;

@@ -77,8 +77,8 @@ void zernike_fill(enum zernike_kind kind, size_t count, double x, double y, doub
     for (size_t i = 0; i < count; i++) {
         const struct zernike_term term = zernike_term(kind, i);
         const int m = abs(term.m);
-        const double length =
-            kind == ZERNIKE_FRINGE ? 1 : sqrt((m == 0 ? 1.0 : 2.0) * (term.n + 1));
+        const double square = (m == 0 ? 1.0 : 2.0) * (term.n + 1);
+        const double length = kind == ZERNIKE_FRINGE ? 1 : sqrt(square);
         const double turn = term.m < 0 ? sin(m * angle) : cos(m * angle);
         values[i] = length * radial[m][term.n] * turn;
     }

@@ -137,10 +137,11 @@ bool analysis_next_case(struct analysis_cursor *at, struct error *error)
     struct setup_field *field = ARENA_NEW(arena, struct setup_field);
     const bool height = analysis_is_given(question->height, question->height_x);
     const bool asked = height || analysis_is_given(question->field, question->field_x);
-    *field = height
-                 ? lens_field(question->real ? FIELD_REAL : FIELD_IMAGE, question->height_x,
-                              question->height, question->section)
-                 : lens_field(FIELD_ANGLE, question->field_x, question->field, question->section);
+    *field = lens_field(FIELD_ANGLE, question->field_x, question->field, question->section);
+    if (height) {
+        *field = lens_field(question->real ? FIELD_REAL : FIELD_IMAGE, question->height_x,
+                            question->height, question->section);
+    }
     const struct setup_question of = {
         .lens = question->lens.lens,
         .position = at->positions[at->next_position++],
@@ -350,10 +351,11 @@ const char *analysis_case_words(const struct analysis_case *one, bool whole, str
     if (!whole) {
         return words;
     }
-    return isnan(setup->image)
-               ? arena_printf(arena, "%s; image infinitely far away", words)
-               : arena_printf(arena, "%s; image plane %s, %.6g mm from the last vertex", words,
-                              setup->focus != NULL ? setup->focus : "none", setup->image);
+    if (isnan(setup->image)) {
+        return arena_printf(arena, "%s; image infinitely far away", words);
+    }
+    return arena_printf(arena, "%s; image plane %s, %.6g mm from the last vertex", words,
+                        setup->focus != NULL ? setup->focus : "none", setup->image);
 }
 
 const char *analysis_field_words(const struct analysis_case *one, size_t field, struct arena *arena)

@@ -398,12 +398,9 @@ static bool distortion_run(const void *data, struct run *run, struct error *erro
             const bool far = ready.map.setup.object.is_infinite;
             if (far) {
                 row.angle = found.field;
-            } else {
-                row.object = found.field;
-            }
-            if (far) {
                 row.calibrated_focal = ready.calibrated;
             } else {
+                row.object = found.field;
                 row.calibrated_magnification = ready.calibrated;
             }
             row.ideal = found.ideal;

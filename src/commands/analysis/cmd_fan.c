@@ -402,10 +402,10 @@ static bool fan_figure(const struct artifact_job *job, struct output *sink, stru
     const struct panel *list = make_panels(&painter, keys, key_count, &most);
     const char *transverse =
         painter.is_angular ? "transverse aberration (mrad)" : "transverse aberration (µm)";
-    const char *subtitle =
-        painter.reference != NULL
-            ? arena_printf(arena, "%s %s", opd ? "against" : "from", painter.reference)
-            : NULL;
+    const char *preposition = opd ? "against" : "from";
+    const char *subtitle = painter.reference != NULL
+                               ? arena_printf(arena, "%s %s", preposition, painter.reference)
+                               : NULL;
     const struct panels panels = {
         .title = arena_printf(arena, "%s of %s", opd ? "Optical path differences" : "Ray fans",
                               painter.title),

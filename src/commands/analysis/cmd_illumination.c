@@ -80,7 +80,7 @@ static const struct column columns[] = {
          "fraction of the light passed by the stop alone that apertures and obstructions block"},
     {PLAIN(at.vignetted_error, COLUMN_HIDDEN), .name = "vignetted_error", .digits = 2,
      .label = "error of vignetted",
-     .help = "its estimated error; a fraction below its error may be 0"},
+     .help = "its estimated error; a fraction below its error is given as 0"},
     {PLAIN(at.cos4, 0), .name = "cos4", .label = "cos^4",
      .help = "fourth power of the cosine of the field angle, for comparison"},
     ANALYSIS_TAIL_COLUMNS,
@@ -174,6 +174,24 @@ static bool find_point(const struct analysis_case *one, size_t field,
     return true;
 }
 
+/* What is found of a point; `share`: of the way to the largest field, see struct last_point. */
+static void illumination_row_fill(const struct analysis_cursor *at, double share,
+                                  const struct relative_illumination_point *found,
+                                  struct illumination_row *row)
+{
+    row->at = *found;
+    const char *const warnings[] = {
+        found->light.is_met ? NULL : "the irradiance has not converged: see its error",
+        found->is_field_met ? NULL : "the light by field has not converged: see its error",
+        share < 1 ? "no chief ray of the largest field comes to the image: the points end where "
+                    "one does"
+                  : NULL,
+        lens_island_warning(&found->islands, at->run->arena)};
+    for (size_t i = 0; i < sizeof warnings / sizeof warnings[0]; i++) {
+        analysis_warn(at, &row->point, warnings[i]);
+    }
+}
+
 /* Points of the image: first .. last of those that part the way from the axis to the end. */
 struct illumination_points {
     const struct relative_illumination *falloff;
@@ -242,21 +260,7 @@ static bool illumination_run(const void *data, struct run *run, struct error *er
             analysis_begin_row(&at, &sheet, &row);
             row.stop_diameter = input.stop_diameter;
             if (is_there) {
-                row.at = found[i];
-                const char *const warnings[] = {
-                    found[i].light.is_met ? NULL
-                                          : "the irradiance has not converged: see its error",
-                    found[i].is_field_met ? NULL
-                                          : "the light by field has not converged: see its error",
-                    end.share < 1
-                        ? "no chief ray of the largest field comes to the image: the points "
-                          "end where "
-                          "one does"
-                        : NULL,
-                    lens_island_warning(&found[i].islands, at.run->arena)};
-                for (size_t k = 0; k < sizeof warnings / sizeof warnings[0]; k++) {
-                    analysis_warn(&at, &row.point, warnings[k]);
-                }
+                illumination_row_fill(&at, end.share, &found[i], &row);
             }
             if (!run_emit(run, &row)) {
                 return true;
@@ -296,10 +300,11 @@ struct illumination_painter {
 static const char *with_stop(const struct illumination_input *input, const char *words,
                              struct arena *arena)
 {
-    return isnan(input->stop_diameter)
-               ? words
-               : arena_printf(arena, "%s%sstop %.6g mm", words != NULL ? words : "",
-                              words != NULL ? ", " : "", input->stop_diameter);
+    if (isnan(input->stop_diameter)) {
+        return words;
+    }
+    return arena_printf(arena, "%s%sstop %.6g mm", words != NULL ? words : "",
+                        words != NULL ? ", " : "", input->stop_diameter);
 }
 
 static bool illumination_add_point(struct illumination_painter *painter,

@@ -105,6 +105,21 @@ static bool mtf_row_find(const struct analysis_cursor *at, const struct analysis
     return done;
 }
 
+static void mtf_row_warn(const struct analysis_cursor *at, const struct mtf_source *source,
+                         const struct mtf *mtf, struct mtf_row *row)
+{
+    analysis_warn(at, &row->point, lens_island_warning(&source->pupils.islands, at->run->arena));
+    if (source->pupils.list == NULL) {
+        analysis_warn(at, &row->point, "an ideal thick lens has no optical path, no limits");
+    }
+    if (!mtf->has_converged) {
+        analysis_warn(at, &row->point,
+                      isnan(mtf->contrast[0]) || isnan(mtf->contrast[1])
+                          ? "the wave front is too steep or too rough for the diffraction MTF"
+                          : "the contrast has not converged: see contrast_error");
+    }
+}
+
 static const struct sheet sheet = SHEET(columns, struct mtf_row);
 
 static bool mtf_run(const void *data, struct run *run, struct error *error)
@@ -129,20 +144,7 @@ static bool mtf_run(const void *data, struct run *run, struct error *error)
                 row.mtf = found->contrasts[i];
                 row.limit = fmax(row.mtf.limit[0], row.mtf.limit[1]);
                 memcpy(row.cutoff, found->source.cutoff, sizeof row.cutoff);
-                analysis_warn(&at, &row.point,
-                              lens_island_warning(&found->source.pupils.islands, at.run->arena));
-                if (found->source.pupils.list == NULL) {
-                    analysis_warn(&at, &row.point,
-                                  "an ideal thick lens has no optical path, no limits");
-                }
-                if (!found->contrasts[i].has_converged) {
-                    analysis_warn(
-                        &at, &row.point,
-                        isnan(found->contrasts[i].contrast[0]) ||
-                                isnan(found->contrasts[i].contrast[1])
-                            ? "the wave front is too steep or too rough for the diffraction MTF"
-                            : "the contrast has not converged: see contrast_error");
-                }
+                mtf_row_warn(&at, &found->source, &row.mtf, &row);
             }
             if (!run_emit(run, &row)) {
                 return true;

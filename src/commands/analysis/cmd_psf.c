@@ -160,6 +160,28 @@ static const char *psf_row_method(const struct psf_input *input, const struct ps
     return psf != NULL && psf->is_angular ? angular_words[psf->method] : words[input->method];
 }
 
+static void psf_row_warn(const struct analysis_cursor *at, const struct psf *psf,
+                         struct psf_row *row)
+{
+    struct arena *arena = at->run->arena;
+    if (psf->turns > 0) {
+        analysis_warn(at, &row->point,
+                      arena_printf(arena,
+                                   "the phase turns %.0f times across the pupil, and sums of waves "
+                                   "take %d: by rays, without diffraction",
+                                   psf->turns, PSF_TURNS_MOST));
+    }
+    if (!(psf->pitch < psf->finest)) {
+        analysis_warn(
+            at, &row->point,
+            arena_printf(
+                arena,
+                "pixels of %.4g %s miss light between them: shares of it want less than %.4g",
+                1000 * psf->pitch, psf->is_angular ? "mrad" : "um", 1000 * psf->finest));
+    }
+    analysis_warn(at, &row->point, lens_island_warning(&psf->islands, arena));
+}
+
 static const struct sheet sheet = SHEET(columns, struct psf_row);
 
 static bool psf_run(const void *data, struct run *run, struct error *error)
@@ -173,24 +195,7 @@ static bool psf_run(const void *data, struct run *run, struct error *error)
         row.method = psf_row_method(data, psf);
         if (psf != NULL) {
             row.psf = *psf;
-            struct arena *arena = at.run->arena;
-            if (psf->turns > 0) {
-                analysis_warn(
-                    &at, &row.point,
-                    arena_printf(arena,
-                                 "the phase turns %.0f times across the pupil, and sums of waves "
-                                 "take %d: by rays, without diffraction",
-                                 psf->turns, PSF_TURNS_MOST));
-            }
-            if (!(psf->pitch < psf->finest)) {
-                analysis_warn(&at, &row.point,
-                              arena_printf(arena,
-                                           "pixels of %.4g %s miss light between them: shares of "
-                                           "it want less than %.4g",
-                                           1000 * psf->pitch, psf->is_angular ? "mrad" : "um",
-                                           1000 * psf->finest));
-            }
-            analysis_warn(&at, &row.point, lens_island_warning(&psf->islands, arena));
+            psf_row_warn(&at, psf, &row);
         }
         if (!run_emit(run, &row)) {
             return true;

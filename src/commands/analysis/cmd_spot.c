@@ -307,7 +307,7 @@ static bool spot_add(struct spot_drawing *drawing, struct analysis_cursor *at, s
     }
     drawing->is_angular = spot.is_angular;
     drawing->is_footprint = question.to > 0;
-    if (question.to == 0) { /* the Airy disc on the axis, at the primary wavelength */
+    if (question.to == 0) { /* the Airy disc of the working f-number, primary wavelength, axis */
         const double disc = 1.21967 * (setup->wavelengths[0].wavelength / 1000);
         drawing->airy = spot.is_angular ? disc / fabs(setup->first.exit_diameter)
                                         : disc * fabs(setup->first.working_fnumber);
@@ -472,7 +472,7 @@ static bool spot_diagram(const struct artifact_job *job, struct output *sink, st
             return false;
         }
     }
-    if (!(drawing.count > 0)) {
+    if (drawing.count == 0) {
         return fail(error, ERROR_DOMAIN, "there is no spot to draw");
     }
     size_t count = drawing.count, *room = ARENA_ARRAY(drawing.arena, 4 * count, size_t);

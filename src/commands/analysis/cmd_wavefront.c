@@ -84,7 +84,7 @@ static const struct column figure_columns[] = {
     RADIUS_COLUMN,
     {PLAIN(figures.clear, 0), .name = "clear", .label = "clear share",
      .help = "fraction of the pupil's area that is not vignetted"},
-    {PLAIN(rays, COLUMN_HIDDEN), .name = "rays", .help = "reference sphere of these figures"},
+    {PLAIN(rays, COLUMN_HIDDEN), .name = "rays", .help = "number of rays behind these figures"},
     TAIL_COLUMNS,
 };
 

@@ -269,6 +269,52 @@ static bool distortion_find(const struct distortion_input *input, const struct a
                : false;
 }
 
+/* The row of one direction. */
+static struct models_row models_row_of(const struct analysis_case *one,
+                                       const struct distortion_models_found *found,
+                                       enum distortion_way way)
+{
+    const struct model_facts *facts = &distortion_models[found->fit.model];
+    const struct distortion_polynomial *polynomial = &found->fit.ways[way];
+    const double pitch = found->picture.size.pitch;
+    const double corner = sensor_diagonal(&found->picture.size) / 2;
+    struct arena *arena = one->setup->arena;
+    struct models_row row;
+    row_clear(&distortion_fit_sheet, &row);
+    row.point = analysis_point_of(one, 0);
+    if (!(found->profile.reached >= corner * (1 - 1e-9))) {
+        row.point.warning = lens_warnings_join(
+            one->warning,
+            arena_printf(arena,
+                         "the image ends %.4g mm from its middle, the corner of the sensor is at "
+                         "%.4g mm: the coefficients hold as far as the image goes",
+                         found->profile.reached, corner),
+            arena);
+    }
+    row.model = facts->word.word;
+    row.direction = way == WAY_DISTORT ? "distort" : "undistort";
+    row.form = way == facts->way ? "published" : "inverse";
+    row.projection = found->ready.projection;
+    row.rms = polynomial->rms;
+    row.max = polynomial->largest;
+    row.rms_pixels = polynomial->rms / pitch;
+    row.max_pixels = polynomial->largest / pitch;
+    row.unit = found->fit.unit;
+    row.focal = found->fit.focal;
+    row.radius = found->profile.reached;
+    row.pitch = pitch;
+    row.resolution =
+        arena_printf(arena, "%.0f x %.0f", found->picture.width, found->picture.height);
+    for (size_t j = 0; j < facts->terms; j++) {
+        size_t k = 0;
+        while (strcmp(coefficient_names[k], facts->names[j]) != 0) {
+            k++;
+        }
+        row.coefficients[k] = polynomial->published[j];
+    }
+    return row;
+}
+
 bool distortion_fit_run(const struct distortion_input *input, struct run *run, struct error *error)
 {
     struct analysis_cursor at = analysis_begin(input, &distortion_as_whole, run);
@@ -281,44 +327,7 @@ bool distortion_fit_run(const struct distortion_input *input, struct run *run, s
         const enum distortion_way ways[] = {first,
                                             first == WAY_DISTORT ? WAY_UNDISTORT : WAY_DISTORT};
         for (size_t i = 0; i < sizeof ways / sizeof ways[0]; i++) {
-            const struct model_facts *facts = &distortion_models[found.fit.model];
-            const struct distortion_polynomial *polynomial = &found.fit.ways[ways[i]];
-            const double pitch = found.picture.size.pitch;
-            struct models_row row;
-            row_clear(&distortion_fit_sheet, &row);
-            row.point = analysis_point_of(at.one, 0);
-            const double corner = sensor_diagonal(&found.picture.size) / 2;
-            if (!(found.profile.reached >= corner * (1 - 1e-9))) {
-                row.point.warning = lens_warnings_join(
-                    at.one->warning,
-                    arena_printf(
-                        at.one->setup->arena,
-                        "the image ends %.4g mm from its middle, the corner of the sensor is at "
-                        "%.4g mm: the coefficients hold as far as the image goes",
-                        found.profile.reached, corner),
-                    at.one->setup->arena);
-            }
-            row.model = facts->word.word;
-            row.direction = ways[i] == WAY_DISTORT ? "distort" : "undistort";
-            row.form = ways[i] == facts->way ? "published" : "inverse";
-            row.projection = found.ready.projection;
-            row.rms = polynomial->rms;
-            row.max = polynomial->largest;
-            row.rms_pixels = polynomial->rms / pitch;
-            row.max_pixels = polynomial->largest / pitch;
-            row.unit = found.fit.unit;
-            row.focal = found.fit.focal;
-            row.radius = found.profile.reached;
-            row.pitch = pitch;
-            row.resolution = arena_printf(at.one->setup->arena, "%.0f x %.0f", found.picture.width,
-                                          found.picture.height);
-            for (size_t j = 0; j < facts->terms; j++) {
-                size_t k = 0;
-                while (strcmp(coefficient_names[k], facts->names[j]) != 0) {
-                    k++;
-                }
-                row.coefficients[k] = polynomial->published[j];
-            }
+            struct models_row row = models_row_of(at.one, &found, ways[i]);
             row.sensor = input->sensor.name;
             if (!run_emit(run, &row)) {
                 return true;

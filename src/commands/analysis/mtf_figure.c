@@ -245,9 +245,8 @@ static bool figure_add(struct figure_painter *painter, const struct analysis_cur
     struct figure_entry place = {.label = analysis_field_words(&named, at->field, arena),
                                  .lens = one->setup->lens->title,
                                  .is_between = painter->is_between};
-    painter->subtitle = arena_printf(arena, "%s; focus %s",
-                                     painter->input->method == MTF_BY_RAYS ? "by rays" : "by waves",
-                                     one->setup->focus);
+    const char *method = painter->input->method == MTF_BY_RAYS ? "geometric" : "diffraction";
+    painter->subtitle = arena_printf(arena, "%s; focus %s", method, one->setup->focus);
     painter->is_angle = !isnan(point.field);
     if (painter->axis == BY_FREQUENCY) {
         return figure_add_curve(painter, source, &place, error);

@@ -54,7 +54,7 @@ static const char *by_rays_words_of(struct blur_rule rule, struct arena *arena)
     case BLUR_ENERGY:
         return arena_printf(arena, "the disc that holds %.6g %% of the light", 100 * rule.at);
     case BLUR_MTF:
-        return arena_printf(arena, "the contrast at %.6g/mm, by rays", rule.at);
+        return arena_printf(arena, "the geometric contrast at %.6g/mm", rule.at);
     case BLUR_RMS:
         break;
     }
