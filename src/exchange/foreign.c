@@ -256,13 +256,13 @@ bool foreign_settle(const struct foreign_job *job, bool done, struct error *erro
     if (all[0].first[0]->effect == LOSS_OF_LENS) { /* only a glass is such a loss */
         return error_hint(error, "{agf} FILE adds a catalogue");
     }
-    return job->lacks_glass
-               ? error_hint(error,
-                            "{agf} FILE adds a catalogue; {lossy} leaves %s out and lists "
-                            "what is lost",
-                            job->loss_count > 1 ? "them" : "it")
-               : error_hint(error, "{lossy} leaves %s out and lists what is lost",
-                            job->loss_count > 1 ? "them" : "it");
+    const char *lost = job->loss_count > 1 ? "them" : "it";
+    if (job->lacks_glass) {
+        return error_hint(
+            error, "{agf} FILE adds a catalogue; {lossy} leaves %s out and lists what is lost",
+            lost);
+    }
+    return error_hint(error, "{lossy} leaves %s out and lists what is lost", lost);
 }
 
 bool foreign_lack(struct foreign_job *job, const struct file_words *words, struct text word,

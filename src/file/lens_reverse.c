@@ -198,7 +198,8 @@ static void turn_tolerance(const struct turn *turn, struct turned_tolerances *al
             pivot = is_wedge ? from->last : from->first;
         }
         pivot = pivot == LENS_NONE ? LENS_NONE : turn->places[OWNED_BY_SURFACE][pivot];
-        to.pivot = has_end && pivot == (is_wedge ? to.last : to.first) ? LENS_NONE : pivot;
+        const size_t unnamed = is_wedge ? to.last : to.first;
+        to.pivot = has_end && pivot == unnamed ? LENS_NONE : pivot;
         *ARENA_ADD(turn->arena, all->list, all->count, all->room) = to;
     }
 }

@@ -199,7 +199,9 @@ static const char *amounts_of(const struct tolerance_type *type, struct arena *a
     const char *all = "", *last = NULL;
     for (int i = 0; i < TOLERANCE_UNITS; i++) {
         if ((type->units & 1U << i) != 0) {
-            all = last == NULL ? all : ARENA_JOIN(arena, all, all[0] != '\0' ? ", " : "", last);
+            if (last != NULL) {
+                all = ARENA_JOIN(arena, all, all[0] != '\0' ? ", " : "", last);
+            }
             last = words[i];
         }
     }
@@ -404,12 +406,18 @@ static bool read_rest(struct tolerance_line_reader *reading)
         if (i < DISTRIBUTIONS && has_distribution) {
             return file_words_fail(reading->words, word, "a second distribution");
         }
+        bool read = true;
         if (i < DISTRIBUTIONS) {
             has_distribution = true;
             one->distribution = (enum distribution)i;
-        } else if (text_equal(word, "pivot") ? !read_pivot(reading, word)
-                   : has_sigma               ? !read_sigmas(reading, word)
-                                             : !fail_word(reading, word)) {
+        } else if (text_equal(word, "pivot")) {
+            read = read_pivot(reading, word);
+        } else if (has_sigma) {
+            read = read_sigmas(reading, word);
+        } else {
+            read = fail_word(reading, word);
+        }
+        if (!read) {
             return false;
         }
     }

@@ -38,6 +38,11 @@ static void doubt_surface(const struct lens *lens, size_t at, size_t number, dou
 {
     const struct surface *surface = &lens->surfaces[at];
     double c = fabs(surface_curvature(surface, SECTION_Y).hi);
+    /* How many radii long a distance may well be: more of them in air, and from a mirror. */
+    double radii_of_gap = medium_is_air(&surface->medium) ? 1000 : 10;
+    if (surface_reflects(surface)) {
+        radii_of_gap = 100;
+    }
     bool behind_glass = at > 0 && !medium_is_air(&surface[-1].medium);
     const struct {
         const char *what;
@@ -47,10 +52,7 @@ static void doubt_surface(const struct lens *lens, size_t at, size_t number, dou
         {"a field of", 2 * chief, 2},
         {"a clear aperture of", surface->has_diameter ? surface->diameter.value.hi : 0, 2},
         {"a glass of", behind_glass ? fabs(surface[-1].thickness.value.hi) : 0, 10},
-        {"a distance of", fabs(surface->thickness.value.hi),
-         surface_reflects(surface)         ? 100
-         : medium_is_air(&surface->medium) ? 1000
-                                           : 10},
+        {"a distance of", fabs(surface->thickness.value.hi), radii_of_gap},
     };
     for (size_t i = 0; i < sizeof all / sizeof all[0]; i++) {
         double weight = all[i].length * c / all[i].radii;

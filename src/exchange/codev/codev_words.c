@@ -179,7 +179,8 @@ char codev_qualifier_kind(const struct command_word *command, const struct comma
     if (letter == 's') {
         return is_surface_form(rest) ? 's' : 0;
     }
-    return strchr(has_name(command) ? "z" : "zfw", letter) != NULL && is_digits(rest) ? letter : 0;
+    const char *letters = has_name(command) ? "z" : "zfw";
+    return strchr(letters, letter) != NULL && is_digits(rest) ? letter : 0;
 }
 
 size_t codev_qualifiers_end(const struct commands *commands, size_t first, size_t values)

@@ -51,7 +51,8 @@ static size_t setting_of(const struct commands *commands)
         }
         bool numbered = name.length < commands->words[0].text.length;
         if (text_same(name, settings[i].word) && numbered == settings[i].is_numbered) {
-            return commands->count == (settings[i].of_surface ? 4 : 3) ? i : all;
+            const size_t words = settings[i].of_surface ? 4 : 3;
+            return commands->count == words ? i : all;
         }
     }
     return all;

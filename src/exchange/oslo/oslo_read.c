@@ -244,7 +244,9 @@ static bool oslo_solve(struct oslo *oslo)
 static bool read_other_solve(struct oslo *oslo)
 {
     struct sequence_surface *surface = present(oslo);
-    *(oslo->what ? &surface->thickness_solve : &surface->curvature_solve) =
+    struct sequence_solve *solve =
+        oslo->what ? &surface->thickness_solve : &surface->curvature_solve;
+    *solve =
         (struct sequence_solve){.is_set = true, .is_unknown = true, .at = oslo->commands.words[0]};
     return true;
 }
