@@ -353,9 +353,10 @@ static bool glass_choice_keep(struct glass_search_state *search, const struct gl
     struct outcome *outcome = ARENA_NEW(search->arena, struct outcome);
     const struct glass_node last = node_with_glass(found->parent, found->exchange.surface,
                                                    found->exchange.glass, search->arena);
-    const struct lens *start = choice->is_stopped  ? found->lens
-                               : found->from_start ? last.start
-                                                   : last.lens;
+    const struct lens *start = found->from_start ? last.start : last.lens;
+    if (choice->is_stopped) {
+        start = found->lens;
+    }
     how.goes_on = choice->is_stopped ? how.goes_on : NULL;
     task.how = &how;
     if (!glass_choice_optimise(&last, start, &task, search->arena, outcome, error)) {

@@ -174,13 +174,21 @@ static double variable_size_of(const struct lens *lens, struct arena *arena)
     bool known =
         first_order_of_lens(lens, lens_primary_wavelength(lens), SECTION_Y, arena, &first, &none);
     double efl = known ? fabs(first.efl) : NAN;
-    double size = efl > track / 10 && efl < 10 * track ? efl : track > 0 ? track : 100;
+    double size = track > 0 ? track : 100;
+    if (efl > track / 10 && efl < 10 * track) {
+        size = efl;
+    }
     double decade = 1e-9;
     while (decade * 10 <= size && decade < 1e9) {
         decade *= 10;
     }
-    double steps = size / decade; /* 1 .. 10, between the steps by ratio */
-    return decade * (steps < 1.4142 ? 1 : steps < 3.1623 ? 2 : steps < 7.0711 ? 5 : 10);
+    static const double below[] = {1.4142, 3.1623, 7.0711}, round[] = {1, 2, 5, 10};
+    const double steps = size / decade; /* 1 .. 10, between the steps by ratio */
+    size_t i = 0;
+    while (i < sizeof below / sizeof below[0] && !(steps < below[i])) {
+        i++;
+    }
+    return decade * round[i];
 }
 
 static double variable_scale_of(const struct lens *lens, struct parameter what, double size)

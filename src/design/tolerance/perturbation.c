@@ -151,10 +151,16 @@ static int by_rank(const void *left, const void *right)
     const int thing = by_thing(a, b);
     const bool a_last = a->rank <= RANK_GRADE_AIR && a->place.from->unit == TOLERANCE_FRINGES;
     const bool b_last = b->rank <= RANK_GRADE_AIR && b->place.from->unit == TOLERANCE_FRINGES;
-    return thing != 0           ? thing
-           : a->rank != b->rank ? (a->rank > b->rank ? -1 : 1)
-           : a_last != b_last   ? (a_last ? 1 : -1)
-                                : (a->number > b->number) - (a->number < b->number);
+    if (thing != 0) {
+        return thing;
+    }
+    if (a->rank != b->rank) {
+        return a->rank > b->rank ? -1 : 1;
+    }
+    if (a_last != b_last) {
+        return a_last ? 1 : -1;
+    }
+    return (a->number > b->number) - (a->number < b->number);
 }
 
 /* Keep of each thing the one that counts. */
