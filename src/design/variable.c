@@ -246,8 +246,14 @@ static bool variable_check_bounds(const struct variable *one, double value, stru
     const int length = parameter_length(one->what.kind, one->what.order);
     const bool is_angle = (parameter_type(one->what.kind)->is & PARAMETER_IS_ANGLE) != 0;
     const double factor = is_angle ? 1 / RADIANS_PER_DEGREE : 1;
-    const char *per_mm = length == -1 ? " /mm" : "", *plain = length == 1 ? " mm" : per_mm;
-    const char *unit = is_angle ? " deg" : plain;
+    const char *unit = "";
+    if (is_angle) {
+        unit = " deg";
+    } else if (length == 1) {
+        unit = " mm";
+    } else if (length == -1) {
+        unit = " /mm";
+    }
     double low = factor * one->low, high = factor * one->high;
     bool inverse = is_inverse(one->what.kind), turned = inverse && one->low > 0 && one->high < 0;
     if (isnan(low) || isnan(high) || (!(low < high) && !turned)) {
