@@ -218,6 +218,8 @@ static bool ask_criterion(struct tolerance_job *job, struct error *error)
     return input->save == NULL || ask_saved(job, error);
 }
 
+/* -------- the view -------- */
+
 static bool ask_view(struct tolerance_job *job, struct error *error)
 {
     const struct tolerance_input *input = job->input;
@@ -258,7 +260,7 @@ static bool ask_view(struct tolerance_job *job, struct error *error)
     return true;
 }
 
-/* -------- the view -------- */
+/* -------- the job -------- */
 
 bool tolerance_ask(struct tolerance_job *job, struct error *error)
 {

@@ -198,8 +198,6 @@ static bool divide_trials(struct tolerance_job *job, struct error *error)
     return division_head(job->run, &division, &job->head, error);
 }
 
-/* -------- how far nominal rays are right -------- */
-
 /* -------- the job -------- */
 
 static int by_first_trial(const void *a, const void *b)

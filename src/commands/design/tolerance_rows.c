@@ -226,7 +226,7 @@ static bool emit_trials(struct tolerance_job *job, struct error *error)
         const struct arena_mark mark = arena_mark(arena);
         for (size_t k = 0; k < round.count && goes_on && done; k++) {
             const struct tolerance_trial *trial = &round.trials[k];
-            const bool found = round.found[k];
+            const bool found = round.made[k] && round.found[k];
             goes_on = round.made[k];
             row.moves = found ? tolerance_moves_in_words(job, trial->moves) : NULL;
             row.why = found ? NULL : trial->why.message;
