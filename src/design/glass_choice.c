@@ -297,6 +297,17 @@ static bool try_all(struct glass_search_state *search, const struct glass_node *
 
 /* -------- the search -------- */
 
+/* Is it worth going on from a trial for one of so many glasses? */
+static bool is_promising(const struct glass_search_state *search, size_t models,
+                         const struct trial *trial)
+{
+    if (isinf(trial->rank.merit) || search->best == NULL) {
+        return !isinf(trial->rank.merit); /* any is better than none */
+    }
+    const bool is_pair = search->total <= PAIR && models > 1;
+    return models <= LAST && (is_pair || is_better(trial->rank, search->best->rank));
+}
+
 static void glass_node_descend(struct glass_search_state *search, const struct glass_node *parent)
 {
     struct trial trials[NEAREST];
@@ -317,11 +328,7 @@ static void glass_node_descend(struct glass_search_state *search, const struct g
     }
     for (size_t i = 0; i < count && !search->choice->is_stopped; i++) {
         const struct trial *trial = &trials[i];
-        /* is it worth going on from there? Any is better than none */
-        if (isinf(trial->rank.merit) ||
-            (search->best != NULL &&
-             (models > LAST || !((search->total <= PAIR && models > 1) ||
-                                 is_better(trial->rank, search->best->rank))))) {
+        if (!is_promising(search, models, trial)) {
             continue;
         }
         /* the lens of the trial, with its numbers */
@@ -353,9 +360,10 @@ static bool glass_choice_keep(struct glass_search_state *search, const struct gl
     struct outcome *outcome = ARENA_NEW(search->arena, struct outcome);
     const struct glass_node last = node_with_glass(found->parent, found->exchange.surface,
                                                    found->exchange.glass, search->arena);
-    const struct lens *start = choice->is_stopped  ? found->lens
-                               : found->from_start ? last.start
-                                                   : last.lens;
+    const struct lens *start = found->from_start ? last.start : last.lens;
+    if (choice->is_stopped) {
+        start = found->lens;
+    }
     how.goes_on = choice->is_stopped ? how.goes_on : NULL;
     task.how = &how;
     if (!glass_choice_optimise(&last, start, &task, search->arena, outcome, error)) {

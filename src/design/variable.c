@@ -174,13 +174,21 @@ static double variable_size_of(const struct lens *lens, struct arena *arena)
     bool known =
         first_order_of_lens(lens, lens_primary_wavelength(lens), SECTION_Y, arena, &first, &none);
     double efl = known ? fabs(first.efl) : NAN;
-    double size = efl > track / 10 && efl < 10 * track ? efl : track > 0 ? track : 100;
+    double size = track > 0 ? track : 100;
+    if (efl > track / 10 && efl < 10 * track) {
+        size = efl;
+    }
     double decade = 1e-9;
     while (decade * 10 <= size && decade < 1e9) {
         decade *= 10;
     }
-    double steps = size / decade; /* 1 .. 10, between the steps by ratio */
-    return decade * (steps < 1.4142 ? 1 : steps < 3.1623 ? 2 : steps < 7.0711 ? 5 : 10);
+    static const double below[] = {1.4142, 3.1623, 7.0711}, round[] = {1, 2, 5, 10};
+    const double steps = size / decade; /* 1 .. 10, between the steps by ratio */
+    size_t i = 0;
+    while (i < sizeof below / sizeof below[0] && !(steps < below[i])) {
+        i++;
+    }
+    return decade * round[i];
 }
 
 static double variable_scale_of(const struct lens *lens, struct parameter what, double size)
@@ -238,8 +246,14 @@ static bool variable_check_bounds(const struct variable *one, double value, stru
     const int length = parameter_length(one->what.kind, one->what.order);
     const bool is_angle = (parameter_type(one->what.kind)->is & PARAMETER_IS_ANGLE) != 0;
     const double factor = is_angle ? 1 / RADIANS_PER_DEGREE : 1;
-    const char *per_mm = length == -1 ? " /mm" : "", *plain = length == 1 ? " mm" : per_mm;
-    const char *unit = is_angle ? " deg" : plain;
+    const char *unit = "";
+    if (is_angle) {
+        unit = " deg";
+    } else if (length == 1) {
+        unit = " mm";
+    } else if (length == -1) {
+        unit = " /mm";
+    }
     double low = factor * one->low, high = factor * one->high;
     bool inverse = is_inverse(one->what.kind), turned = inverse && one->low > 0 && one->high < 0;
     if (isnan(low) || isnan(high) || (!(low < high) && !turned)) {

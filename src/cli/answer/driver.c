@@ -408,13 +408,13 @@ static int answer_without_rows(struct driver *driver)
 }
 
 /* That the solver is missing is said only of a question that it could answer: what is wrong with
-   the question is to mend first. `missing` is null where nothing is. */
-static int driver_compute(struct driver *driver, const struct error *missing)
+   the question is to mend first. */
+static int driver_compute(struct driver *driver)
 {
     struct error error = {0}, closing = {0};
     bool done = driver_ask(driver, &error);
-    if (done && missing != NULL) {
-        error = *missing;
+    if (done && driver->run.no_solver != NULL) {
+        error = *driver->run.no_solver;
         done = false;
     }
     done = done && driver_answer(driver, &error);
@@ -533,8 +533,7 @@ static int answer_question(struct driver *driver, char **argv)
     const bool lacks = relay_is_wanted(command, &driver->arguments) &&
                        !relay_to_ceres(argv, &driver->arena, &missing);
     driver->run.no_solver = lacks ? &missing : NULL;
-    const int status = command->run == NULL ? answer_without_rows(driver)
-                                            : driver_compute(driver, lacks ? &missing : NULL);
+    const int status = command->run == NULL ? answer_without_rows(driver) : driver_compute(driver);
     print_remark(driver->db.losses.data, driver->db.losses.length); /* of --lossy */
     return status;
 }

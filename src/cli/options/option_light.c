@@ -25,7 +25,7 @@ static bool light_blame(const struct option *option, struct error *error)
     return error->code == ERROR_USAGE && error_prefix(error, "%s: ", CALLED(option));
 }
 
-static bool filter_digit(char c)
+static bool is_filter_digit(char c)
 {
     return (c >= '0' && c <= '9') || c == '.';
 }
@@ -57,7 +57,7 @@ static bool read_factor(const struct option *option, struct text piece, struct t
            bad_filter(option, piece, "a filter factor is 1 to 1e30", error);
 }
 
-static bool filter_ends(struct text text, const char *end)
+static bool filter_ends_with(struct text text, const char *end)
 {
     const size_t length = strlen(end);
     return text.length > length &&
@@ -69,7 +69,7 @@ static struct text without_words(struct text piece)
 {
     static const char *const words[] = {" filter", " nd", "-nd"};
     for (size_t i = 0; i < sizeof words / sizeof words[0]; i++) {
-        if (filter_ends(piece, words[i])) {
+        if (filter_ends_with(piece, words[i])) {
             piece = text_trim((struct text){piece.start, piece.length - strlen(words[i])});
         }
     }
@@ -103,7 +103,7 @@ static bool read_neutral(const struct option *option, struct text piece, double 
 {
     struct text number = text_trim((struct text){piece.start + 2, piece.length - 2});
     double density;
-    if (filter_ends(number, "stop") || filter_ends(number, "stops")) {
+    if (filter_ends_with(number, "stop") || filter_ends_with(number, "stops")) {
         return filter_stops(option, number, stops, error);
     }
     if (memchr(number.start, '.', number.length) == NULL) {
@@ -124,14 +124,14 @@ static bool read_one_filter(const struct reader *reader, const struct option *op
     if (piece.length == 0) {
         return fail(error, ERROR_USAGE, "%s has an empty item", CALLED(option));
     }
-    if (filter_digit(piece.start[0]) || (piece.length > 2 && filter_digit(piece.start[2]))) {
+    if (is_filter_digit(piece.start[0]) || (piece.length > 2 && is_filter_digit(piece.start[2]))) {
         piece = without_words(piece);
     }
     bool neutral = piece.length > 2 && text_same((struct text){piece.start, 2}, "nd");
-    if (neutral && (filter_digit(piece.start[2]) || piece.start[2] == ' ')) {
+    if (neutral && (is_filter_digit(piece.start[2]) || piece.start[2] == ' ')) {
         return read_neutral(option, piece, &one->stops, error);
     }
-    if (!filter_digit(piece.start[0]) && piece.start[0] != '-') {
+    if (!is_filter_digit(piece.start[0]) && piece.start[0] != '-') {
         struct lensdb_filter filter;
         if (!lensdb_find_filter(reader->db, piece, &filter, error)) {
             return light_blame(option, error);

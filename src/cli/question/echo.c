@@ -229,11 +229,11 @@ static void echo_set_value(char *to, const struct echo_item *item, const void *i
         *(bool *)to = *(const bool *)member;
         break;
     case COLUMN_TEXT:
-        words = option_value_name(option, member);
-        if (words == NULL && option->kind->words_of != NULL) {
+        words = item->has_value ? option_value_name(option, member) : NULL;
+        if (item->has_value && words == NULL && option->kind->words_of != NULL) {
             words = option->kind->words_of(option, member, arena);
         }
-        *(const char **)(void *)to = item->has_value ? words : NULL;
+        *(const char **)(void *)to = words;
         break;
     }
 }

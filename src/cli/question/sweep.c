@@ -446,11 +446,11 @@ static bool set_values(struct sweep *sweep, struct sweep_values *values, struct 
     struct text rest = text;
     values->unit = option_unit(values->option);
     bool many = (values->option->flags & OPTION_MANY) != 0;
+    const char separator = many ? OPTION_MANY_SEPARATOR : ',';
     const bool is_one = !values->option->kind->is_list && !many;
     values->shared = is_one ? NULL : shared_unit(values->option, text);
     do {
-        struct text item =
-            is_one ? text : text_trim(text_cut(&rest, many ? OPTION_MANY_SEPARATOR : ','));
+        struct text item = is_one ? text : text_trim(text_cut(&rest, separator));
         if (item.length == 0 && !is_one) {
             return fail(error, ERROR_USAGE, "--%s '%.*s' has an empty item", values->option->name,
                         text_shown(text), text.start);

@@ -27,10 +27,11 @@ static const char *fit_missing_fields(const struct fit_job *job)
                                 list != NULL ? ", " : "", shown);
         }
     }
-    return list == NULL
-               ? NULL
-               : arena_printf(arena, "no ray of the field %s %s came through the clear apertures",
-                              list, job->setup->lens->object_is_infinite ? "deg" : "mm");
+    if (list == NULL) {
+        return NULL;
+    }
+    return arena_printf(arena, "no ray of the field %s %s came through the clear apertures", list,
+                        job->setup->lens->object_is_infinite ? "deg" : "mm");
 }
 
 /* Half as many as there are different fields off the axis whose rays come through, at most 3. */

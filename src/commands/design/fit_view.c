@@ -47,13 +47,13 @@ void fit_emit(const char *position, size_t count, const char *const *names, cons
     bool goes_on = true;
     for (size_t i = 0; i < count && goes_on; i++) {
         if (show != FIT_CORRELATIONS) {
+            const char *undetermined = summary->undetermined[i] ? "not determined" : NULL;
             const struct fit_row row = {.position = position,
                                         .parameter = names[i],
                                         .value = values[i],
                                         .error = errors[i],
-                                        .note = summary->at_bound[i]       ? "at its bound"
-                                                : summary->undetermined[i] ? "not determined"
-                                                                           : NULL};
+                                        .note =
+                                            summary->at_bound[i] ? "at its bound" : undetermined};
             goes_on = run_emit(run, &row);
             continue;
         }

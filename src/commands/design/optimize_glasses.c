@@ -130,9 +130,13 @@ static bool glass_list_read(struct glass_list *list, const char *typed, struct e
     for (size_t i = 0; i < list->word_count; i++) {
         const struct text word = list->words[i].text, meant = list->words[i].nearest.best;
         struct glass_record record;
-        if (list->words[i].is_catalog ||
-            (glass_find(list->job->run->db, word, GLASS_OWN_NAMES, list->arena, &record, error) &&
-             add_glass(list, &record.glass, error))) {
+        if (list->words[i].is_catalog) {
+            continue;
+        }
+        if (glass_find(list->job->run->db, word, GLASS_OWN_NAMES, list->arena, &record, error)) {
+            if (!add_glass(list, &record.glass, error)) {
+                return false;
+            }
             continue;
         }
         if (error->code == ERROR_USAGE && meant.start != NULL) {
@@ -155,17 +159,17 @@ bool optimize_glasses_open(struct optimize_job *job, struct error *error)
     struct arena *arena = job->run->arena;
     struct glass_list list = {.job = job, .arena = arena, .place = {job->run->db, arena}};
     size_t *surfaces = ARENA_ARRAY(arena, job->variables.count + 1, size_t);
-    if (input->glasses == NULL && input->show == OPTIMIZE_GLASSES && input->global == 0) {
+    if (input->glasses == NULL && input->show != OPTIMIZE_GLASSES) {
+        return true;
+    }
+    if (input->glasses == NULL && input->global == 0) {
         return fail(error, ERROR_USAGE, "{--show} glasses needs {--glasses}");
     }
-    if (input->glasses == NULL && input->show == OPTIMIZE_GLASSES) {
+    if (input->glasses == NULL) {
         fail(error, ERROR_USAGE, "{--global} exchanges no glasses");
         return error_hint(error,
                           "write what it keeps by -o NEW.lens; a second run, with NEW.lens and "
                           "{--glasses}, exchanges them");
-    }
-    if (input->glasses == NULL) {
-        return true;
     }
     if (glass_choice_models(&job->variables, surfaces) == 0) {
         fail(error, ERROR_DOMAIN, "{--glasses}: no model glass nd/Vd varies");

@@ -95,10 +95,14 @@ static void look_at_slot(const struct optimize_job *job, const struct merit_slot
         optimize_open_setup(job, job->found, slot->place, has_own ? &own : question->wavelengths,
                             has_own ? 1 : question->wavelength_count, true, &setup, &ignored);
     const struct setup *start = &job->merit.places[slot->place].setup;
-    const struct setup_field *fields = operand->field != NULL   ? operand->field
-                                       : start->field_count > 0 ? start->fields
-                                                                : &axis;
-    const size_t count = operand->field == NULL && start->field_count > 0 ? start->field_count : 1;
+    const struct setup_field *fields = &axis;
+    size_t count = 1;
+    if (operand->field != NULL) {
+        fields = operand->field;
+    } else if (start->field_count > 0) {
+        fields = start->fields;
+        count = start->field_count;
+    }
     for (size_t i = 0; i < count; i++) {
         const struct mtf_question asked = {.bundle = {.setup = &setup,
                                                       .field = &fields[i].point,
@@ -353,9 +357,10 @@ static void judge_end(struct optimize_job *job)
     const struct merit *merit = &job->merit;
     struct arena *arena = job->run->arena;
     const size_t missing = job->choice != NULL ? job->choice->missing : 0;
-    const char *left = missing == 0 ? ""
-                                    : arena_printf(arena, ", %zu model glass%s left", missing,
-                                                   missing > 1 ? "es" : "");
+    const char *left = "";
+    if (missing > 0) {
+        left = arena_printf(arena, ", %zu model glass%s left", missing, missing > 1 ? "es" : "");
+    }
     job->incomplete = NULL;
     if (summary->status == SOLVER_STOPPED && !job->is_late) {
         job->incomplete =

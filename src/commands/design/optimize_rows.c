@@ -220,16 +220,21 @@ static bool emit_variables(struct optimize_job *job, struct error *error)
     for (size_t i = 0; i < job->variables.count; i++) {
         const struct variable *variable = &job->variables.list[i];
         const struct medium *glass = exchanged(job->found, variable);
+        const char *note = NULL;
+        if (glass != NULL) {
+            note = glass->written.start;
+        } else if (answer->is_idle[i]) {
+            note = "no goal depends on it";
+        } else if (answer->summary.at_bound[i]) {
+            note = "at its bound";
+        }
         const struct variable_row row = {.about = optimize_about_of(job, i == 0),
                                          .variable = variable->name,
                                          .before = value_in(job->lens, variable, job->run->arena),
                                          .after = value_in(job->found, variable, job->run->arena),
                                          .low = or_none(variable->low),
                                          .high = or_none(variable->high),
-                                         .note = glass != NULL        ? glass->written.start
-                                                 : answer->is_idle[i] ? "no goal depends on it"
-                                                 : answer->summary.at_bound[i] ? "at its bound"
-                                                                               : NULL};
+                                         .note = note};
         if (!run_emit(job->run, &row)) {
             break;
         }

@@ -82,12 +82,13 @@ static const char *range_in_words(const struct optimize_job *job)
             count++;
         }
     }
-    return count == 0
-               ? "between their bounds"
-               : arena_printf(arena, "%s%swithin %.4g natural scale%s of the lens",
-                              count < job->variables.count ? "between their bounds, of " : "",
-                              count < job->variables.count ? names : "", spread,
-                              spread == 1 ? "" : "s");
+    if (count == 0) {
+        return "between their bounds";
+    }
+    const bool is_part = count < job->variables.count;
+    return arena_printf(arena, "%s%swithin %.4g natural scale%s of the lens",
+                        is_part ? "between their bounds, of " : "", is_part ? names : "", spread,
+                        spread == 1 ? "" : "s");
 }
 
 /*

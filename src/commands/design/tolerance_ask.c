@@ -189,15 +189,19 @@ static bool ask_criterion(struct tolerance_job *job, struct error *error)
         !read_figure("limit", input->limit, criterion->kind, &job->limit, error)) {
         return false;
     }
-    const char *of_trials = input->limit != NULL                      ? "limit"
-                            : input->save != NULL                     ? "save"
-                            : input->part.count > 0                   ? "part"
-                            : input->method == TOLERANCE_DIFFERENTIAL ? "method"
-                                                                      : NULL;
-    if (input->show >= TOLERANCE_SENSITIVITY && of_trials != NULL) {
-        return fail(error, ERROR_USAGE,
-                    "{--%s} is for trials, not for {--show} sensitivity, inverse and offenders",
-                    of_trials);
+    const struct {
+        bool is_asked;
+        const char *option;
+    } of_trials[] = {{input->limit != NULL, "limit"},
+                     {input->save != NULL, "save"},
+                     {input->part.count > 0, "part"},
+                     {input->method == TOLERANCE_DIFFERENTIAL, "method"}};
+    for (size_t i = 0; i < sizeof of_trials / sizeof of_trials[0]; i++) {
+        if (input->show >= TOLERANCE_SENSITIVITY && of_trials[i].is_asked) {
+            return fail(error, ERROR_USAGE,
+                        "{--%s} is for trials, not for {--show} sensitivity, inverse and offenders",
+                        of_trials[i].option);
+        }
     }
     if (input->drop == NULL && is_inverse) {
         return fail(error, ERROR_USAGE,
@@ -213,6 +217,8 @@ static bool ask_criterion(struct tolerance_job *job, struct error *error)
     }
     return input->save == NULL || ask_saved(job, error);
 }
+
+/* -------- the view -------- */
 
 static bool ask_view(struct tolerance_job *job, struct error *error)
 {
@@ -254,7 +260,7 @@ static bool ask_view(struct tolerance_job *job, struct error *error)
     return true;
 }
 
-/* -------- the view -------- */
+/* -------- the job -------- */
 
 bool tolerance_ask(struct tolerance_job *job, struct error *error)
 {

@@ -271,10 +271,13 @@ static const char *tolerance_line_of(const struct tolerance_job *job,
     const double arcminutes = 60 * DEGREES_PER_RADIAN;
     struct lens_tolerance now = *one->line;
     struct text_buffer text = {.arena = job->run->arena};
-    const bool is_power = now.kind == TOLERANCE_COEFFICIENT && now.unit == TOLERANCE_NUMBER;
-    const double scale = is_power ? pow(lens_unit_mm(job->lens->unit),
-                                        -parameter_length(PARAMETER_COEFFICIENT, now.order))
-                                  : (now.unit == TOLERANCE_ANGLE ? arcminutes : 1);
+    double scale = 1;
+    if (now.unit == TOLERANCE_ANGLE) {
+        scale = arcminutes;
+    } else if (now.kind == TOLERANCE_COEFFICIENT && now.unit == TOLERANCE_NUMBER) {
+        scale =
+            pow(lens_unit_mm(job->lens->unit), -parameter_length(PARAMETER_COEFFICIENT, now.order));
+    }
     const double amount = now.amount.value.hi * factor * scale;
     const char *typed = arena_printf(job->run->arena, "%.4g%s", amount, endings[now.unit]);
     now.amount.typed = text_of(typed);
@@ -379,10 +382,10 @@ const struct sheet tolerance_offenders_sheet = SHEET(offender_columns, struct of
 static int by_share(const void *a, const void *b)
 {
     const struct tolerance_offender *left = a, *right = b;
-    return left->share.total != right->share.total
-               ? (left->share.total > right->share.total ? -1 : 1)
-           : left->perturbation < right->perturbation ? -1
-                                                      : 1;
+    if (left->share.total != right->share.total) {
+        return left->share.total > right->share.total ? -1 : 1;
+    }
+    return left->perturbation < right->perturbation ? -1 : 1;
 }
 
 bool tolerance_offenders(struct tolerance_job *job, struct tolerance_offender **offenders,

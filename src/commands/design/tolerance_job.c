@@ -159,13 +159,15 @@ struct tolerance_about tolerance_about_of(const struct tolerance_job *job)
     }
     /* with what rays that are not aimed anew are off by */
     const double rounding = 1e-9; /* where the stop is the first surface */
-    const char *aimed =
-        question->aims          ? "aimed at the stop of every lens"
-        : isnan(job->aim_error) ? "those of the nominal lens"
-        : job->aim_error <= rounding * fabs(job->result.columns[0].tally.nominal)
-            ? "those of the nominal lens (aimed anew: the same)"
-            : arena_printf(arena, "those of the nominal lens (aimed anew: %.2g %s rms)",
-                           type->scale * job->aim_error, type->unit);
+    const char *aimed = "those of the nominal lens";
+    if (question->aims) {
+        aimed = "aimed at the stop of every lens";
+    } else if (job->aim_error <= rounding * fabs(job->result.columns[0].tally.nominal)) {
+        aimed = "those of the nominal lens (aimed anew: the same)";
+    } else if (!isnan(job->aim_error)) {
+        aimed = arena_printf(arena, "those of the nominal lens (aimed anew: %.2g %s rms)",
+                             type->scale * job->aim_error, type->unit);
+    }
     about.rays = arena_printf(arena, "%ld %s, %s, %s", input->rays, patterns[input->pattern].word,
                               question->view.clip ? "clipped" : "not clipped", aimed);
     return about;
@@ -195,8 +197,6 @@ static bool divide_trials(struct tolerance_job *job, struct error *error)
     job->trials.end = range.end;
     return division_head(job->run, &division, &job->head, error);
 }
-
-/* -------- how far nominal rays are right -------- */
 
 /* -------- the job -------- */
 

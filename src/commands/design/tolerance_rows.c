@@ -222,6 +222,7 @@ static bool emit_trials(struct tolerance_job *job, struct error *error)
         const uint64_t left = job->trials.end - round.begin;
         round.count = left < AT_ONCE ? (size_t)left : AT_ONCE;
         memset(round.made, 0, round.count * sizeof *round.made);
+        memset(round.found, 0, round.count * sizeof *round.found);
         done = tolerance_team_round(team, &round, error);
         const struct arena_mark mark = arena_mark(arena);
         for (size_t k = 0; k < round.count && goes_on && done; k++) {

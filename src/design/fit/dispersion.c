@@ -227,9 +227,10 @@ static bool fit_starts(struct dispersion_problem *fitting, double *best, struct 
         bool infrared = k % 2 == 0 && terms > 1;
         double c[MOST_PARAMETERS] = {0};
         for (size_t j = 0; j < terms; j++) {
-            double l = infrared && j + 1 == terms ? row[2] * last
-                       : j < 2                    ? row[j] * first
-                                                  : 0.9 * row[0] * first;
+            double l = j < 2 ? row[j] * first : 0.9 * row[0] * first;
+            if (infrared && j + 1 == terms) {
+                l = row[2] * last;
+            }
             c[2 * j + 1] = l * l;
         }
         struct solver_summary one;

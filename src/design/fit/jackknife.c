@@ -56,6 +56,7 @@ bool jackknife_covariance(const struct jackknife_fit *fit, struct arena *arena, 
         if (!(trace > 0)) {
             continue; /* it has no rows */
         }
+        /* (1 - Qg^T Qg)^-1 Qg^T rg, where that is a positive matrix */
         for (size_t i = 0; i < n * n; i++) {
             rest[i] = (i / n == i % n ? 1 : 0) - rest[i];
         }
@@ -68,6 +69,7 @@ bool jackknife_covariance(const struct jackknife_fit *fit, struct arena *arena, 
             cholesky_backward(rest, n, solved);
             linear_substitute(&factors, solved, change);
         }
+        /* what leaving out the group changes, squared and added up */
         for (size_t i = 0; i < n * n; i++) {
             covariance[i] += change[i / n] * change[i % n];
         }

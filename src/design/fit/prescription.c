@@ -308,16 +308,17 @@ static bool prescription_open_parts(struct prescription_problem *fitting, double
             return false;
         }
         const struct surface *surface = &lens->surfaces[part->what.surface];
-        fitting->start[j] = part->what.kind == PARAMETER_THICKNESS
-                                ? surface->thickness.value.hi
-                                : fabs(fitting->views[0].n[number]);
         low[j] = part->low;
         high[j] = part->high;
         if (is_radius) {
             fitting->start[j] = surface_curvature(surface, SECTION_Y).hi;
-            if (!curvature_bounds(part, &low[j], &high[j], error)) {
-                return false;
-            }
+        } else if (part->what.kind == PARAMETER_THICKNESS) {
+            fitting->start[j] = surface->thickness.value.hi;
+        } else {
+            fitting->start[j] = fabs(fitting->views[0].n[number]);
+        }
+        if (is_radius && !curvature_bounds(part, &low[j], &high[j], error)) {
+            return false;
         }
         if (!(low[j] <= fitting->start[j] && fitting->start[j] <= high[j])) {
             double shown = is_radius ? 1 / fitting->start[j] : fitting->start[j];

@@ -119,6 +119,7 @@ size_t merit_prepare_incidence(struct merit *merit, struct merit_slot *slot, str
     const struct merit_place *place = &merit->places[slot->place];
     const struct operand *operand = slot->operand;
     const struct lens *lens = place->lens;
+    /* the chief ray, and those through the upper and the lower edge of the stop */
     static const struct pupil_point pupils[] = {{0, 0, 1}, {0, 1, 1}, {0, -1, 1}};
     struct setup_wavelength *lights = ARENA_NEW(arena, struct setup_wavelength);
     struct bundle_wish wish = {.fields =

@@ -57,8 +57,8 @@ static struct ray_block adjoint_of_numbers(void)
 }
 
 /* Irregularities move it there; it starts where it does without them. */
-static void bend(struct merit *merit, const struct merit_beams *beams, size_t ray, size_t place,
-                 struct merit_ray *at)
+static void bend_ray(struct merit *merit, const struct merit_beams *beams, size_t ray, size_t place,
+                     struct merit_ray *at)
 {
     const struct merit_bundle *bundle = &beams->bundle;
     const struct bundle_wish *wish = &bundle->wish;
@@ -96,7 +96,7 @@ bool merit_ray_derive(struct merit *merit, const struct merit_beams *beams, size
                     ray_block_surface(ray_before(beams, ray, place), 0));
     }
     if (merit->question.irregularity_amounts != NULL) {
-        bend(merit, beams, ray, place, end);
+        bend_ray(merit, beams, ray, place, end);
     }
     if (merit->derives) {
         const struct arena_mark mark = arena_mark(merit->arena);

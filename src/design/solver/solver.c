@@ -404,17 +404,20 @@ static void run_rounds(struct solver_state *solving, double *parameters,
     summary->message = arena_printf(solving->arena, "%s", run.message);
 }
 
+static double or_usual(double value, double otherwise)
+{
+    return value > 0 ? value : otherwise;
+}
+
 static struct solver_options complete_options(const struct solver_options *options)
 {
     struct solver_options all = options != NULL ? *options : usual;
-    double *const own[] = {&all.function, &all.gradient, &all.parameter, &all.initial_trust,
-                           &all.dependent};
-    const double usually[] = {usual.function, usual.gradient, usual.parameter, usual.initial_trust,
-                              usual.dependent};
     all.iterations = all.iterations > 0 ? all.iterations : usual.iterations;
-    for (size_t i = 0; i < sizeof own / sizeof own[0]; i++) {
-        *own[i] = *own[i] > 0 ? *own[i] : usually[i];
-    }
+    all.function = or_usual(all.function, usual.function);
+    all.gradient = or_usual(all.gradient, usual.gradient);
+    all.parameter = or_usual(all.parameter, usual.parameter);
+    all.initial_trust = or_usual(all.initial_trust, usual.initial_trust);
+    all.dependent = or_usual(all.dependent, usual.dependent);
     return all;
 }
 

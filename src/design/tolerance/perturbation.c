@@ -110,6 +110,7 @@ static bool perturbation_add_tolerance(struct work *work, const struct lens_tole
     if (owner != TOLERANCE_OF_ELEMENT || !from->is_range) {
         return perturbation_add(work, entry, error);
     }
+    /* the elements from `first` to `last`: all of each */
     const char *wrong = tolerance_place_wrong(&work->site, &entry.place);
     if (wrong != NULL) {
         return perturbation_refuse(work, &entry, wrong, error);
@@ -151,10 +152,16 @@ static int by_rank(const void *left, const void *right)
     const int thing = by_thing(a, b);
     const bool a_last = a->rank <= RANK_GRADE_AIR && a->place.from->unit == TOLERANCE_FRINGES;
     const bool b_last = b->rank <= RANK_GRADE_AIR && b->place.from->unit == TOLERANCE_FRINGES;
-    return thing != 0           ? thing
-           : a->rank != b->rank ? (a->rank > b->rank ? -1 : 1)
-           : a_last != b_last   ? (a_last ? 1 : -1)
-                                : (a->number > b->number) - (a->number < b->number);
+    if (thing != 0) {
+        return thing;
+    }
+    if (a->rank != b->rank) {
+        return a->rank > b->rank ? -1 : 1;
+    }
+    if (a_last != b_last) {
+        return a_last ? 1 : -1;
+    }
+    return (a->number > b->number) - (a->number < b->number);
 }
 
 /* Keep of each thing the one that counts. */
@@ -195,11 +202,14 @@ static const char *names_or_none(struct text_buffer *names)
 static bool perturbation_emit(const struct work *work, const struct perturbation_entry *entry,
                               struct perturbations *perturbations, struct error *error)
 {
-    static const char *const axes[] = {
-        [PERTURBATION_ROUND] = "", [PERTURBATION_X] = " x", [PERTURBATION_Y] = " y"};
-    static const char *const forms[] = {[PERTURBATION_ROUND] = " spherical",
-                                        [PERTURBATION_X] = " 0deg",
-                                        [PERTURBATION_Y] = " 45deg"};
+    static const struct component {
+        enum perturbation_axis axis;
+        const char *words;
+    } whole[] = {{PERTURBATION_ROUND, ""}},
+      axes[] = {{PERTURBATION_X, " x"}, {PERTURBATION_Y, " y"}},
+      forms[] = {{PERTURBATION_X, " 0deg"},
+                 {PERTURBATION_Y, " 45deg"},
+                 {PERTURBATION_ROUND, " spherical"}};
     const struct lens_tolerance *from = entry->place.from;
     struct lens_tolerance *line = ARENA_NEW(work->site.arena, struct lens_tolerance);
     *line = *from;
@@ -218,13 +228,19 @@ static bool perturbation_emit(const struct work *work, const struct perturbation
     const bool is_decentre = one.kind == TOLERANCE_DECENTER;
     const bool is_motion =
         one.kind == TOLERANCE_ELEMENT_TILT || one.kind == TOLERANCE_ELEMENT_DECENTER;
-    const bool is_form = one.kind == TOLERANCE_IRREGULARITY;
-    const int count = is_tilt || is_decentre || is_motion ? 2 : 1;
-    for (int i = 0; i < (is_form ? 3 : count); i++) {
+    const struct component *components = whole;
+    int count = 1;
+    if (is_tilt || is_decentre || is_motion) {
+        components = axes;
+        count = 2;
+    } else if (one.kind == TOLERANCE_IRREGULARITY) {
+        components = forms;
+        count = 3;
+    }
+    for (int i = 0; i < count; i++) {
         struct perturbation part = one;
-        part.axis = is_form || count == 2 ? (enum perturbation_axis)((PERTURBATION_X + i) % 3)
-                                          : PERTURBATION_ROUND;
-        part.name = ARENA_JOIN(work->site.arena, one.name, (is_form ? forms : axes)[part.axis]);
+        part.axis = components[i].axis;
+        part.name = ARENA_JOIN(work->site.arena, one.name, components[i].words);
         if (is_tilt || is_decentre) {
             const int kind = (is_tilt ? PARAMETER_TILT_X : PARAMETER_DECENTER_X) + i;
             part.what = (struct parameter){one.first, (enum parameter_kind)kind, 0};

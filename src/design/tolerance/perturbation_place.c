@@ -31,11 +31,10 @@ enum tolerance_kind tolerance_place_space(const struct tolerance_site *site, siz
     while (surface > 0 && surface_reflects(site_surface(site, surface))) {
         surface--;
     }
-    return medium_is_air(surface_reflects(site_surface(site, surface))
-                             ? &site->lens->object_medium
-                             : &site_surface(site, surface)->medium)
-               ? TOLERANCE_AIR
-               : TOLERANCE_THICKNESS;
+    const struct medium *medium = surface_reflects(site_surface(site, surface))
+                                      ? &site->lens->object_medium
+                                      : &site_surface(site, surface)->medium;
+    return medium_is_air(medium) ? TOLERANCE_AIR : TOLERANCE_THICKNESS;
 }
 
 /* The space behind a surface where it is narrowest, or widest, in any position, mm: not below 0. */

@@ -160,8 +160,6 @@ void perturbed_keep(struct perturbed *perturbed, struct parameter what)
     }
 }
 
-/* -------- adding up -------- */
-
 /* -------- poses -------- */
 
 /* Rx(a) Ry(b) Rz(c), row by row, as trace/frames.h has it. */
@@ -228,11 +226,11 @@ static void begin_poses(struct perturbed *perturbed, const struct lens *nominal)
         const struct displacement *base = nominal->surfaces[i].decentre;
         struct perturbed_pose *pose = &perturbed->poses[i];
         *pose = (struct perturbed_pose){.z = 0};
+        for (int k = 0; k < 2 && base != NULL; k++) {
+            pose->decenter[k] = base->decenter[k].value.hi;
+        }
         for (int k = 0; k < 3 && base != NULL; k++) {
             pose->tilt[k] = base->tilt[k].value.hi;
-            if (k < 2) {
-                pose->decenter[k] = base->decenter[k].value.hi;
-            }
         }
     }
     for (size_t i = 0; i < perturbed->number_count; i++) {
@@ -297,6 +295,8 @@ static void restore(const struct surface *from, struct parameter what, struct su
         to->coefficients = from->coefficients;
     }
 }
+
+/* -------- adding up -------- */
 
 /* Sums of the errors: of numbers, motions and media. */
 static void sum_errors(struct perturbed *perturbed, const double *errors)

@@ -351,8 +351,8 @@ bool tolerance_open(const struct tolerance_question *question, struct arena *are
         !open_perturbed(tolerance, arena, error) || !open_quality(tolerance, arena, error)) {
         return false;
     }
-    if (tolerance->quality.slot_count ==
-        0) { /* the positions alone, as nothing else has looked at them */
+    if (tolerance->quality.slot_count == 0) {
+        /* the positions alone, as nothing else has looked at them: by their focal length */
         struct operand *efl = ARENA_NEW(arena, struct operand);
         *efl = operand_of(OPERAND_EFL, "efl");
         efl->target = 1;

@@ -253,46 +253,54 @@ static bool worker_open(const struct tolerance_team *team, size_t thread, struct
     return true;
 }
 
+/* SECOND_ORDER_LANES of them at most; a lane that nobody asked for has no errors. */
+static void run_second_order(const struct tolerance_team *team, struct trial_worker *worker,
+                             size_t begin, size_t end)
+{
+    enum { LANES = SECOND_ORDER_LANES };
+    const struct tolerance_run *run = team->run;
+    const size_t n = run->question->perturbation_count;
+    const size_t figures = team->result->tolerance->figure_count;
+    const size_t moves = tolerance_moves(team->result->tolerance);
+    double *errors = worker->lanes, *results = errors + n * LANES;
+    memset(errors, 0, n * LANES * sizeof *errors);
+    for (size_t at = begin; at < end; at++) {
+        tolerance_errors(run->question, run->seed, team->round->begin + at, worker->errors);
+        for (size_t i = 0; i < n; i++) {
+            errors[i * LANES + at - begin] = worker->errors[i];
+        }
+    }
+    second_order_trials(run->differential, errors, results);
+    for (size_t at = begin; at < end; at++) {
+        for (size_t f = 0; f < figures; f++) {
+            worker->trial.figures[f] = results[f * LANES + at - begin];
+        }
+        for (size_t m = 0; m < moves; m++) {
+            worker->trial.moves[m] = results[(figures + m) * LANES + at - begin];
+        }
+        count_trial(team, worker, at, true);
+    }
+}
+
 /* parallel_work: some trials, until the watch stops them. */
 static void run_trials(void *context, const struct parallel_piece *piece)
 {
-    enum { LANES = SECOND_ORDER_LANES };
     struct tolerance_team *team = context;
     struct trial_worker *worker = &team->workers[piece->thread];
     const struct tolerance_run *run = team->run;
+    const size_t step = run->differential != NULL ? SECOND_ORDER_LANES : 1;
     if (worker->error.code != ERROR_NONE || !watch_add(run->watch, piece->end - piece->begin) ||
         (!worker->is_open && !worker_open(team, piece->thread, piece->arena, worker))) {
         return;
     }
-    const size_t n = run->question->perturbation_count;
-    const size_t figures = team->result->tolerance->figure_count;
-    const size_t moves = tolerance_moves(team->result->tolerance);
-    for (size_t at = piece->begin; at < piece->end && run->differential == NULL; at++) {
+    for (size_t at = piece->begin; at < piece->end; at += step) {
+        if (run->differential != NULL) {
+            run_second_order(team, worker, at, at + step < piece->end ? at + step : piece->end);
+            continue;
+        }
         tolerance_errors(run->question, run->seed, team->round->begin + at, worker->errors);
         count_trial(team, worker, at,
                     tolerance_trial(worker->tolerance, worker->errors, &worker->trial));
-    }
-    for (size_t begin = piece->begin; begin < piece->end && run->differential != NULL;
-         begin += LANES) {
-        const size_t end = begin + LANES < piece->end ? begin + LANES : piece->end;
-        double *errors = worker->lanes, *results = errors + n * LANES;
-        memset(errors, 0, n * LANES * sizeof *errors); /* of lanes that nobody asked for */
-        for (size_t at = begin; at < end; at++) {
-            tolerance_errors(run->question, run->seed, team->round->begin + at, worker->errors);
-            for (size_t i = 0; i < n; i++) {
-                errors[i * LANES + at - begin] = worker->errors[i];
-            }
-        }
-        second_order_trials(run->differential, errors, results);
-        for (size_t at = begin; at < end; at++) {
-            for (size_t f = 0; f < figures; f++) {
-                worker->trial.figures[f] = results[f * LANES + at - begin];
-            }
-            for (size_t m = 0; m < moves; m++) {
-                worker->trial.moves[m] = results[(figures + m) * LANES + at - begin];
-            }
-            count_trial(team, worker, at, true);
-        }
     }
 }
 

@@ -352,7 +352,11 @@ static bool try_errors(void *context, const double *errors, double *figures, str
 {
     struct tolerance *tolerance = context;
     struct tolerance_trial trial = {.figures = figures, .moves = figures + tolerance->figure_count};
-    return tolerance_trial(tolerance, errors, &trial) || (*why = trial.why, false);
+    if (!tolerance_trial(tolerance, errors, &trial)) {
+        *why = trial.why;
+        return false;
+    }
+    return true;
 }
 
 struct second_order_problem tolerance_problem(struct tolerance *tolerance, struct watch *watch,
