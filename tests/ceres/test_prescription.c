@@ -173,6 +173,21 @@ static void test_from_plate(void)
     arena_free(&arena);
 }
 
+/* A thin lens before an ideal one of f2 = 80, a gap between: 1/f = 1/f1 + 1/f2 - t/(f1 f2). */
+static void test_ideal(void)
+{
+    const struct prescription_goal goal = {GOAL_EFL, 75, 0.01, 0.55, NAN};
+    const struct prescription_part part = {{0, PARAMETER_THICKNESS, 0}, -none, none};
+    struct arena arena = {0};
+    struct prescription_fit fit;
+    struct error error;
+    const struct lens lens = lens_of("thick 100 20 air -\nthick 80 - air -\n", &arena);
+    CHECK(prescription_fit(&lens, &(struct prescription_task){&goal, 1, &part, 1, {0}}, &arena,
+                           &fit, &error));
+    CHECK_RELATIVE(fit.values[0], (1.0 / 100 + 1.0 / 80 - 1.0 / 75) * 8000, 1e-9, "gap");
+    arena_free(&arena);
+}
+
 /* What one radius cannot do is as near as it gets, and is not far: 101 and 99 meet at 100. */
 static void test_contradiction(void)
 {
@@ -226,6 +241,7 @@ int main(void)
     test_mangin();
     test_through_afocal();
     test_from_plate();
+    test_ideal();
     test_contradiction();
     check_bad_goal((struct prescription_goal){GOAL_EFL, 0, 1, 0.55, NAN}, "focal length of 0");
     check_bad_goal((struct prescription_goal){GOAL_HEIGHT, 0, 1, 0.55, 0.1}, "height of 0");

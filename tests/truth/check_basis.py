@@ -6,7 +6,7 @@ differences between neighbours of 5 nm is least, where they are nowhere negative
 at each wavelength, and look under D65 as the primaries they stand for (the programme of Mallett and
 Yuksel 2019). It is solved here by a barrier method, in double precision, of the observer and the
 daylight that stand in the sources, and compared with the table in src/light/bands.c, which
---print writes.
+--print writes. The two tables it stands on are judged by what CIE 15:2004 says of them.
 """
 # SPDX-License-Identifier: MIT
 
@@ -177,6 +177,20 @@ def print_table(spectra):
                                       for value in row[:2]))
 
 
+def check_sources(checks):
+    """The sums that CIE 15:2004 prints under table T.4, of 380 to 780 nm in millionths; the
+    components of daylight, of 10 nm, are joined by straight lines."""
+    observer = table("src/light/observer.c", "functions")
+    for c, total in enumerate((21.371524, 21.371327, 21.371540)):
+        checks.near("sums", f"sum of column {c} of the observer",
+                    sum(round(row[c], 6) for row in observer[4:85]), total, 1e-9)
+    daylight = table("src/light/spectrum.c", "components")
+    for i in range(1, len(daylight) - 1, 2):
+        for c in range(3):
+            checks.near("lines", f"daylight at {300 + 5 * i} nm, component {c}", daylight[i][c],
+                        (daylight[i - 1][c] + daylight[i + 1][c]) / 2, 1e-9)
+
+
 def main():
     parts = weights()
     spectra = Programme(parts).solve()
@@ -187,6 +201,7 @@ def main():
     for c, row in enumerate(looks(parts, spectra)):
         for m in range(3):
             checks.near("looks", f"primary {c}, part {m}", row[m], float(m == c), 1e-9)
+    check_sources(checks)
     stored = table("src/light/bands.c", "primaries")
     checks.check(len(stored) == ROWS, f"the table has {len(stored)} rows, expected {ROWS}")
     for i, (row, want) in enumerate(zip(stored, spectra)):

@@ -188,6 +188,34 @@ static double check_slot(struct merit_bench *bench, const struct merit_slot *slo
     return worst;
 }
 
+/* The derivatives of all values are what their differences of fourth order give. */
+static void check_differences(struct merit_bench *bench, const char *name, const double *jacobian)
+{
+    static const int steps[SIDES] = {-2, -1, 1, 2}, factors[SIDES] = {1, -8, 8, -1};
+    const size_t rows = bench->merit.residual_count;
+    for (size_t j = 0; j < bench->count; j++) {
+        const double h = ldexp(1, ilogb(bench->variables.scale[j]) - 12);
+        double *slopes = ARENA_ARRAY(bench->arena, rows, double), scale = 0;
+        double *values = ARENA_ARRAY(bench->arena, rows, double);
+        for (int k = 0; k < SIDES; k++) {
+            double moved[MERIT_MOST];
+            memcpy(moved, bench->v, sizeof moved);
+            moved[j] += steps[k] * h;
+            CHECK(merit_evaluate(&bench->merit, moved, values, NULL));
+            for (size_t i = 0; i < rows; i++) {
+                slopes[i] += factors[k] * values[i] / (12 * h);
+            }
+        }
+        for (size_t i = 0; i < rows; i++) {
+            scale = fmax(scale, fmax(fabs(slopes[i]), 1e-4 / bench->variables.scale[j]));
+        }
+        for (size_t i = 0; i < rows; i++) {
+            const double mine = jacobian[i * bench->count + j];
+            CHECK_NEAR(mine, slopes[i], 1e-6 * scale, name);
+        }
+    }
+}
+
 static void check_case(const struct merit_case *of, const struct merit_question *looks)
 {
     struct arena arena = {0};
@@ -204,6 +232,7 @@ static void check_case(const struct merit_case *of, const struct merit_question 
         for (size_t i = 0; i < bench->merit.slot_count && done; i++) {
             worst = fmax(worst, check_slot(bench, &bench->merit.slots[i], jacobian));
         }
+        check_differences(bench, of->name, jacobian);
         printf("%s: contrasts from %.3g, worst error %.2g of scale\n", of->name,
                bench->merit.values[0], worst);
     }

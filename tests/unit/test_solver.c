@@ -56,9 +56,112 @@ static void test_normal(void)
     arena_free(&arena);
 }
 
+/* y = a + b x through (0, 0), (1, 1), (2, 3). */
+static bool straight(void *context, const double *p, double *r, double *jacobian)
+{
+    (void)context;
+    for (int i = 0; i < 3; i++) {
+        r[i] = p[0] + p[1] * i - (i < 2 ? i : 3);
+        if (jacobian != NULL) {
+            jacobian[2 * i] = 1;
+            jacobian[2 * i + 1] = i;
+        }
+    }
+    return true;
+}
+
+/* One more point than parameters is enough to tell their errors: sums of squares by hand. */
+static void test_one_degree(void)
+{
+    const struct solver_problem problem = {
+        .parameter_count = 2, .residual_count = 3, .evaluate = straight};
+    const struct solver_options options = {.engine = SOLVER_DLS};
+    struct arena arena = {0};
+    struct solver_summary summary;
+    struct error error;
+    double p[2] = {0, 0};
+    CHECK(solver_run(&problem, &options, p, &arena, &summary, &error));
+    CHECK(summary.degrees_of_freedom == 1);
+    CHECK_NEAR(p[0], -1.0 / 6, 1e-12, "a");
+    CHECK_NEAR(p[1], 1.5, 1e-12, "b");
+    CHECK_NEAR(summary.standard_error[0], sqrt(5.0 / 36), 1e-12, "error of a");
+    CHECK_NEAR(summary.standard_error[1], sqrt(1.0 / 12), 1e-12, "error of b");
+    arena_free(&arena);
+}
+
+/* Planes a.x = b, of which those from WALLS_FIRST on count on one side only. */
+enum { WALLS = 40, WALLS_ACROSS = 4 };
+struct walls {
+    double a[WALLS][WALLS_ACROSS], b[WALLS];
+};
+
+static bool walls_residuals(void *context, const double *x, double *r, double *jacobian)
+{
+    const struct walls *walls = context;
+    for (int k = 0; k < WALLS; k++) {
+        r[k] = -walls->b[k];
+        for (int i = 0; i < WALLS_ACROSS; i++) {
+            r[k] += walls->a[k][i] * x[i];
+        }
+    }
+    if (jacobian != NULL) {
+        memcpy(jacobian, walls->a, sizeof walls->a);
+    }
+    return true;
+}
+
+/*
+ * Where walls stand close, a step that runs into one leaves another: what is linear on each side is
+ * found at once all the same. At the least sum the gradient of what counts there is 0.
+ */
+static void test_many_walls(void)
+{
+    enum solver_side sides[WALLS] = {SIDE_BOTH};
+    const struct solver_options options = {.engine = SOLVER_DLS};
+    struct arena arena = {0};
+    uint32_t word = 5;
+    for (int k = WALLS_ACROSS; k < WALLS; k++) {
+        sides[k] = k % 2 == 0 ? SIDE_ABOVE : SIDE_BELOW;
+    }
+    for (int trial = 0; trial < 100; trial++) {
+        struct walls walls = {.b = {0}};
+        for (int k = 0; k < WALLS; k++) {
+            const double steep = k < WALLS_ACROSS ? 0.01 : 1;
+            for (int i = 0; i <= WALLS_ACROSS; i++) {
+                word = word * 1664525U + 1013904223U;
+                const double one = ldexp(word, -31) - 1;
+                *(i < WALLS_ACROSS ? &walls.a[k][i] : &walls.b[k]) = steep * one;
+            }
+        }
+        const struct solver_problem problem = {.parameter_count = WALLS_ACROSS,
+                                               .residual_count = WALLS,
+                                               .evaluate = walls_residuals,
+                                               .context = &walls,
+                                               .scale = (const double[]){1, 1, 1, 1},
+                                               .sides = sides};
+        struct solver_summary summary;
+        struct error error;
+        double x[WALLS_ACROSS] = {5, -5, 5, -5}, r[WALLS];
+        CHECK(solver_run(&problem, &options, x, &arena, &summary, &error));
+        walls_residuals(&walls, x, r, NULL);
+        for (int i = 0; i < WALLS_ACROSS; i++) {
+            double gradient = 0;
+            for (int k = 0; k < WALLS; k++) {
+                const bool counts = sides[k] == SIDE_BOTH || (sides[k] == SIDE_ABOVE) == (r[k] > 0);
+                gradient += counts ? r[k] * walls.a[k][i] : 0;
+            }
+            CHECK_NEAR(gradient, 0, 1e-9, "the gradient between walls");
+        }
+        CHECK(summary.iterations <= 12);
+        arena_free(&arena);
+    }
+}
+
 int main(void)
 {
     test_normal();
+    test_one_degree();
+    test_many_walls();
     test_solver(SOLVER_DLS);
     test_classics();
     return check_report();

@@ -50,8 +50,8 @@ void NAMED(kernel_normal, KERNEL)(const struct solver_rows *rows, double *normal
     const size_t n = rows->columns;
     const double *residuals = rows->room + n * SOLVER_ROWS;
     memset(gradient, 0, n * sizeof(double));
-    for (size_t i = 0; i < n * n && normal != NULL; i++) {
-        normal[i] = 0;
+    if (normal != NULL) {
+        memset(normal, 0, n * n * sizeof(double));
     }
     for (size_t first = 0; first < rows->rows; first += SOLVER_ROWS) {
         for (size_t i = 0; i <= n; i++) {
