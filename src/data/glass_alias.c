@@ -57,8 +57,8 @@ static bool glass_alias_look(struct lensdb *db, struct glass_alias_search *searc
     error->code = ERROR_NONE;
     for (enum lensdb_place place = LENSDB_USER; place < LENSDB_PLACES; place++) {
         struct tsv tsv;
-        if (lensdb_open(db, place, FILE_NAME, &tsv, error) ? !each_alias(search, &tsv, error)
-                                                           : error->code != ERROR_NONE) {
+        const bool open = lensdb_open(db, place, FILE_NAME, &tsv, error);
+        if (open ? !each_alias(search, &tsv, error) : error->code != ERROR_NONE) {
             return false;
         }
     }

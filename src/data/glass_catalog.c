@@ -155,8 +155,7 @@ static bool search_user(struct glass_catalog_search *search, struct error *error
     if (!agf_catalogs(search->db, &agf, error)) {
         return false;
     }
-    const struct agf_catalog *catalog = agf;
-    for (; catalog != NULL; catalog = catalog->next) {
+    for (const struct agf_catalog *catalog = agf; catalog != NULL; catalog = catalog->next) {
         if (search->catalog.length > 0 && !text_same_name(search->catalog, catalog->name)) {
             continue;
         }
@@ -253,6 +252,13 @@ static void keep_exact(struct glass_catalog_search *search)
     search->count = exact > 0 ? exact : search->count;
 }
 
+static bool is_same_glass(const struct glass *a, const struct glass *b)
+{
+    return a->formula == b->formula && a->count == b->count && a->table_count == 0 &&
+           b->table_count == 0 &&
+           memcmp(a->coefficients, b->coefficients, a->count * sizeof a->coefficients[0]) == 0;
+}
+
 /* The glasses that were found but for one (null: all), as they have to be typed. */
 static const char *list_found(const struct glass_catalog_search *search,
                               const struct glass_record *but, bool current_only,
@@ -304,11 +310,7 @@ static bool glasses_agree(const struct glass_catalog_search *search, struct glas
     *record = search->found[0];
     for (size_t i = 1; i < search->count; i++) {
         const struct glass_record *one = &search->found[i];
-        const struct glass *b = &search->found[0].glass;
-        if (one->glass.formula != b->formula || one->glass.count != b->count ||
-            one->glass.table_count != 0 || b->table_count != 0 ||
-            memcmp(one->glass.coefficients, b->coefficients,
-                   one->glass.count * sizeof one->glass.coefficients[0]) != 0) {
+        if (!is_same_glass(&one->glass, &search->found[0].glass)) {
             return false;
         }
         if (text_equal(one->status, "current") && !text_equal(record->status, "current")) {

@@ -457,40 +457,42 @@ bool lensdb_film_model(const struct lensdb_film *film, struct reciprocity *model
     return read || error_locate(error, film->file, film->line, 0);
 }
 
-/* A scene, or where `scene` is null a filter. */
-static bool find_fact(struct lensdb *db, struct text name, struct lensdb_scene *scene,
-                      struct lensdb_filter *filter, struct error *error)
+bool lensdb_find_scene(struct lensdb *db, struct text name, struct lensdb_scene *scene,
+                       struct error *error)
 {
     struct nearest nearest = {.typed = text_trim(name)};
     for (enum lensdb_place place = LENSDB_USER; place < LENSDB_PLACES; place++) {
         struct lensdb_table facts;
-        bool open = scene != NULL ? lensdb_scenes_open(&facts, db, place, error)
-                                  : lensdb_filters_open(&facts, db, place, error);
-        while (open && (scene != NULL ? lensdb_scenes_next(&facts, scene, error)
-                                      : lensdb_filters_next(&facts, filter, error))) {
-            const struct text known = scene != NULL ? scene->name : filter->name,
-                              aliases = scene != NULL ? scene->aliases : filter->aliases;
-            if (answers_to_name(known, aliases, nearest.typed)) {
+        bool open = lensdb_scenes_open(&facts, db, place, error);
+        while (open && lensdb_scenes_next(&facts, scene, error)) {
+            if (answers_to_name(scene->name, scene->aliases, nearest.typed)) {
                 return true;
             }
-            offer_all_names(&nearest, known, aliases);
+            offer_all_names(&nearest, scene->name, scene->aliases);
         }
         if (error->code != ERROR_NONE) {
             return false;
         }
     }
-    return scene != NULL ? unknown_fact("scene", "scenes", &nearest, error)
-                         : unknown_fact("filter", "filters", &nearest, error);
-}
-
-bool lensdb_find_scene(struct lensdb *db, struct text name, struct lensdb_scene *scene,
-                       struct error *error)
-{
-    return find_fact(db, name, scene, NULL, error);
+    return unknown_fact("scene", "scenes", &nearest, error);
 }
 
 bool lensdb_find_filter(struct lensdb *db, struct text name, struct lensdb_filter *filter,
                         struct error *error)
 {
-    return find_fact(db, name, NULL, filter, error);
+    struct nearest nearest = {.typed = text_trim(name)};
+    for (enum lensdb_place place = LENSDB_USER; place < LENSDB_PLACES; place++) {
+        struct lensdb_table facts;
+        bool open = lensdb_filters_open(&facts, db, place, error);
+        while (open && lensdb_filters_next(&facts, filter, error)) {
+            if (answers_to_name(filter->name, filter->aliases, nearest.typed)) {
+                return true;
+            }
+            offer_all_names(&nearest, filter->name, filter->aliases);
+        }
+        if (error->code != ERROR_NONE) {
+            return false;
+        }
+    }
+    return unknown_fact("filter", "filters", &nearest, error);
 }

@@ -91,8 +91,8 @@ static bool take_primaries(struct image *image, struct error *error)
         if (!(least >= -least_negative * most)) {
             /* of primaries that no light has luminance may be below 0: black */
             const double grey = fmax(colour_luminance(to.part), 0);
-            colour_move_from_grey(to.part, grey,
-                                  colour_share_within(to.part, grey, (double)INFINITY));
+            const double share = colour_share_within(to.part, grey, (double)INFINITY);
+            colour_move_from_grey(to.part, grey, share);
             image->beyond_srgb++;
         }
         for (int k = 0; k < 3; k++) {

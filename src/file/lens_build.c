@@ -240,9 +240,10 @@ bool figure_radius_of(const struct figure *curvature, const char *unit, struct a
         double c = 0, r = 0;
         text_number(curvature->typed, NUMBER_UNSCALED, &c);
         text_number(figure.typed, NUMBER_UNSCALED, &r);
+        const bool is_reciprocal = c == 1 / r;
         /* The same to all digits that a pair has. */
         struct pair rest = pair_subtract(pair_multiply(curvature->value, figure.value), pair_of(1));
-        if (is_double ? (c == 1 / r) : (fabs(rest.hi) <= 1e-28)) {
+        if (is_double ? is_reciprocal : fabs(rest.hi) <= 1e-28) {
             *radius = figure_computed(figure.value, scale, arena);
             return true;
         }

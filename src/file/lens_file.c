@@ -37,6 +37,7 @@ struct parser {
 
 /* Report something wrong with a word of the present line. False */
 #define parser_fail(parser, word, ...) file_words_fail(&(parser)->words, (word), __VA_ARGS__)
+
 static const char *rest_string(struct parser *parser)
 {
     struct text rest = file_words_rest(&parser->words);
@@ -440,7 +441,7 @@ static bool lens_file_read_line(struct parser *parser)
     if (i == count) {
         /* Not the beginning of a line: one of the table may have been meant. */
         struct nearest nearest = {.typed = word};
-        for (size_t k = 0; k < sizeof keywords / sizeof keywords[0]; k++) {
+        for (size_t k = 0; k < count; k++) {
             nearest_offer(&nearest, text_of(keywords[k].word));
         }
         parser_fail(parser, word, "unknown word '%.*s'", text_shown(word), word.start);

@@ -167,6 +167,21 @@ static bool tolerance_has_place(const struct lens *lens, enum tolerance_kind kin
     return keeps_place(lens, one);
 }
 
+/* What is of one end of an element by itself is of the other end now, and must be named. */
+static size_t turn_pivot(const struct turn *turn, const struct lens_tolerance *from,
+                         const struct lens_tolerance *to)
+{
+    const bool is_wedge = from->kind == TOLERANCE_WEDGE;
+    const bool has_end = is_wedge || from->kind == TOLERANCE_ELEMENT_ROLL;
+    size_t pivot = from->pivot;
+    if (pivot == LENS_NONE && has_end) {
+        pivot = is_wedge ? from->last : from->first;
+    }
+    pivot = pivot == LENS_NONE ? LENS_NONE : turn->places[OWNED_BY_SURFACE][pivot];
+    const size_t unnamed = is_wedge ? to->last : to->first;
+    return has_end && pivot == unnamed ? LENS_NONE : pivot;
+}
+
 /* Those of the lens turned around, in the making. */
 struct turned_tolerances {
     struct lens_tolerance *list;
@@ -190,16 +205,7 @@ static void turn_tolerance(const struct turn *turn, struct turned_tolerances *al
         }
     }
     if (to.first != LENS_NONE) {
-        /* What is of one end of an element by itself is of the other end now, and must be named. */
-        const bool is_wedge = from->kind == TOLERANCE_WEDGE;
-        const bool has_end = is_wedge || from->kind == TOLERANCE_ELEMENT_ROLL;
-        size_t pivot = from->pivot;
-        if (pivot == LENS_NONE && has_end) {
-            pivot = is_wedge ? from->last : from->first;
-        }
-        pivot = pivot == LENS_NONE ? LENS_NONE : turn->places[OWNED_BY_SURFACE][pivot];
-        const size_t unnamed = is_wedge ? to.last : to.first;
-        to.pivot = has_end && pivot == unnamed ? LENS_NONE : pivot;
+        to.pivot = turn_pivot(turn, from, &to);
         *ARENA_ADD(turn->arena, all->list, all->count, all->room) = to;
     }
 }
@@ -308,10 +314,8 @@ static const struct aperture *turn_apertures(const struct turn *turn, const stru
         }
         copy[i].points = (const struct figure(*)[2])points;
         if (copy[i].arms % 2 != 0) {
-            copy[i].turn =
-                figure_rounded(pair_add(pair_of(180), pair_divide(copy[i].turn.value,
-                                                                  pair_of(RADIANS_PER_DEGREE))),
-                               NUMBER_UNSCALED, arena);
+            struct pair degrees = pair_divide(copy[i].turn.value, pair_of(RADIANS_PER_DEGREE));
+            copy[i].turn = figure_rounded(pair_add(pair_of(180), degrees), NUMBER_UNSCALED, arena);
             copy[i].turn.value = pair_multiply(copy[i].turn.value, pair_of(RADIANS_PER_DEGREE));
         }
     }
@@ -354,6 +358,7 @@ static void add_turned_surface(struct turn *turn, size_t index)
         last->has_thickness = surfaces[index - 1].has_thickness;
         last->thickness =
             lens_reverse_turned(turn, PARAMETER_THICKNESS, surfaces[index - 1].thickness);
+        /* Marks of the gap before a surface, and of its medium, which mirrors have from before. */
         size_t medium = index - 1;
         add_own_marks(turn, last, &surfaces[index - 1], OWNED_BY_GAP);
         while (medium > 0 && surface_reflects(&surfaces[medium])) {

@@ -513,7 +513,7 @@ bool lens_grade_read(struct lensdb *db, struct text name, const struct lens *len
     error->code = ERROR_NONE;
     for (enum lensdb_place place = LENSDB_USER;
          place < LENSDB_PLACES && graded.tolerance_count == 0; place++) {
-        /* Those of one place; `names` receives all grades that it has. */
+        /* Those of one place; `nearest` is offered all grades that it has. */
         struct lensdb_table grades;
         struct lensdb_tolerance row;
         bool open = lensdb_grades_open(&grades, db, place, error);

@@ -282,8 +282,8 @@ bool lens_words_medium(const struct file_words *words, struct text text, struct 
         medium->kind = MEDIUM_CONSTANT;
         return true;
     }
-    if (!(text.length > 0 && text.start[0] != '\0' &&
-          strchr("0123456789.+-", text.start[0]) != NULL)) {
+    const bool is_number = text.start[0] != '\0' && strchr("0123456789.+-", text.start[0]) != NULL;
+    if (!is_number) {
         return true;
     }
     struct text abbe = text, index = text_cut(&abbe, '/');

@@ -271,6 +271,26 @@ static struct vector obj_file_position(const struct obj *obj, size_t corner)
     return obj->all[PART_POSITION][obj->corners[corner].of[PART_POSITION]];
 }
 
+/* Into other triangles, as many. */
+static void cut_face(struct obj *obj, const struct obj_file_fan *fan)
+{
+    size_t(*triangles)[3] = &obj->triangles[fan->first];
+    size_t(*cut)[3] = arena_array(obj->arena, fan->corner_count - 2, sizeof cut[0]);
+    size_t *corners = ARENA_ARRAY(obj->arena, fan->corner_count, size_t);
+    struct vector *at = ARENA_ARRAY(obj->arena, fan->corner_count, struct vector);
+    for (size_t i = 0; i < fan->corner_count; i++) {
+        corners[i] = i < 2 ? triangles[0][i] : triangles[i - 2][2];
+        at[i] = obj_file_position(obj, corners[i]);
+    }
+    const enum polygon_cut way = polygon_triangles(at, fan->corner_count, cut, obj->arena);
+    obj->passed->crossed += way == POLYGON_CROSSED ? 1 : 0;
+    for (size_t i = 0; i < fan->corner_count - 2; i++) {
+        for (int k = 0; k < 3; k++) {
+            triangles[i][k] = corners[cut[i][k]];
+        }
+    }
+}
+
 /* Where its corners lie, whichever comes first; bytes are equal where numbers are. */
 struct places {
     struct vector at[3];
@@ -332,6 +352,17 @@ static void leave_out_twice(struct obj *obj)
     obj->triangle_count = kept;
 }
 
+/* Any direction for a triangle without area, which nothing meets. */
+static struct vector face_normal(const struct obj *obj, const size_t triangle[3])
+{
+    const struct vector a = obj_file_position(obj, triangle[0]);
+    const struct vector across = vector_cross(vector_minus(obj_file_position(obj, triangle[1]), a),
+                                              vector_minus(obj_file_position(obj, triangle[2]), a));
+    const double length = vector_length(across);
+    return length > 0 && isfinite(length) ? vector_times(1 / length, across)
+                                          : (struct vector){0, 0, 1};
+}
+
 static bool has_normal(const struct obj *obj, size_t corner)
 {
     const size_t normal = obj->corners[corner].of[PART_NORMAL];
@@ -349,18 +380,9 @@ static void give_normals(struct obj *obj)
                 continue;
             }
             if (flat.of[PART_NORMAL] == NONE) {
-                /* Any direction for a triangle without area, which nothing meets. */
-                const struct vector a = obj_file_position(obj, triangle[0]);
-                const struct vector across =
-                    vector_cross(vector_minus(obj_file_position(obj, triangle[1]), a),
-                                 vector_minus(obj_file_position(obj, triangle[2]), a));
-                const double length = vector_length(across);
-                const struct vector normal = length > 0 && isfinite(length)
-                                                 ? vector_times(1 / length, across)
-                                                 : (struct vector){0, 0, 1};
                 flat.of[PART_NORMAL] = obj->count[PART_NORMAL];
                 *ARENA_ADD(obj->arena, obj->all[PART_NORMAL], obj->count[PART_NORMAL],
-                           obj->room[PART_NORMAL]) = normal;
+                           obj->room[PART_NORMAL]) = face_normal(obj, triangle);
             }
             flat.of[PART_POSITION] = obj->corners[triangle[k]].of[PART_POSITION];
             flat.of[PART_PLACE] = obj->corners[triangle[k]].of[PART_PLACE];
@@ -462,23 +484,7 @@ bool obj_read(const struct obj_question *question, struct text content, struct a
     if (is_read) {
         for (size_t i = 0; i < obj.fan_count; i++) {
             const struct arena_mark mark = arena_mark(obj.arena);
-            /* Into other triangles, as many. */
-            const struct obj_file_fan *fan = &obj.fans[i];
-            size_t(*triangles)[3] = &obj.triangles[fan->first];
-            size_t(*cut)[3] = arena_array(obj.arena, fan->corner_count - 2, sizeof cut[0]);
-            size_t *corners = ARENA_ARRAY(obj.arena, fan->corner_count, size_t);
-            struct vector *at = ARENA_ARRAY(obj.arena, fan->corner_count, struct vector);
-            for (size_t j = 0; j < fan->corner_count; j++) {
-                corners[j] = j < 2 ? triangles[0][j] : triangles[j - 2][2];
-                at[j] = obj_file_position(&obj, corners[j]);
-            }
-            obj.passed->crossed +=
-                polygon_triangles(at, fan->corner_count, cut, obj.arena) == POLYGON_CROSSED ? 1 : 0;
-            for (size_t j = 0; j < fan->corner_count - 2; j++) {
-                for (int k = 0; k < 3; k++) {
-                    triangles[j][k] = corners[cut[j][k]];
-                }
-            }
+            cut_face(&obj, &obj.fans[i]);
             arena_reset(obj.arena, mark);
         }
         leave_out_twice(&obj);

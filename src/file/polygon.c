@@ -115,9 +115,8 @@ static size_t polygon_cell_of(double x, double low, double high, size_t cells)
 static size_t *polygon_first_of(const struct polygon_grid *grid, struct polygon_point at)
 {
     const size_t column = polygon_cell_of(at.x, grid->low.x, grid->high.x, grid->cells);
-    return &grid->first[polygon_cell_of(at.y, grid->low.y, grid->high.y, grid->cells) *
-                            grid->cells +
-                        column];
+    const size_t row = polygon_cell_of(at.y, grid->low.y, grid->high.y, grid->cells);
+    return &grid->first[row * grid->cells + column];
 }
 
 static bool polygon_turns_left(const struct polygon *polygon, size_t i)

@@ -119,9 +119,10 @@ static bool colour_named(const struct scene_reader *reader, struct text name,
 }
 
 /* "0.5" and "0.2,0.5,0.1", but not "5600K". */
-static bool begins_colour(struct text text)
+static bool is_colour_number(struct text text)
 {
-    return strchr("0123456789.+-", text.start[0]) != NULL && (text.start[text.length - 1]) != 'K';
+    const char last = text.start[text.length - 1];
+    return strchr("0123456789.+-", text.start[0]) != NULL && last != 'K';
 }
 
 /* Any grey is white light, and who writes a number above 1 means something else by it. */
@@ -149,13 +150,13 @@ bool scene_colour_of(const struct scene_reader *reader, const struct scene_line 
         bool is_read;
         if (text.start[0] == '#') {
             is_read = read_code(words, text, &colour.spectrum);
-        } else if (begins_colour(text)) {
+        } else if (is_colour_number(text)) {
             is_read = read_parts(words, text, &colour.spectrum);
         } else {
             is_read = colour_named(reader, text, use, &colour);
         }
         if (!is_read || !check_colour_use(words, text, use, &colour) ||
-            (use == COLOUR_OF_LIGHT && begins_colour(text) &&
+            (use == COLOUR_OF_LIGHT && is_colour_number(text) &&
              !check_grey_parts(words, text, &colour.spectrum))) {
             return false;
         }

@@ -27,6 +27,27 @@ static struct figure figure_text(const char *typed)
     return figure;
 }
 
+/* "517642" is nd = 1.517, Vd = 64.2. */
+static bool is_code(struct text name)
+{
+    bool digits = name.length == 6;
+    for (size_t i = 0; i < name.length; i++) {
+        digits = digits && name.start[i] >= '0' && name.start[i] <= '9';
+    }
+    return digits;
+}
+
+static struct medium code_medium(struct zemax_file *file, struct text name)
+{
+    struct arena *arena = file->job->arena;
+    struct figure nd = figure_text(arena_printf(arena, "1.%.3s", name.start));
+    struct figure Vd =
+        figure_text(arena_printf(arena, "%.2s.%.1s", name.start + 3, name.start + 5));
+    return Vd.value.hi > 0
+               ? model_of(file, nd, Vd)
+               : (struct medium){.kind = MEDIUM_CONSTANT, .written = nd.typed, .index = nd.value};
+}
+
 /* GLAS name mode pick-up nd Vd dPgF .. */
 static bool model_medium(struct zemax_file *file, const struct zemax_line *line,
                          struct medium *medium)
@@ -279,20 +300,8 @@ bool zemax_glass(struct zemax_file *file, const struct zemax_line *line, struct 
     if (type == GLASS_MODEL && zemax_number(line, 2) > 0) {
         return named_model(file, line, medium);
     }
-    /* "517642" is nd = 1.517, Vd = 64.2. */
-    bool digits = line->keyword.length == 6;
-    for (size_t i = 0; i < line->keyword.length; i++) {
-        digits = digits && line->keyword.start[i] >= '0' && line->keyword.start[i] <= '9';
-    }
-    if (digits) {
-        struct arena *arena = file->job->arena;
-        struct figure nd = figure_text(arena_printf(arena, "1.%.3s", line->keyword.start));
-        struct figure Vd = figure_text(
-            arena_printf(arena, "%.2s.%.1s", line->keyword.start + 3, line->keyword.start + 5));
-        *medium =
-            Vd.value.hi > 0
-                ? model_of(file, nd, Vd)
-                : (struct medium){.kind = MEDIUM_CONSTANT, .written = nd.typed, .index = nd.value};
+    if (is_code(line->keyword)) {
+        *medium = code_medium(file, line->keyword);
         return true;
     }
     return named_glass(file, line, medium) && zmx_glass_there(file, line, medium);

@@ -91,7 +91,7 @@ static bool read_user_aperture(struct zemax_file *file, const struct zemax_line 
     struct zemax_surface *surface = last_zmx_surface(file);
     if (text_same(line->keyword, "UDAD") && zemax_number(line, 0) != 0) {
         /* UDAD 1 x y 0: the file that UDAD 0 names, row by row, as the lens was saved */
-        if (!surface->has_lost_aperture) {
+        if (!surface->has_lost_aperture) { /* else its numbers would be scaled */
             *ARENA_ADD(file->job->arena, surface->user_rows, surface->user_row_count,
                        surface->user_row_room) = line;
             if (surface->user_aperture == NULL) {
@@ -287,11 +287,13 @@ static bool read_unknown(struct zemax_file *file, struct text word, bool behind)
     int length = text_shown_up_to(word, 40);
     struct text at;
     double surface = zemax_number(line, 0), configuration = zemax_number(line, 1);
-    if (behind && file->has_configurations && line->count >= 2 && surface >= 0 &&
-        surface < FOREIGN_MOST_SURFACES && configuration >= 1 &&
-        configuration <= (double)file->configurations) {
+    const bool is_like_setting = file->has_configurations && line->count >= 2 && surface >= 0 &&
+                                 surface < FOREIGN_MOST_SURFACES && configuration >= 1 &&
+                                 configuration <= (double)file->configurations;
+    if (behind && is_like_setting) {
         return zemax_read_setting(file, word);
     }
+    /* Every line of the merit function is a word, two integers and six numbers. */
     if (behind && !file->has_configurations && line->keyword.length == 4 && line->count >= 8) {
         file->in_tail = true;
         return true;

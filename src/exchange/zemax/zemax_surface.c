@@ -152,6 +152,7 @@ static bool is_standard_there(struct zemax_file *file, size_t at)
     const struct zemax_surface *from = &file->surfaces[at];
     for (size_t i = 0; i < sizeof shapes / sizeof shapes[0]; i++) {
         if (is_type(from, shapes[i])) {
+            /* all that stand behind the first two of XDAT, which are a count and a length */
             bool none = true, stated = from->extras[1] != NULL;
             for (size_t k = 1; k < ZEMAX_PARAMETERS; k++) {
                 none = none && zemax_parameter(file, at, k).value.hi == 0;
