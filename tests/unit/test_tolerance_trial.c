@@ -2,6 +2,7 @@
 /* SPDX-License-Identifier: MIT */
 #include "any_errors.h"
 #include "check.h"
+#include "design/tolerance/tolerance_run.h"
 #include "design/tolerance/tolerance_trial.h"
 #include "double_gauss.h"
 #include "lens_of.h"
@@ -163,6 +164,59 @@ static void check_pivot(void)
     arena_free(&arena);
 }
 
+/* A turn by Ry(b), then by Rx(a). */
+static void turn_by(double a, double b, double v[3])
+{
+    const double x = v[0] * cos(b) + v[2] * sin(b), z = v[2] * cos(b) - v[0] * sin(b);
+    const double y = v[1] * cos(a) - z * sin(a), along = v[1] * sin(a) + z * cos(a);
+    memcpy(v, (const double[]){x, y, along}, 3 * sizeof *v);
+}
+
+/*
+ * One motion after the other: what is off the axis and tilted turns with what it is part of, its
+ * vertex about the pivot and its normal.
+ */
+static void check_turned(void)
+{
+    static struct under_test test;
+    const double pivot = 7, errors[] = {1, 1, 1, 1, 1, 1};
+    static const double amounts[6] = {0.4, -0.3, 0.02, -0.04, 0.03, 0.05};
+    test = (struct under_test){.lens = lens_of(double_gauss, &arena)};
+    test.question.perturbation_count = 6;
+    for (int i = 0; i < 6; i++) {
+        test.list[i] = (struct perturbation){.kind = i < 2 ? TOLERANCE_ELEMENT_DECENTER
+                                                           : TOLERANCE_ELEMENT_TILT,
+                                             .axis = i % 2 == 0 ? PERTURBATION_X : PERTURBATION_Y,
+                                             .first = i < 4 ? 2 : 1,
+                                             .last = 4,
+                                             .what.kind = PARAMETER_KINDS,
+                                             .amount = amounts[i],
+                                             .pivot = i < 4 ? 0 : pivot,
+                                             .name = "motion"};
+    }
+    if (!open_test(&test) || !try(&test, errors)) {
+        return;
+    }
+    const struct lens *lens = &test.lens, *made = &test.tolerance.perturbed.lenses[0].lens;
+    const struct displacement *at = made->surfaces[2].decentre;
+    const double from = lens->surfaces[1].thickness.value.hi - pivot;
+    double vertex[3] = {amounts[0], amounts[1], 0}, normal[3] = {0, 0, 1}, moved = 0;
+    turn_by(amounts[2], amounts[3], vertex);
+    turn_by(amounts[2], amounts[3], normal);
+    vertex[2] += from;
+    turn_by(amounts[4], amounts[5], vertex);
+    turn_by(amounts[4], amounts[5], normal);
+    for (int i = 0; i < 2; i++) {
+        moved += made->surfaces[i].thickness.value.hi - lens->surfaces[i].thickness.value.hi;
+    }
+    CHECK_NEAR(at->decenter[0].value.hi, vertex[0], 1e-13, "x");
+    CHECK_NEAR(at->decenter[1].value.hi, vertex[1], 1e-13, "y");
+    CHECK_NEAR(moved, vertex[2] - from, 1e-13, "along the axis");
+    CHECK_NEAR(sin(at->tilt[1].value.hi), normal[0], 1e-14, "normal, x");
+    CHECK_NEAR(tan(at->tilt[0].value.hi), -normal[1] / normal[2], 1e-14, "normal, y");
+    arena_free(&arena);
+}
+
 /* What small errors change first, against what they change. */
 static void check_links(void)
 {
@@ -266,5 +320,6 @@ int main(void)
     check_trials(CRITERION_COLOR, REFOCUS_BEST, false);
     check_wedge();
     check_pivot();
+    check_turned();
     return check_report();
 }
