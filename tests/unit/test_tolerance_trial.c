@@ -252,6 +252,107 @@ static void check_links(void)
     arena_free(&arena);
 }
 
+static bool same_tally(const struct trial_statistics *one, const struct trial_statistics *other)
+{
+    const struct trial_statistics_moments a = trial_statistics_moments(one);
+    const struct trial_statistics_moments b = trial_statistics_moments(other);
+    return one->count == other->count && a.mean == b.mean && a.sd == b.sd &&
+           one->lowest == other->lowest && one->highest == other->highest;
+}
+
+/* Counts as lines of text: all is read back and added, and nothing that is cut short. */
+static void check_lines(void)
+{
+    static struct under_test test;
+    struct tolerance_result made, read;
+    struct error error = {.code = ERROR_NONE};
+    test = (struct under_test){.lens = lens_of(double_gauss, &arena)};
+    test.question.perturbation_count = list_all(&test.lens, test.list);
+    test.question.refocus = REFOCUS_PARAXIAL;
+    if (!open_test(&test)) {
+        return;
+    }
+    const struct tolerance_run run = {.question = &test.question,
+                                      .of = TOLERANCE_OF_EACH,
+                                      .limit = 0.03,
+                                      .seed = 7,
+                                      .end = 20,
+                                      .total = 20,
+                                      .threads = 1,
+                                      .ready = &test.tolerance};
+    tolerance_result_open(&run, &test.tolerance, 3, &arena, &made);
+    tolerance_result_open(&run, &test.tolerance, 3, &arena, &read);
+    CHECK(tolerance_run(&run, &made, &error));
+    CHECK(made.done == 20 && made.failed == 0 && made.worst_count == 3);
+    made.failed = 9;
+    made.reasons[0] = (struct tolerance_reason){5, 12, "no ray, of three"};
+    made.reasons[1] = (struct tolerance_reason){2, 4, "none at all"};
+    made.reason_count = 2;
+    made.others = (struct tolerance_reason){.count = 2, .first = 17};
+    const struct text lines = tolerance_result_write(&made, &arena);
+    CHECK(strncmp(lines.start, "20 9 3 2 2 17\n", 14) == 0);
+    for (size_t i = 0; i < lines.length; i++) {
+        struct tolerance_result cut;
+        tolerance_result_open(&run, &test.tolerance, 3, &arena, &cut);
+        if (lines.start[i] == '\n' && i + 1 < lines.length) {
+            CHECK(!tolerance_result_read((struct text){lines.start, i + 1}, &cut));
+        }
+    }
+    for (uint64_t times = 1; times < 3; times++) {
+        CHECK(tolerance_result_read(lines, &read));
+        CHECK(read.done == 20 * times && read.failed == 9 * times && read.reason_count == 2);
+        CHECK(read.reasons[0].count == 5 * times && read.reasons[0].first == 12);
+        CHECK_TEXT(read.reasons[0].why, "no ray, of three");
+        CHECK(read.reasons[1].count == 2 * times && read.reasons[1].first == 4);
+        CHECK_TEXT(read.reasons[1].why, "none at all");
+        CHECK(read.others.count == 2 * times && read.others.first == 17);
+        for (size_t i = 0; i < made.column_count; i++) {
+            CHECK(read.columns[i].passed == made.columns[i].passed * times);
+        }
+        for (size_t i = 0; i < 3 && times == 1; i++) {
+            CHECK(read.worst[i].trial == made.worst[i].trial &&
+                  read.worst[i].badness == made.worst[i].badness);
+            CHECK(i == 0 || made.worst[i].badness <= made.worst[i - 1].badness);
+        }
+        for (size_t i = 0; i < made.column_count && times == 1; i++) {
+            CHECK(same_tally(&read.columns[i].tally, &made.columns[i].tally));
+            CHECK(same_tally(&read.columns[i].badness, &made.columns[i].badness));
+        }
+        CHECK(times > 1 || same_tally(&read.moves[0], &made.moves[0]));
+    }
+    /* where nothing was without room the first of those stays */
+    made.others.count = 0;
+    made.others.first = 0;
+    CHECK(tolerance_result_read(tolerance_result_write(&made, &arena), &read));
+    CHECK(read.others.count == 4 && read.others.first == 17);
+    arena_free(&arena);
+}
+
+/* Errors of even spread have the second moment 1/3, and none goes with another. */
+static void check_independence(void)
+{
+    enum { TRIALS = 4000, COUNT = 5 };
+    struct perturbation list[COUNT];
+    double sums[COUNT][COUNT] = {{0}};
+    for (int i = 0; i < COUNT; i++) {
+        list[i] = (struct perturbation){.kind = TOLERANCE_RADIUS,
+                                        .spread = spread_of(DISTRIBUTION_UNIFORM, 2)};
+    }
+    const struct tolerance_question question = {.perturbations = list, .perturbation_count = COUNT};
+    for (uint64_t trial = 0; trial < TRIALS; trial++) {
+        double errors[COUNT];
+        tolerance_errors(&question, 1, trial, errors);
+        for (int i = 0; i < COUNT * COUNT; i++) {
+            sums[i / COUNT][i % COUNT] += errors[i / COUNT] * errors[i % COUNT] / TRIALS;
+        }
+    }
+    for (int i = 0; i < COUNT * COUNT; i++) { /* within four deviations of 1/3 and of 0 */
+        const bool is_same = i / COUNT == i % COUNT;
+        CHECK_NEAR(sums[i / COUNT][i % COUNT], is_same ? 1.0 / 3 : 0,
+                   4 * (is_same ? sqrt(4.0 / 45) : 1.0 / 3) / sqrt(TRIALS), "a moment");
+    }
+}
+
 static void check_criteria(void)
 {
     struct criterion criterion;
@@ -321,5 +422,7 @@ int main(void)
     check_wedge();
     check_pivot();
     check_turned();
+    check_lines();
+    check_independence();
     return check_report();
 }
