@@ -102,15 +102,11 @@ static inline bool subject_trace(const struct subject_rays *wanted, struct arena
     return ray_data_check(&subject->ray_data, error) && subject_sum(subject, arena, error);
 }
 
-/* The lens at its aperture, its rays, and the fit that lenscalc makes of them. */
-static inline bool subject_open(const char *name, const struct subject_rays *wanted,
-                                struct arena *arena, struct subject *subject, struct error *error)
+/* Its lens at its aperture, its rays, and the fit that lenscalc makes of them. */
+static inline bool subject_make(const struct subject_rays *wanted, struct arena *arena,
+                                struct subject *subject, struct error *error)
 {
-    struct lensdb db = {.arena = arena};
     struct first_order *first = &subject->first;
-    if (!lens_open(&db, text_of(name), arena, &subject->lens, error)) {
-        return false;
-    }
     const double d = 0.5875618;
     const struct setup_question question = {.lens = &subject->lens,
                                             .wavelength = wanted->is_white ? NAN : d,
@@ -141,6 +137,15 @@ static inline bool subject_open(const char *name, const struct subject_rays *wan
                                                   .index_image = 1,
                                                   .object = INFINITY}};
     return true;
+}
+
+/* The same of a lens of lensdb. */
+static inline bool subject_open(const char *name, const struct subject_rays *wanted,
+                                struct arena *arena, struct subject *subject, struct error *error)
+{
+    struct lensdb db = {.arena = arena};
+    return lens_open(&db, text_of(name), arena, &subject->lens, error) &&
+           subject_make(wanted, arena, subject, error);
 }
 
 #endif

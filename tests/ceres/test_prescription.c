@@ -84,6 +84,43 @@ static void test_loose_and_bounds(void)
     arena_free(&arena);
 }
 
+/*
+ * What is not fixed moves least, each against its size: two curvatures of a thin lens, its power
+ * 0.5 (c1 - c2), and two lengths that add up. A curvature has at least the size 1e-4, a length 0.1.
+ */
+static void test_sizes(void)
+{
+    static const double curvature[][2] = {{0.02, -0.005}, {0.02, 0}};
+    const struct prescription_part radii[2] = {{{0, PARAMETER_RADIUS, 0}, -none, none},
+                                               {{1, PARAMETER_RADIUS, 0}, -none, none}};
+    const struct prescription_part lengths[2] = {{{0, PARAMETER_THICKNESS, 0}, -none, none},
+                                                 {{1, PARAMETER_THICKNESS, 0}, -none, none}};
+    struct arena arena = {0};
+    struct prescription_fit fit;
+    struct error error;
+    for (int i = 0; i < 2; i++) {
+        const double *c = curvature[i], power = 0.5 * (c[0] - c[1]) * 1.01;
+        const double size[2] = {c[0] * c[0], fmax(c[1] * c[1], 1e-8)};
+        const double more = (power / 0.5 - c[0] + c[1]) / (size[0] + size[1]);
+        const struct prescription_goal goal = {GOAL_EFL, 1 / power, 1, 0.55, NAN};
+        const struct lens lens = lens_of(i == 0 ? "surface 50 0 1.5 -\nsurface -200 - air -\n"
+                                                : "surface 50 0 1.5 -\nsurface - - air -\n",
+                                         &arena);
+        CHECK(prescription_fit(&lens, &(struct prescription_task){&goal, 1, radii, 2, {0}}, &arena,
+                               &fit, &error));
+        CHECK_NEAR((1 / fit.values[0] - c[0]) / (size[0] * more), 1, 1e-3, "c1");
+        CHECK_NEAR((1 / fit.values[1] - c[1]) / (-size[1] * more), 1, 1e-3, "c2");
+    }
+    const struct prescription_goal goal = {GOAL_LENGTH, 2.33, 1, 0.55, NAN};
+    const struct lens lens =
+        lens_of("surface 50 2 1.5 -\nsurface -50 0.01 1.6 -\nsurface - - air -\n", &arena);
+    CHECK(prescription_fit(&lens, &(struct prescription_task){&goal, 1, lengths, 2, {0}}, &arena,
+                           &fit, &error));
+    CHECK_NEAR(fit.values[0], 2 + 0.32 * 4 / 4.01, 1e-5, "t1");
+    CHECK_NEAR(fit.values[1], 0.01 + 0.32 * 0.01 / 4.01, 1e-5, "t2");
+    arena_free(&arena);
+}
+
 /* Power of a Mangin mirror by hand: in through R1, back from R2, out through R1. */
 static double mangin_power(double n, double R1, double R2, double t)
 {
@@ -238,6 +275,7 @@ int main(void)
 {
     test_singlet();
     test_loose_and_bounds();
+    test_sizes();
     test_mangin();
     test_through_afocal();
     test_from_plate();

@@ -2,6 +2,7 @@
 /* SPDX-License-Identifier: MIT */
 #include "base/constants.h"
 #include "check.h"
+#include "file/lens_file.h"
 #include "subject.h"
 
 enum { FIELDS = 5 };
@@ -278,8 +279,52 @@ static void test_colours(void)
     arena_free(&arena);
 }
 
+/*
+ * Without a stop rays go through the points of a disc in the plane of the first vertex, from far and
+ * from near: as many to all sides, and as far along x as along y.
+ */
+static void test_no_stop(void)
+{
+    static const char *const texts[] = {"surface 50 4 1.5 -\nsurface -50 45 air -\n",
+                                        "object 200\nsurface 50 4 1.5 -\nsurface -50 60 air -\n"};
+    for (int k = 0; k < 2; k++) {
+        struct arena arena = {0};
+        struct subject subject = {.rays = {.count = 0}};
+        struct error error;
+        CHECK_TRUE(lens_read("test.lens", text_of(texts[k]), NULL, &arena, &subject.lens, &error),
+                   "lens %d", k);
+        const struct subject_rays wanted = {.aperture = {APERTURE_EPD, 6},
+                                            .field = 0.2,
+                                            .field_count = 2,
+                                            .pattern = PATTERN_HEXAPOLAR,
+                                            .rays = 36,
+                                            .no_clip = true};
+        CHECK_TRUE(subject_make(&wanted, &arena, &subject, &error), "%s", error.message);
+        const struct thick_rays *rays = &subject.rays;
+        double sums[2][3] = {{0}}, weights[2] = {0}, largest = 0;
+        for (size_t i = 0; i < rays->count; i++) {
+            const size_t f = subject.field[i];
+            const double w = rays->weight[i], x = rays->x[i], y = rays->y[i];
+            weights[f] += w;
+            sums[f][0] += w * x;
+            sums[f][1] += w * y;
+            sums[f][2] += w * (x * x - y * y);
+            largest = fmax(largest, hypot(x, y));
+        }
+        for (int f = 0; f < 2; f++) {
+            for (int m = 0; m < 3; m++) {
+                CHECK_TRUE(fabs(sums[f][m] / weights[f]) < 1e-12, "%d, field %d: moment %d is %g",
+                           k, f, m, sums[f][m]);
+            }
+        }
+        CHECK_TRUE(largest <= 3 + 1e-12 && largest > 2.5, "%d: up to %.15g", k, largest);
+        arena_free(&arena);
+    }
+}
+
 int main(void)
 {
+    test_no_stop();
     test_vignetting();
     test_limit("double-gauss", THICK_PUPIL_WEIGHT);
     test_limit("double-gauss", 1);

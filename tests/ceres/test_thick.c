@@ -354,6 +354,8 @@ static void test_refusals(void)
     task = sound;
     all.rays.weight = (const double[MOST]){0};
     check_refused(&all, &task, "weight");
+    all.rays.weight = (const double[MOST]){1, 1, -1};
+    check_refused(&all, &task, "ray 3 has the weight -1:");
     all.rays.weight = NULL;
     task = sound;
     all.y_out[7] = NAN;
@@ -387,9 +389,49 @@ static void test_map(void)
     }
 }
 
+/* Rays bent and moved by known amounts: what they are off in two planes, and by direction. */
+static void test_score(void)
+{
+    static struct made_rays all;
+    struct thick_score score = {.weight = 0};
+    const double planes[2] = {30, 70}, weights[MOST] = {1, 2, 0.5, 3};
+    double sums[3] = {0}, largest = 0, weight = 0;
+    make_rays(&all, &plain_lens, 1, 4, 0.3, 1);
+    all.rays.weight = weights;
+    for (int i = 0; i < 4; i++) {
+        const double came[2] = {all.p_out[i], all.q_out[i]};
+        double x = 0.02 * (i + 1), y = -0.03 * i;
+        all.x_out[i] += x;
+        all.y_out[i] += y;
+        all.p_out[i] += 0.2 - 0.1 * i;
+        all.q_out[i] += 0.05 * i - 0.3;
+        const double p = all.p_out[i] - came[0], q = all.q_out[i] - came[1];
+        for (int k = 0; k < 2; k++) {
+            const double off = hypot(x + planes[k] * p, y + planes[k] * q);
+            sums[k] += weights[i] * off * off;
+            largest = k == 0 ? fmax(largest, off) : largest;
+        }
+        /* the law of cosines, of vectors (p, q, 1) */
+        const double a = hypot(hypot(came[0], came[1]), 1),
+                     b = hypot(hypot(all.p_out[i], all.q_out[i]), 1), c = hypot(p, q);
+        const double turn = acos((a * a + b * b - c * c) / (2 * a * b));
+        sums[2] += weights[i] * turn * turn;
+        weight += weights[i];
+    }
+    for (int again = 1; again < 3; again++) { /* the second time it is the mean of both */
+        thick_score_add(&all.rays, &plain_lens, planes, &score);
+        CHECK_RELATIVE(score.rms[0], sqrt(sums[0] / weight), 1e-11, "first plane");
+        CHECK_RELATIVE(score.rms[1], sqrt(sums[1] / weight), 1e-11, "second plane");
+        CHECK_RELATIVE(score.direction, sqrt(sums[2] / weight), 1e-11, "direction");
+        CHECK_RELATIVE(score.largest, largest, 1e-11, "largest");
+        CHECK_RELATIVE(score.weight, again * weight, 1e-14, "weight");
+    }
+}
+
 int main(void)
 {
     test_map();
+    test_score();
     test_recovered();
     test_recovered_more();
     test_nested();

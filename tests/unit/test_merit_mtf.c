@@ -292,6 +292,8 @@ int main(void)
         {{"near, entrance", near, "R1 t2 n4 A4_4", waves, 0}, &entrance},
         {{"near image", near_image, "R1 t2 n4 t5", low, 0}, &stop},
         {{"near image, entrance", near_image, "R1 t2 n4", waves, 0}, &entrance},
+        {{"displaced, fine", displaced, "R1 t2 R5", high, 0}, &more},
+        {{"near image, fine", near_image, "R1", waves, 0}, &more},
         {{"mirrors", mirrors, "R2 t2 k2 R3 A4_3 t3 n4", low, 0}, &stop},
         {{"mirrors moved", mirrors, "R2 t2 tilt_x3 bend_tilt_y3 bend_decenter_x4", low, 0}, &stop},
         {{"zoom", zoom, "R1 R3 t1 n3 t7 V1", low, 0}, &stop},

@@ -3,6 +3,7 @@
 #include "base/processor.h"
 #include "classics.h"
 #include "design/solver/solver_normal.h"
+#include "design/solver/solver_step.h"
 #include "solver_cases.h"
 
 static void test_classics(void)
@@ -157,9 +158,62 @@ static void test_many_walls(void)
     }
 }
 
+/*
+ * One step among walls, of which some of Newton's steps go round in circles: where it ends, the sum
+ * of squares rises to all sides, along bounds and away from them.
+ */
+static void test_sided_step(void)
+{
+    enum { ACROSS = 4, MANY = 12 };
+    enum solver_side sides[MANY];
+    double h[ACROSS * ACROSS] = {0};
+    struct arena arena = {0};
+    uint32_t word = 3;
+    for (int k = 0; k < MANY; k++) {
+        sides[k] = k % 2 == 0 ? SIDE_ABOVE : SIDE_BELOW;
+    }
+    const struct solver_problem problem = {
+        .parameter_count = ACROSS, .residual_count = MANY, .sides = sides};
+    for (int trial = 0; trial < 1000; trial++) {
+        struct solver_sided sided;
+        struct solver_step step = {.low = (const double[]){-INFINITY, -1, -0.1, -INFINITY},
+                                   .high = (const double[]){INFINITY, 1, INFINITY, 0.2}};
+        double residuals[MANY], g[ACROSS];
+        solver_sided_open(&problem, &arena, &sided);
+        solver_step_open(&step, ACROSS, 0, &arena);
+        for (int k = 0; k < MANY; k++) {
+            for (int i = 0; i <= ACROSS; i++) {
+                word = word * 1664525U + 1013904223U;
+                *(i < ACROSS ? &sided.slopes[k * ACROSS + i] : &residuals[k]) =
+                    ldexp(word, -31) - 1;
+            }
+        }
+        for (int i = 0; i < ACROSS; i++) {
+            h[i * ACROSS + i] = 1e-4;
+            g[i] = 0.01 * residuals[i];
+        }
+        CHECK(solver_sided_find(&sided, residuals, h, g, &step));
+        for (int i = 0; i < ACROSS; i++) {
+            const double *d = step.d;
+            double rise = g[i] + h[i * ACROSS + i] * d[i];
+            for (int k = 0; k < MANY; k++) {
+                const double *a = sided.slopes + (size_t)k * ACROSS;
+                const double r =
+                    residuals[sided.at[k]] + a[0] * d[0] + a[1] * d[1] + a[2] * d[2] + a[3] * d[3];
+                rise += (sides[k] == SIDE_ABOVE) == (r > 0) ? r * a[i] : 0;
+            }
+            CHECK(d[i] >= step.low[i] && d[i] <= step.high[i]);
+            CHECK((d[i] <= step.low[i] && rise > 0) || (d[i] >= step.high[i] && rise < 0) ||
+                  fabs(rise) < 1e-9);
+        }
+        arena_free(&arena);
+    }
+}
+
 int main(void)
 {
     test_normal();
+    test_sided_step();
     test_one_degree();
     test_many_walls();
     test_solver(SOLVER_DLS);

@@ -2,6 +2,7 @@
 /* SPDX-License-Identifier: MIT */
 #include "any_errors.h"
 #include "check.h"
+#include "design/tolerance/tolerance_run.h"
 #include "design/tolerance/tolerance_trial.h"
 #include "double_gauss.h"
 #include "lens_of.h"
@@ -163,6 +164,59 @@ static void check_pivot(void)
     arena_free(&arena);
 }
 
+/* A turn by Ry(b), then by Rx(a). */
+static void turn_by(double a, double b, double v[3])
+{
+    const double x = v[0] * cos(b) + v[2] * sin(b), z = v[2] * cos(b) - v[0] * sin(b);
+    const double y = v[1] * cos(a) - z * sin(a), along = v[1] * sin(a) + z * cos(a);
+    memcpy(v, (const double[]){x, y, along}, 3 * sizeof *v);
+}
+
+/*
+ * One motion after the other: what is off the axis and tilted turns with what it is part of, its
+ * vertex about the pivot and its normal.
+ */
+static void check_turned(void)
+{
+    static struct under_test test;
+    const double pivot = 7, errors[] = {1, 1, 1, 1, 1, 1};
+    static const double amounts[6] = {0.4, -0.3, 0.02, -0.04, 0.03, 0.05};
+    test = (struct under_test){.lens = lens_of(double_gauss, &arena)};
+    test.question.perturbation_count = 6;
+    for (int i = 0; i < 6; i++) {
+        test.list[i] = (struct perturbation){.kind = i < 2 ? TOLERANCE_ELEMENT_DECENTER
+                                                           : TOLERANCE_ELEMENT_TILT,
+                                             .axis = i % 2 == 0 ? PERTURBATION_X : PERTURBATION_Y,
+                                             .first = i < 4 ? 2 : 1,
+                                             .last = 4,
+                                             .what.kind = PARAMETER_KINDS,
+                                             .amount = amounts[i],
+                                             .pivot = i < 4 ? 0 : pivot,
+                                             .name = "motion"};
+    }
+    if (!open_test(&test) || !try(&test, errors)) {
+        return;
+    }
+    const struct lens *lens = &test.lens, *made = &test.tolerance.perturbed.lenses[0].lens;
+    const struct displacement *at = made->surfaces[2].decentre;
+    const double from = lens->surfaces[1].thickness.value.hi - pivot;
+    double vertex[3] = {amounts[0], amounts[1], 0}, normal[3] = {0, 0, 1}, moved = 0;
+    turn_by(amounts[2], amounts[3], vertex);
+    turn_by(amounts[2], amounts[3], normal);
+    vertex[2] += from;
+    turn_by(amounts[4], amounts[5], vertex);
+    turn_by(amounts[4], amounts[5], normal);
+    for (int i = 0; i < 2; i++) {
+        moved += made->surfaces[i].thickness.value.hi - lens->surfaces[i].thickness.value.hi;
+    }
+    CHECK_NEAR(at->decenter[0].value.hi, vertex[0], 1e-13, "x");
+    CHECK_NEAR(at->decenter[1].value.hi, vertex[1], 1e-13, "y");
+    CHECK_NEAR(moved, vertex[2] - from, 1e-13, "along the axis");
+    CHECK_NEAR(sin(at->tilt[1].value.hi), normal[0], 1e-14, "normal, x");
+    CHECK_NEAR(tan(at->tilt[0].value.hi), -normal[1] / normal[2], 1e-14, "normal, y");
+    arena_free(&arena);
+}
+
 /* What small errors change first, against what they change. */
 static void check_links(void)
 {
@@ -196,6 +250,107 @@ static void check_links(void)
                test.tolerance.lens->surfaces[10].thickness.value.hi + 0.1 * small + test.moves[0],
                1e-12, "focus and refocus");
     arena_free(&arena);
+}
+
+static bool same_tally(const struct trial_statistics *one, const struct trial_statistics *other)
+{
+    const struct trial_statistics_moments a = trial_statistics_moments(one);
+    const struct trial_statistics_moments b = trial_statistics_moments(other);
+    return one->count == other->count && a.mean == b.mean && a.sd == b.sd &&
+           one->lowest == other->lowest && one->highest == other->highest;
+}
+
+/* Counts as lines of text: all is read back and added, and nothing that is cut short. */
+static void check_lines(void)
+{
+    static struct under_test test;
+    struct tolerance_result made, read;
+    struct error error = {.code = ERROR_NONE};
+    test = (struct under_test){.lens = lens_of(double_gauss, &arena)};
+    test.question.perturbation_count = list_all(&test.lens, test.list);
+    test.question.refocus = REFOCUS_PARAXIAL;
+    if (!open_test(&test)) {
+        return;
+    }
+    const struct tolerance_run run = {.question = &test.question,
+                                      .of = TOLERANCE_OF_EACH,
+                                      .limit = 0.03,
+                                      .seed = 7,
+                                      .end = 20,
+                                      .total = 20,
+                                      .threads = 1,
+                                      .ready = &test.tolerance};
+    tolerance_result_open(&run, &test.tolerance, 3, &arena, &made);
+    tolerance_result_open(&run, &test.tolerance, 3, &arena, &read);
+    CHECK(tolerance_run(&run, &made, &error));
+    CHECK(made.done == 20 && made.failed == 0 && made.worst_count == 3);
+    made.failed = 9;
+    made.reasons[0] = (struct tolerance_reason){5, 12, "no ray, of three"};
+    made.reasons[1] = (struct tolerance_reason){2, 4, "none at all"};
+    made.reason_count = 2;
+    made.others = (struct tolerance_reason){.count = 2, .first = 17};
+    const struct text lines = tolerance_result_write(&made, &arena);
+    CHECK(strncmp(lines.start, "20 9 3 2 2 17\n", 14) == 0);
+    for (size_t i = 0; i < lines.length; i++) {
+        struct tolerance_result cut;
+        tolerance_result_open(&run, &test.tolerance, 3, &arena, &cut);
+        if (lines.start[i] == '\n' && i + 1 < lines.length) {
+            CHECK(!tolerance_result_read((struct text){lines.start, i + 1}, &cut));
+        }
+    }
+    for (uint64_t times = 1; times < 3; times++) {
+        CHECK(tolerance_result_read(lines, &read));
+        CHECK(read.done == 20 * times && read.failed == 9 * times && read.reason_count == 2);
+        CHECK(read.reasons[0].count == 5 * times && read.reasons[0].first == 12);
+        CHECK_TEXT(read.reasons[0].why, "no ray, of three");
+        CHECK(read.reasons[1].count == 2 * times && read.reasons[1].first == 4);
+        CHECK_TEXT(read.reasons[1].why, "none at all");
+        CHECK(read.others.count == 2 * times && read.others.first == 17);
+        for (size_t i = 0; i < made.column_count; i++) {
+            CHECK(read.columns[i].passed == made.columns[i].passed * times);
+        }
+        for (size_t i = 0; i < 3 && times == 1; i++) {
+            CHECK(read.worst[i].trial == made.worst[i].trial &&
+                  read.worst[i].badness == made.worst[i].badness);
+            CHECK(i == 0 || made.worst[i].badness <= made.worst[i - 1].badness);
+        }
+        for (size_t i = 0; i < made.column_count && times == 1; i++) {
+            CHECK(same_tally(&read.columns[i].tally, &made.columns[i].tally));
+            CHECK(same_tally(&read.columns[i].badness, &made.columns[i].badness));
+        }
+        CHECK(times > 1 || same_tally(&read.moves[0], &made.moves[0]));
+    }
+    /* where nothing was without room the first of those stays */
+    made.others.count = 0;
+    made.others.first = 0;
+    CHECK(tolerance_result_read(tolerance_result_write(&made, &arena), &read));
+    CHECK(read.others.count == 4 && read.others.first == 17);
+    arena_free(&arena);
+}
+
+/* Errors of even spread have the second moment 1/3, and none goes with another. */
+static void check_independence(void)
+{
+    enum { TRIALS = 4000, COUNT = 5 };
+    struct perturbation list[COUNT];
+    double sums[COUNT][COUNT] = {{0}};
+    for (int i = 0; i < COUNT; i++) {
+        list[i] = (struct perturbation){.kind = TOLERANCE_RADIUS,
+                                        .spread = spread_of(DISTRIBUTION_UNIFORM, 2)};
+    }
+    const struct tolerance_question question = {.perturbations = list, .perturbation_count = COUNT};
+    for (uint64_t trial = 0; trial < TRIALS; trial++) {
+        double errors[COUNT];
+        tolerance_errors(&question, 1, trial, errors);
+        for (int i = 0; i < COUNT * COUNT; i++) {
+            sums[i / COUNT][i % COUNT] += errors[i / COUNT] * errors[i % COUNT] / TRIALS;
+        }
+    }
+    for (int i = 0; i < COUNT * COUNT; i++) { /* within four deviations of 1/3 and of 0 */
+        const bool is_same = i / COUNT == i % COUNT;
+        CHECK_NEAR(sums[i / COUNT][i % COUNT], is_same ? 1.0 / 3 : 0,
+                   4 * (is_same ? sqrt(4.0 / 45) : 1.0 / 3) / sqrt(TRIALS), "a moment");
+    }
 }
 
 static void check_criteria(void)
@@ -266,5 +421,8 @@ int main(void)
     check_trials(CRITERION_COLOR, REFOCUS_BEST, false);
     check_wedge();
     check_pivot();
+    check_turned();
+    check_lines();
+    check_independence();
     return check_report();
 }

@@ -86,8 +86,27 @@ static void check_signs(void)
     arena_free(&arena);
 }
 
+/* The least that has a mean, and a deviation: by hand. */
+static void check_few(void)
+{
+    struct trial_statistics tally;
+    trial_statistics_open(5, 2, &arena, &tally);
+    struct trial_statistics_moments moments = trial_statistics_moments(&tally);
+    CHECK(isnan(moments.mean) && isnan(moments.sd));
+    trial_statistics_add(&tally, 6);
+    moments = trial_statistics_moments(&tally);
+    CHECK(moments.mean == 6 && isnan(moments.sd) && isnan(moments.mean_error));
+    trial_statistics_add(&tally, 9);
+    moments = trial_statistics_moments(&tally);
+    CHECK(moments.mean == 7.5);
+    CHECK_RELATIVE(moments.sd, 3 / sqrt(2), 1e-15, "of two");
+    CHECK_RELATIVE(moments.mean_error, 1.5, 1e-15, "of two");
+    arena_free(&arena);
+}
+
 int main(void)
 {
+    check_few();
     check_sums();
     check_counts(1000, 1e-9);
     check_counts(TRIAL_STATISTICS_KEPT + 1000, 3e-4);

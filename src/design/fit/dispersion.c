@@ -144,7 +144,10 @@ static void dispersion_solve_linear(const struct dispersion_problem *fitting, do
     for (size_t i = 0; i < data->count; i++) {
         double slope[MOST_PARAMETERS], n = data->index[i];
         fitting->curve->value(c, fitting->count, data->wavelength[i], slope);
-        double w = share(data, i) * (fitting->curve->is_square ? 1 / (2 * n) : 1);
+        double w = share(data, i);
+        if (fitting->curve->is_square) { /* its error is that of the index times 2 n */
+            w /= n;
+        }
         for (size_t j = 0; j < count; j++) {
             a[i * count + j] = w * slope[step * j];
         }

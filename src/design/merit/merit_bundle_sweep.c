@@ -79,7 +79,8 @@ static double by_coordinates(const struct aimed *aimed, const struct beam *beam,
                              const struct moving_start *start)
 {
     const double *axis = beam->axis, *e = start->e;
-    double tilt[3], move[3], gain = 0;
+    const double *const *by = aimed->by_start;
+    double tilt[3], move[3];
     for (int k = 0; k < 3; k++) {
         tilt[k] = isinf(beam->distance)
                       ? start->turn[k]
@@ -90,10 +91,9 @@ static double by_coordinates(const struct aimed *aimed, const struct beam *beam,
     for (int k = 0; k < 3; k++) {
         move[k] = start->shift[k] + slide * e[k];
     }
-    for (int k = 0; k < 2 && aimed->by_start[k] != NULL; k++) {
-        gain += aimed->by_start[k][i] * sweep_dot(move, beam->across[k]);
-    }
-    return gain;
+    return by[0] == NULL ? 0
+                         : by[0][i] * sweep_dot(move, beam->across[0]) +
+                               by[1][i] * sweep_dot(move, beam->across[1]);
 }
 
 /* By the factor of image heights, of one ray: what its start does there. */

@@ -12,7 +12,7 @@ struct merit_spheres *merit_spheres_open(const struct bundle_wish *wish,
                                          const struct bundle_links *links, size_t variable_count,
                                          struct arena *arena, struct error *error)
 {
-    static const struct pupil_point middle = {0, 0, 1};
+    static const struct pupil_point middle = {0};
     struct merit_spheres *spheres = ARENA_NEW(arena, struct merit_spheres);
     struct bundle_wish one = *wish;
     one.wavelength_count = 1;

@@ -129,9 +129,7 @@ static bool solve_free(struct solver_step *step)
     for (size_t i = 0; i < k; i++) {
         step->d[system->places[i]] = system->right[i];
     }
-    for (size_t r = 0; r < step->exact; r++) {
-        step->multipliers[r] = 0;
-    }
+    memset(step->multipliers, 0, step->exact * sizeof *step->multipliers);
     for (int again = 0; step->exact > 0 && again < 2; again++) {
         meet_conditions(step);
     }
