@@ -473,32 +473,6 @@ static void test_align_rounds(void)
     CHECK(frames[1].right == -2 && frames[1].down == 0 && steps[1].is_told);
 }
 
-/* Hills of grey, moved by just under what is looked for at most, and by more. */
-static void test_align_far(void)
-{
-    enum { SIDE = 2048 };
-    static const int shifts[] = {126, 192};
-    uint8_t *first = ARENA_ARRAY(arena, SIDE * SIDE, uint8_t);
-    uint8_t *second = ARENA_ARRAY(arena, SIDE * SIDE, uint8_t);
-    for (int k = 0; k < 2; k++) {
-        struct align_step steps[2];
-        for (int i = 0; i < SIDE * SIDE; i++) {
-            const int y = i / SIDE;
-            for (int moved = 0; moved < 2; moved++) {
-                const int x = i % SIDE + moved * shifts[k];
-                (moved == 0 ? first : second)[i] =
-                    (uint8_t)(125 + 60 * sin(0.008 * x) * cos(0.006 * y) +
-                              40 * sin(0.004 * x + 0.005 * y));
-            }
-        }
-        struct tone_frame frames[] = {frame_of(first, SIDE, SIDE, 1),
-                                      frame_of(second, SIDE, SIDE, 1)};
-        align_frames(frames, 2, steps);
-        CHECK(steps[1].is_beyond == (k == 1));
-        CHECK(frames[1].right == (k == 0 ? -shifts[k] : 0) && frames[1].down == 0);
-    }
-}
-
 int main(void)
 {
     test_levels();
@@ -518,7 +492,6 @@ int main(void)
     test_colours();
     test_align();
     test_align_rounds();
-    test_align_far();
     arena_free(arena);
     return check_report();
 }
