@@ -28,8 +28,12 @@ struct argument *arguments_find(const struct arguments *arguments, struct text n
 
 bool arguments_given(const struct arguments *arguments, const char *name)
 {
-    const struct argument *argument = arguments_find(arguments, text_of(name));
-    return argument != NULL && argument->is_given;
+    for (size_t i = 0; i < arguments->count; i++) {
+        if (strcmp(arguments->all[i].option->name, name) == 0) {
+            return arguments->all[i].is_given;
+        }
+    }
+    return false;
 }
 
 /* What other programs, and the trade, call what is an option here. */
