@@ -280,8 +280,8 @@ static void test_colours(void)
 }
 
 /*
- * Without a stop rays go through the points of a disc in the plane of the first vertex, from far and
- * from near: as many to all sides, and as far along x as along y.
+ * Without a stop rays go through the points of a disc in the plane of the first vertex, from far
+ * and from near: as many to all sides, and as far along x as along y.
  */
 static void test_no_stop(void)
 {
