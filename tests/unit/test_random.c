@@ -43,6 +43,16 @@ static void test_ends(void)
     CHECK(random_unit_of(0x80000000, 0) == 0.5 + 0x1p-53);
 }
 
+/* A pair is made of all words of a cipher text, each number of the 52 leading bits of two. */
+static void test_pair(void)
+{
+    const struct random_words words = random_words(RANDOM_UNITS, 7, 12345, 3);
+    const struct random_pair pair = random_pair(7, 12345, 3);
+    const double u = words.w[0] * 0x1p20 + words.w[1] / 4096 + 0.5;
+    const double v = words.w[2] * 0x1p20 + words.w[3] / 4096 + 0.5;
+    CHECK(pair.u == ldexp(u, -52) && pair.v == ldexp(v, -52));
+}
+
 /*
  * Moments of what is evenly spread: mean 1/2, variance 1/12, that of the square 4/45; neighbours
  * in sample, dimension and seed do not go together. All within 4 sigma of 200000 numbers.
@@ -82,6 +92,7 @@ int main(void)
 {
     test_known();
     test_ends();
+    test_pair();
     test_spread();
     test_arguments();
     return check_report();
