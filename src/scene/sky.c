@@ -8,9 +8,9 @@ struct sky_type {
     double a, b, c, d, e;
 };
 
-/* In the order of the enumeration. */
+/* In the order of the enumeration; without c the sun is not seen. */
 static const struct sky_type types[] = {
-    {0, -1, 0, -1, 0}, {4, -0.7, 0, -1, 0}, {-1, -0.32, 10, -3, 0.45}};
+    {.a = 0, .b = -1}, {.a = 4, .b = -0.7}, {-1, -0.32, 10, -3, 0.45}};
 
 static double sky_gradation(const struct sky_type *type, double cosine)
 {
