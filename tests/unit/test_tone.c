@@ -192,8 +192,11 @@ static void test_saturation(void)
     saturation_apply(&frame, &saturation, arena);
     CHECK(frame.trust[0] == 0 && frame.trust[1] == 0 && frame.trust[2] == 0);
     CHECK(frame.trust[9] == TRUST_MOST);
-    static const char *const bad[] = {"",    "1 0 0 0 1 0 0 0",     "1 0 0 0 1 0 0 0 x",
-                                      "1 0", "1 0 0 0 1 0 0 0 1 0", "1 0 0 1 0 0 0 0 1"};
+    static const char *const bad[] = {"", "1 0 0 0 1 0 0 0", "1 0 0 0 1 0 0 0 x", "1 0",
+                                      "1 0 0 0 1 0 0 0 1 0", "1 0 0 1 0 0 0 0 1",
+                                      /* a row, or a column, is the sum of the others */
+                                      "0.5 0.3 0.2 0.1 0.7 0.2 0.6 1 0.4",
+                                      "0.5 0.3 0.8 0.1 0.7 0.8 0.6 0.1 0.7"};
     for (size_t i = 0; i < sizeof bad / sizeof bad[0]; i++) {
         CHECK(!saturation_read(bad[i], &saturation, &error) && error.code == ERROR_DATA);
     }
