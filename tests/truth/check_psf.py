@@ -152,9 +152,51 @@ def check_methods(checks, program, folder):
             checks.check(worst <= 1e-4, f"{words}: {method} is off by {worst}")
 
 
+def crest_of(line, top):
+    """The top of the parabola through three values, and where it is."""
+    before, here, after = line[top - 1:top + 2]
+    at = (before - after) / (2 * (before - 2 * here + after))
+    return here - (before - after) * at / 4, top + at
+
+
+def half_width(line, top):
+    """From where a line falls below half its crest to where it does on the other side, pixels."""
+    half, width = crest_of(line, top)[0] / 2, 0
+    for side in (-1, 1):
+        i = top
+        while line[i + side] >= half:
+            i += side
+        width += abs(i - top) + (line[i] - half) / (line[i] - line[i + side])
+    return width
+
+
+def check_peak(checks, words, row, table):
+    """About the brightest pixel of the map, of 1 um, by its row and column."""
+    y = max(range(len(table)), key=lambda i: max(table[i]))
+    x = max(range(len(table)), key=lambda i: table[y][i])
+    peak, middle = table[y][x], len(table) // 2
+    for name, top, line in ("x", x, table[y]), ("y", y, [line[x] for line in table]):
+        crest, at = crest_of(line, top)
+        peak += crest - table[y][x]
+        checks.near("peak", f"{words}: peak_{name}", row[f"peak_{name}_um"], at - middle, 1e-3)
+        checks.near("width", f"{words}: width_{name}", row[f"width_{name}_um"],
+                    half_width(line, top), 1e-4)
+    checks.near("height", f"{words}: peak", row["peak"], peak, 1e-6)
+
+
+def check_skew(checks, program, folder):
+    """Coma of a paraboloid, to one side and up: nothing in the image is symmetric."""
+    words = ["-", "--size", "128", "--pitch", "1um"]
+    row, table = image(program, folder, words, "lens bowl\nwavelength d\nobject inf\n"
+                       "field angle 0.3,0.2\naperture stop\n"
+                       "surface -2000 -1000 mirror 100 k=-1 stop\n")
+    check_peak(checks, words, row, table)
+
+
 def check_contrast(checks, program, folder):
     words = ["double-gauss", "-N", "5.6", "--field", "10", "-w", "d"]
     row, table = image(program, folder, words + ["--size", "256", "--pitch", "1um"])
+    check_peak(checks, words, row, table)
     light = 1e-6 * sum(map(sum, table)) / (float(row["inside_percent"]) / 100)
     for frequency in (20, 40, 80):
         result = subprocess.run(program.command + ["mtf"] + words + ["--frequency", str(frequency),
@@ -219,6 +261,7 @@ def main():
         check_focus(checks, program, folder)
         check_methods(checks, program, folder)
         check_contrast(checks, program, folder)
+        check_skew(checks, program, folder)
         check_rays(checks, program, folder)
     checks.finish()
 

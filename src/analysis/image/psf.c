@@ -93,14 +93,14 @@ static double find_spread(const struct exit_pupil *pupil, struct arena *arena, d
 
 /* -------- what the pixels say -------- */
 
-/* Pixels from the top to half its height, at most so many steps away; NaN: not within them. */
-static double half_way(const struct psf *psf, size_t top, size_t steps, size_t step)
+/* Pixels from the top to this height, at most so many steps away; NaN: not within them. */
+static double way_down(const struct psf *psf, size_t top, double height, size_t steps, size_t step)
 {
     for (size_t i = 0; i < steps; i++) {
         const double here = psf->values[top + i * step];
         const double next = psf->values[top + (i + 1) * step];
-        if (next < psf->peak / 2) {
-            return (double)i + (here - psf->peak / 2) / (here - next);
+        if (next < height) {
+            return (double)i + (here - height) / (here - next);
         }
     }
     return NAN;
@@ -117,20 +117,21 @@ static void find_peak(struct psf *psf)
     psf->peak = psf->values[top];
     for (int k = 0; k < 2; k++) {
         const size_t place = k == 0 ? top % size : top / size, step = k == 0 ? 1 : size;
-        double off = 0;
+        double off = 0, crest = psf->values[top]; /* of its line */
         if (place > 0 && place + 1 < size) {
             const double y[3] = {psf->values[top - step], psf->values[top],
                                  psf->values[top + step]};
             /* The top of a parabola through three values, from -1/2 to 1/2, and how high it is. */
             const double bend = y[0] - 2 * y[1] + y[2], slope = (y[2] - y[0]) / 2;
             off = bend < 0 ? fmax(-0.5, fmin(0.5, -slope / bend)) : 0;
-            psf->peak += (y[1] + off * slope + off * off * bend / 2) - y[1];
+            crest += off * slope + off * off * bend / 2;
+            psf->peak += crest - y[1];
             off = fabs(off) > noise ? off : 0;
         }
         psf->peak_at[k] = ((double)place + off - (double)(size / 2)) * psf->pitch;
-        psf->width[k] =
-            (half_way(psf, top, place, 0 - step) + half_way(psf, top, size - 1 - place, step)) *
-            psf->pitch;
+        psf->width[k] = (way_down(psf, top, crest / 2, place, 0 - step) +
+                         way_down(psf, top, crest / 2, size - 1 - place, step)) *
+                        psf->pitch;
     }
 }
 
