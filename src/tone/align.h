@@ -7,7 +7,7 @@
 
 #include <stdbool.h>
 
-enum { ALIGN_LEVELS = 7, ALIGN_MOST = (1 << ALIGN_LEVELS) - 1 };
+enum { ALIGN_LEVELS = 7 };
 
 /* What became of a frame beside the one before it, by exposure time. */
 struct align_step {
@@ -31,8 +31,8 @@ struct align_step {
  *           longer
  * Result    a shift is taken if by it a fifth fewer differ than without
  * Source    [Ward03]
- * Limits    shifts of whole pixels, less than ALIGN_MOST each way, and than a ninth to a twentieth
- *           of the shorter side of small pictures; nothing turns
+ * Limits    shifts of whole pixels, less than 2^ALIGN_LEVELS - 1 each way, and than a ninth to a
+ *           twentieth of the shorter side of small pictures; nothing turns
  */
 void align_frames(struct tone_frame *frames, size_t count, struct align_step *steps);
 

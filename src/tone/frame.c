@@ -41,15 +41,15 @@ static enum frame_kind frame_kind_of(const struct image *image)
 static void take_codes(const struct image *image, struct arena *arena, struct tone_frame *frame)
 {
     const size_t count = image->width * image->height, step = image->channels > 2 ? 1 : 0;
-    const float most = (float)(frame_levels(image->bits) - 1);
+    const unsigned most = (unsigned)frame_levels(image->bits) - 1;
     uint8_t *bytes = image->bits == 8 ? ARENA_ARRAY(arena, count * FRAME_CHANNELS, uint8_t) : NULL;
     uint16_t *codes =
         image->bits == 16 ? ARENA_ARRAY(arena, count * FRAME_CHANNELS, uint16_t) : NULL;
     for (size_t i = 0; i < count; i++) {
         const float *from = image->pixels + i * image->channels;
         for (size_t k = 0; k < FRAME_CHANNELS; k++) {
-            const float code = from[k * step] * most + 0.5F;
-            frame->full += code > most;
+            const unsigned code = (unsigned)(from[k * step] * (float)most + 0.5F);
+            frame->full += code == most;
             if (bytes != NULL) {
                 bytes[i * FRAME_CHANNELS + k] = (uint8_t)code;
             } else {

@@ -1,5 +1,6 @@
 /* tests/unit/test_tone.c - merging, histogram adjustment and the eye by numbers made by hand. */
 /* SPDX-License-Identifier: MIT */
+#include "base/constants.h"
 #include "check.h"
 #include "tone/acuity.h"
 #include "tone/align.h"
@@ -476,6 +477,111 @@ static void test_align_rounds(void)
     CHECK(frames[1].right == -2 && frames[1].down == 0 && steps[1].is_told);
 }
 
+/*
+ * A disc over half of the picture, 20 shades a pixel steep at its edge, since what is within 4 of
+ * the median is left out; with its middle moved by half of the shift each way. 126 pixels are
+ * found, to the pixel, and 127, the sum of 1, 2, 4 .. 64, may as well be more.
+ */
+static void test_align_far(void)
+{
+    enum { SIDE = 2048 };
+    static const int shifts[][2] = {{126, -126}, {-127, 0}};
+    uint8_t *greys[2] = {ARENA_ARRAY(arena, SIDE * SIDE, uint8_t),
+                         ARENA_ARRAY(arena, SIDE * SIDE, uint8_t)};
+    const double radius = SIDE / sqrt(2 * PI), middle = (SIDE - 1) / 2.0, steep = 20;
+    for (size_t k = 0; k < sizeof shifts / sizeof *shifts; k++) {
+        struct align_step steps[2];
+        for (int i = 0; i < SIDE * SIDE; i++) {
+            const int column = i % SIDE, row = i / SIDE;
+            for (int f = 0; f < 2; f++) {
+                const double x = column - middle + (0.5 - f) * shifts[k][0];
+                const double y = row - middle + (0.5 - f) * shifts[k][1];
+                const double grey = 125 + steep * (radius - sqrt(x * x + y * y));
+                greys[f][i] = (uint8_t)fmin(fmax(grey, 40), 210);
+            }
+        }
+        struct tone_frame frames[] = {frame_of(greys[0], SIDE, SIDE, 1),
+                                      frame_of(greys[1], SIDE, SIDE, 1)};
+        align_frames(frames, 2, steps);
+        CHECK(steps[1].limit == 127 && steps[1].is_told && steps[1].is_beyond == (k > 0));
+        CHECK(frames[1].right == (k == 0 ? shifts[k][0] : 0));
+        CHECK(frames[1].down == (k == 0 ? shifts[k][1] : 0));
+    }
+}
+
+/* Whole numbers of a file of 8 and of 16 bits, and how many are the highest. */
+static void test_codes(void)
+{
+    static const float codes[] = {0, 1, 127, 128, 254, 255};
+    for (int bits = 8; bits <= 16; bits += 8) {
+        float pixels[6];
+        struct image image = {
+            .width = 2, .height = 1, .channels = 3, .bits = bits, .pixels = pixels};
+        struct tone_frame frame;
+        for (int i = 0; i < 6; i++) {
+            pixels[i] = bits == 8 ? codes[i] / 255 : (codes[i] + 65280) / 65535;
+        }
+        CHECK(frame_take(&image, arena, &frame, &error) && frame.full == 1);
+        for (size_t i = 0; i < 6; i++) {
+            CHECK((bits == 8 ? frame.bytes[i] : frame.codes[i] - 65280) == (int)codes[i]);
+            CHECK(frame_is_full(&frame, i) == (i == 5));
+        }
+    }
+}
+
+/* Floats beside whole numbers: they weigh by their time, t^2 over t. */
+static void test_merge_floats(void)
+{
+    const uint8_t greys[] = {102, 102};
+    float values[] = {0.2F, 0.3F, 0.4F, 0.5F, 0.6F, 0.7F};
+    struct tone_frame frames[] = {frame_of(greys, 2, 1, 1),
+                                  {.name = "f", .width = 2, .height = 1, .time = 3}};
+    const struct merge_noise noise = {100, 40};
+    struct merged merged;
+    frames[1].values = values;
+    CHECK(merge_frames(frames, 2, &noise, arena, &merged, &error));
+    for (size_t i = 0; i < 6; i++) {
+        const double light = 0.16, value = (double)values[i], step = 2 * 102 / (255.0 * 255);
+        const double variance =
+            step * step / 12 + 40.0 * 40 / (100 * 100) + (light + value) / (1 + 3) / 100;
+        const double above = light / variance + value, below = 1 / variance + 3;
+        CHECK_RELATIVE((double)merged.image.pixels[i], above / below, 1e-6, "both kinds");
+    }
+}
+
+/*
+ * Below 0.0056 cd/m2 as rods see, Y (1.33 (1 + (Y + Z)/X) - 1.68) over that of white, from 5.6 on as
+ * it is, a share of both between them; and no pixel more than the picture has.
+ */
+static void test_fade(void)
+{
+    static const double rgb[] = {1.8, 0.6, 2.5}, luminances[] = {0.001, 0.0056, 2, 30, 0.001};
+    static const double to_xyz[3][3] = {
+        {0.4124, 0.3576, 0.1805}, {0.2126, 0.7152, 0.0722}, {0.0193, 0.1192, 0.9505}};
+    float pixels[5 * 3];
+    struct image image = {.width = 2, .height = 2, .channels = 3, .pixels = pixels};
+    double seen[2] = {0};
+    for (int white = 0; white < 2; white++) {
+        double xyz[3] = {0};
+        for (int i = 0; i < 9; i++) {
+            xyz[i / 3] += to_xyz[i / 3][i % 3] * (white > 0 ? 1 : rgb[i % 3]);
+        }
+        seen[white] = 1.33 * (1 + (xyz[1] + xyz[2]) / xyz[0]) - 1.68; /* of luminance 1 */
+    }
+    const double all = to_xyz[1][0] * rgb[0] + to_xyz[1][1] * rgb[1] + to_xyz[1][2] * rgb[2];
+    for (size_t i = 0; i < 15; i++) {
+        pixels[i] = (float)(rgb[i % 3] / all * luminances[i / 3]);
+    }
+    acuity_fade(&image);
+    for (size_t i = 0; i < 15; i++) {
+        const double luminance = luminances[i / 3];
+        const double share =
+            i / 3 == 4 ? 1 : fmin(fmax((luminance - 0.0056) / (5.6 - 0.0056), 0), 1);
+        const double expected = share * rgb[i % 3] / all + (1 - share) * seen[0] / seen[1];
+        CHECK_RELATIVE((double)pixels[i], luminance * expected, 1e-6, "colour and grey");
+    }
+}
+
 int main(void)
 {
     test_levels();
@@ -495,6 +601,10 @@ int main(void)
     test_colours();
     test_align();
     test_align_rounds();
+    test_align_far();
+    test_codes();
+    test_merge_floats();
+    test_fade();
     arena_free(arena);
     return check_report();
 }
