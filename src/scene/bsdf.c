@@ -49,7 +49,7 @@ double bsdf_value(const struct bsdf *scatter, struct vector out, struct vector i
     if (!(out.z > 0 && in.z > 0) || !(is_glossy || scatter->kind == MATERIAL_LAMBERT)) {
         return 0;
     }
-    double coat = 0, ground = in.z / PI, found = 0, chance = 0;
+    double coat = 0, ground = in.z / PI, pdf = ground;
     if (is_glossy) {
         const struct vector normal = vector_unit(vector_along(out, 1, in));
         const double own = microfacets_lambda(scatter->microfacets, out);
@@ -58,9 +58,10 @@ double bsdf_value(const struct bsdf *scatter, struct vector out, struct vector i
         const double x = normal.x / alpha, y = normal.y / alpha;
         const double all = x * x + y * y + normal.z * normal.z;
         const double normals = 1 / (PI * alpha * alpha * all * all);
-        found = normals / ((1 + own) * 4 * out.z);
+        const double found = normals / ((1 + own) * 4 * out.z);
         coat = found * microfacets_reflect(scatter->microfacets, out, normal, in);
-        chance = coat_chance(scatter, out);
+        const double chance = coat_chance(scatter, out);
+        pdf = chance < 0 ? 0 : chance * found + (1 - chance) * in.z / PI;
         /* what the ground under a coat sends on, over what it would send without */
         ground *= (1 - microfacets_albedo(scatter->microfacets, out.z)) *
                   (1 - microfacets_albedo(scatter->microfacets, in.z)) /
@@ -69,7 +70,7 @@ double bsdf_value(const struct bsdf *scatter, struct vector out, struct vector i
     for (size_t k = 0; k < scatter->lanes; k++) {
         value->of[k] = coat + scatter->colour.of[k] * ground;
     }
-    return chance < 0 ? 0 : chance * found + (1 - chance) * in.z / PI;
+    return pdf;
 }
 
 bool bsdf_sample(const struct bsdf *scatter, struct vector out, const double u[3],
