@@ -1,36 +1,14 @@
 /* tests/unit/test_tone.c - merging, histogram adjustment and the eye by numbers made by hand. */
 /* SPDX-License-Identifier: MIT */
 #include "base/constants.h"
-#include "check.h"
 #include "tone/acuity.h"
-#include "tone/align.h"
 #include "tone/merge.h"
 #include "tone/operator.h"
 #include "tone/saturation.h"
 #include "tone/sight.h"
+#include "tone_frames.h"
 
-static struct arena memory;
-static struct arena *const arena = &memory;
 static struct error error;
-
-/* A frame of 8 bits, grey, whose light is the square of its number's share. */
-static struct tone_frame frame_of(const uint8_t *greys, size_t width, size_t height, double time)
-{
-    double light[FRAME_LEVELS];
-    uint8_t *bytes = ARENA_ARRAY(arena, width * height * FRAME_CHANNELS, uint8_t);
-    struct tone_frame frame = {
-        .name = "x", .width = width, .height = height, .bits = 8, .bytes = bytes, .time = time};
-    for (int i = 0; i < FRAME_LEVELS; i++) {
-        light[i] = i / 255.0 * (i / 255.0);
-    }
-    for (size_t i = 0; i < width * height * FRAME_CHANNELS; i++) {
-        bytes[i] = greys[i / FRAME_CHANNELS];
-    }
-    for (size_t k = 0; k < FRAME_CHANNELS; k++) {
-        frame.levels[k] = frame_levels_of(light, FRAME_LEVELS, arena);
-    }
-    return frame;
-}
 
 static void test_levels(void)
 {
@@ -416,99 +394,6 @@ static void test_colours(void)
     CHECK(toned.clipped == 1);
 }
 
-/* Frames of floats are aligned by the order of their pixels; nothing is told of even ones. */
-static void test_align(void)
-{
-    enum { SIDE = 64 };
-    float first[SIDE * SIDE * 3], second[SIDE * SIDE * 3];
-    struct align_step steps[2];
-    for (int i = 0; i < SIDE * SIDE * 3; i++) {
-        const int x = i / 3 % SIDE, y = i / 3 / SIDE;
-        first[i] = (float)(1.2 + sin(x * 0.31) * cos(y * 0.23) + 0.1 * sin(0.7 * x + 0.4 * y));
-        second[i] = (float)(0.25 * (1.2 + sin((x - 3) * 0.31) * cos((y + 2) * 0.23) +
-                                    0.1 * sin(0.7 * (x - 3) + 0.4 * (y + 2))));
-    }
-    struct tone_frame frames[] = {
-        {.name = "a", .width = SIDE, .height = SIDE, .values = first, .time = 4},
-        {.name = "b", .width = SIDE, .height = SIDE, .values = second, .time = 1}};
-    align_frames(frames, 2, steps);
-    CHECK(frames[0].right == 0 && frames[0].down == 0);
-    CHECK(frames[1].right == 3 && frames[1].down == -2);
-    CHECK(steps[1].is_told && steps[1].now < 0.5 * steps[1].before);
-    for (int i = 0; i < SIDE * SIDE * 3; i++) {
-        const int x = i / 3 % SIDE, y = i / 3 / SIDE - 32; /* a hill, further on than is looked */
-        first[i] = (float)exp(-((x - 22) * (x - 22) + y * y) / 300.0);
-        second[i] = (float)exp(-((x - 42) * (x - 42) + y * y) / 300.0);
-    }
-    align_frames(frames, 2, steps);
-    CHECK(steps[1].is_beyond && frames[1].right == 0 && frames[1].down == 0);
-    for (int i = 0; i < SIDE * SIDE * 3; i++) {
-        first[i] = second[i] = 1;
-    }
-    align_frames(frames, 2, steps);
-    CHECK(frames[1].right == 0 && frames[1].down == 0 && !steps[1].is_told);
-}
-
-/*
- * Squares of 2 x 2 pixels of 104 and 105 are 105 when halved, clear of the median of 100, as their
- * mean of 104.5 is rounded; cut off they would be 104, and nothing of the halved picture would tell
- * of a shift by 2 pixels.
- */
-static void test_align_rounds(void)
-{
-    enum { SIDE = 48, ROOM = 4, CELLS = (SIDE + ROOM) / 2 };
-    uint8_t cell[CELLS][CELLS], first[SIDE * SIDE], second[SIDE * SIDE];
-    struct align_step steps[2];
-    uint32_t word = 1;
-    for (int i = 0; i < CELLS * CELLS; i++) {
-        word = word * 1664525U + 1013904223U;
-        cell[i / CELLS][i % CELLS] = (uint8_t)((word >> 24) % 5);
-    }
-    for (int i = 0; i < SIDE * SIDE; i++) {
-        const int x = i % SIDE, y = i / SIDE;
-        for (int shift = 0; shift < 2; shift++) {
-            const int kind = cell[y / 2][(x + 2 * shift) / 2];
-            const int bright = x % 2 == y % 2 ? 104 : 105;
-            (shift == 0 ? first : second)[i] = (uint8_t)(kind < 2 ? bright : kind < 4 ? 90 : 100);
-        }
-    }
-    struct tone_frame frames[] = {frame_of(first, SIDE, SIDE, 1), frame_of(second, SIDE, SIDE, 1)};
-    align_frames(frames, 2, steps);
-    CHECK(frames[1].right == -2 && frames[1].down == 0 && steps[1].is_told);
-}
-
-/*
- * A disc over half of the picture, 20 shades a pixel steep at its edge, since what is within 4 of
- * the median is left out; with its middle moved by half of the shift each way. 126 pixels are
- * found, to the pixel, and 127, the sum of 1, 2, 4 .. 64, may as well be more.
- */
-static void test_align_far(void)
-{
-    enum { SIDE = 2048 };
-    static const int shifts[][2] = {{126, -126}, {-127, 0}};
-    uint8_t *greys[2] = {ARENA_ARRAY(arena, SIDE * SIDE, uint8_t),
-                         ARENA_ARRAY(arena, SIDE * SIDE, uint8_t)};
-    const double radius = SIDE / sqrt(2 * PI), middle = (SIDE - 1) / 2.0, steep = 20;
-    for (size_t k = 0; k < sizeof shifts / sizeof *shifts; k++) {
-        struct align_step steps[2];
-        for (int i = 0; i < SIDE * SIDE; i++) {
-            const int column = i % SIDE, row = i / SIDE;
-            for (int f = 0; f < 2; f++) {
-                const double x = column - middle + (0.5 - f) * shifts[k][0];
-                const double y = row - middle + (0.5 - f) * shifts[k][1];
-                const double grey = 125 + steep * (radius - sqrt(x * x + y * y));
-                greys[f][i] = (uint8_t)fmin(fmax(grey, 40), 210);
-            }
-        }
-        struct tone_frame frames[] = {frame_of(greys[0], SIDE, SIDE, 1),
-                                      frame_of(greys[1], SIDE, SIDE, 1)};
-        align_frames(frames, 2, steps);
-        CHECK(steps[1].limit == 127 && steps[1].is_told && steps[1].is_beyond == (k > 0));
-        CHECK(frames[1].right == (k == 0 ? shifts[k][0] : 0));
-        CHECK(frames[1].down == (k == 0 ? shifts[k][1] : 0));
-    }
-}
-
 /* Whole numbers of a file of 8 and of 16 bits, and how many are the highest. */
 static void test_codes(void)
 {
@@ -550,8 +435,8 @@ static void test_merge_floats(void)
 }
 
 /*
- * Below 0.0056 cd/m2 as rods see, Y (1.33 (1 + (Y + Z)/X) - 1.68) over that of white, from 5.6 on as
- * it is, a share of both between them; and no pixel more than the picture has.
+ * Below 0.0056 cd/m2 as rods see, Y (1.33 (1 + (Y + Z)/X) - 1.68) over that of white, from 5.6 on
+ * as it is, a share of both between them; and no pixel more than the picture has.
  */
 static void test_fade(void)
 {
@@ -599,9 +484,6 @@ int main(void)
     test_long_pixels();
     test_strips();
     test_colours();
-    test_align();
-    test_align_rounds();
-    test_align_far();
     test_codes();
     test_merge_floats();
     test_fade();
