@@ -10,6 +10,10 @@ static struct error error;
 /* Of both the stop is in the front vertex, and the camera's place there. */
 static struct lens_clearance plate; /* 10 mm of glass and 20 of air to the film, 10 mm in radius */
 static struct lens_clearance dent;  /* the same, its front hollow */
+/* 2 mm of glass, 4 mm in radius at the edge 1 mm behind; then one whose edge is 2 mm before it */
+static struct lens_clearance cone;
+/* a biconcave between two plates: its faces, 4 mm in radius, are 1 mm deep, at z = 4 and 9 */
+static struct lens_clearance hollow;
 
 static struct lens_clearance open_room(const char *text)
 {
@@ -81,6 +85,40 @@ static void test_vertex(void)
     CHECK(!holds(&plate, &thing, &camera, &time));
     thing = sphere(49.9);
     CHECK(holds(&plate, &thing, &camera, &time));
+}
+
+/*
+ * Between the edges of two glasses, of radius 4 mm at z = 3 and of radius 10 mm at z = 20, the tube
+ * is a cone: small spheres lie in it, or beside it.
+ */
+static void test_cone(void)
+{
+    for (int z = 4; z < 20; z++) {
+        const double edge = 4 + 6 * (z - 3) / 17.0;
+        for (int beside = 0; beside < 2; beside++) {
+            const struct scene_thing thing = {
+                .shape = SHAPE_SPHERE,
+                .radius = 0.1,
+                .where = {.at = {0, edge + (beside > 0 ? 0.2 : -0.2), z},
+                          .turned = LOOKED_UPRIGHT}};
+            double time;
+            CHECK(holds(&cone, &thing, &camera, &time) == (beside == 0));
+        }
+    }
+}
+
+/* Beside it tubes of 1 mm, from 10 to 4 mm in radius; behind their ends there is air in a face. */
+static void test_hollow(void)
+{
+    static const double places[] = {3.5, 9.5};
+    for (size_t i = 0; i < 2; i++) {
+        const struct scene_thing thing = {
+            .shape = SHAPE_SPHERE,
+            .radius = 0.1,
+            .where = {.at = {2, 0, places[i]}, .turned = LOOKED_UPRIGHT}};
+        double time;
+        CHECK(holds(&hollow, &thing, &camera, &time));
+    }
 }
 
 static const double wide = 10; /* both lenses: their radii */
@@ -155,7 +193,15 @@ int main(void)
     dent =
         open_room("lens dent\nwavelength d\nobject inf\naperture stop\nsurface -20 10 1.5 20 stop\n"
                   "surface - 20 air 20\n");
+    cone = open_room("lens cone\nwavelength d\nobject inf\naperture stop\n"
+                     "surface - 2 1.5 8 stop\nsurface 8.5 20 air 8\n"
+                     "surface -26 5 1.5 20\nsurface - 20 air 20\n");
+    hollow = open_room("lens hollow\nwavelength d\nobject inf\naperture stop\n"
+                       "surface - 2 1.5 20 stop\nsurface - 2 air 20\nsurface -8.5 5 1.5 8\n"
+                       "surface 8.5 2 air 8\nsurface - 5 1.5 20\nsurface - 20 air 20\n");
     test_vertex();
+    test_cone();
+    test_hollow();
     test_moving();
     test_lever();
     arena_free(&arena);
