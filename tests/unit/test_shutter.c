@@ -222,6 +222,58 @@ static void test_span(void)
     arena_free(&arena);
 }
 
+/* Starts of rays that were asked for: along where the curtains go, to (0.6, 0.8), and beside it. */
+static struct {
+    double least[2], most[2], v;
+    int blocks;
+} starts;
+
+/* Rays as steep everywhere, but for half of a block that carries no light and is steeper. */
+static void aim_alike(const struct lens_film *opened, struct film_samples *samples,
+                      struct ray_block *block)
+{
+    (void)opened;
+    starts.blocks++;
+    for (int i = 0; i < RAYS_BLOCK; i++) {
+        const double x = samples->x[i], y = samples->y[i];
+        const double at[2] = {0.6 * x + 0.8 * y, 0.6 * y - 0.8 * x};
+        for (int k = 0; k < 2; k++) {
+            starts.least[k] = fmin(starts.least[k], at[k]);
+            starts.most[k] = fmax(starts.most[k], at[k]);
+        }
+        starts.v = fmin(starts.v, samples->v[i]);
+        block->p[i] = i % 2 == 0 ? 0.18 : 0.3; /* 0.3 of 0.9 along (0.6, 0.8) */
+        block->q[i] = i % 2 == 0 ? 0.2025 : 0.4;
+        block->r[i] = -0.9;
+        samples->weight[i] = i % 2 == 0 ? 1 : 0;
+    }
+}
+
+/*
+ * It is asked about 17 x 17 points, 24 mm along the curtains' way and, whatever that is, as far
+ * beside it as the corner: 8 mm before the film they pass 0.3 * 8 mm further on.
+ */
+static void test_span_turned(void)
+{
+    double span[2], expected[2];
+    open_as(SHUTTER_FOCAL, SHUTTER_DOWN, 8);
+    shutter.along[0] = 0.6;
+    shutter.along[1] = 0.8;
+    const struct lens_film opened = {.aim = aim_alike, .shutter = &shutter, .corner = 20};
+    starts.least[0] = starts.least[1] = starts.v = INFINITY;
+    starts.most[0] = starts.most[1] = -INFINITY;
+    lens_film_span(&opened, span);
+    CHECK(starts.blocks == 17 * 17);
+    CHECK_NEAR(starts.least[0], -12, 1e-12, "one edge");
+    CHECK_NEAR(starts.most[0], 12, 1e-12, "the other");
+    CHECK_NEAR(starts.least[1], -20, 1e-12, "a corner");
+    CHECK_NEAR(starts.most[1], 20, 1e-12, "the other corner");
+    CHECK(starts.v == 1); /* the rim */
+    shutter_span(&shutter, 12 + 0.3 * 8 + 24 / 16.0, expected);
+    CHECK_NEAR(span[0], expected[0], 1e-15, "the first");
+    CHECK_NEAR(span[1], expected[1], 1e-15, "the last");
+}
+
 /* Each would be refused. */
 static void test_refused(void)
 {
@@ -262,6 +314,7 @@ int main(void)
     test_penumbra();
     test_leaf();
     test_span();
+    test_span_turned();
     test_refused();
     return check_report();
 }
