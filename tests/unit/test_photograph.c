@@ -3,8 +3,10 @@
 #include "camera/photograph/photograph.h"
 
 #include "base/constants.h"
+#include "camera/photograph/tile_rays.h"
 #include "check.h"
 #include "file/lens_file.h"
+#include "light/illuminant.h"
 
 enum { COLUMNS = 2 * TILE_ACROSS, ROWS = 2 * TILE_DOWN, TILES = 4, SAMPLES = 64 };
 
@@ -190,6 +192,54 @@ static void test_dark_middle(void)
     CHECK(sure.counts[PHOTOGRAPH_CONVERGENCE + CONVERGENCE_MISSED] == 0);
 }
 
+/*
+ * Under a sky that is the same everywhere all rays bring the same light: a picture whose colours
+ * share rays is that of each colour's own, to rounding. At the edge of a spot of dirt before the
+ * film, where few rays pass, there are pixels without a shared one that looks where their own do.
+ */
+static void test_shared_evenly(void)
+{
+    static const char text[] =
+        "lens dirt\nwavelength 611nm 549nm 464nm\nobject inf\naperture stop\n"
+        "stop - 20 air 0.5\nsurface 50 3 1.5/40 60\nsurface -50 45 air 60\n"
+        "surface - 2 air 60\nblock circle 2.6 decenter=9,4.5\n";
+    static const double span[2] = {-1, 1};
+    enum { ACROSS = 2 * TILE_ACROSS, DOWN = TILE_DOWN };
+    struct scene_light sky = {
+        .kind = LIGHT_SKY, .spectrum = spectrum_white(), .sky = SKY_UNIFORM, .amount = 5000};
+    const struct scene scene = {.lights = &sky, .light_count = 1};
+    struct world world;
+    struct lights lights;
+    struct bands bands;
+    bands_three(&bands);
+    CHECK(open_lens(text, 2) && world_open(&scene, span, &arena, &world, &error) &&
+          lights_open(&scene, &bands, &arena, &lights, &error));
+    const struct path path = {.world = &world, .lights = &lights};
+    const struct view view = {
+        .path = &path,
+        .bands = &bands,
+        .points = tile_rays_points(8, &arena),
+        .camera = {.turned = {{1, 0, 0}, {0, 0, 1}, {0, -1, 0}}, .axis = {0, 1, 0}}}; /* upwards */
+    struct photograph_question question = card;
+    question.view = &view;
+    question.is_coloured = true;
+    question.columns = 3 * ACROSS;
+    question.rows = 6 * DOWN;
+    question.crop = (struct image_area){TILE_ACROSS, 4 * TILE_DOWN, ACROSS, DOWN};
+    question.samples = 8;
+    const struct photograph own = take(&question);
+    question.kept &= ~(1U << SKIP_COLOUR);
+    const struct photograph shared = take(&question);
+    CHECK(own.counts[PHOTOGRAPH_WAYS + RAY_REUSE_SHARED] == 0);
+    CHECK(shared.counts[PHOTOGRAPH_WAYS + RAY_REUSE_SHARED] == 2);
+    size_t dark = 0;
+    for (size_t i = 0; i < (size_t)ACROSS * DOWN * PHOTOGRAPH_CHANNELS; i++) {
+        dark += own.image.pixels[i] == 0;
+        CHECK_RELATIVE((double)shared.image.pixels[i], (double)own.image.pixels[i], 1e-6, "alike");
+    }
+    CHECK(dark > 0 && (double)dark * 0.375 * 0.375 < 3 * PI * 1.3 * 1.3); /* mm^2 */
+}
+
 int main(void)
 {
     CHECK(open_lens("lens stop\nwavelength d\nobject inf\naperture stop\nstop - 50 air 5\n", 50));
@@ -197,6 +247,7 @@ int main(void)
     test_ended(1e-4);
     test_timed();
     test_dark_middle();
+    test_shared_evenly();
     arena_free(&arena);
     return check_report();
 }
