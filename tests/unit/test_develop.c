@@ -173,6 +173,34 @@ static void test_fill(void)
     }
 }
 
+/*
+ * Channels of which one sees a colour alone and two see two alike, but for a share e: the sums of
+ * their matrix and of its inverse are 5 + e and 2 + 4/e, whose product may be up to 1e4.
+ */
+static void test_alike(void)
+{
+    static const double shares[] = {0.0021, 0.0019}; /* at 0.0020028 it is 1e4 */
+    const struct develop_way way = {.white = BALANCE_DAYLIGHT, .headroom = 1};
+    for (int turn = 0; turn < 3; turn++) {
+        for (int k = 0; k < 2; k++) {
+            const double pair[2][2] = {{1, 1}, {1, 1 + shares[k]}};
+            struct colour_matrix seen = {{{0}}};
+            seen.at[turn][turn] = 1;
+            for (int i = 0; i < 4; i++) {
+                seen.at[(turn + 1 + i / 2) % 3][(turn + 1 + i % 2) % 3] = pair[i / 2][i % 2];
+            }
+            const struct sensor_response_traits traits = {
+                .word = "a table", .channels = 3, .seen = &seen, .names = {"R", "G", "B"}};
+            struct image_sensor sensor = sensor_plain(0.006);
+            float made[3];
+            sensor.table = &traits;
+            CHECK(developed(&sensor, (const double[3]){0.1, 0.1, 0.1}, &way, made) == (k == 0));
+        }
+    }
+    CHECK_TEXT(error.message,
+               "the channels of the sensor see too much the same to make colours of them");
+}
+
 static void test_balanced(void)
 {
     const struct image_sensor sensor = sensor_plain(0.006);
@@ -245,6 +273,7 @@ int main(void)
     test_bradford();
     test_developed();
     test_fill();
+    test_alike();
     test_balanced();
     arena_free(arena);
     test_primaries();

@@ -20,8 +20,10 @@ struct raw_conversion {
 static double sum_of_sizes(const struct colour_matrix *matrix)
 {
     double sum = 0;
-    for (size_t i = 0; i < SENSOR_CHANNELS * SENSOR_CHANNELS; i++) {
-        sum += fabs(matrix->at[i / SENSOR_CHANNELS][i % SENSOR_CHANNELS]);
+    for (size_t i = 0; i < SENSOR_CHANNELS; i++) {
+        for (size_t j = 0; j < SENSOR_CHANNELS; j++) {
+            sum += fabs(matrix->at[i][j]);
+        }
     }
     return sum;
 }
