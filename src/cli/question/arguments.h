@@ -36,7 +36,7 @@ bool arguments_parse(struct arguments *arguments, const struct command *command,
 /* The option of this name; null if the command has none. */
 struct argument *arguments_find(const struct arguments *arguments, struct text name);
 
-/* Was it given? By its very name: rows of a sweep ask, of several options each. */
+/* Was the option of exactly this name given? Each row of a sweep asks this several times. */
 bool arguments_given(const struct arguments *arguments, const char *name);
 
 /*

@@ -75,9 +75,10 @@ static const struct column columns[] = {
     {SMALL(centroid[1], 0), .name = "centroid_y", .label = "centroid y",
      .help = "the same upwards"},
     {SMALL(width[0], COLUMN_BRIEF), .name = "width_x", .label = "width in x",
-     .help = "full width at half maximum, through the peak; absent where the image ends before"},
+     .help = "full width at half maximum of the row of pixels through the brightest; absent where "
+             "the image ends before"},
     {SMALL(width[1], COLUMN_BRIEF), .name = "width_y", .label = "width in y",
-     .help = "the same upwards"},
+     .help = "the same of the column of pixels"},
     {SMALL(radius80, COLUMN_BRIEF), .name = "radius80", .label = "radius of 80 %",
      .help = "radius about the centroid that encloses 80 % of the light; absent where that circle "
              "leaves the image or the pixels are coarse"},
