@@ -507,7 +507,7 @@ static const struct example examples[] = {
     {"spot double-gauss --field 14deg -w d --defocus -0.2..0.2#5", "one of them through focus"},
     {"spot double-gauss -w d --no-clip --pattern hexapolar --rays 127",
      "as programs print it that do not integrate"},
-    {"spot nikkor-z-58-f095 --energy 50%,80%", "radii that hold so much of the light"},
+    {"spot double-gauss-50 --energy 50%,80%", "radii that hold so much of the light"},
     {NULL, NULL},
 };
 
