@@ -5,10 +5,11 @@ Conventions of README and man/*.[157]:
 - Example: in README a fenced (```) or indented (4 blanks) block, in a page what stands between .EX
   and .EE. A line "$ command" is run by sh in an empty folder (one folder a block, so that a later
   command finds an earlier one's files) with lenscalc first in PATH; the lines up to the next "$ "
-  or the end of the block are its exact standard output. A command that ends in " \\" goes on in
-  the next line ("> " in front of it is taken away). A block without "$ " is not run. Exit status
-  and standard error are not compared: show them with `; echo $?` and `2>&1`. The same commands
-  from an empty folder on are run once, wherever they stand.
+  or the end of the block are its exact standard output. A command goes on in the lines behind it
+  that begin with "> ", the shell's second prompt, which is taken away, and where it ends in " \\".
+  A block without "$ " is not run. Exit status and standard error are not compared: show them with
+  `; echo $?` and `2>&1`. The same commands from an empty folder on are run once, wherever they
+  stand.
 - A command that starts with "make" or "sudo" is shown, never run.
 - Options: in a page's section OPTIONS each option is a .TP followed by a line that names it:
   .BR \\-f ", " \\-\\-focal\\-length ... or \\fB\\-f\\fR, \\fB\\-\\-focal\\-length\\fR .... They must
@@ -41,6 +42,7 @@ from harness import EVERYTHING, ROOT, Checks, Program
 
 KEY = re.compile(r"\[([A-Z][A-Za-z]*[0-9]{2}[a-z]?)\]")
 NOT_RUN = ("make", "sudo")
+TOOLS = ("jq", "parallel")  # that a machine may lack
 LONG = re.compile(r"lenscalc render chart:(?!.*--size)")
 
 
@@ -91,9 +93,10 @@ def readme_blocks(text):
 
 def examples_of(start, block):
     """(line number, command, expected output) of each command of a block."""
-    found, going_on = [], False
+    found, asked, going_on = [], False, False
     for number, line in enumerate(block, start):
-        if going_on:
+        asked = going_on or (asked and line.startswith("> ")) or line.startswith("$ ")
+        if going_on or (asked and line.startswith("> ")):
             found[-1][1] += "\n" + (line[2:] if line.startswith("> ") else line)
         elif line.startswith("$ "):
             found.append([number, line[2:], []])
@@ -101,17 +104,19 @@ def examples_of(start, block):
             found[-1][2].append(line)
         else:
             return []  # text, a file: no example
-        going_on = (going_on or line.startswith("$ ")) and line.endswith("\\")
+        going_on = asked and line.endswith("\\")
     for example in found:
         while example[2] and not example[2][-1]:
             example[2].pop()
     return found
 
 
-def runs_here(program, command):
-    """Is the solver there, if the command needs it? What follows in its block may need its files."""
-    return not command.startswith("lenscalc fit") or \
-        os.path.exists(os.path.join(program.build, "lenscalc-ceres"))
+def lacking(program, command):
+    """What the command needs and is not here; what follows in its block may need its files."""
+    if command.startswith("lenscalc fit") and not program.has_solver():
+        return "the solver"
+    return next((tool for tool in TOOLS
+                 if re.search(rf"(?<![\w-]){tool} ", command) and not shutil.which(tool)), None)
 
 
 class Examples:
@@ -148,8 +153,9 @@ def check_examples(checks, examples, path, blocks):
         for number, command, expected in examples_of(start, block):
             if command.split()[0] in NOT_RUN:
                 continue
-            if not runs_here(program, command):
-                print(f"{path}:{number}: $ {command}: skipped, CERES=0")
+            lacks = lacking(program, command)
+            if lacks:
+                print(f"{path}:{number}: $ {command}: skipped, {lacks} is not here")
                 break
             count += 1
             if is_left_out(command):
@@ -264,7 +270,7 @@ def check_help(checks, examples, commands):
         block = re.sub(r" \\\n +", " ", block)  # a long one goes on in the next line
         found = [line.strip() for line in block.split("\n") if line.startswith("  lenscalc ")]
         checks.check(found, f"{command} --help has no examples")
-        found = [one for one in found if runs_here(program, one) and not is_left_out(one)]
+        found = [one for one in found if not lacking(program, one) and not is_left_out(one)]
         for number, example in enumerate(found):
             result, made = examples.run([example])
             if result.returncode != 0:  # it reads what an earlier one made
