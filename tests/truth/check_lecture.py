@@ -13,15 +13,10 @@ import sys
 sys.dont_write_bytecode = True
 sys.path.insert(0, os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
 from harness import ROOT, Checks
-from meridional import (first_order, irradiance_on_axis, lens_of, paraxial, rms_on_axis, trace)
+from meridional import (DOUBLE_GAUSS, SLIDE, first_order, irradiance_on_axis, lens_of, paraxial,
+                        rms_on_axis, through_stop, trace)
 from page_numbers import Page
 
-# W. Smith, Modern Lens Design, p. 312, as the slide has it: radius, thickness, index, clear diameter
-SLIDE = [(58.950, 7.520, 1.670, 50.4), (169.660, 0.240, 1.0, 50.4), (38.550, 8.050, 1.670, 46.0),
-         (81.540, 6.550, 1.699, 46.0), (25.500, 11.410, 1.0, 36.0), (math.inf, 9.000, 1.0, 34.2),
-         (-28.990, 2.360, 1.603, 34.0), (81.540, 12.130, 1.658, 40.0), (-40.770, 0.380, 1.0, 40.0),
-         (874.130, 6.440, 1.717, 40.0), (-79.460, 72.228, 1.0, 40.0)]
-DOUBLE_GAUSS = [(*row, math.isinf(row[0])) for row in SLIDE]
 DIAGONAL = math.hypot(36, 24)
 FIRST_ZERO = 3.8317059702075123 / math.pi  # of J1, in Airy's 1.22
 STOPS = [math.sqrt(2) ** k for k in range(9)]
@@ -38,6 +33,10 @@ def refracted(h, before=200.0, radius=50.0, n=1.5):
     return slope, normal, slope + normal, refraction, after, sag - h / math.tan(after)
 
 
+def numbered(rows):
+    return [value for i, row in enumerate(rows) for value in (i + 1, *row)]
+
+
 def check_rays(page):
     slope, normal, incidence, refraction, after, _ = map(math.degrees, refracted(5))
     page.holds("--columns slope", slope, normal, incidence, refraction, after)
@@ -48,9 +47,9 @@ def check_rays(page):
         h, image, refracted(h)[5], refracted(h)[5] - image)))
     page.holds("object_vergence", 1000 * 0.5 / 50, -1000 / 200, 1000 * 1.5 / image)
     half = [(r / 2, t / 2, n, d / 2, stop) for r, t, n, d, stop in DOUBLE_GAUSS]
-    page.holds("vergence_before_diopter", *(value for i, (y, before, v) in enumerate(paraxial(half))
-                                            for value in (
-        i + 1, 1000 * (before - v) / y, -1000 * before / y, -1000 * v / y)))
+    rows = [(1000 * (before - v) / y, -1000 * before / y, -1000 * v / y)
+            for y, before, v in paraxial(half)]
+    page.holds("vergence_before_diopter", *numbered(rows))
     page.holds("lensmaker", 10, 10, 20, 50)
     rows = []
     for s in (math.inf, 10, 2, 0.5):
@@ -62,14 +61,13 @@ def check_rays(page):
     page.checks.check(half[:-1] == lens[:-1], "double-gauss-50 is half of the slide's lens")
     focus = first_order(lens)[1]
     page.holds("illumination double-gauss-50", irradiance_on_axis(lens, focus))
-    page.holds("spot double-gauss-50", 1000 * rms_on_axis(lens, focus))
-    page.holds("surfaces double-gauss --digits", *(value for i, row in enumerate(SLIDE) for value in (
-        i + 1, row[0], row[1], row[3])))
+    page.holds("spot double-gauss-50", 1000 * rms_on_axis(lens, focus, through_stop(lens)))
+    page.holds("surfaces double-gauss --digits", *numbered((r, t, d) for r, t, _, d in SLIDE))
     focus = first_order(DOUBLE_GAUSS)[1]
     rays = trace(DOUBLE_GAUSS[:-1] + [(*DOUBLE_GAUSS[-1][:1], focus, *DOUBLE_GAUSS[-1][2:]),
                                       (math.inf, 0.0, 1.0, math.inf, False)], 10.0, 0.0)[0]
-    page.holds("trace double-gauss", *(value for i, (y, *angles) in enumerate(rays) for value in (
-        i + 1, y, *(math.degrees(abs(angle)) for angle in angles))))
+    page.holds("trace double-gauss", *numbered(
+        (y, *(math.degrees(abs(angle)) for angle in angles)) for y, *angles, _ in rays))
     page.holds("lens telephoto-200", *(value for name in (
         "telephoto-200", "wide-35", "double-gauss-50", "fisheye-16")
         for value in first_order(lens_of(name))[:2]))
@@ -112,7 +110,7 @@ def check_photography(page):
         STOPS[k], 2.0 ** (k - 11), TIMES[16 - k])))
     page.holds("motion", *(value for t in (8, 125, 500) for value in (
         1 / t, 1e6 * 5 / 3.6 / t * 50 / 9950)))
-    page.holds("bracket", *(value for k in range(16) for value in (k + 1, 30 / 2 ** k, TIMES[k])))
+    page.holds("bracket", *numbered((30 / 2 ** k, TIMES[k]) for k in range(16)))
 
 
 def main():

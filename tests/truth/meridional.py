@@ -1,4 +1,4 @@
-"""tests/truth/meridional.py - rays in a plane with the axis through lenses of spheres, by Snell's law.
+"""tests/truth/meridional.py - rays in a plane with the axis through spheres, by Snell's law.
 
 A lens is a list of surfaces (radius, inf = plane; distance to the next; index behind; clear
 diameter; is it the stop), in air, read from the tables of lensdb or typed in.
@@ -9,6 +9,14 @@ import math
 import os
 
 from harness import ROOT
+
+# W. Smith, Modern Lens Design, p. 312, as the lecture's slide has it: radius, thickness, index,
+# clear diameter
+SLIDE = [(58.950, 7.520, 1.670, 50.4), (169.660, 0.240, 1.0, 50.4), (38.550, 8.050, 1.670, 46.0),
+         (81.540, 6.550, 1.699, 46.0), (25.500, 11.410, 1.0, 36.0), (math.inf, 9.000, 1.0, 34.2),
+         (-28.990, 2.360, 1.603, 34.0), (81.540, 12.130, 1.658, 40.0), (-40.770, 0.380, 1.0, 40.0),
+         (874.130, 6.440, 1.717, 40.0), (-79.460, 72.228, 1.0, 40.0)]
+DOUBLE_GAUSS = [(*row, math.isinf(row[0])) for row in SLIDE]
 
 # Gauss-Legendre on 0..1, 8 points: 15 degrees of a polynomial in r^2
 HALF = [(0.1834346424956498, 0.3626837833783620), (0.5255324099163290, 0.3137066458778873),
@@ -55,10 +63,11 @@ def reverse(lens):
 
 def trace(lens, y, angle, start=0.0):
     """A ray from the height y at `start` before the first vertex: (height there, angles of
-    incidence and refraction in rad) at each surface, its slope angle behind and the sag of the
-    last point. Of a ray that meets all surfaces."""
-    rows, z, n = [], -start, 1.0
+    incidence and refraction in rad, optical path up to there) at each surface, its slope angle
+    behind and the sag of the last point. Of a ray that meets all surfaces."""
+    rows, z, n, path = [], -start, 1.0, 0.0
     for radius, thickness, behind, _, _ in lens:
+        before = z
         if math.isinf(radius):
             y, z, normal = y - z * math.tan(angle), 0.0, 0.0
         else:
@@ -68,7 +77,8 @@ def trace(lens, y, angle, start=0.0):
             y, z = radius * math.sin(normal), radius * (1 - math.cos(normal))
         incidence = angle + normal
         refraction = math.asin(n * math.sin(incidence) / behind)
-        rows.append((y, incidence, refraction))
+        path += n * (z - before) / math.cos(angle)
+        rows.append((y, incidence, refraction, path))
         angle, n, z = refraction - normal, behind, z - thickness
     return rows, angle, z + lens[-1][1]
 
@@ -96,18 +106,29 @@ def tightness(lens, y, angle, start=0.0):
         return math.inf
 
 
-def rms_on_axis(lens, image, points=GAUSS):
-    """Of a distant point, its rays weighted by equal areas of the stop: (r^2/R^2, weight)."""
-    stop = next(i for i, surface in enumerate(lens) if surface[4])
+def stop_of(lens):
+    return next(i for i, surface in enumerate(lens) if surface[4])
+
+
+def through_stop(lens, radius=None):
+    """[(height before the lens, weight)] of rays parallel to the axis, which stand for equal areas
+    of the stop up to a radius there; without one up to where clear diameters end the beam."""
+    stop = stop_of(lens)
 
     def at_stop(y):
         return trace(lens[:stop + 1], y, 0.0)[0][stop][0]
 
-    edge = solve(lambda y: tightness(lens, y, 0.0) - 1, 0.0, lens[0][3] / 2)
-    radius = at_stop(edge)
-    return math.sqrt(sum(w * at_image(lens, solve(
-        lambda y, q=q: at_stop(y) - math.sqrt(q) * radius, 0.0, edge), image) ** 2
-                         for q, w in points))
+    edge = 0.6 * lens[0][3]
+    if radius is None:
+        edge = solve(lambda y: tightness(lens, y, 0.0) - 1, 0.0, edge)
+        radius = at_stop(edge)
+    return [(solve(lambda y, q=q: at_stop(y) - math.sqrt(q) * radius, 0.0, edge), w)
+            for q, w in GAUSS]
+
+
+def rms_on_axis(lens, image, rays):
+    """Of a distant point: rays as (height before the lens, weight), of the weights' sum 1."""
+    return math.sqrt(sum(w * at_image(lens, y, image) ** 2 for y, w in rays))
 
 
 def irradiance_on_axis(lens, image):
