@@ -114,8 +114,8 @@ static void watched(void *context, size_t begin, size_t end)
     }
 }
 
-/* All items are counted, by one look at a time; work that is to end does so soon. Others go on while
-   who looks is kept from its processor: only one thread's count is known. */
+/* All items are counted, by one look at a time; work that is to end does so soon. Others go on
+   while who looks is kept from its processor: only one thread's count is known. */
 static void check_watch(int threads)
 {
     struct looker looker = {.every = 100, .ends_at = 10 * ITEMS};
