@@ -6,12 +6,16 @@ each failure in a line that starts with "FAILED", and ends with "N passed, N fai
 LENSCALC_WRAPPER (for example "valgrind -q --error-exitcode=99") is put before the program. With
 LENSCALC_ALL set, as make check-all has it, scripts try everything; what is EVERYTHING only would
 take too long for every day.
+
+With LENSCALC_VALIDATE set to a folder, as tests/run has it, each comparison with a value from
+outside that names its source is a line of a file there: see tests/validation.py.
 """
 # SPDX-License-Identifier: MIT
 
 import csv
 import fcntl
 import io
+import math
 import os
 import pty
 import select
@@ -21,10 +25,17 @@ import subprocess
 import sys
 import tempfile
 import termios
+from fractions import Fraction
 
 ROOT = os.path.dirname(os.path.dirname(os.path.abspath(__file__)))
 SHARED = os.path.join(os.path.dirname(ROOT), "shared")
 EVERYTHING = bool(os.environ.get("LENSCALC_ALL"))
+VALIDATE = os.environ.get("LENSCALC_VALIDATE")
+
+
+def exact(number):
+    """A number without rounding: the digits of a text, the bits of a float."""
+    return Fraction(number) if math.isfinite(float(number)) else float(number)
 
 
 class Checks:
@@ -34,6 +45,7 @@ class Checks:
         self.passed = self.failed = 0
         self.most = most
         self.worst = {}  # of each kind the share of what is allowed that was needed, and where
+        self.compared = []
 
     def check(self, condition, what):
         if condition:
@@ -55,7 +67,29 @@ class Checks:
         return self.check(error <= allowed, f"{name} is {actual}, expected {expected} "
                                             f"within {allowed:.3g}")
 
+    def against(self, source, case, quantity, actual, expected, allowed, unit=""):
+        """
+        A value against one from outside, of a source of tests/truth/sources.tsv, numbers or texts:
+        their difference is taken without rounding. `allowed` has the unit of both.
+        """
+        if actual in (None, ""):
+            return self.check(False, f"{case}: {quantity} is absent, expected {expected}")
+        value, truth = exact(actual), exact(expected)
+        finite = isinstance(value, Fraction) and isinstance(truth, Fraction)
+        error = abs(value - truth) if finite else 0 if value == truth else math.inf
+        if VALIDATE:
+            self.compared.append((source, case, quantity, actual, expected, float(error),
+                                  float(allowed), unit))
+        return self.check(error <= allowed,
+                          f"{case}: {quantity} is {actual}, expected {expected} within "
+                          f"{float(allowed):.3g} {unit}".rstrip())
+
     def finish(self):
+        if self.compared:
+            name = os.path.splitext(os.path.basename(sys.argv[0]))[0]
+            with open(os.path.join(VALIDATE, name + ".tsv"), "w", encoding="utf-8") as file:
+                for row in self.compared:
+                    file.write("\t".join(" ".join(str(word).split()) for word in row) + "\n")
         print(f"{self.passed} passed, {self.failed} failed")
         sys.exit(self.failed != 0)
 

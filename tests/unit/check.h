@@ -6,9 +6,11 @@
 #include <math.h>
 #include <stdbool.h>
 #include <stdio.h>
+#include <stdlib.h>
 #include <string.h>
 
 static int checks_passed, checks_failed;
+static const char *check_source_name, *check_source_unit;
 
 /* Count one check; a failure is printed with its place and what was expected. */
 static inline void check_at(bool passed, const char *file, int line, const char *what)
@@ -23,11 +25,53 @@ static inline void check_at(bool passed, const char *file, int line, const char 
 
 #define CHECK(condition) check_at((condition), __FILE__, __LINE__, #condition)
 
+/*
+ * Until the next call the values that CHECK_NEAR and CHECK_RELATIVE expect are those of a source of
+ * tests/truth/sources.tsv, in this unit, and `what` is "case: quantity"; NULL: of none. Where
+ * LENSCALC_VALIDATE names a folder they are written there: see tests/validation.py.
+ */
+static inline void check_source(const char *name, const char *unit)
+{
+    check_source_name = name;
+    check_source_unit = unit;
+}
+
+static inline void check_compared(double actual, double expected, double tolerance,
+                                  const char *file, const char *what)
+{
+    static FILE *table;
+    const char *folder = check_source_name != NULL ? getenv("LENSCALC_VALIDATE") : NULL;
+    if (folder == NULL) {
+        return;
+    }
+    if (table == NULL) {
+        char path[4096];
+        const char *slash = strrchr(file, '/'), *name = slash != NULL ? slash + 1 : file;
+        snprintf(path, sizeof path, "%s/%.*s.tsv", folder, (int)strcspn(name, "."), name);
+        table = fopen(path, "w");
+        if (table == NULL) {
+            printf("%s: FAILED cannot write %s\n", file, path);
+            checks_failed++;
+            check_source_name = NULL;
+            return;
+        }
+    }
+    const char *cut = strstr(what, ": ");
+    for (const char *next = cut; next != NULL; next = strstr(next + 2, ": ")) {
+        cut = next; /* the last */
+    }
+    double difference = isinf(expected) && actual == expected ? 0 : fabs(actual - expected);
+    fprintf(table, "%s\t%.*s\t%s\t%.17g\t%.17g\t%.17g\t%.17g\t%s\n", check_source_name,
+            cut != NULL ? (int)(cut - what) : 0, what, cut != NULL ? cut + 2 : what, actual,
+            expected, difference, tolerance, check_source_unit);
+}
+
 /* |actual - expected| <= tolerance; infinities must be equal; NaN fails. */
 static inline void check_near_at(double actual, double expected, double tolerance, const char *file,
                                  int line, const char *what)
 {
     bool equal = isinf(expected) ? actual == expected : fabs(actual - expected) <= tolerance;
+    check_compared(actual, expected, tolerance, file, what);
     if (equal) {
         checks_passed++;
     } else {
