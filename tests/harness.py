@@ -69,15 +69,16 @@ class Checks:
 
     def against(self, source, case, quantity, actual, expected, allowed, unit=""):
         """
-        A value against one from outside, of a source of tests/truth/sources.tsv, numbers or texts:
-        their difference is taken without rounding. `allowed` has the unit of both.
+        A value against one from outside, of a source of tests/truth/sources.tsv (None: it is not
+        of the table), numbers or texts: their difference is taken without rounding. `allowed` has
+        the unit of both.
         """
         if actual in (None, ""):
             return self.check(False, f"{case}: {quantity} is absent, expected {expected}")
-        value, truth = exact(actual), exact(expected)
+        value, truth, allowed = exact(actual), exact(expected), exact(allowed)
         finite = isinstance(value, Fraction) and isinstance(truth, Fraction)
         error = abs(value - truth) if finite else 0 if value == truth else math.inf
-        if VALIDATE:
+        if VALIDATE and source is not None:
             self.compared.append((source, case, quantity, actual, expected, float(error),
                                   float(allowed), unit))
         return self.check(error <= allowed,

@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 """tests/truth/check_color.py - colour of lenses against numbers from outside:
-check_color.py BUILD_DIR [--worst] [--write]
+check_color.py BUILD_DIR [--write]
 
 color.json: systems as .lens files, with the paraxial images, the foci of real rays by zone and the
 chief rays by wavelength of an independent 50-digit program; where ../shared is here too, color.json
@@ -26,7 +26,6 @@ OWN = "tests/truth/color.json"
 UNIT = 2.0 ** -53
 NAMES = {"d": 587.5618, "F": 486.1327, "C": 656.2725, "g": 435.8343, "e": 546.0740}
 ZONES = {"0.3": 6, "0.5": 10, "0.85": 17, "1": 20}  # of 20 steps
-worst = {}
 
 
 def reference_cases():
@@ -67,12 +66,9 @@ def check_shift(checks, name, text, expected, size, allowed, factor=1):
     """|text - expected| in roundings of the places that the shift lies between."""
     if not checks.check(text not in (None, ""), f"{name} is absent"):
         return
-    error = float(abs(Fraction(text) / factor - Fraction(expected)))
-    used = error / (UNIT * abs(float(size)))
-    kind = name.split(": ")[-1].split(" ")[0]
-    worst[kind] = max(worst.get(kind, (0, "")), (used, name))
-    checks.check(used <= allowed, f"{name} is {text}, expected {float(expected) * factor!r}: "
-                                  f"{used:.3g} roundings")
+    case, _, quantity = name.rpartition(": ")
+    checks.against("algebra" if case == "thin" else "color", case, quantity,
+                   Fraction(text) / factor, expected, allowed * UNIT * abs(float(size)), "mm")
 
 
 def wave_of(row):
@@ -142,9 +138,6 @@ def main():
     for case in cases:
         check_case(checks, program, case)
     check_thin(checks, program)
-    if "--worst" in sys.argv:
-        for kind, (used, name) in sorted(worst.items()):
-            print(f"{kind}: worst {used:.3g} roundings, {name}")
     checks.finish()
 
 

@@ -93,9 +93,9 @@ def random_system(rng):
 
 def close(checks, name, value, expected, size):
     """Within 8 units of the last place of `size`."""
-    error = abs(Decimal(value) - expected)
-    checks.check(error <= 8 * UNIT * (size + abs(expected)),
-                 f"{name} is {value!r}, expected {expected:.20g} ({error / (UNIT * size):.3g} units)")
+    case, _, quantity = name.rpartition(": ")
+    checks.against("conjugates", case, quantity, value, expected, 8 * UNIT * (size + abs(expected)),
+                   "" if "agnification" in quantity or quantity in ("angular", "longitudinal") else "mm")
 
 
 def check_row(checks, name, system, row, distance):

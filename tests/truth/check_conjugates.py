@@ -33,14 +33,20 @@ def number(text):
         return text
 
 
-def near(checks, actual, expected, tolerance, what):
-    is_number = isinstance(actual, float)
-    good = is_number and (actual == expected or abs(actual - expected) <= tolerance)
-    checks.check(good, f"{what}: {actual!r}, expected {expected!r} within {tolerance:.3g}")
+# sources of tests/truth/sources.tsv by how the words begin; the others are formulas
+PRINTED = {"diffraction": "diffraction.tsv", "merklinger": "Merklinger", "hansma": "Hansma",
+           "lecture": "lecture"}
 
 
-def relative(checks, actual, expected, tolerance, what):
-    near(checks, actual, expected, tolerance * abs(expected), what)
+def near(checks, actual, expected, tolerance, what, unit=""):
+    """`what` is "case: quantity", and of a printed source begins with its name."""
+    named = [name for name, start in PRINTED.items() if what.startswith(start)]
+    case, _, quantity = what.rpartition(": ")
+    checks.against((named + ["algebra"])[0], case, quantity, actual, expected, tolerance, unit)
+
+
+def relative(checks, actual, expected, tolerance, what, unit=""):
+    near(checks, actual, expected, tolerance * abs(expected), what, unit)
 
 
 def check_focus(program, checks):
@@ -91,7 +97,7 @@ def check_batch(program, checks):
 
 def check_diffraction(program, checks):
     row = rows_of(program, "diffraction", "-N", "64", "-w", "500nm")[0]
-    near(checks, row["airy_radius_um"], 39.04, 0.011, "lecture: 1.22 x 64 x 0.5 um")
+    near(checks, row["airy_radius_um"], 39.04, 0.011, "lecture: 1.22 x 64 x 0.5 um", "um")
     near(checks, row["airy_radius_um"], 39.029437, 1e-6, "first zero of J1 3.8317059702/pi")
     near(checks, row["cutoff_per_mm"], 31.25, 1e-13, "1/(w N)")
     with open("tests/truth/diffraction.tsv") as file:
@@ -100,12 +106,14 @@ def check_diffraction(program, checks):
         row = rows_of(program, "diffraction", "-N", case["fnumber"],
                       "-w", case["wavelength_mm"] + "mm", "--frequency",
                       case["frequency_per_mm"])[0]
-        what = f"diffraction.tsv f/{case['fnumber']} {case['wavelength_mm']} mm"
-        near(checks, row["mtf_lens"], float(case["mtf"]), 1e-13, what + " mtf")
-        relative(checks, row["cutoff_per_mm"], float(case["cutoff_per_mm"]), 1e-14, what)
+        what = f"diffraction.tsv f/{case['fnumber']} {case['wavelength_mm']} mm: "
+        near(checks, row["mtf_lens"], float(case["mtf"]), 1e-13, what + "mtf")
+        relative(checks, row["cutoff_per_mm"], float(case["cutoff_per_mm"]), 1e-14,
+                 what + "cut-off", "1/mm")
         row = rows_of(program, "diffraction", "-N", case["fnumber"],
                       "-w", case["wavelength_mm"] + "mm")[0]
-        relative(checks, row["airy_radius_um"], 1000 * float(case["airy_radius_mm"]), 1e-14, what)
+        relative(checks, row["airy_radius_um"], 1000 * float(case["airy_radius_mm"]), 1e-14,
+                 what + "Airy radius", "um")
     # Hansma 1996: N = sqrt(375 dv) for green light
     row = rows_of(program, "diffraction", "--focus-spread", "3", "-w", "546")[0]
     relative(checks, row["optimum_fnumber"], math.sqrt(375 * 3), 0.002, "Hansma: sqrt(375 dv)")
@@ -139,10 +147,11 @@ def check_tilt(program, checks):
     for feet, degrees, tolerance in ((4.2, 7, 0.3), (2.03, 14, 0.2), (7, 4, 0.1)):
         row = rows_of(program, "tilt", "-f", "150", "-N", "11", "--hinge", f"{feet}ft", "--angle",
                       "90deg", "-c", "0.1")[0]
-        near(checks, row["tilt_deg"], degrees, tolerance, f"Merklinger: J = {feet} ft")
+        near(checks, row["tilt_deg"], degrees, tolerance, f"Merklinger, J = {feet} ft: tilt",
+             "deg")
     row = rows_of(program, "tilt", "-f", "150", "-N", "11", "--tilt", "7", "--angle", "90", "-c",
                   "0.1")[0]
-    near(checks, row["hyperfocal_m"] / 0.3048, 67, 0.5, "Merklinger: about 67 feet")
+    near(checks, row["hyperfocal_m"] / 0.3048, 67, 0.5, "Merklinger: about 67 feet", "ft")
     relative(checks, row["half_height"] * row["hyperfocal_m"], row["hinge_m"] * math.cos(
         math.radians(7)), 1e-13, "J on either side at H, times f/v'")
     relative(checks, row["image_mm"], 150 / math.cos(math.radians(7)), EXACT, "v' = f/cos a")

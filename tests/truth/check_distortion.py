@@ -85,9 +85,8 @@ def check_case(checks, program, case, percents):
                 ("ideal_height_mm", ideal, 1e-13 * (abs(float(ideal)) + 10)),
                 ("distortion_percent", percent,
                  100 * 1e-13 * scale / abs(float(ideal)) * (1 + abs(float(percent)) / 100))):
-            error = abs(Decimal(table[0][column]) - truth)
-            checks.check(error <= Decimal(allowed), f"{name}: {column} {table[0][column]}, "
-                                                    f"expected {truth}, off by {error:.3g}")
+            checks.against("distortion", name, column, table[0][column], truth, allowed,
+                           "mm" if column.endswith("_mm") else "%")
 
 
 # -------- models --------

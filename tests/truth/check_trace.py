@@ -74,6 +74,10 @@ class Trace:
         return path
 
 
+def unit_of(column):
+    return "mm" if column.endswith("_mm") else ""
+
+
 def check_golden(trace):
     words = ("--no-clip", "--focus", "paraxial")
     starts, expected = [], []
@@ -86,8 +90,8 @@ def check_golden(trace):
     for start, truth, row in zip(starts, expected, rows):
         one = trace.single("double-gauss", start, *words)
         for name, value in zip(OUT, truth):
-            trace.checks.check(abs(float(row[name]) - value) <= 2e-13,
-                               f"golden {start}: {name} is {row[name]}, expected {value!r}")
+            trace.checks.against("three-programs", f"a ray from {':'.join(start[:3])} mm", name,
+                                 row[name], value, 2e-13, unit_of(name))
             trace.checks.check(one.get(name) == row[name],
                                f"golden {start}: {name}: alone {one.get(name)}, batch {row[name]}")
     table = trace.single("double-gauss", ["12", "-16", "-20", "0", "0", "1"], "--focus", "table")
@@ -143,9 +147,8 @@ def length_of(case):
 
 def check_figures(trace, name, row, expected, scales):
     for column, value, scale in zip(OUT, expected, scales):
-        got = row[column]
-        trace.checks.check(got != "" and abs(float(got) - value) <= UNIT * (scale + abs(value)),
-                           f"{name}: {column} is {got!r}, expected {value!r}")
+        trace.checks.against("rays", name, column, row[column], value, UNIT * (scale + abs(value)),
+                             unit_of(column))
 
 
 def check_case(trace, case):
@@ -192,9 +195,8 @@ def check_image(trace, lens, case, starts, length):
             continue
         for column, text in zip(OUT, words[-3:-1]):
             value = float(text)
-            trace.checks.check(row[column] != "" and
-                               abs(float(row[column]) - value) <= UNIT * (scale + abs(value)),
-                               f"{case['name']}: image {column} {row[column]}, expected {text}")
+            trace.checks.against("rays", f"{case['name']}: image of {' '.join(words[:7])}", column,
+                                 row[column], text, UNIT * (scale + abs(value)), "mm")
 
 
 # Their sources state a central obstruction, which the chief ray meets.

@@ -10,7 +10,7 @@
 #include <string.h>
 
 static int checks_passed, checks_failed;
-static const char *check_source_name, *check_source_unit;
+static const char *check_source_name, *check_source_unit = "";
 
 /* Count one check; a failure is printed with its place and what was expected. */
 static inline void check_at(bool passed, const char *file, int line, const char *what)

@@ -41,12 +41,18 @@ static void test_nist(enum solver_engine engine)
             memcpy(b, nist.start[s], sizeof b);
             CHECK(solver_run(&problem, &options, b, &arena, &summary, &error));
             CHECK(summary.status == SOLVER_CONVERGED);
-            CHECK_RELATIVE(2 * summary.final_cost, nist.squares, 1e-10, nist.name);
+            char what[80];
+            check_source(engine == SOLVER_DLS ? "nist" : NULL, "");
+            snprintf(what, sizeof what, "%s, start %d: sum of squares", nist.name, s + 1);
+            CHECK_RELATIVE(2 * summary.final_cost, nist.squares, 1e-10, what);
             CHECK(summary.degrees_of_freedom == nist.points - nist.parameters);
             for (size_t i = 0; i < nist.parameters; i++) {
-                CHECK_RELATIVE(b[i], nist.certified[i], 2e-10, nist.name);
-                CHECK_RELATIVE(summary.standard_error[i], nist.error[i], 1e-9, nist.name);
+                snprintf(what, sizeof what, "%s, start %d: b%zu", nist.name, s + 1, i + 1);
+                CHECK_RELATIVE(b[i], nist.certified[i], 2e-10, what);
+                snprintf(what, sizeof what, "%s, start %d: error of b%zu", nist.name, s + 1, i + 1);
+                CHECK_RELATIVE(summary.standard_error[i], nist.error[i], 1e-9, what);
             }
+            check_source(NULL, "");
             arena_free(&arena);
         }
     }

@@ -43,6 +43,7 @@ static void six(const double *inputs, double *out)
 /* Within 4 x 2^-53 x (sensitivity + |value|), the inputs being decimals rounded to doubles. */
 static void test_truth(void)
 {
+    static const char names[][6] = {"power", "efl", "bfl", "ffl", "H'", "H"};
     char line[1024];
     int rows = 0;
     FILE *file = fopen("tests/truth/thick_lens.tsv", "r");
@@ -72,9 +73,13 @@ static void test_truth(void)
             }
         }
         for (int i = 0; i < 6; i++) {
+            char what[80];
+            snprintf(what, sizeof what, "thick_lens.tsv row %d: %s", rows, names[i]);
+            check_source("thick-lens", i == 0 ? "1/mm" : "mm");
             CHECK_NEAR(actual[i], c[6 + i], 4 * DBL_EPSILON / 2 * (sensitivity[i] + fabs(c[6 + i])),
-                       "truth");
+                       what);
         }
+        check_source(NULL, "");
     }
     CHECK(rows == 40);
     if (file != NULL) {
