@@ -7,6 +7,7 @@
 #   fuzz       long fuzzing: SECONDS=600 JOBS=2      clean      remove build/
 #   faults     memory, reading and writing fail call by call: every command
 #   stress     the worst errors where arithmetic is hardest: SECONDS=60 SEED=1
+#   validate   what the tests find of values from outside: build/validate.tsv, the page, README
 #   survey     printed errors of every lens and field of lensdb against outside sums: an hour or two
 #   coverage   lines and branches that the fast tests reach, by folder
 #   mutate     is a changed sign noticed? COUNT=60 SEED=1,2,3 FOLDERS=light,scene
@@ -263,6 +264,12 @@ faults: deps
 stress: all
 	@tests/stress/run $(SECONDS) $(BUILD) $(SEED)
 
+validate:
+	@tests/deps $(check_packages)
+	@$(MAKE) -s all programs $(units)
+	@tests/run $(BUILD) validate
+	@python3 tests/validation.py $(BUILD)
+
 survey: deps all
 	@tests/truth/survey $(BUILD)
 
@@ -320,4 +327,4 @@ dist:
 clean:
 	rm -rf $(BUILD)
 
-.PHONY: FORCE all programs deps demo check check-all accept bench fuzz faults stress survey coverage mutate cluster cross format install uninstall dist clean
+.PHONY: FORCE all programs deps demo check check-all accept bench fuzz faults stress validate survey coverage mutate cluster cross format install uninstall dist clean

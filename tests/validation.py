@@ -10,17 +10,15 @@ and of each source the row of tests/truth/validation.tsv: how many values, and o
 needs the largest share of what it is allowed: share, difference, allowance, unit, quantity, case.
 From that table the page lenscalc-validation(7) and a part of README are made.
 
-Figures are cut to one digit. Machines differ in the last bits, by their C libraries above all: a
-row stands while its count is that of the run, and the run's worst share and that of its case are
-within a factor 2 of its own. What needs ../shared keeps its row where that is not.
-
-`compare`: all must be as a run has them; else they are written.
+Figures are cut to one digit. Machines differ in the last bits, by their C libraries above all:
+with `compare` a committed row stands while the run has its count, and its worst share and that of
+the row's case are within a factor of 2 of the row's, shares below 0.01 being alike. Without it all
+is written as the run has it. What needs ../shared keeps its row where that is not.
 """
 # SPDX-License-Identifier: MIT
 
 import csv
 import glob
-import math
 import os
 import re
 import sys
@@ -41,6 +39,12 @@ SECTION = re.compile(r"(?ms)^Validation\n-+\n\n(.*?)\n\n\n")
 KINDS = {"reference": "A program of 50 digits", "algebra": "Exact algebra",
          "program": "Other programs", "lens": "Patents and textbooks",
          "data": "Makers and standards"}
+LEAST = 0.01  # of a share that is told from others
+
+
+def text_of(path):
+    with open(path, encoding="utf-8") as file:
+        return file.read()
 
 
 def read_table(path):
@@ -82,8 +86,11 @@ def share_of(row):
 
 
 def one_digit(number):
-    return f"{number:.0e}" if number and not 1e-3 <= number < 1e4 else f"{number:.1g}" \
-        if number < 1 else f"{float(f'{number:.0e}'):g}"
+    """Such as 0.03, 400, 4e-7."""
+    mantissa, exponent = f"{number:.0e}".split("e")
+    if -4 < int(exponent) < 5:
+        return f"{float(f'{number:.0e}'):g}"
+    return f"{mantissa}e{int(exponent)}"
 
 
 def row_of(source, rows):
@@ -93,26 +100,33 @@ def row_of(source, rows):
             "unit": worst[8], "quantity": worst[3], "case": worst[2]}
 
 
+def is_like(a, b):
+    """Are two figures the same, but for the last bits of machines?"""
+    return a / 2 <= b <= 2 * a
+
+
 def stands(row, rows):
-    """Does a run say what the row does, but for the last bits of machines?"""
-    share, worst = float(row["share"]), max(map(share_of, rows))
-    of_case = max((share_of(one) for one in rows
-                   if (one[3], one[2]) == (row["quantity"], row["case"])), default=math.inf)
-    return int(row["count"]) == len(rows) and share / 2 <= worst <= 2 * share and \
-        share / 2 <= of_case
+    """Does a run say what the row does?"""
+    share, worst = max(float(row["share"]), LEAST), max(LEAST, *map(share_of, rows))
+    same = [one for one in rows
+            if (one[3], one[2], one[8]) == (row["quantity"], row["case"], row["unit"])]
+    return int(row["count"]) == len(rows) and is_like(share, worst) and any(
+        is_like(share, max(share_of(one), LEAST)) and is_like(float(row["allowed"]), float(one[7]))
+        for one in same)
 
 
-def table_of(known, found):
-    """The rows as they should be: the committed ones that stand, else those of the run."""
+def table_of(known, found, comparing):
+    """The rows as they should be: of the run, or those committed ones that stand."""
     committed = {row["source"]: row for row in read_table(TABLE)} if os.path.exists(TABLE) else {}
     rows = []
     for name, source in known.items():
         row = committed.get(name)
-        if not is_kept(source):
-            rows.append(row if row is not None and stands(row, found[name]) else
-                        row_of(name, found[name]))
-        elif row is not None:
+        if is_kept(source):
+            rows += [row] if row is not None else []
+        elif comparing and row is not None and stands(row, found[name]):
             rows.append(row)
+        else:
+            rows.append(row_of(name, found[name]))
     return rows
 
 
@@ -160,9 +174,7 @@ def page_lines(known, table):
 
 
 def page_text(known, table):
-    with open(PAGE, encoding="utf-8") as file:
-        text = file.read()
-    head, rest = text.split(BEGIN + "\n")
+    head, rest = text_of(PAGE).split(BEGIN + "\n")
     return "\n".join([head + BEGIN, *page_lines(known, table), END]) + rest.split(END)[1]
 
 
@@ -175,14 +187,13 @@ def readme_lines(known, table):
         rows = [row for row in table if known[row["source"]]["kind"] == kind]
         worst = max(rows, key=lambda row: float(row["share"]))
         count = sum(int(row["count"]) for row in rows)
-        lines.append(f"    {title:<23}{count:>7,}  at worst {worst['share']:<5} of what is "
-                     f"allowed, {len(rows)} source" + ("s" if len(rows) > 1 else ""))
-    return lines
+        lines.append(f"    {title:<23}{len(rows):>3} sources {count:>7,} values, worst "
+                     f"{worst['share']} of what is allowed")
+    return lines + ["", "The row of OpticStudio is from a run with a lens that is not ours to carry."]
 
 
 def readme_text(known, table):
-    with open(README, encoding="utf-8") as file:
-        text = file.read()
+    text = text_of(README)
     found = SECTION.search(text)
     return text[:found.start(1)] + "\n".join(readme_lines(known, table)) + text[found.end(1):]
 
@@ -218,9 +229,8 @@ def main():
         kept = [name for name, row in known.items() if is_kept(row)]
         if kept:
             print(f"skipped: no ../shared, as committed: {', '.join(kept)}")
-        for path, content in made_of(known, table_of(known, found)).items():
-            with open(path, encoding="utf-8") as file:
-                same = file.read() == content
+        for path, content in made_of(known, table_of(known, found, comparing)).items():
+            same = os.path.exists(path) and text_of(path) == content
             name = os.path.relpath(path, ROOT)
             if not same and not comparing:
                 with open(path, "w", encoding="utf-8") as file:

@@ -84,7 +84,7 @@ def stated_by(lens, source):
     if not source.startswith(("stated", "last thickness")):
         return "paraxial" if source.startswith("independent") else "first-order", lens
     with open(f"lensdb/lenses/{lens}.lens", encoding="utf-8") as file:
-        words = re.search(r"(?m)^source +([^,;]+(?:,\d+)*)", file.read())[1]
+        words = re.search(r"(?m)^source +([^,;\n]+(?:,\d+)*)", file.read())[1]
     book = [name for start, name in BOOKS.items() if words.startswith(start)]
     return (book + ["patents" if re.match(r"(US|JP|DE|GB|WO) ?\d|GB", words) else "makers"])[0], \
         f"{lens} ({words})"

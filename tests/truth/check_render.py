@@ -18,7 +18,7 @@ import sys
 sys.dont_write_bytecode = True
 sys.path.insert(0, os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
 from harness import Checks, Program
-from photographs import MEAN
+from photographs import DOUBLE_GAUSS, MEAN, MEAN_BY_PBRT
 
 LENSES = ("cs348b-dgauss-50", "nikkor-z-58-f095", "fisheye-16", "questar-35", "phone-80deg",
           "human-eye-artal", "nikkor-z-14-24")
@@ -54,7 +54,10 @@ def check_mean(checks, program):
     rays, _ = table(program, "render", "--lens", "cs348b-dgauss-50", "--rays", "-", "--samples", "262144",
                     "-w", "d", "--focus", "36.3612")
     mean = sum(float(ray["weight"]) for ray in rays)
-    checks.check(abs(mean - MEAN) < MEAN_ERROR, f"mean E/L is {mean}, expected {MEAN}")
+    checks.against("irradiance", DOUBLE_GAUSS, "render: mean E/L", mean, MEAN, MEAN_ERROR)
+    for i, others in enumerate(MEAN_BY_PBRT):
+        checks.against("pbrt", f"{DOUBLE_GAUSS}, sampling {i + 1}", "mean E/L", mean, others,
+                       MEAN_ERROR)
 
 
 DISC = "lens disc\nwavelength d\nobject inf\naperture stop\nstop - 0 air 40\n"

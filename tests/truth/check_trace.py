@@ -135,6 +135,12 @@ def start_of(words):
     return [repr(x), repr(y), "0", repr(u / length), repr(v / length), repr(1 / length)]
 
 
+def in_short(words):
+    """What names a ray: its start."""
+    end = 7 if words[0] == "ray" else 5
+    return " ".join([words[0], *(f"{float(word):g}" for word in words[1:end])])
+
+
 def length_of(case):
     """As the unit test takes it: thicknesses, and 10 mm."""
     total = 10.0
@@ -160,7 +166,7 @@ def check_case(trace, case):
     clipped = trace.batch(lens, starts, "--to", "last")
     length = length_of(case)
     for words, row, clip in zip(case["rays"], rows, clipped):
-        name = f"{case['name']}: {' '.join(words[:7])}"
+        name = f"{case['name']}: {in_short(words)}"
         if words[0] == "lost":
             status = "miss" if words[5] == "miss" else "total_reflection"
             trace.checks.check((row["status"], row["surface"]) == (status, words[6]),
@@ -195,7 +201,7 @@ def check_image(trace, lens, case, starts, length):
             continue
         for column, text in zip(OUT, words[-3:-1]):
             value = float(text)
-            trace.checks.against("rays", f"{case['name']}: image of {' '.join(words[:7])}", column,
+            trace.checks.against("rays", f"{case['name']}: image of {in_short(words)}", column,
                                  row[column], text, UNIT * (scale + abs(value)), "mm")
 
 

@@ -37,7 +37,7 @@ static inline void check_source(const char *name, const char *unit)
 }
 
 static inline void check_compared(double actual, double expected, double tolerance,
-                                  const char *file, const char *what)
+                                  const char *what)
 {
     static FILE *table;
     const char *folder = check_source_name != NULL ? getenv("LENSCALC_VALIDATE") : NULL;
@@ -46,11 +46,11 @@ static inline void check_compared(double actual, double expected, double toleran
     }
     if (table == NULL) {
         char path[4096];
-        const char *slash = strrchr(file, '/'), *name = slash != NULL ? slash + 1 : file;
+        const char *slash = strrchr(__BASE_FILE__, '/'), *name = slash ? slash + 1 : __BASE_FILE__;
         snprintf(path, sizeof path, "%s/%.*s.tsv", folder, (int)strcspn(name, "."), name);
         table = fopen(path, "w");
         if (table == NULL) {
-            printf("%s: FAILED cannot write %s\n", file, path);
+            printf("FAILED cannot write %s\n", path);
             checks_failed++;
             check_source_name = NULL;
             return;
@@ -71,7 +71,7 @@ static inline void check_near_at(double actual, double expected, double toleranc
                                  int line, const char *what)
 {
     bool equal = isinf(expected) ? actual == expected : fabs(actual - expected) <= tolerance;
-    check_compared(actual, expected, tolerance, file, what);
+    check_compared(actual, expected, tolerance, what);
     if (equal) {
         checks_passed++;
     } else {

@@ -54,7 +54,9 @@ static void test_published(void)
         double answers[] = {
             [FLASH_GN] = s.GN / unit, [FLASH_N] = s.N,         [FLASH_D] = s.d / unit,
             [FLASH_S] = s.S,          [FLASH_POWER] = s.power, [FLASH_FLASHES] = NAN};
+        check_source(strchr(rows[i].source, ':') != NULL ? "flash" : NULL, "");
         CHECK_NEAR(answers[unknown], rows[i].expected, rows[i].tolerance, rows[i].source);
+        check_source(NULL, "");
     }
 }
 

@@ -23,9 +23,11 @@ static struct fov view(enum projection projection, double f, double s, double P,
 static void test_published(void)
 {
     struct fov fov = view(RECTILINEAR, 50, INFINITY, 1, 1);
-    CHECK_NEAR(fov.diagonal / DEGREE, 46.8, 0.05, "diagonal at 50 mm");
-    CHECK_NEAR(fov.horizontal / DEGREE, 39.6, 0.05, "horizontal at 50 mm");
-    CHECK_NEAR(fov.vertical / DEGREE, 27.0, 0.05, "vertical at 50 mm");
+    check_source("lecture", "deg");
+    CHECK_NEAR(fov.diagonal / DEGREE, 46.8, 0.05, "50 mm: diagonal angle");
+    CHECK_NEAR(fov.horizontal / DEGREE, 39.6, 0.05, "50 mm: horizontal angle");
+    CHECK_NEAR(fov.vertical / DEGREE, 27.0, 0.05, "50 mm: vertical angle");
+    check_source(NULL, "");
     CHECK(fov.width_at_s == INFINITY);
     /* the lecture's normal lens: half angle 26.57 deg, tan = 1/2, full 53.13 deg */
     double angle;
