@@ -85,6 +85,12 @@ class Checks:
                           f"{case}: {quantity} is {actual}, expected {expected} within "
                           f"{float(allowed):.3g} {unit}".rstrip())
 
+    def against_relative(self, source, case, quantity, actual, expected, allowed):
+        """The same with a share of what is expected, which is not 0, for `allowed`."""
+        if actual is not None and math.isfinite(actual):
+            actual, expected = exact(actual) / exact(expected), 1
+        return self.against(source, case, quantity + ", relative", actual, expected, allowed)
+
     def finish(self):
         if self.compared:
             name = os.path.splitext(os.path.basename(sys.argv[0]))[0]

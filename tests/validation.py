@@ -37,7 +37,7 @@ ROW = ("source", "count", "share", "difference", "allowed", "unit", "quantity", 
 BEGIN, END = '.\\" from tests/truth/validation.tsv', '.\\" end of the table'
 SECTION = re.compile(r"(?ms)^Validation\n-+\n\n(.*?)\n\n\n")
 KINDS = {"reference": "A program of 50 digits", "algebra": "Exact algebra",
-         "program": "Other programs", "lens": "Patents and textbooks",
+         "own": "Tracers of the tests", "program": "Other programs", "lens": "Patents and textbooks",
          "data": "Makers and standards"}
 LEAST = 0.01  # of a share that is told from others
 
@@ -168,8 +168,8 @@ def page_lines(known, table):
                 lines += [".TP", f".B {roff(source['what'])}", *lines_of(roff(source["title"]) + "."),
                           *lines_of(roff(f"{count_words(row)}; {worst_words(row)}"))]
                 if source["needs"] == "shared":
-                    lines += lines_of("The lens is not part of this project: the row is from a run "
-                                      "where it is, and kept as it is elsewhere.")
+                    lines += lines_of("What it is about is not ours to carry: the row is from a run "
+                                      "that had it, and kept as it is in others.")
     return lines
 
 
@@ -181,15 +181,16 @@ def page_text(known, table):
 def readme_lines(known, table):
     """Ten lines: what stands behind it, and a line a kind."""
     total = sum(int(row["count"]) for row in table)
-    lines = [f"{total:,} values from outside are compared at each make check, none off by more",
-             "than it may be (lenscalc-validation(7); make validate, all in build/validate.tsv):", ""]
+    lines = [f"{total:,} values from outside are compared by make check, none off by more than it",
+             "may be (lenscalc-validation(7); make validate writes all into build/validate.tsv):", ""]
     for kind, title in KINDS.items():
         rows = [row for row in table if known[row["source"]]["kind"] == kind]
         worst = max(rows, key=lambda row: float(row["share"]))
         count = sum(int(row["count"]) for row in rows)
         lines.append(f"    {title:<23}{len(rows):>3} sources {count:>7,} values, worst "
                      f"{worst['share']} of what is allowed")
-    return lines + ["", "The row of OpticStudio is from a run with a lens that is not ours to carry."]
+    return lines + ["", "Of OpticStudio's lens and of others' files, which are not ours to carry, the rows are",
+                    "from a run that had them."]
 
 
 def readme_text(known, table):

@@ -139,13 +139,13 @@ def check_lens(checks, program, name, distance):
         (z, y), (n, m) = view(surfaces, stop, film, length / 2)
         angle = 2 * math.degrees(math.atan2(-m, n))
         said = row[key + "_deg"]
-        checks.check(abs(said - angle) <= 1e-9 * angle, f"{what}: {key} {said}, traced {angle}")
+        checks.against("by-rays", what, key, said, angle, 1e-9 * angle, "deg")
         field = {"horizontal": "field_width", "vertical": "field_height"}.get(key)
         if field and not math.isinf(distance):
             # the plane lies `distance` before H; z grows towards the subject
             wide = -2 * (y + (distance - front - z) * m / n) / 1000
             said = row[field + "_m"]
-            checks.check(abs(said - wide) <= 1e-9 * wide, f"{what}: {field} {said}, traced {wide}")
+            checks.against("by-rays", what, field, said, wide, 1e-9 * wide, "m")
 
 
 def main():

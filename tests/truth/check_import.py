@@ -99,6 +99,9 @@ def check_file(checks, program, row, glasses):
         right, got = figures_right(row, result, efl, backs)
         checks.check(right, f"{row['file']}: {got and (got['efl_mm'], got['bfl_mm'])}, not "
                             f"{efl:.12g} {backs[0]:.12g}; {message}")
+        if got is not None:
+            checks.against("foreign", row["file"], "efl_mm", got["efl_mm"], efl,
+                           Decimal(row["limit"]) * max(abs(efl), 1), "mm")
     else:
         checks.check(result.returncode == 4 and re.search(row["read"], message),
                      f"{row['file']}: status {result.returncode}, no /{row['read']}/ in {message!r}")

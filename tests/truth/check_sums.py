@@ -51,8 +51,8 @@ def compare(checks, name, kind, value, error, true, doubt):
     off = abs(value - true)
     ratio = off / (error + doubt)
     worst[kind] = max(worst.get(kind, (0, "")), (ratio, name))
-    checks.check(off <= error + doubt,
-                 f"{name}: {kind} is {value} +- {error}, by other means {true} +- {doubt:.2g}")
+    unit = "waves" if kind.startswith("RMS") else ""
+    checks.against("sums", name, kind, value, true, error + doubt, unit)
 
 
 class Open:
