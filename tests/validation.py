@@ -117,8 +117,7 @@ def stands(row, rows):
 
 def table_of(known, found, comparing):
     """The rows as they should be: of the run, or those committed ones that stand."""
-    committed = {row["source"]: row for row in read_table(TABLE)} if os.path.exists(TABLE) else {}
-    rows = []
+    committed, rows = {row["source"]: row for row in read_table(TABLE)}, []
     for name, source in known.items():
         row = committed.get(name)
         if is_kept(source):
@@ -230,8 +229,11 @@ def main():
         kept = [name for name, row in known.items() if is_kept(row)]
         if kept:
             print(f"skipped: no ../shared, as committed: {', '.join(kept)}")
-        for path, content in made_of(known, table_of(known, found, comparing)).items():
-            same = os.path.exists(path) and text_of(path) == content
+        committed, table = read_table(TABLE), table_of(known, found, comparing)
+        moved = [row["source"] for row in table if row not in committed]
+        checks.check(not moved or not comparing, f"{', '.join(moved)}: not as committed")
+        for path, content in made_of(known, table).items():
+            same = text_of(path) == content
             name = os.path.relpath(path, ROOT)
             if not same and not comparing:
                 with open(path, "w", encoding="utf-8") as file:
