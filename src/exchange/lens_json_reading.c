@@ -48,7 +48,6 @@ bool json_wrong(struct json_reader *reading, const struct json_value *value, con
     return file_words_fail(&words, word, "%s", message);
 }
 
-/* Each key once, and none that is not in the list: that is a loss. */
 bool json_check_keys(struct json_reader *reading, const struct json_value *object, const char *keys)
 {
     for (const struct json_value *item = object->first; item != NULL; item = item->next) {
@@ -57,15 +56,16 @@ bool json_check_keys(struct json_reader *reading, const struct json_value *objec
         while (rest.start != NULL && !is_known) {
             is_known = text_identical(text_cut(&rest, ' '), item->key);
         }
-        const char *key = arena_string(reading->job->arena, item->key.start, item->key.length);
-        if (is_known && json_item(object, key) != item) {
-            return json_wrong(reading, item, "the key '%s' appears twice", key);
-        }
-        const struct file_words words = json_place(reading, item);
         if (!is_known) {
+            const struct file_words words = json_place(reading, item);
             foreign_loss(reading->job, &words,
                          (struct text){reading->content.start + item->at - 1, 0}, LOSS_OF_RAYS,
                          NULL, "unknown key '%.*s'", text_shown(item->key), item->key.start);
+            continue;
+        }
+        const char *key = arena_string(reading->job->arena, item->key.start, item->key.length);
+        if (json_item(object, key) != item) {
+            return json_wrong(reading, item, "the key '%s' appears twice", key);
         }
     }
     return true;

@@ -63,13 +63,13 @@ static bool json_coefficients(struct json_reader *reading, const struct json_val
         return json_wrong(reading, value, "expected an object with A1 .. A20 here");
     }
     struct arena *arena = reading->job->arena;
-    const char *keys = "";
+    const char *keys = NULL;
     for (int order = 1; order <= LENS_COEFFICIENTS; order++) {
         const enum parameter_kind kind = PARAMETER_COEFFICIENT;
         const char *key = parameter_name(kind, order, arena);
         const struct json_value *item = json_item(value, key);
         struct figure figure;
-        keys = arena_printf(arena, "%s %s", keys, key);
+        keys = order == 1 ? key : arena_printf(arena, "%s %s", keys, key);
         if (item == NULL) {
             continue;
         }
@@ -94,6 +94,9 @@ static bool json_corners(struct json_reader *reading, const struct json_value *v
     }
     struct figure(*points)[2] = arena_array(reading->job->arena, value->count, sizeof *points);
     for (const struct json_value *item = value->first; item != NULL; item = item->next) {
+        if (json_is_null(item)) {
+            return json_wrong(reading, item, x_and_y);
+        }
         if (!json_read_row(reading, item, JSON_LENGTH, points[aperture->point_count++], 2,
                            x_and_y)) {
             return false;

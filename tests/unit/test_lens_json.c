@@ -260,6 +260,7 @@ static const struct refusal surfaces[] = {
     {"\"conic\":0", "\"coefficients_mm\":@[1]", "expected an object with A1 .. A20 here", NULL},
     {"\"conic\":0", "\"coefficients_mm\":{\"A4\":@null}", number, NULL},
     {"\"conic\":0", "\"coefficients_mm\":{\"A21\":@1}", "unknown key 'A21'", ""},
+    {"\"conic\":0", "\"coefficients_mm\":{\"A4\":1e-5,\"\":@1}", "unknown key ''", ""},
     {"\"conic\":0", "\"cylinder\":\"@z\"", "expected one of both .. y here", NULL},
     {"\"conic\":0", "\"moved\":@[0,0]", "expected two decentres and three tilts here", NULL},
     {"\"conic\":0", "\"moved\":@{\"decenter_mm\":[0,0],\"tilt_deg\":[1,2]}",
@@ -296,6 +297,14 @@ static const struct refusal surfaces[] = {
     {"\"kind\":\"refract\",\"is_stop\":false",
      "\"kind\":\"thick\",\"focal_mm\":50,\"cylinder\":\"@x\"",
      "cylinder belongs to a surface that is curved", NULL},
+    {"\"conic\":0",
+     "\"apertures\":[{\"shape\":\"polygon\",\"blocks\":false,"
+     "\"points_mm\":[[1,1],@null,[2,-1],[1,-1]]}]",
+     "expected x and y here", NULL},
+    {"\"conic\":0",
+     "\"apertures\":[{\"shape\":\"polygon\",\"blocks\":false,"
+     "\"points_mm\":[[1,1],@[2],[1,-1]]}]",
+     "expected x and y here", NULL},
     {"\"name\":null", "\"name\":@5", "expected a text here", NULL},
     {"\"name\":null", "\"name\":\"@a\\\"b\"", "a name of a surface has no double quotes", NULL},
     {"\"conic\":0", "\"vary\":@{}", "expected an array here", NULL},
