@@ -17,6 +17,32 @@ static void codev_add_own(struct codev_output *output, const struct medium *medi
     }
 }
 
+/* A table of indices or one index for all light, as a glass of the file's own catalogue. */
+static void codev_put_own(struct lens_writer *writing, const struct medium *medium, size_t number)
+{
+    const struct lens *lens = writing->lens;
+    const bool is_table = medium->kind == MEDIUM_TABLE;
+    const size_t count = is_table ? medium->point_count : lens->wavelength_count;
+    size_t column = 5;
+    writing_put(writing, "  PWL%s", count == 0 ? " 587.5618" : "");
+    for (size_t i = 0; i < count; i++) {
+        const double wave =
+            is_table ? medium->points[i].wavelength : lens->wavelengths[i].wavelength;
+        const struct text typed = is_table ? text_of("") : lens->wavelengths[i].typed;
+        codev_put_number(writing, &column, writing_wave(writing, wave, typed, 3));
+    }
+    writing_put(writing, "\n  'N%zu'", number);
+    column = 8;
+    for (size_t i = 0; i < count || i == 0; i++) {
+        struct figure figure = {.typed = medium->written, .variable = LENS_NONE};
+        if (is_table) {
+            figure = (struct figure){.value = medium->points[i].index, .variable = LENS_NONE};
+        }
+        codev_put_number(writing, &column, writing_length(writing, &figure, 0));
+    }
+    writing_put(writing, "\n");
+}
+
 static void codev_put_catalog(struct codev_output *output)
 {
     const struct lens *lens = output->writing.lens;
@@ -34,29 +60,7 @@ static void codev_put_catalog(struct codev_output *output)
     }
     for (size_t i = 0; i < output->own_count; i++) {
         growing_string(&output->writing.text, i == 0 ? "PRV\n" : "");
-        /* A table of indices or one index for all light, as a glass of the file's own catalogue. */
-        const struct medium *medium = output->own[i];
-        struct lens_writer *writing = &output->writing;
-        bool is_table = medium->kind == MEDIUM_TABLE;
-        size_t count = is_table ? medium->point_count : lens->wavelength_count;
-        size_t column = 5;
-        writing_put(writing, "  PWL%s", count == 0 ? " 587.5618" : "");
-        for (size_t k = 0; k < count; k++) {
-            double wave = is_table ? medium->points[k].wavelength : lens->wavelengths[k].wavelength;
-            codev_put_number(writing, &column,
-                             writing_wave(writing, wave,
-                                          is_table ? text_of("") : lens->wavelengths[k].typed, 3));
-        }
-        writing_put(writing, "\n  'N%zu'", i + 1);
-        column = 8;
-        for (size_t k = 0; k < count || k == 0; k++) {
-            struct figure figure = {.typed = medium->written, .variable = LENS_NONE};
-            if (is_table) {
-                figure = (struct figure){.value = medium->points[k].index, .variable = LENS_NONE};
-            }
-            codev_put_number(writing, &column, writing_length(writing, &figure, 0));
-        }
-        writing_put(writing, "\n");
+        codev_put_own(&output->writing, output->own[i], i + 1);
     }
     growing_string(&output->writing.text, output->own_count > 0 ? "END\n" : "");
 }
@@ -91,30 +95,21 @@ static void codev_put_beam(struct lens_writer *writing)
                 writing_length(writing, &figure, kind == APERTURE_EPD));
 }
 
-static void codev_put_fields(struct lens_writer *writing)
+/* XAN, YAN; WTF where there are weights. */
+static void codev_put_all_fields(struct lens_writer *writing)
 {
     const struct lens *lens = writing->lens;
+    const struct lens_points points = {lens->fields, lens->field_count};
     bool weighted = false;
-    for (int axis = 0; axis < 2 && lens->field_kind != FIELD_NONE; axis++) {
-        size_t column = 3;
-        writing_put(writing, "%s", codev_field_words[lens->field_kind][axis]);
-        for (size_t i = 0; i < lens->field_count; i++) {
-            codev_put_number(writing, &column,
-                             codev_coordinate(writing, &lens->fields[i].at[axis]));
-        }
-        writing_put(writing, "\n");
+    for (int axis = CODEV_X; axis <= CODEV_Y && lens->field_kind != FIELD_NONE; axis++) {
+        codev_put_fields(writing, codev_field_words[lens->field_kind][axis], &points,
+                         (enum codev_row)axis);
     }
     for (size_t i = 0; i < lens->field_count; i++) {
         weighted = weighted || lens->fields[i].weight != 1;
     }
     if (weighted) {
-        size_t column = 3;
-        writing_put(writing, "WTF");
-        for (size_t i = 0; i < lens->field_count; i++) {
-            codev_put_number(writing, &column,
-                             writing_weight(writing, lens->fields[i].weight_typed, "1"));
-        }
-        writing_put(writing, "\n");
+        codev_put_fields(writing, "WTF", &points, CODEV_WEIGHTS);
     }
 }
 
@@ -284,20 +279,15 @@ bool codev_write(struct foreign_job *job, const struct lens *lens, struct text *
     }
     codev_put_beam(writing);
     writing_put(writing, "DIM %s\n", foreign_unit_word(codev_units, writing->unit));
-    size_t column = 2;
-    writing_put(writing, lens->wavelength_count == 0 ? "WL 587.5618" : "WL");
-    for (size_t i = 0; i < lens->wavelength_count; i++) {
-        const struct lens_wavelength *one = &lens->wavelengths[i];
-        codev_put_number(writing, &column, writing_wave(writing, one->wavelength, one->typed, 3));
+    const struct lens_light light = {lens->wavelengths, lens->wavelength_count};
+    if (light.count > 0) {
+        codev_put_waves(writing, "WL", &light, false);
+        writing_put(writing, "REF 1\n");
+        codev_put_waves(writing, "WTW", &light, true);
+    } else {
+        writing_put(writing, "WL 587.5618\nREF 1\nWTW 1\n");
     }
-    writing_put(writing, lens->wavelength_count == 0 ? "\nREF 1\nWTW 1" : "\nREF 1\nWTW");
-    column = 3;
-    for (size_t i = 0; i < lens->wavelength_count; i++) {
-        codev_put_number(writing, &column,
-                         writing_weight(writing, lens->wavelengths[i].weight_typed, "1"));
-    }
-    writing_put(writing, "\n");
-    codev_put_fields(writing);
+    codev_put_all_fields(writing);
     writing_put(writing, "%s%s", lens->is_telecentric ? "TEL Y\n" : "",
                 lens->focus == FOCUS_AFOCAL ? "AFC Y\n" : "");
     codev_put_catalog(&output);

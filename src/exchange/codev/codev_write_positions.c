@@ -131,27 +131,14 @@ static void codev_put_setting(struct codev_output *output, const struct lens_set
     writing_put(writing, "\n");
 }
 
-/* "XAN Z2", "WTW Z2" */
-static size_t codev_begin_zoom(struct lens_writer *writing, const char *word, size_t position)
+/* XAN Z2 .., YAN Z2 .., WTF Z2 .. */
+static void codev_put_zoom_fields(struct lens_writer *writing, size_t position)
 {
-    const char *command = arena_printf(writing->arena, "%s Z%zu", word, position + 1);
-    writing_put(writing, "%s", command);
-    return strlen(command);
-}
-
-/* WL Z2 .. and WTW Z2 .. */
-static void codev_put_light(struct lens_writer *writing, const struct lens_light *light,
-                            size_t position)
-{
-    for (int weights = 0; weights < 2; weights++) {
-        size_t column = codev_begin_zoom(writing, weights ? "WTW" : "WL", position);
-        for (size_t i = 0; i < light->count; i++) {
-            const struct lens_wavelength *one = &light->wavelengths[i];
-            codev_put_number(writing, &column,
-                             weights ? writing_weight(writing, one->weight_typed, "1")
-                                     : writing_wave(writing, one->wavelength, one->typed, 3));
-        }
-        writing_put(writing, "\n");
+    const struct lens *lens = writing->lens;
+    for (int row = CODEV_X; row < CODEV_ROWS; row++) {
+        const char *word = row == CODEV_WEIGHTS ? "WTF" : codev_field_words[lens->field_kind][row];
+        codev_put_fields(writing, arena_printf(writing->arena, "%s Z%zu", word, position + 1),
+                         &lens->points[position], (enum codev_row)row);
     }
 }
 
@@ -204,22 +191,13 @@ void codev_put_positions(struct codev_output *output)
                         p + 1);
         }
         if (lens->lights != NULL) {
-            codev_put_light(writing, &lens->lights[p], p);
+            codev_put_waves(writing, arena_printf(arena, "WL Z%zu", p + 1), &lens->lights[p],
+                            false);
+            codev_put_waves(writing, arena_printf(arena, "WTW Z%zu", p + 1), &lens->lights[p],
+                            true);
         }
         if (lens->points != NULL) {
-            /* XAN Z2 .., YAN Z2 .., WTF Z2 .. */
-            for (int what = 0; what < 3; what++) {
-                size_t column = codev_begin_zoom(
-                    writing, what < 2 ? codev_field_words[writing->lens->field_kind][what] : "WTF",
-                    p);
-                for (size_t k = 0; k < lens->points[p].count; k++) {
-                    const struct lens_field *field = &lens->points[p].fields[k];
-                    codev_put_number(writing, &column,
-                                     what < 2 ? codev_coordinate(writing, &field->at[what])
-                                              : writing_weight(writing, field->weight_typed, "1"));
-                }
-                writing_put(writing, "\n");
-            }
+            codev_put_zoom_fields(writing, p);
         }
     }
     for (size_t i = 0; i < lens->setting_count; i++) {

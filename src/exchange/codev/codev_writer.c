@@ -27,13 +27,41 @@ void codev_put_number(struct lens_writer *writing, size_t *column, const char *n
     *column += length + 1;
 }
 
-const char *codev_coordinate(const struct lens_writer *writing, const struct figure *field)
+void codev_put_waves(struct lens_writer *writing, const char *command,
+                     const struct lens_light *light, bool weights)
+{
+    size_t column = strlen(command);
+    writing_put(writing, "%s", command);
+    for (size_t i = 0; i < light->count; i++) {
+        const struct lens_wavelength *one = &light->wavelengths[i];
+        codev_put_number(writing, &column,
+                         weights ? writing_weight(writing, one->weight_typed, "1")
+                                 : writing_wave(writing, one->wavelength, one->typed, 3));
+    }
+    writing_put(writing, "\n");
+}
+
+static const char *codev_coordinate(const struct lens_writer *writing, const struct figure *field)
 {
     if (field->value.hi == 0 && field->typed.start == NULL) {
         return "0.0";
     }
     return writing->lens->field_kind == FIELD_ANGLE ? writing_degrees(writing, field)
                                                     : writing_length(writing, field, 1);
+}
+
+void codev_put_fields(struct lens_writer *writing, const char *command,
+                      const struct lens_points *points, enum codev_row row)
+{
+    size_t column = strlen(command);
+    writing_put(writing, "%s", command);
+    for (size_t i = 0; i < points->count; i++) {
+        const struct lens_field *field = &points->fields[i];
+        codev_put_number(writing, &column,
+                         row == CODEV_WEIGHTS ? writing_weight(writing, field->weight_typed, "1")
+                                              : codev_coordinate(writing, &field->at[row]));
+    }
+    writing_put(writing, "\n");
 }
 
 void codev_put_text(struct lens_writer *writing, const char *name, const char *string)

@@ -19,15 +19,21 @@ extern const char *const codev_aperture_words[];
 /* The commands of the field's points, by their kind: x and y. */
 extern const char *const codev_field_words[][2];
 
-/* The digits of a coordinate of such a point. */
-const char *codev_coordinate(const struct lens_writer *writing, const struct figure *field);
-
 /*
  * Numbers of one command; long commands go on in the next line.
  *
  * Given     column  of what stands in the line before the number; afterwards with it
  */
 void codev_put_number(struct lens_writer *writing, size_t *column, const char *number);
+
+/* A line of wavelengths in nm, or of their weights: "WL", "WTW Z2". */
+void codev_put_waves(struct lens_writer *writing, const char *command,
+                     const struct lens_light *light, bool weights);
+
+/* What a line of the fields has of each. */
+enum codev_row { CODEV_X, CODEV_Y, CODEV_WEIGHTS, CODEV_ROWS };
+void codev_put_fields(struct lens_writer *writing, const char *command,
+                      const struct lens_points *points, enum codev_row row);
 
 void codev_put_text(struct lens_writer *writing, const char *name, const char *string);
 
