@@ -37,6 +37,21 @@ struct sequence_surface *sequence_add(struct sequence *sequence, struct command_
     return surface;
 }
 
+const char *sequence_indices(struct arena *arena, const struct text *waves, const char *unit,
+                             const struct command_word *indices, size_t count)
+{
+    struct text_buffer table = {.arena = arena};
+    bool same = true;
+    for (size_t i = 0; i < count; i++) {
+        const struct text wave = waves[i], index = indices[i].text;
+        same = same && text_identical(index, indices[0].text);
+        growing_format(&table, "%s%.*s%s %.*s", i == 0 ? "{" : ", ", (int)wave.length, wave.start,
+                       unit, (int)index.length, index.start);
+    }
+    growing_put(&table, "}", sizeof "}");
+    return same ? arena_string(arena, indices[0].text.start, indices[0].text.length) : table.data;
+}
+
 bool sequence_medium(const struct commands *commands, const struct command_word *at,
                      const char *written, struct medium *medium)
 {

@@ -250,6 +250,15 @@ bool sequence_read_shift(const struct sequence *sequence, size_t word,
 void sequence_add_wave(const struct sequence *sequence, struct text wave, const char *unit,
                        struct text weight);
 
+/*
+ * Indices as a .lens file has them: {486.1nm 1.5224, 587.6nm 1.5168}, or the one number where all
+ * are the same.
+ *
+ * Given     unit  of the wavelengths, "nm" or "um"
+ */
+const char *sequence_indices(struct arena *arena, const struct text *waves, const char *unit,
+                             const struct command_word *indices, size_t count);
+
 /* A medium from what a .lens file would have for it. */
 bool sequence_medium(const struct commands *commands, const struct command_word *at,
                      const char *written, struct medium *medium);

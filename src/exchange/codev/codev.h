@@ -59,8 +59,8 @@ struct codev {
     struct figure *fields[CODEV_FIELD_ROWS]; /* x, y, weight */
     size_t field_count[CODEV_FIELD_ROWS];
     struct command_word fields_at[CODEV_FIELD_ROWS];
-    bool in_catalog; /* between PRV and END */
-    struct command_word *catalog_waves;
+    bool in_catalog;            /* between PRV and END */
+    struct text *catalog_waves; /* PWL, nm */
     size_t catalog_wave_count;
     struct codev_private *privates;
     size_t private_count, private_room;

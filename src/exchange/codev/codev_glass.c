@@ -16,12 +16,12 @@ bool codev_catalog(struct codev *codev)
         return commands_end(commands, 1);
     }
     size_t count = commands->count - 1;
-    codev->catalog_waves = ARENA_ARRAY(commands->job->arena, count + 1, struct command_word);
+    codev->catalog_waves = ARENA_ARRAY(commands->job->arena, count + 1, struct text);
     codev->catalog_wave_count = count;
     for (size_t i = 0; i < count; i++) {
         struct figure wave;
-        codev->catalog_waves[i] = commands->words[i + 1];
-        if (!commands_figure(commands, i + 1, true, "wavelength", &wave)) {
+        codev->catalog_waves[i] = commands->words[i + 1].text;
+        if (!commands_figure(commands, i + 1, false, "wavelength", &wave)) {
             return false;
         }
     }
@@ -48,29 +48,17 @@ bool codev_private_glass(struct codev *codev)
     }
     double *wavelengths = ARENA_ARRAY(commands->job->arena, count, double);
     for (size_t i = 1; i <= count; i++) {
-        const struct text nm = codev->catalog_waves[i - 1].text;
         struct figure index;
         if (!commands_figure(commands, i, false, "index", &index)) {
             return false;
         }
-        text_number(nm, (struct number_scale){1, -3}, &wavelengths[i - 1]);
+        text_number(codev->catalog_waves[i - 1], (struct number_scale){1, -3}, &wavelengths[i - 1]);
         one->rounding = fmax(one->rounding, own_glass_rounding(&index));
     }
     one->wavelengths = wavelengths;
     one->count = count;
-    /* {486.1nm 1.5224, 587.6nm 1.5168}, or one number where all are the same. */
-    const struct command_word *indices = &codev->commands.words[1];
-    struct text_buffer table = {.arena = codev->job->arena};
-    bool same = true;
-    for (size_t i = 0; i < count; i++) {
-        const struct text wave = codev->catalog_waves[i].text, n = indices[i].text;
-        same = same && text_identical(n, indices[0].text);
-        growing_format(&table, "%s%.*snm %.*s", i == 0 ? "{" : ", ", (int)wave.length, wave.start,
-                       (int)n.length, n.start);
-    }
-    growing_put(&table, "}", sizeof "}");
-    one->medium = same ? arena_string(table.arena, indices[0].text.start, indices[0].text.length)
-                       : table.data;
+    one->medium =
+        sequence_indices(codev->job->arena, codev->catalog_waves, "nm", &commands->words[1], count);
     return true;
 }
 

@@ -10,12 +10,13 @@
 static const struct command_grammar grammar = {
     .comment = "//", .quotes = "\"", .separator = ';', .continuation = '\0', .infinity = 1e8};
 
-/* The surface being read, and the words behind the command's name are what they should be. */
+/* The surface being read. */
 static struct sequence_surface *present(struct oslo *oslo)
 {
     return &oslo->sequence.surfaces[oslo->surface];
 }
 
+/* The one value behind the command's name. */
 static bool oslo_value(struct oslo *oslo, bool is_length, const char *what, struct figure *figure)
 {
     return commands_value(&oslo->commands, 1, is_length, what, figure);

@@ -115,6 +115,7 @@ static bool is_abbe(struct text text)
 /* The indices at the wavelengths in force; a number before them is the glass's name. */
 static bool oslo_indices(struct oslo *oslo, size_t first, bool is_model)
 {
+    static const struct text usual[] = {{"0.58756", 7}, {"0.48613", 7}, {"0.65627", 7}};
     struct commands *commands = &oslo->commands;
     size_t waves = oslo->wave_count > 0 ? oslo->wave_count : 3;
     size_t count = commands->count - first;
@@ -138,21 +139,8 @@ static bool oslo_indices(struct oslo *oslo, size_t first, bool is_model)
     } else if (count != waves) {
         return commands_fail(commands, word, "%zu indices for %zu wavelengths", count, waves);
     } else {
-        /* {0.58756um 1.6201, 0.48613um 1.6272}, or one number where all are the same. */
-        static const char *const usual[] = {"0.58756", "0.48613", "0.65627"};
-        const struct command_word *words = &oslo->commands.words[first];
-        struct arena *arena = oslo->job->arena;
-        bool same = true;
-        const char *table = "{";
-        for (size_t k = 0; k < count; k++) {
-            const struct text wave = oslo->wave_count > 0 ? oslo->waves[k] : text_of(usual[k]);
-            same = same && text_identical(words[k].text, words[0].text);
-            table =
-                arena_printf(arena, "%s%s%.*sum %.*s", table, k > 0 ? ", " : "", (int)wave.length,
-                             wave.start, (int)words[k].text.length, words[k].text.start);
-        }
-        written = same ? arena_string(arena, words[0].text.start, words[0].text.length)
-                       : arena_printf(arena, "%s}", table);
+        written = sequence_indices(oslo->job->arena, oslo->wave_count > 0 ? oslo->waves : usual,
+                                   "um", &commands->words[first], count);
     }
     return sequence_medium(commands, word, written, &oslo->sequence.surfaces[oslo->surface].medium);
 }
