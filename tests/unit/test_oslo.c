@@ -98,8 +98,6 @@ static const struct meaning of_surfaces[] = {
     /* special apertures: between edges, corners, obstructing, picked up */
     {"AST", "AST\nAPN 1;ATP A 2;AAC A 4;AX1 A -2;AX2 A 2;AY1 A -1;AY2 A 1",
      "surface 50 4 1.5 - stop\npass rectangle 4 2"},
-    {"AST", "AST\n\"ATP\" A 2;\"aac\" A 4;\"AX1\" A -2;AX2 A 2;AY1 A -1;AY2 A 1",
-     "surface 50 4 1.5 - stop\npass rectangle 4 2"}, /* quoted too */
     {"AST", "AST\nATP A 2;AAC A 4;AX1 A -2;AX2 A 2;AY1 A -1;AY2 A 1;AAN A 90",
      "surface 50 4 1.5 - stop\npass rectangle 2 4"},
     {"AST", "AST\nATP A 2;AAC A 4;AX1 A -.2;AY1 A -1.5;AY2 A 1.5",
@@ -176,6 +174,9 @@ static const char shape[] =
 
 static const struct refusal losses[] = {
     {"AST", "AST\n@QQQ 1", "QQQ: an unknown command", ""},
+    {"AST", "AST\n\"@ATP\" A 2", "ATP: text where a command is expected", ""},
+    {"AST", "AST\n\"@TH\" 2", "TH: text where a command is expected", ""},
+    {"AST", "AST\n\"@SNO1\" note", "SNO1: text where a command is expected", ""},
     {"AST", "AST\n@PFL 100", "PFL: a perfect lens", ""},
     {"AST", "AST\n@GSP 0.001", "GSP: a grating", ""},
     {"AST", "AST\n@GC 1", "GC: coordinates of another surface", ""},

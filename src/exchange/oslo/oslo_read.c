@@ -367,15 +367,10 @@ static const struct oslo_keyword numbered[] = {{"WV", oslo_entry, 0},
                                                {"AS", oslo_general_term, 0},
                                                {"SNO", oslo_note, 0}};
 
-/* What is quoted is a text, but where a number stands in the word, and of special apertures. */
-static const struct oslo_keyword *keyword_of(const struct command_word *word)
+static const struct oslo_keyword *keyword_of(struct text name)
 {
-    const struct text name = word->text;
     for (size_t i = 0; i < sizeof keywords / sizeof keywords[0]; i++) {
-        oslo_command *run = keywords[i].run;
-        bool is_special =
-            run == oslo_special_number || run == oslo_special_edge || run == oslo_special_pickup;
-        if ((!word->is_quoted || is_special) && text_same(name, keywords[i].name)) {
+        if (text_same(name, keywords[i].name)) {
             return &keywords[i];
         }
     }
@@ -392,7 +387,11 @@ static const struct oslo_keyword *keyword_of(const struct command_word *word)
 static bool run_keyword(struct oslo *oslo)
 {
     const struct command_word *word = &oslo->commands.words[0];
-    const struct oslo_keyword *keyword = keyword_of(word);
+    if (word->is_quoted) {
+        return commands_lose(&oslo->commands, LOSS_OF_RAYS, NULL,
+                             "text where a command is expected");
+    }
+    const struct oslo_keyword *keyword = keyword_of(word->text);
     if (keyword != NULL) {
         oslo->what = keyword->what;
         return keyword->run == NULL || keyword->run(oslo);
