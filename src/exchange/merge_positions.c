@@ -148,6 +148,19 @@ static void merge_curve(struct merge *merge, size_t index)
     add_setting(merge, (struct lens_setting){{index, kind, 0}, figures, NULL});
 }
 
+static void merge_medium(struct merge *merge, size_t index)
+{
+    struct medium *media = ARENA_ARRAY(merge->arena, merge->count, struct medium);
+    bool same = true;
+    for (size_t p = 0; p < merge->count; p++) {
+        media[p] = surface_in(merge, p, index)->medium;
+        same = same && medium_is_same(&media[p], &media[0]);
+    }
+    if (!same && !surface_reflects(surface_in(merge, 0, index))) {
+        add_setting(merge, (struct lens_setting){{index, PARAMETER_GLASS, 0}, NULL, media});
+    }
+}
+
 /* All other numbers that a surface may have; where one position has one, it is 0 in the others. */
 static void merge_number(struct merge *merge, size_t index, struct parameter each)
 {
@@ -208,15 +221,7 @@ static bool merge_surface(struct merge *merge, size_t index)
     if (surface_has(first, SURFACE_HAS_CURVE)) {
         merge_curve(merge, index);
     }
-    struct medium *media = ARENA_ARRAY(merge->arena, merge->count, struct medium);
-    bool same = true;
-    for (size_t p = 0; p < merge->count; p++) {
-        media[p] = surface_in(merge, p, index)->medium;
-        same = same && medium_is_same(&media[p], &media[0]);
-    }
-    if (!same && !surface_reflects(surface_in(merge, 0, index))) {
-        add_setting(merge, (struct lens_setting){{index, PARAMETER_GLASS, 0}, NULL, media});
-    }
+    merge_medium(merge, index);
     for (struct parameter each = {0}; each.kind < PARAMETER_KINDS; each = parameter_next(each)) {
         bool other = each.kind != PARAMETER_RADIUS && each.kind != PARAMETER_CURVATURE &&
                      each.kind != PARAMETER_THICKNESS;
@@ -225,6 +230,24 @@ static bool merge_surface(struct merge *merge, size_t index)
         }
     }
     return true;
+}
+
+/* The object's distance; the aperture's value, where it is not the stop's diameter. */
+static void merge_object_and_aperture(struct merge *merge)
+{
+    struct lens *lens = merge->build->lens;
+    struct figure *objects = ARENA_ARRAY(merge->arena, merge->count, struct figure);
+    struct figure *apertures = ARENA_ARRAY(merge->arena, merge->count, struct figure);
+    for (size_t p = 0; p < merge->count; p++) {
+        objects[p] = merge->lenses[p].object;
+        apertures[p] = merge->lenses[p].aperture;
+        if (merge->lenses[p].object_is_infinite) {
+            objects[p] = (struct figure){{INFINITY, 0}, text_of("inf"), LENS_NONE};
+        }
+    }
+    lens->objects = are_all_same(objects, merge->count) ? NULL : objects;
+    bool one = lens->aperture_kind <= APERTURE_STOP || are_all_same(apertures, merge->count);
+    lens->apertures = one ? NULL : apertures;
 }
 
 static bool is_same_light(const struct lens *a, const struct lens *b)
@@ -237,7 +260,7 @@ static bool is_same_light(const struct lens *a, const struct lens *b)
     return same;
 }
 
-static void merge_lights(struct merge *merge)
+static void merge_light_and_stop(struct merge *merge)
 {
     struct lens *lens = merge->build->lens;
     struct lens_light *lights = ARENA_ARRAY(merge->arena, merge->count, struct lens_light);
@@ -338,21 +361,8 @@ void merge_positions(struct lens_build *build, const struct lens *lenses, struct
     }
     to->settings = merge.settings;
     to->setting_count = merge.setting_count;
-    /* The object's distance and the aperture. */
-    struct lens *lens = merge.build->lens;
-    struct figure *objects = ARENA_ARRAY(merge.arena, merge.count, struct figure);
-    struct figure *apertures = ARENA_ARRAY(merge.arena, merge.count, struct figure);
-    for (size_t p = 0; p < merge.count; p++) {
-        objects[p] = merge.lenses[p].object;
-        apertures[p] = merge.lenses[p].aperture;
-        if (merge.lenses[p].object_is_infinite) {
-            objects[p] = (struct figure){{INFINITY, 0}, text_of("inf"), LENS_NONE};
-        }
-    }
-    lens->objects = are_all_same(objects, merge.count) ? NULL : objects;
-    bool one = lens->aperture_kind <= APERTURE_STOP || are_all_same(apertures, merge.count);
-    lens->apertures = one ? NULL : apertures;
-    merge_lights(&merge);
+    merge_object_and_aperture(&merge);
+    merge_light_and_stop(&merge);
     merge_fields(&merge);
 }
 

@@ -177,6 +177,23 @@ static void oslo_put_glass(struct oslo_output *output, const struct medium *medi
                 (int)name.length, name.start, quote);
 }
 
+/* Indices at the wavelengths of a table. */
+static void oslo_put_indices(struct oslo_output *output, const struct medium *medium)
+{
+    struct lens_writer *writing = &output->writing;
+    writing_put(writing, "WV");
+    for (size_t i = 0; i < medium->point_count; i++) {
+        writing_put(writing, " %s",
+                    writing_wave(writing, medium->points[i].wavelength, text_of(""), 0));
+    }
+    writing_put(writing, "\nGLA MOD MODEL%zu", ++output->models);
+    for (size_t i = 0; i < medium->point_count; i++) {
+        const struct figure figure = {.value = medium->points[i].index, .variable = LENS_NONE};
+        writing_put(writing, " %s", writing_length(writing, &figure, 0));
+    }
+    writing_put(writing, "\n");
+}
+
 static void oslo_put_medium(struct oslo_output *output, const struct medium *medium)
 {
     struct lens_writer *writing = &output->writing;
@@ -184,18 +201,7 @@ static void oslo_put_medium(struct oslo_output *output, const struct medium *med
     if (medium_is_air(medium)) {
         writing_put(writing, "AIR\n");
     } else if (medium->kind == MEDIUM_TABLE) {
-        /* Indices at the wavelengths of a table. */
-        writing_put(writing, "WV");
-        for (size_t i = 0; i < medium->point_count; i++) {
-            writing_put(writing, " %s",
-                        writing_wave(writing, medium->points[i].wavelength, text_of(""), 0));
-        }
-        writing_put(writing, "\nGLA MOD MODEL%zu", ++output->models);
-        for (size_t i = 0; i < medium->point_count; i++) {
-            const struct figure figure = {.value = medium->points[i].index, .variable = LENS_NONE};
-            writing_put(writing, " %s", writing_length(writing, &figure, 0));
-        }
-        writing_put(writing, "\n");
+        oslo_put_indices(output, medium);
     } else if (medium->kind == MEDIUM_MODEL) {
         writing_put(writing, "WV 0.58756 0.48613 0.65627\nGLA MOD %.*s %.*s\n", (int)index.length,
                     index.start, (int)abbe.length, abbe.start);
@@ -226,6 +232,23 @@ static void oslo_put_terms(struct lens_writer *writing, const struct surface *su
     }
 }
 
+static void oslo_put_shape(struct lens_writer *writing, const struct surface *surface)
+{
+    if (surface->has_curvature) {
+        writing_put(writing, "CV %s\n", writing_length(writing, &surface->curvature, -1));
+    } else if (!surface->is_plane) {
+        writing_put(writing, "RD %s\n", writing_length(writing, &surface->radius, 1));
+    }
+    if (surface->conic.typed.start != NULL || surface->conic.value.hi != 0) {
+        writing_put(writing, "CC %s\n", writing_length(writing, &surface->conic, 0));
+    }
+    oslo_put_terms(writing, surface);
+    if (!surface_is_round(surface)) {
+        foreign_lose(writing->job, LOSS_OF_RAYS, "written as curved in both sections",
+                     "a cylinder");
+    }
+}
+
 static void oslo_put_turns(struct lens_writer *writing, const struct displacement *all, bool back)
 {
     writing_put(writing, "DT 1\nDCX %s\nDCY %s\nTLA %s\nTLB %s\nTLC %s\n%s",
@@ -250,15 +273,37 @@ static int oslo_aperture_type(const struct aperture *aperture)
 }
 
 /* "AX1 A ..": a coordinate of a special aperture. */
-static void oslo_put_place(struct lens_writer *writing, const char *name, char letter,
-                           struct pair value)
+static void oslo_put_edge(struct lens_writer *writing, const char *name, char letter,
+                          struct pair value)
 {
     const struct figure figure = {.value = value, .variable = LENS_NONE};
     writing_put(writing, "%s %c %s\n", name, letter, writing_length(writing, &figure, 1));
 }
 
+/* Corners, or edges along x and y. */
+static void oslo_put_special(struct lens_writer *writing, const struct aperture *aperture,
+                             char letter)
+{
+    static const char *const edges[2][2] = {{"AX1", "AX2"}, {"AY1", "AY2"}};
+    const struct pair centre[] = {aperture->decenter[0].value, aperture->decenter[1].value};
+    writing_put(writing, "ATP %c %d\nAAC %c %d\n", letter, oslo_aperture_type(aperture), letter,
+                aperture->blocks ? 2 : 4);
+    for (size_t i = 0; i < aperture->point_count; i++) {
+        for (int k = 0; k < 2; k++) {
+            oslo_put_edge(writing, arena_printf(writing->arena, "AV%c%zu", "XY"[k], i + 1), letter,
+                          pair_add(centre[k], aperture->points[i][k].value));
+        }
+    }
+    for (int k = 0; k < 2 && aperture->point_count == 0; k++) {
+        const struct figure *size = &aperture->size[aperture->shape == SHAPE_CIRCLE ? 0 : k];
+        const struct pair half = {size->value.hi / 2, size->value.lo / 2};
+        oslo_put_edge(writing, edges[k][0], letter, pair_subtract(centre[k], half));
+        oslo_put_edge(writing, edges[k][1], letter, pair_add(centre[k], half));
+    }
+}
+
 /* What passes or blocks light, as special apertures. */
-static void oslo_write_apertures(struct lens_writer *writing, const struct surface *surface)
+static void oslo_put_all_apertures(struct lens_writer *writing, const struct surface *surface)
 {
     enum { MOST = 26 }; /* letters */
     int count = 0, put = 0;
@@ -271,23 +316,7 @@ static void oslo_write_apertures(struct lens_writer *writing, const struct surfa
     for (size_t i = 0; i < surface->aperture_count; i++) {
         const struct aperture *one = &surface->apertures[i];
         if (oslo_aperture_type(one) != 0 && put < MOST) {
-            const char letter = (char)('A' + put++);
-            static const char *const edges[2][2] = {{"AX1", "AX2"}, {"AY1", "AY2"}};
-            const struct pair *centres[] = {&one->decenter[0].value, &one->decenter[1].value};
-            writing_put(writing, "ATP %c %d\nAAC %c %d\n", letter, oslo_aperture_type(one), letter,
-                        one->blocks ? 2 : 4);
-            for (size_t j = 0; j < one->point_count; j++) {
-                for (int k = 0; k < 2; k++) {
-                    oslo_put_place(writing, arena_printf(writing->arena, "AV%c%zu", "XY"[k], j + 1),
-                                   letter, pair_add(*centres[k], one->points[j][k].value));
-                }
-            }
-            for (int k = 0; k < 2 && one->point_count == 0; k++) {
-                const int of = one->shape == SHAPE_CIRCLE ? 0 : k;
-                const struct pair half = {one->size[of].value.hi / 2, one->size[of].value.lo / 2};
-                oslo_put_place(writing, edges[k][0], letter, pair_subtract(*centres[k], half));
-                oslo_put_place(writing, edges[k][1], letter, pair_add(*centres[k], half));
-            }
+            oslo_put_special(writing, one, (char)('A' + put++));
         } else {
             writing_lose_aperture(writing, surface, one, "no such aperture is written");
         }
@@ -325,19 +354,7 @@ static void oslo_put_surface(struct oslo_output *output, size_t index)
     } else {
         oslo_put_medium(output, &surface->medium);
     }
-    if (surface->has_curvature) {
-        writing_put(writing, "CV %s\n", writing_length(writing, &surface->curvature, -1));
-    } else if (!surface->is_plane) {
-        writing_put(writing, "RD %s\n", writing_length(writing, &surface->radius, 1));
-    }
-    if (surface->conic.typed.start != NULL || surface->conic.value.hi != 0) {
-        writing_put(writing, "CC %s\n", writing_length(writing, &surface->conic, 0));
-    }
-    oslo_put_terms(writing, surface);
-    if (!surface_is_round(surface)) {
-        foreign_lose(writing->job, LOSS_OF_RAYS, "written as curved in both sections",
-                     "a cylinder");
-    }
+    oslo_put_shape(writing, surface);
     if (surface->has_thickness) {
         writing_put(writing, "TH %s\n", writing_length(writing, &surface->thickness, 1));
     }
@@ -346,13 +363,29 @@ static void oslo_put_surface(struct oslo_output *output, size_t index)
         writing_put(writing, "AP CHK %s\n", writing_half(writing, &surface->diameter));
     }
     growing_string(&writing->text, surface->is_stop ? "AST\n" : "");
-    oslo_write_apertures(writing, surface);
+    oslo_put_all_apertures(writing, surface);
     if (moved != NULL) {
         oslo_put_turns(writing, moved, surface->decentre != NULL);
     }
     if (surface->vary_count > 0) {
         foreign_lose(writing->job, LOSS_OF_NOTHING, "left out", "marks for the designer (R~, t~)");
     }
+}
+
+static void oslo_put_waves(struct lens_writer *writing)
+{
+    const struct lens *lens = writing->lens;
+    writing_put(writing, "WV");
+    for (size_t i = 0; i < lens->wavelength_count; i++) {
+        const struct lens_wavelength *one = &lens->wavelengths[i];
+        writing_put(writing, " %s", writing_wave(writing, one->wavelength, one->typed, 0));
+    }
+    growing_string(&writing->text, lens->wavelength_count == 0 ? " 0.5875618\nWW 1.0" : "\nWW");
+    for (size_t i = 0; i < lens->wavelength_count; i++) {
+        writing_put(writing, " %s",
+                    writing_weight(writing, lens->wavelengths[i].weight_typed, "1.0"));
+    }
+    writing_put(writing, "\n");
 }
 
 bool oslo_write(struct foreign_job *job, const struct lens *lens, struct text *text,
@@ -362,7 +395,6 @@ bool oslo_write(struct foreign_job *job, const struct lens *lens, struct text *t
     struct lens_writer *writing = &output.writing;
     (void)error;
     writing_begin(writing, job, lens, true);
-    /* OSLO takes surface 1 where no stop is named. */
     if (lens->stop == LENS_NONE) {
         foreign_lose(job, LOSS_OF_RAYS, "OSLO takes its first surface", "the lens has no stop");
     }
@@ -393,17 +425,9 @@ bool oslo_write(struct foreign_job *job, const struct lens *lens, struct text *t
     for (size_t i = 0; i < lens->surface_count; i++) {
         oslo_put_surface(&output, i);
     }
-    writing_put(writing, "NXT\nAIR\nWV");
-    for (size_t i = 0; i < lens->wavelength_count; i++) {
-        const struct lens_wavelength *one = &lens->wavelengths[i];
-        writing_put(writing, " %s", writing_wave(writing, one->wavelength, one->typed, 0));
-    }
-    growing_string(&writing->text, lens->wavelength_count == 0 ? " 0.5875618\nWW 1.0" : "\nWW");
-    for (size_t i = 0; i < lens->wavelength_count; i++) {
-        writing_put(writing, " %s",
-                    writing_weight(writing, lens->wavelengths[i].weight_typed, "1.0"));
-    }
-    writing_put(writing, "\nEND %zu\n", lens->surface_count + 1);
+    writing_put(writing, "NXT\nAIR\n");
+    oslo_put_waves(writing);
+    writing_put(writing, "END %zu\n", lens->surface_count + 1);
     oslo_put_points(writing);
     *text = growing_done(&writing->text);
     return true;
