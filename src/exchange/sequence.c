@@ -17,6 +17,16 @@ struct figure sequence_diameter(const struct figure *radius, struct arena *arena
                            .variable = LENS_NONE};
 }
 
+struct figure sequence_curvature(const struct sequence *sequence, struct pair curvature)
+{
+    const struct commands *commands = sequence->commands;
+    const struct pair unit = lens_words_per_length(pair_of(1), commands->scale, 1);
+    struct figure figure =
+        figure_computed(pair_divide(curvature, unit), NUMBER_UNSCALED, sequence->job->arena);
+    sequence_per_length(commands, 1, &figure);
+    return figure;
+}
+
 struct sequence_surface *sequence_add(struct sequence *sequence, struct command_word at)
 {
     struct sequence_surface *surface =
@@ -129,6 +139,25 @@ static struct figure with_extra(const struct sequence *sequence, const struct fi
                                            sequence->job->arena);
 }
 
+/* A curvature becomes a radius where figure_radius_of finds one, else it stays. */
+static void sequence_put_curve(const struct sequence *sequence, const struct sequence_surface *from,
+                               struct surface *surface)
+{
+    const char *unit = sequence->build->lens->unit;
+    if (!sequence_is_some(&from->curve)) {
+        return;
+    }
+    if (from->is_radius) {
+        surface->is_plane = false;
+        surface->radius = from->curve;
+    } else if (figure_radius_of(&from->curve, unit, sequence->job->arena, &surface->radius)) {
+        surface->is_plane = false;
+    } else {
+        surface->has_curvature = true;
+        surface->curvature = from->curve;
+    }
+}
+
 /* One that passes as a circle about the vertex is the diameter, and another takes it along. */
 static void put_sequence_aperture(const struct sequence *sequence, struct sequence_aperture *one,
                                   struct surface *surface, struct aperture *to)
@@ -172,18 +201,7 @@ static void put_sequence_surface(const struct sequence *sequence, size_t index, 
     sequence_turn_first(sequence, from);
     struct surface *surface = lens_build_surface(build);
     *lens_index = from->place = lens->surface_count - 1;
-    const char *unit = sequence->build->lens->unit;
-    if (sequence_is_some(&from->curve)) {
-        if (from->is_radius) {
-            surface->is_plane = false;
-            surface->radius = from->curve;
-        } else if (figure_radius_of(&from->curve, unit, sequence->job->arena, &surface->radius)) {
-            surface->is_plane = false;
-        } else {
-            surface->has_curvature = true;
-            surface->curvature = from->curve;
-        }
-    }
+    sequence_put_curve(sequence, from, surface);
     const struct medium *before = *lens_index > 0 ? &surface[-1].medium : &lens->object_medium;
     surface->kind = from->reflects ? SURFACE_REFLECT : SURFACE_REFRACT;
     surface->medium = from->reflects ? *before : from->medium;
@@ -274,9 +292,7 @@ bool sequence_environment(struct sequence *sequence, bool is_temperature, double
 {
     const struct commands *commands = sequence->commands;
     struct figure figure;
-    if (!commands_figure(commands, 1, false, is_temperature ? "temperature" : "pressure",
-                         &figure) ||
-        !commands_end(commands, 2)) {
+    if (!commands_value(commands, 1, false, is_temperature ? "temperature" : "pressure", &figure)) {
         return false;
     }
     if (is_temperature) {

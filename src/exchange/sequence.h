@@ -228,6 +228,9 @@ static inline void sequence_per_length(const struct commands *commands, int powe
     figure->value = lens_words_per_length(figure->value, commands->scale, power);
 }
 
+/* A curvature that was computed, 1/mm, with the digits of the file's unit. */
+struct figure sequence_curvature(const struct sequence *sequence, struct pair curvature);
+
 /* A full diameter from the radius that was read. */
 struct figure sequence_diameter(const struct figure *radius, struct arena *arena);
 

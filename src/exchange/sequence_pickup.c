@@ -38,14 +38,10 @@ static void follow_curve(const struct sequence *sequence, const struct sequence_
         target->curve = followed(sequence, curve, pickup, scale);
         return;
     }
-    const struct number_scale inverse = {1, 0}; /* digits of a computed curvature are of 1/mm */
     target->is_radius = as_radius;
-    target->curve = followed(sequence, curve, pickup, as_radius ? scale : inverse);
+    target->curve = followed(sequence, curve, pickup, as_radius ? scale : NUMBER_UNSCALED);
     if (!as_radius) {
-        target->curve = figure_computed(
-            pair_divide(target->curve.value, lens_words_per_length(pair_of(1), scale, 1)), inverse,
-            sequence->job->arena);
-        sequence_per_length(sequence->commands, 1, &target->curve);
+        target->curve = sequence_curvature(sequence, target->curve.value);
     }
 }
 
@@ -115,7 +111,7 @@ static bool apply_pickup(const struct sequence *sequence, const struct sequence_
         target->diameter = followed(sequence, source->diameter, pickup, scale);
         break;
     case SEQUENCE_CONIC:
-        target->conic = followed(sequence, source->conic, pickup, (struct number_scale){1, 0});
+        target->conic = followed(sequence, source->conic, pickup, NUMBER_UNSCALED);
         break;
     case SEQUENCE_TURNS:
         follow_turns(sequence, pickup, source, target);

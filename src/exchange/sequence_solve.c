@@ -20,21 +20,6 @@ struct solve_application {
     bool is_thickness;
 };
 
-/* A curvature comes with the digits of the file's unit. */
-static struct figure figure_solved(const struct solve_application *solving, struct pair value)
-{
-    const struct commands *commands = solving->sequence->commands;
-    struct arena *arena = solving->sequence->job->arena;
-    if (solving->is_thickness) {
-        return figure_computed(value, commands->scale, arena);
-    }
-    struct figure figure =
-        figure_computed(pair_divide(value, lens_words_per_length(pair_of(1), commands->scale, 1)),
-                        NUMBER_UNSCALED, arena);
-    sequence_per_length(commands, 1, &figure);
-    return figure;
-}
-
 static const char through_loss[] = "it follows rays through what is lost";
 
 /* What the file has for it; typed.start is null where it has nothing. */
@@ -96,7 +81,9 @@ static const char *apply_solve(const struct solve_application *solving, bool *ne
     if (!(fabs(value.hi) < 1e100)) {
         return "the ray runs parallel, or the surface does not bend it";
     }
-    const struct figure figure = figure_solved(solving, value);
+    const struct figure figure = solving->is_thickness
+                                     ? figure_computed(value, sequence->commands->scale, arena)
+                                     : sequence_curvature(sequence, value);
     struct surface *surface = &lens->surfaces[solving->surface];
     const struct pair old =
         solving->is_thickness ? surface->thickness.value : surface_curvature(surface, SECTION_Y);

@@ -319,7 +319,7 @@ static struct aperture_words aperture_words(const struct codev *codev)
 static struct aperture *find_aperture(struct codev *codev, const struct aperture_words *words,
                                       enum aperture_shape shape)
 {
-    struct sequence_surface *surface = &codev->sequence.surfaces[codev->here.surface];
+    struct sequence_surface *surface = here_surface(codev);
     for (size_t i = surface->aperture_count; i-- > 0;) {
         struct sequence_aperture *one = &surface->apertures[i];
         bool suits = shape == APERTURE_SHAPES || one->aperture.shape == shape;
@@ -354,8 +354,7 @@ bool codev_aperture(struct codev *codev)
         return true; /* the rim of the glass, for drawings; none */
     }
     if (is_clear_circle) {
-        codev->sequence.surfaces[codev->here.surface].diameter =
-            sequence_diameter(&half, codev->job->arena);
+        here_surface(codev)->diameter = sequence_diameter(&half, codev->job->arena);
         return true;
     }
     enum aperture_shape shape = SHAPE_CIRCLE;

@@ -24,6 +24,7 @@ bool codev_title(struct codev *codev)
         return commands_fail(&codev->commands, &codev->commands.words[0], "position %zu of %zu",
                              codev->here.zoom, codev->positions);
     }
+    /* the name of a position is one word: a title that cannot be made one is left out */
     const char *plain_title = lens_build_string(&codev->build, title);
     char *name = arena_string(codev->job->arena, plain_title, strlen(plain_title));
     bool is_new = name[0] != '\0';
@@ -63,10 +64,29 @@ bool codev_unit(struct codev *codev)
     return commands_end(&codev->commands, 2);
 }
 
+/* WTW W2 0.5: one of the list. */
+static bool codev_one_wave(struct codev *codev, bool is_length, struct command_word one)
+{
+    static const char usual[] = "1";
+    while (codev->wavelength_count > codev->weight_count && !is_length) { /* not given: 1 */
+        *ARENA_ADD(codev->job->arena, codev->weights, codev->weight_count, codev->weight_room) =
+            (struct command_word){.text = text_of(usual)};
+    }
+    struct command_word *all = is_length ? codev->wavelengths : codev->weights;
+    const size_t known = is_length ? codev->wavelength_count : codev->weight_count;
+    if (codev->here.wave > known || codev->commands.count != 3) {
+        return commands_fail(&codev->commands, &codev->commands.words[0], "wavelength %zu of %zu",
+                             codev->here.wave, known);
+    }
+    all[codev->here.wave - 1] = one;
+    return true;
+}
+
 /* WL, WTW: kept until REF is known. */
 bool codev_waves(struct codev *codev)
 {
-    const int what = codev->what;
+    const bool is_length = codev->what == 'L';
+    const double least = is_length ? 1 : 0, most = is_length ? 1e8 : 1e6;
     struct commands *commands = &codev->commands;
     size_t count = commands->count - codev->here.next;
     struct command_word *words = ARENA_ARRAY(commands->job->arena, count + 1, struct command_word);
@@ -74,34 +94,19 @@ bool codev_waves(struct codev *codev)
         struct figure figure;
         words[i] = commands->words[codev->here.next + i];
         if (!commands_figure(commands, codev->here.next + i, false,
-                             what == 'L' ? "wavelength" : "weight", &figure)) {
+                             is_length ? "wavelength" : "weight", &figure)) {
             return false;
         }
-        if (!(figure.value.hi >= (what == 'L' ? 1 : 0) &&
-              figure.value.hi <= (what == 'L' ? 1e8 : 1e6))) {
+        if (!(figure.value.hi >= least && figure.value.hi <= most)) {
             return commands_fail(commands, &words[i],
-                                 what == 'L' ? "the wavelength is not within 1 nm to 100 mm"
-                                             : "a weight is not below 0");
+                                 is_length ? "the wavelength is not within 1 nm to 100 mm"
+                                           : "a weight is not below 0");
         }
     }
     if (codev->here.wave > 0) {
-        /* WTW W2 0.5: one of the list. */
-        const bool is_length = what == 'L';
-        static const char usual[] = "1";
-        while (codev->wavelength_count > codev->weight_count && !is_length) { /* not given: 1 */
-            *ARENA_ADD(codev->job->arena, codev->weights, codev->weight_count, codev->weight_room) =
-                (struct command_word){.text = text_of(usual)};
-        }
-        struct command_word *all = is_length ? codev->wavelengths : codev->weights;
-        const size_t known = is_length ? codev->wavelength_count : codev->weight_count;
-        if (codev->here.wave > known || codev->commands.count != 3) {
-            return commands_fail(&codev->commands, &codev->commands.words[0],
-                                 "wavelength %zu of %zu", codev->here.wave, known);
-        }
-        all[codev->here.wave - 1] = words[0];
-        return true;
+        return codev_one_wave(codev, is_length, words[0]);
     }
-    if (what == 'L') {
+    if (is_length) {
         codev->wavelengths = words;
         codev->wavelength_count = count;
     } else {
@@ -152,14 +157,15 @@ bool codev_aperture_of_lens(struct codev *codev)
     if (!(figure.value.hi > 0)) {
         return commands_fail(commands, &commands->words[word], "the aperture must be above 0");
     }
-    lens->aperture_kind = (enum aperture_kind)codev->what;
     if (codev->what == CODEV_IMAGE_NA) {
         struct pair twice = {2 * figure.value.hi, 2 * figure.value.lo};
-        figure =
-            figure_computed(pair_divide(pair_of(1), twice), NUMBER_UNSCALED, codev->job->arena);
         lens->aperture_kind = APERTURE_FNUMBER;
+        lens->aperture =
+            figure_computed(pair_divide(pair_of(1), twice), NUMBER_UNSCALED, codev->job->arena);
+    } else {
+        lens->aperture_kind = (enum aperture_kind)codev->what;
+        lens->aperture = figure;
     }
-    lens->aperture = figure;
     return commands_end(commands, word + 1);
 }
 

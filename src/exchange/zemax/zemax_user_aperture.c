@@ -26,10 +26,9 @@ struct shapes {
 
 static struct aperture *add_uda_shape(struct shapes *shapes, enum aperture_shape shape)
 {
-    shapes->all =
-        arena_grow(shapes->arena, shapes->all, shapes->count, &shapes->room, sizeof shapes->all[0]);
-    shapes->all[shapes->count] = aperture_of(shape, shapes->blocks);
-    return &shapes->all[shapes->count++];
+    struct aperture *one = ARENA_ADD(shapes->arena, shapes->all, shapes->count, shapes->room);
+    *one = aperture_of(shape, shapes->blocks);
+    return one;
 }
 
 /* The corners that have been are a polygon. */
@@ -220,6 +219,19 @@ static void uda_range(const struct aperture *polygon, int axis, double range[2])
     }
 }
 
+/* Does a line along x or y lie between them? */
+static bool has_line_between(const struct aperture *a, const struct aperture *b)
+{
+    bool apart = false;
+    for (int axis = 0; axis < 2; axis++) {
+        double one[2], other[2];
+        uda_range(a, axis, one);
+        uda_range(b, axis, other);
+        apart = apart || one[1] <= other[0] || other[1] <= one[0];
+    }
+    return apart;
+}
+
 static bool are_polygons_apart(const struct shapes *shapes)
 {
     for (size_t i = 0; i < shapes->count; i++) {
@@ -227,20 +239,24 @@ static bool are_polygons_apart(const struct shapes *shapes)
             return false;
         }
         for (size_t k = 0; k < i; k++) {
-            /* Does a line along x or y lie between them? */
-            bool apart = false;
-            for (int axis = 0; axis < 2; axis++) {
-                double one[2], other[2];
-                uda_range(&shapes->all[i], axis, one);
-                uda_range(&shapes->all[k], axis, other);
-                apart = apart || one[1] <= other[0] || other[1] <= one[0];
-            }
-            if (!apart) {
+            if (!has_line_between(&shapes->all[i], &shapes->all[k])) {
                 return false;
             }
         }
     }
     return true;
+}
+
+/* By the sign of its area. */
+static bool is_clockwise(const struct aperture *polygon)
+{
+    double sum = 0;
+    for (size_t i = 0; i < polygon->point_count; i++) {
+        const struct figure *p = polygon->points[i];
+        const struct figure *q = polygon->points[(i + 1) % polygon->point_count];
+        sum += p[0].value.hi * q[1].value.hi - q[0].value.hi * p[1].value.hi;
+    }
+    return sum < 0;
 }
 
 /*
@@ -258,13 +274,7 @@ static void join_polygons(struct shapes *shapes)
     for (size_t k = 0; k < shapes->count; k++) {
         const struct aperture *polygon = &shapes->all[k];
         const size_t count = polygon->point_count;
-        double sum = 0;
-        for (size_t i = 0; i < polygon->point_count; i++) {
-            const struct figure *p = polygon->points[i];
-            const struct figure *q = polygon->points[(i + 1) % polygon->point_count];
-            sum += p[0].value.hi * q[1].value.hi - q[0].value.hi * p[1].value.hi;
-        }
-        const bool backwards = sum < 0;
+        const bool backwards = is_clockwise(polygon);
         for (size_t i = 0; i <= count; i++, used++) {
             const struct figure *corner = polygon->points[(backwards ? count - i : i) % count];
             corners[used][0] = corner[0];

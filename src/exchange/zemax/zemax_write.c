@@ -29,6 +29,24 @@ static bool has_other_distance(const struct lens *all, struct arena *arena)
     return other;
 }
 
+/* Those of the lens, and what the format has no words for. */
+static void zemax_put_notes(struct lens_writer *writing)
+{
+    const struct lens *lens = writing->lens;
+    for (size_t i = 0; i < lens->note_count; i++) {
+        writing_put(writing, "NOTE 0 %s\r\n", lens->notes[i]);
+    }
+    keep_notes_write(&writing->text, lens, writing->scale, "NOTE 0 " ZEMAX_KEEP_NOTE, "\r\n");
+    if (has_other_distance(lens, writing->arena)) {
+        writing_put(writing, "NOTE 0 " ZEMAX_KEEP_NOTE ZEMAX_OTHER_DISTANCE "\r\n");
+    }
+    for (size_t i = 0; i < lens->position_count; i++) {
+        writing_put(writing, "%s%s", i == 0 ? "NOTE 0 " ZEMAX_KEEP_NOTE ZEMAX_POSITIONS : " ",
+                    lens->positions[i]);
+    }
+    growing_string(&writing->text, lens->position_count > 0 ? "\r\n" : "");
+}
+
 static void zemax_put_system_aperture(struct lens_writer *writing)
 {
     static const struct {
@@ -87,35 +105,9 @@ static void zemax_put_wave(struct lens_writer *writing, size_t number, double wa
     writing_put(writing, "\r\n");
 }
 
-static void zemax_put_header(struct zemax_writer *writer)
+static void zemax_put_waves(struct lens_writer *writing)
 {
-    struct lens_writer *writing = &writer->writing;
     const struct lens *lens = writing->lens;
-    writing_put(writing, "MODE SEQ\r\n");
-    if (lens->title != NULL) {
-        writing_put(writing, "NAME %s\r\n", lens->title);
-    }
-    for (size_t i = 0; i < lens->note_count; i++) {
-        writing_put(writing, "NOTE 0 %s\r\n", lens->notes[i]);
-    }
-    keep_notes_write(&writing->text, lens, writing->scale, "NOTE 0 " ZEMAX_KEEP_NOTE, "\r\n");
-    if (has_other_distance(lens, writing->arena)) {
-        writing_put(writing, "NOTE 0 " ZEMAX_KEEP_NOTE ZEMAX_OTHER_DISTANCE "\r\n");
-    }
-    for (size_t i = 0; i < lens->position_count; i++) {
-        writing_put(writing, "%s%s", i == 0 ? "NOTE 0 " ZEMAX_KEEP_NOTE ZEMAX_POSITIONS : " ",
-                    lens->positions[i]);
-    }
-    growing_string(&writing->text, lens->position_count > 0 ? "\r\n" : "");
-    writing_put(writing, "UNIT %s X W X CM MR CPMM\r\n",
-                foreign_unit_word(zemax_units, lens->unit));
-    zemax_put_system_aperture(writing);
-    for (size_t i = 0; i < writer->catalog_count; i++) {
-        const struct text name = writer->catalogs[i];
-        writing_put(writing, "%s %.*s", i == 0 ? "GCAT" : "", (int)name.length, name.start);
-    }
-    growing_string(&writing->text, writer->catalog_count > 0 ? "\r\n" : "");
-    zemax_put_fields(writing);
     if (lens->wavelength_count == 0) {
         zemax_put_wave(writing, 1, WAVELENGTH_D, 1);
     }
@@ -128,6 +120,27 @@ static void zemax_put_header(struct zemax_writer *writer)
         foreign_lose(writing->job, LOSS_OF_RAYS, "those beyond are left out",
                      "more than %d wavelengths", MOST_WAVES);
     }
+}
+
+static void zemax_put_header(struct zemax_writer *writer)
+{
+    struct lens_writer *writing = &writer->writing;
+    const struct lens *lens = writing->lens;
+    writing_put(writing, "MODE SEQ\r\n");
+    if (lens->title != NULL) {
+        writing_put(writing, "NAME %s\r\n", lens->title);
+    }
+    zemax_put_notes(writing);
+    writing_put(writing, "UNIT %s X W X CM MR CPMM\r\n",
+                foreign_unit_word(zemax_units, lens->unit));
+    zemax_put_system_aperture(writing);
+    for (size_t i = 0; i < writer->catalog_count; i++) {
+        const struct text name = writer->catalogs[i];
+        writing_put(writing, "%s %.*s", i == 0 ? "GCAT" : "", (int)name.length, name.start);
+    }
+    growing_string(&writing->text, writer->catalog_count > 0 ? "\r\n" : "");
+    zemax_put_fields(writing);
+    zemax_put_waves(writing);
 }
 
 bool zemax_write(struct foreign_job *job, const struct lens *lens, struct text *text,
