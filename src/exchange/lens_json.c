@@ -267,6 +267,21 @@ static void json_put_aperture(struct lens_writer *writing, const struct aperture
                 json_value(writing, &aperture->turn, RADIANS_PER_DEGREE));
 }
 
+static void json_put_coefficients(struct lens_writer *writing, const struct surface *surface)
+{
+    const enum parameter_kind kind = PARAMETER_COEFFICIENT;
+    const char *before = ",\"coefficients_mm\":{";
+    for (int order = 1; order <= LENS_COEFFICIENTS && surface->coefficients != 0; order++) {
+        const struct figure *figure = parameter_figure(surface, kind, order);
+        if (figure != NULL) {
+            writing_put(writing, "%s\"%s\":%s", before, parameter_name(kind, order, writing->arena),
+                        json_figure(writing, figure));
+            before = ",";
+        }
+    }
+    growing_string(&writing->text, surface->coefficients != 0 ? "}" : "");
+}
+
 static bool json_put_surface(struct lens_writer *writing, size_t i, struct error *error)
 {
     const struct surface *surface = &writing->lens->surfaces[i];
@@ -285,17 +300,7 @@ static bool json_put_surface(struct lens_writer *writing, size_t i, struct error
     }
     json_put_optional(writing, "diameter_mm", surface->has_diameter, &surface->diameter);
     json_put_optional(writing, "conic", true, &surface->conic);
-    const enum parameter_kind kind = PARAMETER_COEFFICIENT;
-    const char *before = ",\"coefficients_mm\":{";
-    for (int order = 1; order <= LENS_COEFFICIENTS && surface->coefficients != 0; order++) {
-        const struct figure *figure = parameter_figure(surface, kind, order);
-        if (figure != NULL) {
-            writing_put(writing, "%s\"%s\":%s", before, parameter_name(kind, order, writing->arena),
-                        json_figure(writing, figure));
-            before = ",";
-        }
-    }
-    growing_string(&writing->text, surface->coefficients != 0 ? "}" : "");
+    json_put_coefficients(writing, surface);
     /* What only a thick lens has. */
     if (surface_has(surface, SURFACE_HAS_FOCAL)) {
         json_put_optional(writing, "focal_mm", true, &surface->focal);
@@ -406,6 +411,29 @@ static void json_put_settings(struct lens_writer *writing)
     writing_put(writing, "]");
 }
 
+/* One distance, or one for each position. */
+static void json_put_object(struct lens_writer *writing)
+{
+    const struct lens *lens = writing->lens;
+    if (lens->objects != NULL) {
+        writing_put(writing, ",\"object_mm\":%s,\"object_is_infinite\":",
+                    json_values(writing, lens->objects, lens->position_count, 1));
+        for (size_t i = 0; i < lens->position_count; i++) {
+            writing_put(writing, "%s%s", i == 0 ? "[" : ",",
+                        json_bool(isinf(lens->objects[i].value.hi)));
+        }
+        writing_put(writing, "]");
+    } else {
+        writing_put(writing, ",\"object_mm\":%s,\"object_is_infinite\":%s",
+                    json_of_pair(writing->arena,
+                                 lens->object_is_infinite ? pair_of(INFINITY) : lens->object.value),
+                    json_bool(lens->object_is_infinite));
+    }
+    writing_put(writing, "%s,\"object_medium\":%s",
+                lens->is_telecentric ? ",\"object_is_telecentric\":true" : "",
+                json_of_text(writing->arena, lens->object_medium.written));
+}
+
 static void json_put_header(struct lens_writer *writing)
 {
     static const char *const stated[] = {"stated_efl_mm", "stated_bfl_mm", "stated_fnumber",
@@ -427,23 +455,7 @@ static void json_put_header(struct lens_writer *writing)
                     json_of_number(arena, one->weight));
     }
     writing_put(writing, "]");
-    if (lens->objects != NULL) {
-        writing_put(writing, ",\"object_mm\":%s,\"object_is_infinite\":",
-                    json_values(writing, lens->objects, lens->position_count, 1));
-        for (size_t i = 0; i < lens->position_count; i++) {
-            writing_put(writing, "%s%s", i == 0 ? "[" : ",",
-                        json_bool(isinf(lens->objects[i].value.hi)));
-        }
-        writing_put(writing, "]");
-    } else {
-        writing_put(writing, ",\"object_mm\":%s,\"object_is_infinite\":%s",
-                    json_of_pair(writing->arena,
-                                 lens->object_is_infinite ? pair_of(INFINITY) : lens->object.value),
-                    json_bool(lens->object_is_infinite));
-    }
-    writing_put(writing, "%s,\"object_medium\":%s",
-                lens->is_telecentric ? ",\"object_is_telecentric\":true" : "",
-                json_of_text(writing->arena, lens->object_medium.written));
+    json_put_object(writing);
     json_put_use(writing);
     writing_put(writing, ",\"stop_surface\":%s",
                 lens->stop == LENS_NONE ? "null" : arena_printf(arena, "%zu", lens->stop + 1));

@@ -1,4 +1,4 @@
-/* exchange/pbrt.c - read lens tables of the realistic camera of pbrt. */
+/* exchange/pbrt.c - read and write lens tables of the realistic camera of pbrt. */
 /* SPDX-License-Identifier: MIT */
 #include "exchange/pbrt.h"
 #include "exchange/writing.h"
@@ -72,7 +72,7 @@ static bool is_same_index(const struct medium *a, const struct medium *b)
 
 /* Radius 0: a stop, unless it is between two media. */
 static bool pbrt_read_stop(struct lens_build *build, const struct file_words *words,
-                           const struct pbrt_row *row, struct surface *surface, struct error *error)
+                           const struct pbrt_row *row, struct surface *surface)
 {
     size_t at = build->lens->surface_count - 1;
     const struct medium *before = at > 0 ? &surface[-1].medium : &medium_air;
@@ -82,7 +82,7 @@ static bool pbrt_read_stop(struct lens_build *build, const struct file_words *wo
     } else if (!is_same_index(before, &surface->medium)) {
         file_words_fail(words, row->words[RADIUS],
                         "radius 0 is the stop, which does not refract, but the index changes here");
-        return error_hint(error, "write a plane as a very long radius");
+        return error_hint(words->error, "write a plane as a very long radius");
     }
     if (build->lens->stop != LENS_NONE) {
         return file_words_fail(words, row->words[RADIUS],
@@ -94,7 +94,7 @@ static bool pbrt_read_stop(struct lens_build *build, const struct file_words *wo
 }
 
 static bool pbrt_add_surface(struct lens_build *build, const struct file_words *words,
-                             const struct pbrt_row *row, struct error *error)
+                             const struct pbrt_row *row)
 {
     for (int i = INDEX; i < CELLS; i++) {
         if (!(row->figures[i].value.hi >= 0)) {
@@ -119,10 +119,10 @@ static bool pbrt_add_surface(struct lens_build *build, const struct file_words *
         surface->radius = row->figures[RADIUS];
         return true;
     }
-    return pbrt_read_stop(build, words, row, surface, error);
+    return pbrt_read_stop(build, words, row, surface);
 }
 
-static bool pbrt_read_words(struct lens_build *build, struct file_words *words, struct error *error)
+static bool pbrt_read_words(struct lens_build *build, struct file_words *words)
 {
     struct pbrt_row row;
     int cell = RADIUS;
@@ -138,7 +138,7 @@ static bool pbrt_read_words(struct lens_build *build, struct file_words *words, 
             }
             if (++cell == CELLS) {
                 cell = RADIUS;
-                if (!pbrt_add_surface(build, words, &row, error)) {
+                if (!pbrt_add_surface(build, words, &row)) {
                     return false;
                 }
             }
@@ -152,8 +152,8 @@ static bool pbrt_read_words(struct lens_build *build, struct file_words *words, 
         return file_words_fail(&there, last, "the last surface has no %s", names[cell]);
     }
     return build->lens->surface_count > 0 ||
-           (fail(error, ERROR_DATA, "no surface: a line is radius, thickness, index, diameter") ||
-            error_locate(error, words->source, 0, 0));
+           fail_in(words->error, words->source, 0, 0,
+                   "no surface: a line is radius, thickness, index, diameter");
 }
 
 static bool pbrt_read(struct foreign_job *job, struct text content, struct lens *lens,
@@ -172,7 +172,7 @@ static bool pbrt_read(struct foreign_job *job, struct text content, struct lens 
         }
     }
     if (!file_words_open(&words, job->source, content, job->arena, error) ||
-        !pbrt_read_words(&build, &words, error)) {
+        !pbrt_read_words(&build, &words)) {
         return false;
     }
     /* The camera has air before its film, and its lens a stop. */
