@@ -69,7 +69,7 @@ static bool add_command_word(struct commands *commands, struct text text, bool i
     return true;
 }
 
-static bool read_quoted(struct commands *commands, const char *end)
+static bool read_quoted_word(struct commands *commands, const char *end)
 {
     const char *start = commands->at;
     const char *close = memchr(start + 1, *start, (size_t)(end - start - 1));
@@ -92,7 +92,7 @@ static bool read_quoted(struct commands *commands, const char *end)
 }
 
 /* A word goes up to a blank or a separator outside of quotes: S'front' is one word. */
-static bool read_bare(struct commands *commands, const char *end)
+static bool read_bare_word(struct commands *commands, const char *end)
 {
     const char *start = commands->at, *at = start;
     char closing = '\0';
@@ -138,8 +138,8 @@ bool commands_next(struct commands *commands)
             }
             continue;
         }
-        bool read = is_command_quote(commands, *commands->at) ? read_quoted(commands, end)
-                                                              : read_bare(commands, end);
+        bool read = is_command_quote(commands, *commands->at) ? read_quoted_word(commands, end)
+                                                              : read_bare_word(commands, end);
         if (!read) {
             return false;
         }

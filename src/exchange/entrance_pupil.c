@@ -9,8 +9,8 @@
 #include <string.h>
 
 /* The diameter in mm; NaN where there is none. */
-static double diameter_of(const struct lens *lens, enum pupil_stated stated, double value,
-                          struct arena *arena)
+static double entrance_diameter_of(const struct lens *lens, enum pupil_stated stated, double value,
+                                   struct arena *arena)
 {
     const struct aperture_setting unit = {APERTURE_EPD, 1};
     const struct conjugate_object object = lens_object(lens);
@@ -30,7 +30,7 @@ static double diameter_of(const struct lens *lens, enum pupil_stated stated, dou
 bool entrance_pupil_set(struct lens *lens, enum pupil_stated stated, double value,
                         struct arena *arena)
 {
-    const double diameter = diameter_of(lens, stated, value, arena);
+    const double diameter = entrance_diameter_of(lens, stated, value, arena);
     const struct number_scale scale = lens_unit_scale(lens->unit);
     lens->aperture_kind = APERTURE_NONE;
     if (!(diameter > 0 && diameter < INFINITY)) {

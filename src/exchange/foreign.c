@@ -86,7 +86,7 @@ void foreign_cut_short(struct foreign_job *job, const char *what)
 }
 
 /* By lines, those that were written last; the order of the list where they are equal. */
-static int by_line(const void *a, const void *b)
+static int losses_by_line(const void *a, const void *b)
 {
     const struct foreign_loss *left = *(const struct foreign_loss *const *)a;
     const struct foreign_loss *right = *(const struct foreign_loss *const *)b;
@@ -110,7 +110,7 @@ static const char *printable(const char *words, struct arena *arena)
 }
 
 /* The worst first, and equal ones together. */
-static int by_effect(const void *a, const void *b)
+static int losses_by_effect(const void *a, const void *b)
 {
     const struct foreign_loss *left = *(const struct foreign_loss *const *)a;
     const struct foreign_loss *right = *(const struct foreign_loss *const *)b;
@@ -118,11 +118,11 @@ static int by_effect(const void *a, const void *b)
     if (left->effect != right->effect) {
         return left->effect < right->effect ? -1 : 1;
     }
-    return words != 0 ? words : by_line(a, b);
+    return words != 0 ? words : losses_by_line(a, b);
 }
 
-static const struct foreign_loss **sorted(const struct foreign_job *job,
-                                          int (*order)(const void *, const void *))
+static const struct foreign_loss **sorted_losses(const struct foreign_job *job,
+                                                 int (*order)(const void *, const void *))
 {
     const struct foreign_loss **losses =
         ARENA_ARRAY(job->arena, job->loss_count, const struct foreign_loss *);
@@ -141,19 +141,19 @@ struct same_losses {
     size_t count;
 };
 
-static int foreign_by_first(const void *a, const void *b)
+static int same_losses_by_effect(const void *a, const void *b)
 {
     const struct same_losses *left = a, *right = b;
     if (left->first[0]->effect != right->first[0]->effect) {
         return left->first[0]->effect < right->first[0]->effect ? -1 : 1;
     }
-    return by_line(left->first, right->first);
+    return losses_by_line(left->first, right->first);
 }
 
 /* All losses, each once: those that change most first, then in the order of the file. */
 static struct same_losses *same_losses(const struct foreign_job *job, size_t *count)
 {
-    const struct foreign_loss **losses = sorted(job, by_effect);
+    const struct foreign_loss **losses = sorted_losses(job, losses_by_effect);
     struct same_losses *all = ARENA_ARRAY(job->arena, job->loss_count, struct same_losses);
     *count = 0;
     for (size_t i = 0; i < job->loss_count; i++) {
@@ -165,7 +165,7 @@ static struct same_losses *same_losses(const struct foreign_job *job, size_t *co
             all[(*count)++] = (struct same_losses){&losses[i], 1};
         }
     }
-    qsort(all, *count, sizeof all[0], foreign_by_first);
+    qsort(all, *count, sizeof all[0], same_losses_by_effect);
     return all;
 }
 
@@ -175,8 +175,8 @@ static const char *const changes[LOSS_EFFECTS] = {[LOSS_OF_LENS] = "all",
                                                   [LOSS_OF_NOTHING] = "nothing"};
 
 /* "12,15,18": the lines of a loss but for the first `after`, with a character before them. */
-static void put_lines(struct text_buffer *list, const struct same_losses *same, size_t after,
-                      const char *before)
+static void put_loss_lines(struct text_buffer *list, const struct same_losses *same, size_t after,
+                           const char *before)
 {
     for (size_t k = after; k < same->count && same->first[k]->line > 0; k++) {
         growing_format(list, "%s%ld", k == after ? before : ",", same->first[k]->line);
@@ -184,8 +184,8 @@ static void put_lines(struct text_buffer *list, const struct same_losses *same, 
 }
 
 /* "FILE:12,15,18: WHAT" under the head of what they change; `after` of the first are known. */
-static const char *list_of(const struct foreign_job *job, const struct same_losses *all,
-                           size_t count, size_t after)
+static const char *list_of_losses(const struct foreign_job *job, const struct same_losses *all,
+                                  size_t count, size_t after)
 {
     struct text_buffer list = {.arena = job->arena};
     enum loss_effect head = LOSS_EFFECTS;
@@ -198,7 +198,7 @@ static const char *list_of(const struct foreign_job *job, const struct same_loss
             growing_format(&list, "    cannot be kept either, and changes %s:\n", changes[head]);
         }
         growing_format(&list, "      %s", job->source);
-        put_lines(&list, &all[i], after, ":");
+        put_loss_lines(&list, &all[i], after, ":");
         growing_format(&list, ": %s\n", printable(all[i].first[0]->message, job->arena));
     }
     return list.length > 0 ? arena_string(job->arena, list.data, list.length) : NULL;
@@ -215,7 +215,7 @@ void foreign_summary(const struct foreign_job *job, struct text_buffer *line)
             head = all[i].first[0]->effect;
             growing_format(line, "%s: ", changes[head]);
         }
-        put_lines(line, &all[i], 0, "");
+        put_loss_lines(line, &all[i], 0, "");
         growing_format(line, "%s%s", all[i].first[0]->line > 0 ? ": " : "",
                        printable(all[i].first[0]->message, job->arena));
     }
@@ -233,7 +233,7 @@ bool foreign_settle(const struct foreign_job *job, bool done, struct error *erro
     size_t count;
     const struct same_losses *all = same_losses(job, &count);
     if (!done && error->line > 0 && !fatal) {
-        error->more = list_of(job, all, count, 0);
+        error->more = list_of_losses(job, all, count, 0);
         return false;
     }
     const char *then = done ? NULL : arena_printf(job->arena, "    and then: %s\n", error->message);
@@ -247,7 +247,7 @@ bool foreign_settle(const struct foreign_job *job, bool done, struct error *erro
     } else {
         foreign_fail(job, error, "%s%s", prefix, first->message);
     }
-    error->more = list_of(job, all, count, 1);
+    error->more = list_of_losses(job, all, count, 1);
     if (then != NULL) { /* what has no place may well follow from what is left out */
         error->more = ARENA_JOIN(job->arena, error->more != NULL ? error->more : "", then);
         return false;
@@ -276,7 +276,7 @@ bool foreign_lack(struct foreign_job *job, const struct file_words *words, struc
 
 void foreign_losses(const struct foreign_job *job, struct text_buffer *list)
 {
-    const struct foreign_loss **losses = sorted(job, by_line);
+    const struct foreign_loss **losses = sorted_losses(job, losses_by_line);
     for (size_t i = 0; i < job->loss_count; i++) {
         growing_string(list, job->source);
         if (losses[i]->line > 0) {
@@ -429,7 +429,7 @@ static bool foreign_ask(struct glass_search *search, find_function *find, const 
 }
 
 /* Bad data of a catalogue, as opposed to a name that is in none. */
-static bool is_damage(const struct error *error)
+static bool is_damaged_catalog(const struct error *error)
 {
     return error->code == ERROR_DATA || error->code == ERROR_IO;
 }
@@ -447,7 +447,7 @@ static bool ask_catalog(struct glass_search *search, struct text catalog, struct
         if (finds[i] != NULL && foreign_ask(search, finds[i], written, error)) {
             return true;
         }
-        if (finds[i] != NULL && is_damage(error)) {
+        if (finds[i] != NULL && is_damaged_catalog(error)) {
             return false;
         }
     }
@@ -497,7 +497,7 @@ bool foreign_glass(struct foreign_job *job, const struct file_words *words,
                     arena_string(job->arena, name.start, name.length), error)) {
         return true;
     }
-    if (is_damage(error)) {
+    if (is_damaged_catalog(error)) {
         return false;
     }
     if (search.has_other && named->is_by_name) {

@@ -32,7 +32,7 @@ const struct file_type *lens_types(size_t i)
     return foreign_formats[i - 1] != NULL ? &foreign_formats[i - 1]->type : NULL;
 }
 
-static const struct foreign_format *by_ending(struct text path)
+static const struct foreign_format *format_by_ending(struct text path)
 {
     for (const struct foreign_format *const *one = foreign_formats; *one != NULL; one++) {
         if (file_type_ends(path, (*one)->type.ending)) {
@@ -58,7 +58,7 @@ static const struct foreign_format *format_by_look(struct text source, struct te
             return *one;
         }
     }
-    return by_ending(source);
+    return format_by_ending(source);
 }
 
 /* Files of which another program knows more than a text: what is to be done with them. */
@@ -71,7 +71,7 @@ static const struct closed {
      "save the lens as .zmx in OpticStudio and read that"},
 };
 
-static const struct closed *closed_of(struct text path)
+static const struct closed *closed_format_of(struct text path)
 {
     for (size_t i = 0; i < sizeof closed / sizeof closed[0]; i++) {
         if (file_type_ends(path, closed[i].ending)) {
@@ -83,13 +83,13 @@ static const struct closed *closed_of(struct text path)
 
 bool foreign_ends_as_lens(struct text path)
 {
-    return file_type_ends(path, lens_file_type.ending) || by_ending(path) != NULL ||
-           closed_of(path) != NULL;
+    return file_type_ends(path, lens_file_type.ending) || format_by_ending(path) != NULL ||
+           closed_format_of(path) != NULL;
 }
 
 const char *foreign_format_name(const char *source, struct text content, struct arena *arena)
 {
-    const struct closed *other = closed_of(text_of(source));
+    const struct closed *other = closed_format_of(text_of(source));
     struct text text = content;
     struct error error;
     if (other != NULL) {
@@ -128,7 +128,7 @@ static bool has_last_end(struct text content)
 }
 
 /* What the end of a file that was read says of its being whole. */
-static void check_whole(struct foreign_job *job, struct text content, struct lens *lens)
+static void check_file_is_whole(struct foreign_job *job, struct text content, struct lens *lens)
 {
     if (!job->has_end && !has_last_end(content)) {
         foreign_cut_short(job, "its last line has no end");
@@ -166,7 +166,7 @@ static bool read_list_file(struct foreign_job *job, struct text content, struct 
         foreign_cut_short(job, arena_printf(job->arena, "the glass %.*s lies before the image",
                                             text_shown(glass), glass.start));
     }
-    check_whole(job, content, lens);
+    check_file_is_whole(job, content, lens);
     return true;
 }
 
@@ -181,7 +181,7 @@ bool foreign_read(struct foreign_job *job, struct text content, struct lens *len
         foreign_fail(job, error, "an AGF file is a catalogue of glasses, not a lens");
         return error_hint(error, "{agf} FILE adds its glasses");
     }
-    const struct closed *other = closed_of(source);
+    const struct closed *other = closed_format_of(source);
     if (other != NULL) {
         foreign_fail(job, error, "%s", other->what);
         return error_hint(error, "%s", other->advice);
@@ -203,7 +203,7 @@ bool foreign_read(struct foreign_job *job, struct text content, struct lens *len
                             format->type.word.word);
     }
     const bool done = format->read(job, text, lens, error);
-    check_whole(job, text, lens);
+    check_file_is_whole(job, text, lens);
     return foreign_settle(job, done, error);
 }
 

@@ -495,7 +495,7 @@ static void json_put_design(struct text_buffer *text, const struct lens *lens, s
 }
 
 /* In JSON each cell has numbers of its own: a marked word in two of them would vary twice. */
-static bool check_words(const struct lens *lens, struct error *error)
+static bool json_check_words(const struct lens *lens, struct error *error)
 {
     for (size_t i = 0; i < lens->variable_count; i++) {
         const struct lens_variable *word = &lens->variables[i];
@@ -517,11 +517,11 @@ static bool check_words(const struct lens *lens, struct error *error)
     return true;
 }
 
-static bool write_json(struct foreign_job *job, const struct lens *lens, struct text *text,
-                       struct error *error)
+static bool lens_json_write(struct foreign_job *job, const struct lens *lens, struct text *text,
+                            struct error *error)
 {
     struct lens_writer writing;
-    if (!check_words(lens, error)) {
+    if (!json_check_words(lens, error)) {
         return false;
     }
     writing_begin(&writing, job, lens, true);
@@ -556,7 +556,7 @@ const struct foreign_format lens_json_format = {
     .type = {{"json", "JSON, for other programs"}, ".json"},
     .is_like = lens_json_is_like,
     .read = lens_json_read,
-    .write = write_json,
+    .write = lens_json_write,
     .has_thick = true,
     .has_settings = true,
     .has_design = true,

@@ -91,7 +91,7 @@ static bool json_object(struct json_reader *reading, const struct json_value *va
 }
 
 /* Whether the object is infinite: one truth, or one for each position. */
-static bool check_infinite(struct json_reader *reading, const struct json_value *value)
+static bool json_check_infinite(struct json_reader *reading, const struct json_value *value)
 {
     static const char key[] = "object_is_infinite", other[] = "object_mm";
     const struct lens *lens = reading->build.lens;
@@ -130,7 +130,8 @@ static bool json_per_field(struct json_reader *reading, const struct json_value 
 }
 
 /* x, and the weights. */
-static bool complete_fields(struct json_reader *reading, const struct json_value *root, int power)
+static bool json_complete_fields(struct json_reader *reading, const struct json_value *root,
+                                 int power)
 {
     struct lens *lens = reading->build.lens;
     const struct json_value *weights = json_item(root, "field_weights"),
@@ -180,7 +181,7 @@ static bool json_fields(struct json_reader *reading, const struct json_value *ro
     for (size_t i = 0; i < fields->count; i++) {
         lens_build_field(&reading->build)->at[1] = figures[i];
     }
-    if (!complete_fields(reading, root, power)) {
+    if (!json_complete_fields(reading, root, power)) {
         return false;
     }
     for (size_t i = 0; choice == FIELD_ANGLE && i < fields->count; i++) {
@@ -262,7 +263,7 @@ static bool json_stated(struct json_reader *reading, const struct json_value *ro
     return true;
 }
 
-static bool read_notes(struct json_reader *reading, const struct json_value *value)
+static bool json_notes(struct json_reader *reading, const struct json_value *value)
 {
     if (!json_check_array(reading, value, "texts")) {
         return false;
@@ -378,20 +379,20 @@ static bool json_titles(struct json_reader *reading, const struct json_value *ro
     return json_read_text(reading, json_item(root, "lens"), &lens->title) &&
            json_read_text(reading, json_item(root, "source"), &lens->source) &&
            json_read_text(reading, json_item(root, "kind"), &lens->kind) &&
-           read_notes(reading, json_item(root, "notes"));
+           json_notes(reading, json_item(root, "notes"));
 }
 
-static bool read_object_space(struct json_reader *reading, const struct json_value *root)
+static bool json_object_space(struct json_reader *reading, const struct json_value *root)
 {
     const struct json_value *value = json_item(root, "object_is_telecentric");
-    return check_infinite(reading, json_item(root, "object_is_infinite")) &&
+    return json_check_infinite(reading, json_item(root, "object_is_infinite")) &&
            (json_is_null(value) ||
             json_read_truth(reading, value, &reading->build.lens->is_telecentric)) &&
            json_read_medium(reading, json_item(root, "object_medium"),
                             &reading->build.lens->object_medium);
 }
 
-static bool read_root(struct json_reader *reading, const struct json_value *root)
+static bool json_lens(struct json_reader *reading, const struct json_value *root)
 {
     static const char keys[] =
         "lens source kind notes positions unit wavelengths object_mm fields object_medium "
@@ -402,7 +403,7 @@ static bool read_root(struct json_reader *reading, const struct json_value *root
            json_unit(reading, json_item(root, "unit")) &&
            json_positions(reading, json_item(root, "positions")) &&
            json_waves(reading, json_item(root, "wavelengths")) &&
-           json_object(reading, json_item(root, "object_mm")) && read_object_space(reading, root) &&
+           json_object(reading, json_item(root, "object_mm")) && json_object_space(reading, root) &&
            json_fields(reading, root) && json_system_aperture(reading, root) &&
            json_focus(reading, json_item(root, "focus")) && json_stated(reading, root) &&
            json_surfaces(reading, json_item(root, "surfaces")) &&
@@ -445,5 +446,5 @@ bool lens_json_read(struct foreign_job *job, struct text content, struct lens *l
         return json_refuse(&reading);
     }
     lens_build_begin(&reading.build, lens, job->arena);
-    return read_root(&reading, &root);
+    return json_lens(&reading, &root);
 }

@@ -91,7 +91,7 @@ static bool json_set_values(struct json_reader *reading, const struct json_value
     return why == NULL || json_wrong(reading, values, "%s", why);
 }
 
-static bool read_setting(struct json_reader *reading, const struct json_value *object)
+static bool json_setting(struct json_reader *reading, const struct json_value *object)
 {
     const struct json_value *name = json_item(object, "name"),
                             *values = json_item(object, "values");
@@ -121,7 +121,7 @@ bool json_read_settings(struct json_reader *reading, const struct json_value *va
         return false;
     }
     for (const struct json_value *item = json_first(value); item != NULL; item = item->next) {
-        if (!read_setting(reading, item)) {
+        if (!json_setting(reading, item)) {
             return false;
         }
     }

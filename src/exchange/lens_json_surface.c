@@ -30,7 +30,7 @@ static bool json_cell(struct json_reader *reading, const struct json_value *valu
     return true;
 }
 
-static bool read_displacement(struct json_reader *reading, const struct json_value *value,
+static bool json_displacement(struct json_reader *reading, const struct json_value *value,
                               size_t turns, const struct displacement **displacement)
 {
     if (json_is_null(value)) {
@@ -151,8 +151,8 @@ static bool json_shape(struct json_reader *reading, const struct json_value *obj
     return count == 0 || json_read_row(reading, sizes, JSON_LENGTH, aperture->size, count, NULL);
 }
 
-static bool read_json_aperture(struct json_reader *reading, const struct json_value *object,
-                               struct aperture *aperture)
+static bool json_aperture(struct json_reader *reading, const struct json_value *object,
+                          struct aperture *aperture)
 {
     static const char keys[] = "shape blocks size_mm arms points_mm decenter_mm turn_deg";
     const struct json_value *turn = json_item(object, "turn_deg");
@@ -183,7 +183,7 @@ static bool json_apertures(struct json_reader *reading, const struct json_value 
     struct aperture *all = ARENA_ARRAY(reading->job->arena, value->count, struct aperture);
     surface->apertures = all;
     for (const struct json_value *item = value->first; item != NULL; item = item->next) {
-        if (!read_json_aperture(reading, item, &all[surface->aperture_count++])) {
+        if (!json_aperture(reading, item, &all[surface->aperture_count++])) {
             return false;
         }
     }
@@ -241,8 +241,8 @@ static bool json_vary(struct json_reader *reading, const struct json_value *valu
 }
 
 /* The mark of a number of one position. */
-static bool add_to_position(struct json_reader *reading, const struct json_value *position,
-                            const struct surface *surface, const struct vary *vary)
+static bool json_vary_in_position(struct json_reader *reading, const struct json_value *position,
+                                  const struct surface *surface, const struct vary *vary)
 {
     struct lens *lens = reading->build.lens;
     struct arena *arena = reading->job->arena;
@@ -267,7 +267,7 @@ static bool add_to_position(struct json_reader *reading, const struct json_value
     return true;
 }
 
-static bool read_varies(struct json_reader *reading, const struct json_value *value,
+static bool json_varies(struct json_reader *reading, const struct json_value *value,
                         struct surface *surface)
 {
     if (json_is_null(value)) {
@@ -282,7 +282,7 @@ static bool read_varies(struct json_reader *reading, const struct json_value *va
         const struct json_value *position = json_item(item, "position");
         struct vary *vary = &varies[surface->vary_count];
         if (!json_vary(reading, item, surface, vary) ||
-            (position != NULL && !add_to_position(reading, position, surface, vary))) {
+            (position != NULL && !json_vary_in_position(reading, position, surface, vary))) {
             return false;
         }
         surface->vary_count += position == NULL ? 1 : 0;
@@ -386,8 +386,8 @@ static bool json_check_number(struct json_reader *reading, const struct json_val
 }
 
 /* What a surface without a curve has not. */
-static bool check_curve(struct json_reader *reading, const struct json_value *object,
-                        const struct surface *surface)
+static bool json_check_curve(struct json_reader *reading, const struct json_value *object,
+                             const struct surface *surface)
 {
     static const char *const keys[] = {"conic", "coefficients_mm", "cylinder"};
     const bool odd[] = {surface->conic.value.hi != 0, !json_is_null(json_item(object, keys[1])),
@@ -461,14 +461,14 @@ static bool json_details(struct json_reader *reading, const struct json_value *o
         return false;
     }
     surface->conic = figure.value.hi != 0 ? figure : surface->conic; /* 0 is no conic */
-    return check_curve(reading, object, surface) &&
+    return json_check_curve(reading, object, surface) &&
            json_coefficients(reading, json_item(object, "coefficients_mm"), surface) &&
-           read_displacement(reading, json_item(object, "moved"), 2, &surface->decentre) &&
-           read_displacement(reading, json_item(object, "bend_before"), 3,
+           json_displacement(reading, json_item(object, "moved"), 2, &surface->decentre) &&
+           json_displacement(reading, json_item(object, "bend_before"), 3,
                              &surface->coordinate_break) &&
            json_apertures(reading, json_item(object, "apertures"), surface) &&
            json_thick(reading, object, surface) &&
-           read_varies(reading, json_item(object, "vary"), surface);
+           json_varies(reading, json_item(object, "vary"), surface);
 }
 
 bool json_read_surface(struct json_reader *reading, const struct json_value *object)

@@ -79,8 +79,8 @@ static bool are_all_same(const struct figure *figures, size_t count)
     return same;
 }
 
-static struct figure variable(struct merge *merge, const char *prefix, size_t number,
-                              const struct figure *values)
+static struct figure merge_variable(struct merge *merge, const char *prefix, size_t number,
+                                    const struct figure *values)
 {
     const char *name = arena_printf(merge->arena, "%s%zu", prefix, number);
     return (struct figure){.typed = text_of(name),
@@ -98,14 +98,14 @@ static void merge_cells(struct merge *merge, size_t index)
         diameters[p] = surface_in(merge, p, index)->diameter;
     }
     if (to->has_thickness && !are_all_same(gaps, merge->count)) {
-        to->thickness = variable(merge, "d", index + 1, gaps);
+        to->thickness = merge_variable(merge, "d", index + 1, gaps);
     }
     size_t clear = 0;
     for (size_t p = 0; p < merge->count; p++) {
         clear += surface_in(merge, p, index)->has_diameter;
     }
     if (clear == merge->count && !are_all_same(diameters, merge->count)) {
-        to->diameter = variable(merge, "D", index + 1, diameters);
+        to->diameter = merge_variable(merge, "D", index + 1, diameters);
     }
     to->has_diameter = clear == merge->count;
     if (clear != 0 && clear != merge->count) {
@@ -114,7 +114,7 @@ static void merge_cells(struct merge *merge, size_t index)
     }
 }
 
-static void add_setting(struct merge *merge, struct lens_setting setting)
+static void merge_add_setting(struct merge *merge, struct lens_setting setting)
 {
     *ARENA_ADD(merge->arena, merge->settings, merge->setting_count, merge->setting_room) = setting;
 }
@@ -145,7 +145,7 @@ static void merge_curve(struct merge *merge, size_t index)
         return;
     }
     parameter_put(to, kind, 0, figures[0], merge->arena);
-    add_setting(merge, (struct lens_setting){{index, kind, 0}, figures, NULL});
+    merge_add_setting(merge, (struct lens_setting){{index, kind, 0}, figures, NULL});
 }
 
 static void merge_medium(struct merge *merge, size_t index)
@@ -157,7 +157,7 @@ static void merge_medium(struct merge *merge, size_t index)
         same = same && medium_is_same(&media[p], &media[0]);
     }
     if (!same && !surface_reflects(surface_in(merge, 0, index))) {
-        add_setting(merge, (struct lens_setting){{index, PARAMETER_GLASS, 0}, NULL, media});
+        merge_add_setting(merge, (struct lens_setting){{index, PARAMETER_GLASS, 0}, NULL, media});
     }
 }
 
@@ -176,7 +176,7 @@ static void merge_number(struct merge *merge, size_t index, struct parameter eac
     if (any && !are_all_same(figures, merge->count)) {
         parameter_put(to, each.kind, each.order, figures[0], merge->arena);
         each.surface = index;
-        add_setting(merge, (struct lens_setting){each, figures, NULL});
+        merge_add_setting(merge, (struct lens_setting){each, figures, NULL});
     }
 }
 
@@ -307,7 +307,7 @@ static void merge_fields(struct merge *merge)
 }
 
 /* What has no values of its own in the positions. */
-static const char *against(const struct lens *a, const struct lens *b)
+static const char *what_differs(const struct lens *a, const struct lens *b)
 {
     if (a->surface_count != b->surface_count) {
         return "the number of surfaces";
@@ -344,7 +344,7 @@ void merge_positions(struct lens_build *build, const struct lens *lenses, struct
                           .count = to->position_count};
     const struct lens named = *to;
     for (size_t p = 1; p < merge.count; p++) {
-        const char *why = against(first, &lenses[p]);
+        const char *why = what_differs(first, &lenses[p]);
         if (why != NULL) {
             keep_first_lens(&merge, why);
             return;

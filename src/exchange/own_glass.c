@@ -59,8 +59,8 @@ static const double step = 1.04;
 enum { LINES = sizeof lines / sizeof lines[0], MOST = ENVIRONMENT_WAVES + LINES + 500 };
 
 /* The index relative to the file's air; false: the catalogue lacks what it wants. */
-static bool index_there(const struct glass *glass, const struct air *air, double wavelength,
-                        double *index, struct error *error)
+static bool index_in_air(const struct glass *glass, const struct air *air, double wavelength,
+                         double *index, struct error *error)
 {
     const struct air usual = {AIR_KOHLRAUSCH, glass->thermal.reference, AIR_STANDARD_PRESSURE};
     const double here = air_refractivity(air, wavelength);
@@ -76,13 +76,13 @@ static bool index_there(const struct glass *glass, const struct air *air, double
     return true;
 }
 
-static int by_wave_value(const void *a, const void *b)
+static int by_rising_value(const void *a, const void *b)
 {
     double left = *(const double *)a, right = *(const double *)b;
     return (left > right) - (left < right);
 }
 
-static size_t add_new(double *all, size_t count, double value)
+static size_t add_wavelength(double *all, size_t count, double value)
 {
     bool is_new = value > 0 && count < MOST;
     for (size_t i = 0; i < count; i++) {
@@ -95,33 +95,33 @@ static size_t add_new(double *all, size_t count, double value)
 }
 
 /* The file's wavelengths, the lines, and steps from the shortest to the longest of them; rising. */
-static size_t wavelengths_of(const struct environment *environment, double *all)
+static size_t environment_wavelengths(const struct environment *environment, double *all)
 {
     size_t count = 0;
     for (size_t i = 0; i < environment->wave_count; i++) {
-        count = add_new(all, count, environment->waves[i]);
+        count = add_wavelength(all, count, environment->waves[i]);
     }
     for (size_t i = 0; i < LINES; i++) {
-        count = add_new(all, count, lines[i]);
+        count = add_wavelength(all, count, lines[i]);
     }
-    qsort(all, count, sizeof all[0], by_wave_value);
+    qsort(all, count, sizeof all[0], by_rising_value);
     const double longest = all[count - 1];
     for (double value = all[0]; value < longest; value *= step) {
-        count = add_new(all, count, round(1e4 * value) / 1e4);
+        count = add_wavelength(all, count, round(1e4 * value) / 1e4);
     }
-    qsort(all, count, sizeof all[0], by_wave_value);
+    qsort(all, count, sizeof all[0], by_rising_value);
     return count;
 }
 
 /* "{0.55um 1.5, ..}"; null where a wavelength of the file has no index. */
-static const char *table_there(const struct environment *environment, const struct glass *glass,
-                               struct arena *arena, struct error *error)
+static const char *table_in_air(const struct environment *environment, const struct glass *glass,
+                                struct arena *arena, struct error *error)
 {
     const struct air air = {AIR_KOHLRAUSCH, environment->temperature,
                             environment->pressure * AIR_STANDARD_PRESSURE};
     double all[MOST];
     struct text_buffer text = {.arena = arena};
-    const size_t count = wavelengths_of(environment, all);
+    const size_t count = environment_wavelengths(environment, all);
     bool any = false;
     for (size_t i = 0; i < count; i++) {
         double index;
@@ -129,7 +129,7 @@ static const char *table_there(const struct environment *environment, const stru
         for (size_t k = 0; k < environment->wave_count; k++) {
             own = own || environment->waves[k] == all[i];
         }
-        if (index_there(glass, &air, all[i], &index, error)) {
+        if (index_in_air(glass, &air, all[i], &index, error)) {
             growing_string(&text, any ? ", " : "{");
             growing_number(&text, all[i]);
             growing_string(&text, "um ");
@@ -154,7 +154,7 @@ bool environment_apply(const struct environment *environment, const struct file_
         return true;
     }
     struct error why = {.code = ERROR_NONE};
-    const char *written = table_there(environment, glass, job->arena, &why);
+    const char *written = table_in_air(environment, glass, job->arena, &why);
     if (written == NULL) {
         return foreign_loss(job, words, word, LOSS_OF_POWER, "that of the catalogue is kept",
                             "the index at %.6g C and %.6g atmospheres (%s)", temperature, pressure,

@@ -159,7 +159,7 @@ static void sequence_put_curve(const struct sequence *sequence, const struct seq
 }
 
 /* One that passes as a circle about the vertex is the diameter, and another takes it along. */
-static void put_sequence_aperture(const struct sequence *sequence, struct sequence_aperture *one,
+static void sequence_put_aperture(const struct sequence *sequence, struct sequence_aperture *one,
                                   struct surface *surface, struct aperture *to)
 {
     struct error wrong;
@@ -183,13 +183,13 @@ static void sequence_put_apertures(const struct sequence *sequence,
     struct aperture *all = ARENA_ARRAY(sequence->job->arena, from->aperture_count, struct aperture);
     surface->apertures = all;
     for (size_t i = 0; i < from->aperture_count; i++) {
-        put_sequence_aperture(sequence, &from->apertures[i], surface,
+        sequence_put_aperture(sequence, &from->apertures[i], surface,
                               &all[surface->aperture_count]);
     }
 }
 
 /* The surface, and behind a bend a plane that turns the axis. */
-static void put_sequence_surface(const struct sequence *sequence, size_t index, size_t *lens_index)
+static void sequence_put_surface(const struct sequence *sequence, size_t index, size_t *lens_index)
 {
     struct sequence_surface *from = &sequence->surfaces[index];
     struct lens_build *build = sequence->build;
@@ -230,7 +230,7 @@ static void put_sequence_surface(const struct sequence *sequence, size_t index, 
 }
 
 /* Is the object so far away that its program takes it as infinitely far? */
-static bool is_infinite(const struct sequence *sequence, const struct figure *distance)
+static bool is_distance_infinite(const struct sequence *sequence, const struct figure *distance)
 {
     const struct commands *commands = sequence->commands;
     const struct pair per_unit = lens_words_per_length(pair_of(1), commands->scale, 1);
@@ -239,7 +239,7 @@ static bool is_infinite(const struct sequence *sequence, const struct figure *di
 
 bool sequence_is_near(const struct sequence *sequence)
 {
-    return sequence->count > 0 && !is_infinite(sequence, &sequence->surfaces[0].thickness);
+    return sequence->count > 0 && !is_distance_infinite(sequence, &sequence->surfaces[0].thickness);
 }
 
 static void sequence_put_object(const struct sequence *sequence)
@@ -253,7 +253,7 @@ static void sequence_put_object(const struct sequence *sequence)
     }
     lens->object_medium = object->medium;
     const struct figure infinite = {{INFINITY, 0}, text_of("inf"), LENS_NONE};
-    lens->object_is_infinite = is_infinite(sequence, &object->thickness);
+    lens->object_is_infinite = is_distance_infinite(sequence, &object->thickness);
     lens->object = lens->object_is_infinite
                        ? infinite
                        : with_extra(sequence, &object->thickness, object->extra);
@@ -284,7 +284,7 @@ static void sequence_put_image(const struct sequence *sequence, bool is_solved)
         image->extra = pair_of(0);
         image->medium = lens->surfaces[last - 1].medium;
         lens->focus = FOCUS_TABLE;
-        put_sequence_surface(sequence, sequence->count - 1, &last);
+        sequence_put_surface(sequence, sequence->count - 1, &last);
     }
 }
 
@@ -306,7 +306,7 @@ bool sequence_environment(struct sequence *sequence, bool is_temperature, double
 }
 
 /* The glasses in the air of the file. */
-static bool glasses_there(struct sequence *sequence)
+static bool sequence_glasses_in_air(struct sequence *sequence)
 {
     struct environment *environment = &sequence->environment;
     const struct lens *lens = sequence->build->lens;
@@ -334,7 +334,7 @@ bool sequence_finish(struct sequence *sequence)
         return foreign_fail(sequence->commands->job, sequence->commands->error,
                             "the file has no surface between object and image");
     }
-    if (!sequence_apply_pickups(sequence) || !glasses_there(sequence)) {
+    if (!sequence_apply_pickups(sequence) || !sequence_glasses_in_air(sequence)) {
         return false;
     }
     struct sequence_surface *image = &sequence->surfaces[sequence->count - 1], *last = image - 1;
@@ -352,7 +352,7 @@ bool sequence_finish(struct sequence *sequence)
                       "an ordinary one", "a telecentric object space of an object at infinity");
     }
     for (size_t i = 1; i + 1 < sequence->count; i++) {
-        put_sequence_surface(sequence, i, &indices[i]);
+        sequence_put_surface(sequence, i, &indices[i]);
     }
     struct sequence_solve *solve = &last->thickness_solve;
     /* Does the last solve bring the marginal ray to the axis, with no light lost on its way? */

@@ -22,8 +22,9 @@ static bool is_turned_first(const struct sequence_surface *surface)
 }
 
 /* Shift and turns. */
-static const struct displacement *moves_of(const struct sequence *sequence,
-                                           const struct sequence_surface *from, bool turn_only)
+static const struct displacement *displacement_of(const struct sequence *sequence,
+                                                  const struct sequence_surface *from,
+                                                  bool turn_only)
 {
     struct displacement *all = ARENA_NEW(sequence->job->arena, struct displacement);
     for (int i = 0; i < 2; i++) {
@@ -89,8 +90,8 @@ static struct surface *add_plane_behind(const struct sequence *sequence,
 }
 
 /* Turned back, then shifted back; null: by nothing. */
-static const struct displacement *moves_undone(const struct sequence *sequence,
-                                               const struct sequence_surface *from, bool turn)
+static const struct displacement *
+displacement_undone(const struct sequence *sequence, const struct sequence_surface *from, bool turn)
 {
     struct displacement *all = ARENA_NEW(sequence->job->arena, struct displacement);
     bool some = false;
@@ -110,8 +111,9 @@ static const struct displacement *moves_undone(const struct sequence *sequence,
 }
 
 /* One turn, or a shift; `undo` is the other way. */
-static const struct displacement *step_of(const struct sequence *sequence,
-                                          const struct sequence_surface *from, int axis, bool undo)
+static const struct displacement *displacement_step(const struct sequence *sequence,
+                                                    const struct sequence_surface *from, int axis,
+                                                    bool undo)
 {
     struct arena *arena = sequence->job->arena;
     struct displacement *step = ARENA_NEW(arena, struct displacement);
@@ -152,7 +154,7 @@ void sequence_turn_first(const struct sequence *sequence, const struct sequence_
                 count > 0 ? lens->surfaces[count - 1].medium : lens->object_medium;
             plane = lens_build_surface(sequence->build);
             plane->medium = medium;
-            plane->coordinate_break = step_of(sequence, from, axis, false);
+            plane->coordinate_break = displacement_step(sequence, from, axis, false);
         }
     }
     if (plane != NULL && sequence_is_some(&from->shift[2])) {
@@ -166,17 +168,18 @@ static struct surface *shift_turned(const struct sequence *sequence, struct sequ
 {
     struct lens *lens = sequence->build->lens;
     if (takes_plane(sequence, from, -1)) {
-        surface->coordinate_break = step_of(sequence, from, -1, false);
+        surface->coordinate_break = displacement_step(sequence, from, -1, false);
     }
     if (from->move != SEQUENCE_BACK) {
         return surface;
     }
-    surface = add_plane_behind(sequence, from, surface, step_of(sequence, from, -1, true));
+    surface =
+        add_plane_behind(sequence, from, surface, displacement_step(sequence, from, -1, true));
     const size_t back = lens->surface_count - 1;
     for (int axis = 0; axis < 3; axis++) {
         if (takes_plane(sequence, from, axis)) {
-            surface =
-                add_plane_behind(sequence, from, surface, step_of(sequence, from, axis, true));
+            surface = add_plane_behind(sequence, from, surface,
+                                       displacement_step(sequence, from, axis, true));
         }
     }
     lens->surfaces[back].thickness = figure_negate(
@@ -192,7 +195,7 @@ struct surface *sequence_move_surface(const struct sequence *sequence,
     }
     if (from->move == SEQUENCE_RETURN) {
         for (int i = 0; i < 2; i++) {
-            const struct displacement *moved = moves_undone(sequence, from, i == 0);
+            const struct displacement *moved = displacement_undone(sequence, from, i == 0);
             if (moved != NULL || sequence->has_positions) {
                 surface = add_plane_behind(sequence, from, surface, moved);
             }
@@ -200,13 +203,13 @@ struct surface *sequence_move_surface(const struct sequence *sequence,
         return surface;
     }
     if (sequence_is_decentred(from) && from->move == SEQUENCE_BACK) {
-        surface->decentre = moves_of(sequence, from, false);
+        surface->decentre = displacement_of(sequence, from, false);
     } else if (sequence_is_decentred(from)) {
-        surface->coordinate_break = moves_of(sequence, from, false);
+        surface->coordinate_break = displacement_of(sequence, from, false);
     }
     bool bends =
         from->move == SEQUENCE_BEND && (sequence_is_decentred(from) || sequence->has_positions);
     const struct displacement *again =
-        bends && sequence_is_decentred(from) ? moves_of(sequence, from, true) : NULL;
+        bends && sequence_is_decentred(from) ? displacement_of(sequence, from, true) : NULL;
     return bends ? add_plane_behind(sequence, from, surface, again) : surface;
 }

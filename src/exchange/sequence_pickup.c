@@ -13,8 +13,8 @@ void sequence_pick_up(struct sequence *sequence, struct sequence_pickup pickup)
 }
 
 /* scale * figure + offset; digits are kept where nothing but the sign changes. */
-static struct figure followed(const struct sequence *sequence, struct figure source,
-                              const struct sequence_pickup *pickup, struct number_scale unit)
+static struct figure figure_followed(const struct sequence *sequence, struct figure source,
+                                     const struct sequence_pickup *pickup, struct number_scale unit)
 {
     if (pickup->offset.hi == 0 && fabs(pickup->scale.hi) == 1 && pickup->scale.lo == 0) {
         return pickup->scale.hi == 1 ? source : figure_negate(source, sequence->job->arena);
@@ -35,11 +35,11 @@ static void follow_curve(const struct sequence *sequence, const struct sequence_
     }
     if (plain) {
         target->is_radius = source->is_radius;
-        target->curve = followed(sequence, curve, pickup, scale);
+        target->curve = figure_followed(sequence, curve, pickup, scale);
         return;
     }
     target->is_radius = as_radius;
-    target->curve = followed(sequence, curve, pickup, as_radius ? scale : NUMBER_UNSCALED);
+    target->curve = figure_followed(sequence, curve, pickup, as_radius ? scale : NUMBER_UNSCALED);
     if (!as_radius) {
         target->curve = sequence_curvature(sequence, target->curve.value);
     }
@@ -64,8 +64,8 @@ static void follow_turns(const struct sequence *sequence, const struct sequence_
                          const struct sequence_surface *source, struct sequence_surface *target)
 {
     for (int i = 0; i < 3; i++) {
-        target->shift[i] = followed(sequence, source->shift[i], pickup, NUMBER_UNSCALED);
-        target->turn[i] = followed(sequence, source->turn[i], pickup, NUMBER_UNSCALED);
+        target->shift[i] = figure_followed(sequence, source->shift[i], pickup, NUMBER_UNSCALED);
+        target->turn[i] = figure_followed(sequence, source->turn[i], pickup, NUMBER_UNSCALED);
     }
     target->turns_first = source->turns_first != (pickup->scale.hi < 0);
     target->decentred_at = pickup->at;
@@ -102,16 +102,16 @@ static bool apply_pickup(const struct sequence *sequence, const struct sequence_
         follow_profile(sequence, pickup, source, target);
         break;
     case SEQUENCE_THICKNESS:
-        target->thickness = followed(sequence, source->thickness, pickup, scale);
+        target->thickness = figure_followed(sequence, source->thickness, pickup, scale);
         break;
     case SEQUENCE_LENGTH:
         follow_length(sequence, pickup, target);
         break;
     case SEQUENCE_DIAMETER:
-        target->diameter = followed(sequence, source->diameter, pickup, scale);
+        target->diameter = figure_followed(sequence, source->diameter, pickup, scale);
         break;
     case SEQUENCE_CONIC:
-        target->conic = followed(sequence, source->conic, pickup, NUMBER_UNSCALED);
+        target->conic = figure_followed(sequence, source->conic, pickup, NUMBER_UNSCALED);
         break;
     case SEQUENCE_TURNS:
         follow_turns(sequence, pickup, source, target);
@@ -199,8 +199,8 @@ bool sequence_apply_pickups(const struct sequence *sequence)
     return true;
 }
 
-static void keep_same(const struct sequence *sequence, const struct sequence_pickup *pickup,
-                      enum parameter_kind kind, int order, struct pair factor)
+static void keep_parameter(const struct sequence *sequence, const struct sequence_pickup *pickup,
+                           enum parameter_kind kind, int order, struct pair factor)
 {
     const struct parameter what = {sequence->surfaces[pickup->target].place, kind, order};
     const struct parameter from = {sequence->surfaces[pickup->source].place, kind, order};
@@ -211,14 +211,14 @@ static void keep_same(const struct sequence *sequence, const struct sequence_pic
 static void keep_profile(const struct sequence *sequence, const struct sequence_pickup *pickup)
 {
     const struct sequence_surface *source = &sequence->surfaces[pickup->source];
-    keep_same(sequence, pickup, PARAMETER_CURVATURE, 0, pickup->scale);
+    keep_parameter(sequence, pickup, PARAMETER_CURVATURE, 0, pickup->scale);
     if (sequence_is_some(&source->conic)) {
-        keep_same(sequence, pickup, PARAMETER_CONIC, 0, pair_of(1));
+        keep_parameter(sequence, pickup, PARAMETER_CONIC, 0, pair_of(1));
     }
     for (int i = 0; i < LENS_COEFFICIENTS; i++) {
         if ((source->coefficients & 1u << i) != 0) {
-            keep_same(sequence, pickup, PARAMETER_COEFFICIENT, surface_order(i),
-                      pair_of(pickup->scale.hi < 0 ? -1 : 1));
+            keep_parameter(sequence, pickup, PARAMETER_COEFFICIENT, surface_order(i),
+                           pair_of(pickup->scale.hi < 0 ? -1 : 1));
         }
     }
 }
@@ -238,25 +238,25 @@ void sequence_keep_pickups(const struct sequence *sequence)
         }
         switch (pickup->what) {
         case SEQUENCE_RADIUS:
-            keep_same(sequence, pickup, PARAMETER_RADIUS, 0, pickup->scale);
+            keep_parameter(sequence, pickup, PARAMETER_RADIUS, 0, pickup->scale);
             break;
         case SEQUENCE_CURVATURE:
-            keep_same(sequence, pickup, PARAMETER_CURVATURE, 0, pickup->scale);
+            keep_parameter(sequence, pickup, PARAMETER_CURVATURE, 0, pickup->scale);
             break;
         case SEQUENCE_PROFILE:
             keep_profile(sequence, pickup);
             break;
         case SEQUENCE_CONIC:
-            keep_same(sequence, pickup, PARAMETER_CONIC, 0, pickup->scale);
+            keep_parameter(sequence, pickup, PARAMETER_CONIC, 0, pickup->scale);
             break;
         case SEQUENCE_THICKNESS:
         case SEQUENCE_LENGTH:
             if (gaps && one) {
-                keep_same(sequence, pickup, PARAMETER_THICKNESS, 0, pickup->scale);
+                keep_parameter(sequence, pickup, PARAMETER_THICKNESS, 0, pickup->scale);
             }
             break;
         case SEQUENCE_MEDIUM:
-            keep_same(sequence, pickup, PARAMETER_GLASS, 0, pair_of(1));
+            keep_parameter(sequence, pickup, PARAMETER_GLASS, 0, pair_of(1));
             break;
         case SEQUENCE_DIAMETER:
         case SEQUENCE_TURNS:

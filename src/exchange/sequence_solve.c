@@ -23,15 +23,15 @@ struct solve_application {
 static const char through_loss[] = "it follows rays through what is lost";
 
 /* What the file has for it; typed.start is null where it has nothing. */
-static const struct figure *stored_of(const struct solve_application *solving)
+static const struct figure *stored_figure(const struct solve_application *solving)
 {
     const struct sequence_surface *from = solving->from;
     return solving->is_thickness ? &from->thickness : &from->curve;
 }
 
-static bool is_stored(const struct solve_application *solving)
+static bool has_stored_figure(const struct solve_application *solving)
 {
-    return stored_of(solving)->typed.start != NULL;
+    return stored_figure(solving)->typed.start != NULL;
 }
 
 /* The number of the file stands: of one position it is what the program solved, else a loss. */
@@ -39,7 +39,7 @@ static void keep_stored(const struct solve_application *solving, const char *why
 {
     const struct sequence *sequence = solving->sequence;
     const struct file_words place = commands_place(sequence->commands, &solving->solve->at);
-    if (!sequence->has_positions && is_stored(solving) && why != through_loss) {
+    if (!sequence->has_positions && has_stored_figure(solving) && why != through_loss) {
         const char *note = arena_printf(sequence->job->arena,
                                         "line %ld: a solve: %s; the number in the file is kept",
                                         place.number, why);
@@ -59,7 +59,7 @@ static const char *apply_solve(const struct solve_application *solving, bool *ne
     const struct lens *lens = sequence->build->lens;
     struct solve_state state;
     struct error why;
-    if (sequence->job->lost_power != NULL && is_stored(solving)) {
+    if (sequence->job->lost_power != NULL && has_stored_figure(solving)) {
         return through_loss;
     }
     if (sequence->is_open && solving->solve->ray == SOLVE_MARGINAL && by_size) {
@@ -123,11 +123,11 @@ static bool sequence_solve_pass(const struct sequence *sequence, const size_t *i
 }
 
 /* A note where a solve gives another number than the file has, beyond its rounding. */
-static void remark(const struct solve_application *solving, size_t number)
+static void remark_solve(const struct solve_application *solving, size_t number)
 {
     const struct sequence *sequence = solving->sequence;
     const struct surface *surface = &sequence->build->lens->surfaces[solving->surface];
-    const struct figure *was = stored_of(solving), *is = &surface->thickness;
+    const struct figure *was = stored_figure(solving), *is = &surface->thickness;
     struct pair value = is->value, old = pair_add(was->value, solving->from->extra);
     if (!solving->is_thickness) {
         is = &surface->curvature;
@@ -167,11 +167,11 @@ bool sequence_solve_all(const struct sequence *sequence, const size_t *indices)
                                                   indices[k] + from->planes_behind, true};
             bool is_image =
                 k + 2 == sequence->count && sequence->build->lens->focus == FOCUS_PARAXIAL;
-            if (curve.solve->is_set && is_stored(&curve)) {
-                remark(&curve, k);
+            if (curve.solve->is_set && has_stored_figure(&curve)) {
+                remark_solve(&curve, k);
             }
-            if (gap.solve->is_set && is_stored(&gap) && !is_image) {
-                remark(&gap, k);
+            if (gap.solve->is_set && has_stored_figure(&gap) && !is_image) {
+                remark_solve(&gap, k);
             }
         }
     }

@@ -147,7 +147,7 @@ bool writing_pupil(const struct lens_writer *writing, size_t position, struct fi
 }
 
 /* Which glass a name means; null where nobody knows it. */
-static const struct glass *meaning(const struct foreign_job *job, const char *name)
+static const struct glass *glass_meant(const struct foreign_job *job, const char *name)
 {
     struct error error;
     struct medium medium = {.kind = MEDIUM_GLASS, .written = text_of(name), .index = {1, 0}};
@@ -180,8 +180,8 @@ void writing_glass(const struct lens_writer *writing, const struct medium *mediu
     }
     *to = '\0';
     const struct glass *found =
-        meaning(writing->job, arena_printf(writing->arena, "%.*s:%s", (int)catalog->length,
-                                           catalog->start, bare));
+        glass_meant(writing->job, arena_printf(writing->arena, "%.*s:%s", (int)catalog->length,
+                                               catalog->start, bare));
     if (found != NULL && text_identical(found->name, glass->name) &&
         text_identical(found->catalog, glass->catalog)) {
         *name = text_of(bare);

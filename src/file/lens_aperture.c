@@ -54,7 +54,7 @@ static bool read_corners(struct file_words *words, struct aperture *aperture)
 }
 
 /* decenter=x,y and turn=a, each once. */
-static bool read_places(struct file_words *words, struct aperture *aperture)
+static bool read_shift_and_turn(struct file_words *words, struct aperture *aperture)
 {
     const struct vector_form shift = {"decentre", 2, words->scale, 0};
     const struct vector_form turn = {"turn", 1, NUMBER_UNSCALED, RADIANS_PER_DEGREE};
@@ -107,7 +107,8 @@ static bool read_shape(struct file_words *words, bool blocks, struct aperture *a
         }
     }
     if ((traits->has_arms && !read_arms(words, &aperture->arms)) ||
-        (traits->has_points && !read_corners(words, aperture)) || !read_places(words, aperture)) {
+        (traits->has_points && !read_corners(words, aperture)) ||
+        !read_shift_and_turn(words, aperture)) {
         return false;
     }
     struct error wrong = {.code = ERROR_NONE};

@@ -23,7 +23,7 @@ struct tolerance_line_reader {
 /* -------- what it is of -------- */
 
 /* The kind that such a number of a surface is; TOLERANCE_KINDS: none. */
-static enum tolerance_kind kind_by_word(enum parameter_kind parameter)
+static enum tolerance_kind tolerance_kind_of(enum parameter_kind parameter)
 {
     int kind = 0;
     while (kind < TOLERANCE_KINDS &&
@@ -35,7 +35,7 @@ static enum tolerance_kind kind_by_word(enum parameter_kind parameter)
 
 static bool takes_parameter(enum parameter_kind parameter)
 {
-    return kind_by_word(parameter) != TOLERANCE_KINDS;
+    return tolerance_kind_of(parameter) != TOLERANCE_KINDS;
 }
 
 static bool check_owner(const struct tolerance_line_reader *reading, struct text word,
@@ -132,7 +132,7 @@ static bool read_kind_named(struct tolerance_line_reader *reading, struct text w
     if (from.kind != to.kind || from.order != to.order) {
         return file_words_fail(reading->words, word, "a range is of one kind of numbers: R1..R11");
     }
-    one->kind = kind_by_word(from.kind);
+    one->kind = tolerance_kind_of(from.kind);
     one->order = from.order;
     one->first = from.surface;
     one->last = to.surface;

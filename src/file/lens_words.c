@@ -225,7 +225,7 @@ static bool read_point_index(const struct file_words *words, struct text text, c
     return true;
 }
 
-static int by_point_wave(const void *a, const void *b)
+static int points_by_wavelength(const void *a, const void *b)
 {
     double left = ((const struct index_point *)a)->wavelength;
     double right = ((const struct index_point *)b)->wavelength;
@@ -257,7 +257,7 @@ static bool read_table(const struct file_words *words, struct text text, struct 
         }
         count++;
     }
-    qsort(points, count, sizeof points[0], by_point_wave);
+    qsort(points, count, sizeof points[0], points_by_wavelength);
     for (size_t i = 1; i < count; i++) {
         if (!(points[i].wavelength > points[i - 1].wavelength)) {
             return file_words_fail(words, text, "the table has one wavelength twice");

@@ -213,7 +213,7 @@ bool scene_load_picture(struct scene_reader *reader, const struct scene_line *li
 #define MOST_VALUE       1e9
 
 /* Are wavelengths above 0 and rise, and are values light or shares of it? */
-static bool check_picture_row(const struct number_table *table, size_t row, struct error *error)
+static bool check_spectrum_row(const struct number_table *table, size_t row, struct error *error)
 {
     const double nm = table->column[0][row], value = table->column[1][row];
     if (!(nm > 0 && nm < (double)INFINITY)) {
@@ -237,7 +237,7 @@ static bool take_spectrum(const char *path, const struct number_table *table,
                        table->columns);
     }
     for (size_t i = 0; i < table->rows; i++) {
-        if (!check_picture_row(table, i, error)) {
+        if (!check_spectrum_row(table, i, error)) {
             return error_locate(error, path, table->line[i], 0);
         }
     }

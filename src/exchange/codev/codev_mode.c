@@ -16,7 +16,7 @@ struct codev_mode_doubt {
 };
 
 /* How far from the axis a ray meets each surface, mm; 0 where it is not known. */
-static const double *heights_of(const struct lens *lens, enum solve_ray ray, struct arena *arena)
+static const double *ray_heights(const struct lens *lens, enum solve_ray ray, struct arena *arena)
 {
     double *heights = ARENA_ARRAY(arena, lens->surface_count, double);
     struct error ignored;
@@ -65,7 +65,7 @@ static void doubt_surface(const struct lens *lens, size_t at, size_t number, dou
 }
 
 /* Is the number of a surface one that RDM would decide about? */
-static bool codev_mode_is_open(const struct sequence_surface *surface)
+static bool is_number_open(const struct sequence_surface *surface)
 {
     return !surface->is_radius && surface->curve.value.hi != 0 && !surface->curvature_solve.is_set;
 }
@@ -74,12 +74,12 @@ static struct codev_mode_doubt codev_mode_doubt_of(const struct sequence *sequen
                                                    const struct lens *lens)
 {
     struct arena *arena = sequence->job->arena;
-    const double *marginal = heights_of(lens, SOLVE_MARGINAL, arena);
-    const double *chief = heights_of(lens, SOLVE_CHIEF, arena);
+    const double *marginal = ray_heights(lens, SOLVE_MARGINAL, arena);
+    const double *chief = ray_heights(lens, SOLVE_CHIEF, arena);
     struct codev_mode_doubt worst = {0};
     for (size_t i = 1; i + 1 < sequence->count; i++) {
         const size_t at = sequence->surfaces[i].place;
-        if (codev_mode_is_open(&sequence->surfaces[i])) {
+        if (is_number_open(&sequence->surfaces[i])) {
             doubt_surface(lens, at, i, marginal[at], chief[at], &worst);
         }
     }
@@ -87,14 +87,14 @@ static struct codev_mode_doubt codev_mode_doubt_of(const struct sequence *sequen
 }
 
 /* The same lens with the numbers as radii. */
-static struct lens as_radii(const struct sequence *sequence, const struct lens *lens)
+static struct lens lens_of_radii(const struct sequence *sequence, const struct lens *lens)
 {
     struct lens other = *lens;
     struct pair units = lens_words_per_length(pair_of(1), sequence->commands->scale, 2);
     other.surfaces = ARENA_COPY(sequence->job->arena, lens->surfaces, lens->surface_count, 0);
     for (size_t i = 1; i + 1 < sequence->count; i++) {
         struct surface *surface = &other.surfaces[sequence->surfaces[i].place];
-        if (codev_mode_is_open(&sequence->surfaces[i])) {
+        if (is_number_open(&sequence->surfaces[i])) {
             surface->is_plane = surface->has_curvature = false;
             surface->radius = sequence->surfaces[i].curve;
             surface->radius.value = pair_divide(surface->radius.value, units);
@@ -110,7 +110,7 @@ bool codev_check_mode(struct codev *codev)
         return true;
     }
     const struct lens *lens = lens_at_position(codev->build.lens, 0, codev->job->arena);
-    const struct lens other = as_radii(sequence, lens);
+    const struct lens other = lens_of_radii(sequence, lens);
     const struct codev_mode_doubt as_read = codev_mode_doubt_of(sequence, lens),
                                   as_radius = codev_mode_doubt_of(sequence, &other);
     if (!(as_read.most > as_radius.most)) {

@@ -4,7 +4,7 @@
 
 #include <string.h>
 
-static bool is_command(const struct codev *codev, const char *name)
+static bool is_codev_command(const struct codev *codev, const char *name)
 {
     return strcmp(codev_key(codev->commands.words[0].text).letters, name) == 0 &&
            !codev->commands.words[0].is_quoted;
@@ -49,7 +49,7 @@ static size_t next_zoom_value(const struct commands *commands, size_t first, siz
 }
 
 /* ZOO NAME qualifiers v1 .. vn */
-static bool place_zoom(struct codev *codev, bool *is_here)
+static bool codev_place_zoom(struct codev *codev, bool *is_here)
 {
     struct commands *commands = &codev->commands;
     const struct command_word name = commands_word(commands, 1);
@@ -76,10 +76,10 @@ bool codev_place(struct codev *codev, bool *is_here)
 {
     struct commands *commands = &codev->commands;
     *is_here = true;
-    if (is_command(codev, "ZOO")) {
-        return place_zoom(codev, is_here);
+    if (is_codev_command(codev, "ZOO")) {
+        return codev_place_zoom(codev, is_here);
     }
-    if (is_command(codev, "TIT") || is_command(codev, "PIK")) {
+    if (is_codev_command(codev, "TIT") || is_codev_command(codev, "PIK")) {
         return true;
     }
     size_t at = 1, zoom = 0;

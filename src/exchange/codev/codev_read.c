@@ -11,14 +11,14 @@
 static const struct command_grammar grammar = {
     .comment = "!", .quotes = "'\"", .separator = ';', .continuation = '&', .infinity = 1e10};
 
-static bool read_pim(struct codev *codev)
+static bool codev_paraxial_image(struct codev *codev)
 {
     codev->image_solve = codev->commands.words[0];
     return commands_end(&codev->commands, 1);
 }
 
 /* TEL Y, AFC Y: a telecentric object space, an afocal image space. */
-static bool read_space(struct codev *codev)
+static bool codev_space(struct codev *codev)
 {
     const struct command_word word = commands_word(&codev->commands, 1);
     const bool yes = text_same(word.text, "Y") || text_same(word.text, "YES");
@@ -34,14 +34,14 @@ static bool read_space(struct codev *codev)
 }
 
 /* Nothing stands behind GO; a macro that goes on is refused. */
-static bool read_go(struct codev *codev)
+static bool codev_end(struct codev *codev)
 {
     codev->job->has_end = true;
     return true;
 }
 
 /* A command that is lost by its group, but where its numbers are 0. */
-static bool codev_read_lose(struct codev *codev, const struct word_group *group)
+static bool codev_lose_command(struct codev *codev, const struct word_group *group)
 {
     if (!codev_qualifiers(codev, 1, &codev->here)) {
         return false;
@@ -51,7 +51,7 @@ static bool codev_read_lose(struct codev *codev, const struct word_group *group)
 }
 
 /* VUX, VLX, VUY, VLY: the first that is not 0 is kept until the diameters are known. */
-static bool codev_factor(struct codev *codev)
+static bool codev_vignetting_factor(struct codev *codev)
 {
     if (!codev_is_zero(codev, codev->here.next) && codev->vignetting.text.length == 0) {
         codev->vignetting = codev->commands.words[0];
@@ -60,7 +60,7 @@ static bool codev_factor(struct codev *codev)
 }
 
 /* The factors narrow the beams as rims do; where all surfaces have diameters these do it here. */
-static void settle_factors(struct codev *codev)
+static void codev_settle_vignetting(struct codev *codev)
 {
     const struct lens *lens = codev->build.lens;
     bool all = true;
@@ -84,7 +84,7 @@ static void settle_factors(struct codev *codev)
 }
 
 /* TEM in C, PRE in mm of mercury. */
-static bool codev_air(struct codev *codev)
+static bool codev_environment(struct codev *codev)
 {
     return sequence_environment(&codev->sequence, codev->what == 'T', 760);
 }
@@ -166,25 +166,25 @@ static const struct {
     {"DAR", codev_move, SEQUENCE_BACK, CODEV_EACH},
     {"BEN", codev_move, SEQUENCE_BEND, CODEV_EACH},
     {"REV", codev_move, SEQUENCE_RETURN, CODEV_EACH},
-    {"PIM", read_pim, 0, CODEV_LENS},
-    {"TEL", read_space, 'T', CODEV_LENS},
-    {"AFC", read_space, 'A', CODEV_LENS},
+    {"PIM", codev_paraxial_image, 0, CODEV_LENS},
+    {"TEL", codev_space, 'T', CODEV_LENS},
+    {"AFC", codev_space, 'A', CODEV_LENS},
     {"PIK", codev_pickup, 0, CODEV_PICK_UP},
     {"ZOO", NULL, 0, CODEV_LENS}, /* what it has not become */
     {"PRV", codev_catalog, 'P', CODEV_LENS},
     {"PWL", codev_catalog, 'W', CODEV_LENS},
     {"END", codev_catalog, 'P', CODEV_LENS},
-    {"TEM", codev_air, 'T', CODEV_LENS},
-    {"PRE", codev_air, 'P', CODEV_LENS},
-    {"GO", read_go, 0, CODEV_LENS},
-    {"VUX", codev_factor, 0, CODEV_PART},
-    {"VLX", codev_factor, 0, CODEV_PART},
-    {"VUY", codev_factor, 0, CODEV_PART},
-    {"VLY", codev_factor, 0, CODEV_PART},
+    {"TEM", codev_environment, 'T', CODEV_LENS},
+    {"PRE", codev_environment, 'P', CODEV_LENS},
+    {"GO", codev_end, 0, CODEV_LENS},
+    {"VUX", codev_vignetting_factor, 0, CODEV_PART},
+    {"VLX", codev_vignetting_factor, 0, CODEV_PART},
+    {"VUY", codev_vignetting_factor, 0, CODEV_PART},
+    {"VLY", codev_vignetting_factor, 0, CODEV_PART},
 };
 
 /* Of a range of surfaces, S3..5, each gets what the command says. */
-static bool run_on_surfaces(struct codev *codev, codev_command *run)
+static bool codev_run_on_surfaces(struct codev *codev, codev_command *run)
 {
     const size_t end = codev->here.end;
     for (size_t i = codev->here.surface; i <= end; i++) {
@@ -196,7 +196,7 @@ static bool run_on_surfaces(struct codev *codev, codev_command *run)
     return true;
 }
 
-static bool is_surface_line(struct text word)
+static bool is_codev_surface(struct text word)
 {
     char second = word.length > 1 ? (char)(word.start[1] | 32) : 0;
     bool named = word.length == 2 && (second == 'o' || second == 'i');
@@ -205,7 +205,7 @@ static bool is_surface_line(struct text word)
 }
 
 /* A command without a reader: the table says what becomes of it. */
-static bool run_group(struct codev *codev, struct text word)
+static bool codev_run_group(struct codev *codev, struct text word)
 {
     const struct word_group *group = codev_group(word);
     if (word.start[0] == '^' || (group != NULL && group->fate == WORD_REFUSED)) {
@@ -213,10 +213,10 @@ static bool run_group(struct codev *codev, struct text word)
                              "a command of a macro: lenscalc reads lens data and runs no macros");
     }
     return group == NULL ? commands_lose(&codev->commands, LOSS_OF_RAYS, NULL, "an unknown command")
-                         : group->fate == WORD_HARMLESS || codev_read_lose(codev, group);
+                         : group->fate == WORD_HARMLESS || codev_lose_command(codev, group);
 }
 
-static bool codev_run(struct codev *codev)
+static bool codev_run_command(struct codev *codev)
 {
     const struct command_word *word = &codev->commands.words[0];
     bool is_here = true;
@@ -234,7 +234,7 @@ static bool codev_run(struct codev *codev)
     if (word->is_quoted || word->text.length == 0) {
         return commands_fail(&codev->commands, word, "text where a command is expected");
     }
-    if (is_surface_line(word->text)) {
+    if (is_codev_surface(word->text)) {
         return codev_surface(codev);
     }
     for (size_t i = 0; i < sizeof keywords / sizeof keywords[0]; i++) {
@@ -252,14 +252,14 @@ static bool codev_run(struct codev *codev)
         }
         codev->what = keywords[i].what;
         return keywords[i].run == NULL ||
-               (scope == CODEV_EACH ? run_on_surfaces(codev, keywords[i].run)
+               (scope == CODEV_EACH ? codev_run_on_surfaces(codev, keywords[i].run)
                                     : keywords[i].run(codev));
     }
-    return run_group(codev, word->text);
+    return codev_run_group(codev, word->text);
 }
 
 /* FNO of a near object is the working f-number: it becomes the entrance pupil that gives it. */
-static bool finish_lens(struct codev *codev)
+static bool codev_finish_lens(struct codev *codev)
 {
     struct sequence *sequence = &codev->sequence;
     struct lens *lens = codev->build.lens;
@@ -276,7 +276,7 @@ static bool finish_lens(struct codev *codev)
                           "a working f-number that no entrance pupil gives"));
 }
 
-static bool codev_read_finish(struct codev *codev)
+static bool codev_finish_file(struct codev *codev)
 {
     struct sequence *sequence = &codev->sequence;
     if (!codev->has_image) {
@@ -294,15 +294,15 @@ static bool codev_read_finish(struct codev *codev)
         sequence->surfaces[sequence->count - 2].thickness_solve =
             (struct sequence_solve){.is_set = true, .at = codev->image_solve};
     }
-    if (!codev_finish_system(codev) || !finish_lens(codev)) {
+    if (!codev_finish_system(codev) || !codev_finish_lens(codev)) {
         return false;
     }
-    settle_factors(codev);
+    codev_settle_vignetting(codev);
     return codev_check_mode(codev);
 }
 
 /* What lenscalc itself has written as comments. */
-static struct keep_notes kept_in(struct text content)
+static struct keep_notes codev_kept_notes(struct text content)
 {
     struct keep_notes notes = {0};
     for (struct text rest = content; rest.start != NULL;) {
@@ -311,10 +311,10 @@ static struct keep_notes kept_in(struct text content)
     return notes;
 }
 
-static void read_keep_notes(struct codev *codev, struct text content)
+static void codev_apply_notes(struct codev *codev, struct text content)
 {
     struct lens *lens = codev->build.lens;
-    const struct keep_notes notes = kept_in(content);
+    const struct keep_notes notes = codev_kept_notes(content);
     for (struct text rest = content; rest.start != NULL;) {
         const struct text kept = text_behind(text_trim(text_cut(&rest, '\n')), CODEV_KEEP_NOTE);
         const struct text note = text_behind(kept, CODEV_NOTE);
@@ -347,15 +347,15 @@ static bool codev_read_position(void *state, size_t position, struct text conten
                                         .has_positions = codev->positions > 0,
                                         .environment = {.temperature = 20, .pressure = 1}};
     while (commands_next(&codev->commands)) {
-        if (!codev_run(codev)) {
+        if (!codev_run_command(codev)) {
             return false;
         }
     }
     if (error->code != ERROR_NONE) {
         return false;
     }
-    read_keep_notes(codev, content);
-    return codev_read_finish(codev);
+    codev_apply_notes(codev, content);
+    return codev_finish_file(codev);
 }
 
 /* A file with positions is read once for each of them. */
@@ -384,7 +384,7 @@ static bool codev_read(struct foreign_job *job, struct text content, struct lens
         return false;
     }
     if (first->positions > 0) { /* they state a number for each position */
-        const struct keep_notes notes = kept_in(content);
+        const struct keep_notes notes = codev_kept_notes(content);
         keep_notes_apply(&notes, &build);
     }
     return true;

@@ -7,14 +7,14 @@
 #include <string.h>
 
 /* The surface a command is about. */
-static struct sequence_surface *here_surface(struct codev *codev)
+static struct sequence_surface *codev_surface_here(struct codev *codev)
 {
     return &codev->sequence.surfaces[codev->here.surface];
 }
 
-static void set_curve(struct codev *codev, struct figure figure, bool is_radius)
+static void codev_set_curve(struct codev *codev, struct figure figure, bool is_radius)
 {
-    struct sequence_surface *surface = here_surface(codev);
+    struct sequence_surface *surface = codev_surface_here(codev);
     surface->curve = figure;
     surface->is_radius = is_radius;
     if (!is_radius) {
@@ -23,9 +23,9 @@ static void set_curve(struct codev *codev, struct figure figure, bool is_radius)
 }
 
 /* REFL and REFR are no glasses; the rest is looked up in the end. */
-static void set_glass(struct codev *codev, const struct command_word *word)
+static void codev_set_glass(struct codev *codev, const struct command_word *word)
 {
-    struct sequence_surface *surface = here_surface(codev);
+    struct sequence_surface *surface = codev_surface_here(codev);
     if (!word->is_quoted && text_same(word->text, "REFL")) {
         surface->reflects = true;
     } else if (word->is_quoted || !text_same(word->text, "REFR")) {
@@ -34,7 +34,7 @@ static void set_glass(struct codev *codev, const struct command_word *word)
 }
 
 /* SO must be the first and SI the last; a number after S must be that of the surface. */
-static bool check_codev_place(struct codev *codev)
+static bool codev_check_surface(struct codev *codev)
 {
     struct commands *commands = &codev->commands;
     const struct command_word *word = &commands->words[0];
@@ -67,7 +67,7 @@ bool codev_surface(struct codev *codev)
 {
     struct commands *commands = &codev->commands;
     struct figure curve, thickness;
-    if (!check_codev_place(codev) ||
+    if (!codev_check_surface(codev) ||
         !commands_figure(commands, 1, codev->radius_mode,
                          codev->radius_mode ? "radius" : "curvature", &curve) ||
         !(codev->sequence.count == 0
@@ -77,9 +77,9 @@ bool codev_surface(struct codev *codev)
     }
     codev->here.surface = codev->surface = codev->sequence.count;
     sequence_add(&codev->sequence, commands->words[0])->thickness = thickness;
-    set_curve(codev, curve, codev->radius_mode);
+    codev_set_curve(codev, curve, codev->radius_mode);
     for (size_t i = 3; i < commands->count && i < 5; i++) {
-        set_glass(codev, &commands->words[i]);
+        codev_set_glass(codev, &commands->words[i]);
     }
     return commands_end(commands, 5);
 }
@@ -97,7 +97,7 @@ static bool codev_solve(struct codev *codev, bool is_thickness, bool *is_solve)
                   {"UCY", true, SOLVE_CHIEF}};
     struct commands *commands = &codev->commands;
     const struct command_word word = commands_word(commands, codev->here.next);
-    struct sequence_surface *surface = here_surface(codev);
+    struct sequence_surface *surface = codev_surface_here(codev);
     char c = word.text.length > 0 ? word.text.start[0] : '0';
     *is_solve = (c >= 'A' && c <= 'Z') || (c >= 'a' && c <= 'z');
     if (!*is_solve) {
@@ -134,7 +134,7 @@ bool codev_curve(struct codev *codev)
     }
     if (is_x) {
         /* A curvature in x: that of a cylinder, the other way. */
-        struct sequence_surface *surface = here_surface(codev);
+        struct sequence_surface *surface = codev_surface_here(codev);
         if (surface->curved == CURVED_BOTH) {
             commands_lose(&codev->commands, LOSS_OF_RAYS, NULL,
                           "a curvature in x of a surface that is no cylinder");
@@ -144,17 +144,17 @@ bool codev_curve(struct codev *codev)
                           "a surface that is curved in x and in y");
         } else if (figure.value.hi != 0) {
             surface->curved = CURVED_X;
-            set_curve(codev, figure, is_radius);
+            codev_set_curve(codev, figure, is_radius);
         }
     } else {
-        set_curve(codev, figure, is_radius);
+        codev_set_curve(codev, figure, is_radius);
     }
     return true;
 }
 
 bool codev_thickness(struct codev *codev)
 {
-    struct sequence_surface *surface = here_surface(codev);
+    struct sequence_surface *surface = codev_surface_here(codev);
     bool is_solve;
     if (surface == &codev->sequence.surfaces[0]) {
         return commands_object(&codev->commands, codev->here.next, &surface->thickness) &&
@@ -171,19 +171,19 @@ bool codev_glass(struct codev *codev)
         const struct command_word word = commands_word(&codev->commands, codev->here.next);
         return commands_fail(&codev->commands, &word, "the glass is missing");
     }
-    set_glass(codev, &codev->commands.words[codev->here.next]);
+    codev_set_glass(codev, &codev->commands.words[codev->here.next]);
     return commands_end(&codev->commands, codev->here.next + 1);
 }
 
 bool codev_shape(struct codev *codev)
 {
-    here_surface(codev)->curved = CURVED_Y;
+    codev_surface_here(codev)->curved = CURVED_Y;
     return commands_end(&codev->commands, codev->here.next);
 }
 
 bool codev_constant(struct codev *codev)
 {
-    return sequence_read_constant(&codev->sequence, codev->here.next, here_surface(codev),
+    return sequence_read_constant(&codev->sequence, codev->here.next, codev_surface_here(codev),
                                   codev->what);
 }
 
@@ -192,7 +192,7 @@ bool codev_special(struct codev *codev)
 {
     const struct command_word kind = commands_word(&codev->commands, codev->here.next);
     struct figure radius = sequence_nothing;
-    struct sequence_surface *surface = here_surface(codev);
+    struct sequence_surface *surface = codev_surface_here(codev);
     surface->is_special = text_same(kind.text, "ODD");
     if (!surface->is_special) {
         return commands_lose(&codev->commands, LOSS_OF_POWER, NULL,
@@ -207,7 +207,7 @@ bool codev_special(struct codev *codev)
 }
 
 /* The order that ARn, or C(n + 1), of SPS ODD is of; 0 is the conic, -1 is neither. */
-static int special_order(struct text name)
+static int codev_special_order(struct text name)
 {
     size_t letters = name.length > 1 && (name.start[1] | 32) == 'r' ? 2 : 1;
     const struct text letter = {name.start, letters};
@@ -230,9 +230,9 @@ bool codev_special_constant(struct codev *codev)
 {
     struct figure figure;
     struct commands *commands = &codev->commands;
-    struct sequence_surface *surface = here_surface(codev);
+    struct sequence_surface *surface = codev_surface_here(codev);
     const struct command_word name = commands_word(commands, codev->here.next);
-    int order = name.text.length > 0 ? special_order(name.text) : -1;
+    int order = name.text.length > 0 ? codev_special_order(name.text) : -1;
     if (!commands_value(commands, codev->here.next + 1, false, "coefficient", &figure)) {
         return false;
     }
@@ -265,20 +265,20 @@ bool codev_label(struct codev *codev)
 {
     const struct text label = commands_word(&codev->commands, codev->here.next).text;
     if (label.length > 0 && memchr(label.start, '"', label.length) == NULL) {
-        here_surface(codev)->name = lens_build_string(&codev->build, label);
+        codev_surface_here(codev)->name = lens_build_string(&codev->build, label);
     }
     return commands_end(&codev->commands, codev->here.next + 1);
 }
 
 bool codev_shift(struct codev *codev)
 {
-    return sequence_read_shift(&codev->sequence, codev->here.next, here_surface(codev),
+    return sequence_read_shift(&codev->sequence, codev->here.next, codev_surface_here(codev),
                                codev->what);
 }
 
 bool codev_move(struct codev *codev)
 {
-    struct sequence_surface *surface = here_surface(codev);
+    struct sequence_surface *surface = codev_surface_here(codev);
     surface->move = (enum sequence_move)codev->what;
     surface->decentred_at = codev->commands.words[0];
     return commands_end(&codev->commands, codev->here.next);
@@ -316,10 +316,10 @@ static struct aperture_words aperture_words(const struct codev *codev)
  *
  * Given     shape  APERTURE_SHAPES: any, the last one
  */
-static struct aperture *find_aperture(struct codev *codev, const struct aperture_words *words,
-                                      enum aperture_shape shape)
+static struct aperture *codev_find_aperture(struct codev *codev, const struct aperture_words *words,
+                                            enum aperture_shape shape)
 {
-    struct sequence_surface *surface = here_surface(codev);
+    struct sequence_surface *surface = codev_surface_here(codev);
     for (size_t i = surface->aperture_count; i-- > 0;) {
         struct sequence_aperture *one = &surface->apertures[i];
         bool suits = shape == APERTURE_SHAPES || one->aperture.shape == shape;
@@ -354,14 +354,14 @@ bool codev_aperture(struct codev *codev)
         return true; /* the rim of the glass, for drawings; none */
     }
     if (is_clear_circle) {
-        here_surface(codev)->diameter = sequence_diameter(&half, codev->job->arena);
+        codev_surface_here(codev)->diameter = sequence_diameter(&half, codev->job->arena);
         return true;
     }
     enum aperture_shape shape = SHAPE_CIRCLE;
     if (codev->what != 'C') {
         shape = codev->what < 'a' ? SHAPE_ELLIPSE : SHAPE_RECTANGLE;
     }
-    find_aperture(codev, &words, shape)->size[(codev->what | 32) == 'y'] =
+    codev_find_aperture(codev, &words, shape)->size[(codev->what | 32) == 'y'] =
         sequence_diameter(&half, codev->job->arena);
     return true;
 }
@@ -375,7 +375,7 @@ bool codev_aperture_shift(struct codev *codev)
         return false;
     }
     if (shift.value.hi != 0 && !words.is_edge) {
-        find_aperture(codev, &words, APERTURE_SHAPES)->decenter[codev->what == 'Y'] = shift;
+        codev_find_aperture(codev, &words, APERTURE_SHAPES)->decenter[codev->what == 'Y'] = shift;
     }
     return true;
 }

@@ -65,7 +65,7 @@ bool codev_unit(struct codev *codev)
 }
 
 /* WTW W2 0.5: one of the list. */
-static bool codev_one_wave(struct codev *codev, bool is_length, struct command_word one)
+static bool codev_set_wave(struct codev *codev, bool is_length, struct command_word one)
 {
     static const char usual[] = "1";
     while (codev->wavelength_count > codev->weight_count && !is_length) { /* not given: 1 */
@@ -104,7 +104,7 @@ bool codev_waves(struct codev *codev)
         }
     }
     if (codev->here.wave > 0) {
-        return codev_one_wave(codev, is_length, words[0]);
+        return codev_set_wave(codev, is_length, words[0]);
     }
     if (is_length) {
         codev->wavelengths = words;
@@ -125,7 +125,7 @@ bool codev_reference(struct codev *codev)
            commands_end(&codev->commands, 2);
 }
 
-static bool codev_give_light(struct codev *codev)
+static bool codev_put_light(struct codev *codev)
 {
     size_t primary = codev->primary > 0 ? codev->primary - 1 : (codev->wavelength_count - 1) / 2;
     if (codev->wavelength_count == 0) {
@@ -170,7 +170,7 @@ bool codev_aperture_of_lens(struct codev *codev)
 }
 
 /* YAN F2 8: one of a list, or one more. */
-static bool codev_one_field(struct codev *codev, int row, size_t number, const struct figure *field)
+static bool codev_set_field(struct codev *codev, int row, size_t number, const struct figure *field)
 {
     const struct command_word *word = &codev->commands.words[0];
     const size_t count = codev->field_count[row], next = count + 1;
@@ -205,7 +205,7 @@ bool codev_fields(struct codev *codev)
         }
     }
     if (codev->here.field > 0) {
-        return codev_one_field(codev, row, codev->here.field, &fields[0]) &&
+        return codev_set_field(codev, row, codev->here.field, &fields[0]) &&
                commands_end(commands, codev->here.next + 1);
     }
     for (int i = 0; i < FIELD_KINDS; i++) {
@@ -241,7 +241,7 @@ static bool codev_put_field(struct codev *codev, size_t at)
 }
 
 /* The scale and offset behind a pick-up, where there are any. */
-static bool read_change(struct codev *codev, size_t first, struct sequence_pickup *pickup)
+static bool codev_pickup_change(struct codev *codev, size_t first, struct sequence_pickup *pickup)
 {
     struct commands *commands = &codev->commands;
     struct figure numbers[2] = {{.value = {1, 0}}, {.value = {0, 0}}};
@@ -298,7 +298,7 @@ bool codev_pickup(struct codev *codev)
                                      .target = to.surface,
                                      .source = from.surface,
                                      .at = commands->words[0]};
-    if (!read_change(codev, from.next, &pickup)) {
+    if (!codev_pickup_change(codev, from.next, &pickup)) {
         return false;
     }
     sequence_pick_up(&codev->sequence, pickup);
@@ -307,7 +307,7 @@ bool codev_pickup(struct codev *codev)
 
 bool codev_finish_system(struct codev *codev)
 {
-    if (!codev_give_light(codev)) {
+    if (!codev_put_light(codev)) {
         return false;
     }
     for (size_t i = 0; i < codev->field_count[0] || i < codev->field_count[1]; i++) {

@@ -96,7 +96,7 @@ static bool surface_digits(struct text text, size_t *number)
 }
 
 /* O, I, or S: the object, the image, the stop. */
-static bool is_place(struct text name)
+static bool is_named_surface(struct text name)
 {
     const char letter = name.length == 1 ? (char)(name.start[0] | 32) : 0;
     return letter == 'o' || letter == 'i' || letter == 's';
@@ -107,13 +107,13 @@ static bool surface_named(const struct codev *codev, struct text name, size_t *s
 {
     const struct sequence *sequence = &codev->sequence;
     char first = name.length > 0 ? (char)(name.start[0] | 32) : 0;
-    if (is_place(name) && first != 's') {
+    if (is_named_surface(name) && first != 's') {
         *surface = first == 'o' ? 0 : sequence->count - 1;
         return sequence->count > 0;
     }
     for (size_t i = 0; i < sequence->count; i++) {
         const struct sequence_surface *one = &sequence->surfaces[i];
-        bool is_stop = is_place(name) && one->is_stop;
+        bool is_stop = is_named_surface(name) && one->is_stop;
         bool is_label = name.length > 2 && is_any_quote(first) && one->name != NULL &&
                         text_same((struct text){name.start + 1, name.length - 2}, one->name);
         if (is_stop || is_label) {
@@ -153,12 +153,12 @@ static bool is_surface_form(struct text name)
 {
     struct text last, first = cut_surfaces(name, &last);
     return name.length > 0 &&
-           (is_any_quote(name.start[0]) ||
-            ((is_digits(first) || is_place(first)) && (is_digits(last) || is_place(last))));
+           (is_any_quote(name.start[0]) || ((is_digits(first) || is_named_surface(first)) &&
+                                            (is_digits(last) || is_named_surface(last))));
 }
 
 /* Is the value of a command a name, that may look like a qualifier: the glass F2? */
-static bool has_name(const struct command_word *command)
+static bool has_glass_or_label(const struct command_word *command)
 {
     static const char *const commands[] = {"GLA", "RMD", "SLB"};
     const struct codev_key key = codev_key(command->text);
@@ -179,14 +179,14 @@ char codev_qualifier_kind(const struct command_word *command, const struct comma
     if (letter == 's') {
         return is_surface_form(rest) ? 's' : 0;
     }
-    const char *letters = has_name(command) ? "z" : "zfw";
+    const char *letters = has_glass_or_label(command) ? "z" : "zfw";
     return strchr(letters, letter) != NULL && is_digits(rest) ? letter : 0;
 }
 
 size_t codev_qualifiers_end(const struct commands *commands, size_t first, size_t values)
 {
     const struct command_word *command = &commands->words[first - 1];
-    const bool is_list = has_name(command) && commands->count > first + values;
+    const bool is_list = has_glass_or_label(command) && commands->count > first + values;
     const size_t most = commands->count - (is_list ? values : 0);
     while (first < most && codev_qualifier_kind(command, &commands->words[first]) != 0) {
         first++;

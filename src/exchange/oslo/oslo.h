@@ -94,8 +94,8 @@ extern const struct word_group oslo_words[];
 typedef bool oslo_command(struct oslo *oslo);
 
 oslo_command oslo_glass;       /* GLA NAME, GLA MOD NAME n n n, GLA 1.5, GLA MOD 1.5 60 */
-oslo_command oslo_list;        /* WV a b c; WW 1 1 1, whose `what` is 1 */
-oslo_command oslo_entry;       /* WV2 b; WW2 1 */
+oslo_command oslo_waves;       /* WV a b c; WW 1 1 1, whose `what` is 1 */
+oslo_command oslo_one_wave;    /* WV2 b; WW2 1 */
 oslo_command oslo_point;       /* F n y x ..: a point of the field */
 oslo_command oslo_telecentric; /* TELE ON: a telecentric object space */
 oslo_command oslo_mode;        /* AMO AFO: an afocal image space */

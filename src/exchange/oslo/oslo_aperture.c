@@ -12,7 +12,7 @@ enum { TYPE_ELLIPSE = 1, TYPE_RECTANGLE, TYPE_TRIANGLE, TYPE_QUADRANGLE };
 enum { ACTION_HOLE = 1, ACTION_OBSTRUCT = 2, ACTION_TRANSMIT = 4 };
 
 /* The special aperture of a letter, made if there is none. */
-static struct oslo_special *special_of(struct oslo *oslo, size_t surface, struct text letter)
+static struct oslo_special *oslo_special_of(struct oslo *oslo, size_t surface, struct text letter)
 {
     for (size_t i = 0; i < oslo->special_count; i++) {
         struct oslo_special *one = &oslo->specials[i];
@@ -37,8 +37,8 @@ bool oslo_special_number(struct oslo *oslo)
     if (!commands_value(&oslo->commands, 2, false, "number", &figure)) {
         return false;
     }
-    special_of(oslo, oslo->surface, commands_word(&oslo->commands, 1).text)->number[oslo->what] =
-        figure.value.hi;
+    oslo_special_of(oslo, oslo->surface, commands_word(&oslo->commands, 1).text)
+        ->number[oslo->what] = figure.value.hi;
     return true;
 }
 
@@ -49,7 +49,7 @@ bool oslo_special_edge(struct oslo *oslo)
     if (!commands_value(&oslo->commands, 2, true, "edge of an aperture", &figure)) {
         return false;
     }
-    special_of(oslo, oslo->surface, commands_word(&oslo->commands, 1).text)->edge[oslo->what] =
+    oslo_special_of(oslo, oslo->surface, commands_word(&oslo->commands, 1).text)->edge[oslo->what] =
         figure;
     return true;
 }
@@ -63,8 +63,8 @@ bool oslo_special_pickup(struct oslo *oslo)
     if (!oslo_reference(oslo, 2, &surface) || !commands_end(&oslo->commands, 4)) {
         return false;
     }
-    const struct oslo_special source = *special_of(oslo, surface, other);
-    struct oslo_special *one = special_of(oslo, oslo->surface, letter);
+    const struct oslo_special source = *oslo_special_of(oslo, surface, other);
+    struct oslo_special *one = oslo_special_of(oslo, oslo->surface, letter);
     *one = source;
     one->surface = oslo->surface;
     one->letter = letter;
@@ -73,8 +73,8 @@ bool oslo_special_pickup(struct oslo *oslo)
 }
 
 /* Two edges as a size and a centre. */
-static void put_extent(struct oslo *oslo, const struct figure *edges, struct figure *size,
-                       struct figure *centre)
+static void oslo_put_extent(struct oslo *oslo, const struct figure *edges, struct figure *size,
+                            struct figure *centre)
 {
     const struct pair sum = pair_add(edges[0].value, edges[1].value);
     *size = figure_computed(pair_subtract(edges[1].value, edges[0].value), oslo->commands.scale,
@@ -106,8 +106,8 @@ static const char *oslo_shape(struct oslo *oslo, const struct oslo_special *one,
     }
     if (type == TYPE_ELLIPSE || type == TYPE_RECTANGLE) {
         *aperture = aperture_of(type == TYPE_ELLIPSE ? SHAPE_ELLIPSE : SHAPE_RECTANGLE, blocks);
-        put_extent(oslo, one->edge, &aperture->size[0], &aperture->decenter[0]);
-        put_extent(oslo, one->edge + 2, &aperture->size[1], &aperture->decenter[1]);
+        oslo_put_extent(oslo, one->edge, &aperture->size[0], &aperture->decenter[0]);
+        oslo_put_extent(oslo, one->edge + 2, &aperture->size[1], &aperture->decenter[1]);
         if (fmod(one->number[OSLO_TURN], 180) != 0) { /* by 90 degrees */
             const struct figure width = aperture->size[0];
             aperture->size[0] = aperture->size[1];
@@ -130,7 +130,7 @@ static const char *oslo_shape(struct oslo *oslo, const struct oslo_special *one,
 }
 
 /* Light passes a surface through any group of its apertures; a lens has one. */
-static bool is_of_several(const struct oslo *oslo, const struct oslo_special *one)
+static bool has_other_group(const struct oslo *oslo, const struct oslo_special *one)
 {
     bool several = false;
     for (size_t i = 0; i < oslo->special_count; i++) {
@@ -146,8 +146,9 @@ void oslo_put_apertures(struct oslo *oslo)
         const struct oslo_special *one = &oslo->specials[i];
         struct sequence_surface *surface = &oslo->sequence.surfaces[one->surface];
         struct sequence_aperture to = {.at = one->at, .label = one->letter};
-        const char *wrong = is_of_several(oslo, one) ? "one of several groups of special apertures"
-                                                     : oslo_shape(oslo, one, &to.aperture);
+        const char *wrong = has_other_group(oslo, one)
+                                ? "one of several groups of special apertures"
+                                : oslo_shape(oslo, one, &to.aperture);
         const struct file_words place = commands_place(&oslo->commands, &one->at);
         if (wrong != NULL) {
             foreign_loss(oslo->job, &place, one->at.text, LOSS_OF_VIGNETTING, "left out", "%s",

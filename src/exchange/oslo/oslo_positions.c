@@ -40,7 +40,7 @@ static const struct {
     {"WW", false, true}};
 
 /* The place in the table of the setting that the command is; the number of all: it is none. */
-static size_t setting_of(const struct commands *commands)
+static size_t oslo_setting_of(const struct commands *commands)
 {
     const size_t all = sizeof settings / sizeof settings[0];
     for (size_t i = 0; i < all; i++) {
@@ -76,7 +76,7 @@ bool oslo_count_positions(struct oslo *oslo)
     if (oslo_enter(oslo, word) || !in_block) {
         return true;
     }
-    const size_t at = setting_of(&oslo->commands);
+    const size_t at = oslo_setting_of(&oslo->commands);
     const bool is_known = at < sizeof settings / sizeof settings[0];
     size_t number = 0;
     if (!is_known) {
@@ -107,7 +107,7 @@ static bool is_picked_up(const struct oslo *oslo, size_t surface)
 bool oslo_place(struct oslo *oslo, bool *is_here)
 {
     struct commands *commands = &oslo->commands;
-    const size_t at = setting_of(commands);
+    const size_t at = oslo_setting_of(commands);
     size_t surface = 0, position = 0;
     *is_here = false;
     if (at == sizeof settings / sizeof settings[0]) {

@@ -11,7 +11,7 @@ static const struct command_grammar grammar = {
     .comment = "//", .quotes = "\"", .separator = ';', .continuation = '\0', .infinity = 1e8};
 
 /* The surface being read. */
-static struct sequence_surface *present(struct oslo *oslo)
+static struct sequence_surface *oslo_present_surface(struct oslo *oslo)
 {
     return &oslo->sequence.surfaces[oslo->surface];
 }
@@ -22,7 +22,7 @@ static bool oslo_value(struct oslo *oslo, bool is_length, const char *what, stru
     return commands_value(&oslo->commands, 1, is_length, what, figure);
 }
 
-static bool read_len(struct oslo *oslo)
+static bool oslo_begin(struct oslo *oslo)
 {
     const struct command_word mode = commands_word(&oslo->commands, 1);
     const struct text title = commands_word(&oslo->commands, 2).text;
@@ -80,7 +80,7 @@ static bool oslo_note(struct oslo *oslo)
     return true;
 }
 
-static bool next_surface(struct oslo *oslo)
+static bool oslo_next_surface(struct oslo *oslo)
 {
     const struct command_word at = oslo->commands.words[0];
     if (oslo->sequence.count == FOREIGN_MOST_SURFACES) {
@@ -94,7 +94,7 @@ static bool next_surface(struct oslo *oslo)
 /* AIR, RFL, RFH and the glass are the last that was said. */
 static bool oslo_medium(struct oslo *oslo)
 {
-    struct sequence_surface *surface = present(oslo);
+    struct sequence_surface *surface = oslo_present_surface(oslo);
     surface->reflects = oslo->what != 0;
     surface->medium = medium_air;
     surface->glass = (struct command_word){{"", 0}, {"", 0}, 0, false};
@@ -104,7 +104,7 @@ static bool oslo_medium(struct oslo *oslo)
 static bool oslo_curve(struct oslo *oslo)
 {
     const int what = oslo->what;
-    struct sequence_surface *surface = present(oslo);
+    struct sequence_surface *surface = oslo_present_surface(oslo);
     surface->is_radius = what == 0;
     if (!oslo_value(oslo, what == 0, what == 0 ? "radius" : "curvature", &surface->curve)) {
         return false;
@@ -115,17 +115,17 @@ static bool oslo_curve(struct oslo *oslo)
     return true;
 }
 
-static bool oslo_gap(struct oslo *oslo)
+static bool oslo_thickness(struct oslo *oslo)
 {
     if (oslo->surface == 0) {
-        return commands_object(&oslo->commands, 1, &present(oslo)->thickness) &&
+        return commands_object(&oslo->commands, 1, &oslo_present_surface(oslo)->thickness) &&
                commands_end(&oslo->commands, 2);
     }
-    return oslo_value(oslo, true, "thickness", &present(oslo)->thickness);
+    return oslo_value(oslo, true, "thickness", &oslo_present_surface(oslo)->thickness);
 }
 
 /* AP 5, AP CHK 5; an aperture of the size of the sky is none. */
-static bool oslo_clear(struct oslo *oslo)
+static bool oslo_diameter(struct oslo *oslo)
 {
     const struct command_word word = commands_word(&oslo->commands, 1);
     size_t at =
@@ -141,7 +141,7 @@ static bool oslo_clear(struct oslo *oslo)
                              "the radius of an aperture is not below 0");
     }
     if (oslo->surface > 0) {
-        present(oslo)->diameter = sequence_diameter(&radius, oslo->job->arena);
+        oslo_present_surface(oslo)->diameter = sequence_diameter(&radius, oslo->job->arena);
     }
     return true;
 }
@@ -157,10 +157,10 @@ static bool oslo_stop(struct oslo *oslo)
 
 static bool oslo_constant(struct oslo *oslo)
 {
-    return sequence_read_constant(&oslo->sequence, 1, present(oslo), oslo->what);
+    return sequence_read_constant(&oslo->sequence, 1, oslo_present_surface(oslo), oslo->what);
 }
 
-static bool read_general(struct oslo *oslo)
+static bool oslo_asphere(struct oslo *oslo)
 {
     const struct command_word word = commands_word(&oslo->commands, 1);
     oslo->asphere_step = 2 * text_same(word.text, "ASR") + text_same(word.text, "ARA");
@@ -189,29 +189,29 @@ static bool oslo_general_term(struct oslo *oslo)
             &oslo->commands, LOSS_OF_RAYS, NULL,
             "a coefficient of another asphere than ASP ASR and ASP ARA, of order 1 to 20");
     }
-    sequence_set_constant(&oslo->sequence, present(oslo), order, figure);
+    sequence_set_constant(&oslo->sequence, oslo_present_surface(oslo), order, figure);
     return true;
 }
 
 static bool oslo_shift(struct oslo *oslo)
 {
-    return sequence_read_shift(&oslo->sequence, 1, present(oslo), oslo->what);
+    return sequence_read_shift(&oslo->sequence, 1, oslo_present_surface(oslo), oslo->what);
 }
 
 /* DT 1: first shifted, then turned. DT -1 is the same where there is one shift or turn alone. */
-static bool read_order(struct oslo *oslo)
+static bool oslo_order(struct oslo *oslo)
 {
     struct figure figure;
     if (!oslo_value(oslo, false, "order of shift and turn", &figure)) {
         return false;
     }
-    present(oslo)->turns_first = figure.value.hi < 0;
+    oslo_present_surface(oslo)->turns_first = figure.value.hi < 0;
     return true;
 }
 
-static bool read_move(struct oslo *oslo)
+static bool oslo_move(struct oslo *oslo)
 {
-    struct sequence_surface *surface = present(oslo);
+    struct sequence_surface *surface = oslo_present_surface(oslo);
     const struct command_word word = commands_word(&oslo->commands, 1);
     size_t to = oslo->surface;
     if (word.text.length > 0 &&
@@ -230,7 +230,7 @@ enum { SOLVE_OF_CHIEF = 1, SOLVE_OF_ANGLE = 2 };
 /* PY, PYC: the height of a ray; PU, PUC: its angle. */
 static bool oslo_solve(struct oslo *oslo)
 {
-    struct sequence_surface *surface = present(oslo);
+    struct sequence_surface *surface = oslo_present_surface(oslo);
     const bool of_angle = (oslo->what & SOLVE_OF_ANGLE) != 0;
     struct sequence_solve *solve = of_angle ? &surface->curvature_solve : &surface->thickness_solve;
     *solve = (struct sequence_solve){.is_set = true,
@@ -242,9 +242,9 @@ static bool oslo_solve(struct oslo *oslo)
 }
 
 /* Angles of incidence and aplanatic: curvatures; contact at the edge: a thickness. */
-static bool read_other_solve(struct oslo *oslo)
+static bool oslo_other_solve(struct oslo *oslo)
 {
-    struct sequence_surface *surface = present(oslo);
+    struct sequence_surface *surface = oslo_present_surface(oslo);
     struct sequence_solve *solve =
         oslo->what ? &surface->thickness_solve : &surface->curvature_solve;
     *solve =
@@ -271,7 +271,7 @@ static bool oslo_lose(struct oslo *oslo, const struct word_group *group)
 }
 
 /* TEM in C, PRE in atmospheres. */
-static bool oslo_air(struct oslo *oslo)
+static bool oslo_environment(struct oslo *oslo)
 {
     return sequence_environment(&oslo->sequence, oslo->what == 'T', 1);
 }
@@ -283,7 +283,7 @@ struct oslo_keyword {
 };
 
 static const struct oslo_keyword keywords[] = {
-    {"LEN", read_len, 0},
+    {"LEN", oslo_begin, 0},
     {"EBR", oslo_beam, APERTURE_EPD},
     {"NAO", oslo_beam, APERTURE_NA},
     {"FNO", oslo_beam, APERTURE_FNUMBER},
@@ -292,8 +292,8 @@ static const struct oslo_keyword keywords[] = {
     {"OBH", oslo_field_edge, OSLO_OBJECT},
     {"GIH", oslo_field_edge, OSLO_IMAGE},
     {"UNI", NULL, 0}, /* read before all others */
-    {"NXT", next_surface, 0},
-    {"SEF", next_surface, 0}, /* of old files */
+    {"NXT", oslo_next_surface, 0},
+    {"SEF", oslo_next_surface, 0}, /* of old files */
     {"AIR", oslo_medium, 0},
     {"AIF", oslo_medium, 0},
     {"RFL", oslo_medium, 1},
@@ -304,34 +304,34 @@ static const struct oslo_keyword keywords[] = {
     {"RDF", oslo_curve, 0},
     {"CV", oslo_curve, 1},
     {"CVF", oslo_curve, 1},
-    {"TH", oslo_gap, 0},
-    {"THF", oslo_gap, 0},
-    {"AP", oslo_clear, 0},
-    {"APF", oslo_clear, 0},
+    {"TH", oslo_thickness, 0},
+    {"THF", oslo_thickness, 0},
+    {"AP", oslo_diameter, 0},
+    {"APF", oslo_diameter, 0},
     {"AST", oslo_stop, 0},
     {"CC", oslo_constant, 0},
     {"AD", oslo_constant, 4},
     {"AE", oslo_constant, 6},
     {"AF", oslo_constant, 8},
     {"AG", oslo_constant, 10},
-    {"ASP", read_general, 0},
+    {"ASP", oslo_asphere, 0},
     {"DCX", oslo_shift, 'X'},
     {"DCY", oslo_shift, 'Y'},
     {"DCZ", oslo_shift, 'Z'},
     {"TLA", oslo_shift, 'A'},
     {"TLB", oslo_shift, 'B'},
     {"TLC", oslo_shift, 'C'},
-    {"DT", read_order, 0},
-    {"BEN", read_move, SEQUENCE_BEND},
-    {"RCO", read_move, SEQUENCE_BACK},
+    {"DT", oslo_order, 0},
+    {"BEN", oslo_move, SEQUENCE_BEND},
+    {"RCO", oslo_move, SEQUENCE_BACK},
     {"PY", oslo_solve, 0},
     {"PYC", oslo_solve, SOLVE_OF_CHIEF},
     {"PU", oslo_solve, SOLVE_OF_ANGLE},
     {"PUC", oslo_solve, SOLVE_OF_ANGLE | SOLVE_OF_CHIEF},
-    {"PI", read_other_solve, 0},
-    {"PIC", read_other_solve, 0},
-    {"APA", read_other_solve, 0},
-    {"EC", read_other_solve, 1},
+    {"PI", oslo_other_solve, 0},
+    {"PIC", oslo_other_solve, 0},
+    {"APA", oslo_other_solve, 0},
+    {"EC", oslo_other_solve, 1},
     {"PK", oslo_pickup, 0},
     {"APN", NULL, 0},
     {"ATP", oslo_special_number, OSLO_TYPE},
@@ -351,23 +351,23 @@ static const struct oslo_keyword keywords[] = {
     {"AVX4", oslo_special_edge, OSLO_CORNERS + 6},
     {"AVY4", oslo_special_edge, OSLO_CORNERS + 7},
     {"APK", oslo_special_pickup, 0},
-    {"WV", oslo_list, 0},
-    {"WW", oslo_list, 1},
+    {"WV", oslo_waves, 0},
+    {"WW", oslo_waves, 1},
     {"END", oslo_end, 0},
     {"F", oslo_point, 0},
-    {"TEM", oslo_air, 'T'},
-    {"PRE", oslo_air, 'P'},
+    {"TEM", oslo_environment, 'T'},
+    {"PRE", oslo_environment, 'P'},
     {"TELE", oslo_telecentric, 0},
     {"AMO", oslo_mode, 0},
 };
 
 /* Those with a number behind them: WV2, SNO1. */
-static const struct oslo_keyword numbered[] = {{"WV", oslo_entry, 0},
-                                               {"WW", oslo_entry, 1},
+static const struct oslo_keyword numbered[] = {{"WV", oslo_one_wave, 0},
+                                               {"WW", oslo_one_wave, 1},
                                                {"AS", oslo_general_term, 0},
                                                {"SNO", oslo_note, 0}};
 
-static const struct oslo_keyword *keyword_of(struct text name)
+static const struct oslo_keyword *oslo_keyword_of(struct text name)
 {
     for (size_t i = 0; i < sizeof keywords / sizeof keywords[0]; i++) {
         if (text_same(name, keywords[i].name)) {
@@ -384,14 +384,14 @@ static const struct oslo_keyword *keyword_of(struct text name)
     return NULL;
 }
 
-static bool run_keyword(struct oslo *oslo)
+static bool oslo_run_command(struct oslo *oslo)
 {
     const struct command_word *word = &oslo->commands.words[0];
     if (word->is_quoted) {
         return commands_lose(&oslo->commands, LOSS_OF_RAYS, NULL,
                              "text where a command is expected");
     }
-    const struct oslo_keyword *keyword = keyword_of(word->text);
+    const struct oslo_keyword *keyword = oslo_keyword_of(word->text);
     if (keyword != NULL) {
         oslo->what = keyword->what;
         return keyword->run == NULL || keyword->run(oslo);
@@ -402,7 +402,7 @@ static bool run_keyword(struct oslo *oslo)
 }
 
 /* Behind END stand blocks and single commands. */
-static bool run_behind(struct oslo *oslo)
+static bool oslo_run_behind_end(struct oslo *oslo)
 {
     const struct text word = oslo->commands.words[0].text;
     const struct word_group *group = word_group_of(oslo_words, NULL, word);
@@ -418,7 +418,7 @@ static bool run_behind(struct oslo *oslo)
         return oslo_point(oslo);
     }
     if (oslo->block == OSLO_CONFIGURATIONS) {
-        return oslo_place(oslo, &is_here) && (!is_here || run_keyword(oslo));
+        return oslo_place(oslo, &is_here) && (!is_here || oslo_run_command(oslo));
     }
     return commands_lose(&oslo->commands, LOSS_OF_RAYS, NULL,
                          "a command behind END: further data of the lens");
@@ -472,7 +472,7 @@ static bool oslo_read_position(void *state, size_t position, struct text content
         if (!oslo->has_begun && !text_same(word->text, "LEN")) {
             return commands_fail(&oslo->commands, word, "the file does not begin with LEN NEW");
         }
-        if (!(oslo->has_ended ? run_behind(oslo) : run_keyword(oslo))) {
+        if (!(oslo->has_ended ? oslo_run_behind_end(oslo) : oslo_run_command(oslo))) {
             return false;
         }
     }

@@ -34,7 +34,7 @@ bool oslo_unit(struct oslo *oslo)
                          "a unit of %g mm: it is one of %s", figure.value.hi, legal);
 }
 
-static bool check_wave(struct oslo *oslo, size_t word, bool is_weight)
+static bool oslo_check_wave(struct oslo *oslo, size_t word, bool is_weight)
 {
     struct figure figure;
     if (!commands_figure(&oslo->commands, word, false, is_weight ? "weight" : "wavelength",
@@ -53,7 +53,7 @@ static bool check_wave(struct oslo *oslo, size_t word, bool is_weight)
 }
 
 /* WV a b c, WW 1 1 1 */
-bool oslo_list(struct oslo *oslo)
+bool oslo_waves(struct oslo *oslo)
 {
     struct commands *commands = &oslo->commands;
     const bool is_weight = oslo->what != 0;
@@ -65,7 +65,7 @@ bool oslo_list(struct oslo *oslo)
     struct text *all = is_weight ? oslo->weights : oslo->waves;
     for (size_t i = 0; i < count; i++) {
         all[i] = commands->words[i + 1].text;
-        if (!check_wave(oslo, i + 1, is_weight)) {
+        if (!oslo_check_wave(oslo, i + 1, is_weight)) {
             return false;
         }
     }
@@ -75,14 +75,14 @@ bool oslo_list(struct oslo *oslo)
 }
 
 /* WV2 and WW2: one more, or another one in place of what there is. */
-bool oslo_entry(struct oslo *oslo)
+bool oslo_one_wave(struct oslo *oslo)
 {
     const bool is_weight = oslo->what != 0;
     const struct command_word *word = &oslo->commands.words[0];
     const struct text digits = {word->text.start + 2, word->text.length - 2};
     size_t *count = is_weight ? &oslo->weight_count : &oslo->wave_count, number;
     if (!commands_count(&oslo->commands, word, digits, "number of the wavelength", 1, &number) ||
-        !check_wave(oslo, 1, is_weight) || !commands_end(&oslo->commands, 2)) {
+        !oslo_check_wave(oslo, 1, is_weight) || !commands_end(&oslo->commands, 2)) {
         return false;
     }
     if (number > *count + 1 || number > OSLO_MOST_WAVES) {
@@ -146,8 +146,8 @@ static bool oslo_indices(struct oslo *oslo, size_t first, bool is_model)
 }
 
 /* The glass that lenscalc has kept for this surface, if the file still has its name. */
-static bool is_kept(const struct oslo *oslo, struct text word, struct foreign_name *named,
-                    struct text *catalog)
+static bool oslo_kept_glass(const struct oslo *oslo, struct text word, struct foreign_name *named,
+                            struct text *catalog)
 {
     struct text name = oslo->glasses[oslo->surface], whole = name, rest = word;
     *catalog = text_cut(&name, ':');
@@ -175,7 +175,7 @@ static bool oslo_named_glass(struct oslo *oslo, const struct command_word *word,
     const struct file_words place = commands_place(&oslo->commands, word);
     struct foreign_name named;
     struct text catalog;
-    bool kept = is_kept(oslo, word->text, &named, &catalog);
+    bool kept = oslo_kept_glass(oslo, word->text, &named, &catalog);
     if (kept && foreign_glass(oslo->job, &place, &named, medium, error)) {
         return true;
     }
@@ -216,7 +216,7 @@ static bool oslo_find_glass(struct oslo *oslo, const struct command_word *word)
 }
 
 /* Indices behind a name, which may be that of a catalogue's glass. */
-static bool compare_named(struct oslo *oslo, const struct command_word *word)
+static bool oslo_compare_glass(struct oslo *oslo, const struct command_word *word)
 {
     struct error *error = oslo->commands.error;
     static const double usual[] = {WAVELENGTH_D, 0.48613, 0.65627};
@@ -273,7 +273,7 @@ bool oslo_glass(struct oslo *oslo)
     }
     if (has_indices) {
         return oslo_indices(oslo, first + 1, is_model) &&
-               compare_named(oslo, &oslo->commands.words[first]);
+               oslo_compare_glass(oslo, &oslo->commands.words[first]);
     }
     return oslo_find_glass(oslo, &oslo->commands.words[first]);
 }
@@ -463,7 +463,7 @@ void oslo_kept_glasses(struct oslo *oslo, struct text content)
 }
 
 /* 3 front: the name of surface 3 */
-static void name_surface(struct oslo *oslo, struct text rest)
+static void oslo_name_surface(struct oslo *oslo, struct text rest)
 {
     size_t number = cut_surface_number(&rest);
     if (number < oslo->sequence.count && rest.length > 0) {
@@ -486,7 +486,7 @@ bool oslo_keep_notes(struct oslo *oslo, struct text content)
             lens->aperture_kind = APERTURE_STOP;
             lens->aperture = (struct figure){.typed = text_of("stop"), .variable = LENS_NONE};
         } else if (name.start != NULL) {
-            name_surface(oslo, name);
+            oslo_name_surface(oslo, name);
         } else if (kept.start != NULL) {
             keep_notes_take(&notes, kept);
         }

@@ -19,14 +19,14 @@ static const struct {
              {"SPID", SHAPE_SPIDER, true}};
 enum { WORDS = sizeof words / sizeof words[0] };
 
-static struct figure twice(struct zemax_file *file, const struct figure *half)
+static struct figure figure_twice(struct zemax_file *file, const struct figure *half)
 {
     struct pair value = {2 * half->value.hi, 2 * half->value.lo};
     return figure_computed(value, lens_unit_scale(file->build.lens->unit), file->job->arena);
 }
 
-static bool set_sizes(struct zemax_file *file, const struct zemax_line *line,
-                      struct aperture *aperture)
+static bool set_aperture_sizes(struct zemax_file *file, const struct zemax_line *line,
+                               struct aperture *aperture)
 {
     if (aperture->shape == SHAPE_SPIDER) {
         /* Width of an arm, and how many. */
@@ -37,8 +37,8 @@ static bool set_sizes(struct zemax_file *file, const struct zemax_line *line,
         aperture->arms = count >= 1 && count <= APERTURE_MOST_ARMS ? (unsigned)count : 0;
         return aperture->arms == count;
     }
-    aperture->size[0] = twice(file, &line->numbers[0]);
-    aperture->size[1] = twice(file, &line->numbers[1]);
+    aperture->size[0] = figure_twice(file, &line->numbers[0]);
+    aperture->size[1] = figure_twice(file, &line->numbers[1]);
     if (aperture->shape == SHAPE_RING && line->numbers[0].value.hi == 0) {
         aperture->shape = SHAPE_CIRCLE;
         aperture->size[0] = aperture->size[1];
@@ -100,7 +100,7 @@ bool zemax_set_aperture(struct zemax_file *file, const struct zemax_surface *fro
     }
     struct aperture *aperture = ARENA_NEW(file->job->arena, struct aperture);
     *aperture = aperture_of(words[word].shape, words[word].blocks);
-    bool sound = set_sizes(file, line, aperture);
+    bool sound = set_aperture_sizes(file, line, aperture);
     if (sound && aperture->blocks && aperture->shape != SHAPE_SPIDER &&
         line->numbers[0].value.hi == 0 && line->numbers[1].value.hi == 0) {
         return true; /* it blocks nothing */
@@ -121,7 +121,7 @@ bool zemax_set_aperture(struct zemax_file *file, const struct zemax_surface *fro
 /* -------- writing -------- */
 
 /* Why the format cannot have it; null: it can. */
-static const char *zmx_refusal(const struct aperture *aperture)
+static const char *aperture_refusal(const struct aperture *aperture)
 {
     bool quarter = aperture->shape == SHAPE_CIRCLE || aperture->shape == SHAPE_RING;
     if (aperture->shape == SHAPE_POLYGON) {
@@ -149,7 +149,7 @@ void zemax_put_aperture(struct lens_writer *writing, const struct surface *surfa
     for (size_t i = 0; i < surface->aperture_count; i++) {
         const struct aperture *aperture = &surface->apertures[i];
         const char *refusal =
-            kept != NULL ? "a surface has one aperture there" : zmx_refusal(aperture);
+            kept != NULL ? "a surface has one aperture there" : aperture_refusal(aperture);
         if (refusal == NULL) {
             bool circle = aperture->shape == SHAPE_CIRCLE;
             size_t row = 0;

@@ -44,7 +44,7 @@ bool zemax_is_bare(const struct zemax_file *file, size_t at)
            surface->comment.length == 0;
 }
 
-static bool is_null(const struct break_motion *turning)
+static bool is_motion_none(const struct break_motion *turning)
 {
     bool null = true;
     for (size_t i = 1; i <= 5; i++) {
@@ -59,7 +59,7 @@ static void add_turning(struct zemax_file *file, const struct break_motion *turn
     struct arena *arena = file->job->arena;
     const char *unit = file->build.lens->unit;
     struct displacement *coordinate_break = NULL;
-    if (is_null(turning)) {
+    if (is_motion_none(turning)) {
         return;
     }
     for (int i = 0; i < 4; i++) {
@@ -135,7 +135,7 @@ void zemax_add_shift(struct zemax_file *file, size_t at, bool behind)
                    "SCBD: a shift or turn behind a surface that follows another surface");
     }
     const size_t count = file->build.lens->surface_count;
-    if (!is_null(&turning) || (line != NULL && file->configurations > 1)) {
+    if (!is_motion_none(&turning) || (line != NULL && file->configurations > 1)) {
         add_turning(file, &turning);
         zemax_add_plane(file);
     }

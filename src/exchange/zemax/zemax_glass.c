@@ -10,7 +10,7 @@
 enum { GLASS_NAMED = 0, GLASS_MODEL = 1, GLASS_OFFSET = 4 }; /* 2: picked up, 3: may be replaced */
 
 /* nd/Vd, of a model glass or one of which only they are known. */
-static struct medium model_of(struct zemax_file *file, struct figure nd, struct figure Vd)
+static struct medium medium_of_model(struct zemax_file *file, struct figure nd, struct figure Vd)
 {
     return (struct medium){
         .kind = MEDIUM_MODEL,
@@ -44,7 +44,7 @@ static struct medium code_medium(struct zemax_file *file, struct text name)
     struct figure Vd =
         figure_text(arena_printf(arena, "%.2s.%.1s", name.start + 3, name.start + 5));
     return Vd.value.hi > 0
-               ? model_of(file, nd, Vd)
+               ? medium_of_model(file, nd, Vd)
                : (struct medium){.kind = MEDIUM_CONSTANT, .written = nd.typed, .index = nd.value};
 }
 
@@ -59,7 +59,7 @@ static bool model_medium(struct zemax_file *file, const struct zemax_line *line,
     *medium = constant ? (struct medium){.kind = MEDIUM_CONSTANT,
                                          .written = line->numbers[2].typed,
                                          .index = line->numbers[2].value}
-                       : model_of(file, line->numbers[2], line->numbers[3]);
+                       : medium_of_model(file, line->numbers[2], line->numbers[3]);
     if (!constant && zemax_number(line, 3) < 0) {
         return zemax_fail(line, line->numbers[3].typed, "the Abbe number is below 0");
     }
@@ -82,7 +82,7 @@ static const char *catalog_list(const struct zemax_file *file)
 }
 
 /* nd and Vd beside the name of a glass; a program that does not know them writes 1.5 and 40. */
-static bool has_index(const struct zemax_line *line)
+static bool has_nd_beside(const struct zemax_line *line)
 {
     double nd = zemax_number(line, 2), Vd = zemax_number(line, 3);
     return nd > 1 && nd < 100 && Vd > 0 && !(nd == 1.5 && Vd == 40);
@@ -92,7 +92,7 @@ static bool has_index(const struct zemax_line *line)
 static void numbers_instead(struct zemax_file *file, const struct zemax_line *line,
                             struct medium *medium, const char *what)
 {
-    *medium = model_of(file, line->numbers[2], line->numbers[3]);
+    *medium = medium_of_model(file, line->numbers[2], line->numbers[3]);
     /* nd and Vd describe a glass where all of the file's light is visible. */
     const double shortest = 0.4, longest = 0.8; /* um */
     bool is_visible = true;
@@ -115,7 +115,7 @@ static void unknown_glass(struct zemax_file *file, const struct zemax_line *line
                           struct medium *medium)
 {
     int length = (int)(line->keyword.length < 40 ? line->keyword.length : 40);
-    if (!has_index(line)) {
+    if (!has_nd_beside(line)) {
         foreign_lack(file->job, &line->words, line->keyword, medium,
                      arena_printf(file->job->arena,
                                   "the glass '%.*s' is in %s, and the file has no index of it",
@@ -137,7 +137,7 @@ static const struct {
     {"161019 507 33785", "redukti's converter"},
 };
 
-static const char *converter_of(const struct zemax_file *file)
+static const char *converter_of_file(const struct zemax_file *file)
 {
     for (size_t i = 0; i < sizeof converters / sizeof converters[0]; i++) {
         if (text_equal(file->version, converters[i].version)) {
@@ -148,29 +148,30 @@ static const char *converter_of(const struct zemax_file *file)
 }
 
 /* What counts where the name of a glass and the numbers beside it differ. */
-static enum glass_numbers which_counts(const struct zemax_file *file, const struct zemax_line *line)
+static enum glass_numbers which_numbers_count(const struct zemax_file *file,
+                                              const struct zemax_line *line)
 {
     if (file->job->glass_numbers != GLASS_NUMBERS_OF_FILE) {
         return file->job->glass_numbers;
     }
     bool of_line = zemax_number(line, 0) == GLASS_MODEL || zemax_number(line, 0) == GLASS_OFFSET ||
-                   converter_of(file) != NULL;
+                   converter_of_file(file) != NULL;
     return of_line || file->takes_numbers ? GLASS_NUMBERS_LINE : GLASS_NUMBERS_CATALOG;
 }
 
 /* A glass of a catalogue beside which the line has other numbers: the one or the others. */
-static void settle_glass(struct zemax_file *file, const struct zemax_line *line,
-                         const struct foreign_name *named, struct medium *medium)
+static void settle_glass_numbers(struct zemax_file *file, const struct zemax_line *line,
+                                 const struct foreign_name *named, struct medium *medium)
 {
     const bool model = zemax_number(line, 0) == GLASS_MODEL;
-    const bool of_line = which_counts(file, line) == GLASS_NUMBERS_LINE;
+    const bool of_line = which_numbers_count(file, line) == GLASS_NUMBERS_LINE;
     char *what = foreign_difference(file->job, named, medium);
     file->doubts->disputed += !model && zemax_number(line, 0) != GLASS_OFFSET;
     if (file->takes_numbers) {
         what = arena_printf(file->job->arena, "%s, which the solves of the file confirm", what);
-    } else if (of_line && converter_of(file) != NULL && !model) {
+    } else if (of_line && converter_of_file(file) != NULL && !model) {
         what = arena_printf(file->job->arena, "%s, where %s writes those of a patent", what,
-                            converter_of(file));
+                            converter_of_file(file));
     }
     if (of_line) {
         numbers_instead(file, line, medium, what);
@@ -192,7 +193,7 @@ static struct foreign_name zmx_glass_name(const struct zemax_file *file,
                                  .catalog_count = file->catalog_count,
                                  .has_homonyms = true,
                                  .is_by_name = true};
-    if (has_index(line) || zemax_number(line, 0) == GLASS_MODEL) {
+    if (has_nd_beside(line) || zemax_number(line, 0) == GLASS_MODEL) {
         named.nd = zemax_number(line, 2);
         named.Vd = zemax_number(line, 3);
         named.nd_rounding = fmin(figure_rounding(&line->numbers[2]), coarsest_nd);
@@ -215,7 +216,7 @@ static bool named_glass(struct zemax_file *file, const struct zemax_line *line,
         return error->code == ERROR_NONE;
     }
     if (!foreign_is_rounded(medium, &named)) {
-        settle_glass(file, line, &named, medium);
+        settle_glass_numbers(file, line, &named, medium);
     }
     return true;
 }
@@ -234,10 +235,10 @@ static bool named_model(struct zemax_file *file, const struct zemax_line *line,
         !foreign_glass(file->job, &line->words, &named, &found, &ignored)) {
         return true;
     }
-    if (which_counts(file, line) == GLASS_NUMBERS_CATALOG) {
+    if (which_numbers_count(file, line) == GLASS_NUMBERS_CATALOG) {
         *medium = found;
         if (!foreign_is_rounded(medium, &named)) {
-            settle_glass(file, line, &named, medium);
+            settle_glass_numbers(file, line, &named, medium);
         }
     } else if (!foreign_is_rounded(&found, &named)) {
         medium->warning =
@@ -261,8 +262,8 @@ static bool named_model(struct zemax_file *file, const struct zemax_line *line,
  * Source    [OpticStudio25], temperature and pressure
  * Errors    ERROR_DATA: a glass without the data for it, unless lossy
  */
-static bool zmx_glass_there(struct zemax_file *file, const struct zemax_line *line,
-                            struct medium *medium)
+static bool zmx_glass_in_air(struct zemax_file *file, const struct zemax_line *line,
+                             struct medium *medium)
 {
     /* ENVD temperature pressure adjust */
     const struct zemax_line *stated = file->environment;
@@ -304,5 +305,5 @@ bool zemax_glass(struct zemax_file *file, const struct zemax_line *line, struct 
         *medium = code_medium(file, line->keyword);
         return true;
     }
-    return named_glass(file, line, medium) && zmx_glass_there(file, line, medium);
+    return named_glass(file, line, medium) && zmx_glass_in_air(file, line, medium);
 }

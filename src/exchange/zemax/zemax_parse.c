@@ -225,7 +225,7 @@ static const struct zemax_keyword surface_keywords[] = {
     {NULL, ZEMAX_ANY_WORDS, false, 0, NULL},
 };
 
-static const struct zemax_keyword *parse_find(const struct zemax_keyword *table, struct text word)
+static const struct zemax_keyword *keyword_in(const struct zemax_keyword *table, struct text word)
 {
     for (; table->words != NULL; table++) {
         if (word_list_find(table->words, word) != NULL) {
@@ -242,18 +242,18 @@ static const struct zemax_keyword *parse_find(const struct zemax_keyword *table,
 static const struct zemax_keyword *find_keyword(const struct zemax_file *file, struct text word,
                                                 bool indented, bool *in_surface)
 {
-    const struct zemax_keyword *keyword = parse_find(zemax_system_keywords, word);
+    const struct zemax_keyword *keyword = keyword_in(zemax_system_keywords, word);
     *in_surface = false;
     if (keyword == NULL && (!file->in_tail || indented)) {
-        keyword = parse_find(surface_keywords, word);
+        keyword = keyword_in(surface_keywords, word);
         *in_surface = keyword != NULL;
     }
     return keyword;
 }
 
 /* Read the present line; `owner`, the file or a surface, keeps it where the keyword says. */
-static bool zmx_known(struct zemax_file *file, const struct zemax_keyword *keyword,
-                      struct text word, void *owner)
+static bool read_known_line(struct zemax_file *file, const struct zemax_keyword *keyword,
+                            struct text word, void *owner)
 {
     const struct zemax_line *line =
         zemax_line_of(file, word, keyword->is_length ? file->words.scale : NUMBER_UNSCALED);
@@ -281,7 +281,7 @@ static bool is_zero_line(const struct zemax_line *line, struct text *first)
 }
 
 /* A word that is not in the table. Where all its numbers are 0, it says that something is off. */
-static bool read_unknown(struct zemax_file *file, struct text word, bool behind)
+static bool read_unknown_line(struct zemax_file *file, struct text word, bool behind)
 {
     const struct zemax_line *line = zemax_line_of(file, word, NUMBER_UNSCALED);
     int length = text_shown_up_to(word, 40);
@@ -353,8 +353,8 @@ static bool zmx_line(struct zemax_file *file)
         return zemax_read_configurations(file, zemax_line_of(file, word, NUMBER_UNSCALED));
     }
     if (keyword != NULL) {
-        return zmx_known(file, keyword, word,
-                         is_of_surface ? (void *)last_zmx_surface(file) : (void *)file);
+        return read_known_line(file, keyword, word,
+                               is_of_surface ? (void *)last_zmx_surface(file) : (void *)file);
     }
     if (group != NULL) {
         file->in_tail = true;
@@ -372,7 +372,7 @@ static bool zmx_line(struct zemax_file *file)
         }
         return true;
     }
-    return read_unknown(file, word, behind);
+    return read_unknown_line(file, word, behind);
 }
 
 /* What follows another surface, by its number in the file. */

@@ -7,8 +7,9 @@
 #include <string.h>
 
 /* The value of an operand as the first number of a line, with what another line has behind it. */
-static struct zemax_line *line_with(struct zemax_file *file, const struct zemax_setting *setting,
-                                    const struct zemax_line *old, size_t before)
+static struct zemax_line *line_of_setting(struct zemax_file *file,
+                                          const struct zemax_setting *setting,
+                                          const struct zemax_line *old, size_t before)
 {
     struct arena *arena = file->job->arena;
     const struct zemax_line *own = setting->line;
@@ -28,7 +29,7 @@ static bool place_thickness(struct zemax_file *file, const struct zemax_setting 
 {
     struct zemax_surface *surface = &file->surfaces[setting->surface];
     const double far = 1e10; /* what the program writes for infinity where it wants a number */
-    struct zemax_line *line = line_with(file, setting, NULL, 0);
+    struct zemax_line *line = line_of_setting(file, setting, NULL, 0);
     line->infinite = setting->surface == 0 && fabs(line->numbers[0].value.hi) >= far;
     surface->thickness = line;
     return true;
@@ -67,7 +68,7 @@ static bool place_parameter(struct zemax_file *file, const struct zemax_setting 
 {
     struct zemax_surface *surface = &file->surfaces[setting->surface];
     size_t number = (size_t)(setting->line->keyword.start[3] - '0');
-    surface->parameters[number] = line_with(file, setting, surface->parameters[number], 1);
+    surface->parameters[number] = line_of_setting(file, setting, surface->parameters[number], 1);
     return true;
 }
 
@@ -95,7 +96,7 @@ static bool place_numbered(struct zemax_file *file, const struct zemax_setting *
     }
     const struct zemax_line **place =
         extra ? &surface->extras[(size_t)number] : &surface->parameters[(size_t)number];
-    *place = line_with(file, setting, *place, 1);
+    *place = line_of_setting(file, setting, *place, 1);
     return true;
 }
 
@@ -113,7 +114,7 @@ static bool place_size(struct zemax_file *file, const struct zemax_setting *sett
                zemax_loss(file, own, LOSS_OF_VIGNETTING, "left out",
                           "%.4s of an aperture that is not stated", own->keyword.start);
     }
-    struct zemax_line *line = line_with(file, setting, old, second);
+    struct zemax_line *line = line_of_setting(file, setting, old, second);
     if (!shifts) {
         line->keyword = old->keyword;
         line->words = old->words;
@@ -171,7 +172,7 @@ static bool place_aperture(struct zemax_file *file, const struct zemax_setting *
     if (file->aperture == NULL || text_same(file->aperture->keyword, "FLOA")) {
         return true; /* the stop's diameter says it */
     }
-    struct zemax_line *line = line_with(file, setting, file->aperture, 0);
+    struct zemax_line *line = line_of_setting(file, setting, file->aperture, 0);
     struct figure *value = &line->numbers[0];
     line->keyword = file->aperture->keyword;
     if (text_same(line->keyword, "ENPD")) {
@@ -194,7 +195,7 @@ static bool place_field(struct zemax_file *file, const struct zemax_setting *set
     if (!(number >= 1 && number <= ZEMAX_WAVES)) {
         return zemax_fail(own, own->first, "fields have the numbers 1 to %d", ZEMAX_WAVES);
     }
-    struct zemax_line *line = line_with(file, setting, old, (size_t)number - 1);
+    struct zemax_line *line = line_of_setting(file, setting, old, (size_t)number - 1);
     for (size_t i = old != NULL ? old->count : 0; old != NULL && i + 1 < (size_t)number; i++) {
         line->numbers[i] = figure_zero();
     }
@@ -253,7 +254,7 @@ static const struct setting_place {
               {"PRES", OF_FILE(environment), 1, check_place_environment}};
 
 /* Null: it is none of those that may differ between the configurations. */
-static const struct setting_place *place_of(struct text keyword)
+static const struct setting_place *setting_place_of(struct text keyword)
 {
     for (size_t i = 0; i < sizeof places / sizeof places[0]; i++) {
         if (word_list_find(places[i].words, keyword) != NULL) {
@@ -267,7 +268,7 @@ static const struct setting_place *place_of(struct text keyword)
 static bool place_setting(struct zemax_file *file, const struct zemax_setting *setting)
 {
     const struct zemax_line *line = setting->line;
-    const struct setting_place *place = place_of(line->keyword);
+    const struct setting_place *place = setting_place_of(line->keyword);
     if (place == NULL || (place->of_surface && (size_t)setting->surface >= file->surface_count)) {
         return true; /* of a surface that is gone */
     }
@@ -277,7 +278,7 @@ static bool place_setting(struct zemax_file *file, const struct zemax_setting *s
     if (place->kept > 0) {
         void *owner = place->of_surface ? (void *)&file->surfaces[setting->surface] : (void *)file;
         const struct zemax_line **kept = (void *)((char *)owner + place->kept);
-        *kept = line_with(file, setting, *kept, place->at);
+        *kept = line_of_setting(file, setting, *kept, place->at);
     }
     return place->place == NULL || place->place(file, setting);
 }
@@ -293,7 +294,7 @@ bool zemax_place_settings(struct zemax_file *file, size_t configuration)
                               "%.4s needs a surface, a configuration and its value",
                               one->line->keyword.start);
         }
-        if (configuration == 0 && place_of(one->line->keyword) == NULL) {
+        if (configuration == 0 && setting_place_of(one->line->keyword) == NULL) {
             /* lenscalc has no positions of it: its words must be the same in all of them */
             struct file_words a = one->line->words, b = before != NULL ? before->line->words : a;
             bool same_operand =

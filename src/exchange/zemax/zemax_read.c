@@ -158,7 +158,7 @@ static bool set_waves(struct zemax_file *file)
 }
 
 /* A plane in air that does nothing but stand at its place. */
-static bool is_nothing(const struct zemax_surface *surface)
+static bool is_plain_plane(const struct zemax_surface *surface)
 {
     const struct zemax_line *thickness = surface->thickness;
     bool standard = surface->type == NULL || text_same(surface->type->first, "STANDARD");
@@ -177,7 +177,7 @@ static bool pass_planes(struct zemax_file *file, struct pair *distance)
 {
     size_t at = 1;
     while (!(distance->hi > 0) && file->configurations < 2 && at + 2 < file->surface_count &&
-           file->surfaces[0].glass == NULL && is_nothing(&file->surfaces[at])) {
+           file->surfaces[0].glass == NULL && is_plain_plane(&file->surfaces[at])) {
         *distance = pair_add(*distance, file->surfaces[at++].thickness->numbers[0].value);
     }
     if (!(distance->hi > 0)) {
@@ -190,7 +190,7 @@ static bool pass_planes(struct zemax_file *file, struct pair *distance)
 }
 
 /* Has a surface of a type with a shape of its own numbers that give it one? */
-static bool is_shaped(const struct zemax_surface *surface)
+static bool has_shape_numbers(const struct zemax_surface *surface)
 {
     bool shaped = false;
     for (size_t i = 1; i < ZEMAX_PARAMETERS; i++) {
@@ -206,7 +206,7 @@ static void check_flat_end(struct zemax_file *file, const struct zemax_surface *
     if (zemax_number(surface->curvature, 0) != 0) {
         zemax_loss(file, surface->curvature, LOSS_OF_RAYS, "taken for a plane", "%s", curved);
     }
-    if (is_shaped(surface)) {
+    if (has_shape_numbers(surface)) {
         bool tilt = text_same(surface->type->first, "TILTSURF");
         zemax_loss(file, surface->type, LOSS_OF_RAYS,
                    tilt ? "taken across the axis" : "taken for a plane", "%s",
@@ -240,7 +240,7 @@ static bool set_object(struct zemax_file *file)
     for (size_t i = 3; i < 8; i++) {
         shifts = shifts || zemax_number(object->shift_behind, i) != 0;
     }
-    if (shifts && !is_shaped(object)) {
+    if (shifts && !has_shape_numbers(object)) {
         zemax_loss(file, object->surf, LOSS_OF_RAYS, "taken across the axis",
                    "SCBD: a shifted or tilted object");
     }
@@ -365,7 +365,7 @@ static void settle_vignetting(struct zemax_file *file)
 }
 
 /* The lens of a file, or of one of its configurations. */
-static bool build_lens(struct zemax_file *file)
+static bool build_zmx_lens(struct zemax_file *file)
 {
     if (!set_object(file)) {
         return false;
@@ -420,7 +420,7 @@ static bool build_positions(struct zemax_file *file)
         one.build =
             (struct lens_build){.lens = &lenses[p], .arena = arena, .note_room = named.note_count};
         one.surfaces = ARENA_COPY(arena, file->surfaces, file->surface_count, 0);
-        if (!zemax_place_settings(&one, p) || !build_lens(&one)) {
+        if (!zemax_place_settings(&one, p) || !build_zmx_lens(&one)) {
             return false;
         }
         foreign_forget_repeated(file->job, p > 0 ? losses : file->job->loss_count);
@@ -430,8 +430,8 @@ static bool build_positions(struct zemax_file *file)
 }
 
 /* The lens of a file, where name and numbers of a glass differ with the one or the other. */
-static bool read_as(struct foreign_job *job, struct text content, bool takes_numbers,
-                    struct zemax_doubts *doubts, struct lens *lens, struct error *error)
+static bool read_zmx_file(struct foreign_job *job, struct text content, bool takes_numbers,
+                          struct zemax_doubts *doubts, struct lens *lens, struct error *error)
 {
     struct zemax_file file = {
         .job = job, .error = error, .takes_numbers = takes_numbers, .doubts = doubts};
@@ -446,7 +446,7 @@ static bool read_as(struct foreign_job *job, struct text content, bool takes_num
         return false;
     }
     set_positions(&file);
-    if (!(file.configurations < 2 ? build_lens(&file) : build_positions(&file))) {
+    if (!(file.configurations < 2 ? build_zmx_lens(&file) : build_positions(&file))) {
         return false;
     }
     foreign_mark_power(job, &file.build);
@@ -457,20 +457,21 @@ static bool read_as(struct foreign_job *job, struct text content, bool takes_num
  * Where the solves contradict the lens with the catalogue's glasses, and confirm the one with the
  * numbers beside their names, the program that has written the file means these.
  */
-static bool zemax_read_read(struct foreign_job *job, struct text content, struct lens *lens,
+static bool zemax_read_file(struct foreign_job *job, struct text content, struct lens *lens,
                             struct error *error)
 {
     const struct foreign_job unread = *job;
     struct zemax_doubts doubts, others;
     struct lens other;
-    bool done = read_as(job, content, false, &doubts, lens, error);
+    bool done = read_zmx_file(job, content, false, &doubts, lens, error);
     if (!done || doubts.contradicted == 0 || doubts.disputed == 0 ||
         job->glass_numbers != GLASS_NUMBERS_OF_FILE) {
         return done;
     }
     struct foreign_job again = unread;
     struct error unused;
-    if (read_as(&again, content, true, &others, &other, &unused) && others.contradicted == 0) {
+    if (read_zmx_file(&again, content, true, &others, &other, &unused) &&
+        others.contradicted == 0) {
         *job = again;
         *lens = other;
     }
@@ -478,7 +479,7 @@ static bool zemax_read_read(struct foreign_job *job, struct text content, struct
 }
 
 /* "MODE", "VERS" or "UNIT" begins a line, and "SURF 0" another. */
-static bool zemax_read_is_like(struct text content)
+static bool zemax_is_like(struct text content)
 {
     static const char *const words[] = {"VERS", "MODE", "NAME", "UNIT", "NOTE", "ENPD", "FNUM"};
     struct text rest = content, line = text_trim(text_cut(&rest, '\n'));
@@ -502,8 +503,8 @@ static bool zemax_read_is_like(struct text content)
 
 const struct foreign_format zemax_format = {
     .type = {{"zmx", "Zemax OpticStudio"}, ".zmx"},
-    .is_like = zemax_read_is_like,
-    .read = zemax_read_read,
+    .is_like = zemax_is_like,
+    .read = zemax_read_file,
     .write = zemax_write,
     .has_settings = true,
     .words = zemax_words,
