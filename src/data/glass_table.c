@@ -69,8 +69,8 @@ static struct text glass_table_cell(const struct glass_table *table, enum glass_
     return lensdb_table_cell(&table->rows, (int)column);
 }
 
-static bool bad(const struct glass_table *table, enum glass_table_column column, const char *what,
-                struct error *error)
+static bool fail_table_cell(const struct glass_table *table, enum glass_table_column column,
+                            const char *what, struct error *error)
 {
     return tsv_fail(&table->rows.tsv, table->rows.columns[column], error, what);
 }
@@ -79,7 +79,7 @@ static bool read_table_number(const struct glass_table *table, enum glass_table_
                               double *value, struct error *error)
 {
     return tsv_number(&table->rows.tsv, table->rows.columns[column], value, error) &&
-           (!isinf(*value) || bad(table, column, "must be finite", error));
+           (!isinf(*value) || fail_table_cell(table, column, "must be finite", error));
 }
 
 static bool read_table_terms(const struct glass_table *table, struct glass *glass,
@@ -92,20 +92,22 @@ static bool read_table_terms(const struct glass_table *table, struct glass *glas
             continue;
         }
         if (glass->count == GLASS_MOST_COEFFICIENTS) {
-            return bad(table, COEFFICIENTS, "are more than 17 numbers", error);
+            return fail_table_cell(table, COEFFICIENTS, "are more than 17 numbers", error);
         }
         struct pair *c = &glass->coefficients[glass->count++];
         if (!text_pair(word, NUMBER_UNSCALED, c) || isinf(c->hi)) {
-            return bad(table, COEFFICIENTS, "are not numbers separated by blanks", error);
+            return fail_table_cell(table, COEFFICIENTS, "are not numbers separated by blanks",
+                                   error);
         }
     }
     if (!glass_count_fits(glass->formula, glass->count)) {
-        return bad(table, COEFFICIENTS, "are not as many as the formula has", error);
+        return fail_table_cell(table, COEFFICIENTS, "are not as many as the formula has", error);
     }
     for (size_t i = 2; i < glass->count && glass->formula == GLASS_POWER; i += 2) {
         double p = glass->coefficients[i].hi;
         if (!(fabs(p) <= 40) || p / 2 != floor(p / 2)) {
-            return bad(table, COEFFICIENTS, "have a power that is not even, or above 40", error);
+            return fail_table_cell(table, COEFFICIENTS,
+                                   "have a power that is not even, or above 40", error);
         }
     }
     return true;
@@ -140,10 +142,11 @@ static bool read_table_points(const struct glass_table *table, enum glass_table_
         struct glass_point *point = &all[*count];
         if (!read_table_point(pair, point) ||
             !(point->value.hi >= 0 && point->value.hi <= highest)) {
-            return bad(table, column, "are not um:value pairs of possible values", error);
+            return fail_table_cell(table, column, "are not um:value pairs of possible values",
+                                   error);
         }
         if (*count > 0 && !(point->wavelength.hi > all[*count - 1].wavelength.hi)) {
-            return bad(table, column, "do not go by rising wavelength", error);
+            return fail_table_cell(table, column, "do not go by rising wavelength", error);
         }
         ++*count;
     }
@@ -161,7 +164,7 @@ static bool read_index_table(const struct glass_table *table, struct glass *glas
         return false;
     }
     if (glass->table_count == 0) {
-        return bad(table, COEFFICIENTS, "are missing", error);
+        return fail_table_cell(table, COEFFICIENTS, "are missing", error);
     }
     glass->shortest = glass->table[0].wavelength.hi;
     glass->longest = glass->table[glass->table_count - 1].wavelength.hi;
@@ -180,11 +183,12 @@ static bool read_table_range(const struct glass_table *table, struct glass *glas
         return true;
     }
     if (table->rows.columns[FROM] == TSV_MOST_COLUMNS) {
-        return bad(table, TO, "is the end of a range without a beginning, the column from_um",
-                   error);
+        return fail_table_cell(
+            table, TO, "is the end of a range without a beginning, the column from_um", error);
     }
-    return bad(table, FROM, "is not a beginning of a range: it must be above 0 and not above to_um",
-               error);
+    return fail_table_cell(table, FROM,
+                           "is not a beginning of a range: it must be above 0 and not above to_um",
+                           error);
 }
 
 static bool read_formula(const struct glass_table *table, struct glass *glass, struct arena *arena,
@@ -192,7 +196,7 @@ static bool read_formula(const struct glass_table *table, struct glass *glass, s
 {
     glass->formula = glass_formula_of(glass_table_cell(table, FORMULA));
     if (glass->formula == GLASS_FORMULAS) {
-        return bad(table, FORMULA, "is not a formula", error);
+        return fail_table_cell(table, FORMULA, "is not a formula", error);
     }
     if (!read_table_range(table, glass, error)) {
         return false;
@@ -242,7 +246,7 @@ bool glass_table_read(const struct glass_table *table, bool complete, struct are
     };
     const struct text warning = glass_table_cell(table, WARNING);
     if (record->glass.name.length == 0) {
-        return bad(table, NAME, "is missing", error);
+        return fail_table_cell(table, NAME, "is missing", error);
     }
     if (warning.length > 0) {
         record->warning =

@@ -65,7 +65,7 @@ static bool report_goes_on(struct text text, size_t at, const char *words)
 }
 
 /* The SVG element, without what stands before it in a file of its own. */
-static struct text element_of(struct text svg)
+static struct text svg_element_of(struct text svg)
 {
     size_t at = 0;
     while (at < svg.length && !report_goes_on(svg, at, "<svg")) {
@@ -92,7 +92,7 @@ static double attribute(struct text svg, const char *name)
 static bool is_wide(const struct page_part *part)
 {
     return part->failure == NULL && part->is_drawing &&
-           attribute(element_of(part->text), " width=\"") > 1.3 * COLUMN_WIDTH;
+           attribute(svg_element_of(part->text), " width=\"") > 1.3 * COLUMN_WIDTH;
 }
 
 /* The names in the tags of a drawing are its own: each has the number of the part before it. */
@@ -151,7 +151,7 @@ static void write_figure(const struct page_part *part, size_t number, struct out
         output_escaped(output, text_of(part->failure));
         output_string(output, "</p>\n");
     } else if (part->is_drawing) {
-        report_write_names(element_of(part->text), number, output);
+        report_write_names(svg_element_of(part->text), number, output);
     } else {
         output_string(output, "<pre>");
         output_escaped(output, part->text);
@@ -189,7 +189,7 @@ static double report_height_of(const struct page_part *part, double *scale)
         return LINE;
     }
     if (part->is_drawing) {
-        const struct text svg = element_of(part->text);
+        const struct text svg = svg_element_of(part->text);
         const double width = attribute(svg, " width=\"");
         *scale = fmin((is_wide(part) ? whole_width : COLUMN_WIDTH) / width, 1);
         return *scale * attribute(svg, " height=\"");
@@ -244,7 +244,7 @@ static void report_write_part(const struct page_part *part, size_t number, const
     } else if (!part->is_drawing) {
         report_write_lines(part, x, y, scale, output);
     } else {
-        const struct text svg = element_of(part->text);
+        const struct text svg = svg_element_of(part->text);
         const double width = attribute(svg, " width=\"");
         output_printf(output,
                       "<svg x=\"%.6g\" y=\"%.6g\" width=\"%.6g\" height=\"%.6g\" "
@@ -358,7 +358,7 @@ enum { SECTIONS = sizeof sections / sizeof sections[0], MOST_POSITIONS = 3, FIEL
 static const char from_pipe[] = "standard input";
 
 /* A word as a shell reads it: between quotes of one stroke, which stand as '\'' themselves. */
-static const char *quoted(const char *word, struct arena *arena)
+static const char *shell_quoted(const char *word, struct arena *arena)
 {
     static const char plain[] = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789"
                                 "-_./:,=+@%";
@@ -381,7 +381,7 @@ static const char *command_line(const struct report_section *part, char *const *
     const char *line = arena_printf(arena, "lenscalc %s", part->command);
     for (size_t i = 0; i < count; i++) {
         const char *said = strcmp(words[i], from_pipe) == 0 ? "-" : words[i];
-        line = arena_printf(arena, "%s %s", line, quoted(said, arena));
+        line = arena_printf(arena, "%s %s", line, shell_quoted(said, arena));
     }
     return line;
 }

@@ -62,7 +62,8 @@ static enum projection projection_of(const struct distortion_input *input,
 }
 
 /* Where a case is kept, or room for it. True: it was there. */
-static bool recall(struct distortion_memo *memo, const struct calibrated_case *one, double **scale)
+static bool recall_case(struct distortion_memo *memo, const struct calibrated_case *one,
+                        double **scale)
 {
     for (size_t i = 0; i < KEPT && i < memo->count; i++) {
         const struct calibrated_case *other = &memo->cases[i];
@@ -100,7 +101,7 @@ static bool find_calibrated(const struct distortion_input *input, const struct s
         return fail(error, ERROR_DOMAIN,
                     "{--calibrated}: the lens states no field whose distortion could be balanced");
     }
-    if (memo != NULL && recall(memo, &one, &kept)) {
+    if (memo != NULL && recall_case(memo, &one, &kept)) {
         ready->calibrated = *kept;
     } else if (!distortion_calibrate(&ready->map, &edge, &ready->calibrated, error)) {
         return error_prefix(error, "{--calibrated}: ");

@@ -25,7 +25,7 @@ static const struct {
     int bits[2];
 } depths[] = {{".png", {8, 16}}, {".exr", {32, 16}}};
 
-static bool is_a(const struct file_type *type, const char *ending)
+static bool is_file_type(const struct file_type *type, const char *ending)
 {
     return strcmp(type->ending, ending) == 0;
 }
@@ -35,7 +35,7 @@ static int file_bits(const struct render_input *input, const struct file_type *t
 {
     const int bits = input->raw ? 16 : (int)input->bits;
     for (size_t i = 0; i < sizeof depths / sizeof depths[0]; i++) {
-        if (is_a(type, depths[i].ending)) {
+        if (is_file_type(type, depths[i].ending)) {
             if (bits == 0 || bits == depths[i].bits[0]) {
                 return depths[i].bits[0];
             }
@@ -51,7 +51,7 @@ static int file_bits(const struct render_input *input, const struct file_type *t
 bool render_check_file(const struct render_input *input, const struct file_type *type,
                        struct error *error)
 {
-    const bool is_png = is_a(type, ".png");
+    const bool is_png = is_file_type(type, ".png");
     if (input->raw && input->bits != 0 && input->bits != 16) {
         return fail(error, ERROR_USAGE, "{--bits} %ld: {--raw} numbers take 16", input->bits);
     }
@@ -65,7 +65,7 @@ bool render_check_file(const struct render_input *input, const struct file_type 
                     "{--bits} %ld: a .png has 8 or 16, an .exr 16 or 32, others have no choice",
                     input->bits);
     }
-    if (input->packing != 0 && !is_a(type, ".exr")) {
+    if (input->packing != 0 && !is_file_type(type, ".exr")) {
         return fail(error, ERROR_USAGE, "{--packing} %s: only an .exr has a choice",
                     render_packings[input->packing].word);
     }
@@ -129,7 +129,8 @@ static double pixel_unit(const struct render_input *input, const struct picture_
     if (input->radiance) {
         return exposure->luminance / reference;
     }
-    return (is_a(type, ".png") && !is_received) ? DEVELOP_HEADROOM * light / exposure->full : light;
+    return (is_file_type(type, ".png") && !is_received) ? DEVELOP_HEADROOM * light / exposure->full
+                                                        : light;
 }
 
 /* Floats are rounded, so that half of the least one is black; a .hdr has no exponent below. */
@@ -138,7 +139,7 @@ static struct render_floor file_floor(const struct file_type *type, bool half)
     if (half) {
         return (struct render_floor){0x1p-25, 0x1p-24, 0x1p-14, "half floats"};
     }
-    if (is_a(type, ".hdr")) {
+    if (is_file_type(type, ".hdr")) {
         return (struct render_floor){0x1p-128, 0x1p-128, 0x1p-128, "pixels of a .hdr"};
     }
     return (struct render_floor){0x1p-150, FLT_TRUE_MIN, FLT_MIN, "floats"};
@@ -156,7 +157,7 @@ static bool check_file_light(const struct render_input *input, const struct file
         return fail(error, ERROR_DOMAIN, "the brightest pixel has %.3g %s: pixels hold %.3g", most,
                     name, (double)FLT_MAX);
     }
-    return is_a(type, ".png") || render_is_film(input) ||
+    return is_file_type(type, ".png") || render_is_film(input) ||
            render_check_dark(image, unit, &floor, name, remarks, error);
 }
 
@@ -286,7 +287,7 @@ static bool expose(const struct render_input *input, const struct render_shot *s
                    struct error *error)
 {
     const struct photograph *photograph = &shot->photograph;
-    const bool is_png = is_a(type, ".png"), is_film = render_is_film(input);
+    const bool is_png = is_file_type(type, ".png"), is_film = render_is_film(input);
     const bool is_hasty = shot->aside != NULL; /* somebody waits for the end */
     const struct image_way way = {.bits = file_bits(input, type),
                                   .half = file_bits(input, type) == 16,

@@ -29,7 +29,7 @@ const struct file_type *render_ray_types(size_t i)
 }
 
 /* Least significant byte first, whatever the machine. */
-static char *put_raw(char *to, double number)
+static char *put_raw_number(char *to, double number)
 {
     uint64_t bits;
     memcpy(&bits, &number, sizeof bits);
@@ -57,7 +57,7 @@ static void write_rays(const struct lens_ray *rays, size_t count, char separator
         numbers[10] = rays[i].time;
         for (int k = 0; k < NUMBERS; k++) {
             if (separator == 0) {
-                to = put_raw(to, numbers[k]);
+                to = put_raw_number(to, numbers[k]);
             } else {
                 to = number_write_shortest(to, numbers[k]);
                 *to++ = k + 1 == NUMBERS ? '\n' : separator;

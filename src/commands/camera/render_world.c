@@ -28,7 +28,7 @@ bool render_is_world(const struct render_input *input)
 }
 
 /* Does the film stand where it is, whatever the lens is focused on? */
-static bool is_fixed(const struct render_input *input)
+static bool is_film_fixed(const struct render_input *input)
 {
     const enum plane_kind kind = input->question.focus.kind;
     return kind == PLANE_AT || kind == PLANE_TABLE;
@@ -51,7 +51,7 @@ static bool check_scene(const struct artifact_job *job, struct error *error)
         return fail(error, ERROR_USAGE,
                     "{--autofocus} finds the distance in the scene: not with {--distance}");
     }
-    return isnan(input->distance) || !is_fixed(input) ||
+    return isnan(input->distance) || !is_film_fixed(input) ||
            fail(error, ERROR_USAGE,
                 "{--distance} and a fixed {--focus} exclude each other in a scene: each says "
                 "where the film stands");
@@ -77,7 +77,7 @@ bool render_check_world(const struct artifact_job *job, struct error *error)
 
 /* -------- the scene -------- */
 
-static bool scatters(const struct scene *scene)
+static bool scene_scatters(const struct scene *scene)
 {
     bool does = false;
     for (size_t i = 0; i < scene->thing_count && !does; i++) {
@@ -109,7 +109,7 @@ bool render_world_read(const struct artifact_job *job, struct render_world *worl
         return false;
     }
     world->moves = scene_moves(&world->scene);
-    world->scatters = scatters(&world->scene);
+    world->scatters = scene_scatters(&world->scene);
     bands_three(&world->bands);
     if (input->spectral && !bands_many((size_t)input->bands, &world->bands, error)) {
         return false;
@@ -164,9 +164,9 @@ static bool stand_clear(const struct render_world *world, const struct lens_clea
 /* -------- focus -------- */
 
 /* How far before the first vertex is what lies at a place of the picture, mm? Infinite: nothing. */
-static bool look_at(const struct render_input *input, const struct render_world *world,
-                    const double place[2], const struct analysis_case *one, struct arena *arena,
-                    double *distance, struct error *error)
+static bool distance_at(const struct render_input *input, const struct render_world *world,
+                        const double place[2], const struct analysis_case *one, struct arena *arena,
+                        double *distance, struct error *error)
 {
     const struct film_question question = render_film(input, one);
     const struct scene_place *camera = &world->scene.camera.where;
@@ -212,7 +212,7 @@ static bool find_distance(const struct artifact_job *job, struct render_world *w
         const double before = focused->distance;
         const struct analysis_case *one;
         if (!render_open(focused, NULL, run, &one, error) ||
-            !look_at(input, world, place, one, run->arena, &focused->distance, error)) {
+            !distance_at(input, world, place, one, run->arena, &focused->distance, error)) {
             return false;
         }
         focused->from = isinf(focused->distance) ? FROM_PRINCIPAL : FROM_FRONT;
@@ -280,7 +280,7 @@ bool render_world_focus(const struct artifact_job *job, struct render_world *wor
         return render_autofocus_place(input->autofocus, place, error) &&
                find_distance(job, world, place, focused, error);
     }
-    if (isnan(input->distance) && !is_fixed(input) && !isnan(world->scene.camera.distance)) {
+    if (isnan(input->distance) && !is_film_fixed(input) && !isnan(world->scene.camera.distance)) {
         return focus_on_said(job, &world->scene.camera, focused, error);
     }
     if (isnan(focused->distance) && asking_given(job->asking, "from")) {

@@ -32,7 +32,8 @@ static const char *frame_note(const struct image *image, const char *key)
 }
 
 /* NaN: it is not noted, or nothing that can be read. */
-static double noted(const struct image *image, const char *key, const struct dimension *dimension)
+static double noted_number(const struct image *image, const char *key,
+                           const struct dimension *dimension)
 {
     const char *note = frame_note(image, key);
     struct error ignored;
@@ -138,13 +139,13 @@ static void take_notes(struct frame_reader *reading, const struct image *image, 
         frames->filtered = frames->frames[i].name;
         frames->filter = arena_string(reading->arena, filter, strlen(filter));
     }
-    reading->iso[i] = noted(image, "ISO", &dimension_iso);
-    reading->fnumber[i] = noted(image, "Aperture", &dimension_fnumber);
-    reading->white[i] = noted(image, image->bits == 0 ? RENDER_NOTE_LIGHT : RENDER_NOTE_WHITE,
-                              &dimension_luminance);
+    reading->iso[i] = noted_number(image, "ISO", &dimension_iso);
+    reading->fnumber[i] = noted_number(image, "Aperture", &dimension_fnumber);
+    reading->white[i] = noted_number(
+        image, image->bits == 0 ? RENDER_NOTE_LIGHT : RENDER_NOTE_WHITE, &dimension_luminance);
     if (i == 0) {
-        frames->full_well = noted(image, RENDER_NOTE_FULL, &dimension_number);
-        frames->read_noise = noted(image, RENDER_NOTE_READ, &dimension_number);
+        frames->full_well = noted_number(image, RENDER_NOTE_FULL, &dimension_number);
+        frames->read_noise = noted_number(image, RENDER_NOTE_READ, &dimension_number);
         frames->white = reading->white[0];
         frames->unit = unit != NULL ? arena_string(reading->arena, unit, strlen(unit)) : NULL;
     }
@@ -194,7 +195,7 @@ static bool frame_file_read(struct frame_reader *reading, const char *path, doub
                take_saturation(reading, &image, frame, error);
         frame->name = path;
         frame->remark = image_file_remark(path, &image, reading->arena);
-        frame->time = isnan(time) ? noted(&image, "Exposure time", &dimension_time) : time;
+        frame->time = isnan(time) ? noted_number(&image, "Exposure time", &dimension_time) : time;
         done = done && check_unit(reading, &image, !isnan(time), i, error) &&
                check_like_first(reading->frames, frame, error);
         done = done || error_locate(error, path, 0, 0);

@@ -92,8 +92,8 @@ static bool unit_of_light(const struct tone_input *input, struct tone_frames *fr
 
 /* -------- the frames -------- */
 
-static void align(const struct tone_input *input, struct tone_frames *frames,
-                  struct text_buffer *remarks)
+static void align_merged_frames(const struct tone_input *input, struct tone_frames *frames,
+                                struct text_buffer *remarks)
 {
     struct align_step steps[FRAMES_MOST];
     align_frames(frames->frames, frames->count, steps);
@@ -159,7 +159,7 @@ static bool recover(struct tone_frames *frames, struct tone_light *light,
     return true;
 }
 
-static double either(double given, double noted, double usual)
+static double given_or_noted(double given, double noted, double usual)
 {
     if (!isnan(given)) {
         return given;
@@ -171,8 +171,9 @@ static double either(double given, double noted, double usual)
 static struct merge_noise noise_of(const struct tone_input *input, const struct tone_frames *frames,
                                    struct text_buffer *remarks)
 {
-    const struct merge_noise noise = {either(input->full_well, frames->full_well, usual_full),
-                                      either(input->read_noise, frames->read_noise, usual_noise)};
+    const struct merge_noise noise = {
+        given_or_noted(input->full_well, frames->full_well, usual_full),
+        given_or_noted(input->read_noise, frames->read_noise, usual_noise)};
     const bool is_guess = isnan(input->full_well) && isnan(frames->full_well);
     if (frames->frames[0].bits == 0) {
         growing_format(remarks, "weights by the noise of photons\n");
@@ -293,7 +294,7 @@ static bool make_light(const struct tone_input *input, struct arena *frames_aren
     }
     say_frames(&frames, &remarks);
     if (frames.count > 1) {
-        align(input, &frames, &remarks);
+        align_merged_frames(input, &frames, &remarks);
         find_saturation(&frames, frames_arena, &remarks);
         noise = noise_of(input, &frames, &remarks);
     }

@@ -33,7 +33,7 @@ static bool wishes_near(const struct glass_input *wishes)
  * Formula   sqrt(((nd - nd0)/0.0005)^2 + ((Vd - Vd0)/(0.008 Vd0))^2), one term where one is wanted
  * Source    the tolerances that makers deliver within unless a finer grade is ordered
  */
-static double distance(const struct glass_input *wishes, const struct glass_summary *summary)
+static double glass_distance(const struct glass_input *wishes, const struct glass_summary *summary)
 {
     const double nd_tolerance = 0.0005, Vd_tolerance = 0.008;
     double nd = (summary->nd - wishes->nd.near) / nd_tolerance;
@@ -66,7 +66,7 @@ struct glass_ranking {
     size_t count, most;
 };
 
-static void rank(struct glass_ranking *ranking, const struct glass_match *match)
+static void rank_glass(struct glass_ranking *ranking, const struct glass_match *match)
 {
     size_t at = ranking->count;
     if (isnan(match->away) || ranking->most == 0) {
@@ -108,8 +108,8 @@ static bool search_all(const struct glass_input *wishes, struct glass_catalogs *
             continue;
         }
         if (wishes_near(wishes)) {
-            match.away = distance(wishes, &match.summary);
-            rank(ranking, &match);
+            match.away = glass_distance(wishes, &match.summary);
+            rank_glass(ranking, &match);
         } else if (wishes->like.record == NULL) {
             ++*count;
             if (!found(&match, context)) {
@@ -117,7 +117,7 @@ static bool search_all(const struct glass_input *wishes, struct glass_catalogs *
             }
         } else if (!is_same_record(&match.record, wishes->like.record)) {
             match.away = glass_difference(&lines, &like);
-            rank(ranking, &match);
+            rank_glass(ranking, &match);
         }
     }
     return error->code == ERROR_NONE;

@@ -33,7 +33,7 @@ static const struct column lens_columns[] = {
     {SHOWN(place), .name = "database", .help = "embedded, or the user's own folder"},
 };
 
-static const char *joined(const char *const *texts, size_t count, struct arena *arena)
+static const char *joined_texts(const char *const *texts, size_t count, struct arena *arena)
 {
     const char *all = NULL;
     for (size_t i = 0; i < count; i++) {
@@ -106,9 +106,9 @@ static void list_lens(struct list *list, const char *name, struct arena *arena)
         .name = name,
         .title = lens.title,
         .kind = lens.kind,
-        .positions = joined(lens.positions, lens.position_count, arena),
+        .positions = joined_texts(lens.positions, lens.position_count, arena),
         .source = lens.source,
-        .note = joined(lens.notes, lens.note_count, arena),
+        .note = joined_texts(lens.notes, lens.note_count, arena),
         .place = row.place,
         .efl = NAN,
         .bfl = NAN,

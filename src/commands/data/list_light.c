@@ -59,7 +59,7 @@ static const char *model_words(const struct list *list, const struct reciprocity
 }
 
 /* The corrected time; NaN beyond what the source covers. */
-static double corrected(const struct reciprocity *model, double metered)
+static double time_with_reciprocity(const struct reciprocity *model, double metered)
 {
     double time;
     struct error ignored;
@@ -91,9 +91,9 @@ static bool list_films(struct list *list, struct error *error)
             .place = list_place(film.place),
             .onset = model.onset,
             .longest = model.valid_to,
-            .at_1 = corrected(&model, 1),
-            .at_10 = corrected(&model, 10),
-            .at_100 = corrected(&model, 100),
+            .at_1 = time_with_reciprocity(&model, 1),
+            .at_10 = time_with_reciprocity(&model, 10),
+            .at_100 = time_with_reciprocity(&model, 100),
         };
         list_offer(list, &row, row.maker, (const char *[]){row.film, row.aliases, row.source}, 3);
     }

@@ -107,7 +107,7 @@ static const struct column goal_columns[] = {
 
 static const struct sheet goal_sheet = SHEET(goal_columns, struct optimize_goal_row);
 
-static double squares(const double *residuals, const struct merit_slot *slot)
+static double sum_of_slot_squares(const double *residuals, const struct merit_slot *slot)
 {
     double sum = 0;
     for (size_t i = 0; i < slot->count; i++) {
@@ -128,7 +128,7 @@ static double optimize_value_of(const struct optimize_state *state, const struct
         }
     }
     if ((type->is & OPERAND_OF_RAYS) != 0) {
-        worst = sqrt(squares(state->residuals, slot)) * operand->deviation;
+        worst = sqrt(sum_of_slot_squares(state->residuals, slot)) * operand->deviation;
     }
     return unit_from_own(unit_find(type->dimension, text_of(type->unit)), worst);
 }
@@ -140,8 +140,8 @@ static bool emit_merit(struct optimize_job *job, struct error *error)
     const struct optimize_answer *answer = &job->answer;
     for (size_t i = 0; i < merit->slot_count; i++) {
         const struct merit_slot *slot = &merit->slots[i];
-        const double before = squares(answer->before.residuals, slot);
-        const double after = squares(answer->after.residuals, slot);
+        const double before = sum_of_slot_squares(answer->before.residuals, slot);
+        const double after = sum_of_slot_squares(answer->after.residuals, slot);
         const char *unit = operand_type(slot->operand->kind)->unit;
         const bool is_exact = slot->operand->relation == OPERAND_EXACT;
         const struct optimize_goal_row row = {.about = optimize_about_of(job, i == 0),
@@ -188,13 +188,14 @@ static const struct column variable_columns[] = {
 
 static const struct sheet variable_sheet = SHEET(variable_columns, struct variable_row);
 
-static double or_none(double bound)
+static double bound_or_none(double bound)
 {
     return isfinite(bound) ? bound : NAN;
 }
 
 /* The real glass that a number was of a model of; null: it was none. */
-static const struct medium *exchanged(const struct lens *lens, const struct variable *variable)
+static const struct medium *exchanged_glass(const struct lens *lens,
+                                            const struct variable *variable)
 {
     const enum parameter_kind kind = variable->what.kind;
     const struct medium *medium = &lens->surfaces[variable->what.surface].medium;
@@ -205,7 +206,7 @@ static double value_in(const struct lens *lens, const struct variable *variable,
                        struct arena *arena)
 {
     const size_t position = variable->position != LENS_NONE ? variable->position : 0;
-    const struct medium *glass = exchanged(lens, variable);
+    const struct medium *glass = exchanged_glass(lens, variable);
     if (glass != NULL) {
         const struct glass_abbe real = glass_abbe(lens_glass_of(glass));
         return variable->what.kind == PARAMETER_INDEX ? real.nd : real.Vd;
@@ -219,7 +220,7 @@ static bool emit_variables(struct optimize_job *job, struct error *error)
     const struct optimize_answer *answer = &job->answer;
     for (size_t i = 0; i < job->variables.count; i++) {
         const struct variable *variable = &job->variables.list[i];
-        const struct medium *glass = exchanged(job->found, variable);
+        const struct medium *glass = exchanged_glass(job->found, variable);
         const char *note = NULL;
         if (glass != NULL) {
             note = glass->written.start;
@@ -232,8 +233,8 @@ static bool emit_variables(struct optimize_job *job, struct error *error)
                                          .variable = variable->name,
                                          .before = value_in(job->lens, variable, job->run->arena),
                                          .after = value_in(job->found, variable, job->run->arena),
-                                         .low = or_none(variable->low),
-                                         .high = or_none(variable->high),
+                                         .low = bound_or_none(variable->low),
+                                         .high = bound_or_none(variable->high),
                                          .note = note};
         if (!run_emit(job->run, &row)) {
             break;

@@ -202,7 +202,7 @@ static double tolerance_cost_of(void *context, const double *figures)
 }
 
 /* The errors that a grade has of the lens; none where it cannot be had. */
-static struct perturbations of_grade(const struct tolerance_job *job, const char *grade)
+static struct perturbations errors_of_grade(const struct tolerance_job *job, const char *grade)
 {
     const struct run *run = job->run;
     struct lens *bare = ARENA_NEW(run->arena, struct lens);
@@ -220,7 +220,7 @@ static struct perturbations of_grade(const struct tolerance_job *job, const char
 }
 
 /* The same error in a grade, in units of half the range here; NaN: the grade has none such. */
-static double in_grade(const struct perturbations *grade, const struct perturbation *one)
+static double error_in_grade(const struct perturbations *grade, const struct perturbation *one)
 {
     for (size_t i = 0; i < grade->count; i++) {
         const struct perturbation *other = &grade->list[i];
@@ -243,7 +243,8 @@ struct things {
 static struct things things_of(const struct tolerance_job *job)
 {
     const double least = 1e-6, most = 1e6; /* of what no grade has */
-    const struct perturbations tight = of_grade(job, "high"), loose = of_grade(job, "commercial");
+    const struct perturbations tight = errors_of_grade(job, "high"),
+                               loose = errors_of_grade(job, "commercial");
     const struct tolerance_question *question = &job->question;
     const size_t n = question->perturbation_count + 1;
     struct arena *arena = job->run->arena;
@@ -253,7 +254,7 @@ static struct things things_of(const struct tolerance_job *job)
         const struct perturbation *one = &question->perturbations[i];
         const bool is_new = i == 0 || one[-1].thing != one->thing;
         if (is_new) {
-            const double best = in_grade(&tight, one), worst = in_grade(&loose, one);
+            const double best = error_in_grade(&tight, one), worst = error_in_grade(&loose, one);
             things.low[things.count] = isnan(best) ? least : best;
             things.high[things.count] = isnan(worst) ? most : worst;
             things.first[things.count++] = i;
@@ -379,7 +380,7 @@ static const struct column offender_columns[] = {
 
 const struct sheet tolerance_offenders_sheet = SHEET(offender_columns, struct offender_row);
 
-static int by_share(const void *a, const void *b)
+static int costs_by_share(const void *a, const void *b)
 {
     const struct tolerance_offender *left = a, *right = b;
     if (left->share.total != right->share.total) {
@@ -418,7 +419,7 @@ bool tolerance_offenders(struct tolerance_job *job, struct tolerance_offender **
     for (size_t i = 0; i < n; i++) {
         (*offenders)[i] = (struct tolerance_offender){i, shares[i]};
     }
-    qsort(*offenders, n, sizeof **offenders, by_share);
+    qsort(*offenders, n, sizeof **offenders, costs_by_share);
     return true;
 }
 

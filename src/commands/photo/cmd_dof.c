@@ -220,7 +220,8 @@ static bool dof_fill_row(const struct dof_question *input, const struct attached
 }
 
 /* The same picture on another format, if that is asked for. */
-static bool fill_other(const struct dof_question *input, struct dof_row *row, struct error *error)
+static bool dof_fill_other_format(const struct dof_question *input, struct dof_row *row,
+                                  struct error *error)
 {
     struct dof_setting other;
     row->other_sensor = input->other.name;
@@ -254,7 +255,7 @@ static bool run_stack(const struct dof_question *input, const struct attached_le
         row.shot = i + 1;
         row.shots = plan->count;
         row.criterion = criterion;
-        if (!fill_other(input, &row, error) || !run_emit(run, &row)) {
+        if (!dof_fill_other_format(input, &row, error) || !run_emit(run, &row)) {
             return false;
         }
     }
@@ -348,7 +349,7 @@ static bool dof_answer(const void *data, const struct photo_lens *lens, struct r
         say_wish(input, setting, run);
     }
     row.shot = row.shots = NO_INTEGER;
-    return fill_other(input, &row, error) && (run_emit(run, &row), true);
+    return dof_fill_other_format(input, &row, error) && (run_emit(run, &row), true);
 }
 
 static bool dof_run(const void *data, struct run *run, struct error *error)

@@ -161,8 +161,8 @@ static bool read_mark(struct text text, struct flash_mark *mark, struct error *e
 }
 
 /* The guide number at --at, and how it was found. */
-static bool zoom(const struct flash_input *input, struct run *run, double *GN, const char **words,
-                 struct error *error)
+static bool zoomed_guide_number(const struct flash_input *input, struct run *run, double *GN,
+                                const char **words, struct error *error)
 {
     enum { MOST_MARKS = 32 };
     struct flash_mark marks[MOST_MARKS];
@@ -255,7 +255,7 @@ static bool flash_run(const void *data, struct run *run, struct error *error)
                             .at = input->at,
                             .filter = input->filter.name};
     double one = input->guide_number;
-    if ((input->zoom != NULL && !zoom(input, run, &one, &row.zoom, error)) ||
+    if ((input->zoom != NULL && !zoomed_guide_number(input, run, &one, &row.zoom, error)) ||
         !fill_ratio(input, &row, error)) {
         return false;
     }

@@ -175,7 +175,7 @@ static const struct column columns[] = {
     PHOTO_LENS_WARNING_COLUMN(real),
 };
 
-static void doubt(struct fov_row *row, const char *warning, struct arena *arena)
+static void fov_warn(struct fov_row *row, const char *warning, struct arena *arena)
 {
     row->real.warning = lens_warnings_join(row->real.warning, warning, arena);
 }
@@ -263,21 +263,22 @@ static bool view_by_rays(const struct fov_input *input, const struct photo_lens 
     row->projection = ways[VIEW_RAYS].word;
     row->circle = view.circle;
     if (!isnan(view.circle)) {
-        doubt(row,
-              arena_printf(arena,
-                           "the image circle, %.4g mm across, does not cover the sensor, %.4g mm: "
-                           "angles and fields end at its edge",
-                           view.circle, sensor_diagonal(&input->sensor.size)),
-              arena);
+        fov_warn(
+            row,
+            arena_printf(arena,
+                         "the image circle, %.4g mm across, does not cover the sensor, %.4g mm: "
+                         "angles and fields end at its edge",
+                         view.circle, sensor_diagonal(&input->sensor.size)),
+            arena);
     }
     if (!isnan(view.clear)) {
-        doubt(row,
-              arena_printf(
-                  arena,
-                  "the chief rays are stopped by clear apertures outside a circle of %.4g mm: "
-                  "the corners are strongly vignetted",
-                  view.clear),
-              arena);
+        fov_warn(row,
+                 arena_printf(
+                     arena,
+                     "the chief rays are stopped by clear apertures outside a circle of %.4g mm: "
+                     "the corners are strongly vignetted",
+                     view.clear),
+                 arena);
     }
     return true;
 }

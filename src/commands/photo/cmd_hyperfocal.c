@@ -77,7 +77,8 @@ static const struct column columns[] = {
 };
 
 /* What is wanted, as a hyperfocal distance; NaN: nothing is. */
-static double wanted(const struct hyperfocal_input *input, const struct dof_setting *setting)
+static double hyperfocal_wanted(const struct hyperfocal_input *input,
+                                const struct dof_setting *setting)
 {
     return isnan(input->near) ? input->hyperfocal
                               : dof_hyperfocal_of_near(setting->f, setting->P,
@@ -98,7 +99,7 @@ static bool hyperfocal_solve(const struct hyperfocal_input *input, const struct 
                                   &setting->c, error)) {
             return false;
         }
-        targets.hyperfocal = wanted(input, setting);
+        targets.hyperfocal = hyperfocal_wanted(input, setting);
         if (!dof_solve(setting, &targets, error) || !dof_check(setting, error)) {
             return false;
         }

@@ -109,8 +109,8 @@ static const struct column columns[] = {
 };
 
 /* The blur that is given, or the circle of confusion where it limits an unknown. */
-static bool limit(const struct motion_input *input, double c, bool wanted, double *blur,
-                  struct error *error)
+static bool motion_blur(const struct motion_input *input, double c, bool wanted, double *blur,
+                        struct error *error)
 {
     struct sharpness sharp = input->sharp;
     *blur = wanted ? c : NAN;
@@ -122,7 +122,7 @@ static bool limit(const struct motion_input *input, double c, bool wanted, doubl
 }
 
 /* Magnification from focal length and distance, or as given. */
-static bool magnify(const struct motion_input *input, double *m, struct error *error)
+static bool motion_magnify(const struct motion_input *input, double *m, struct error *error)
 {
     *m = input->magnification;
     if (!is_given(input->focal.length) || !is_given(input->distance)) {
@@ -141,7 +141,7 @@ static bool solve_subject(const struct motion_input *input, struct motion_row *r
 {
     struct motion *motion = &row->motion;
     bool open = !is_given(input->speed) || !is_given(input->time) || !is_given(motion->m);
-    if (!limit(input, row->c, open, &motion->blur, error) || !motion_solve(motion, error)) {
+    if (!motion_blur(input, row->c, open, &motion->blur, error) || !motion_solve(motion, error)) {
         return false;
     }
     if (!is_given(row->distance) && is_given(row->focal)) {
@@ -164,7 +164,8 @@ static bool solve_shake(const struct motion_input *input, struct motion_row *row
     }
     *shake = (struct shake){row->focal, input->rotation, row->motion.t, NAN,
                             is_given(row->motion.m) ? row->motion.m : 0};
-    if ((alone && !limit(input, row->c, open, &shake->blur, error)) || !shake_solve(shake, error)) {
+    if ((alone && !motion_blur(input, row->c, open, &shake->blur, error)) ||
+        !shake_solve(shake, error)) {
         return false;
     }
     row->focal = shake->f;
@@ -209,7 +210,7 @@ static bool motion_run(const void *data, struct run *run, struct error *error)
     const struct sensor *sensor = &input->sharp.sensor.size;
     bool turns = is_given(input->rotation);
     if (!sharpness_resolve(&input->sharp, NAN, &row.c, error) ||
-        !magnify(input, &row.motion.m, error) ||
+        !motion_magnify(input, &row.motion.m, error) ||
         ((!turns || is_given(input->speed)) && !solve_subject(input, &row, error)) ||
         (turns && !solve_shake(input, &row, error)) ||
         (is_given(input->track) && !solve_panning(input, &row, error))) {

@@ -29,7 +29,7 @@ static char candidates_lower(char c)
 }
 
 /* Does the candidate begin with what is typed? Case does not count. */
-static bool begins(const struct typed_words *typing, const char *candidate)
+static bool begins_as_typed(const struct typed_words *typing, const char *candidate)
 {
     size_t i = 0;
     while (i < typing->typed.length &&
@@ -42,7 +42,7 @@ static bool begins(const struct typed_words *typing, const char *candidate)
 static void candidates_offer(const struct typed_words *typing, const char *candidate,
                              const char *help)
 {
-    if (begins(typing, candidate) && strpbrk(candidate, "\n\t") == NULL) {
+    if (begins_as_typed(typing, candidate) && strpbrk(candidate, "\n\t") == NULL) {
         output_string(typing->output, typing->before);
         output_string(typing->output, candidate);
         output_string(typing->output, help != NULL ? "\t" : "");
