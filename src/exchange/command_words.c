@@ -203,6 +203,15 @@ bool commands_object(const struct commands *commands, size_t word, struct figure
     return pair_read(far, far + strlen(far), commands->scale, &figure->value) != NULL;
 }
 
+struct figure commands_curvature(const struct commands *commands, struct pair curvature)
+{
+    const struct pair unit = lens_words_per_length(pair_of(1), commands->scale, 1);
+    struct figure figure =
+        figure_computed(pair_divide(curvature, unit), NUMBER_UNSCALED, commands->job->arena);
+    sequence_per_length(commands, 1, &figure);
+    return figure;
+}
+
 bool commands_end(const struct commands *commands, size_t word)
 {
     if (word >= commands->count) {

@@ -17,16 +17,6 @@ struct figure sequence_diameter(const struct figure *radius, struct arena *arena
                            .variable = LENS_NONE};
 }
 
-struct figure sequence_curvature(const struct sequence *sequence, struct pair curvature)
-{
-    const struct commands *commands = sequence->commands;
-    const struct pair unit = lens_words_per_length(pair_of(1), commands->scale, 1);
-    struct figure figure =
-        figure_computed(pair_divide(curvature, unit), NUMBER_UNSCALED, sequence->job->arena);
-    sequence_per_length(commands, 1, &figure);
-    return figure;
-}
-
 struct sequence_surface *sequence_add(struct sequence *sequence, struct command_word at)
 {
     struct sequence_surface *surface =

@@ -98,6 +98,9 @@ bool commands_value(const struct commands *commands, size_t word, bool is_length
  */
 bool commands_object(const struct commands *commands, size_t word, struct figure *figure);
 
+/* A curvature that was computed, 1/mm, with the digits of the file's unit. */
+struct figure commands_curvature(const struct commands *commands, struct pair curvature);
+
 /* Nothing may follow from this word on. */
 bool commands_end(const struct commands *commands, size_t word);
 
@@ -227,9 +230,6 @@ static inline void sequence_per_length(const struct commands *commands, int powe
 {
     figure->value = lens_words_per_length(figure->value, commands->scale, power);
 }
-
-/* A curvature that was computed, 1/mm, with the digits of the file's unit. */
-struct figure sequence_curvature(const struct sequence *sequence, struct pair curvature);
 
 /* A full diameter from the radius that was read. */
 struct figure sequence_diameter(const struct figure *radius, struct arena *arena);

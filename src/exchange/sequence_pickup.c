@@ -41,7 +41,7 @@ static void follow_curve(const struct sequence *sequence, const struct sequence_
     target->is_radius = as_radius;
     target->curve = figure_followed(sequence, curve, pickup, as_radius ? scale : NUMBER_UNSCALED);
     if (!as_radius) {
-        target->curve = sequence_curvature(sequence, target->curve.value);
+        target->curve = commands_curvature(sequence->commands, target->curve.value);
     }
 }
 

@@ -83,7 +83,7 @@ static const char *apply_solve(const struct solve_application *solving, bool *ne
     }
     const struct figure figure = solving->is_thickness
                                      ? figure_computed(value, sequence->commands->scale, arena)
-                                     : sequence_curvature(sequence, value);
+                                     : commands_curvature(sequence->commands, value);
     struct surface *surface = &lens->surfaces[solving->surface];
     const struct pair old =
         solving->is_thickness ? surface->thickness.value : surface_curvature(surface, SECTION_Y);
