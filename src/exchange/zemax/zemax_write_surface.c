@@ -345,6 +345,27 @@ static void zemax_put_coefficients(struct lens_writer *writing, const struct sur
     }
 }
 
+/* CURV, of the section in y; a cylinder's other way stands in the first parameter, as a radius. */
+static void zemax_put_curve(struct lens_writer *writing, const struct surface *surface)
+{
+    bool plane = surface->is_plane && !surface->has_curvature;
+    bool cross = surface->curved == CURVED_X;
+    const char *curvature = "0";
+    if (!plane && !cross) {
+        curvature = surface->has_curvature ? zemax_curvature(writing, &surface->curvature)
+                                           : zemax_reciprocal(writing, &surface->radius);
+    }
+    writing_put(writing, "  CURV %s 0 0 0 0 \"\"\r\n", curvature);
+    if (cross && !plane) {
+        struct figure radius = surface->radius;
+        if (surface->has_curvature) {
+            radius = (struct figure){.value = pair_divide(pair_of(1), surface->curvature.value),
+                                     .variable = LENS_NONE};
+        }
+        writing_put(writing, "  PARM 1 %s\r\n", writing_length(writing, &radius, 1));
+    }
+}
+
 /* A thick lens is PARAXIAL: one plane, which maps rays as the principal planes do. */
 static void zemax_put_thick(struct lens_writer *writing, const struct surface *surface,
                             size_t number)
@@ -377,21 +398,7 @@ static void zemax_put_shape(struct lens_writer *writing, const struct surface *s
         zemax_put_thick(writing, surface, number);
         return;
     }
-    bool plane = surface->is_plane && !surface->has_curvature;
-    const char *curvature = "0";
-    if (!plane && !cross) {
-        curvature = surface->has_curvature ? zemax_curvature(writing, &surface->curvature)
-                                           : zemax_reciprocal(writing, &surface->radius);
-    }
-    writing_put(writing, "  CURV %s 0 0 0 0 \"\"\r\n", curvature);
-    if (cross && !plane) {
-        struct figure radius = surface->radius;
-        if (surface->has_curvature) {
-            radius = (struct figure){.value = pair_divide(pair_of(1), surface->curvature.value),
-                                     .variable = LENS_NONE};
-        }
-        writing_put(writing, "  PARM 1 %s\r\n", writing_length(writing, &radius, 1));
-    }
+    zemax_put_curve(writing, surface);
     if (has_conic && !cross) {
         writing_put(writing, "  CONI %s\r\n", writing_length(writing, &surface->conic, 0));
     }
