@@ -160,6 +160,7 @@ static bool oslo_constant(struct oslo *oslo)
     return sequence_read_constant(&oslo->sequence, 1, oslo_present_surface(oslo), oslo->what);
 }
 
+/* ASP ASR: even powers of r; ASP ARA: all. */
 static bool oslo_asphere(struct oslo *oslo)
 {
     const struct command_word word = commands_word(&oslo->commands, 1);
