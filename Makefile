@@ -51,7 +51,7 @@ kernels := $(wildcard src/*/kernel*.c src/*/*/kernel*.c)
 # in the order of linking: what every answer needs lies together, on as few pages as can be
 folders := base light scene report photo cli cli/options cli/question cli/batch cli/answer commands \
            commands/photo commands/tool optics analysis/setup analysis/pupil analysis/rays \
-           analysis/waves analysis/image analysis/real analysis/layout trace/kernel trace trace/aim \
+           analysis/waves analysis/image analysis/model analysis/real analysis/layout trace/kernel trace trace/aim \
            trace/pupil data file exchange exchange/zemax exchange/codev exchange/oslo commands/lens \
            commands/analysis commands/data design design/merit design/solver design/fit \
            design/tolerance commands/design draw base/image camera/sensor camera/film \

@@ -18,7 +18,7 @@ extern const struct command command_distortion;
 extern const struct command command_fit, command_optimize, command_tolerance, command_merge,
     command_render;
 extern const struct command command_tone;
-extern const struct command command_help, command_completion;
+extern const struct command command_bench, command_help, command_completion;
 extern const struct command command_illumination, command_report;
 
 const struct command *const commands[] = {
@@ -66,6 +66,7 @@ const struct command *const commands[] = {
     &command_list,
     &command_glass,
     &command_convert, /* data */
+    &command_bench,
     &command_help,
     &command_completion, /* tool */
     NULL,

@@ -7,6 +7,7 @@
 #include "optics/lens.h"
 
 #include <math.h>
+#include <stdbool.h>
 
 /* A ray where it crosses a plane: place in mm, and slopes dx/dz and dy/dz (not sines). */
 struct slope_ray {
@@ -43,6 +44,15 @@ static inline double thick_lens_slope(double power, double n, double m, double s
     return (n * slope - power * height) / m;
 }
 
+/* Slopes of the line from the object point of a ray through H on the axis. */
+static inline void thick_lens_line(const struct thick_lens *lens, struct slope_ray ray, double *u,
+                                   double *v)
+{
+    const bool is_near = isfinite(lens->object);
+    *u = is_near ? (ray.p * lens->object - ray.x) / (lens->object + lens->front) : ray.p;
+    *v = is_near ? (ray.q * lens->object - ray.y) / (lens->object + lens->front) : ray.q;
+}
+
 /*
  * A ray from the front to the rear reference plane.
  *
@@ -51,7 +61,37 @@ static inline double thick_lens_slope(double power, double n, double m, double s
  *           d = d1 s + d2 s^2 + d3 s^3: all rays of a point meet again in one point, whose
  *           height is that of the perspective image times 1 + d
  */
-struct slope_ray thick_lens_map(const struct thick_lens *lens, struct slope_ray ray);
+static inline struct slope_ray thick_lens_map(const struct thick_lens *lens, struct slope_ray ray)
+{
+    double x = ray.x + lens->front * ray.p, y = ray.y + lens->front * ray.q;
+    double power = 1 / lens->focal, n = lens->index_object, m = lens->index_image;
+    double u, v;
+    thick_lens_line(lens, ray, &u, &v);
+    double s = u * u + v * v;
+    double d = s * (lens->distortion[0] + s * (lens->distortion[1] + s * lens->distortion[2]));
+    struct slope_ray out = {.p = thick_lens_slope(power, n, m, ray.p + u * d, x),
+                            .q = thick_lens_slope(power, n, m, ray.q + v * d, y)};
+    out.x = x - lens->rear * out.p;
+    out.y = y - lens->rear * out.q;
+    return out;
+}
+
+/*
+ * The ray that a hole in H would pass in place of the lens: from the same point of the object.
+ *
+ * Formula   that line's slope w in place of p, h = 0; the ray leaves H' on the axis
+ */
+static inline struct slope_ray thick_lens_pinhole(const struct thick_lens *lens,
+                                                  struct slope_ray ray)
+{
+    double u, v;
+    thick_lens_line(lens, ray, &u, &v);
+    struct slope_ray out = {.p = lens->index_object * u / lens->index_image,
+                            .q = lens->index_object * v / lens->index_image};
+    out.x = -lens->rear * out.p;
+    out.y = -lens->rear * out.q;
+    return out;
+}
 
 /* What stands in for the lens. Places as in struct thick_lens. */
 struct thick_stand_in {

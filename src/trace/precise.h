@@ -4,7 +4,7 @@
 #define LENSCALC_TRACE_PRECISE_H
 
 #include "trace/kernel/search.h"
-#include "trace/system.h"
+#include "trace/verify.h"
 
 #include <math.h>
 
@@ -14,8 +14,7 @@
 
 /*
  * The algorithm of trace/kernel/kernel.c, one ray at a time, with all digits of the decimals that
- * the lens
- * was given in. trace/verify.c has it in 80 bits; tests take 113.
+ * the lens was given in. trace/verify.c has it in 64 bits, trace/verify_quad.c and tests in 113.
  */
 struct precise_ray {
     REAL x[3], p[3]; /* mm, n times the cosines */
@@ -314,6 +313,38 @@ static inline bool precise_trace(struct precise_ray *ray, const struct system *s
         precise_advance(ray, -ray->x[2] / ray->p[2], n * n);
     }
     return true;
+}
+
+static inline struct pair precise_pair(REAL value)
+{
+    const double high = (double)value;
+    return (struct pair){high, (double)(value - (REAL)high)};
+}
+
+/* A ray from a point, along a direction of any length, through the system; see trace/verify.h. */
+static inline struct precise_end precise_end_of(const struct system *system, const double point[3],
+                                                const double direction[3])
+{
+    const size_t count = system->lens->surface_count;
+    const bool reverse = system->options.reverse;
+    const REAL first = precise_of(system->n[reverse ? count : 0]);
+    const REAL last = precise_of(system->n[reverse ? 0 : count]);
+    struct precise_ray ray = {.path = 0};
+    REAL square = 0;
+    for (int i = 0; i < 3; i++) {
+        square += (REAL)direction[i] * (REAL)direction[i];
+    }
+    for (int i = 0; i < 3; i++) {
+        ray.x[i] = (REAL)point[i];
+        ray.p[i] = first * (REAL)direction[i] / precise_root(square);
+    }
+    const bool arrived = precise_trace(&ray, system);
+    struct precise_end end = {.status = ray.status, .surface = ray.surface};
+    for (int i = 0; i < 3; i++) {
+        end.point[i] = arrived ? precise_pair(ray.x[i]) : pair_of(NAN);
+        end.cosine[i] = arrived ? precise_pair(ray.p[i] / last) : pair_of(NAN);
+    }
+    return end;
 }
 
 #endif

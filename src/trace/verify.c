@@ -44,3 +44,9 @@ struct verification verify_ray(const struct system *system, const struct ray *st
     result.path_error = both ? (double)path : (double)NAN;
     return result;
 }
+
+struct precise_end ray_of_64_bits(const struct system *system, const double point[3],
+                                  const double direction[3])
+{
+    return precise_end_of(system, point, direction);
+}

@@ -180,8 +180,8 @@ bool bundle_fail_dark(const struct bundle_source *source, size_t count, struct a
                 ray.surface, ray_status_name(ray.status));
 }
 
-bool bundle_trace(const struct bundle_source *source, size_t rays, size_t to, struct arena *arena,
-                  struct bundle *bundle, struct error *error)
+bool bundle_fill(const struct bundle_source *source, size_t rays, struct arena *arena,
+                 struct bundle *bundle, struct error *error)
 {
     const struct bundle_question *question = source->question;
     *bundle = (struct bundle){.count = 0};
@@ -209,6 +209,15 @@ bool bundle_trace(const struct bundle_source *source, size_t rays, size_t to, st
         if (question->weight == WEIGHT_BEAM) {
             quadrature_weigh_beam(&source->pupil, &bundle->rays, sample.points, arena);
         }
+    }
+    return true;
+}
+
+bool bundle_trace(const struct bundle_source *source, size_t rays, size_t to, struct arena *arena,
+                  struct bundle *bundle, struct error *error)
+{
+    if (!bundle_fill(source, rays, arena, bundle, error)) {
+        return false;
     }
     rays_trace_part(source->through, 0, to, &bundle->rays, NULL);
     for (size_t i = 0; i < bundle->count; i++) {

@@ -88,6 +88,10 @@ bool bundle_open_beside(const struct bundle_question *question, const struct bun
 void bundle_aim(const struct bundle_source *source, const struct pupil_point *points, size_t count,
                 const struct rays *rays);
 
+/* The same as bundle_trace, but the rays are where they start; nothing is counted as lost yet. */
+bool bundle_fill(const struct bundle_source *source, size_t rays, struct arena *arena,
+                 struct bundle *bundle, struct error *error);
+
 /*
  * Fill the pupil and trace.
  *

@@ -9,7 +9,7 @@
 #include "base/sobol.h"
 #include "camera/film/acceptance.h"
 #include "camera/film/film_rays.h"
-#include "camera/film/lens_model.h"
+#include "analysis/model/lens_model.h"
 #include "camera/sensor/shutter.h"
 #include "optics/blades.h"
 

@@ -1,17 +1,14 @@
 /* commands/design/fit_lens.c - the thick lens that equals a lens over exact rays of many fields. */
 /* SPDX-License-Identifier: MIT */
+#include "analysis/model/lens_model.h"
 #include "base/constants.h"
 #include "commands/design/fit.h"
 
-static struct thick_lens thick_of(const struct first_order *first, const struct lens *lens)
+static struct thick_lens fit_model(enum lens_model model, const struct first_order *first,
+                                   const struct lens *lens)
 {
-    return (struct thick_lens){.focal = first->efl,
-                               .front = first->front_principal,
-                               .rear = first->rear_principal,
-                               .index_object = first->index_object,
-                               .index_image = first->index_image,
-                               .object =
-                                   lens->object_is_infinite ? INFINITY : lens->object.value.hi};
+    return lens_model_thick(model, first,
+                            lens->object_is_infinite ? INFINITY : lens->object.value.hi);
 }
 
 /* The fields of which no ray came through, as a sentence; null = none. */
@@ -68,7 +65,8 @@ static bool fit_job_add_rays(const struct fit_job *job, size_t rays, struct ray_
         return false;
     }
     *sums = thick_sums_open(setup->field_count, setup->wavelength_count,
-                            thick_of(&job->light.first, setup->lens).object, job->run->arena);
+                            fit_model(MODEL_THICK, &job->light.first, setup->lens).object,
+                            job->run->arena);
     while ((part = ray_data_next(ray_data)) != NULL) {
         if (!thick_sums_add(sums, &part->rays, error)) {
             ray_data_rewind(ray_data);
@@ -140,7 +138,7 @@ bool fit_job_run(struct fit_job *job, struct error *error)
         .focus_weight = is_image ? THICK_FOCUS_WEIGHT : 0,
         .distortions = distortion_terms(job),
         .options = {.progress = fit_goes_on, .progress_context = job->run->watch},
-        .start = thick_of(first, setup->lens)};
+        .start = fit_model(MODEL_THICK, first, setup->lens)};
     job->task.object = job->task.start.object;
     watch_begin(job->run->watch, "iterations", 0);
     /* What the fitted lens is compared with: the paraxial lens, and the thin one. */
@@ -150,8 +148,9 @@ bool fit_job_run(struct fit_job *job, struct error *error)
         job->paraxial[g] = job->task.start;
         job->paraxial[g].index_object = job->ray_data.index_object[g];
         job->paraxial[g].index_image = job->ray_data.index_image[g];
-        job->thin[g] = job->paraxial[g];
-        job->thin[g].front = first->length + job->thin[g].rear;
+        job->thin[g] = fit_model(MODEL_THIN, first, setup->lens);
+        job->thin[g].index_object = job->ray_data.index_object[g];
+        job->thin[g].index_image = job->ray_data.index_image[g];
     }
     for (int k = 0; k < 2; k++) {
         struct thick_pupil *pupil = k == 0 ? &job->entrance : &job->exit;

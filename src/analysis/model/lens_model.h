@@ -1,12 +1,13 @@
-/* camera/film/lens_model.h - what takes the place of a lens where it need not be exact. */
+/* analysis/model/lens_model.h - what takes the place of a lens where it need not be exact. */
 /* SPDX-License-Identifier: MIT */
-#ifndef LENSCALC_CAMERA_FILM_LENS_MODEL_H
-#define LENSCALC_CAMERA_FILM_LENS_MODEL_H
+#ifndef LENSCALC_ANALYSIS_MODEL_LENS_MODEL_H
+#define LENSCALC_ANALYSIS_MODEL_LENS_MODEL_H
 
 #include "base/arena.h"
 #include "base/error.h"
 #include "base/text.h"
 #include "optics/first_order.h"
+#include "optics/thick_lens.h"
 
 #include <stdbool.h>
 
@@ -21,6 +22,13 @@
  *           nothing vignettes
  * thin      the same with one principal plane, H, and the stop in it
  * pinhole   a hole in place of that, which lets as much light through as the stop
+ *
+ * Those behind LENS_MODELS say where rays end, and stand for no lens in a photograph:
+ *
+ * seidel      the paraxial ray and its aberrations of the third order
+ * polynomial  sparse polynomials that were fitted to exact rays
+ * exact-64    exact in numbers of 64 bits, where `exact` has 53
+ * exact-113   and of 113
  */
 enum lens_model {
     MODEL_EXACT,
@@ -29,11 +37,16 @@ enum lens_model {
     MODEL_THICK,
     MODEL_THIN,
     MODEL_PINHOLE,
-    LENS_MODELS
+    LENS_MODELS,
+    MODEL_SEIDEL,
+    MODEL_POLYNOMIAL,
+    MODEL_EXACT_64,
+    MODEL_EXACT_113,
+    RAY_MODELS
 };
 
-/* The words of the command line for them; ends with null. */
-extern const struct word lens_models[];
+/* The words for them, one a model; that of LENS_MODELS is null, where the command line's end. */
+extern const struct word lens_models[RAY_MODELS];
 
 /* Is it another lens than the one asked for, or the same, traced in another way? */
 static inline bool lens_model_replaces(enum lens_model model)
@@ -49,6 +62,17 @@ static inline bool lens_model_replaces(enum lens_model model)
  */
 bool lens_model_check(const struct lens *lens, const struct first_order *first,
                       struct error *error);
+
+/*
+ * The thick lens of first-order data.
+ *
+ * Given     model   MODEL_THIN: H lies in H', as far from the film as in the thick lens, else
+ *                   they lie where they are
+ *           first   of it, not afocal
+ *           object  before the first vertex, mm; infinite for a distant one
+ */
+struct thick_lens lens_model_thick(enum lens_model model, const struct first_order *first,
+                                   double object);
 
 /*
  * The lens that stands in for another.

@@ -1,12 +1,10 @@
-/* camera/film/lens_model.c - thick and thin lenses with the first-order data of a real one. */
+/* analysis/model/lens_model.c - thick and thin lenses with the first-order data of a real one. */
 /* SPDX-License-Identifier: MIT */
-#include "camera/film/lens_model.h"
-
-#include "optics/thick_lens.h"
+#include "analysis/model/lens_model.h"
 
 #include <math.h>
 
-const struct word lens_models[] = {
+const struct word lens_models[RAY_MODELS] = {
     [MODEL_EXACT] = {"exact", "all surfaces as they are"},
     [MODEL_PARAXIAL] = {"paraxial", "all surfaces as they are near the axis"},
     [MODEL_FITTED] = {"fitted", "the thick lens that equals the exact rays best"},
@@ -14,6 +12,10 @@ const struct word lens_models[] = {
     [MODEL_THIN] = {"thin", "focal length, the stop in the lens"},
     [MODEL_PINHOLE] = {"pinhole", "a hole that lets as much light through"},
     [LENS_MODELS] = {NULL, NULL},
+    [MODEL_SEIDEL] = {"seidel", "the paraxial ray and its aberrations of the third order"},
+    [MODEL_POLYNOMIAL] = {"polynomial", "sparse polynomials fitted to exact rays"},
+    [MODEL_EXACT_64] = {"exact-64", "all surfaces as they are, in numbers of 64 bits"},
+    [MODEL_EXACT_113] = {"exact-113", "the same in numbers of 113 bits"},
 };
 
 bool lens_model_check(const struct lens *lens, const struct first_order *first, struct error *error)
@@ -42,18 +44,25 @@ bool lens_model_check(const struct lens *lens, const struct first_order *first, 
     return why == NULL || fail(error, ERROR_DOMAIN, "%s: %s", others, why);
 }
 
+struct thick_lens lens_model_thick(enum lens_model model, const struct first_order *first,
+                                   double object)
+{
+    return (struct thick_lens){.focal = first->efl,
+                               .front = model == MODEL_THIN ? first->length + first->rear_principal
+                                                            : first->front_principal,
+                               .rear = first->rear_principal,
+                               .index_object = first->index_object,
+                               .index_image = first->index_image,
+                               .object = object};
+}
+
 struct lens lens_model_lens(enum lens_model model, const struct lens *lens,
                             const struct first_order *first, struct arena *arena)
 {
     const double front = first->front_principal, rear = first->rear_principal;
     const bool is_thick = model == MODEL_THICK;
     const struct thick_stand_in all = {
-        .thick = {.focal = first->efl,
-                  .front = front,
-                  .rear = rear,
-                  .index_object = first->index_object,
-                  .index_image = first->index_image,
-                  .object = INFINITY},
+        .thick = lens_model_thick(MODEL_THICK, first, INFINITY),
         .length = is_thick ? first->length : front - rear, /* H' in H */
         .pupil = is_thick ? first->entrance_pupil : front,
         .pupil_diameter = fabs(first->entrance_diameter),
