@@ -7,7 +7,7 @@
 
 enum { TIMING_MOST = 1024 }; /* works */
 
-double timing_processor(void)
+static double timing_processor(void)
 {
     struct timespec time = {0};
     clock_gettime(CLOCK_THREAD_CPUTIME_ID, &time);

@@ -16,15 +16,12 @@ struct timed_work {
 
 /* How long to go on. */
 struct timing_plan {
-    double (*clock)(void); /* s; timing_processor, but for tests */
+    double (*clock)(void); /* s; the time that the processor gave this thread, but for tests */
     double batch;          /* s: so long a call is repeated for one figure */
     double agreement;      /* share by which two turns in a row may differ */
     int rounds;            /* of a turn: each work once in each */
     int turns;             /* at most */
 };
-
-/* The time that the processor gave this thread, s. */
-double timing_processor(void);
 
 /* Two turns within 5 %, of three rounds each; at most ten turns. */
 struct timing_plan timing_plan_default(void);
@@ -34,9 +31,9 @@ struct timing_plan timing_plan_default(void);
  *
  * Given     works  `run` and `context`, which may be run as often as it takes; receive the rest
  * Formula   calls are doubled until they take a batch. A turn has all works one after the other,
- *           several times, so that what slows the machine for a while slows all; of each the fastest
- *           counts. Where two turns in a row agree the faster of them is the answer, and the work
- *           has no more turns; processor time, since other programs then count less
+ *           several times, so that what slows the machine for a while slows all; of each the
+ *           fastest counts. Where two turns in a row agree the faster of them is the answer, and
+ *           the work has no more turns; processor time, since other programs then count less
  * Limits    a processor that changes its speed, or shares a core, makes turns differ: the work then
  *           has no time
  */

@@ -1,7 +1,7 @@
 /* trace/verify_quad.c - the trace in 113-bit numbers, where the compiler has them. */
 /* SPDX-License-Identifier: MIT */
 #if defined(__SIZEOF_FLOAT128__) || defined(__FLOAT128__)
-__extension__ typedef __float128 quad;
+typedef __float128 quad;
 #define REAL quad
 #else
 #define REAL long double

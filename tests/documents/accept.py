@@ -15,7 +15,7 @@ import tempfile
 sys.dont_write_bytecode = True
 sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
 sys.path.insert(0, os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
-from check_documents import NOT_RUN, examples_of, page_blocks, readme_blocks
+from check_documents import NOT_RUN, examples_of, form_of, page_blocks, readme_blocks
 import keyword_tables
 from harness import ROOT, Program
 
@@ -71,6 +71,8 @@ def rewrite(program, path):
                 if command.split()[0] in NOT_RUN:
                     continue
                 output = program.shell(command, folder).stdout.decode().rstrip("\n").split("\n")
+                if command.startswith("lenscalc bench") and form_of(output) == form_of(expected):
+                    continue  # its times never come out again
                 first = number + command.count("\n")
                 edits.append((first, first + len(expected),
                               [escape(line) if page else (indent + line if line else line)

@@ -11,6 +11,8 @@ Conventions of README and man/*.[157]:
   `; echo $?` and `2>&1`. The same commands from an empty folder on are run once, wherever they
   stand.
 - A command that starts with "make" or "sudo" is shown, never run.
+- `lenscalc bench` prints times, and rows for the instructions of the machine: the form of its
+  output is compared, see form_of.
 - Options: in a page's section OPTIONS each option is a .TP followed by a line that names it:
   .BR \\-f ", " \\-\\-focal\\-length ... or \\fB\\-f\\fR, \\fB\\-\\-focal\\-length\\fR .... They must
   be those of `lenscalc list options --kind COMMAND --tsv`; lenscalc(1) has the common ones, and may
@@ -111,9 +113,17 @@ def examples_of(start, block):
     return found
 
 
+def form_of(lines):
+    """What of an answer of bench is the same on every machine: its words, no numbers, no times."""
+    lines = "\n".join(lines).split("\nwarning: the machine is busy")[0].split("\n")
+    numbers = re.compile(r"(?<![\w.])[-+]?[0-9][0-9.]*(e[-+]?[0-9]+)?(?![\w.])")
+    lines = [numbers.sub("", line) for line in lines if not re.search("sse2|avx2|avx512", line)]
+    return [" ".join(re.sub(r"\b(yes|no|true|false)\b", "", line).split()) for line in lines]
+
+
 def lacking(program, command):
     """What the command needs and is not here; what follows in its block may need its files."""
-    if command.startswith("lenscalc fit") and not program.has_solver():
+    if command.startswith(("lenscalc fit", "lenscalc bench")) and not program.has_solver():
         return "the solver"
     return next((tool for tool in TOOLS
                  if re.search(rf"(?<![\w-]){tool} ", command) and not shutil.which(tool)), None)
@@ -164,6 +174,8 @@ def check_examples(checks, examples, path, blocks):
             result = examples.run(commands)[0]
             actual = result.stdout.decode("utf-8", "replace").rstrip("\n").split("\n")
             actual = [] if actual == [""] else actual
+            if command.startswith("lenscalc bench"):
+                expected, actual = form_of(expected), form_of(actual)
             wanted = "\n".join(expected)
             difference = "" if "\n".join(actual) == wanted else "\n    ".join(
                 list(difflib.unified_diff(expected, actual, "page", "program", lineterm="",

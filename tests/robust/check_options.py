@@ -80,6 +80,8 @@ ASKED = {
     "glass": ("N-BK7 -w 500 --thickness 10mm", ("w", "486,587", "thickness", "5,10"),
               "w\n486\n587\n"),
     "convert": ("double-gauss", None, None),
+    "bench": ("double-gauss -N 5.6 --degree 3 --columns model,rms_error", ("N", "4,8", "w", "486,587"),
+              "N\n4\n8\n"),
     "help": ("", None, None),
     "completion": ("bash", None, None),
 }

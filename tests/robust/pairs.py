@@ -76,6 +76,7 @@ OTHERS = {
     "glass": ("N-BK7 -w 500", "--nd 1.517 --vd 64", "--nd 1.5..1.52 --vd 64..66", "--like N-BK7",
               "--catalog SCHOTT --abbe out.svg"),
     "convert": ("double-gauss",),
+    "bench": ("../singlet.lens --degree 3", "../singlet.lens --quantity spot --rays 20 --degree 3"),
     "list": ("formats", "lenses", "glasses", "options"),
     "merge": ("../one.part -o out.png",),
     "fit": ("double-gauss --rays 8", "double-gauss --rays 8 --show parameters",

@@ -12,8 +12,9 @@
 #include <string.h>
 
 enum {
-    MODEL_RAYS = 60,   /* of a field, if no number is given */
-    FITTED_FIELDS = 24, /* of the rays that polynomials are fitted to */
+    MODEL_RAYS = 60,     /* of a field, if no number is given; */
+    CONTRAST_RAYS = 500, /* of contrast */
+    FITTED_FIELDS = 24,  /* of the rays that polynomials are fitted to */
     FITTED_RAYS = 64,
     MOST_WAYS = 64,
     MOST_DOUBLINGS = 9
@@ -23,6 +24,13 @@ static const size_t quadrature_rays[] = {12, 30, 75, 190, 480, 1200};
 static const int polynomial_degrees[] = {3, 5, 7, 9, 11};
 static const double wave_errors[] = {1e-1, 1e-2, 1e-3, 1e-4, 1e-5};
 static const double truth_wanted = 1e-9;
+
+/* How many rays of a field models have. */
+static size_t benchmark_rays(const struct benchmark_question *question)
+{
+    const size_t usual = question->quantity == BENCHMARK_MTF ? CONTRAST_RAYS : MODEL_RAYS;
+    return question->rays > 0 ? question->rays : usual;
+}
 
 /* The sum that a quantity is. */
 static const enum model_sum sums[BENCHMARK_QUANTITIES] = {
@@ -35,8 +43,8 @@ static const enum model_sum sums[BENCHMARK_QUANTITIES] = {
 struct benchmark_work {
     const struct benchmark_question *question;
     struct arena *arena;
-    struct model_rays rays; /* of models, those that judge BENCHMARK_RAY */
-    double (*low)[2];       /* of where BENCHMARK_RAY's end */
+    struct model_rays rays;              /* of models, those that judge BENCHMARK_RAY */
+    double (*low)[2];                    /* of where BENCHMARK_RAY's end */
     double (*truth)[2], (*truth_low)[2]; /* where they do by 113 bits */
     double *sums;                        /* of other quantities the truth, one a field */
     double *weights;                     /* of fields; they add up to 1 */
@@ -84,14 +92,14 @@ static bool benchmark_fit(const struct benchmark_work *work, int degree, struct 
         return false;
     }
     model_rays_trace(model, &rays, NULL);
-    const struct ray_polynomial_task task = {
-        .before = &rays.starts,
-        .after = &rays.ends,
-        .degree = degree,
-        .terms = question->terms > 0 ? question->terms : 4 * (size_t)degree,
-        .pupil = setup->first.entrance_pupil,
-        .index = model->system->index_first,
-        .index_last = model->system->index_last};
+    const struct ray_polynomial_task task = {.before = &rays.starts,
+                                             .after = &rays.ends,
+                                             .degree = degree,
+                                             .terms = question->terms > 0 ? question->terms
+                                                                          : 4 * (size_t)degree,
+                                             .pupil = setup->first.entrance_pupil,
+                                             .index = model->system->index_first,
+                                             .index_last = model->system->index_last};
     model->kind = MODEL_POLYNOMIAL;
     return ray_polynomial_fit(&task, arena, &model->polynomial, error);
 }
@@ -226,8 +234,8 @@ static bool benchmark_true_sums(struct benchmark_work *work, struct benchmark *b
     const struct setup *setup = question->setup;
     double *off = ARENA_ARRAY(work->arena, setup->field_count, double);
     work->sums = ARENA_ARRAY(work->arena, setup->field_count, double);
-    bool found = question->quantity != BENCHMARK_FOCUS ||
-                 benchmark_converge(work, work->sums, off, error);
+    bool found =
+        question->quantity != BENCHMARK_FOCUS || benchmark_converge(work, work->sums, off, error);
     for (size_t f = 0; f < setup->field_count && found; f++) {
         double *truth = &work->sums[f];
         if (question->quantity == BENCHMARK_SPOT) {
@@ -251,61 +259,63 @@ static bool benchmark_true_sums(struct benchmark_work *work, struct benchmark *b
 
 /* -------- the ways -------- */
 
-static struct benchmark_way *benchmark_add(struct benchmark *benchmark, struct benchmark_way way)
+static void benchmark_add(struct benchmark *benchmark, struct benchmark_way way)
 {
-    struct benchmark_way *added = &benchmark->ways[benchmark->count++];
     way.error = way.error_fitted = way.digits = way.seconds = way.disagrees = NAN;
-    *added = way;
-    return added;
+    benchmark->ways[benchmark->count++] = way;
 }
 
-/* All ways to the quantity, the simplest first. */
-static void benchmark_list(const struct benchmark_question *question, struct benchmark *benchmark)
+/* Models, the simplest first. */
+static void benchmark_list_models(const struct benchmark_question *question,
+                                  struct benchmark *benchmark)
 {
     static const enum lens_model simple[] = {MODEL_PINHOLE, MODEL_THIN,     MODEL_THICK,
                                              MODEL_FITTED,  MODEL_PARAXIAL, MODEL_SEIDEL};
     const bool is_ray = question->quantity == BENCHMARK_RAY;
-    const size_t rays = question->rays > 0 ? question->rays : MODEL_RAYS;
+    const size_t rays = is_ray ? 0 : benchmark_rays(question);
     for (size_t i = 0; i < sizeof simple / sizeof simple[0]; i++) {
-        benchmark_add(benchmark,
-                      (struct benchmark_way){.model = simple[i], .rays = is_ray ? 0 : rays});
+        benchmark_add(benchmark, (struct benchmark_way){.model = simple[i], .rays = rays});
     }
     for (size_t i = 0; i < sizeof polynomial_degrees / sizeof polynomial_degrees[0]; i++) {
+        const int degree = question->degree > 0 ? question->degree : polynomial_degrees[i];
         if (question->degree == 0 || i == 0) {
-            benchmark_add(benchmark, (struct benchmark_way){
-                                         .model = MODEL_POLYNOMIAL,
-                                         .degree = question->degree > 0 ? question->degree
-                                                                        : polynomial_degrees[i],
-                                         .rays = is_ray ? 0 : rays});
-        }
-    }
-    for (enum instruction_set set = SET_SSE2; set <= SET_AVX512 && is_ray; set++) {
-        if (instruction_set_works(set)) {
-            benchmark_add(benchmark, (struct benchmark_way){.model = MODEL_EXACT, .set = set});
+            benchmark_add(
+                benchmark,
+                (struct benchmark_way){.model = MODEL_POLYNOMIAL, .degree = degree, .rays = rays});
         }
     }
     if (!is_ray) {
         benchmark_add(benchmark, (struct benchmark_way){.model = MODEL_EXACT, .rays = rays});
+        return;
     }
-    for (enum lens_model model = MODEL_EXACT_64; model <= MODEL_EXACT_113 && is_ray; model++) {
+    for (enum instruction_set set = SET_SSE2; set <= SET_AVX512; set++) {
+        if (instruction_set_works(set)) {
+            benchmark_add(benchmark, (struct benchmark_way){.model = MODEL_EXACT, .set = set});
+        }
+    }
+    for (enum lens_model model = MODEL_EXACT_64; model <= MODEL_EXACT_113; model++) {
         benchmark_add(benchmark, (struct benchmark_way){.model = model});
     }
-    for (int p = 0; p < PATTERNS && !is_ray; p++) {
-        for (size_t i = 0; i < sizeof quadrature_rays / sizeof *quadrature_rays; i++) {
-            if (p != PATTERN_FAN && (question->rays == 0 || i == 0)) {
-                benchmark_add(benchmark, (struct benchmark_way){
-                                             .is_quadrature = true,
-                                             .pattern = (enum pattern)p,
-                                             .rays = question->rays > 0 ? question->rays
-                                                                        : quadrature_rays[i]});
-            }
+}
+
+/* Sums from the lens alone, and contrast by waves. */
+static void benchmark_list_sums(const struct benchmark_question *question,
+                                struct benchmark *benchmark)
+{
+    static const enum pattern kinds[] = {PATTERN_GAUSS, PATTERN_HEXAPOLAR, PATTERN_SQUARE,
+                                         PATTERN_SOBOL};
+    const size_t few = question->rays > 0 ? 1 : sizeof quadrature_rays / sizeof *quadrature_rays;
+    for (size_t p = 0; p < sizeof kinds / sizeof kinds[0]; p++) {
+        for (size_t i = 0; i < few; i++) {
+            const size_t rays = question->rays > 0 ? question->rays : quadrature_rays[i];
+            benchmark_add(benchmark, (struct benchmark_way){
+                                         .is_quadrature = true, .pattern = kinds[p], .rays = rays});
         }
     }
-    for (size_t i = 0; i < sizeof wave_errors / sizeof *wave_errors; i++) {
-        if (question->quantity == BENCHMARK_MTF) {
-            benchmark_add(benchmark,
-                          (struct benchmark_way){.is_wave = true, .asked = wave_errors[i]});
-        }
+    const size_t waves =
+        question->quantity == BENCHMARK_MTF ? sizeof wave_errors / sizeof *wave_errors : 0;
+    for (size_t i = 0; i < waves; i++) {
+        benchmark_add(benchmark, (struct benchmark_way){.is_wave = true, .asked = wave_errors[i]});
     }
 }
 
@@ -324,8 +334,8 @@ static void benchmark_once(void *context)
     if (way->is_wave) {
         double off;
         for (size_t f = 0; f < question->setup->field_count && !run->has_failed; f++) {
-            run->has_failed = !benchmark_wave(question, f, way->asked, &run->arena,
-                                              &run->values[f], &off, &run->error);
+            run->has_failed = !benchmark_wave(question, f, way->asked, &run->arena, &run->values[f],
+                                              &off, &run->error);
         }
     } else {
         const struct model_sum_question asked = {.setup = question->setup,
@@ -384,6 +394,9 @@ static bool benchmark_judge(const struct benchmark_work *work, const struct benc
     if (way->model == MODEL_PINHOLE && question->quantity == BENCHMARK_IRRADIANCE) {
         return fail(error, ERROR_DOMAIN, "one ray of a point has no light");
     }
+    if (way->model == MODEL_PINHOLE && question->quantity == BENCHMARK_FOCUS) {
+        return fail(error, ERROR_DOMAIN, "one ray of a point has no focus");
+    }
     if (way->model == MODEL_FITTED) {
         if (question->fitted == NULL) {
             return fail(error, ERROR_DOMAIN, "%s", question->unfitted);
@@ -393,7 +406,8 @@ static bool benchmark_judge(const struct benchmark_work *work, const struct benc
         if (!benchmark_fit(work, way->degree, &run->model, error)) {
             return false;
         }
-        way->error_fitted = run->model.polynomial.rms;
+        way->error_fitted =
+            question->quantity == BENCHMARK_RAY ? run->model.polynomial.rms : (double)NAN;
         way->terms = run->model.polynomial.place.count;
     } else if (!way->is_quadrature && !way->is_wave &&
                !ray_model_open(setup, way->model, work->arena, &run->model, error)) {
@@ -405,9 +419,8 @@ static bool benchmark_judge(const struct benchmark_work *work, const struct benc
         *error = run->error;
         return false;
     }
-    way->error = question->quantity == BENCHMARK_RAY
-                     ? benchmark_rays_error(work)
-                     : benchmark_sums_error(work, run->values);
+    way->error = question->quantity == BENCHMARK_RAY ? benchmark_rays_error(work)
+                                                     : benchmark_sums_error(work, run->values);
     if (!isfinite(way->error)) {
         return fail(error, ERROR_DOMAIN, "its rays do not reach the image plane");
     }
@@ -415,7 +428,8 @@ static bool benchmark_judge(const struct benchmark_work *work, const struct benc
     return true;
 }
 
-void benchmark_mark_front(struct benchmark_way *ways, size_t count)
+/* Mark the ways on the front, those of them that have time and error. */
+static void benchmark_mark_front(struct benchmark_way *ways, size_t count)
 {
     for (size_t i = 0; i < count; i++) {
         ways[i].is_best = ways[i].seconds > 0 && ways[i].error >= 0;
@@ -460,8 +474,9 @@ bool benchmark_run(const struct benchmark_question *question, struct arena *aren
     struct benchmark_work work = {.question = question, .arena = arena};
     double weight = 0;
     if (isnan(setup->image)) {
-        return fail(error, ERROR_DOMAIN, "the image lies at infinity: there is no plane on which "
-                                         "rays could be compared");
+        return fail(error, ERROR_DOMAIN,
+                    "the image lies at infinity: there is no plane on which "
+                    "rays could be compared");
     }
     work.weights = ARENA_ARRAY(arena, setup->field_count, double);
     for (size_t f = 0; f < setup->field_count; f++) {
@@ -474,7 +489,7 @@ bool benchmark_run(const struct benchmark_question *question, struct arena *aren
     const struct model_sum_question rays = {
         .setup = setup,
         .sum = question->quantity == BENCHMARK_RAY ? MODEL_SUM_SPOT : sums[question->quantity],
-        .rays = question->rays > 0 ? question->rays : MODEL_RAYS,
+        .rays = benchmark_rays(question),
         .clip = question->clip};
     if (!model_rays_make(&rays, setup->fields, setup->field_count, arena, &work.rays, error)) {
         return false;
@@ -483,7 +498,10 @@ bool benchmark_run(const struct benchmark_question *question, struct arena *aren
                                             : !benchmark_true_sums(&work, benchmark, error)) {
         return false;
     }
-    benchmark_list(question, benchmark);
+    benchmark_list_models(question, benchmark);
+    if (question->quantity != BENCHMARK_RAY) {
+        benchmark_list_sums(question, benchmark);
+    }
     struct benchmark_run *runs = ARENA_ARRAY(arena, benchmark->count, struct benchmark_run);
     for (size_t i = 0; i < benchmark->count; i++) {
         struct benchmark_way *way = &benchmark->ways[i];
@@ -495,7 +513,8 @@ bool benchmark_run(const struct benchmark_question *question, struct arena *aren
         } else if (way->model == MODEL_EXACT_113) {
             way->error = ldexp(way[-1].error, -49); /* the same steps with 49 bits more */
         }
-        way->digits = fmax(log10(benchmark->scale / way->error), 0);
+        way->digits = log10(benchmark->scale / way->error);
+        way->digits = way->digits < 1e-6 ? 0 : way->digits; /* rounding is no digit */
     }
     if (question->timing != NULL) {
         benchmark_time(&work, benchmark, runs);

@@ -38,10 +38,10 @@ struct benchmark_way {
     bool is_quadrature;       /* exact rays, aimed at the stop, by `pattern` */
     bool is_wave;             /* contrast by waves */
     enum pattern pattern;
-    size_t rays;     /* of a field; 0: none are counted */
-    double asked;    /* the error that contrast by waves was asked for */
-    const char *why; /* why there is no answer; null: there is one */
-    double error;    /* in the unit of the quantity, of irradiance relative: see below */
+    size_t rays;         /* of a field; 0: none are counted */
+    double asked;        /* the error that contrast by waves was asked for */
+    const char *why;     /* why there is no answer; null: there is one */
+    double error;        /* in the unit of the quantity, of irradiance relative: see below */
     double error_fitted; /* of a polynomial, over the rays that were fitted; NaN */
     double digits;       /* that are right */
     double seconds;      /* of a ray, or of all fields; NaN: not known */
@@ -70,8 +70,5 @@ struct benchmark {
  */
 bool benchmark_run(const struct benchmark_question *question, struct arena *arena,
                    struct benchmark *benchmark, struct error *error);
-
-/* Mark the ways on the front, those of them that have time and error. */
-void benchmark_mark_front(struct benchmark_way *ways, size_t count);
 
 #endif

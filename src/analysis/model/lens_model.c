@@ -20,7 +20,7 @@ const struct word lens_models[RAY_MODELS] = {
 
 bool lens_model_check(const struct lens *lens, const struct first_order *first, struct error *error)
 {
-    static const char others[] = "no thick or thin lens stands for this one";
+    static const char others[] = "no model stands for this lens";
     const char *why = NULL;
     bool is = true;
     for (size_t i = 0; i < lens->surface_count; i++) {

@@ -90,8 +90,8 @@ static double model_light(const struct model_rays *rays, size_t from, size_t to,
             p[k] = rays->ends.blocks[(i + k) / RAYS_BLOCK].p[(i + k) % RAYS_BLOCK];
             q[k] = rays->ends.blocks[(i + k) / RAYS_BLOCK].q[(i + k) % RAYS_BLOCK];
         }
-        sum += rays->weights[i / 4] * fabs((p[0] - p[1]) * (q[2] - q[3]) -
-                                           (q[0] - q[1]) * (p[2] - p[3]));
+        sum += rays->weights[i / 4] *
+               fabs((p[0] - p[1]) * (q[2] - q[3]) - (q[0] - q[1]) * (p[2] - p[3]));
     }
     return sum / (4 * rays->step * rays->step * n * n);
 }
@@ -180,8 +180,8 @@ static double model_field_light(const struct model_field *field, struct arena *a
         tangent_follow(system, lanes, 2, block, tangents);
         for (size_t k = 0; k < used; k++) {
             const double weight = field->weights[b * RAYS_BLOCK + k];
-            const double det = fabs(tangents[0].p[k] * tangents[1].q[k] -
-                                    tangents[1].p[k] * tangents[0].q[k]);
+            const double det =
+                fabs(tangents[0].p[k] * tangents[1].q[k] - tangents[1].p[k] * tangents[0].q[k]);
             sum += weight > 0 && isfinite(det) ? weight * det : 0;
         }
     }
@@ -194,8 +194,8 @@ bool model_sum_find(const struct model_sum_question *question, struct arena *are
     for (size_t f = 0; f < question->setup->field_count; f++) {
         const struct arena_mark mark = arena_mark(arena);
         struct model_field *field = ARENA_NEW(arena, struct model_field);
-        const bool found = model_field_open(question, &question->setup->fields[f].point, arena,
-                                            field, error);
+        const bool found =
+            model_field_open(question, &question->setup->fields[f].point, arena, field, error);
         if (found) {
             values[f] = question->sum == MODEL_SUM_IRRADIANCE
                             ? model_field_light(field, arena)

@@ -54,8 +54,8 @@ void model_rays_trace(const struct ray_model *model, const struct model_rays *ra
  *
  * Given     rays    of `count` fields; their ends are overwritten
  *           values  receives `count` numbers
- * Formula   the irradiance is the sum of weights times |d(n L, n M)/d(a, b)|/n^2 with L and M behind
- *           the lens, a and b across the beam, by central differences: off by 1e-8 of it
+ * Formula   the irradiance is the sum of weights times |d(n L, n M)/d(a, b)|/n^2 with L and M
+ *           behind the lens, a and b across the beam, by central differences: off by 1e-8 of it
  * Source    as illumination_of_field
  */
 void model_sum_of_model(const struct model_sum_question *question, const struct ray_model *model,

@@ -78,8 +78,8 @@ static void ray_model_pinhole_block(const struct ray_model *model, struct ray_bl
 {
     const struct thick_lens thick = model->thick;
     for (size_t i = 0; i < lanes; i++) {
-        ray_model_put(block, i, thick_lens_pinhole(&thick, ray_model_start(block, i)),
-                      model->image, thick.index_image);
+        ray_model_put(block, i, thick_lens_pinhole(&thick, ray_model_start(block, i)), model->image,
+                      thick.index_image);
     }
 }
 
@@ -140,8 +140,7 @@ void ray_model_trace(const struct ray_model *model, const struct rays *rays, dou
         } else if (model->kind == MODEL_PINHOLE) {
             ray_model_pinhole_block(model, block, lanes);
         } else if (model->kind >= MODEL_EXACT_64) {
-            ray_model_precise_block(model, block, lanes,
-                                    low != NULL ? low + b * RAYS_BLOCK : NULL);
+            ray_model_precise_block(model, block, lanes, low != NULL ? low + b * RAYS_BLOCK : NULL);
         } else {
             ray_model_thick_block(model, block, lanes);
         }

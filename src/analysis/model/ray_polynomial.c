@@ -9,9 +9,8 @@ struct ray_variables {
     double w[2][RAYS_BLOCK], h[2][RAYS_BLOCK];
 };
 
-static void ray_variables_of(const struct ray_polynomial *polynomial,
-                             const struct ray_block *block, size_t lanes,
-                             struct ray_variables *of)
+static void ray_variables_of(const struct ray_polynomial *polynomial, const struct ray_block *block,
+                             size_t lanes, struct ray_variables *of)
 {
     const double scale = 1 / polynomial->index, length = 1 / polynomial->length;
     for (size_t i = 0; i < lanes; i++) {
@@ -296,7 +295,8 @@ bool ray_polynomial_fit(const struct ray_polynomial_task *task, struct arena *ar
                                           .index_last = task->index_last};
     polynomial->length = ray_polynomial_length(polynomial, task->before, list, count);
     const struct pursuit pursuit = pursuit_open(task, polynomial, list, count, arena);
-    double *left[2] = {ARENA_ARRAY(arena, 2 * count, double), ARENA_ARRAY(arena, 2 * count, double)};
+    double *left[2] = {ARENA_ARRAY(arena, 2 * count, double),
+                       ARENA_ARRAY(arena, 2 * count, double)};
     for (size_t k = 0; k < count; k++) {
         const struct ray_block *block = &after->blocks[list[k] / RAYS_BLOCK];
         const size_t lane = list[k] % RAYS_BLOCK;

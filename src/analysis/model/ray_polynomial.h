@@ -10,9 +10,9 @@
 #include <stddef.h>
 
 enum {
-    RAY_POLYNOMIAL_DEGREE = 15,                      /* at most, of place and direction together */
+    RAY_POLYNOMIAL_DEGREE = 15,                       /* at most, of place and direction together */
     RAY_POLYNOMIAL_POWER = RAY_POLYNOMIAL_DEGREE / 2, /* of an invariant */
-    RAY_POLYNOMIAL_TERMS = 240                       /* of that degree */
+    RAY_POLYNOMIAL_TERMS = 240                        /* of that degree */
 };
 
 /* coefficient (w.w)^i (w.h)^j (h.h)^k times w, or times h. */
@@ -30,7 +30,7 @@ struct ray_series {
 
 struct ray_polynomial {
     int degree;
-    double pupil, length;     /* the plane of w from the first vertex, and what w is divided by, mm */
+    double pupil, length; /* the plane of w from the first vertex, and what w is divided by, mm */
     double index, index_last; /* before and behind the lens */
     struct ray_series place, direction;
     double rms; /* over the rays that were fitted, mm */
@@ -41,7 +41,7 @@ struct ray_polynomial_task {
     const struct rays *before, *after; /* lost ones are left out */
     int degree;                        /* 1, 3 .. RAY_POLYNOMIAL_DEGREE */
     size_t terms;                      /* of each of the two series, at most */
-    double pupil;                      /* from the first vertex, mm: where rays are close together */
+    double pupil; /* from the first vertex, mm: where rays are close together */
     double index, index_last;
 };
 
@@ -50,10 +50,10 @@ struct ray_polynomial_task {
  *
  * Formula   h = (L, M)/(1 + N) of the direction, the tangent of half its angle, so that rays at 90
  *           degrees and beyond are like others; w = (x N - z L, y N - z M) about the axis in the
- *           plane of `pupil`. Place and direction cosines behind the lens turn with them: each is w
- *           A + h B, where A and B are polynomials of w.w, w.h and h.h. Terms by orthogonal matching
- *           pursuit: that which is most alike to what is left, then all chosen ones anew by least
- *           squares
+ *           plane of `pupil`. Place and direction cosines behind the lens turn with them: each is
+ *           w A + h B, where A and B are polynomials of w.w, w.h and h.h. Terms by orthogonal
+ *           matching pursuit: that which is most alike to what is left, then all chosen ones anew
+ *           by least squares
  * Source    [Schrade16]; the invariants, [Hullin12] has all four variables
  * Errors    ERROR_DOMAIN: a degree that there is not, no rays
  */

@@ -29,20 +29,20 @@ bool third_order_open(const struct setup *setup, const struct setup_light *light
                     isfinite(first->image) ? "exit pupil" : "image");
     }
     const double *sum = seidel.total.sum, q2 = 2 * seidel.slope;
-    *third = (struct third_order){
-        .matrix = {matrix->a.hi + first->image * matrix->c.hi / m,
-                   n * (matrix->b.hi + first->image * matrix->d.hi / m), matrix->c.hi / m,
-                   n * matrix->d.hi / m},
-        .entrance = first->entrance_pupil,
-        .object = is_near ? setup->object.distance.hi : (double)INFINITY,
-        .pupil = fabs(first->entrance_diameter) / 2,
-        .field = is_near ? question.field : tan(question.field),
-        .aberration = {sum[SEIDEL_SPHERICAL] / q2, sum[SEIDEL_COMA] / q2,
-                       sum[SEIDEL_ASTIGMATISM] / q2,
-                       (sum[SEIDEL_ASTIGMATISM] + sum[SEIDEL_PETZVAL]) / q2},
-        .distortion = sum[SEIDEL_DISTORTION] / q2,
-        .index_image = m,
-        .image = first->image,
-        .arm = first->image - first->exit_pupil};
+    *third =
+        (struct third_order){.matrix = {matrix->a.hi + first->image * matrix->c.hi / m,
+                                        n * (matrix->b.hi + first->image * matrix->d.hi / m),
+                                        matrix->c.hi / m, n * matrix->d.hi / m},
+                             .entrance = first->entrance_pupil,
+                             .object = is_near ? setup->object.distance.hi : (double)INFINITY,
+                             .pupil = fabs(first->entrance_diameter) / 2,
+                             .field = is_near ? question.field : tan(question.field),
+                             .aberration = {sum[SEIDEL_SPHERICAL] / q2, sum[SEIDEL_COMA] / q2,
+                                            sum[SEIDEL_ASTIGMATISM] / q2,
+                                            (sum[SEIDEL_ASTIGMATISM] + sum[SEIDEL_PETZVAL]) / q2},
+                             .distortion = sum[SEIDEL_DISTORTION] / q2,
+                             .index_image = m,
+                             .image = first->image,
+                             .arm = first->image - first->exit_pupil};
     return true;
 }

@@ -55,7 +55,8 @@ static const struct option options[] = {
 struct bench_row {
     const char *position, *model, *quantity, *variant, *error_unit, *lens, *warning;
     double wavelength, fnumber; /* um, 1 */
-    double seconds, error, error_fitted, digits, truth_error;
+    double seconds, time;       /* s, us */
+    double error, error_fitted, digits, truth_error;
     long rays, degree, terms;
     bool pareto;
 };
@@ -81,28 +82,30 @@ static const struct column columns[] = {
     {PLAIN(rays, COLUMN_BRIEF | COLUMN_SPARSE), .name = "rays",
      .help = "about how many for each field, of a sum"},
     {PLAIN(quantity, COLUMN_HIDDEN), .name = "quantity", .help = "what is computed"},
-    {PLAIN(seconds, COLUMN_BRIEF), .name = "seconds", .digits = 2,
+    {PLAIN(seconds, COLUMN_HIDDEN), .name = "seconds",
      .help = "processor time of one ray, or of the sums of all fields; absent where turns did not "
              "agree to 5 %"},
-    {PLAIN(error, COLUMN_BRIEF), .name = "error", .digits = 2,
-     .help = "root mean square over rays and fields, by their weights"},
+    {PLAIN(time, COLUMN_BRIEF), .name = "time_us", .head = "us", .label = "time, us", .digits = 2,
+     .help = "the same in microseconds"},
+    {PLAIN(error, COLUMN_BRIEF), .name = "rms_error", .head = "error", .label = "error",
+     .digits = 2, .help = "root mean square over rays and fields, by their weights"},
     {PLAIN(error_unit, COLUMN_BRIEF), .name = "error_unit", .head = "unit",
      .help = "of the errors: um, or 1; of irradiance relative"},
-    {PLAIN(error_fitted, COLUMN_BRIEF | COLUMN_SPARSE), .name = "error_fitted", .head = "fitted",
+    {PLAIN(error_fitted, COLUMN_BRIEF | COLUMN_SPARSE), .name = "fitted_error", .head = "fitted",
      .digits = 2,
-     .help = "of a polynomial the error over the rays it was fitted to; `error` is over others"},
+     .help =
+         "of rays by a polynomial the error over those that it was fitted to; rms_error is over "
+         "others"},
     {PLAIN(digits, COLUMN_BRIEF), .name = "digits", .digits = 3,
      .help = "digits that are right: log10 of the quantity over its error"},
-    {PLAIN(pareto, COLUMN_BRIEF), .name = "pareto",
-     .help = "no other row is as fast and as exact"},
+    {PLAIN(pareto, COLUMN_BRIEF), .name = "pareto", .help = "no other row is as fast and as exact"},
     {PLAIN(truth_error, COLUMN_HIDDEN), .name = "truth_error", .digits = 2,
      .help = "error of what all are held against; no row's error is said to be less"},
     LENS_TITLE_COLUMN(ROW, lens),
     LENS_WARNING_COLUMN(ROW, warning),
 };
 
-static const struct lens_policy policy = {.wavelengths = WAVELENGTHS_PRIMARY,
-                                          .fields = FIELDS_ALL};
+static const struct lens_policy policy = {.wavelengths = WAVELENGTHS_PRIMARY, .fields = FIELDS_ALL};
 
 /* The thick lens that `lenscalc fit` finds at this wavelength; false: `why` says why not. */
 static bool bench_fit(const struct bench_input *input, const struct setup *setup, struct run *run,
@@ -148,13 +151,21 @@ static const char *bench_variant(const struct benchmark_way *way, struct arena *
     return way->set != SET_BEST ? instruction_set_name(way->set) : NULL;
 }
 
-static const char *bench_warning(const struct benchmark_way *way, const char *name,
+/* Is anything printed that wants times? */
+static bool bench_is_timed(const struct run *run)
+{
+    return run_shows(run, offsetof(struct bench_row, seconds)) ||
+           run_shows(run, offsetof(struct bench_row, time)) ||
+           run_shows(run, offsetof(struct bench_row, pareto));
+}
+
+static const char *bench_warning(const struct benchmark_way *way, const char *name, bool is_timed,
                                  struct arena *arena)
 {
     if (way->why != NULL) {
         return arena_printf(arena, "%s: %s", name, way->why);
     }
-    if (isnan(way->seconds)) {
+    if (is_timed && isnan(way->seconds)) {
         return "the machine is busy: times of which no two turns agree to 5 % are left out";
     }
     return NULL;
@@ -179,6 +190,7 @@ static bool bench_emit(const struct bench_input *input, const struct lens_case *
             .quantity = quantities[input->quantity].word,
             .error_unit = is_number ? "1" : "um",
             .seconds = way->seconds,
+            .time = 1e6 * way->seconds,
             .error = unit * way->error,
             .error_fitted = unit * way->error_fitted,
             .truth_error = unit * benchmark->truth_error,
@@ -187,9 +199,9 @@ static bool bench_emit(const struct bench_input *input, const struct lens_case *
             .degree = way->degree > 0 ? way->degree : NO_INTEGER,
             .terms = way->terms > 0 ? (long)way->terms : NO_INTEGER,
             .pareto = way->is_best,
-            .warning =
-                lens_warnings_join(i == 0 ? one->warning : NULL,
-                                   bench_warning(way, name, run->arena), run->arena)};
+            .warning = lens_warnings_join(i == 0 ? one->warning : NULL,
+                                          bench_warning(way, name, bench_is_timed(run), run->arena),
+                                          run->arena)};
         if (!run_emit(run, &row)) {
             return false;
         }
@@ -220,7 +232,7 @@ static bool bench_run(const void *data, struct run *run, struct error *error)
             .frequency = input->frequency,
             .fitted = is_fitted ? &thick : NULL,
             .unfitted = why.message,
-            .timing = &plan};
+            .timing = bench_is_timed(run) ? &plan : NULL};
         struct arena arena = {0};
         struct benchmark benchmark;
         const bool found = benchmark_run(&question, &arena, &benchmark, error);
@@ -234,7 +246,7 @@ static bool bench_run(const void *data, struct run *run, struct error *error)
 }
 
 static const struct explanation explanations[] = {
-    {"error", "error = sqrt(sum w |answer - truth|^2/sum w)",
+    {"rms_error", "error = sqrt(sum w |answer - truth|^2/sum w)",
      "truth: rays in 113 bits; sums by quadratures doubled until they stand",
      "at least the error of the truth, which --columns truth_error shows"},
     {NULL, NULL, NULL, NULL},
