@@ -37,6 +37,7 @@ QUESTIONS = (
     "color @ --json", "wavefront @ --field 0 --rays 100 --json", "mtf @ --field 0 --frequency 20 --json",
     "psf @ --field 0 --size 32 --json", "psf @ --field 0 --size 32 --map p.png", "fan @ --json",
     "distortion @ --json", "distortion @ --fit opencv --json", "report @ -o p.html",
+    "bench @ --rays 12 --degree 3 --columns model,rms_error,warning --json",
     "fit @ --json --rays 12", "fit @ --prescription efl=50 --vary all-R --json",
     "optimize @ --vary all-R --rays 12 --iterations 3 --json",
     "optimize @ --vary R1 --rays 4 --global 1 --escapes 0 --seconds 0.3 --json",
