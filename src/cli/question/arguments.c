@@ -28,12 +28,11 @@ struct argument *arguments_find(const struct arguments *arguments, struct text n
 
 bool arguments_given(const struct arguments *arguments, const char *name)
 {
-    for (size_t i = 0; i < arguments->count; i++) {
-        if (strcmp(arguments->all[i].option->name, name) == 0) {
-            return arguments->all[i].is_given;
-        }
+    bool given = false;
+    for (size_t i = 0; i < arguments->given_count && !given; i++) {
+        given = strcmp(arguments->given[i], name) == 0;
     }
-    return false;
+    return given;
 }
 
 /* What other programs, and the trade, call what is an option here. */
@@ -398,6 +397,12 @@ bool arguments_parse(struct arguments *arguments, const struct command *command,
         }
         if (!done) {
             return false;
+        }
+    }
+    arguments->given = ARENA_ARRAY(arena, arguments->count, const char *);
+    for (size_t i = 0; i < arguments->count; i++) {
+        if (arguments->all[i].is_given) {
+            arguments->given[arguments->given_count++] = arguments->all[i].option->name;
         }
     }
     return check_standard_input(arguments, error);

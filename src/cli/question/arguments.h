@@ -21,6 +21,8 @@ struct arguments {
     const struct command *command;
     struct argument *all;
     size_t count;
+    const char **given; /* their names: few, and each row of a sweep asks for several */
+    size_t given_count;
     enum color_when color; /* of messages, also of those about these words */
 };
 
@@ -36,7 +38,7 @@ bool arguments_parse(struct arguments *arguments, const struct command *command,
 /* The option of this name; null if the command has none. */
 struct argument *arguments_find(const struct arguments *arguments, struct text name);
 
-/* Was the option of exactly this name given? Each row of a sweep asks this several times. */
+/* Was the option of exactly this name given? */
 bool arguments_given(const struct arguments *arguments, const char *name);
 
 /*

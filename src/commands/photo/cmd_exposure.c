@@ -261,6 +261,15 @@ static bool take_lens_light(const struct photo_lens *lens, struct run *run,
     return true;
 }
 
+/* Of a million rows most of the time went into labels that few ask for. */
+static bool shows_labels(const struct run *run)
+{
+    return run_shows(run, offsetof(struct exposure_row, nominal_fnumber)) ||
+           run_shows(run, offsetof(struct exposure_row, nominal_time)) ||
+           run_shows(run, offsetof(struct exposure_row, nominal_iso)) ||
+           run_shows(run, offsetof(struct exposure_row, residual));
+}
+
 static bool exposure_row_answer(const void *data, const struct photo_lens *lens, struct run *run,
                                 struct error *error)
 {
@@ -280,6 +289,9 @@ static bool exposure_row_answer(const void *data, const struct photo_lens *lens,
         !lamps_answer(lamps, input->filter.mired, row.x.t, input->frame_rate, run, &row.lamps,
                       error)) {
         return false;
+    }
+    if (!blank && shows_labels(run)) {
+        exposure_label(input, &row);
     }
     row.real = *lens->real;
     row.pupil = lens->P;

@@ -258,7 +258,7 @@ static bool exposure_answer_is_label(const char *label, const struct dimension *
            fabs(exposure_answer_label_value(label, dimension) - value) <= 1e-12 * value;
 }
 
-static void fill_nominal(const struct exposure_input *input, struct exposure_row *row)
+void exposure_label(const struct exposure_input *input, struct exposure_row *row)
 {
     const struct series_value *series = &input->series;
     bool asks = !isnan(input->metered), time_alone = asks && isnan(row->x.N);
@@ -430,16 +430,12 @@ bool exposure_answer(const struct exposure_input *input, struct exposure_row *ro
         return false;
     }
     given.loss = row->loss;
-    if (!(isnan(input->metered) ? exposure_answer_solve(input, &given, row, error)
-                                : solve_metered(input, &given, row, error)) ||
-        (!isnan(row->transmittance) && !isnan(row->x.N) &&
-         !t_stop(row->x.N, row->transmittance, &row->t_stop, error)) ||
-        !fill_shutter(input, row, error) || !fill_focal_plane(input, row, error) ||
-        (!input->equivalent && !exposure_answer_correct(input, row, error))) {
-        return false;
-    }
-    fill_nominal(input, row);
-    return true;
+    return (isnan(input->metered) ? exposure_answer_solve(input, &given, row, error)
+                                  : solve_metered(input, &given, row, error)) &&
+           (isnan(row->transmittance) || isnan(row->x.N) ||
+            t_stop(row->x.N, row->transmittance, &row->t_stop, error)) &&
+           fill_shutter(input, row, error) && fill_focal_plane(input, row, error) &&
+           (input->equivalent || exposure_answer_correct(input, row, error));
 }
 
 bool exposure_equivalent_row(const struct exposure_input *input, const struct exposure_row *answer,
@@ -457,7 +453,7 @@ bool exposure_equivalent_row(const struct exposure_input *input, const struct ex
     line->x.t = equal.t;
     line->x.Av = 2 * log2(N);
     line->x.Tv = answer->x.ev_set - line->x.Av;
-    fill_nominal(input, line);
+    exposure_label(input, line);
     if (line->nominal_fnumber == NULL || line->nominal_time == NULL) {
         return false;
     }

@@ -70,13 +70,16 @@ bool exposure_blank(const struct exposure_input *input, struct exposure_row *row
                     struct error *error);
 
 /*
- * Solve for what is not given, and all that follows from it.
+ * Solve for what is not given, and all that follows from it but exposure_label's.
  *
  * Errors    what the cores refuse (photo/exposure.h, stops.h, reciprocity.h); two ways to say one
  *           thing (ERROR_USAGE)
  */
 bool exposure_answer(const struct exposure_input *input, struct exposure_row *row,
                      struct error *error);
+
+/* Labels of the series next to an answer's settings, and how far these are off. */
+void exposure_label(const struct exposure_input *input, struct exposure_row *row);
 
 /*
  * One of the equal exposures.
