@@ -12,6 +12,7 @@ HERE = os.path.dirname(os.path.abspath(__file__))
 ROOT = os.path.dirname(os.path.dirname(HERE))
 SPAWNS = 300
 ROWS = 1_000_000
+YARD = 37  # M ray-surfaces a second of plain.c where the goals of times and rates were set
 TURNS = 5  # of each pipe, interleaved; the fastest counts: others only ever slow one down
 
 # what was measured; its goal, if it has one, stands in goals.tsv by its name
@@ -65,6 +66,12 @@ class Bench:
         libraries = ["-lceres", "-lglog"] if ceres else []
         subprocess.run([*linker, "-o", program, compiled, *objects, *libraries, "-lm"], check=True)
         return program
+
+    def speed(self):
+        """Of this processor, now: over that of the one where the goals were set."""
+        program = os.path.join(self.tools, "plain")
+        program = program if os.path.exists(program) else self.tool("plain")
+        return float(subprocess.run([program], check=True, capture_output=True).stdout) / YARD
 
     def path(self, name):
         return os.path.join(self.scratch, name)

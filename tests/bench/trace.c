@@ -4,6 +4,7 @@
 #include "clock.h"
 #include "divider.h"
 #include "exchange/lens_open.h"
+#include "plain.h"
 #include "trace/derivative.h"
 #include "trace/dispatch.h"
 #include "trace/tangent.h"
@@ -16,61 +17,9 @@
 /*
  * Prints one figure a line, "name value": million ray-surfaces a second of the double Gauss with
  * clipping (12 surfaces with stop and image), plain and by instruction set, ratios in one run,
- * what features cost, and the gain of two threads. The yardstick `plain` is what a textbook gives:
- * an array of structs, radius and sag, one ray after the other, early out.
+ * what features cost, and the gain of two threads; plain.h has the plain loop.
  */
-enum { TURNS = 60, RAYS = 1024 };
-
-struct plain_surface {
-    double radius, thickness, index, clear;
-};
-
-struct plain_ray {
-    double x, y, z, l, m, n;
-    int lost;
-};
-
-static int trace_plain(const struct plain_surface *surfaces, int count, struct plain_ray *ray)
-{
-    double index = 1, distance = 0;
-    for (int i = 0; i < count; i++) {
-        const struct plain_surface *s = &surfaces[i];
-        ray->z -= distance;
-        if (s->radius == 0) {
-            double t = -ray->z / ray->n;
-            ray->x += t * ray->l, ray->y += t * ray->m, ray->z = 0;
-        } else {
-            double zc = ray->z - s->radius;
-            double b = ray->x * ray->l + ray->y * ray->m + zc * ray->n;
-            double c = ray->x * ray->x + ray->y * ray->y + zc * zc - s->radius * s->radius;
-            double disc = b * b - c;
-            if (disc < 0) {
-                return 1;
-            }
-            double t = s->radius > 0 ? -b - sqrt(disc) : -b + sqrt(disc);
-            ray->x += t * ray->l, ray->y += t * ray->m, ray->z += t * ray->n;
-        }
-        if (sqrt(ray->x * ray->x + ray->y * ray->y) > s->clear) {
-            return 2;
-        }
-        if (s->radius != 0) {
-            double nx = -ray->x / s->radius, ny = -ray->y / s->radius;
-            double nz = 1 - ray->z / s->radius;
-            double cosine = nx * ray->l + ny * ray->m + nz * ray->n, ratio = index / s->index;
-            double k = 1 - ratio * ratio * (1 - cosine * cosine);
-            if (k < 0) {
-                return 3;
-            }
-            double g = sqrt(k) - ratio * cosine;
-            ray->l = ratio * ray->l + g * nx;
-            ray->m = ratio * ray->m + g * ny;
-            ray->n = ratio * ray->n + g * nz;
-        }
-        index = s->index;
-        distance = s->thickness;
-    }
-    return 0;
-}
+enum { TURNS = 60, RAYS = PLAIN_RAYS };
 
 static const char gauss[] = "medium 1\nfield angle 0\naperture stop\n"
                             "surface 58.950 7.520 1.670 50.4\nsurface 169.660 0.240 air 50.4\n"
@@ -80,51 +29,10 @@ static const char gauss[] = "medium 1\nfield angle 0\naperture stop\n"
                             "surface -40.770 0.380 air 40.0\nsurface 874.130 6.440 1.717 40.0\n"
                             "surface -79.460 72.228 air 40.0\n";
 
-/* A square of rays at 5 degrees: nearly all pass. */
 static struct ray ray_of(size_t i)
 {
-    double u = (double)(i % 32) / 31 * 2 - 1, v = (double)(i / 32 % 32) / 31 * 2 - 1;
-    return (struct ray){.point = {u * 11, v * 11 - 2, 0}, .cosine = {0, 0.087, 0.9962082}};
-}
-
-static struct plain_surface *plain_of(const struct lens *lens, struct arena *arena)
-{
-    struct plain_surface *all = ARENA_ARRAY(arena, lens->surface_count + 1, struct plain_surface);
-    for (size_t i = 0; i < lens->surface_count; i++) {
-        const struct surface *s = &lens->surfaces[i];
-        all[i] = (struct plain_surface){s->is_plane ? 0 : s->radius.value.hi, s->thickness.value.hi,
-                                        s->medium.index.hi, s->diameter.value.hi / 2};
-    }
-    all[lens->surface_count] = (struct plain_surface){0, 0, 1, 1e9};
-    return all;
-}
-
-static double time_plain(const struct lens *lens, struct arena *arena)
-{
-    struct plain_surface *surfaces = plain_of(lens, arena);
-    static struct plain_ray start[RAYS], rays[RAYS];
-    double best = 1e9;
-    for (size_t i = 0; i < RAYS; i++) {
-        struct ray ray = ray_of(i);
-        start[i] = (struct plain_ray){ray.point[0],
-                                      ray.point[1],
-                                      ray.point[2],
-                                      ray.cosine[0],
-                                      ray.cosine[1],
-                                      ray.cosine[2],
-                                      0};
-    }
-    for (int turn = 0; turn < TURNS; turn++) {
-        double began = clock_time();
-        for (int again = 0; again < 5; again++) {
-            memcpy(rays, start, sizeof rays);
-            for (size_t i = 0; i < RAYS; i++) {
-                rays[i].lost = trace_plain(surfaces, (int)lens->surface_count + 1, &rays[i]);
-            }
-        }
-        best = fmin(best, (clock_time() - began) / 5);
-    }
-    return best;
+    const struct plain_ray ray = plain_start(i);
+    return (struct ray){.point = {ray.x, ray.y, ray.z}, .cosine = {ray.l, ray.m, ray.n}};
 }
 
 struct fixture {
@@ -301,17 +209,21 @@ int main(void)
 {
     struct fixture fixture = {0};
     set_up(&fixture, gauss, true, false, RAYS);
-    double plain = time_plain(&fixture.lens, &fixture.arena), base = 0;
+    double plain = plain_time(TURNS), base = 0;
     printf("plain %.0f\n", million(&fixture, plain));
     for (enum instruction_set set = SET_SSE2; set <= SET_AVX512; set++) {
         if (instruction_set_works(set)) {
             const struct trace_way way = {set, 1};
             double seconds = time_rays(&fixture, &way, 5);
-            plain = fmin(plain, time_plain(&fixture.lens, &fixture.arena));
+            plain = fmin(plain, plain_time(TURNS));
             printf("%s %.0f\n%s/plain %.2f\n", instruction_set_name(set),
                    million(&fixture, seconds), instruction_set_name(set), plain / seconds);
             /* 10 spheres are all that needs the divider much; planes count, but cost little */
-            printf("%s_limit %.0f\n", instruction_set_name(set), divider_spheres(set) * 12 / 10.8);
+            const double limit = divider_spheres(set) * 12 / 10.8;
+            if (limit > 0) {
+                printf("%s_limit %.0f\n%s/limit %.3f\n", instruction_set_name(set), limit,
+                       instruction_set_name(set), million(&fixture, seconds) / limit);
+            }
             base = seconds;
         }
     }
@@ -319,7 +231,7 @@ int main(void)
     printf("path %.2f\n", cost("", true, base));
     printf("conic %.2f\n", cost(" k=-0.01", false, base));
     printf("asphere %.2f\n", cost(" k=-0.01 A4=1e-8 A6=1e-12 A8=1e-16", false, base));
-    printf("phone %.0f\n", phone());
+    printf("phone %.3f\n", phone() / million(&fixture, base));
     printf("derivatives %.2f\n", time_derivatives(&fixture) / base);
     for (size_t count = 1; count <= TANGENTS_MOST; count *= 2) {
         printf("tangents_%zu %.2f\n", count, time_tangents(&fixture, count) / base);
