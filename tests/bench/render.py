@@ -1,4 +1,4 @@
-"""tests/bench/render.py - pictures with and without what they skip."""
+"""tests/bench/render.py - pictures with and without all that they skip, to the same error."""
 # SPDX-License-Identifier: MIT
 
 import math
@@ -22,19 +22,6 @@ SCENES = {
                 "card size=0.8,0.8 at=1,1,1.5 normal=-1,-1,-1.5 material=lamp\n",
     "sky": "light environment file=sky.pfm luminance=3000\n"
            "material ball lambert colour=0.3\nsphere radius=0.15 at=0,0,0 material=ball\n",
-}
-
-# what --no-skip takes, and, after a comma, of what, with a scene that lives by it; of the pupil
-# to the same error
-LIVES_BY = {
-    "pupil": "chart:checker --lens double-gauss-50 -s 1m -t 1/100 --size 240x160 --error 0.01",
-    "colour": "chart:checker --lens double-gauss-50 -s 1m --model thick -t 1/100 --size 240x160",
-    "colour, scene": "portrait.scene --lens double-gauss-50 -t 1/100 --size 120x80 --samples 32",
-    "blur": "chart:star --lens double-gauss-50 -s 1m -N 16 -t 1/10 --size 240x160",
-    "uniform": "chart:edge --lens double-gauss-50 -s 1m -t 1/100 --size 240x160",
-    "exposures": "chart:star --lens double-gauss-50 -s 1m -t 1/50,1/100,1/200 --size 240x160",
-    "time": "portrait.scene --lens double-gauss-50 -t 1/100 --size 120x80 --bounces 1",
-    "secondary": "lamps.scene --lens double-gauss-50 -t 1/100 --size 240x160 --samples 256",
 }
 
 # all skips against none, to the same error, which there are samples enough for
@@ -70,7 +57,8 @@ def words_of(bench, scene):
 
 def processor_time(words):
     """Seconds of the processor, which others on the machine do not lengthen much."""
-    with subprocess.Popen(words, stderr=subprocess.DEVNULL) as child:
+    with subprocess.Popen(words, stdout=subprocess.DEVNULL,
+                          stderr=subprocess.DEVNULL) as child:
         _, status, usage = os.wait4(child.pid, 0)
         child.returncode = os.waitstatus_to_exitcode(status)
     if child.returncode != 0:
@@ -85,24 +73,17 @@ def against(words, kept):
     return min(without for without, _ in times), min(with_it for _, with_it in times)
 
 
-def row(name, times):
-    return entry(f"render: {name}", times[0] / times[1], "x",
-                 f"{1000 * times[0]:.0f} ms / {1000 * times[1]:.0f} ms")
-
-
-def skips(bench):
-    """Time without a skip over time with it; of all, to the same error, and the mean of these."""
+def pictures(bench):
+    """Time without skips over time with them, and the mean of these."""
     write_scenes(bench)
-    for name, scene in LIVES_BY.items():
-        skip = name.split(",")[0]
-        yield row(f"without / with {name}", against(words_of(bench, scene), skip))
     logarithms = []
     for name, scene in ALL_OR_NONE.items():
         times = against(words_of(bench, scene), "all")
         logarithms.append(math.log(times[0] / times[1]))
-        yield row(f"none / all skips, {name}", times)
+        yield entry(f"render: none / all skips, {name}", times[0] / times[1], "x",
+                    f"{1000 * times[0]:.0f} ms / {1000 * times[1]:.0f} ms")
     yield entry("render: none / all skips, geometric mean",
                 math.exp(sum(logarithms) / len(logarithms)), "x")
 
 
-SECTIONS = {"render": skips}
+SECTIONS = {"render": pictures}
