@@ -44,7 +44,7 @@ static double light_at(const struct fixture *fixture, double height)
     return lens_film_light(&aimed, at, 0, BLOCKS, &samples, &rays);
 }
 
-/* A disc of even light at a distance, seen from beside its axis: [Foote15] by way of [Kingslake]. */
+/* A disc of even light seen from beside its axis, as Foote (1915) has it in closed form. */
 static double disc_light(double radius, double distance, double height)
 {
     const double a = pow(radius / distance, 2), t = pow(height / distance, 2);
