@@ -336,6 +336,8 @@ static void check_refused(void)
          "the lens has no stop: it has no chief rays"},
         {"field angle 3\nsurface 50 0 1.5 - stop\n",
          "the lens has no aperture: the height of its marginal ray is not known"},
+        {"aperture epd 5e-324\nfield angle 3\nsurface 50 0 1.5 - stop\n", /* 0 from the axis */
+         "the lens has no aperture: the height of its marginal ray is not known"},
         {"aperture epd 5\nfield angle 3\nsurface 50 0 1.5 - stop A3=1e-5\n",
          "surface 1: A3 r^3 makes an aberration of lower order than the Seidel sums have"},
         /* the stop in the focus of what is before it, in the image of the object */
@@ -345,6 +347,15 @@ static void check_refused(void)
         {"object 100\naperture stop\nfield height 3\nthick 50 100 air -\n"
          "stop - 50 air 5\n",
          "no paraxial chief ray of the field reaches the stop"},
+        /* in the focus: chief rays are parallel to the axis, none of them slopes */
+        {"object 100\naperture stop\nfield angle 3\nthick 50 50 air -\n"
+         "stop - 50 air 5\n",
+         "no paraxial chief ray of the field reaches the stop"},
+        /* there light of the axis from afar is a point: none of it is at the stop's edge */
+        {"aperture stop\nthick 50 50 air -\nstop - 50 air 5\n",
+         "no paraxial marginal ray of the field reaches the stop"},
+        {"object 100\naperture stop\nthick 50 100 air -\nstop - 50 air 5\n",
+         "no paraxial marginal ray of the field reaches the stop"},
     };
     for (size_t i = 0; i < sizeof cases / sizeof cases[0]; i++) {
         struct arena arena = {0};
@@ -363,13 +374,19 @@ static void check_refused(void)
 static void check_partial(void)
 {
     struct arena arena = {0};
-    struct seidel seidel, odd;
+    struct seidel seidel, odd, narrow;
     CHECK(good("aperture epd 5\nsurface 50 0 1.5/60 - stop\n", &arena, &seidel));
     CHECK(seidel.total.sum[SEIDEL_SPHERICAL] > 0 && seidel.total.sum[SEIDEL_AXIAL_COLOR] > 0);
     CHECK(isnan(seidel.total.sum[SEIDEL_COMA]) && isnan(seidel.total.sum[SEIDEL_PETZVAL]) &&
           isnan(seidel.total.sum[SEIDEL_LATERAL_COLOR]) && isnan(seidel.lagrange));
     CHECK(good("aperture epd 5\nsurface 50 0 1.5/60 - stop A5=1e-5\n", &arena, &odd));
     CHECK(odd.total.sum[SEIDEL_SPHERICAL] == seidel.total.sum[SEIDEL_SPHERICAL]);
+    /* as the fourth power and the square of the aperture, small as it may be */
+    CHECK(good("aperture epd 0.005\nsurface 50 0 1.5/60 - stop\n", &arena, &narrow));
+    CHECK_RELATIVE(narrow.total.sum[SEIDEL_SPHERICAL] * 1e12, seidel.total.sum[SEIDEL_SPHERICAL],
+                   4e-15, "of a thousandth of the aperture");
+    CHECK_RELATIVE(narrow.total.sum[SEIDEL_AXIAL_COLOR] * 1e6, seidel.total.sum[SEIDEL_AXIAL_COLOR],
+                   4e-15, "of a thousandth of the aperture");
     arena_free(&arena);
 }
 
