@@ -73,16 +73,16 @@ static bool is_seam(const struct aperture_form *form, size_t side)
 
 static size_t polygon_part(const struct aperture_form *form, double x, double y)
 {
-    size_t best = 0;
+    size_t nearest = 0;
     double least = INFINITY;
     for (size_t i = 0; i < form->point_count; i++) {
         double distance = from_side(form, i, x, y);
         if (distance < least && !is_seam(form, i)) {
             least = distance;
-            best = i;
+            nearest = i;
         }
     }
-    return best;
+    return nearest;
 }
 
 /* Inside where a line from the point crosses the sides an odd number of times. */
@@ -185,14 +185,6 @@ static double aperture_at(const struct figure *point, int axis)
     return point[axis].value.hi;
 }
 
-/* Do the ranges of two sides along an axis not even touch? Most pairs are apart. */
-static bool aperture_are_apart(const struct figure *const side[4], int axis)
-{
-    const double a = aperture_at(side[0], axis), b = aperture_at(side[1], axis);
-    const double c = aperture_at(side[2], axis), d = aperture_at(side[3], axis);
-    return (a < c && a < d && b < c && b < d) || (a > c && a > d && b > c && b > d);
-}
-
 /* Is `c` to the left of the line from `a` to `b` (1), to its right (-1), on it? */
 static int aperture_side_of(const struct figure *a, const struct figure *b, const struct figure *c)
 {
@@ -213,14 +205,12 @@ static size_t aperture_crossings(const struct aperture *aperture, size_t most)
             const struct figure *const pair[] = {aperture->points[i], aperture->points[i + 1],
                                                  aperture->points[j],
                                                  aperture->points[(j + 1) % count]};
-            if (!aperture_are_apart(pair, 0) && !aperture_are_apart(pair, 1)) {
-                found += aperture_side_of(pair[0], pair[1], pair[2]) *
-                                 aperture_side_of(pair[0], pair[1], pair[3]) <
-                             0 &&
-                         aperture_side_of(pair[2], pair[3], pair[0]) *
-                                 aperture_side_of(pair[2], pair[3], pair[1]) <
-                             0;
-            }
+            found += aperture_side_of(pair[0], pair[1], pair[2]) *
+                             aperture_side_of(pair[0], pair[1], pair[3]) <
+                         0 &&
+                     aperture_side_of(pair[2], pair[3], pair[0]) *
+                             aperture_side_of(pair[2], pair[3], pair[1]) <
+                         0;
         }
     }
     return found;
@@ -267,7 +257,7 @@ bool aperture_check(const struct aperture *aperture, struct error *error)
     for (int i = 0; i < aperture_sizes(aperture->shape); i++) {
         double size = aperture->size[i].value.hi;
         if (!(size > 0 && size < 1e100)) {
-            return fail(error, ERROR_DATA, "the %s of a %s must be above 0, and is %.6g",
+            return fail(error, ERROR_DATA, "the %s of the %s must be above 0, and is %.6g",
                         traits->sizes[i], traits->word, size);
         }
     }
