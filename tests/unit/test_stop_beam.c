@@ -39,7 +39,7 @@ enum { PLACES = sizeof places / sizeof *places };
 /* Rays through the disc of an entrance pupil of radius 4 that lies 7 mm behind the first vertex. */
 static void test_entrance(void)
 {
-    struct first_order first = {.entrance_diameter = 8, .entrance_pupil = 7};
+    const struct first_order first = {.entrance_diameter = 8, .entrance_pupil = 7};
     struct stop_beam pupil;
     for (size_t which = 0; which < BEAMS; which++) {
         const struct beam beam = beam_at(which);
@@ -60,11 +60,35 @@ static void test_entrance(void)
             }
         }
     }
-    const struct beam beam = beam_at(1);
-    first.entrance_pupil = INFINITY;
-    CHECK(!stop_beam_of_entrance(NULL, &beam, &first, WEIGHT_BEAM, &pupil, &error));
-    first = (struct first_order){.entrance_diameter = NAN, .entrance_pupil = 7};
-    CHECK(!stop_beam_of_entrance(NULL, &beam, &first, WEIGHT_BEAM, &pupil, &error));
+}
+
+/* What has no paraxial entrance pupil, or never meets it, is refused with the reason. */
+static void test_refused(void)
+{
+    static const double aside[3] = {0, 1, 0};
+    struct beam moved = beam_of_point(3, -1, 5); /* by 2 along the axis */
+    moved.foot[0] = 1;
+    moved.foot[2] = 2;
+    const struct {
+        struct beam beam;
+        double diameter, pupil;
+        const char *words;
+    } cases[] = {
+        {beam_at(1), 8, INFINITY, "the entrance pupil is infinitely far away"},
+        {beam_at(1), NAN, 7, "the lens has no entrance pupil"},
+        {beam_at(1), 8, NAN, "the lens has no entrance pupil"},
+        {beam_along(aside, 1), 8, 7, "a field of 90 deg or more never meets"},
+        {beam_of_point(0, 0, 7), 8, 7, "the object lies in the plane of the entrance pupil"},
+        {beam_of_point(0, 3, 7), 8, 7, "the object lies in the plane of the entrance pupil"},
+        {moved, 8, 7, "the object lies in the plane of the entrance pupil"},
+        {beam_of_point(3, 0, 7), 8, 7, "the object lies in the plane of the entrance pupil"}};
+    for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
+        const struct first_order first = {.entrance_diameter = cases[i].diameter,
+                                          .entrance_pupil = cases[i].pupil};
+        struct stop_beam pupil;
+        CHECK(!stop_beam_of_entrance(NULL, &cases[i].beam, &first, WEIGHT_BEAM, &pupil, &error));
+        CHECK(strncmp(error.message, cases[i].words, strlen(cases[i].words)) == 0);
+    }
 }
 
 /* A telecentric object space: a cone about the axis, of slopes v/n = 0.2/1.25 at its edge. */
@@ -235,6 +259,7 @@ static void test_mirrored(void)
 int main(void)
 {
     test_entrance();
+    test_refused();
     test_telecentric();
     test_density();
     test_of_stop();

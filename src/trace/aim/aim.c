@@ -394,7 +394,7 @@ static bool make_map(const struct aim *aim, struct aim_map *map)
     double at[MAP_NODES][2];
     aim_map_nodes(at);
     for (size_t i = 0; i < MAP_NODES; i++) {
-        points[i] = (struct pupil_point){at[i][0], at[i][1], 0};
+        points[i] = (struct pupil_point){.x = at[i][0], .y = at[i][1]};
     }
     if (!aim_block_steer(aim, points, MAP_NODES, 1e-15 * aim->stop_radius, &block)) {
         return false;
@@ -421,7 +421,7 @@ size_t aim_rays(const struct aim *aim, const struct pupil_point *points, size_t 
 
 struct ray aim_ray(const struct aim *aim, double x, double y)
 {
-    const struct pupil_point point = {x, y, 1};
+    const struct pupil_point point = {.x = x, .y = y};
     struct ray_block block;
     const struct rays one = {&block, 1};
     aim_rays(aim, &point, 1, &one);
@@ -465,7 +465,9 @@ bool aim_at_entrance(const struct beam *beam, const struct first_order *first, d
     double place[2];
     beam_place(beam, target, place);
     *ray = beam_ray(beam, place[0], place[1]);
-    if (!isfinite(place[0]) || !isfinite(place[1])) {
+    /* beside the axis such rays have places too, but run across it */
+    const double gap = beam->foot[2] - beam->distance * beam->axis[2] - z;
+    if (!isfinite(place[0]) || !isfinite(place[1]) || fabs(gap) <= 1e-14 * fabs(z)) {
         return fail(error, ERROR_DOMAIN, "the object lies in the plane of the entrance pupil");
     }
     return true;
