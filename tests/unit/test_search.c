@@ -2,6 +2,7 @@
 /* SPDX-License-Identifier: MIT */
 #include "check.h"
 #include "random_aspheres.h"
+#include "trace/kernel/search.h"
 #include "trace/verify.h"
 #include "trace_one.h"
 
@@ -75,9 +76,79 @@ static void test_along_axis(void)
     arena_free(&arena);
 }
 
+/* Sums without signs of a step with all of its terms, term by term: of sags, and of what bends. */
+static double sag_bound(const struct step *step, double r)
+{
+    double sum = fabs(step->c) * r * r;
+    for (int i = 1; i <= STEP_TERMS; i++) {
+        sum += fabs(step->coefficient[i - 1]) * pow(r, 2 * i);
+        sum += fabs(step->odd[i - 1]) * pow(r, 2 * i - 1);
+    }
+    return sum;
+}
+
+static double slope_bound(const struct step *step, double r)
+{
+    double sum = fabs(step->c) * r;
+    for (int i = 1; i <= STEP_TERMS; i++) {
+        sum += 2 * i * fabs(step->coefficient[i - 1]) * pow(r, 2 * i - 1);
+        sum += i > 1 ? (2 * i - 1) * fabs(step->odd[i - 1]) * pow(r, 2 * i - 2) : 0;
+    }
+    return sum;
+}
+
+/*
+ * What of a surface is searched: powers of two up to where no slope is above 1; the rim 1000 times
+ * that, or where the highest power is 100 radii beyond all others, by fifths; the conic's end; the
+ * clear aperture.
+ */
+static void test_prepared(void)
+{
+    unsigned long long state = 5;
+    for (int i = 0; i < 400; i++) {
+        const bool is_odd = i % 4 == 3, has_inner = i % 5 == 4;
+        struct step step = {.kind = is_odd ? STEP_ODD : STEP_ASPHERE,
+                            .c = i % 3 == 0 ? 0 : chance_between(&state, -0.3, 0.3),
+                            .one_k = i % 2 == 0 ? 0 : chance_between(&state, -1, 2),
+                            .clear2 =
+                                i % 7 == 0 ? chance_between(&state, 1, 1e3) : (double)INFINITY,
+                            .terms = i % 3 == 0 ? 1 + i % STEP_TERMS : i % 4,
+                            .inner = has_inner ? chance_between(&state, 0.1, 20) : 0};
+        for (int k = 0; k < STEP_TERMS; k++) {
+            const double size = pow(10, chance_between(&state, -3, 1)) * pow(8, -2 * k);
+            step.coefficient[k] = k < step.terms ? (k % 2 == 0 ? size : -size) : 0;
+            step.slope[k] = (k + 1) * step.coefficient[k];
+            step.odd[k] = is_odd ? (k % 3 == 0 ? -size : size) : 0;
+            step.odd_slope[k] = (k + 0.5) * step.odd[k];
+        }
+        struct step ready = step;
+        search_prepare(&ready);
+        double inner = has_inner ? step.inner : 0x1p-100;
+        while (!has_inner && inner < 0x1p100 && slope_bound(&step, 2 * inner) <= 1) {
+            inner *= 2;
+        }
+        double rim = 1000 * inner;
+        for (; !is_odd && step.terms > 0 && rim > 2 * inner; rim /= 1.25) {
+            const double r = rim / 1.25;
+            const double highest = fabs(step.coefficient[step.terms - 1]) * pow(r, 2 * step.terms);
+            if (2 * highest - sag_bound(&step, r) <= 100 * r) {
+                break;
+            }
+        }
+        const double conic = step.one_k * step.c * step.c;
+        const double end = conic > 0 ? 1 / sqrt(conic) : (double)INFINITY;
+        const double least = fmin(rim, fmin(end, sqrt(step.clear2)));
+        CHECK_RELATIVE(ready.rim2, least * least, 1e-14, "rim");
+        CHECK_RELATIVE(ready.inner, fmin(inner, least), 1e-15, "inner");
+        const double depth = sag_bound(&step, least);
+        CHECK(ready.depth >= depth && ready.depth <= depth * (1 + 1.5e-9) + 1e-300);
+    }
+}
+
 int main(void)
 {
     static const struct strength strengths[] = {{0.8, 0.4, 4, 0.7}, {2, 1.5, 15, 1}};
+    test_prepared();
     test_other_sheet();
     test_afar();
     test_along_axis();
