@@ -319,6 +319,166 @@ static void test_open_at(void)
     arena_free(&arena);
 }
 
+/* Where a ray of the beam with these coordinates crosses the stop, in its own frame. */
+static void in_stop(const struct aim *aim, const double at[2], double point[2])
+{
+    chief_trace(aim, (const double(*)[2])at, 1);
+    CHECK(ray_block_status(aim->work.blocks, 0) == RAY_OK);
+    point[0] = aim->work.blocks->x[0];
+    point[1] = aim->work.blocks->y[0];
+}
+
+/*
+ * From a chief ray near by the one through the centre of the stop, however the beam's own axes are
+ * turned about its own: of a round lens, and of others. From the other sheet, or without a way
+ * there, none.
+ */
+static void test_find_near(void)
+{
+    static const struct {
+        const char *text;
+        double moved[2]; /* where the chief ray is looked for first, from where it is, mm */
+    } cases[] = {
+        {"object inf\naperture stop\nsurface - 30 air 50\nstop - 10 air 10\n", {0, 1}},
+        {"object inf\naperture stop\nsurface 100 6 1.6 50\nsurface -150 20 air 50\n"
+         "stop - 10 air 10\n",
+         {0, -1.5}},
+        {"object 300\naperture stop\nsurface 100 6 1.6 50\nsurface -150 20 air 50\n"
+         "stop - 10 air 10\n",
+         {0, 0.7}},
+        {"object inf\naperture stop\nsurface - 30 air 50\nstop - 10 air 10 decenter=2,-3\n",
+         {1.5, -2}},
+        {"object inf\naperture stop\nsurface 100 6 1.6 50 tilt=4,-3\nsurface -150 20 air 50\n"
+         "stop - 10 air 10 decenter=1,1\n",
+         {-1, 1}}};
+    for (size_t i = 0; i < 24 * sizeof cases / sizeof cases[0]; i++) {
+        struct arena arena = {0};
+        struct opened opened;
+        struct aim aim, other;
+        struct error error;
+        open_text(cases[i / 24].text, &arena, &opened);
+        const double turn = 15.5 * degree * (double)(i % 24), c = cos(turn), s = sin(turn);
+        const double scale = opened.object.is_infinite ? 1 : 200;
+        CHECK(open_aim(&opened, 0, -0.2 * scale, &arena, &aim, &error));
+        /* field and axes of the beam turned about the axis of the lens, of the round ones */
+        for (int k = 0; k < 2; k++) {
+            double *way = aim.beam.across[k];
+            const double x = way[0], y = way[1];
+            way[0] = c * x - s * y;
+            way[1] = s * x + c * y;
+        }
+        const double x = aim.beam.axis[0], y = aim.beam.axis[1];
+        aim.beam.axis[0] = c * x - s * y;
+        aim.beam.axis[1] = s * x + c * y;
+        CHECK(aim_open(&opened.system, &aim.beam, &arena, &other, &error));
+        const double *chief = other.chief, *moved = cases[i / 24].moved;
+        struct aim_near near = {true, {chief[0] + moved[0], chief[1] + moved[1]}, {0}};
+        memcpy(near.slope, other.slope, sizeof near.slope);
+        double point[2];
+        struct aim found = other;
+        found.chief[0] = found.chief[1] = NAN;
+        memset(found.slope, 0, sizeof found.slope);
+        found.slope[3] = other.slope[3];
+        CHECK(chief_find_near(&found, &near));
+        in_stop(&found, found.chief, point);
+        CHECK_NEAR(hypot(point[0], point[1]), 0, 5e-12, "through the centre of the stop");
+        for (int k = 0; k < 4; k++) {
+            CHECK_NEAR(found.slope[k], other.slope[k], 1e-5, "slopes there");
+        }
+        /* of another sheet, as slopes with a determinant of the other sign say */
+        for (int k = 0; k < 2; k++) {
+            struct aim_near turned = near;
+            turned.slope[2 * k] *= -1;
+            turned.slope[2 * k + 1] *= -1;
+            CHECK(!chief_find_near(&found, &turned));
+            CHECK(aim_open_near(&opened.system, &aim.beam, &turned, &arena, &found, &error));
+            CHECK_NEAR(turned.chief[1], chief[1], 1e-8, "found all the same");
+        }
+        near.chief[1] += 1e4;
+        CHECK(!chief_find_near(&found, &near) || fabs(found.chief[1] - chief[1]) < 1e-8);
+        arena_free(&arena);
+    }
+}
+
+/* The same along axes that are neither across each other nor of length 1: a linear equation. */
+static void test_find_near_oblique(void)
+{
+    static const double axes[][4] = {
+        {1, 0, 0, 1},     {0.5, 0.9, 0.9, 2},  {2, 0.9, 0.9, 0.5},    {0.5, -0.9, -0.9, 2},
+        {0.3, 1, 1, 0.4}, {-1, 0.2, 0.7, 1.5}, {0.2, 1.5, -0.8, 0.1}, {-1.2, 0.4, 1.1, -2}};
+    struct arena arena = {0};
+    struct opened opened;
+    struct aim aim;
+    struct error error;
+    open_text("object inf\naperture stop\nsurface - 30 air 50\nstop - 10 air 10 decenter=2,-3\n",
+              &arena, &opened);
+    CHECK(open_aim(&opened, 0, 0, &arena, &aim, &error));
+    for (size_t i = 0; i < sizeof axes / sizeof axes[0]; i++) {
+        const double *m = axes[i], det = m[0] * m[3] - m[1] * m[2];
+        const double chief[2] = {(2 * m[3] + 3 * m[1]) / det, (-3 * m[0] - 2 * m[2]) / det};
+        struct aim_near near = {true, {0, 0}, {m[0], m[1], m[2], m[3]}};
+        for (int k = 0; k < 2; k++) {
+            aim.beam.across[k][0] = m[k];
+            aim.beam.across[k][1] = m[2 + k];
+        }
+        CHECK(chief_find_near(&aim, &near));
+        for (int k = 0; k < 2; k++) {
+            CHECK_NEAR(aim.chief[k], chief[k], 1e-11 * (1 + fabs(chief[k])), "chief ray");
+        }
+        for (int k = 0; k < 4; k++) {
+            CHECK_NEAR(aim.slope[k], m[k], 1e-9, "slope");
+            near.slope[k] *= k < 2 ? -1 : 1;
+        }
+        CHECK(!chief_find_near(&aim, &near));
+    }
+    arena_free(&arena);
+}
+
+/*
+ * A ball of glass far before a stop brings the rays of its rim nearer to the axis than those
+ * within: beyond the farthest place of the stop that rays come to before that there is none, and
+ * what ends the light on the way out, past the fold, is the rim that it misses. To one side that of
+ * another ball, of air in air, about (14, 9), is nearer.
+ */
+static void test_fold(void)
+{
+    enum { SAMPLES = 20000, POINTS = 60 };
+    int near = 0, far = 0;
+    struct arena arena = {0};
+    struct opened opened;
+    struct aim aim;
+    struct error error;
+    double most = 0;
+    open_text("object inf\naperture stop\nsurface 22 10 air - decenter=14,9\n"
+              "surface 10 24 1.5 -\nstop - 10 1.5 60\n",
+              &arena, &opened);
+    for (int i = 0; i < SAMPLES; i++) {
+        const double h = 10 * (i + 0.5) / SAMPLES, normal = asin(h / 10);
+        const double bent = normal - asin(h / 15);
+        most = fmax(most, h - (24 - (10 - sqrt(100 - h * h))) * tan(bent));
+    }
+    CHECK(most > 0.3 && most < 1);
+    /* rays of a ring meet in the middle too: the one along the axis is meant */
+    CHECK(open_aim(&opened, 0, 0, &arena, &aim, &error) && aim_open_at(&aim, (double[2]){0, 0}));
+    for (int i = 0; i < POINTS; i++) {
+        const double angle = 2.4 * i, r = i % 2 == 0 ? most / 62 * (i + 1) / 30 : 0.2 + 0.013 * i;
+        const struct ray ray = aim_ray(&aim, r * cos(angle), r * sin(angle));
+        if (30 * r < 0.99 * most) {
+            CHECK(ray.status == RAY_OK);
+        } else if (i % 2 == 1) {
+            /* straight on, by steps that are halved: up to twice as far as the nearest rim */
+            const double ahead = 14 * cos(angle) + 9 * sin(angle);
+            const double rim = ahead + sqrt(22 * 22 - (14 * 14 + 9 * 9) + ahead * ahead);
+            CHECK(ray.status == RAY_MISS);
+            CHECK((rim > 10 || ray.surface == 1) && (rim < 20 || ray.surface == 2));
+            near += rim < 10;
+            far += rim > 20;
+        }
+    }
+    CHECK(near > 5 && far > 10);
+    arena_free(&arena);
+}
+
 int main(void)
 {
     test_entrance();
@@ -328,5 +488,8 @@ int main(void)
     test_several();
     test_slope_at_edge();
     test_wall();
+    test_find_near();
+    test_find_near_oblique();
+    test_fold();
     return check_report();
 }

@@ -302,10 +302,7 @@ struct pupil_islands pupil_islands_find(const struct clearances *margins,
 {
     const struct arena_mark mark = arena_mark(arena);
     struct patches *all = arena_buffer(arena, sizeof *all);
-    all->margins = margins;
-    all->boundary = boundary;
-    all->count = 0;
-    all->farthest = 0;
+    *all = (struct patches){.margins = margins, .boundary = boundary};
     clearances_widen(margins);
     pupil_parts_bound(margins, all->low, all->high);
     for (int k = 0; k < 2; k++) {
