@@ -240,10 +240,11 @@ static bool aperture_check_points(const struct aperture *aperture, struct error 
         const struct figure *q = aperture->points[(i + 1) % aperture->point_count];
         sum += p[0].value.hi * q[1].value.hi - q[0].value.hi * p[1].value.hi;
     }
-    if (!(fabs(sum) > 0)) {
+    const size_t crossings = aperture_crossings(aperture, APERTURE_MOST_CROSSINGS);
+    if (!(fabs(sum) > 0) && crossings == 0) { /* else its parts have it, gone round either way */
         return fail(error, ERROR_DATA, "a polygon without any area");
     }
-    return aperture_crossings(aperture, APERTURE_MOST_CROSSINGS) <= APERTURE_MOST_CROSSINGS ||
+    return crossings <= APERTURE_MOST_CROSSINGS ||
            fail(error, ERROR_DATA, "a polygon whose sides cross each other more than %d times",
                 APERTURE_MOST_CROSSINGS);
 }

@@ -118,12 +118,17 @@ static void test_corners(void)
 {
     static const double line[][2] = {{1, 0}, {2, 1}, {3, 2}, {5, 4}};
     static const double aside[][2] = {{1, 0}, {2, 1}, {3, 2.5}, {5, 4}};
+    static const double bow[][2] = {{-1, -1}, {1, 1}, {1, -1}, {-1, 1}};
+    static const double back[][2] = {{0, 0}, {2, 1}, {3, 5}, {2, 1}};
     static const double far[][2] = {{9.9e99, 0}, {0, 1}, {0, -9.9e99}};
     check_sound(polygon_of(line, 3), "a polygon without any area");
     check_sound(polygon_of(line, 4), "a polygon without any area");
     check_sound(polygon_of(aside, 3), "");
     check_sound(polygon_of(aside, 4), "");
     check_sound(polygon_of(far, 3), "");
+    /* two halves gone round in opposite senses have area; a way there and back has none */
+    check_sound(polygon_of(bow, 4), "");
+    check_sound(polygon_of(back, 4), "a polygon without any area");
     check_sound(polygon_of(aside, 2), "a polygon has three corners and more");
     for (size_t i = 0; i < 6; i++) {
         double beyond[3][2] = {{1, 2}, {2, 5}, {3, -1}};
