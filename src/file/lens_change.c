@@ -19,13 +19,14 @@ struct change {
     bool rounded;
 };
 
+/* A power that is 0 and more. */
 static struct pair power_of_length(struct pair base, int power)
 {
     struct pair product = {1, 0};
-    for (int i = 0; i < (power < 0 ? -power : power); i++) {
+    for (int i = 0; i < power; i++) {
         product = pair_multiply(product, base);
     }
-    return power < 0 ? pair_divide(pair_of(1), product) : product;
+    return product;
 }
 
 static struct pair unit_length(const char *unit)
@@ -34,26 +35,23 @@ static struct pair unit_length(const char *unit)
     return figure_per_length(one, unit, 1).value;
 }
 
+/* Of the dimension length^power: a length, 1, or 1 over lengths. */
 static void change_figure(const struct change *change, int power, struct figure *figure)
 {
     if (figure->variable != LENS_NONE || !isfinite(figure->value.hi) ||
         (figure->value.hi == 0 && figure->typed.start == NULL)) {
         return;
     }
-    struct pair k = change->factor;
-    if (power > 0) {
-        figure->value = pair_multiply(figure->value, power_of_length(k, power));
-    } else if (k.hi != 1 || k.lo != 0) {
-        figure->value = pair_divide(figure->value, power_of_length(k, -power));
-    }
-    /* The digits of a value in unit^power. */
     struct pair value = figure->value;
     if (power == 1) {
+        value = pair_multiply(value, change->factor);
         *figure = change->rounded
                       ? figure_rounded(value, lens_unit_scale(change->unit), change->arena)
                       : figure_computed(value, lens_unit_scale(change->unit), change->arena);
         return;
     }
+    /* the digits of a value in unit^power */
+    value = pair_divide(value, power_of_length(change->factor, -power));
     value = pair_multiply(value, power_of_length(unit_length(change->unit), -power));
     *figure = change->rounded ? figure_rounded(value, NUMBER_UNSCALED, change->arena)
                               : figure_computed(value, NUMBER_UNSCALED, change->arena);

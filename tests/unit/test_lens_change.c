@@ -82,6 +82,58 @@ static void test_unit(void)
     arena_free(&arena);
 }
 
+/* Lengths and fringes of sag scale, shares and angles stay; A4 goes with 1/k^3. */
+static void test_tolerances(void)
+{
+    struct arena arena = {0};
+    const char *const text =
+        "lens t\nunit mm\nwavelength 587.56nm\nobject inf\naperture stop\n"
+        "surface 50 6 1.5/60 40 A4=4e-06\nstop - 4 air 16\nsurface -80 90.5 air 40\n"
+        "tolerance R1 0.10%\ntolerance t1 0.02mm\ntolerance R3 3fringes\n"
+        "tolerance surface 1 tilt 2.0arcmin\ntolerance A4_1 1.6e-07\ntolerance k1 0.010\n"
+        "tolerance surface 3 decenter 20um\n";
+    const struct lens *lens = read_lens(text, &arena);
+    const struct pair two = {2, 0};
+    if (lens != NULL) {
+        check_same(lens_scaled(lens, two, false, &arena),
+                   "lens t\nunit mm\nwavelength 587.56nm\nobject inf\naperture stop\n"
+                   "surface 100 12 1.5/60 80 A4=5e-07\nstop - 8 air 32\nsurface -160 181 air 80\n"
+                   "tolerance R1 0.10%\ntolerance t1 0.04mm\ntolerance R3 6fringes\n"
+                   "tolerance surface 1 tilt 2.0arcmin\ntolerance A4_1 2e-08\ntolerance k1 0.010\n"
+                   "tolerance surface 3 decenter 0.04mm\n",
+                   &arena);
+        check_same(
+            lens_in_unit(lens, "cm", &arena),
+            "lens t\nunit cm\nwavelength 587.56nm\nobject inf\naperture stop\n"
+            "surface 5 0.6 1.5/60 4 A4=0.004\nstop - 0.4 air 1.6\nsurface -8 9.05 air 4\n"
+            "tolerance R1 0.10%\ntolerance t1 0.02mm\ntolerance R3 3fringes\n"
+            "tolerance surface 1 tilt 2.0arcmin\ntolerance A4_1 0.00016\ntolerance k1 0.010\n"
+            "tolerance surface 3 decenter 20um\n",
+            &arena);
+    }
+    arena_free(&arena);
+}
+
+/* What has no length keeps the digits that it was typed with. */
+static void test_typed(void)
+{
+    struct arena arena = {0};
+    const struct lens *lens =
+        read_lens("lens x\nwavelength 587.56nm\nobject inf\naperture f/4.0\n"
+                  "surface 50 6.00 1.50/60.0 40 k=-0.50 tilt=3.0,4.0 R~ t~ k~[-1.50,0.0]\n"
+                  "surface - 2.0 air -\n",
+                  &arena);
+    if (lens != NULL) {
+        const struct lens *twice = lens_scaled(lens, (struct pair){2, 0}, false, &arena);
+        static const char *const kept[] = {"f/4.0", "1.50/60.0", "k=-0.50", "tilt=3.0,4.0",
+                                           "R~ t~ k~[-1.50,0.0]"};
+        for (size_t i = 0; i < sizeof kept / sizeof *kept; i++) {
+            CHECK(strstr(written(twice, &arena), kept[i]) != NULL);
+        }
+    }
+    arena_free(&arena);
+}
+
 /* Zoom positions, stated numbers, image heights; f-numbers do not scale. */
 static void test_positions(void)
 {
@@ -262,6 +314,8 @@ int main(void)
 {
     test_scaled();
     test_unit();
+    test_tolerances();
+    test_typed();
     test_positions();
     test_reversed();
     test_reversed_mirrors();
