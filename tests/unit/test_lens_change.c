@@ -134,6 +134,36 @@ static void test_typed(void)
     arena_free(&arena);
 }
 
+/* Apertures with all that they are made of, and pick-ups, whose offsets are of their number. */
+static void test_parts(void)
+{
+    struct arena arena = {0};
+    const char *const once =
+        "lens p\nwavelength 587.56nm\nobject inf\nfield image 0 5\naperture stop\n"
+        "stated efl 100\nstated bfl 90\nstated fnumber 4.0\n"
+        "pickup R3 = -2 R1 + 10\npickup t3 = t1\npickup k3 = k1 + 1\n"
+        "surface 50 6 1.5 40 k=-1\nblock spider 1 3 turn=20\npass ellipse 18 14 decenter=1,2\n"
+        "stop - 3 air 16\nblock ring 3 5\npass polygon -9,-8 9,-8 8,8 0,5 -8,8 turn=7\n"
+        "surface -90 6 1.5 40 k=0\nsurface -80 90.5 air 40\n";
+    const char *const twice =
+        "lens p\nwavelength 587.56nm\nobject inf\nfield image 0 10\naperture stop\n"
+        "stated efl 200\nstated bfl 180\nstated fnumber 4.0\n"
+        "pickup R3 = -2 R1 + 20\npickup t3 = t1\npickup k3 = k1 + 1\n"
+        "surface 100 12 1.5 80 k=-1\nblock spider 2 3 turn=20\npass ellipse 36 28 decenter=2,4\n"
+        "stop - 6 air 32\nblock ring 6 10\n"
+        "pass polygon -18,-16 18,-16 16,16 0,10 -16,16 turn=7\n"
+        "surface -180 12 1.5 80 k=0\nsurface -160 181 air 80\n";
+    const struct lens *lens = read_lens(once, &arena);
+    if (lens != NULL) {
+        check_same(lens_scaled(lens, (struct pair){2, 0}, false, &arena), twice, &arena);
+    }
+    const struct lens *back = read_lens(twice, &arena);
+    if (back != NULL) {
+        check_same(lens_scaled(back, (struct pair){0.5, 0}, false, &arena), once, &arena);
+    }
+    arena_free(&arena);
+}
+
 /* Zoom positions, stated numbers, image heights; f-numbers do not scale. */
 static void test_positions(void)
 {
@@ -144,7 +174,7 @@ static void test_positions(void)
         "surface 50 5 1.5 20\nsurface -50 d1 air 20\nstop - 3 air 10\nsurface 40 4 1.5 20\n"
         "surface -40 30 air 20\n";
     const struct lens *lens = read_lens(zoom, &arena);
-    const struct pair three = {3, 0};
+    const struct pair three = {3, 0}, half = {0.5, 0};
     if (lens != NULL) {
         check_same(lens_scaled(lens, three, false, &arena),
                    "lens z\nposition wide tele\nlet d1 6 24\nlet object 300 900\nfield image 0 15\n"
@@ -157,6 +187,20 @@ static void test_positions(void)
                    "surface 50 5 1.5 20\nsurface -50 8 air 20\nstop - 3 air 10\n"
                    "surface 40 4 1.5 20\nsurface -40 30 air 20\n",
                    &arena);
+        const struct lens *many =
+            read_lens("lens s\nwavelength 587.56nm\nposition a b c\nlet d1 2~[1,3] 8 9~\n"
+                      "set R1 50 60 70\nset c2 -0.02 -0.04 -0.05\nset tilt_x2 1.0 2.0 3.0\n"
+                      "surface 50 5 1.5 20\nsurface - d1 air 20 c=-0.02 tilt=1.0,0\n"
+                      "surface - 3 air 20\n",
+                      &arena);
+        if (many != NULL) {
+            check_same(lens_scaled(many, half, false, &arena),
+                       "lens s\nwavelength 587.56nm\nposition a b c\nlet d1 1~[0.5,1.5] 4 4.5~\n"
+                       "set R1 25 30 35\nset c2 -0.04 -0.08 -0.1\nset tilt_x2 1.0 2.0 3.0\n"
+                       "surface 25 2.5 1.5 10\nsurface - d1 air 10 c=-0.04 tilt=1.0,0\n"
+                       "surface - 1.5 air 10\n",
+                       &arena);
+        }
         struct error error;
         CHECK(lens_reversed(lens, &arena, &error) == NULL);
         CHECK_TEXT(error.message, "reverse: object or aperture change between the positions: "
@@ -316,6 +360,7 @@ int main(void)
     test_unit();
     test_tolerances();
     test_typed();
+    test_parts();
     test_positions();
     test_reversed();
     test_reversed_mirrors();
