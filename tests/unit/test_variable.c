@@ -240,6 +240,180 @@ static void check_scales(void)
     CHECK_RELATIVE(out->surfaces[6].medium.abbe.hi, 38.0, 1e-13, "Vd");
 }
 
+static bool open_one(const struct lens *lens, const struct variable *list, size_t count,
+                     struct variables *variables)
+{
+    struct error error;
+    return variables_open(lens, list, count, &arena, variables, &error);
+}
+
+/* The length L by the scale of a curvature, 1/L: that of an ideal lens of a focal length. */
+static void check_sizes(void)
+{
+    static const struct {
+        double focal, size; /* borders are the geometric means of 1, 2, 5 and 10 */
+    } rows[] = {{1.414, 1},  {1.4145, 2}, {3.162, 2}, {3.163, 5},  {7.071, 5},     {7.072, 10},
+                {14.14, 10}, {14.15, 20}, {50, 50},   {999, 1000}, {0.0316, 0.02}, {0.0317, 0.05}};
+    struct variables variables;
+    for (size_t i = 0; i < sizeof rows / sizeof rows[0]; i++) {
+        const double f = rows[i].focal;
+        struct lens lens = lens_of(arena_printf(&arena, "thick %.17g %.17g air -\n", f, f), &arena);
+        const struct variable list[] = {variable_of("focal1", -INFINITY, INFINITY)};
+        CHECK(open_one(&lens, list, 1, &variables));
+        CHECK_RELATIVE(variables.scale[0], 1 / rows[i].size, 1e-14, "1/L of a focal length");
+    }
+    /* where the focal length is not near it, or none, the length of the lens; without one 100 mm */
+    static const struct {
+        const char *text;
+        double size;
+    } others[] = {{"surface 1000 2 1.5 -\nsurface - 8 air -\n", 10},
+                  {"surface 50 10 1.5 -\nsurface - 500 air -\n", 100},
+                  {"surface 5 80 1.5 -\nsurface - 20.5 air -\n", 100},
+                  {"surface 5 80 1.5 -\nsurface - 19.5 air -\n", 10},
+                  {"surface 1000 9 1.5 -\nsurface - 192 air -\n", 2000},
+                  {"surface 1000 9 1.5 -\nsurface - 190 air -\n", 200},
+                  {"surface - 6 1.5 -\nsurface - -14.2 air -\n", 20},
+                  {"surface - 0 1.5 -\nsurface - 0 air -\n", 100}};
+    for (size_t i = 0; i < sizeof others / sizeof others[0]; i++) {
+        struct lens lens = lens_of(others[i].text, &arena);
+        const struct variable list[] = {variable_of("R1", -INFINITY, INFINITY)};
+        CHECK(open_one(&lens, list, 1, &variables));
+        CHECK_RELATIVE(variables.scale[0], 1 / others[i].size, 1e-14, "1/L of a curvature");
+    }
+}
+
+/* Natural scales as variable.h has them, of a lens of L = 100 mm; one that is given stays. */
+static void check_each_scale(void)
+{
+    struct lens lens = lens_of("surface - 5 1.6/50 20 c=1e-6 k=-1 A4=1e-6\n"
+                               "surface - 2 1.6/50 - decenter=0.1,0.2 tilt=1,2\n"
+                               "bend decenter=1,2 tilt=3,4,5\nthick 100 100 air -\n",
+                               &arena);
+    static const struct {
+        const char *name;
+        double scale;
+    } rows[] = {{"c1", 1. / 100},
+                {"t1", 100. / 10},
+                {"k1", 1},
+                {"A4_1", 1 / (2 * 100. * 10 * 10)},
+                {"A6_1", 1 / (2 * 100. * 10 * 10 * 10 * 10)},
+                {"A4_2", 1 / (2 * 100. * 10 * 10)}, /* without a diameter r is L/10 */
+                {"n1", 0.1},
+                {"V2", 10},
+                {"dx2", 100. / 100},
+                {"dy2", 100. / 100},
+                {"ax2", 0.01},
+                {"ay2", 0.01},
+                {"bend_decenter_x3", 100. / 100},
+                {"bend_decenter_y3", 100. / 100},
+                {"bend_tilt_x3", 0.01},
+                {"bend_tilt_y3", 0.01},
+                {"bend_tilt_z3", 0.01},
+                {"focal3", 1. / 100}};
+    enum { ROWS = sizeof rows / sizeof rows[0] };
+    struct variable list[ROWS];
+    struct variables variables;
+    for (size_t i = 0; i < ROWS; i++) {
+        list[i] = variable_of(rows[i].name, -INFINITY, INFINITY);
+    }
+    const struct variables none = {0};
+    variables = none;
+    CHECK(open_one(&lens, list, ROWS, &variables));
+    for (size_t i = 0; i < ROWS && variables.scale != NULL; i++) {
+        CHECK_RELATIVE(variables.scale[i], rows[i].scale, 1e-14, rows[i].name);
+        list[i].scale = 3 + (double)i;
+    }
+    variables = none;
+    CHECK(open_one(&lens, list, ROWS, &variables));
+    for (size_t i = 0; i < ROWS && variables.scale != NULL; i++) {
+        CHECK_RELATIVE(variables.scale[i], 3 + (double)i, 1e-14, rows[i].name);
+    }
+}
+
+/* A start that was written with fewer digits than its bound: 1e-12 of that. */
+static void check_slack(void)
+{
+    static const struct {
+        const char *name;
+        double low, high; /* of the start, but for infinite ones */
+        bool within;
+    } rows[] = {
+        {"t1", 1 + 0.9e-12, 2, true},          {"t1", 1 + 1.2e-12, 2, false},
+        {"t1", 0.5, 1 - 0.9e-12, true},        {"t1", 0.5, 1 - 1.2e-12, false},
+        {"t1", -INFINITY, 1 + 1e-12, true},    {"t1", -INFINITY, 1 - 0.9e-12, true},
+        {"t1", -INFINITY, 1 - 1.2e-12, false}, {"t1", 1 + 0.9e-12, INFINITY, true},
+        {"t1", 1 + 1.2e-12, INFINITY, false},  {"R2", 2, 1 + 0.9e-12, true},
+        {"R2", 2, 1 + 1.2e-12, false},         {"R2", 1 - 0.9e-12, 0.5, true},
+        {"R2", 1 - 1.2e-12, 0.5, false},       {"R1", 1 + 0.9e-12, -1, true},
+        {"R1", 1 + 1.2e-12, -1, false},        {"R2", -1, 1 + 0.9e-12, true},
+        {"R2", -1, 1 + 1.2e-12, false},
+    };
+    struct lens lens = lens_of("surface 50 6 1.5 -\nsurface -80 9 air -\n", &arena);
+    for (size_t i = 0; i < sizeof rows / sizeof rows[0]; i++) {
+        struct variable one = variable_of(rows[i].name, 0, 0);
+        struct variables variables;
+        const double start = parameter_get(&lens, one.what);
+        one.low = start * rows[i].low;
+        one.high = start * rows[i].high;
+        const bool opened = open_one(&lens, &one, 1, &variables);
+        CHECK(opened == rows[i].within);
+        if (opened != rows[i].within) {
+            printf("%s of row %zu\n", rows[i].name, i);
+        } else if (opened) {
+            CHECK(variables.start[0] >= variables.low[0] &&
+                  variables.start[0] <= variables.high[0]);
+            CHECK_RELATIVE(variables.start[0],
+                           one.what.kind == PARAMETER_RADIUS ? 1 / start : start, 1.1e-12,
+                           "the start");
+        }
+    }
+}
+
+/* nd or Vd alone stays where its border of the map is: 13.07/(nd - 1.2688) - 2.4, flint side. */
+static void check_lone_glass(void)
+{
+    struct lens lens = lens_of("surface 50 6 1.62/40 -\nsurface - 3 1.65/38 -\n", &arena);
+    const struct variable list[] = {variable_of("n1", -INFINITY, INFINITY),
+                                    variable_of("V2", -INFINITY, INFINITY),
+                                    variable_of("n2", 1.62, 1.66), variable_of("t2", 1, 9)};
+    struct variables variables;
+    const bool opened = open_one(&lens, list, 4, &variables);
+    CHECK(opened);
+    if (opened) {
+        CHECK_RELATIVE(variables.low[0], 1.2688 + 13.07 / 42.4, 1e-13, "n1 at Vd = 40");
+        CHECK_RELATIVE(glass_map_at(variables.high[0], 1).Vd, 40.0, 1e-12, "and its other end");
+        CHECK_RELATIVE(variables.low[1], glass_map_abbes(1.62, 1.66).low, 1e-15, "V2 by n2");
+        CHECK_RELATIVE(variables.high[1], glass_map_abbes(1.62, 1.66).high, 1e-15, "V2 by n2");
+        CHECK(variables.low[2] == 1.62 && variables.high[2] == 1.66);
+    }
+    /* 1.62/70 is no glass: where one is held there is none for the other */
+    lens = lens_of("surface 50 6 1.62/70 -\nsurface - 3 air -\n", &arena);
+    CHECK(!open_one(&lens, list, 1, &variables));
+}
+
+/* A radius of 0 by a pick-up, in the first or the last position. */
+static void check_pickup_infinite(void)
+{
+    for (int k = 0; k < 3; k++) {
+        static const char *const words[] = {"2 4 5", "3 4 2", "3 4 5"};
+        struct lens lens = lens_of(arena_printf(&arena,
+                                                "position a b c\nlet d2 %s\n"
+                                                "surface 50 6 1.5 -\nsurface - d2 air -\n"
+                                                "surface -40 2 1.5 -\nsurface 7 4 air -\n",
+                                                words[k]),
+                                   &arena);
+        pick_up(&lens, "R4", "t2", 3, -6);
+        struct variable list[] = {variable_of("R1", 20, 90), variable_of("t2", 0, 9)};
+        list[1].position = 1;
+        struct variables variables;
+        struct error error = {0};
+        CHECK(variables_open(&lens, list, 2, &arena, &variables, &error) == (k == 2));
+        CHECK_TEXT(error.message,
+                   k == 2 ? ""
+                          : "the pick-up of the curvature of surface 4 gives no finite number");
+    }
+}
+
 static void check_refused(const char *name, double low, double high, const char *message,
                           const char *hint)
 {
@@ -334,6 +508,11 @@ int main(void)
     check_everything();
     check_positions();
     check_scales();
+    check_sizes();
+    check_each_scale();
+    check_slack();
+    check_lone_glass();
+    check_pickup_infinite();
     check_errors();
     check_glass_map();
     arena_free(&arena);
