@@ -391,6 +391,43 @@ static void check_lone_glass(void)
     CHECK(!open_one(&lens, list, 1, &variables));
 }
 
+/* A word is varied in one position where it stands for thicknesses, or for focal lengths, alone. */
+static void check_words(void)
+{
+    static const struct {
+        const char *first, *last, *name;
+        size_t position;
+        bool varies;
+    } rows[] = {
+        {"surface 50 d 1.5 -", "surface - 2 air -", "t1", 0, true},
+        {"surface 50 d 1.5 -", "surface - 2 air -", "t1", 1, true},
+        {"surface 50 d 1.5 -", "surface - 2 air -", "t1", 2, false},
+        {"surface 50 2 1.5 -", "surface - d air -", "t1", 1, false},
+        {"surface 50 2 1.5 -", "surface - d air -", "t2", 1, true},
+        {"surface 50 2 1.5 d", "surface - d air -", "t2", 1, false},
+        {"surface 50 d 1.5 -", "surface - 2 air d", "t1", 1, false},
+        {"surface 50 2 1.5 -", "thick d 2 air -", "focal2", 1, true},
+        {"surface 50 d 1.5 -", "thick d 2 air -", "focal2", 1, false},
+        {"surface 50 d 1.5 -", "thick d 2 air -", "t1", 1, false},
+        {"surface 50 d 1.5 -", "thick 70 2 air - hiatus=d", "t1", 1, false},
+        {"surface 50 2 1.5 -", "thick d d air -", "focal2", 1, false},
+        {"surface 50 2 1.5 -", "thick 70 2 air d hiatus=d", "hiatus2", 1, false},
+    };
+    for (size_t i = 0; i < sizeof rows / sizeof rows[0]; i++) {
+        struct lens lens = lens_of(
+            arena_printf(&arena, "position a b\nlet d 5 6\n%s\n%s\n", rows[i].first, rows[i].last),
+            &arena);
+        struct variable one = variable_of(rows[i].name, -INFINITY, INFINITY);
+        struct variables variables;
+        one.position = rows[i].position;
+        const bool opened = open_one(&lens, &one, 1, &variables);
+        CHECK(opened == rows[i].varies);
+        if (opened != rows[i].varies) {
+            printf("row %zu\n", i);
+        }
+    }
+}
+
 /* A radius of 0 by a pick-up, in the first or the last position. */
 static void check_pickup_infinite(void)
 {
@@ -512,6 +549,7 @@ int main(void)
     check_each_scale();
     check_slack();
     check_lone_glass();
+    check_words();
     check_pickup_infinite();
     check_errors();
     check_glass_map();
