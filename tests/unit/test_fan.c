@@ -265,6 +265,10 @@ static void test_ends(void)
             const struct fan_ray *ray = &fan.ends[s].rays[i];
             CHECK_NEAR(ray->pupil[1 - s], expected[s][i], 1e-9, "the end of a section");
             CHECK(ray->status == RAY_OK && ray->surface == 2);
+            /* Newton's method meets the outer edge, and the end lies half of 1e-9 within it */
+            const double within = (expected[s][i] - ray->pupil[1 - s]) * (i < 2 ? -1 : 1);
+            const bool is_outer = i == 0 || i == 3;
+            CHECK(is_outer ? fabs(within - 5e-10) < 1e-12 : -within > 0 && -within < 1e-9);
         }
         for (size_t i = 0; i + 1 < 9 + 4; i++) {
             CHECK(line[i].pupil[1 - s] < line[i + 1].pupil[1 - s]);
@@ -273,9 +277,77 @@ static void test_ends(void)
     arena_free(&arena);
 }
 
+/*
+ * An edge at a point of the fan, or so little beside it that no end has room between them: the line
+ * goes on ascending. Rims on the axis of 2.5 mm, where the beam of 5 mm is half as wide.
+ */
+static void test_ends_at_points(void)
+{
+    static const struct {
+        double share; /* of the rim that the point lies at */
+        bool is_met;  /* else it is bisected */
+    } rows[] = {
+        {1, false}, {1 + 1e-10, false}, {1 - 1e-10, false}, {1 + 2e-8, true}, {1 - 2e-8, true}};
+    const struct field_point axis = {FIELD_NONE, {0, 0}};
+    struct arena arena = {0};
+    for (size_t row = 0; row < sizeof rows / sizeof rows[0]; row++) {
+        const double rim = 0.5 * rows[row].share;
+        const char *text = arena_printf(&arena,
+                                        "wavelength d\nobject inf\naperture stop\nfocus afocal\n"
+                                        "surface - 10 air 10 stop\nsurface - 10 air %.17g\n",
+                                        10 * rim);
+        struct setup setup = open_setup(text, NAN, &arena);
+        struct fan_question question = question_of(&setup, &axis, WAVE_CHIEF);
+        const struct fan fan = trace(&question, &arena);
+        for (size_t s = 0; s < FAN_SECTIONS && fan.ends != NULL; s++) {
+            struct fan_ray line[9 + FAN_ENDS];
+            CHECK(fan_line(&fan, 0, (enum fan_section)s, line) == 9 + 2);
+            for (size_t i = 0; i + 1 < 9 + 2; i++) {
+                CHECK(line[i].pupil[1 - s] <= line[i + 1].pupil[1 - s]);
+            }
+            for (size_t i = 0; i < 2; i++) {
+                const double within = rim - fabs(fan.ends[s].rays[i].pupil[1 - s]);
+                CHECK(within > -1e-12 && within <= 1e-9);
+                CHECK(!rows[row].is_met || fabs(within - 5e-10) < 1e-12);
+            }
+        }
+    }
+    arena_free(&arena);
+}
+
+/* The ends of a lens are where single rays say they are: bisected through the question itself. */
+static void test_ends_refracted(void)
+{
+    struct arena arena = {0};
+    const struct field_point field = {FIELD_ANGLE, {0, 14 * degree}};
+    struct setup setup = open_setup(GAUSS("50.4", "40"), NAN, &arena);
+    struct fan_question question = question_of(&setup, &field, WAVE_CHIEF);
+    const struct fan coarse = trace(&question, &arena);
+    /* so many points that neighbours of an edge are 1e-4 apart: where it lies by another way */
+    question.points = 20001;
+    const struct fan dense = trace(&question, &arena);
+    for (size_t k = 0; k < 3 * FAN_SECTIONS && coarse.ends != NULL && dense.ends != NULL; k++) {
+        const struct fan_ends *one = &coarse.ends[k], *other = &dense.ends[k];
+        const size_t s = k % FAN_SECTIONS;
+        CHECK(one->count == other->count);
+        for (size_t i = 0; i < one->count && i < other->count; i++) {
+            CHECK_NEAR(one->rays[i].pupil[1 - s], other->rays[i].pupil[1 - s], 1e-12, "the end");
+            CHECK(one->rays[i].surface == other->rays[i].surface);
+            const struct fan_ray *clear = ray_at(&dense, k / FAN_SECTIONS, s, other->behind[i]);
+            const struct fan_ray *next = clear + 1;
+            CHECK((clear->status == RAY_OK) != (next->status == RAY_OK));
+            CHECK(clear->pupil[1 - s] <= one->rays[i].pupil[1 - s] &&
+                  one->rays[i].pupil[1 - s] <= next->pupil[1 - s]);
+        }
+    }
+    arena_free(&arena);
+}
+
 int main(void)
 {
     test_ends();
+    test_ends_at_points();
+    test_ends_refracted();
     test_azimuths(WAVE_CHIEF);
     test_azimuths(WAVE_CENTROID);
     test_azimuths(WAVE_BEST);
