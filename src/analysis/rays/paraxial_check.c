@@ -7,12 +7,12 @@
 
 #include <math.h>
 
-bool check_is_of_field(enum check_quantity quantity)
+bool paraxial_check_is_of_field(enum check_quantity quantity)
 {
     return quantity >= CHECK_IMAGE_HEIGHT;
 }
 
-bool check_applies(const struct check_problem *problem, enum check_quantity quantity)
+bool paraxial_check_applies(const struct check_problem *problem, enum check_quantity quantity)
 {
     const struct first_order *first = problem->first;
     bool near = !problem->object.is_infinite, afocal = first->is_afocal;
@@ -254,14 +254,15 @@ static void compare_field(const struct check_problem *problem, enum check_quanti
     paraxial_check_lose(&ray, value);
 }
 
-struct check_value check_at(const struct check_problem *problem, enum check_quantity quantity,
-                            double fraction, struct arena *arena)
+struct check_value paraxial_check_at(const struct check_problem *problem,
+                                     enum check_quantity quantity, double fraction,
+                                     struct arena *arena)
 {
     const struct first_order *first = problem->first;
     struct check_value value = {
         .paraxial = NAN, .exact = NAN, .scale = NAN, .fnumber = NAN, .height = NAN, .angle = NAN};
     struct arena_mark mark = arena_mark(arena);
-    if (check_is_of_field(quantity)) {
+    if (paraxial_check_is_of_field(quantity)) {
         compare_field(problem, quantity, fraction, arena, &value);
     } else {
         bool near = !problem->object.is_infinite;
@@ -302,14 +303,14 @@ static double line(const double *d, size_t first)
     return sum / 5;
 }
 
-struct check_order check_order(const struct check_problem *problem, enum check_quantity quantity,
-                               struct arena *arena)
+struct check_order paraxial_check_order(const struct check_problem *problem,
+                                        enum check_quantity quantity, struct arena *arena)
 {
     struct check_order result = {.order = NAN};
     double d[SERIES], largest = 0, scale = place_scale(problem->first);
     size_t straight = SERIES;
     for (size_t k = 0; k < SERIES; k++) {
-        struct check_value value = check_at(problem, quantity, ldexp(1, -(int)k), arena);
+        struct check_value value = paraxial_check_at(problem, quantity, ldexp(1, -(int)k), arena);
         d[k] = fabs(value.exact - value.paraxial);
         d[k] = quantity == CHECK_FNUMBER ? d[k] / value.scale : d[k]; /* itself goes as 1/h */
         if (quantity == CHECK_FNUMBER) {
@@ -342,16 +343,16 @@ struct check_order check_order(const struct check_problem *problem, enum check_q
 static bool paraxial_is_within(const struct check_problem *problem, enum check_quantity quantity,
                                double fraction, double tolerance, struct arena *arena)
 {
-    struct check_value value = check_at(problem, quantity, fraction, arena);
+    struct check_value value = paraxial_check_at(problem, quantity, fraction, arena);
     return fabs(value.exact - value.paraxial) <= tolerance * value.scale;
 }
 
-double check_trusted(const struct check_problem *problem, enum check_quantity quantity,
-                     double tolerance, struct arena *arena)
+double paraxial_check_trusted(const struct check_problem *problem, enum check_quantity quantity,
+                              double tolerance, struct arena *arena)
 {
     enum { SAMPLES = 48, HALVINGS = 30 };
     double good = 0, bad = NAN;
-    if (isnan(check_at(problem, quantity, 1.0 / SAMPLES, arena).scale)) {
+    if (isnan(paraxial_check_at(problem, quantity, 1.0 / SAMPLES, arena).scale)) {
         return NAN;
     }
     for (int i = 1; i <= SAMPLES && isnan(bad); i++) {

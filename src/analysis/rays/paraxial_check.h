@@ -33,7 +33,7 @@ enum check_quantity {
 };
 
 /* Does it depend on the field, else on the aperture? */
-bool check_is_of_field(enum check_quantity quantity);
+bool paraxial_check_is_of_field(enum check_quantity quantity);
 
 /* Chief rays that were looked for: the same fractions are asked for again and again. */
 struct check_chief {
@@ -56,7 +56,7 @@ struct check_problem {
 };
 
 /* Does it make sense for this lens: finite or infinite object, afocal, with stop and field? */
-bool check_applies(const struct check_problem *problem, enum check_quantity quantity);
+bool paraxial_check_applies(const struct check_problem *problem, enum check_quantity quantity);
 
 struct check_value {
     double paraxial, exact; /* NaN: the ray is lost, or there is none */
@@ -80,8 +80,9 @@ struct check_value {
  * Source    [Welford86] ch. 4 (finite rays) and ch. 6 (sine condition)
  * Errors    none: what cannot be traced is NaN with its status
  */
-struct check_value check_at(const struct check_problem *problem, enum check_quantity quantity,
-                            double fraction, struct arena *arena);
+struct check_value paraxial_check_at(const struct check_problem *problem,
+                                     enum check_quantity quantity, double fraction,
+                                     struct arena *arena);
 
 /* How the difference shrinks. */
 struct check_order {
@@ -98,15 +99,15 @@ struct check_order {
  *           the smallest fraction: the slope of the straight line through log d against log h
  * Limits    2 for places and ratios, 3 for heights; more where a lens is corrected
  */
-struct check_order check_order(const struct check_problem *problem, enum check_quantity quantity,
-                               struct arena *arena);
+struct check_order paraxial_check_order(const struct check_problem *problem,
+                                        enum check_quantity quantity, struct arena *arena);
 
 /*
  * Up to which fraction |exact - paraxial| <= tolerance * scale, from 0 on without a gap.
  *
  * Result    1: everywhere; 0: nowhere; NaN: the quantity has no scale
  */
-double check_trusted(const struct check_problem *problem, enum check_quantity quantity,
-                     double tolerance, struct arena *arena);
+double paraxial_check_trusted(const struct check_problem *problem, enum check_quantity quantity,
+                              double tolerance, struct arena *arena);
 
 #endif

@@ -198,7 +198,7 @@ static const char *extent_words(const struct check_row *row, enum check_quantity
                                 const struct check_value *edge, struct arena *arena)
 {
     const double whole = 1 - 1e-9;
-    bool field = check_is_of_field(quantity);
+    bool field = paraxial_check_is_of_field(quantity);
     if (!(row->trusted > 0)) {
         return arena_printf(arena, "at no %s", field ? "field" : "aperture");
     }
@@ -217,17 +217,18 @@ static void check_judge(const struct check_job *check, enum check_quantity quant
                         struct arena *arena, struct check_row *row)
 {
     const struct check_problem *problem = &check->problem;
-    const struct check_order order = check_order(problem, quantity, arena);
-    struct check_value edge = check_at(problem, quantity, 1, arena);
+    const struct check_order order = paraxial_check_order(problem, quantity, arena);
+    struct check_value edge = paraxial_check_at(problem, quantity, 1, arena);
     double tolerance = check->input->tolerance;
     row->order = order.order;
     row->rounding = order.rounding;
     row->tolerance = tolerance;
-    row->trusted = check_trusted(problem, quantity, tolerance, arena);
+    row->trusted = paraxial_check_trusted(problem, quantity, tolerance, arena);
     row->trusted_fnumber = row->trusted > 0 ? edge.fnumber / row->trusted : (double)NAN;
     row->trusted_field = edge.angle * row->trusted;
-    if (row->trusted > 0 && problem->field.kind != FIELD_ANGLE && check_is_of_field(quantity)) {
-        row->trusted_field = check_at(problem, quantity, row->trusted, arena).angle;
+    if (row->trusted > 0 && problem->field.kind != FIELD_ANGLE &&
+        paraxial_check_is_of_field(quantity)) {
+        row->trusted_field = paraxial_check_at(problem, quantity, row->trusted, arena).angle;
     }
     if (isnan(row->trusted)) {
         row->verdict =
@@ -236,7 +237,7 @@ static void check_judge(const struct check_job *check, enum check_quantity quant
     }
     /* where the quantity exists: it need not at the edge */
     const struct check_value inside =
-        row->trusted > 0 ? check_at(problem, quantity, row->trusted, arena) : edge;
+        row->trusted > 0 ? paraxial_check_at(problem, quantity, row->trusted, arena) : edge;
     bool of_itself = inside.scale == fabs(inside.paraxial) || isnan(inside.scale);
     row->verdict =
         arena_printf(arena, "%s: within %.3g %%%s %s (%s)", names[quantity].words, 100 * tolerance,
@@ -263,17 +264,18 @@ static bool check_compare(const struct check_input *input, const struct lens_cas
             .warning = one->warning,
             .wavelength = one->light.wavelength,
         };
-        if (!check_applies(&check.problem, what)) {
+        if (!paraxial_check_applies(&check.problem, what)) {
             continue;
         }
         check_judge(&check, what, run->arena, &row);
         for (long step = 0; step < input->steps; step++) {
             /* each aperture a stop smaller; fields evenly spaced; from the edge inwards */
-            double fraction = check_is_of_field(what)
+            double fraction = paraxial_check_is_of_field(what)
                                   ? (double)(input->steps - step) / (double)input->steps
                                   : exp2(-0.5 * (double)step);
-            struct check_value here = check_at(&check.problem, what, fraction, run->arena);
-            struct check_value inner = check_at(&check.problem, what, fraction / 2, run->arena);
+            struct check_value here = paraxial_check_at(&check.problem, what, fraction, run->arena);
+            struct check_value inner =
+                paraxial_check_at(&check.problem, what, fraction / 2, run->arena);
             double unit = what == CHECK_EXIT_ANGLE ? DEGREES_PER_RADIAN : 1;
             row.fraction = fraction;
             row.fnumber = here.fnumber;
@@ -371,12 +373,13 @@ static bool check_draw(const struct artifact_job *job, struct output *sink, stru
     for (int quantity = 0; quantity < CHECK_QUANTITIES; quantity++) {
         const struct check_problem *problem = &check.problem;
         enum check_quantity what = (enum check_quantity)quantity;
-        if (!check_applies(problem, what) || isnan(check_at(problem, what, 0.5, arena).scale)) {
+        if (!paraxial_check_applies(problem, what) ||
+            isnan(paraxial_check_at(problem, what, 0.5, arena).scale)) {
             continue;
         }
         double *y = ARENA_ARRAY(arena, POINTS, double);
         for (size_t k = 0; k < POINTS; k++) {
-            struct check_value value = check_at(problem, what, plot.x[k], arena);
+            struct check_value value = paraxial_check_at(problem, what, plot.x[k], arena);
             double relative = fabs(value.exact - value.paraxial) / value.scale;
             y[k] = relative > 1e-13 ? 100 * relative : (double)NAN;
         }
