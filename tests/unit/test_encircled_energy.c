@@ -79,8 +79,71 @@ static void test_disc(const char *what, double beside, size_t rings, size_t arms
     arena_free(&arena);
 }
 
+/* Rays by themselves: half of the light of each lies before it. At 1, 2 and 3 of weights 1, 1, 2. */
+static void test_points(void)
+{
+    static const struct encircled_energy_mark marks[] = {{.at = {-1.8, 2.4}, .weight = 2},
+                                                         {.at = {0.6, -0.8}, .weight = 1},
+                                                         {.at = {0, 2}, .weight = 1}};
+    static const double rows[][2] = {{0, 0},   {0.25, 0.5}, {0.5, 1}, {0.75, 1.25}, {1, 1.5},
+                                     {1.5, 2}, {2, 7 / 3.}, {3, 3},   {3.5, 3},     {4, 3}};
+    const struct encircled_energy_sample sample = {marks, 3, false, NULL};
+    struct arena arena = {0};
+    for (size_t i = 0; i < sizeof rows / sizeof rows[0]; i++) {
+        CHECK_NEAR(encircled_energy_find(&sample, rows[i][0] / 4, &arena), rows[i][1], 1e-15,
+                   "of points");
+    }
+    arena_free(&arena);
+}
+
+/*
+ * Arms that end early: of an even disc about its middle, cut off behind or before a ring, light
+ * goes as far as that ring's own share of the area. Of the whole arm d^2 lies within d.
+ */
+static void test_cut_arms(void)
+{
+    enum { RINGS = 6, ARMS = 3 };
+    static struct encircled_energy_mark marks[RINGS * ARMS];
+    struct arena arena = {0};
+    double places[RINGS], shares[RINGS];
+    gauss_rule(RINGS, places, shares);
+    for (size_t cut = 0; cut < 2 * RINGS - 1; cut++) {
+        const size_t first = cut < RINGS ? 0 : cut - RINGS + 1, end = cut < RINGS ? cut + 1 : RINGS;
+        const struct bundle bundle = {.rings = RINGS, .arms = ARMS};
+        struct encircled_energy_arms all = encircled_energy_arms_open(&bundle, NULL, &arena);
+        size_t count = 0;
+        for (size_t i = 0; i < RINGS * ARMS; i++) {
+            const size_t ring = i / ARMS;
+            if (ring < first || ring >= end) {
+                encircled_energy_arms_add(&all, i, marks, ENCIRCLED_ENERGY_ALONE);
+                continue;
+            }
+            const double r = sqrt(places[ring]), turn = 2 * PI * (double)(i % ARMS) / ARMS;
+            marks[count] = (struct encircled_energy_mark){.at = {r * sin(turn), r * cos(turn)},
+                                                          .weight = shares[ring] / ARMS};
+            encircled_energy_arms_add(&all, i, marks, count++);
+        }
+        if (end - first < 2) {
+            continue; /* of one ring it is not known where its light goes */
+        }
+        const struct encircled_energy_sample sample = {marks, count, true, all.sheets};
+        CHECK((all.sheets != NULL) == (count == RINGS * ARMS));
+        const double from = fmax(places[first] - shares[first], 0);
+        const double to = fmin(places[end - 1] + shares[end - 1], 1);
+        for (int percent = 10; percent < 100; percent += 20) {
+            const double share = percent / 100.0;
+            CHECK_NEAR(encircled_energy_find(&sample, share, &arena),
+                       sqrt(from + share * (to - from)), 1e-12, "of arms that are cut");
+        }
+    }
+    arena_free(&arena);
+}
+
 int main(void)
 {
+    test_points();
+    test_cut_arms();
+    test_disc("with an arm lost", 0, 12, 25, 0, 25, 1e-12);
     test_disc("in its middle", 0, 4, 9, 0, 0, 1e-12);
     test_disc("in its middle, of arcs", 0, 8, 12, 2, 0, 1e-5);
     /* circles that touch rays' arms from within: what is missed falls as the power 3/2 of arms */
