@@ -6,6 +6,7 @@
 #include "design/glass_map.h"
 #include "optics/first_order.h"
 
+#include <float.h>
 #include <math.h>
 #include <string.h>
 
@@ -234,9 +235,9 @@ static double variable_scale_of(const struct lens *lens, struct parameter what, 
    was written with fewer digits lies on its bound still. */
 static bool variable_is_within(double value, double low, double high)
 {
-    const double slack = 1e-12;
-    low -= isfinite(low) ? slack * fabs(low) : 0;
-    high += isfinite(high) ? slack * fabs(high) : 0;
+    const double slack = 1e-12; /* of a finite one */
+    low -= slack * fmin(fabs(low), DBL_MAX);
+    high += slack * fmin(fabs(high), DBL_MAX);
     return low <= high ? low <= value && value <= high : value >= low || value <= high;
 }
 

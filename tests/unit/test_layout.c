@@ -287,6 +287,32 @@ static void test_elements(void)
          "surface - 5 air 28\n",
          &(struct wanted){.no_rays = true}, &arena, &drawing);
     CHECK(drawing.layout.semi[1] == 10);
+    /* nor do faces that meet before the rim: 2 and 3 mm, less two sags of 30 - sqrt(900 - 14^2) */
+    draw("object inf\naperture epd 9\nsurface 30 2 1.5168/64 30\nsurface -30 3 1.62/36 16\n"
+         "surface - 5 air 28\nsurface - 2 1.5168/64 20\nsurface - 20 air 20\n",
+         &(struct wanted){.no_rays = true}, &arena, &drawing);
+    CHECK(drawing.layout.semi[1] == 8);
+    draw("object inf\naperture epd 9\nsurface - 2 1.5168/64 30\nsurface 30 3 1.62/36 16\n"
+         "surface -30 5 air 28\nsurface - 2 1.5168/64 20\nsurface - 20 air 20\n",
+         &(struct wanted){.no_rays = true}, &arena, &drawing);
+    CHECK(drawing.layout.semi[1] == 8);
+    arena_free(&arena);
+}
+
+/* One aperture is enough for rays, that of the beam or those of all surfaces. */
+static void test_apertures(void)
+{
+    static const char *const texts[] = {
+        "object inf\naperture epd 10\nsurface 60 8 1.5/64 -\nsurface - 60 air -\n",
+        "object inf\naperture epd 10\nsurface 60 8 1.5/64 20\nsurface - 60 air -\n",
+        "object inf\naperture epd 10\nsurface 60 8 1.5/64 -\nsurface - 60 air 20\n",
+        "object inf\nsurface 60 8 1.5/64 20\nsurface - 60 air 20\n"};
+    struct arena arena = {0};
+    for (size_t i = 0; i < sizeof texts / sizeof texts[0]; i++) {
+        struct drawing drawing;
+        draw(texts[i], &(struct wanted){.no_rays = false}, &arena, &drawing);
+        CHECK(count_of(&drawing, LAYOUT_AXIAL) == 2 && !is_noted(&drawing, "no rays"));
+    }
     arena_free(&arena);
 }
 
@@ -520,6 +546,7 @@ int main(void)
     test_near();
     test_construction();
     test_elements();
+    test_apertures();
     test_sections();
     test_mirrors();
     test_bent();

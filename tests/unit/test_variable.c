@@ -338,14 +338,24 @@ static void check_slack(void)
         double low, high; /* of the start, but for infinite ones */
         bool within;
     } rows[] = {
-        {"t1", 1 + 0.9e-12, 2, true},          {"t1", 1 + 1.2e-12, 2, false},
-        {"t1", 0.5, 1 - 0.9e-12, true},        {"t1", 0.5, 1 - 1.2e-12, false},
-        {"t1", -INFINITY, 1 + 1e-12, true},    {"t1", -INFINITY, 1 - 0.9e-12, true},
-        {"t1", -INFINITY, 1 - 1.2e-12, false}, {"t1", 1 + 0.9e-12, INFINITY, true},
-        {"t1", 1 + 1.2e-12, INFINITY, false},  {"R2", 2, 1 + 0.9e-12, true},
-        {"R2", 2, 1 + 1.2e-12, false},         {"R2", 1 - 0.9e-12, 0.5, true},
-        {"R2", 1 - 1.2e-12, 0.5, false},       {"R1", 1 + 0.9e-12, -1, true},
-        {"R1", 1 + 1.2e-12, -1, false},        {"R2", -1, 1 + 0.9e-12, true},
+        {"t1", 1 + 0.9e-12, 2, true},
+        {"t1", 1 + 1.2e-12, 2, false},
+        {"t1", 0.5, 1 - 0.9e-12, true},
+        {"t1", 0.5, 1 - 1.2e-12, false},
+        {"t1", -INFINITY, 1 + 1e-12, true},
+        {"t1", -INFINITY, 1 - 0.9e-12, true},
+        {"t1", -INFINITY, 1 - 1.2e-12, false},
+        {"t1", 1 + 0.9e-12, INFINITY, true},
+        {"t1", 1 + 1.2e-12, INFINITY, false},
+        {"R2", 2, 1 + 0.9e-12, true},
+        {"R2", 2, 1 + 1.2e-12, false},
+        {"R2", 1 - 0.9e-12, 0.5, true},
+        {"R2", 1 - 1.2e-12, 0.5, false},
+        {"R1", 0.02, -1, true},
+        {"R1", 0.02, -0.02, true},
+        {"R1", 1 + 0.9e-12, -1, true},
+        {"R1", 1 + 1.2e-12, -1, false},
+        {"R2", -1, 1 + 0.9e-12, true},
         {"R2", -1, 1 + 1.2e-12, false},
     };
     struct lens lens = lens_of("surface 50 6 1.5 -\nsurface -80 9 air -\n", &arena);
@@ -386,6 +396,11 @@ static void check_lone_glass(void)
         CHECK_RELATIVE(variables.high[1], glass_map_abbes(1.62, 1.66).high, 1e-15, "V2 by n2");
         CHECK(variables.low[2] == 1.62 && variables.high[2] == 1.66);
     }
+    /* bounds are on one side of 1/low and 1/high */
+    const struct variable open[] = {variable_of("R1", 20, INFINITY)};
+    struct lens bent = lens_of("surface 50 6 1.62/40 -\nsurface -60 3 air -\n", &arena);
+    CHECK(open_one(&bent, open, 1, &variables) && variables.low[0] == 0 &&
+          variables.high[0] == 1 / 20.);
     /* 1.62/70 is no glass: where one is held there is none for the other */
     lens = lens_of("surface 50 6 1.62/70 -\nsurface - 3 air -\n", &arena);
     CHECK(!open_one(&lens, list, 1, &variables));
@@ -482,6 +497,24 @@ static void check_errors(void)
     check_refused("R1", -10, 70, "R1: between the bounds -10 and 70 mm lies 0, which is no radius",
                   "through a plane it is R1[70,-10]");
     check_refused("R1", 70, -10, "R1 is 50 mm, which is not within its bounds 70 to -10 mm",
+                  "start within them, or make them wider");
+    static const double empty[][2] = {{70, 60}, {-60, -70}, {70, 1}, {0, -10}, {70, 0}};
+    for (size_t i = 0; i < sizeof empty / sizeof empty[0]; i++) {
+        const char *message = arena_printf(
+            &arena, "R1: the bounds %g to %g mm leave nothing to vary", empty[i][0], empty[i][1]);
+        check_refused("R1", empty[i][0], empty[i][1], message,
+                      "the lower one comes first; what is to stay is held, not varied");
+    }
+    check_refused("t1", 9, -9, "t1: the bounds 9 to -9 mm leave nothing to vary",
+                  "the lower one comes first; what is to stay is held, not varied");
+    check_refused("R1", -1, 70, "R1: between the bounds -1 and 70 mm lies 0, which is no radius",
+                  "through a plane it is R1[70,-1]");
+    check_refused("R1", -70, 1, "R1: between the bounds -70 and 1 mm lies 0, which is no radius",
+                  "through a plane it is R1[1,-70]");
+    check_refused("c1", 0.03, 0.04,
+                  "c1 is 0.02 /mm, which is not within its bounds 0.03 to 0.04 /mm",
+                  "start within them, or make them wider");
+    check_refused("k1", 1, 2, "k1 is 0, which is not within its bounds 1 to 2",
                   "start within them, or make them wider");
     check_refused("tilt_z1", 1, 2, "the tilt about z of a surface does not vary", "");
     check_refused("ax1", 1 * RADIANS_PER_DEGREE, 2 * RADIANS_PER_DEGREE,
