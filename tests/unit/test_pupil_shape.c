@@ -333,6 +333,43 @@ static void test_narrow(void)
     }
 }
 
+/*
+ * A disc of the radius 2 blocks the stop off its middle, 20 behind the first face and 10 before an
+ * ideal lens of f = 100; from infinity along slopes, or from a point 60 before the first face.
+ */
+static void test_blocked(void)
+{
+    static const char *const texts[] = {
+        "object inf\naperture stop\nsurface - 20 air -\nstop - 10 air 10\n"
+        "block circle 4 decenter=1.5,-0.7\nthick 100 100 air -\n",
+        "object 60\naperture stop\nsurface - 20 air -\nstop - 10 air 10\n"
+        "block circle 4 decenter=1.5,-0.7\nthick 100 100 air -\n"};
+    const double clear = 25 - 4, centre[2] = {-4 * 1.5 / clear, 4 * 0.7 / clear};
+    for (int i = 0; i < 6; i++) {
+        struct arena arena = {0};
+        const bool near = i % 2 == 1;
+        const double slope[2] = {0.05 * i, 0.2 - 0.06 * i}, object[2] = {3. * i, 7 - 2. * i};
+        const struct field_point far = {FIELD_ANGLE, {atan(slope[0]), atan(slope[1])}},
+                                 point = {FIELD_HEIGHT, {object[0], object[1]}};
+        const struct pupil_shape shape = shape_of(texts[i % 2], near ? point : far, &arena);
+        /* a point s of the stop is at m s + shift in the plane of the first face, and the lens */
+        const double front = near ? 0.75 : 1, lens = near ? 9 / 8. : 1;
+        CHECK_RELATIVE(shape.entrance.pupil.area, clear * pi, 1e-8, "of the stop");
+        CHECK_RELATIVE(shape.entrance.vertex.area, front * front * clear * pi, 1e-8, "before it");
+        CHECK_RELATIVE(shape.exit.pupil.area, clear * pi / 0.81, 1e-8, "its image");
+        CHECK_RELATIVE(shape.exit.vertex.area, lens * lens * clear * pi, 1e-8, "at the lens");
+        for (int k = 0; k < 2; k++) {
+            const double before = near ? 0.25 * object[k] : -20 * slope[k];
+            const double behind = near ? -object[k] / 8 : 10 * slope[k];
+            CHECK_NEAR(shape.entrance.pupil.centre[k], centre[k], 1e-8, "centroid");
+            CHECK_NEAR(shape.entrance.vertex.centre[k], front * centre[k] + before, 1e-8, "before");
+            CHECK_NEAR(shape.exit.pupil.centre[k], centre[k] / 0.9, 1e-8, "of its image");
+            CHECK_NEAR(shape.exit.vertex.centre[k], lens * centre[k] + behind, 1e-8, "behind");
+        }
+        arena_free(&arena);
+    }
+}
+
 /* Nothing arrives: the surface that is in the way of the chief ray. No stop, no radius: refused. */
 static void test_nothing(void)
 {
@@ -350,6 +387,7 @@ int main(void)
 {
     test_skew_field();
     test_from_film();
+    test_blocked();
     test_nothing();
     test_narrow();
     test_cats_eye();
