@@ -1,0 +1,118 @@
+/* tests/unit/test_mtf.c - contrast of a round pupil by waves, and of even discs by rays. */
+/* SPDX-License-Identifier: MIT */
+#include "analysis/image/mtf.h"
+
+#include "analysis/waves/fan.h"
+#include "base/constants.h"
+#include "check.h"
+#include "lens_of.h"
+
+struct bench {
+    struct arena arena;
+    struct lens lens;
+    struct setup setup;
+    struct field_point field;
+    struct mtf_question question;
+    struct mtf_source source;
+    bool is_open;
+};
+
+static void open_bench(const char *text, struct field_point field, double image, bool by_rays,
+                       struct bench *bench)
+{
+    struct error error = {0};
+    *bench = (struct bench){.arena = {0}};
+    bench->lens = lens_of(text, &bench->arena);
+    bench->field = field;
+    bench->question = (struct mtf_question){
+        .bundle = {.setup = &bench->setup, .field = &bench->field, .clip = true},
+        .by_rays = by_rays,
+        .error = 1e-6};
+    const struct setup_question question = {
+        .lens = &bench->lens, .wavelength = NAN, .fnumber = NAN};
+    const struct plane_value plane = {isnan(image) ? PLANE_OF_LENS : PLANE_AT, image};
+    bench->is_open = setup_open(&question, &bench->arena, &bench->setup, &error) &&
+                     setup_place_image(&bench->setup, &plane, &error) &&
+                     mtf_open(&bench->question, &bench->arena, &bench->source, &error);
+    CHECK(bench->is_open);
+    if (!bench->is_open) {
+        printf("%s\n", error.message);
+    }
+}
+
+/* 2 J1(x)/x: the mean of cos(x sin t) over cos^2 t, which a sum of equal steps has to rounding. */
+static double disc_contrast(double x)
+{
+    enum { STEPS = 400 };
+    double sum = 0;
+    for (int i = 0; i < STEPS; i++) {
+        const double t = PI * ((i + 0.5) / STEPS - 0.5);
+        sum += 2. / STEPS * cos(t) * cos(t) * cos(x * sin(t));
+    }
+    return sum;
+}
+
+/*
+ * Straight rays through a stop of the radius 5 are an even disc on any plane; where that is the
+ * stop's own there is no sphere about the image, and no pupil.
+ */
+static void test_rays(void)
+{
+    static const char *const text = "wavelength d\nobject inf\naperture stop\nfocus afocal\n"
+                                    "stop - 0 air 10\nsurface - 0 air 40\n";
+    static const double distances[] = {0, 50};
+    for (size_t i = 0; i < sizeof distances / sizeof distances[0]; i++) {
+        struct bench bench;
+        open_bench(text, (struct field_point){FIELD_ANGLE, {0, 0.1}}, distances[i], true, &bench);
+        CHECK((bench.source.pupils.list == NULL) == (distances[i] == 0));
+        CHECK(bench.source.pupils.islands.share == 0 && bench.source.directions == 2);
+        for (int k = 0; k < 2; k++) {
+            CHECK(isnan(bench.source.cutoff[k]) == (distances[i] == 0));
+            CHECK(bench.source.along[k][k] == (k == 0 ? 0 : -0.0));
+            CHECK(fabs(bench.source.along[k][1 - k]) == 1);
+        }
+        for (double f = 0.01; f < 0.3 && bench.is_open; f += 0.04) {
+            struct mtf mtf;
+            struct error error;
+            CHECK(mtf_find(&bench.source, f, &bench.arena, &mtf, &error) && mtf.has_converged);
+            for (int k = 0; k < 2; k++) {
+                const double expected = disc_contrast(2 * PI * f * 5);
+                CHECK_NEAR(mtf.contrast[k], fabs(expected), 2e-6, "of a disc");
+                CHECK_NEAR(fabs(mtf.phase[k]), expected < 0 ? PI : 0, 1e-4, "turned where below 0");
+                CHECK(isnan(mtf.limit[k]) == (distances[i] == 0));
+            }
+        }
+        arena_free(&bench.arena);
+    }
+}
+
+/* [Goodman05] (6-32); the sine at the rim of a paraboloid of f/25 is even to 2e-4. */
+static void test_waves(void)
+{
+    struct bench bench;
+    open_bench("wavelength d\nobject inf\naperture stop\nsurface -200 -100 mirror 4 k=-1 stop\n",
+               (struct field_point){FIELD_NONE, {0, 0}}, -100, false, &bench);
+    const double sine = sin(atan(2 / (100 - 4. / 400))), cutoff = 2 * sine / 0.5875618e-3;
+    CHECK(bench.source.directions == 1);
+    CHECK_RELATIVE(bench.source.cutoff[0], cutoff, 1e-7, "cut-off");
+    for (int k = 0; k <= 20 && bench.is_open; k++) {
+        const double share = k / 20., root = sqrt(1 - share * share);
+        struct mtf mtf;
+        struct error error;
+        CHECK(mtf_find(&bench.source, share * cutoff, &bench.arena, &mtf, &error));
+        const double expected = 2 / PI * (acos(share) - share * root);
+        for (int d = 0; d < 2; d++) {
+            CHECK_NEAR(mtf.contrast[d], expected, 2e-4, "a perfect pupil");
+            CHECK_NEAR(mtf.limit[d], mtf.contrast[d], 2e-6, "it is the limit");
+            CHECK(mtf.contrast[d] < 1e-6 || fabs(mtf.phase[d]) < 1e-6);
+        }
+    }
+    arena_free(&bench.arena);
+}
+
+int main(void)
+{
+    test_rays();
+    test_waves();
+    return check_report();
+}
