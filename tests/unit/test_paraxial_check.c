@@ -93,65 +93,86 @@ static void check_mirror(enum lens_section section)
     arena_free(&arena);
 }
 
-/* A thick glass with flat faces: sin t' = sin t/1.5; the stop lies 30 mm behind the first face and
-   12 mm before the last. */
-static void check_slab(enum lens_section section)
+/*
+ * A thick glass with flat faces between two media: n sin t is kept. The stop lies 30 mm behind the
+ * first face and 12 mm before the last. From infinity at 40 degrees, or from a point 50 mm aside.
+ */
+static void check_slab(enum lens_section section, const double n[3], bool near)
 {
     const size_t axis = section == SECTION_X ? 0 : 1;
-    const double plane = 70, n = 1.5;
+    const double plane = 70, front = 30 * n[0] / n[1], back = 12 * n[2] / n[1];
     struct arena arena = {0};
     struct bench bench;
-    open_bench("wavelength d\nobject inf\naperture stop\nfocus afocal\nfield angle 40\n"
-               "surface - 30 1.5 -\nstop - 12 1.5 20\nsurface - 0 air -\n",
+    open_bench(arena_printf(&arena,
+                            "wavelength d\nobject %s\naperture stop\n%smedium %g\n"
+                            "surface - 30 %g -\nstop - 12 %g 20\nsurface - 0 %g -\n",
+                            near ? "60" : "inf", near ? "" : "focus afocal\n", n[0], n[1], n[1],
+                            n[2]),
                section, plane, &arena, &bench);
-    bench.problem.field = (struct field_point){FIELD_ANGLE, {0, 0}};
-    bench.problem.field.value[axis] = 40 * degree;
+    bench.problem.field = (struct field_point){near ? FIELD_HEIGHT : FIELD_ANGLE, {0, 0}};
+    bench.problem.field.value[axis] = near ? -50 : 40 * degree;
     for (int kept = 0; kept < 2; kept++) {
         bench.problem.chiefs =
             kept == 0 ? NULL : ARENA_ARRAY(&arena, CHECK_CHIEFS, struct check_chief);
         for (int k = 1; k <= 4; k++) {
-            const double fraction = k / 4., t = 40 * degree * fraction, u = asin(sin(t) / n);
-            const double ratio = tan(u) / tan(t), height = (8 + plane) * tan(t);
+            const double fraction = k / 4.;
+            double low = 0, high = 40 * degree, t = high * fraction, u = 0;
+            for (int i = 0; i < 60; i++) { /* the chief ray of a point by halving */
+                t = near ? (low + high) / 2 : t;
+                u = asin(n[0] * sin(t) / n[1]);
+                const bool is_below = 60 * tan(t) + 30 * tan(u) < 50 * fraction;
+                low = is_below ? t : low;
+                high = is_below ? high : t;
+            }
+            const double w = asin(n[0] * sin(t) / n[2]),
+                         slope = near ? 50 * fraction / (60 + front) : tan(t);
+            const double height = (12 * n[0] / n[1] + plane * n[0] / n[2]) * slope;
             const double rows[][3] = {
-                [CHECK_IMAGE_HEIGHT] = {height, 12 * tan(u) + plane * tan(t), height},
-                [CHECK_ANGULAR_MAGNIFICATION] = {1, 1, 1},
-                [CHECK_ENTRANCE_PUPIL] = {20, 30 * ratio, 42},
-                [CHECK_EXIT_PUPIL] = {-8, -12 * ratio, 42},
+                [CHECK_IMAGE_HEIGHT] = {height, 12 * tan(u) + plane * tan(w), height},
+                [CHECK_ANGULAR_MAGNIFICATION] = {n[0] / n[2], tan(w) / tan(t), n[0] / n[2]},
+                [CHECK_ENTRANCE_PUPIL] = {front, 30 * tan(u) / tan(t), 42},
+                [CHECK_EXIT_PUPIL] = {-back, -12 * tan(u) / tan(w), 42},
             };
             for (int q = CHECK_IMAGE_HEIGHT; q <= CHECK_EXIT_PUPIL; q++) {
                 const enum check_quantity asked = (enum check_quantity)q;
                 check_value(&bench, asked, fraction, &arena, rows[q], "of a slab");
                 const struct check_value value =
                     paraxial_check_at(&bench.problem, asked, fraction, &arena);
-                CHECK_NEAR(value.angle, t, 1e-14, "angle");
+                CHECK(near || fabs(value.angle - t) < 1e-14);
                 CHECK(isnan(value.height) && isnan(value.fnumber));
             }
         }
     }
     const double exit_angle[] = {0, 0, NAN};
-    check_value(&bench, CHECK_EXIT_ANGLE, 0.5, &arena, exit_angle, "it stays parallel");
+    if (!near) {
+        check_value(&bench, CHECK_EXIT_ANGLE, 0.5, &arena, exit_angle, "it stays parallel");
+    }
     arena_free(&arena);
 }
 
-/* An object 60 mm before a plane of n = 1.5: its image lies 60 tan U/tan U' before it. */
-static void check_near_object(void)
+/* An object 60 mm before a plane of n': its image lies 60 tan U/tan U' before it. */
+static void check_near_object(double n)
 {
     struct arena arena = {0};
     struct bench bench;
-    open_bench("wavelength d\nobject 60\naperture stop\nsurface - 10 1.5 40 stop\n", SECTION_Y, -80,
-               &arena, &bench);
+    open_bench(arena_printf(&arena,
+                            "wavelength d\nobject 60\naperture stop\nmedium %g\n"
+                            "surface - 10 1.5 40 stop\n",
+                            n),
+               SECTION_Y, -80, &arena, &bench);
+    const double far = 60 * 1.5 / n;
     for (int k = 1; k <= 4; k++) {
-        const double h = 5 * k, U = atan(h / 60), V = asin(sin(U) / 1.5), back = -h / tan(V);
-        const double image[] = {-90, back, 0}, one[] = {1, 1, 1};
+        const double h = 5 * k, U = atan(h / 60), V = asin(n * sin(U) / 1.5), back = -h / tan(V);
+        const double one[] = {1, 1, 1};
         const struct check_value value =
             paraxial_check_at(&bench.problem, CHECK_IMAGE, k / 4., &arena);
-        CHECK_NEAR(value.paraxial, image[0], 1e-12, "image");
-        CHECK_NEAR(value.exact, image[1], 1e-11, "image");
+        CHECK_NEAR(value.paraxial, -far, 1e-12, "image");
+        CHECK_NEAR(value.exact, back, 1e-11, "image");
         CHECK_NEAR(value.height, h, 1e-12, "height");
         check_value(&bench, CHECK_MAGNIFICATION, k / 4., &arena, one, "n sin U is kept");
-        const double miss[] = {h - 80 * h / 90, h - 80 * tan(V), NAN};
+        const double miss[] = {h - 80 * h / far, h - 80 * tan(V), NAN};
         check_value(&bench, CHECK_TRANSVERSE, k / 4., &arena, miss, "at a plane");
-        const double paraxial = 1 / (2 * 1.5 * h / 90), exact = 1 / (2 * 1.5 * sin(V));
+        const double paraxial = 1 / (2 * 1.5 * h / far), exact = 1 / (2 * 1.5 * sin(V));
         const double fnumber[] = {paraxial, exact, paraxial};
         check_value(&bench, CHECK_FNUMBER, k / 4., &arena, fnumber, "n' sin U'");
     }
@@ -241,9 +262,14 @@ int main(void)
 {
     check_mirror(SECTION_X);
     check_mirror(SECTION_Y);
-    check_slab(SECTION_X);
-    check_slab(SECTION_Y);
-    check_near_object();
+    static const double air[] = {1, 1.5, 1}, media[] = {1.33, 1.5, 1.2};
+    check_slab(SECTION_X, air, false);
+    check_slab(SECTION_Y, air, false);
+    check_slab(SECTION_Y, media, false);
+    check_slab(SECTION_X, air, true);
+    check_slab(SECTION_Y, media, true);
+    check_near_object(1);
+    check_near_object(1.2);
     check_orders();
     check_which();
     return check_report();
