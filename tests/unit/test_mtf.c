@@ -2,9 +2,9 @@
 /* SPDX-License-Identifier: MIT */
 #include "analysis/image/mtf.h"
 
-#include "analysis/waves/fan.h"
 #include "base/constants.h"
 #include "check.h"
+#include "exchange/lens_open.h"
 #include "lens_of.h"
 
 struct bench {
@@ -110,8 +110,42 @@ static void test_waves(void)
     arena_free(&bench.arena);
 }
 
+/*
+ * Light beyond a gap is told of, of an image in the exit pupil too, where there is no sphere: of a
+ * lens that has some, as test_pupil_islands counts in cells.
+ */
+static void test_islands(void)
+{
+    struct arena arena = {0};
+    struct lensdb db = {.arena = &arena};
+    struct lens lens = {0};
+    struct setup setup = {0};
+    struct error error = {0};
+    const struct field_point field = {FIELD_ANGLE, {0, 14 * RADIANS_PER_DEGREE}};
+    const struct setup_question asked = {.lens = &lens, .wavelength = NAN, .fnumber = NAN};
+    CHECK(lens_open(&db, text_of("cooke-triplet-50"), &arena, &lens, &error) &&
+          setup_open(&asked, &arena, &setup, &error));
+    const double exit = setup.first.exit_pupil;
+    double shares[2] = {0, 0};
+    for (int i = 0; i < 2; i++) {
+        const struct plane_value plane = {i == 0 ? PLANE_OF_LENS : PLANE_AT, exit};
+        const struct mtf_question question = {
+            .bundle = {.setup = &setup, .field = &field, .clip = true},
+            .by_rays = true,
+            .error = 1e-3};
+        struct mtf_source source;
+        CHECK(setup_place_image(&setup, &plane, &error) &&
+              mtf_open(&question, &arena, &source, &error));
+        CHECK((source.pupils.list == NULL) == (i == 1));
+        shares[i] = source.pupils.islands.share;
+    }
+    CHECK(shares[0] > 0.001 && shares[1] == shares[0]);
+    arena_free(&arena);
+}
+
 int main(void)
 {
+    test_islands();
     test_rays();
     test_waves();
     return check_report();
