@@ -86,6 +86,27 @@ static void test_rays(void)
     }
 }
 
+/* The image on the axis of a round lens is the same in all directions; it is asked in one. */
+static void test_directions(void)
+{
+    static const struct {
+        struct field_point field;
+        size_t directions;
+    } rows[] = {{{FIELD_NONE, {0, 0}}, 1},
+                {{FIELD_NONE, {0.01, 0}}, 1},
+                {{FIELD_ANGLE, {0, 0}}, 1},
+                {{FIELD_ANGLE, {0, 0.01}}, 2},
+                {{FIELD_ANGLE, {0.01, 0}}, 2}};
+    for (size_t i = 0; i < sizeof rows / sizeof rows[0]; i++) {
+        struct bench bench;
+        open_bench("wavelength d\nobject inf\naperture stop\n"
+                   "surface -200 -100 mirror 4 k=-1 stop\n",
+                   rows[i].field, -100, false, &bench);
+        CHECK(bench.source.directions == rows[i].directions);
+        arena_free(&bench.arena);
+    }
+}
+
 /* [Goodman05] (6-32); the sine at the rim of a paraboloid of f/25 is even to 2e-4. */
 static void test_waves(void)
 {
@@ -146,6 +167,7 @@ static void test_islands(void)
 int main(void)
 {
     test_islands();
+    test_directions();
     test_rays();
     test_waves();
     return check_report();
