@@ -38,8 +38,7 @@ static struct pair unit_length(const char *unit)
 /* Of the dimension length^power: a length, 1, or 1 over lengths. */
 static void change_figure(const struct change *change, int power, struct figure *figure)
 {
-    if (figure->variable != LENS_NONE || !isfinite(figure->value.hi) ||
-        (figure->value.hi == 0 && figure->typed.start == NULL)) {
+    if (figure->variable != LENS_NONE || !isfinite(figure->value.hi)) {
         return;
     }
     struct pair value = figure->value;

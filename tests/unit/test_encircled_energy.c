@@ -79,7 +79,7 @@ static void test_disc(const char *what, double beside, size_t rings, size_t arms
     arena_free(&arena);
 }
 
-/* Rays by themselves: half of the light of each lies before it. At 1, 2 and 3 of weights 1, 1, 2. */
+/* Rays by themselves: half of the light of each lies before it. Weights 1, 1, 2 at 1, 2 and 3. */
 static void test_points(void)
 {
     static const struct encircled_energy_mark marks[] = {{.at = {-1.8, 2.4}, .weight = 2},

@@ -1,4 +1,4 @@
-/* tests/unit/test_paraxial_check.c - exact rays beside paraxial ones, where both are closed forms. */
+/* tests/unit/test_paraxial_check.c - exact rays beside paraxial ones, both by closed forms. */
 /* SPDX-License-Identifier: MIT */
 #include "analysis/rays/paraxial_check.h"
 

@@ -1,4 +1,4 @@
-/* tests/unit/test_psf.c - the inner loops of images of points; what is said of light beyond them. */
+/* tests/unit/test_psf.c - inner loops of images of points; what is said of light beyond them. */
 /* SPDX-License-Identifier: MIT */
 #include "analysis/image/psf.h"
 #include "analysis/image/psf_light.h"
@@ -103,10 +103,9 @@ static void test_wavelet(void)
 
 /*
  * Of an image that is too small the centroid of all light is told from its rays: 1.25 times as far
- * from the pixels' as theirs is. A paraboloid of f = 100 and 160 mm wide, open in a disc above its middle,
- * and a plane 0.02 mm behind the focus: a ray from the height h goes h/(100 - h^2/400) mm aside a
- * mm. Its pixels are as bright as the beam is wide there, 1.9 times as much at the rim as in the
- * middle.
+ * from the pixels' as theirs is. A paraboloid of f = 100 and 160 mm wide, open in a disc above its
+ * middle, and a plane 0.02 mm behind the focus: a ray from the height h goes h/(100 - h^2/400) mm
+ * aside a mm. By direction cosines the beam is 1.9 times as bright at the rim as in the middle.
  */
 static void test_rays_centroid(bool turned)
 {
