@@ -287,7 +287,12 @@ static void test_elements(void)
          "surface - 5 air 28\n",
          &(struct wanted){.no_rays = true}, &arena, &drawing);
     CHECK(drawing.layout.semi[1] == 10);
-    /* nor do faces that meet before the rim: 2 and 3 mm, less two sags of 30 - sqrt(900 - 14^2) */
+    /* half a millimetre is room, and the first rim may be the smaller one */
+    draw("object inf\naperture epd 9\nsurface - 0.5 1.5168/64 26\nsurface - 0.5 1.62/36 16\n"
+         "surface - 5 air 28\n",
+         &(struct wanted){.no_rays = true}, &arena, &drawing);
+    CHECK(drawing.layout.semi[1] == 13);
+    /* faces that meet before the rim give none: 2 and 3 mm, less two sags of 30 - sqrt(900 - 14^2) */
     draw("object inf\naperture epd 9\nsurface 30 2 1.5168/64 30\nsurface -30 3 1.62/36 16\n"
          "surface - 5 air 28\nsurface - 2 1.5168/64 20\nsurface - 20 air 20\n",
          &(struct wanted){.no_rays = true}, &arena, &drawing);
