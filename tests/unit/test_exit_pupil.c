@@ -91,6 +91,37 @@ static void test_focus(double image)
 }
 
 /*
+ * A plane 1 mm behind the focus: a ray of the angle U meets the sphere of 101 mm about there `back`
+ * before the focus, where 100 mm are what the chief ray has; the way to its centre says a and b.
+ */
+static void test_defocus(void)
+{
+    struct bench bench;
+    open_bench(MIRROR(""), (struct field_point){FIELD_NONE, {0, 0}}, -101, &bench);
+    if (bench.pupil == NULL) {
+        return;
+    }
+    enum { COUNT = 40 };
+    double at[COUNT][2], waves[COUNT], amplitudes[COUNT], form[COUNT];
+    double expected[COUNT];
+    for (int i = 0; i < COUNT; i++) {
+        const double h = 39.5 * (i + 0.5) / COUNT, turn = 2.4 * i;
+        const double U = atan(h / (100 - h * h / 400)), cosine = cos(U);
+        const double back = -cosine + sqrt(cosine * cosine + 101 * 101 - 1);
+        at[i][0] = -back * sin(U) / 101 * cos(turn);
+        at[i][1] = -back * sin(U) / 101 * sin(turn);
+        expected[i] = -(100 - back) / 0.5875618e-3;
+    }
+    exit_pupil_values(bench.pupil, (const double(*)[2])at, COUNT, waves, amplitudes);
+    exit_pupil_form(bench.pupil, (const double(*)[2])at, COUNT, form, amplitudes);
+    for (int i = 0; i < COUNT; i++) {
+        CHECK_NEAR(waves[i], expected[i], 1e-8, "W of a defocus");
+        CHECK_NEAR(form[i], expected[i], 1e-4, "and by polynomials");
+    }
+    arena_free(&bench.arena);
+}
+
+/*
  * What polynomials leave is what they differ by from rays, in the mean of points all over the
  * pupil: a sphere, whose front at f/1.25 they do not follow all the way.
  */
@@ -277,6 +308,7 @@ int main(void)
 {
     test_focus(-100);
     test_focus(-101);
+    test_defocus();
     test_left();
     test_box();
     test_lines();
