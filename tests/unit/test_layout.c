@@ -292,7 +292,7 @@ static void test_elements(void)
          "surface - 5 air 28\n",
          &(struct wanted){.no_rays = true}, &arena, &drawing);
     CHECK(drawing.layout.semi[1] == 13);
-    /* faces that meet before the rim give none: 2 and 3 mm, less two sags of 30 - sqrt(900 - 14^2) */
+    /* faces that meet before the rim give none: 2 mm, less two sags of 30 - sqrt(900 - 14^2) */
     draw("object inf\naperture epd 9\nsurface 30 2 1.5168/64 30\nsurface -30 3 1.62/36 16\n"
          "surface - 5 air 28\nsurface - 2 1.5168/64 20\nsurface - 20 air 20\n",
          &(struct wanted){.no_rays = true}, &arena, &drawing);
