@@ -1,5 +1,6 @@
 #!/usr/bin/env python3
-"""tests/structure/check_bench.py - a section of the bench that stops is told of, and stops no other.
+"""tests/structure/check_bench.py - a section of the bench that stops is told of, and stops no other;
+README says of speed what was measured.
 
 Prints a line for each failure and, last, "N passed, N failed".
 """
@@ -13,6 +14,7 @@ sys.dont_write_bytecode = True
 ROOT = os.path.dirname(os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
 sys.path.insert(0, os.path.join(ROOT, "tests"))
 sys.path.insert(0, os.path.join(ROOT, "tests", "bench"))
+import readme
 from common import Broken, entry, measured
 from harness import Checks
 
@@ -43,6 +45,8 @@ def main():
                  f"not those that stopped are told: {broken}")
     checks.check("status 1" in broken[0].trouble and "gone" in broken[1].trouble,
                  f"why they stopped is not told: {broken}")
+    checks.check(readme.committed() == readme.section(),
+                 "README's section of speed is not what tests/bench/measured.tsv says")
     checks.finish()
 
 
