@@ -4,6 +4,7 @@
 
 #include "base/arena.h"
 #include "base/error.h"
+#include "draw/marks.h"
 #include "draw/palette.h"
 #include "draw/plot_frame.h"
 #include "draw/svg.h"
@@ -15,14 +16,13 @@ static const double LEFT = 70, TOP = 56, BOTTOM = 62; /* margins, px */
 static const double NUMBER_SIZE = 12, AXIS_SIZE = 14, TITLE_SIZE = 17, LABEL_SIZE = 9.5;
 static const double LEGEND_WIDTH = 118;
 
-enum { MOST_LABELLED = 400, COLOURS = 7, SHAPES = 3 };
+enum { MOST_LABELLED = 400 };
 
 struct abbe_drawing {
     const struct abbe *abbe;
     struct svg *svg;
     struct plot_axis x, y;
-    struct svg_box *taken; /* what labels must keep off: dots and labels */
-    size_t taken_count;
+    struct label_page page;
 };
 
 static bool is_drawable(const struct abbe_point *point)
@@ -122,24 +122,6 @@ static void draw_border(const struct abbe_drawing *drawing)
     svg_words(svg, page_x[0] + 8, y->start - 8, NUMBER_SIZE, SVG_START, "#666666", "flint");
 }
 
-/* One of the three shapes, about as large as the others. */
-static void abbe_draw_mark(struct svg *svg, size_t group, double x, double y, double radius)
-{
-    const double triangle_x[] = {x - radius, x + radius, x};
-    const double triangle_y[] = {y + 0.8 * radius, y + 0.8 * radius, y - 1.1 * radius};
-    switch (group / COLOURS % SHAPES) {
-    case 0:
-        svg_circle(svg, x, y, radius);
-        break;
-    case 1:
-        svg_rect(svg, x - 0.85 * radius, y - 0.85 * radius, 1.7 * radius, 1.7 * radius);
-        break;
-    default:
-        svg_polygon(svg, triangle_x, triangle_y, 3);
-        break;
-    }
-}
-
 static double mark_radius(const struct abbe *abbe, bool chosen)
 {
     double usual = abbe->count > MOST_LABELLED ? 2 : 2.8;
@@ -162,45 +144,21 @@ static void draw_points(struct abbe_drawing *drawing, bool chosen)
             if (point->group == group && point->chosen == chosen && is_drawable(point)) {
                 double x = plot_page_at(&drawing->x, point->Vd),
                        y = plot_page_at(&drawing->y, point->nd);
-                abbe_draw_mark(svg, group, x, y, radius);
-                drawing->taken[drawing->taken_count++] =
-                    (struct svg_box){x - radius, y - radius, x + radius, y + radius};
+                mark_draw(svg, group, x, y, radius);
+                label_page_take(&drawing->page, x, y, radius);
             }
         }
         svg_group_end(svg);
     }
 }
 
-static bool abbe_is_free(const struct abbe_drawing *drawing, const struct svg_box *box)
-{
-    const struct plot_axis *x = &drawing->x, *y = &drawing->y;
-    return box->left >= x->start && box->right <= x->stop && box->top >= y->stop &&
-           box->bottom <= y->start && svg_is_free(drawing->taken, drawing->taken_count, box);
-}
-
-/* Beside the point where there is room: right, left, above, below, then the corners. */
 static void label_point(struct abbe_drawing *drawing, const struct abbe_point *point)
 {
-    static const struct {
-        double x, y; /* place of the label's middle, in half widths and heights */
-    } places[] = {{1, 0}, {-1, 0}, {0, -1}, {0, 1}, {1, -1}, {-1, -1}, {1, 1}, {-1, 1}};
-    double size = point->chosen ? LABEL_SIZE + 2.5 : LABEL_SIZE;
-    double half_width = svg_text_width(point->label, size) / 2, half_height = 0.42 * size;
-    double gap = mark_radius(drawing->abbe, point->chosen) + 1.5;
-    double x = plot_page_at(&drawing->x, point->Vd), y = plot_page_at(&drawing->y, point->nd);
-    for (size_t i = 0; i < sizeof places / sizeof places[0]; i++) {
-        double shift_x = places[i].x * (half_width + gap);
-        double shift_y = places[i].y * (half_height + gap);
-        struct svg_box box = {x + shift_x - half_width, y + shift_y - half_height,
-                              x + shift_x + half_width, y + shift_y + half_height};
-        bool last = i + 1 == sizeof places / sizeof places[0];
-        if (abbe_is_free(drawing, &box) || (last && point->chosen)) {
-            svg_words(drawing->svg, x + shift_x, box.bottom - 0.06 * size, size, SVG_MIDDLE,
-                      point->chosen ? NULL : "#333333", point->label);
-            drawing->taken[drawing->taken_count++] = box;
-            return;
-        }
-    }
+    const double size = point->chosen ? LABEL_SIZE + 2.5 : LABEL_SIZE;
+    const double gap = mark_radius(drawing->abbe, point->chosen) + 1.5;
+    label_put(&drawing->page, drawing->svg, plot_page_at(&drawing->x, point->Vd),
+              plot_page_at(&drawing->y, point->nd), gap, size, point->chosen ? NULL : "#333333",
+              point->chosen, point->label);
 }
 
 static void draw_labels(struct abbe_drawing *drawing, bool chosen)
@@ -229,7 +187,9 @@ bool abbe_draw(const struct abbe *abbe, struct svg *svg, struct error *error)
                                    .start = LEFT,
                                    .stop = ABBE_WIDTH - LEGEND_WIDTH,
                                    .ticks = drawing.x.ticks};
-    drawing.taken = ARENA_ARRAY(svg->arena, 2 * abbe->count + 1, struct svg_box);
+    drawing.page.frame =
+        (struct svg_box){drawing.x.start, drawing.y.stop, drawing.x.stop, drawing.y.start};
+    drawing.page.taken = ARENA_ARRAY(svg->arena, 2 * abbe->count + 1, struct svg_box);
     svg_begin(svg, ABBE_WIDTH, ABBE_HEIGHT, abbe->title);
     abbe_draw_grid(&drawing);
     draw_border(&drawing);
@@ -242,7 +202,7 @@ bool abbe_draw(const struct abbe *abbe, struct svg *svg, struct error *error)
     double x = ABBE_WIDTH - LEGEND_WIDTH + 14, y = TOP + 10;
     for (size_t group = 0; group < abbe->group_count; group++, y += 19) {
         svg_group_begin(svg, &(struct svg_style){.fill = palette_colour(group)});
-        abbe_draw_mark(svg, group, x, y, 4);
+        mark_draw(svg, group, x, y, 4);
         svg_group_end(svg);
         svg_words(svg, x + 11, y + 4, NUMBER_SIZE, SVG_START, NULL, abbe->groups[group]);
     }

@@ -4,6 +4,7 @@
 #include "commands/design/fit.h"
 #include "commands/lens/lens_options.h"
 #include "commands/tables.h"
+#include "draw/front.h"
 
 struct bench_input {
     struct lens_question question;
@@ -209,6 +210,13 @@ static bool bench_emit(const struct bench_input *input, const struct lens_case *
     return true;
 }
 
+/* What is drawn: of one lens in one position. */
+struct bench_drawing {
+    const struct setup *setup;
+    const struct benchmark_way *ways;
+    size_t count;
+};
+
 static bool bench_run(const void *data, struct run *run, struct error *error)
 {
     const struct bench_input *input = data;
@@ -237,6 +245,13 @@ static bool bench_run(const void *data, struct run *run, struct error *error)
         struct benchmark benchmark;
         const bool found = benchmark_run(&question, &arena, &benchmark, error);
         const bool goes_on = found && bench_emit(input, &at.one, &benchmark, run);
+        if (found) {
+            struct bench_drawing *drawing = ARENA_NEW(run->arena, struct bench_drawing);
+            *drawing = (struct bench_drawing){
+                at.one.setup, ARENA_COPY(run->arena, benchmark.ways, benchmark.count, 0),
+                benchmark.count};
+            run->state = drawing;
+        }
         arena_free(&arena);
         if (!goes_on) {
             return found;
@@ -244,6 +259,116 @@ static bool bench_run(const void *data, struct run *run, struct error *error)
     }
     return error->code == ERROR_NONE;
 }
+
+/* -------- the drawing -------- */
+
+enum bench_group {
+    GROUP_MODELS,
+    GROUP_POLYNOMIALS,
+    GROUP_EXACT,
+    GROUP_PATTERNS, /* one a pattern */
+    GROUP_WAVES = GROUP_PATTERNS + PATTERNS,
+    GROUPS
+};
+
+static enum bench_group bench_group_of(const struct benchmark_way *way)
+{
+    if (way->is_wave) {
+        return GROUP_WAVES;
+    }
+    if (way->is_quadrature) {
+        return (enum bench_group)(GROUP_PATTERNS + (int)way->pattern);
+    }
+    if (way->model == MODEL_POLYNOMIAL) {
+        return GROUP_POLYNOMIALS;
+    }
+    return way->model == MODEL_EXACT || way->model > MODEL_POLYNOMIAL ? GROUP_EXACT : GROUP_MODELS;
+}
+
+static const char *bench_label_of(const struct benchmark_way *way, struct arena *arena)
+{
+    if (way->is_quadrature) {
+        return arena_printf(arena, "%zu", way->rays);
+    }
+    if (way->model == MODEL_POLYNOMIAL) {
+        return arena_printf(arena, "degree %d", way->degree);
+    }
+    return way->is_wave || way->set != SET_BEST ? bench_variant(way, arena)
+                                                : lens_models[way->model].word;
+}
+
+static bool bench_check_plot(const struct artifact_job *job, struct error *error)
+{
+    const struct bench_input *input = job->inputs[0];
+    return !lens_positions_several(input->question.lens.lens, input->question.position) ||
+           fail(error, ERROR_USAGE, "{--plot} draws one position: name it with {--position}");
+}
+
+static bool bench_plot(const struct artifact_job *job, struct output *sink, struct error *error)
+{
+    static const char *const y_labels[BENCHMARK_QUANTITIES] = {
+        [BENCHMARK_RAY] = "error of a ray in the image, rms (um)",
+        [BENCHMARK_FOCUS] = "error of the focus (um)",
+        [BENCHMARK_SPOT] = "error of the spot's rms radius (um)",
+        [BENCHMARK_MTF] = "error of the contrast",
+        [BENCHMARK_IRRADIANCE] = "relative error of the irradiance"};
+    const struct bench_input *input = job->inputs[0];
+    const struct bench_drawing *drawing = job->run->state;
+    struct arena *arena = job->run->arena;
+    struct svg svg = {.arena = arena};
+    struct front_point *points = ARENA_ARRAY(arena, drawing->count, struct front_point);
+    struct front_group groups[GROUPS];
+    size_t places[GROUPS], group_count = 0;
+    for (enum bench_group group = 0; group < GROUPS; group++) {
+        static const char *const names[] = {"models", "polynomials", "exact"};
+        const bool is_pattern = group >= GROUP_PATTERNS && group < GROUP_WAVES;
+        const char *other =
+            is_pattern ? patterns[group - GROUP_PATTERNS].word : "waves, by error asked";
+        bool is_there = false;
+        for (size_t i = 0; i < drawing->count; i++) {
+            is_there = is_there || bench_group_of(&drawing->ways[i]) == group;
+        }
+        places[group] = group_count;
+        groups[group_count] =
+            (struct front_group){.name = group < GROUP_PATTERNS ? names[group] : other,
+                                 .is_line = group != GROUP_MODELS};
+        group_count += is_there;
+    }
+    const bool is_length = input->quantity <= BENCHMARK_SPOT;
+    for (size_t i = 0; i < drawing->count; i++) {
+        const struct benchmark_way *way = &drawing->ways[i];
+        points[i] = (struct front_point){.x = 1e6 * way->seconds,
+                                         .y = (is_length ? 1000 : 1) * way->error,
+                                         .label = bench_label_of(way, arena),
+                                         .group = places[bench_group_of(way)],
+                                         .is_best = way->is_best};
+    }
+    const char *title = drawing->setup->lens->title;
+    const struct front front = {
+        .title = arena_printf(arena, "%s: time against error", title != NULL ? title : "A lens"),
+        .subtitle = arena_printf(
+            arena, "%s%s%s%s, %zu field%s, f/%.3g", quantities[input->quantity].word,
+            drawing->setup->position != NULL ? ", " : "",
+            drawing->setup->position != NULL ? drawing->setup->position : "",
+            input->quantity == BENCHMARK_MTF ? arena_printf(arena, " at %.4g/mm", input->frequency)
+                                             : "",
+            drawing->setup->field_count, drawing->setup->field_count == 1 ? "" : "s",
+            drawing->setup->first.fnumber),
+        .x_label =
+            input->quantity == BENCHMARK_RAY ? "time of a ray (us)" : "time of all fields (us)",
+        .y_label = y_labels[input->quantity],
+        .points = points,
+        .count = drawing->count,
+        .groups = groups,
+        .group_count = group_count};
+    return front_draw(&front, &svg, error) && drawing_write(job, &svg, sink, error);
+}
+
+static const struct artifact artifacts[] = {
+    {ARTIFACT_OPTION("plot", drawing_types,
+                     "draw time against error, both logarithmic, with the front"),
+     .check = bench_check_plot, .make = bench_plot},
+};
 
 static const struct explanation explanations[] = {
     {"rms_error", "error = sqrt(sum w |answer - truth|^2/sum w)",
@@ -256,6 +381,7 @@ static const struct example examples[] = {
     {"bench double-gauss", "models and exact rays of a double Gauss, time against error"},
     {"bench double-gauss --quantity spot", "its spots: models, and quadratures by rays"},
     {"bench double-gauss -N 8 --field 0,5", "stopped down, near the axis"},
+    {"bench fisheye-16 --plot front.svg", "the same as a drawing"},
     {NULL, NULL},
 };
 
@@ -264,6 +390,7 @@ const struct command command_bench = {
     COMMAND_OF("tool", "models of a lens and quadratures: their time against their error"),
     .makes_many = command_always_many,
     .run = bench_run,
+    COMMAND_MAKES(artifacts),
     .needs_ceres = "",
     .most_answers = 10000,
 };

@@ -1,0 +1,34 @@
+/* draw/marks.h - marks of groups of points, and labels beside them that keep off each other. */
+/* SPDX-License-Identifier: MIT */
+#ifndef LENSCALC_DRAW_MARKS_H
+#define LENSCALC_DRAW_MARKS_H
+
+#include "draw/svg.h"
+
+#include <stdbool.h>
+#include <stddef.h>
+
+/* A disc, a square or a triangle, about as large as the others: by seven groups each. */
+void mark_draw(struct svg *svg, size_t group, double x, double y, double radius);
+
+/* What of a page labels may not cover, and where they end. */
+struct label_page {
+    struct svg_box frame;
+    struct svg_box *taken; /* marks and labels, with room for all */
+    size_t taken_count;
+};
+
+/* Keep labels off a place. */
+void label_page_take(struct label_page *page, double x, double y, double radius);
+
+/*
+ * A label beside a point, where there is room: right, left, above, below, then the corners.
+ *
+ * Given     gap     between the point and the label
+ *           forced  where there is none it stands in the last of these places
+ * Result    false: it stands nowhere
+ */
+bool label_put(struct label_page *page, struct svg *svg, double x, double y, double gap,
+               double size, const char *colour, bool forced, const char *text);
+
+#endif
